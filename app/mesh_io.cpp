@@ -1,0 +1,1 @@
+#include "app/mesh_io.h"

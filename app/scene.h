@@ -1,0 +1,180 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hydro/coefficients.h"
+
+/// @file
+/// A scene as its file says it: one struct a block, one field a key, values checked one by one.
+/// Lengths, masses and times in SI; an angle whose key ends in `_deg` is in radians here.
+/// Meshes are named, not loaded; what follows from them is found by `assemble`.
+
+namespace app {
+
+/// A place in a file, counted from 1.
+struct Place {
+  std::filesystem::path file;
+  int line = 0;
+  int column = 0;
+};
+
+struct FlatScene {};
+struct HeightFieldScene {
+  std::filesystem::path file;  ///< CSV or 16-bit grey PNG; resolved against the scene's folder.
+  double cell = 1;             ///< [m], > 0.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  std::optional<std::array<double, 2>> range;  ///< Heights of black and white [m]; PNG only.
+};
+struct WaveScene {
+  double amplitude = 0;   ///< [m], >= 0.
+  double wavelength = 0;  ///< [m], > 0.
+  double heading = 0;     ///< [rad]
+  double phase = 0;       ///< [rad]
+};
+struct SpectrumScene {
+  enum class Type { jonswap };
+  Type type = Type::jonswap;
+  double significant_height = 0;  ///< [m], > 0.
+  double peak_period = 0;         ///< [s], > 0.
+  double gamma = 3.3;             ///< [-], 1 … 10.
+  double heading = 0;             ///< [rad]
+  double spreading = 0;           ///< Exponent s of cos^2s(θ/2); 0: long-crested.
+  int seed = 1;
+  int components = 64;  ///< Number of waves that stand for the spectrum.
+};
+using SurfaceScene =
+    std::variant<FlatScene, HeightFieldScene, std::vector<WaveScene>, SpectrumScene>;
+
+struct WaterScene {
+  double density = 1000;
+  double level = 0;
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();
+  SurfaceScene surface;
+};
+
+struct MeshScene {
+  std::filesystem::path file;  ///< Resolved against the scene's folder.
+  double scale = 1;            ///< > 0.
+};
+struct BoxScene {
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m]
+  int divisions = 1;                               ///< Along each edge.
+};
+struct SphereScene {
+  double radius = 1;
+  int slices = 50;
+  int stacks = 50;
+};
+struct IcosphereScene {
+  double radius = 1;
+  int subdivisions = 4;
+};
+struct EllipsoidScene {
+  Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
+  int slices = 50;
+  int stacks = 50;
+};
+struct CylinderScene {
+  double radius = 1;
+  double height = 2;
+  int slices = 48;
+  int stacks = 8;
+};
+using ShapeScene =
+    std::variant<MeshScene, BoxScene, SphereScene, IcosphereScene, EllipsoidScene, CylinderScene>;
+
+struct PlaneGroundScene {
+  double z = 0;
+};
+using GroundScene = std::variant<std::monostate, PlaneGroundScene, HeightFieldScene, MeshScene>;
+
+/// The six entries of an inertia matrix about the centre of mass, body axes [kg m^2].
+struct InertiaScene {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+};
+
+struct AppliedLoadScene {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  bool in_body_frame = false;         ///< `frame: body`
+  std::optional<Eigen::Vector3d> at;  ///< In the mesh frame; none: the centre of mass.
+  double start = 0;
+  double end = std::numeric_limits<double>::infinity();
+  struct Sine {
+    double frequency = 0;  ///< [Hz]
+    double phase = 0;      ///< [rad]
+  };
+  std::optional<Sine> sine;
+};
+
+enum class Collision { automatic, mesh, box, sphere, none };
+
+struct BodyScene {
+  std::string name;
+  ShapeScene shape;
+  std::optional<double> density;
+  std::optional<double> mass;
+  std::optional<Eigen::Vector3d> center_of_mass;       ///< In the mesh frame; with `mass` only.
+  std::optional<InertiaScene> inertia;                 ///< With `mass` only.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the mesh frame's origin, in W.
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  hydro::Coefficients hydro;  ///< The scene's defaults with the body's own keys over them.
+  Collision collision = Collision::automatic;
+  std::array<bool, 6> locked = {};
+  std::vector<AppliedLoadScene> forces;
+  Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< RGB, 0 … 1.
+};
+
+struct JointScene {
+  enum class Type { ball, hinge, slider, fixed, universal };
+  std::string name;
+  Type type = Type::ball;
+  std::array<std::string, 2> bodies;  ///< Names; `world` stands for the world.
+  std::optional<Eigen::Vector3d> anchor;
+  std::optional<Eigen::Vector3d> axis;
+  std::optional<Eigen::Vector3d> axis2;  ///< universal only.
+};
+
+struct CameraScene {
+  Eigen::Vector3d from = {6, -8, 3};
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  double field_of_view = 0.6108652381980153;  ///< Vertical [rad], 35 degrees.
+};
+
+struct RenderScene {
+  std::array<int, 2> size = {960, 720};  ///< [px]
+  double every = 0.3;                    ///< [s]
+  CameraScene camera;
+  double pressure_min = 0;             ///< [Pa]
+  std::optional<double> pressure_max;  ///< [Pa]; none: `auto`.
+};
+
+struct Scene {
+  std::filesystem::path file;
+  std::string title;
+  double duration = 0;
+  double step = 1.0 / 60;
+  double gravity = 9.80665;
+  std::optional<WaterScene> water;
+  GroundScene ground;
+  std::vector<BodyScene> bodies;
+  std::vector<JointScene> joints;
+  std::optional<double> log_every;  ///< None: every step.
+  std::optional<RenderScene> render;
+
+  /// Where each key stands, by key path (`bodies[1].mesh.file`); for faults found later.
+  std::map<std::string, Place> places;
+};
+
+}  // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/faults.h"
+#include "app/scene.h"
+
+namespace app {
+
+/// A value that replaces or adds one key of a scene: `--set bodies[0].density=700`.
+struct Override {
+  std::string key_path;
+  std::string value;  ///< YAML.
+};
+
+/// Splits `KEY.PATH=VALUE`. @throws InputError if there is no `=` or no key.
+Override parse_override(const std::string& argument);
+
+/// Reads and checks a scene file.
+/// @throws InputError with every fault found, in the order of the file.
+Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+}  // namespace app

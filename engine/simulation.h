@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/spec.h"
+
+namespace engine {
+
+/// The simulation cannot go on: a state or load that is not finite, or the engine's refusal.
+class SimulationError : public std::runtime_error {
+ public:
+  SimulationError(double time, std::string body, const std::string& what);
+  double time() const { return time_; }              ///< [s]
+  const std::string& body() const { return body_; }  ///< Empty if no single body is to blame.
+
+ private:
+  double time_;
+  std::string body_;
+};
+
+/// Wall time spent so far, by stage [s].
+struct Timings {
+  double collision = 0;
+  double hydro = 0;
+  double engine = 0;
+};
+
+/// What the steps so far did not compute because the scene did not need it.
+struct Skips {
+  bool collision = false;       ///< Nothing in the scene can collide.
+  bool water = false;           ///< No water, or no body that it acts on.
+  std::vector<long> dry_steps;  ///< Per body: steps in which it was above the highest water.
+};
+
+/// Bodies in the sea, moved step by step. Owns the mechanics engine.
+class Simulation {
+ public:
+  /// @throws SimulationError if the engine refuses the description.
+  explicit Simulation(SimulationSpec spec);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  const SimulationSpec& spec() const;
+  double time() const;  ///< steps()·step [s].
+  long steps() const;
+  const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
+  const Timings& timings() const;
+  const Skips& skips() const;
+
+  /// One step. The state before it is kept if it throws.
+  /// @throws SimulationError
+  void step();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace engine

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hydro/loads.h"
+
+/// @file
+/// What is to be simulated: constant descriptions, complete and already checked. SI units.
+
+namespace engine {
+
+/// Index of a body in `SimulationSpec::bodies`.
+using BodyId = int;
+
+/// Stands for the world where a body is expected (joints).
+inline constexpr BodyId kWorld = -1;
+
+/// How a body meets other bodies and the ground.
+enum class CollisionShape {
+  none,    ///< It passes through everything.
+  mesh,    ///< Its own triangles.
+  box,     ///< The axis-aligned box around its mesh, in B.
+  sphere,  ///< The smallest sphere around the centre of the mesh's bounding box that holds it.
+};
+
+/// Degrees of freedom of a body, world axes: x, y, z, roll, pitch, yaw.
+using DofMask = std::array<bool, 6>;
+
+/// A load given by the scene: constant or sinusoidal, between two times.
+struct AppliedLoad {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();       ///< [N]
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();      ///< [N m]
+  bool in_body_frame = false;                            ///< Force and torque turn with the body.
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();        ///< Where the force acts, in B [m].
+  double start = 0;                                      ///< [s], inclusive.
+  double end = std::numeric_limits<double>::infinity();  ///< [s], exclusive.
+  struct Sine {
+    double frequency = 0;  ///< [Hz]
+    double phase = 0;      ///< [rad]
+  };
+  std::optional<Sine> sine;  ///< Multiplies the load by sin(2π·frequency·t + phase).
+};
+
+/// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
+struct BodySpec {
+  std::string name;
+  hydro::TriMesh mesh_B;  ///< The skin: what the water and other bodies touch.
+  double mass = 0;        ///< [kg], > 0.
+  Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
+  hydro::BodyState initial;
+  hydro::Coefficients coefficients;
+  bool wet = true;  ///< False if the water does nothing to it.
+  CollisionShape collision = CollisionShape::mesh;
+  DofMask locked = {};  ///< Held at their initial value; all six make the body immovable.
+  std::vector<AppliedLoad> loads;
+};
+
+struct JointSpec {
+  enum class Type { ball, hinge, slider, fixed, universal };
+  std::string name;
+  Type type = Type::ball;
+  BodyId first = kWorld;
+  BodyId second = kWorld;
+  Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();  ///< At time 0 [m]; unused by slider, fixed.
+  Eigen::Vector3d axis_W =
+      Eigen::Vector3d::UnitZ();  ///< Unit, at time 0; hinge, slider, universal.
+  Eigen::Vector3d axis2_W = Eigen::Vector3d::UnitX();  ///< Unit, normal to axis_W; universal.
+};
+
+/// The sea floor or shore: a horizontal plane or a mesh in W, whose faces look up.
+struct PlaneGround {
+  double z = 0;  ///< [m]
+};
+struct MeshGround {
+  hydro::TriMesh mesh_W;
+};
+using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
+
+struct SimulationSpec {
+  double step = 1.0 / 60;         ///< [s], > 0.
+  double gravity = 9.80665;       ///< Along −z [m/s^2].
+  std::optional<hydro::Sea> sea;  ///< None: a dry scene.
+  Ground ground;
+  std::vector<BodySpec> bodies;
+  std::vector<JointSpec> joints;
+  int threads = 1;  ///< At most this many; results do not depend on it.
+};
+
+}  // namespace engine

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "hydro/coefficients.h"
+#include "hydro/mesh.h"
+#include "hydro/sea.h"
+#include "hydro/spatial.h"
+
+/// @file
+/// The load of the water on a body: the sum over its wetted triangles.
+
+namespace hydro {
+
+/// A body's wetted skin, as the water sees it. Constant.
+struct Hull {
+  TriMesh mesh_B;     ///< Closed, outward; in B, its origin the centre of mass.
+  double radius = 0;  ///< Of the smallest sphere about the centre of mass that holds the mesh [m].
+};
+
+/// Builds a hull from a closed mesh in B.
+Hull make_hull(TriMesh mesh_B);
+
+/// Loads by kind, moments about the centre of mass, in W; the sum is what the water does.
+struct Loads {
+  Wrench buoyancy;
+  Wrench pressure_drag;
+  Wrench viscous_drag;
+  Wrench lift;
+  double wetted_area = 0;       ///< [m^2]
+  double displaced_volume = 0;  ///< [m^3]; exact in still water.
+
+  Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift; }
+};
+
+/// The load on a hull in the given state of motion at a time.
+///
+/// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
+/// its largest component. In waves the surface is taken as linear over panels that are split until
+/// it departs from linear by less than a tolerance.
+Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                    const Coefficients& coefficients);
+
+}  // namespace hydro

@@ -1,0 +1,124 @@
+#include "hydro/sea.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hydro {
+namespace {
+
+/// The cell that holds a point of a height field and the point's place in it, 0 … 1 each way; a
+/// point beyond the grid is moved to its nearest edge.
+struct CellPoint {
+  Eigen::Index row, column;
+  double u, v;  // along columns (x) and rows (y)
+};
+
+CellPoint locate(const HeightField& field, double x, double y) {
+  const auto along = [](double s, Eigen::Index count, Eigen::Index& index) {
+    const double last = static_cast<double>(count - 1);
+    s = std::clamp(s, 0.0, last);
+    index = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(s), 0,
+                                     std::max<Eigen::Index>(count - 2, 0));
+    return s - static_cast<double>(index);
+  };
+  CellPoint p;
+  p.u = along((x - field.origin.x()) / field.cell, field.heights.cols(), p.column);
+  p.v = along((y - field.origin.y()) / field.cell, field.heights.rows(), p.row);
+  return p;
+}
+
+/// Heights at the corners of a cell; a grid of one row or column repeats it.
+struct CellCorners {
+  double h00, h10, h01, h11;  // (row, column): h10 is one column on, h01 one row on
+};
+
+CellCorners corners(const HeightField& field, const CellPoint& p) {
+  const Eigen::Index row1 = std::min(p.row + 1, field.heights.rows() - 1);
+  const Eigen::Index column1 = std::min(p.column + 1, field.heights.cols() - 1);
+  return {field.heights(p.row, p.column), field.heights(p.row, column1),
+          field.heights(row1, p.column), field.heights(row1, column1)};
+}
+
+double elevation(const FlatSurface&, double, double, double) { return 0; }
+
+double elevation(const HeightField& field, double x, double y, double) {
+  const CellPoint p = locate(field, x, y);
+  const CellCorners c = corners(field, p);
+  return (1 - p.v) * ((1 - p.u) * c.h00 + p.u * c.h10) + p.v * ((1 - p.u) * c.h01 + p.u * c.h11);
+}
+
+double elevation(const WaveSurface& waves, double x, double y, double time) {
+  double height = 0;
+  for (const WaveComponent& w : waves.components)
+    height += w.amplitude * std::cos(w.kx * x + w.ky * y - w.omega * time + w.phase);
+  return height;
+}
+
+Eigen::Vector2d slope(const FlatSurface&, double, double, double) {
+  return Eigen::Vector2d::Zero();
+}
+
+Eigen::Vector2d slope(const HeightField& field, double x, double y, double) {
+  const CellPoint p = locate(field, x, y);
+  const CellCorners c = corners(field, p);
+  const double x_end =
+      field.origin.x() + field.cell * static_cast<double>(field.heights.cols() - 1);
+  const double y_end =
+      field.origin.y() + field.cell * static_cast<double>(field.heights.rows() - 1);
+  const bool in_x = x >= field.origin.x() && x <= x_end;
+  const bool in_y = y >= field.origin.y() && y <= y_end;
+  return {in_x ? ((1 - p.v) * (c.h10 - c.h00) + p.v * (c.h11 - c.h01)) / field.cell : 0.0,
+          in_y ? ((1 - p.u) * (c.h01 - c.h00) + p.u * (c.h11 - c.h10)) / field.cell : 0.0};
+}
+
+Eigen::Vector2d slope(const WaveSurface& waves, double x, double y, double time) {
+  Eigen::Vector2d s = Eigen::Vector2d::Zero();
+  for (const WaveComponent& w : waves.components) {
+    const double sine = std::sin(w.kx * x + w.ky * y - w.omega * time + w.phase);
+    s -= w.amplitude * sine * Eigen::Vector2d(w.kx, w.ky);
+  }
+  return s;
+}
+
+SurfaceBounds elevation_bounds(const FlatSurface&) { return {}; }
+
+SurfaceBounds elevation_bounds(const HeightField& field) {
+  return {field.heights.minCoeff(), field.heights.maxCoeff()};
+}
+
+SurfaceBounds elevation_bounds(const WaveSurface& waves) {
+  double sum = 0;
+  for (const WaveComponent& w : waves.components) sum += std::abs(w.amplitude);
+  return {-sum, sum};
+}
+
+}  // namespace
+
+WaveComponent deep_water_wave(double amplitude, double wavelength, double heading, double phase,
+                              double gravity) {
+  const double k = 2 * M_PI / wavelength;
+  return {.amplitude = amplitude,
+          .kx = k * std::cos(heading),
+          .ky = k * std::sin(heading),
+          .omega = std::sqrt(gravity * k),
+          .phase = phase};
+}
+
+double surface_height(const Sea& sea, double x, double y, double time) {
+  return sea.level + std::visit([&](const auto& surface) { return elevation(surface, x, y, time); },
+                                sea.surface);
+}
+
+Eigen::Vector2d surface_slope(const Sea& sea, double x, double y, double time) {
+  return std::visit([&](const auto& surface) { return slope(surface, x, y, time); }, sea.surface);
+}
+
+SurfaceBounds surface_bounds(const Sea& sea) {
+  const SurfaceBounds bounds =
+      std::visit([](const auto& surface) { return elevation_bounds(surface); }, sea.surface);
+  return {sea.level + bounds.lowest, sea.level + bounds.highest};
+}
+
+bool is_flat(const Sea& sea) { return std::holds_alternative<FlatSurface>(sea.surface); }
+
+}  // namespace hydro

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+/// @file
+/// The sea as the bodies meet it: the height of its surface and the velocity of its water.
+///
+/// The surface is a height field z = ξ(x, y, t) in W; it is given, not simulated. The water moves
+/// with the uniform `current` everywhere. Pressure is hydrostatic below the local surface.
+/// Units SI; heights are in W (not relative to `level`) unless a name says otherwise.
+
+namespace hydro {
+
+/// Still water: ξ = level.
+struct FlatSurface {};
+
+/// A grid of heights above the still water level; bilinear between its points. Outside the grid the
+/// height of the nearest point of its edge holds. Constant in time.
+struct HeightField {
+  Eigen::MatrixXd heights;  ///< rows × columns [m]; row index = y, column index = x.
+  double cell = 1;          ///< Distance of neighbouring grid points [m], > 0.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< Of heights(0, 0), in W [m].
+};
+
+/// One long-crested wave: height above level = amplitude·cos(kx·x + ky·y − omega·t + phase).
+struct WaveComponent {
+  double amplitude = 0;  ///< [m]
+  double kx = 0;         ///< Wave number along x [rad/m].
+  double ky = 0;         ///< Wave number along y [rad/m].
+  double omega = 0;      ///< Angular frequency [rad/s].
+  double phase = 0;      ///< [rad]
+};
+
+/// A sum of linear waves.
+struct WaveSurface {
+  std::vector<WaveComponent> components;
+};
+
+/// A deep-water linear wave (omega^2 = g k) of the given length [m] and heading, the direction it
+/// travels to, counter-clockwise from +x [rad].
+WaveComponent deep_water_wave(double amplitude, double wavelength, double heading, double phase,
+                              double gravity);
+
+struct Sea {
+  double density = 1000;                              ///< [kg/m^3]
+  double gravity = 9.80665;                           ///< [m/s^2]
+  double level = 0;                                   ///< z of the still water [m].
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Velocity of the water everywhere [m/s].
+  std::variant<FlatSurface, HeightField, WaveSurface> surface;
+};
+
+/// Height ξ of the water surface over (x, y) at a time [m].
+double surface_height(const Sea& sea, double x, double y, double time);
+
+/// (∂ξ/∂x, ∂ξ/∂y) over (x, y) at a time [-]; on an edge of a height field's cell, of one side.
+Eigen::Vector2d surface_slope(const Sea& sea, double x, double y, double time);
+
+/// Bounds that the surface never leaves [m].
+struct SurfaceBounds {
+  double lowest = 0;
+  double highest = 0;
+};
+SurfaceBounds surface_bounds(const Sea& sea);
+
+/// True if the surface is z = level everywhere and always.
+bool is_flat(const Sea& sea);
+
+}  // namespace hydro

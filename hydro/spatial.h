@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+/// @file
+/// Six-component quantities and the state of a rigid body.
+///
+/// Frames   W  world: z up, right-handed.   B  body: origin at the centre of mass.
+/// Order    of six is always surge, sway, heave, roll, pitch, yaw: translation first.
+/// Units    SI.
+
+namespace hydro {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// A force [N] and a moment [N m]. The point of the moment is the body's centre of mass unless the
+/// function that returns the wrench says otherwise.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+
+  Wrench& operator+=(const Wrench& other) {
+    force += other.force;
+    moment += other.moment;
+    return *this;
+  }
+};
+
+inline Wrench operator+(Wrench a, const Wrench& b) { return a += b; }
+inline Wrench operator*(double factor, const Wrench& w) {
+  return {factor * w.force, factor * w.moment};
+}
+
+/// What changes of a rigid body. A value: it can be copied, compared and replayed.
+struct BodyState {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< p_WB, of the centre of mass [m].
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB, unit.
+  Eigen::Vector3d linear_velocity =
+      Eigen::Vector3d::Zero();  ///< Of the centre of mass, in W [m/s].
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< In W [rad/s].
+};
+
+}  // namespace hydro

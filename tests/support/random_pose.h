@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <random>
+
+#include "hydro/spatial.h"
+
+namespace support {
+
+/// Numbers of a test with a fixed seed; no global state.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  double uniform(double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(engine_);
+  }
+  Eigen::Vector3d vector(double size) {
+    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
+  }
+  /// A unit quaternion, uniform over the rotations.
+  Eigen::Quaterniond rotation() {
+    std::normal_distribution<double> normal;
+    Eigen::Vector4d q(normal(engine_), normal(engine_), normal(engine_), normal(engine_));
+    q.normalize();
+    return Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  }
+  /// A state with coordinates up to `distance` and velocities up to `speed`.
+  hydro::BodyState state(double distance, double speed) {
+    return {.position = vector(distance),
+            .orientation = rotation(),
+            .linear_velocity = vector(speed),
+            .angular_velocity = vector(speed)};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+}  // namespace support
