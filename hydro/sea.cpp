@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace hydro {
 namespace {
@@ -80,6 +81,26 @@ Eigen::Vector2d slope(const WaveSurface& waves, double x, double y, double time)
   return s;
 }
 
+/// Largest second difference along the rows, along the columns and across the cells [m].
+double largest_bend(const Eigen::MatrixXd& h) {
+  const Eigen::Index rows = h.rows();
+  const Eigen::Index columns = h.cols();
+  double bend = 0;
+  const auto include = [&](const auto& difference) {
+    if (difference.size() > 0) bend = std::max(bend, difference.cwiseAbs().maxCoeff());
+  };
+  if (rows > 2)
+    include((h.topRows(rows - 2) + h.bottomRows(rows - 2) - 2 * h.middleRows(1, rows - 2)).eval());
+  if (columns > 2)
+    include((h.leftCols(columns - 2) + h.rightCols(columns - 2) - 2 * h.middleCols(1, columns - 2))
+                .eval());
+  if (rows > 1 && columns > 1)
+    include((h.topLeftCorner(rows - 1, columns - 1) + h.bottomRightCorner(rows - 1, columns - 1) -
+             h.topRightCorner(rows - 1, columns - 1) - h.bottomLeftCorner(rows - 1, columns - 1))
+                .eval());
+  return bend;
+}
+
 SurfaceBounds elevation_bounds(const FlatSurface&) { return {}; }
 
 SurfaceBounds elevation_bounds(const HeightField& field) {
@@ -94,6 +115,17 @@ SurfaceBounds elevation_bounds(const WaveSurface& waves) {
 
 }  // namespace
 
+HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen::Vector2d& origin) {
+  if (heights.size() == 0) throw std::invalid_argument("a height field needs at least one height");
+  if (!heights.allFinite())
+    throw std::invalid_argument("a height of the height field is not finite");
+  if (!(cell > 0)) throw std::invalid_argument("the cell of a height field must be positive");
+  HeightField field{.heights = std::move(heights), .cell = cell, .origin = origin};
+  field.deviation = std::sqrt((field.heights.array() - field.heights.mean()).square().mean());
+  field.bend = largest_bend(field.heights);
+  return field;
+}
+
 WaveComponent deep_water_wave(double amplitude, double wavelength, double heading, double phase,
                               double gravity) {
   const double k = 2 * M_PI / wavelength;
@@ -104,9 +136,13 @@ WaveComponent deep_water_wave(double amplitude, double wavelength, double headin
           .phase = phase};
 }
 
+double surface_elevation(const Sea& sea, double x, double y, double time) {
+  return std::visit([&](const auto& surface) { return elevation(surface, x, y, time); },
+                    sea.surface);
+}
+
 double surface_height(const Sea& sea, double x, double y, double time) {
-  return sea.level + std::visit([&](const auto& surface) { return elevation(surface, x, y, time); },
-                                sea.surface);
+  return sea.level + surface_elevation(sea, x, y, time);
 }
 
 Eigen::Vector2d surface_slope(const Sea& sea, double x, double y, double time) {

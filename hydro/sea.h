@@ -17,12 +17,17 @@ namespace hydro {
 struct FlatSurface {};
 
 /// A grid of heights above the still water level; bilinear between its points. Outside the grid the
-/// height of the nearest point of its edge holds. Constant in time.
+/// height of the nearest point of its edge holds. Constant in time. Made by `make_height_field`.
 struct HeightField {
   Eigen::MatrixXd heights;  ///< rows × columns [m]; row index = y, column index = x.
   double cell = 1;          ///< Distance of neighbouring grid points [m], > 0.
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< Of heights(0, 0), in W [m].
+  double deviation = 0;                              ///< Standard deviation of the heights [m].
+  double bend = 0;  ///< Largest second difference of neighbouring heights [m].
 };
+
+/// @throws std::invalid_argument if the grid is empty, a height is not finite or cell is not > 0.
+HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen::Vector2d& origin);
 
 /// One long-crested wave: height above level = amplitude·cos(kx·x + ky·y − omega·t + phase).
 struct WaveComponent {
@@ -53,6 +58,9 @@ struct Sea {
 
 /// Height ξ of the water surface over (x, y) at a time [m].
 double surface_height(const Sea& sea, double x, double y, double time);
+
+/// The same above the still water level: no digits are lost where level is large [m].
+double surface_elevation(const Sea& sea, double x, double y, double time);
 
 /// (∂ξ/∂x, ∂ξ/∂y) over (x, y) at a time [-]; on an edge of a height field's cell, of one side.
 Eigen::Vector2d surface_slope(const Sea& sea, double x, double y, double time);

@@ -33,6 +33,16 @@ inline Wrench operator*(double factor, const Wrench& w) {
   return {factor * w.force, factor * w.moment};
 }
 
+/// Motion of a rigid body relative to the water: the velocity of its centre of mass [m/s] and its
+/// angular velocity [rad/s], in W.
+struct Twist {
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+
+  /// Velocity of the body's point at `r` from the centre of mass, W axes [m/s].
+  Eigen::Vector3d at(const Eigen::Vector3d& r) const { return linear + angular.cross(r); }
+};
+
 /// What changes of a rigid body. A value: it can be copied, compared and replayed.
 struct BodyState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< p_WB, of the centre of mass [m].

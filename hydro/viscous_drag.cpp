@@ -1,0 +1,183 @@
+#include "hydro/viscous_drag.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hydro {
+namespace {
+
+/// Splitting ends here whatever the error: 4^-12 of the panel's area is left in a corner.
+constexpr int kMaxDepth = 12;
+
+/// Below this ratio of the velocity's change over a panel to the velocity itself the degree 5 rule
+/// errs by less than 1e-7: the first term it misses is of sixth order in the ratio.
+constexpr double kSmoothRatio = 0.2;
+
+/// Below this ratio the line where |v_t| has a given value is straight enough to cut a panel
+/// there: what lies between the line and the cut costs a third-order term, 1e-6.
+constexpr double kStraightRatio = 0.05;
+
+/// Speeds where C_v has a kink [m/s].
+constexpr std::array<double, 2> kThesisKinks = {1, 2};
+
+/// C_v at `speed` by the formula that holds at `inside`, on the same side of every kink.
+double coefficient_on_branch(const ViscousDrag& law, double inside, double speed) {
+  if (law.law == ViscousDrag::Law::none) return 0;
+  if (law.law == ViscousDrag::Law::constant) return law.coefficient;
+  if (inside < kThesisKinks[0]) return 0.1;
+  return inside < kThesisKinks[1] ? 0.2 - 0.1 * speed : 0;
+}
+
+/// The tangential velocity on a panel's plane, an affine function of the place.
+struct SlidingFlow {
+  const Twist& motion;
+  const Eigen::Vector3d& normal;
+  const ViscousDrag& law;
+
+  Eigen::Vector3d at(const Eigen::Vector3d& r) const {
+    const Eigen::Vector3d v = motion.at(r);
+    return v - v.dot(normal) * normal;
+  }
+};
+
+struct Node {
+  double a, b, c, weight;
+};
+
+/// Radon's rule of degree 5.
+std::array<Node, 7> radon_rule() {
+  const double root = std::sqrt(15.0);
+  const double near = (6 - root) / 21;
+  const double far = (6 + root) / 21;
+  const double w_near = (155 - root) / 1200;
+  const double w_far = (155 + root) / 1200;
+  return {{{1.0 / 3, 1.0 / 3, 1.0 / 3, 9.0 / 40},
+           {near, near, 1 - 2 * near, w_near},
+           {near, 1 - 2 * near, near, w_near},
+           {1 - 2 * near, near, near, w_near},
+           {far, far, 1 - 2 * far, w_far},
+           {far, 1 - 2 * far, far, w_far},
+           {1 - 2 * far, far, far, w_far}}};
+}
+
+const std::array<Node, 7> kRadon = radon_rule();
+
+/// ∫ C_v |v_t| v_t dA and its moment by the seven-point rule, on the branch of C_v that holds at
+/// the panel's centre; the factor −½ρ is still to come.
+Wrench seven_points(const Panel& panel, const SlidingFlow& flow) {
+  Wrench sum;
+  double inside = 0;
+  for (const Node& node : kRadon) {
+    const Eigen::Vector3d r = node.a * panel[0] + node.b * panel[1] + node.c * panel[2];
+    const Eigen::Vector3d v = flow.at(r);
+    const double speed = v.norm();
+    if (&node == kRadon.data()) inside = speed;
+    const double c_v = coefficient_on_branch(flow.law, inside, speed);
+    const Eigen::Vector3d traction = node.weight * c_v * speed * v;
+    sum.force += traction;
+    sum.moment += r.cross(traction);
+  }
+  return area_vector(panel).norm() * sum;
+}
+
+/// The same for a panel across the kinks of C_v: cut where the speed, taken as linear, reaches
+/// them.
+Wrench cut_at_kinks(const Panel& panel, const SlidingFlow& flow) {
+  const auto excess = [&](const Panel& p, double kink) {
+    Eigen::Vector3d value;
+    for (int i = 0; i < 3; ++i) value[i] = flow.at(p[i]).norm() - kink;
+    return value;
+  };
+  Wrench sum;
+  for (const PanelPart& slow : positive_part(panel, -excess(panel, kThesisKinks[0])))
+    sum += seven_points(slow.panel, flow);
+  for (const PanelPart& fast : positive_part(panel, excess(panel, kThesisKinks[0])))
+    for (const PanelPart& middle : positive_part(fast.panel, -excess(fast.panel, kThesisKinks[1])))
+      sum += seven_points(middle.panel, flow);
+  return sum;  // above the second kink there is no drag
+}
+
+std::array<Panel, 4> split_in_four(const Panel& r) {
+  const Eigen::Vector3d m0 = 0.5 * (r[1] + r[2]);
+  const Eigen::Vector3d m1 = 0.5 * (r[2] + r[0]);
+  const Eigen::Vector3d m2 = 0.5 * (r[0] + r[1]);
+  return {{{r[0], m2, m1}, {m2, r[1], m0}, {m1, m0, r[2]}, {m0, m1, m2}}};
+}
+
+/// The range of |v_t| over a panel: its largest value is at a vertex; from below a bound.
+struct SpeedRange {
+  double low, high, change;
+};
+
+SpeedRange speed_range(const Panel& panel, const SlidingFlow& flow) {
+  const std::array<Eigen::Vector3d, 3> v = {flow.at(panel[0]), flow.at(panel[1]),
+                                            flow.at(panel[2])};
+  const Eigen::Vector3d centre = (v[0] + v[1] + v[2]) / 3;
+  double high_squared = 0;
+  double change_squared = 0;
+  for (const Eigen::Vector3d& v_i : v) {
+    high_squared = std::max(high_squared, v_i.squaredNorm());
+    change_squared = std::max(change_squared, (v_i - centre).squaredNorm());
+  }
+  const double change = std::sqrt(change_squared);
+  return {std::max(0.0, centre.norm() - change), std::sqrt(high_squared), change};
+}
+
+bool contains_kink(const ViscousDrag& law, const SpeedRange& range) {
+  if (law.law != ViscousDrag::Law::thesis) return false;
+  return std::any_of(kThesisKinks.begin(), kThesisKinks.end(),
+                     [&](double kink) { return range.low < kink && kink < range.high; });
+}
+
+bool vanishes(const ViscousDrag& law, const SpeedRange& range) {
+  return range.high == 0 ||
+         (law.law == ViscousDrag::Law::thesis && range.low >= kThesisKinks.back());
+}
+
+/// What `adaptive` may leave as its error: of the force, and by the lever arm of the moment.
+struct Allowance {
+  double force, arm;
+  bool covers(const Wrench& error) const {
+    return error.force.norm() <= force && error.moment.norm() <= force * arm;
+  }
+};
+
+Wrench adaptive(const Panel& panel, const SlidingFlow& flow, Allowance allowance, int depth) {
+  const SpeedRange range = speed_range(panel, flow);
+  if (vanishes(flow.law, range)) return {};
+  const bool kink = contains_kink(flow.law, range);
+  if (kink && (range.change <= kStraightRatio * range.low || depth == kMaxDepth))
+    return cut_at_kinks(panel, flow);
+  if (!kink && range.change <= kSmoothRatio * range.low) return seven_points(panel, flow);
+  const std::array<Panel, 4> children = split_in_four(panel);
+  if (!kink) {
+    Wrench fine;
+    for (const Panel& child : children) fine += seven_points(child, flow);
+    if (depth == kMaxDepth || allowance.covers(fine + -1.0 * seven_points(panel, flow)))
+      return fine;
+  }
+  allowance.force /= 2;
+  Wrench sum;
+  for (const Panel& child : children) sum += adaptive(child, flow, allowance, depth + 1);
+  return sum;
+}
+
+}  // namespace
+
+double viscous_coefficient(const ViscousDrag& law, double speed) {
+  return coefficient_on_branch(law, speed, speed);
+}
+
+Wrench viscous_drag_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion,
+                         const ViscousDrag& law, double half_density) {
+  const SlidingFlow flow{motion, normal, law};
+  const SpeedRange range = speed_range(panel, flow);
+  const double arm = std::max({panel[0].norm(), panel[1].norm(), panel[2].norm()});
+  const double largest =
+      area_vector(panel).norm() * viscous_coefficient(law, range.low) * range.high * range.high;
+  return -half_density * adaptive(panel, flow, {kViscousTolerance * largest, arm}, 0);
+}
+
+}  // namespace hydro

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "hydro/sea.h"
+
+/// @file
+/// An irregular sea as a sum of linear waves.
+
+namespace hydro {
+
+/// JONSWAP spectrum over angular frequency ω in deep water [H73]: with ω_p = 2π/T_p,
+///
+///     S(ω) ∝ ω^-5 exp(−5/4 (ω_p/ω)^4) γ^exp(−(ω/ω_p − 1)² / (2σ²)),  σ = 0.07 below ω_p, 0.09
+///     above,
+///
+/// scaled so that 4√m_0 is the significant height exactly, whatever γ. Directions spread as
+/// cos^2s(θ/2) about the heading, the same at all frequencies [L63].
+///
+/// [H73] Hasselmann et al. Measurements of wind-wave growth and swell decay. Dtsch. Hydrogr. Z. A8
+///       (12), 1973.
+/// [L63] Longuet-Higgins, Cartwright, Smith. Observations of the directional spectrum of sea waves
+///       using the motions of a floating buoy. Ocean Wave Spectra, 1963.
+struct JonswapSpectrum {
+  double significant_height = 1;  ///< H_s [m].
+  double peak_period = 7;         ///< T_p [s].
+  double gamma = 3.3;             ///< Peak enhancement [-]; 1 gives Pierson–Moskowitz.
+  double heading = 0;             ///< Main direction, the waves travel to, from +x [rad].
+  double spreading = 0;  ///< Exponent s; 0 stands for long-crested waves (all at `heading`).
+  int seed = 1;          ///< Of the phases and directions.
+  int components = 64;   ///< Number of waves, >= 1.
+};
+
+/// Waves of equal energy: the spectrum is cut into bands of equal energy and each is represented by
+/// a wave at its mean frequency, so m_0 and m_1 are those of the spectrum and no period repeats.
+/// Phases are random and uniform. Frequencies above 20 ω_p (1e-5 of the energy) are left out.
+WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, double gravity);
+
+/// S(ω) without its scale [-].
+double jonswap_shape(double omega, double peak_omega, double gamma);
+
+}  // namespace hydro
