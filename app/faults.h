@@ -1,13 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/scene.h"
 
+/// @file
+/// What is wrong with an input, and where: collected while it is read, thrown all at once.
+
 namespace app {
+
+/// `Place::file` of a value that was given on the command line instead of in a file.
+inline const char* const kOverridePlace = "--set";
 
 /// One thing that is wrong with an input file.
 struct Fault {
@@ -16,7 +23,8 @@ struct Fault {
   std::string message;   ///< What was found and what would be right.
 };
 
-/// `FILE:LINE:COLUMN: KEY.PATH: message`; parts that are not known are left out.
+/// `FILE:LINE:COLUMN: KEY.PATH: message`; parts that are not known are left out. A fault of an
+/// override reads `--set KEY.PATH: message`.
 std::string to_string(const Fault& fault);
 
 /// A wrong input, with every fault that was found. `what()` has one fault a line.
@@ -26,6 +34,25 @@ class InputError : public std::runtime_error {
   /// A single fault of a file as a whole.
   InputError(const std::filesystem::path& file, const std::string& message);
   const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+/// Where `key_path` stands, or else the smallest block around it that stands in `places`
+/// (`bodies[1].mass` → `bodies[1]` → `bodies` → the whole).
+Place place_of(const std::map<std::string, Place>& places, std::string key_path);
+
+/// Collects faults, to throw them all at once.
+class Faults {
+ public:
+  void add(Fault fault) { faults_.push_back(std::move(fault)); }
+  /// A fault of one key of a scene, at the place where the key stands.
+  void add(const Scene& scene, const std::string& key_path, const std::string& message);
+  bool empty() const { return faults_.empty(); }
+  /// @throws InputError with all faults in the order of the file, those of overrides first; does
+  ///     nothing if there is none.
+  void throw_if_any() const;
 
  private:
   std::vector<Fault> faults_;

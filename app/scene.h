@@ -138,12 +138,12 @@ struct BodyScene {
 
 struct JointScene {
   enum class Type { ball, hinge, slider, fixed, universal };
-  std::string name;
+  std::string name;  ///< Unique; `joint<index>` unless given.
   Type type = Type::ball;
-  std::array<std::string, 2> bodies;  ///< Names; `world` stands for the world.
-  std::optional<Eigen::Vector3d> anchor;
-  std::optional<Eigen::Vector3d> axis;
-  std::optional<Eigen::Vector3d> axis2;  ///< universal only.
+  std::array<std::string, 2> bodies;      ///< Names; `world` stands for the world.
+  std::optional<Eigen::Vector3d> anchor;  ///< In W at time 0; ball, hinge, universal have one.
+  std::optional<Eigen::Vector3d> axis;    ///< Unit, in W; hinge, slider and universal have one.
+  std::optional<Eigen::Vector3d> axis2;   ///< Unit, normal to `axis`; may be given for universal.
 };
 
 struct CameraScene {
@@ -163,17 +163,18 @@ struct RenderScene {
 struct Scene {
   std::filesystem::path file;
   std::string title;
-  double duration = 0;
+  double duration = 0;  ///< [s]; 0: the initial state only.
   double step = 1.0 / 60;
   double gravity = 9.80665;
   std::optional<WaterScene> water;
   GroundScene ground;
   std::vector<BodyScene> bodies;
   std::vector<JointScene> joints;
-  std::optional<double> log_every;  ///< None: every step.
+  std::optional<double> log_every;  ///< [s]; none: every step.
   std::optional<RenderScene> render;
 
-  /// Where each key stands, by key path (`bodies[1].mesh.file`); for faults found later.
+  /// Where the value of each key stands, by key path (`bodies[1].mesh.file`); the whole under the
+  /// empty path. For faults found later: see `Faults::add`.
   std::map<std::string, Place> places;
 };
 

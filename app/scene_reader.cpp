@@ -1,1 +1,196 @@
 #include "app/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/scene_reader_blocks.h"
+#include "app/scene_reader_overrides.h"
+#include "app/yaml_reader.h"
+
+namespace app {
+
+namespace {
+
+const char* const kVersion = "1";
+const char* const kVersionExpected = "1, the version of the scene format";
+
+/// How often the state is logged.
+struct LogBlock {
+  std::optional<double> every;
+};
+
+void read(MapReader& map, LogBlock& log) {
+  map.optional("every", log.every, not_negative("s"));
+  if (log.every == 0.0) log.every.reset();
+}
+
+/// Time stepping has no options.
+struct IntegratorBlock {};
+void read(MapReader&, IntegratorBlock&) {}
+
+/// Faults for names that stand before in the list. `list` is `bodies` or `joints`.
+void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
+  std::map<std::string, std::size_t> first_uses;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto [first, is_new] = first_uses.emplace(names[i], i);
+    if (is_new || names[i].empty()) continue;
+    map.fault(fmt::format("{}[{}].name", list, i),
+              fmt::format("found {}, which is the name of {}[{}]; expected another", names[i], list,
+                          first->second));
+  }
+}
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& named) {
+  std::vector<std::string> names;
+  for (const T& one : named) names.push_back(one.name);
+  return names;
+}
+
+void check_joint_bodies(MapReader& map, const Scene& scene) {
+  std::vector<std::string> known = names_of(scene.bodies);
+  known.push_back("world");
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::string& name = scene.joints[i].bodies[k];
+      if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) continue;
+      map.fault(fmt::format("joints[{}].bodies[{}]", i, k),
+                fmt::format("there is no body named {}{}", name, did_you_mean(name, known)));
+    }
+  }
+}
+
+void name_nameless_joints(std::vector<JointScene>& joints) {
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (joints[i].name.empty()) joints[i].name = fmt::format("joint{}", i);
+}
+
+/// The place of every key below `node`; of the first where one is repeated.
+void collect_places(const YamlNode& node, const std::string& path, Reading& reading) {
+  reading.places.emplace(path, reading.place(node.mark));
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    collect_places(node.items[i], fmt::format("{}[{}]", path, i), reading);
+  for (const YamlEntry& entry : node.entries) {
+    const std::string child = path.empty() ? entry.key : path + "." + entry.key;
+    collect_places(entry.value, child, reading);
+  }
+}
+
+/// Where keys of this name stand: `at the top level`, `under bodies[]`.
+std::vector<std::string> homes_of(const std::string& key,
+                                  const std::vector<KeyDescription>& catalogue) {
+  std::vector<std::string> homes;
+  for (const KeyDescription& known : catalogue) {
+    const std::size_t dot = known.path.rfind('.');
+    if (known.path.substr(dot + 1) == key)  // npos + 1 is 0
+      homes.push_back(dot == std::string::npos ? "at the top level"
+                                               : "under " + known.path.substr(0, dot));
+  }
+  return homes;
+}
+
+/// What the writer of an unknown key may have meant: a key that is one letter off, the same key in
+/// its right place, the key with its unit, or else a key that is a little further off.
+std::string advice(const UnknownKey& unknown, const std::vector<KeyDescription>& catalogue) {
+  const std::vector<std::string> homes = homes_of(unknown.key, catalogue);
+  if (const auto near = nearest(unknown.key, unknown.known, homes.empty() ? 0 : 1))
+    return fmt::format("; did you mean {}?", *near);
+  if (!homes.empty()) return fmt::format("; it belongs {}", enumerate(homes, "or"));
+  for (const std::string& known : unknown.known)
+    if (known.starts_with(unknown.key + "_")) return fmt::format("; did you mean {}?", known);
+  const std::string hint = did_you_mean(unknown.key, unknown.known);
+  if (!hint.empty()) return hint;
+  return unknown.known.empty() ? ", no key is known here"
+                               : "; known here: " + enumerate(unknown.known, "and");
+}
+
+void add_unknown_keys(Reading& reading) {
+  if (reading.unknown_keys.empty()) return;
+  const std::vector<KeyDescription> catalogue = scene_keys();
+  for (const UnknownKey& unknown : reading.unknown_keys) {
+    const std::string dot = unknown.block_path.empty() ? "" : ".";
+    reading.faults.add({unknown.place, unknown.block_path + dot + unknown.key,
+                        "unknown key" + advice(unknown, catalogue)});
+  }
+}
+
+/// A file of another version is not read further: its keys may mean something else.
+void check_version(const YamlNode& root, Reading& reading) {
+  const YamlNode* version = root.find("plimsoll");
+  if (version == nullptr || version->is_word(kVersion)) return;
+  reading.fault("plimsoll", fmt::format("found {}, expected {}, the only version of the scene "
+                                        "format that this program reads",
+                                        describe(*version), kVersion));
+  reading.faults.throw_if_any();
+}
+
+YamlNode read_tree(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  YamlNode root = parse_yaml(read_text(file), file);
+  if (root.is(YamlNode::Kind::null)) throw InputError(file, "found no keys, expected a scene");
+  if (!root.is(YamlNode::Kind::map))
+    throw InputError({Fault{{file, root.mark.line, root.mark.column},
+                            "",
+                            "found " + describe(root) + ", expected a map of keys"}});
+  Faults faults;
+  for (const Override& override : overrides) apply_override(override, root, faults);
+  faults.throw_if_any();
+  return root;
+}
+
+}  // namespace
+
+void read(MapReader& map, Scene& scene) {
+  map.find("plimsoll", kVersionExpected, "required");
+  map.optional("title", scene.title, TextRule{});
+  map.required("duration", scene.duration, not_negative("s"));
+  map.optional("step", scene.step, positive("s"));
+  map.optional("gravity", scene.gravity, not_negative("m/s^2"));
+  IntegratorBlock integrator;
+  map.block("integrator", integrator);
+  map.block("water", scene.water);
+  map.block("ground", scene.ground);
+  BodyScene prototype;
+  map.block("hydro", prototype.hydro);
+  map.blocks("bodies", scene.bodies, prototype);
+  map.blocks("joints", scene.joints);
+  LogBlock log;
+  map.block("log", log);
+  scene.log_every = log.every;
+  map.block("render", scene.render);
+
+  name_nameless_joints(scene.joints);
+  check_unique(map, "bodies", names_of(scene.bodies));
+  check_unique(map, "joints", names_of(scene.joints));
+  check_joint_bodies(map, scene);
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  const YamlNode root = read_tree(file, overrides);
+  Reading reading;
+  reading.file = file;
+  collect_places(root, "", reading);
+  check_version(root, reading);
+
+  Scene scene;
+  MapReader map(&root, "", reading);
+  read(map, scene);
+  map.report_other_keys();
+  add_unknown_keys(reading);
+  reading.faults.throw_if_any();
+
+  scene.file = file;
+  scene.places = std::move(reading.places);
+  return scene;
+}
+
+std::vector<KeyDescription> scene_keys() {
+  Reading reading;
+  MapReader map(nullptr, "", reading);
+  Scene scene;
+  read(map, scene);
+  return std::move(reading.catalogue);
+}
+
+}  // namespace app

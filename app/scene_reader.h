@@ -11,15 +11,25 @@ namespace app {
 
 /// A value that replaces or adds one key of a scene: `--set bodies[0].density=700`.
 struct Override {
-  std::string key_path;
-  std::string value;  ///< YAML.
+  std::string key_path;  ///< Entries of a list by index or by name: `bodies[teapot].density`.
+  std::string value;     ///< YAML.
 };
 
 /// Splits `KEY.PATH=VALUE`. @throws InputError if there is no `=` or no key.
 Override parse_override(const std::string& argument);
 
 /// Reads and checks a scene file.
-/// @throws InputError with every fault found, in the order of the file.
+/// @throws InputError with every fault found, in the order of the file; those of overrides first.
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+/// One key that a scene may have, as its reader describes it.
+struct KeyDescription {
+  std::string path;      ///< `bodies[].mass`
+  std::string expected;  ///< Type, range and unit: `a positive number [kg]`.
+  std::string fallback;  ///< What holds without the key; `required` if it must be given.
+};
+
+/// Every key of the scene format, blocks before what stands in them.
+std::vector<KeyDescription> scene_keys();
 
 }  // namespace app

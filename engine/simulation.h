@@ -38,7 +38,8 @@ struct Skips {
 /// Bodies in the sea, moved step by step. Owns the mechanics engine.
 class Simulation {
  public:
-  /// @throws SimulationError if the engine refuses the description.
+  /// @throws std::invalid_argument for a step, body or joint that makes no sense (body_check.h),
+  ///         SimulationError if the engine refuses the description.
   explicit Simulation(SimulationSpec spec);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -51,7 +52,7 @@ class Simulation {
   const Timings& timings() const;
   const Skips& skips() const;
 
-  /// One step. The state before it is kept if it throws.
+  /// One step. The state before it is kept if it throws; every later step then throws too.
   /// @throws SimulationError
   void step();
 

@@ -1,1 +1,256 @@
 #include "app/render/renderer.h"
+
+#include <Eigen/Geometry>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "app/render/egl_context.h"
+#include "app/render/framebuffer.h"
+#include "app/render/gl_mesh.h"
+#include "app/render/gl_program.h"
+#include "app/render/skin.h"
+#include "app/render/view.h"
+#include "app/render/water_grid.h"
+
+namespace render {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+/// Waves that depart from linear along an edge by less than this part of a pixel, seen at the point
+/// looked at, need no finer triangles.
+constexpr double kSagPixels = 0.3;
+
+/// Bounds the work of a picture: more triangles than this are not made for the sake of waves.
+constexpr double kMostFaces = 100'000;
+
+/// A body on the graphics device.
+struct DrawnBody {
+  Skin skin_B;
+  GlMesh mesh;
+};
+
+/// 1, 2 or 5 times a power of ten, about `length`.
+double round_length(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  for (const double factor : {5.0, 2.0})
+    if (length >= factor * power) return factor * power;
+  return power;
+}
+
+/// Height of the picture at the distance of the point looked at [m].
+double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
+
+DrawnBody make_body(const GlFunctions& gl, const BodyLook& look, double longest_edge) {
+  Skin skin =
+      make_skin(std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces)
+                                            : look.mesh_B);
+  GlMesh mesh(gl, skin.triangles);
+  mesh.set(0, skin.vertices.cast<float>());
+  mesh.set(1, skin.normals.cast<float>());
+  return {std::move(skin), std::move(mesh)};
+}
+
+GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view) {
+  const Skin skin = make_skin(ground_W);
+  GlMesh mesh(gl, skin.triangles);
+  mesh.set(0, (skin.vertices.colwise() - view.eye_W).cast<float>());
+  mesh.set(1, skin.normals.cast<float>());
+  return mesh;
+}
+
+GlMesh make_plane(const GlFunctions& gl, double z, const View& view) {
+  const PolarGrid grid = make_polar_grid(view, {.level = z, .lowest = z, .highest = z}, kFlatSteps);
+  GlMesh mesh(gl, grid.triangles());
+  Eigen::Matrix3Xd points_E(3, grid.points_W.cols());
+  points_E.topRows<2>() = grid.points_W.colwise() - view.eye_W.head<2>();
+  points_E.row(2).setConstant(z - view.eye_W.z());
+  mesh.set(0, points_E.cast<float>());
+  mesh.set(1, Vector3d::UnitZ().replicate(1, points_E.cols()).cast<float>());
+  return mesh;
+}
+
+GLuint make_scale_texture(const GlFunctions& gl) {
+  GLuint name = 0;
+  gl.GenTextures(1, &name);
+  gl.BindTexture(GL_TEXTURE_2D, name);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kScaleColors, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                scale_colors().data());
+  for (const GLenum key : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TexParameteri(GL_TEXTURE_2D, key, GL_CLAMP_TO_EDGE);
+  for (const GLenum key : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, key, GL_LINEAR);
+  return name;
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  Impl(Picture p, const std::filesystem::path& shaders);
+
+  Image draw(const std::vector<hydro::BodyState>& states, double time);
+
+ private:
+  void set_view(const GlProgram& program, double time) const;
+  void draw_sky(double time) const;
+  void draw_ground(double time) const;
+  void draw_body(std::size_t index, const hydro::BodyState& state, double time);
+  void draw_water(double time);
+
+  Picture picture_;
+  View view_;
+  EglContext context_;
+  const GlFunctions& gl_ = context_.gl();
+  Framebuffer canvas_;
+  GlProgram sky_, body_, ground_, water_;
+  GlMesh nothing_;  ///< Vertices that a shader makes up from their numbers.
+  GLuint scale_texture_;
+  std::vector<DrawnBody> bodies_;
+  std::vector<GlMesh> grounds_;
+  std::optional<WaterSurface> surface_;
+  std::optional<GlMesh> surface_mesh_;
+
+  friend class Renderer;
+};
+
+Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
+    : picture_(std::move(p)),
+      view_(make_view(picture_.camera, picture_.width, picture_.height)),
+      canvas_(gl_, picture_.width, picture_.height),
+      sky_(gl_, shaders, "sky"),
+      body_(gl_, shaders, "body"),
+      ground_(gl_, shaders, "ground"),
+      water_(gl_, shaders, "water"),
+      nothing_(gl_, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))),
+      scale_texture_(make_scale_texture(gl_)) {
+  const double sag = kSagPixels * picture_size(view_) / picture_.height;
+  const double longest_edge = picture_.sea ? longest_straight_edge(*picture_.sea, sag)
+                                           : std::numeric_limits<double>::infinity();
+  for (const BodyLook& look : picture_.bodies)
+    bodies_.push_back(make_body(gl_, look, longest_edge));
+  if (picture_.ground_W) grounds_.push_back(make_ground(gl_, *picture_.ground_W, view_));
+  if (picture_.ground_z) grounds_.push_back(make_plane(gl_, *picture_.ground_z, view_));
+  if (!picture_.sea || !picture_.water_visible) return;
+  surface_.emplace(*picture_.sea, view_, longest_edge);
+  surface_mesh_.emplace(gl_, surface_->grid().triangles());
+}
+
+void Renderer::Impl::set_view(const GlProgram& program, double time) const {
+  // Lights stand with the camera, so that every view shows shape.
+  const Vector3d level = Vector3d::UnitZ().cross(view_.right_W);
+  const Vector3d& eye = view_.eye_W;
+  const bool under = picture_.sea && picture_.water_visible &&
+                     eye.z() < hydro::surface_height(*picture_.sea, eye.x(), eye.y(), time);
+  program.use();
+  program.set("u_clip_from_E", view_.clip_from_E);
+  program.set(
+      "u_key_light",
+      Vector3d((-0.55 * view_.right_W - 0.5 * level + 0.75 * Vector3d::UnitZ()).normalized()));
+  program.set("u_back_light",
+              Vector3d((-0.25 * view_.right_W + level + 0.45 * Vector3d::UnitZ()).normalized()));
+  program.set("u_visibility", 40 * view_.distance);
+  program.set("u_murk", 0.45 / picture_size(view_));
+  program.set("u_level", picture_.sea ? picture_.sea->level - eye.z() : 0.0);
+  const double grid = round_length(0.25 * picture_size(view_));
+  program.set("u_grid", grid);
+  program.set("u_grid_shift",
+              Vector3d(eye.unaryExpr([&](double x) { return std::remainder(x, grid); })));
+  program.set("u_sea", picture_.sea && picture_.water_visible ? 1 : 0);
+  program.set("u_under", under ? 1 : 0);
+}
+
+void Renderer::Impl::draw_sky(double time) const {
+  set_view(sky_, time);
+  sky_.set("u_forward", view_.forward_W);
+  sky_.set("u_right", Vector3d(view_.half_width * view_.right_W));
+  sky_.set("u_up", Vector3d(view_.half_height * view_.up_W));
+  gl_.DepthMask(GL_FALSE);
+  gl_.Disable(GL_DEPTH_TEST);
+  nothing_.draw();
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthMask(GL_TRUE);
+}
+
+void Renderer::Impl::draw_ground(double time) const {
+  set_view(ground_, time);
+  for (const GlMesh& mesh : grounds_) mesh.draw();
+}
+
+void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state, double time) {
+  const BodyLook& look = picture_.bodies[index];
+  DrawnBody& body = bodies_[index];
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  body_.set("u_rotation", R_WB);
+  body_.set("u_position", Vector3d(state.position - view_.eye_W));
+  body_.set("u_spin", state.angular_velocity);
+  body_.set("u_color", look.color);
+  if (picture_.sea) {
+    const hydro::Sea& sea = *picture_.sea;
+    const Eigen::Matrix3Xd arms = R_WB * body.skin_B.vertices;
+    Eigen::MatrixXf depths(1, arms.cols());
+    for (Index i = 0; i < arms.cols(); ++i) {
+      const Vector3d p_W = state.position + arms.col(i);
+      depths(0, i) =
+          static_cast<float>(hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z());
+    }
+    body.mesh.set(2, depths);
+    body_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
+    body_.set("u_weight", sea.density * sea.gravity);
+    body_.set("u_drag", 0.5 * sea.density * look.pressure_drag);
+  }
+  body.mesh.draw();
+}
+
+void Renderer::Impl::draw_water(double time) {
+  const Eigen::MatrixXf vertices = surface_->vertices(time);
+  surface_mesh_->set(0, vertices.topRows<3>().eval());
+  surface_mesh_->set(1, vertices.bottomRows<2>().eval());
+  canvas_.copy_depth();
+  set_view(water_, time);
+  water_.set("u_near", view_.near);
+  water_.set("u_far", view_.far);
+  water_.set("u_depth", 0);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, canvas_.depth_copy());
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  // Depth is written, and cells come from near to far: of waves behind waves the first is seen.
+  surface_mesh_->draw();
+  gl_.Disable(GL_BLEND);
+}
+
+Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time) {
+  assert(states.size() == bodies_.size());
+  context_.make_current();
+  canvas_.begin();
+  draw_sky(time);
+  draw_ground(time);
+  set_view(body_, time);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, scale_texture_);
+  body_.set("u_scale", 0);
+  body_.set("u_sea", picture_.sea ? 1 : 0);
+  body_.set("u_pressure_min", picture_.pressure.min);
+  body_.set("u_pressure_range", picture_.pressure.max - picture_.pressure.min);
+  body_.set("u_flat_depth", 1e-7 * picture_size(view_));
+  for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time);
+  if (surface_) draw_water(time);
+  return canvas_.read();
+}
+
+Renderer::Renderer(Picture picture, const std::filesystem::path& shader_folder)
+    : impl_(std::make_unique<Impl>(std::move(picture), shader_folder)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+const std::string& Renderer::device() const { return impl_->context_.device(); }
+
+Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time) {
+  return impl_->draw(states, time);
+}
+
+}  // namespace render

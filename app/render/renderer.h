@@ -1,45 +1,36 @@
 #pragma once
 
-#include <cstdint>
+#include <Eigen/Core>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "app/render/color_scale.h"
+#include "app/render/image.h"
 #include "hydro/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
 
 /// @file
 /// Pictures of bodies in the sea, drawn without a window.
+///
+/// Above the water a body has its own colour; below it the gauge pressure on its surface on a
+/// colour scale: p = ρ g h + ½ ρ C_p v_n |v_n| with the depth h, and v_n the speed against the
+/// water along the outward normal. The normal is the one the body is shaded with: smooth over edges
+/// of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
+/// stands for. The depth is linear over each triangle, and the two kinds of colour meet where it is
+/// zero.
+///
+/// No graphics library is loaded before the first Renderer is made.
 
 namespace render {
-
-/// No usable graphics, or a shader that does not compile; the message says what to do.
-class Error : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Eight-bit RGB pixels, rows from the top.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgb;  ///< width·height·3
-};
 
 struct Camera {
   Eigen::Vector3d from = {6, -8, 3};  ///< In W [m].
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad].
-};
-
-/// The ends of the colour scale [Pa].
-struct PressureScale {
-  double min = 0;
-  double max = 1;
 };
 
 /// A body as it is drawn: constant over a sequence.
@@ -59,12 +50,14 @@ struct Picture {
   std::optional<hydro::Sea> sea;           ///< None: a dry scene.
   std::optional<hydro::TriMesh> ground_W;  ///< Sea floor or shore.
   std::optional<double> ground_z;          ///< A flat sea floor, drawn to the horizon.
+  bool water_visible = true;               ///< False: pressures without the water before them.
 };
 
-/// Draws a sequence of pictures. Owns the graphics context.
+/// Draws a sequence of pictures. Owns the graphics context; one thread at a time.
 class Renderer {
  public:
-  /// @throws Error if there is no graphics, naming the packages to install.
+  /// @throws Error if there is no graphics, naming the packages to install, or if a shader is
+  ///         missing or wrong, naming the file and line.
   Renderer(Picture picture, const std::filesystem::path& shader_folder);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -73,7 +66,8 @@ class Renderer {
   /// The device drawn on, as the graphics library names it.
   const std::string& device() const;
 
-  /// One picture, with the time and the labelled pressure scale on it.
+  /// One picture, without text: `add_overlay` (overlay.h) puts time and pressure scale on it, and
+  /// `ContactSheet` (sheet.h) wants it bare.
   /// @param states   In the order of `Picture::bodies`.
   Image draw(const std::vector<hydro::BodyState>& states, double time);
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/scene_reader.h"
+
+/// @file
+/// What the program's commands do. Each returns the process's exit code; wrong input is thrown as
+/// InputError, a simulation that cannot go on is code 3 of `run`.
+
+namespace app {
+
+/// Exit codes, as scripts rely on them.
+enum ExitCode {
+  kDone = 0,
+  kDiffers = 1,       ///< `compare` found a difference beyond tolerance.
+  kWrongInput = 2,    ///< Wrong usage or input.
+  kCannotGoOn = 3,    ///< The simulation met a state that is not finite.
+  kInterrupted = 130  ///< Ctrl-C; what was done is written.
+};
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path out;  ///< Empty: out/<scene file's stem>.
+  std::vector<Override> overrides;
+  bool render = true;
+  int threads = 0;  ///< 0: as many as the machine has.
+  bool quiet = false;
+};
+int run(const RunOptions& options);
+
+int check(const std::vector<std::filesystem::path>& scenes, const std::vector<Override>& overrides);
+
+int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);
+
+struct CompareOptions {
+  std::filesystem::path a;
+  std::filesystem::path b;
+  /// By quantity (`position`, …); only those named are judged. Empty: all, to 1e-9.
+  std::map<std::string, double> tolerances;
+};
+int compare(const CompareOptions& options);
+
+struct RenderOptions {
+  std::filesystem::path trajectory;
+  std::filesystem::path scene;
+  std::filesystem::path out;
+  std::vector<Override> overrides;
+  bool quiet = false;
+};
+int render_trajectory(const RenderOptions& options);
+
+}  // namespace app

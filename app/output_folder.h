@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+namespace app {
+
+/// A folder that one run writes to. Others that want it meanwhile are refused, so that no two runs
+/// mix their files.
+class OutputFolder {
+ public:
+  /// Makes the folder and holds it. @throws InputError if it cannot be made or is in use.
+  explicit OutputFolder(const std::filesystem::path& path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  int lock_ = -1;  ///< File descriptor of the folder; the system drops the lock with the process.
+};
+
+}  // namespace app

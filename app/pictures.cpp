@@ -1,0 +1,123 @@
+#include "app/pictures.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "app/program_files.h"
+#include "app/render/overlay.h"
+#include "app/render/png.h"
+#include "app/render/renderer.h"
+#include "app/render/sheet.h"
+
+namespace app {
+namespace {
+
+/// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
+double highest_pressure(const engine::BodySpec& body, const hydro::BodyState& state,
+                        const hydro::Sea& sea, double time) {
+  const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
+  const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
+  const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
+  double highest = 0;
+  for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
+    const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d p = r.col(body.mesh_B.faces(i, face));
+      const Eigen::Vector3d p_W = state.position + p;
+      const double depth = hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z();
+      if (depth <= 0) continue;
+      const double u = motion.at(p).dot(n);
+      highest = std::max(highest,
+                         sea.density * (sea.gravity * depth +
+                                        0.5 * body.coefficients.pressure_drag * u * std::abs(u)));
+    }
+  }
+  return highest;
+}
+
+/// The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: an end for a scale.
+double rounded_up(double value) {
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (value <= step * decade * (1 + 1e-9)) return step * decade;
+  return 10 * decade;
+}
+
+render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
+                                     const std::vector<Shot>& shots) {
+  render::PressureScale scale{look.pressure_min, look.pressure_max.value_or(0)};
+  if (look.pressure_max) return scale;
+  double highest = 0;
+  for (const Shot& shot : shots) highest = std::max(highest, highest_pressure(spec, shot));
+  constexpr double kLeastSpan = 1;  // [Pa], for scenes in which nothing gets wet
+  scale.max = highest > scale.min + kLeastSpan ? rounded_up(highest) : scale.min + 1000;
+  return scale;
+}
+
+render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
+                        const render::PressureScale& scale) {
+  const RenderScene& look = *scene.render;
+  render::Picture picture{.width = look.size[0],
+                          .height = look.size[1],
+                          .camera = {look.camera.from, look.camera.to, look.camera.field_of_view},
+                          .pressure = scale,
+                          .sea = spec.sea};
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    picture.bodies.push_back({.mesh_B = spec.bodies[i].mesh_B,
+                              .color = scene.bodies[i].color,
+                              .pressure_drag = spec.bodies[i].coefficients.pressure_drag});
+  if (const auto* plane = std::get_if<engine::PlaneGround>(&spec.ground))
+    picture.ground_z = plane->z;
+  if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
+    picture.ground_W = mesh->mesh_W;
+  return picture;
+}
+
+/// An empty folder for the frames.
+std::filesystem::path fresh_frames(const std::filesystem::path& folder) {
+  const std::filesystem::path frames = folder / "frames";
+  std::error_code error;
+  std::filesystem::create_directories(frames, error);
+  if (error) throw render::Error(fmt::format("{}: {}", frames.string(), error.message()));
+  for (const auto& entry : std::filesystem::directory_iterator(frames))
+    if (entry.path().filename().string().starts_with("frame_")) std::filesystem::remove(entry);
+  return frames;
+}
+
+}  // namespace
+
+double highest_pressure(const engine::SimulationSpec& spec, const Shot& shot) {
+  double highest = 0;
+  if (!spec.sea) return highest;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    highest =
+        std::max(highest, highest_pressure(spec.bodies[i], shot.states[i], *spec.sea, shot.time));
+  return highest;
+}
+
+PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
+                            const std::vector<Shot>& shots, const std::filesystem::path& folder,
+                            const PictureProgress& progress) {
+  const render::PressureScale scale = pressure_scale(*scene.render, assembly.spec, shots);
+  render::Renderer renderer(picture(scene, assembly.spec, scale), program_files("shaders"));
+  const std::filesystem::path frames = fresh_frames(folder);
+  std::optional<render::PressureScale> shown;
+  if (assembly.spec.sea) shown = scale;
+  render::ContactSheet sheet(shown);
+  PictureReport report{.device = renderer.device(), .pressure_max = scale.max};
+  for (const Shot& shot : shots) {
+    render::Image image = renderer.draw(shot.states, shot.time);
+    sheet.add(image, shot.time);
+    render::add_overlay(image, shown, shot.time);
+    render::write_png(image, frames / fmt::format("frame_{:04}.png", report.frames++));
+    if (!progress(report.frames, static_cast<int>(shots.size()))) break;
+  }
+  if (report.frames > 0) render::write_png(sheet.image(), folder / "sheet.png");
+  return report;
+}
+
+}  // namespace app

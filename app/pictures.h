@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/assemble.h"
+#include "app/scene.h"
+#include "hydro/spatial.h"
+
+namespace app {
+
+/// States of all bodies at the times that are to be drawn.
+struct Shot {
+  double time = 0;  ///< [s]
+  std::vector<hydro::BodyState> states;
+};
+
+/// How the pictures came about.
+struct PictureReport {
+  std::string device;  ///< What drew them.
+  int frames = 0;
+  double pressure_max = 0;  ///< Upper end of the colour scale [Pa].
+};
+
+/// Told after each picture; returns false to stop there.
+using PictureProgress = std::function<bool(int done, int all)>;
+
+/// Draws each shot to FOLDER/frames/frame_0000.png… and all of them to FOLDER/sheet.png. Frames of
+/// an earlier sequence are removed. Only for scenes with a render block.
+/// @throws render::Error
+PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
+                            const std::vector<Shot>& shots, const std::filesystem::path& folder,
+                            const PictureProgress& progress);
+
+/// The largest gauge pressure on the bodies' wetted vertices, hydrostatic plus that of the pressure
+/// drag [Pa]; 0 without any.
+double highest_pressure(const engine::SimulationSpec& spec, const Shot& shot);
+
+}  // namespace app

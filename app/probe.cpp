@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/assemble.h"
+#include "app/commands.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json to_json(const hydro::Wrench& w) {
+  return {{"force", to_json(w.force)}, {"torque", to_json(w.moment)}};
+}
+
+Json to_json(const Eigen::Matrix3d& m) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back(to_json(Eigen::Vector3d(m.row(i))));
+  return rows;
+}
+
+Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
+  hydro::Loads loads;
+  if (sea && body.wet)
+    loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
+                                 body.coefficients);
+  const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
+  return {{"com", to_json(body.initial.position)},
+          {"mass", body.mass},
+          {"inertia", to_json(Eigen::Matrix3d(R * body.inertia_B * R.transpose()))},
+          {"displaced_volume", loads.displaced_volume},
+          {"wetted_area", loads.wetted_area},
+          {"buoyancy", to_json(loads.buoyancy)},
+          {"pressure_drag", to_json(loads.pressure_drag)},
+          {"viscous_drag", to_json(loads.viscous_drag)},
+          {"lift", to_json(loads.lift)},
+          {"added_mass", nullptr}};
+}
+
+}  // namespace
+
+int probe(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  const Assembly assembly = assemble(read_scene(file, overrides));
+  Json bodies = Json::object();
+  for (const engine::BodySpec& body : assembly.spec.bodies)
+    bodies[body.name] = probe_body(body, assembly.spec.sea);
+  fmt::print("{}\n", Json{{"bodies", bodies}}.dump(2));
+  return kDone;
+}
+
+}  // namespace app

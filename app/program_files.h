@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace app {
+
+/// A folder that belongs to the program (`shaders`): beside the program where it is installed
+/// (../share/plimsoll), else in the source tree that it was built from.
+std::filesystem::path program_files(const std::string& folder);
+
+}  // namespace app

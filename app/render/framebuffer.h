@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/render/gl_functions.h"
+#include "app/render/image.h"
+
+namespace render {
+
+/// The canvas that pictures are drawn on: four samples a pixel, colour and depth, with a
+/// copy of the depth that shaders can read. Lives as long as the context it is made in.
+class Framebuffer {
+ public:
+  static constexpr int kSamples = 4;
+
+  /// @throws Error if the device cannot make one of this size.
+  Framebuffer(const GlFunctions& gl, int width, int height);
+
+  /// Directs drawing here and empties the depth.
+  void begin() const;
+
+  /// Copies the depth drawn so far to the texture that `depth_copy` names (a sampler2DMS).
+  void copy_depth() const;
+  GLuint depth_copy() const { return depth_copy_; }
+
+  /// The finished picture, samples averaged.
+  Image read() const;
+
+ private:
+  const GlFunctions* gl_;
+  int width_, height_;
+  GLuint canvas_ = 0, copy_ = 0, resolved_ = 0;  // framebuffer objects
+  GLuint depth_copy_ = 0;
+};
+
+}  // namespace render

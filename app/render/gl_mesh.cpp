@@ -1,0 +1,38 @@
+#include "app/render/gl_mesh.h"
+
+#include <cassert>
+
+namespace render {
+
+GlMesh::GlMesh(const GlFunctions& gl, const Eigen::Matrix3Xi& triangles)
+    : gl_(&gl), index_count_(static_cast<GLsizei>(triangles.size())) {
+  gl.GenVertexArrays(1, &array_);
+  gl.BindVertexArray(array_);
+  GLuint indices = 0;
+  gl.GenBuffers(1, &indices);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                static_cast<GLsizeiptr>(triangles.size()) * static_cast<GLsizeiptr>(sizeof(int)),
+                triangles.data(), GL_STATIC_DRAW);
+}
+
+void GlMesh::set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& values) {
+  assert(values.outerStride() == values.rows());
+  GLuint& buffer = buffers_.at(location);
+  gl_->BindVertexArray(array_);
+  if (!buffer) gl_->GenBuffers(1, &buffer);
+  gl_->BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl_->BufferData(GL_ARRAY_BUFFER,
+                  static_cast<GLsizeiptr>(values.size()) * static_cast<GLsizeiptr>(sizeof(float)),
+                  values.data(), GL_DYNAMIC_DRAW);
+  gl_->VertexAttribPointer(location, static_cast<GLint>(values.rows()), GL_FLOAT, GL_FALSE, 0,
+                           nullptr);
+  gl_->EnableVertexAttribArray(location);
+}
+
+void GlMesh::draw() const {
+  gl_->BindVertexArray(array_);
+  gl_->DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace render

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "app/render/gl_functions.h"
+
+namespace render {
+
+/// Indexed triangles on the graphics device. Lives as long as the context it is made in.
+class GlMesh {
+ public:
+  /// @param triangles   3×T, vertex numbers, in the order in which they are drawn.
+  GlMesh(const GlFunctions& gl, const Eigen::Matrix3Xi& triangles);
+
+  /// Sets vertex attribute `location`: a column a vertex, 1 to 4 rows. May be called for each
+  /// picture; the number of columns stays the same.
+  void set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& values);
+
+  void draw() const;
+
+ private:
+  const GlFunctions* gl_;
+  GLuint array_ = 0;
+  GLsizei index_count_ = 0;
+  std::array<GLuint, 4> buffers_ = {};
+};
+
+}  // namespace render

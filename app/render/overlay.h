@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "app/render/color_scale.h"
+#include "app/render/image.h"
+
+namespace render {
+
+/// Puts the time [s], upper left, and the labelled pressure scale, lower right, on a picture. Text
+/// grows with the picture. Without a scale (a dry scene) only the time.
+void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time);
+
+/// The pressure scale lying, for a figure: bar, ticks and name, on white.
+Image lying_scale(const PressureScale& scale, int width, int text_size);
+
+/// The time as pictures show it: `t = 0.30 s`.
+std::string time_label(double time);
+
+}  // namespace render

@@ -1,0 +1,50 @@
+#include "app/render/view.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "app/render/renderer.h"
+
+namespace render {
+namespace {
+
+/// Near and far, in distances to the point looked at. Single precision depth then tells surfaces
+/// apart that are 3e-6 of that distance from each other, there.
+constexpr double kNear = 0.02;
+constexpr double kFar = 5000;
+
+Eigen::Matrix4d clip_from_eye(const View& v) {
+  Eigen::Matrix4d rotation = Eigen::Matrix4d::Identity();
+  rotation.block<1, 3>(0, 0) = v.right_W.transpose();
+  rotation.block<1, 3>(1, 0) = v.up_W.transpose();
+  rotation.block<1, 3>(2, 0) = -v.forward_W.transpose();
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+  projection(0, 0) = 1 / v.half_width;
+  projection(1, 1) = 1 / v.half_height;
+  projection(2, 2) = -(v.far + v.near) / (v.far - v.near);
+  projection(2, 3) = -2 * v.far * v.near / (v.far - v.near);
+  projection(3, 2) = -1;
+  return projection * rotation;
+}
+
+}  // namespace
+
+View make_view(const Camera& camera, int width, int height) {
+  View v;
+  v.eye_W = camera.from;
+  const Eigen::Vector3d gaze = camera.to - camera.from;
+  v.distance = gaze.norm() > 0 ? gaze.norm() : 1;
+  v.forward_W = gaze.norm() > 0 ? Eigen::Vector3d(gaze.normalized()) : Eigen::Vector3d::UnitY();
+  Eigen::Vector3d right = v.forward_W.cross(Eigen::Vector3d::UnitZ());
+  if (right.norm() < 1e-6) right = Eigen::Vector3d::UnitX();
+  v.right_W = right.normalized();
+  v.up_W = v.right_W.cross(v.forward_W).normalized();
+  v.half_height = std::tan(camera.field_of_view / 2);
+  v.half_width = v.half_height * width / height;
+  v.near = kNear * v.distance;
+  v.far = kFar * v.distance;
+  v.clip_from_E = clip_from_eye(v);
+  return v;
+}
+
+}  // namespace render

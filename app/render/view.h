@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+/// @file
+/// The camera's mathematics.
+///
+/// Frame E has the axes of W and its origin in the camera's eye: graphics devices work in single
+/// precision, and near the eye that is precise wherever in the world the scene lies.
+
+namespace render {
+
+struct Camera;
+
+struct View {
+  Eigen::Vector3d eye_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d forward_W = Eigen::Vector3d::UnitY();  ///< Unit.
+  Eigen::Vector3d right_W = Eigen::Vector3d::UnitX();    ///< Unit, level.
+  Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();       ///< Unit.
+  double distance = 1;     ///< From the eye to the point looked at [m].
+  double half_width = 1;   ///< Tangent of half the horizontal field of view [-].
+  double half_height = 1;  ///< Tangent of half the vertical field of view [-].
+  double near = 0;         ///< Nothing nearer is drawn [m].
+  double far = 0;          ///< Nothing farther is drawn [m].
+  Eigen::Matrix4d clip_from_E = Eigen::Matrix4d::Identity();
+
+  /// Direction of the ray through a point of the picture, x and y from -1 to 1, y up; its part
+  /// along `forward_W` is 1.
+  Eigen::Vector3d ray(double x, double y) const {
+    return forward_W + x * half_width * right_W + y * half_height * up_W;
+  }
+};
+
+/// A camera that looks straight up or down has +y at the top of its picture.
+View make_view(const Camera& camera, int width, int height);
+
+}  // namespace render

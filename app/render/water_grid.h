@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "app/render/view.h"
+#include "hydro/sea.h"
+
+/// @file
+/// The visible part of a level surface as a grid that suits the camera.
+
+namespace render {
+
+/// A grid in polar coordinates about the point below (or above) the eye: rows are circles out to
+/// the horizon, columns are spokes. Near the eye rows are as far apart as the surface's shape
+/// allows, farther out as the picture's resolution allows.
+struct PolarGrid {
+  int rows = 0;
+  int columns = 0;
+  Eigen::Matrix2Xd points_W;           ///< 2×(rows·columns), row after row from near to far [m].
+  std::vector<double> cell;            ///< Larger side of the cells around each row [m].
+  Eigen::Matrix3Xi triangles() const;  ///< From near to far.
+};
+
+/// The heights between which the surface stays.
+struct Slab {
+  double level = 0;  ///< Where the grid lies [m].
+  double lowest = 0;
+  double highest = 0;
+};
+
+/// How fine a grid is.
+struct GridSteps {
+  double length = 0;  ///< Rows need not be nearer to each other than this [m].
+  double angle = 0;   ///< Nor than this, seen from the eye [rad].
+  int columns = 0;
+};
+
+/// Fine enough for a level plane.
+inline constexpr GridSteps kFlatSteps = {.length = 0, .angle = 0.02, .columns = 60};
+
+/// A grid that fills the picture wherever between the slab's bounds the surface is. Steps are made
+/// larger where there would be more than 320 rows.
+PolarGrid make_polar_grid(const View& view, const Slab& slab, GridSteps steps);
+
+/// The water surface over a grid. Constant but for the time.
+class WaterSurface {
+ public:
+  /// @param straight   Length over which the surface may be taken as linear, infinite if flat [m].
+  WaterSurface(const hydro::Sea& sea, const View& view, double straight);
+
+  const PolarGrid& grid() const { return grid_; }
+
+  /// 5×(rows·columns): position in E [m] and slopes ∂ξ/∂x, ∂ξ/∂y of the surface.
+  Eigen::MatrixXf vertices(double time) const;
+
+ private:
+  const hydro::Sea& sea_of_row(int row) const;
+
+  PolarGrid grid_;
+  Eigen::Vector3d eye_W_;
+  /// The sea; for waves one a row, without the waves that are too short for the row's cells.
+  std::vector<hydro::Sea> seas_;
+};
+
+}  // namespace render

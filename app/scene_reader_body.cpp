@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "app/scene_reader_blocks.h"
+
+namespace app {
+
+namespace {
+
+/// Names become cells of a CSV file and keys of overrides.
+bool fits_in_csv(const std::string& name) {
+  return std::none_of(name.begin(), name.end(), [](char c) {
+    return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+}
+
+void read_name(MapReader& map, std::string& name) {
+  if (!map.required("name", name, TextRule{"a text, unique among the bodies"})) return;
+  if (name == "world") map.fault("name", "found world, which stands for the world in joints");
+  if (!fits_in_csv(name))
+    map.fault("name", "expected a name without commas, double quotes and line breaks");
+}
+
+/// Round-off of the principal moments, relative to the largest.
+constexpr double kMomentRoundOff = 1e-9;
+
+/// No solid turns harder about one axis than about the two others together.
+void check_inertia(MapReader& map, const InertiaScene& inertia) {
+  Eigen::Matrix3d matrix;
+  matrix << inertia.xx, inertia.xy, inertia.xz, inertia.xy, inertia.yy, inertia.yz, inertia.xz,
+      inertia.yz, inertia.zz;
+  const double scale = matrix.cwiseAbs().maxCoeff();
+  if (scale == 0)
+    return map.fault("inertia", "found a zero matrix, expected a positive definite one");
+  const Eigen::Vector3d moments =
+      scale * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix / scale).eigenvalues();
+  const std::string found =
+      fmt::format("found the principal moments {:.6g}, {:.6g} and {:.6g} kg m^2", moments[0],
+                  moments[1], moments[2]);
+  if (moments[0] <= 0)
+    map.fault("inertia", found + ", expected positive ones");
+  else if (moments[2] - moments[1] > moments[0] + kMomentRoundOff * moments[2])
+    map.fault("inertia", found + ", expected the largest to be at most the sum of the others");
+}
+
+void read_inertia(MapReader& map, std::optional<InertiaScene>& inertia) {
+  std::optional<std::array<double, 6>> entries;
+  if (!map.optional("inertia", entries, number("kg m^2"))) return;
+  const std::array<double, 6>& e = *entries;
+  inertia = InertiaScene{.xx = e[0], .yy = e[1], .zz = e[2], .xy = e[3], .xz = e[4], .yz = e[5]};
+  check_inertia(map, *inertia);
+}
+
+void read_mass(MapReader& map, BodyScene& body) {
+  map.exactly_one_of({"density", "mass"});
+  map.optional("density", body.density, positive("kg/m^3"));
+  map.optional("mass", body.mass, positive("kg"));
+  map.optional("center_of_mass", body.center_of_mass, number("m"));
+  read_inertia(map, body.inertia);
+  if (!map.has("density") || map.has("mass")) return;
+  for (const char* key : {"center_of_mass", "inertia"})
+    if (map.has(key)) map.fault(key, "follows from density and the mesh; to give it, give mass");
+}
+
+const std::vector<std::string> kFreedoms = {"x", "y", "z", "roll", "pitch", "yaw"};
+
+/// Locks one degree of freedom, or all.
+void read_lock(const Value& value, std::array<bool, 6>& locked) {
+  std::vector<std::string> words = kFreedoms;
+  words.push_back("all");
+  std::size_t index = 0;
+  if (!read_word(value, words, index)) return;
+  if (index == kFreedoms.size()) {
+    locked.fill(true);
+  } else if (locked[index]) {
+    value.fault(fmt::format("found {}, which is locked already", value.node.text));
+  } else {
+    locked[index] = true;
+  }
+}
+
+void read_locks(MapReader& map, std::array<bool, 6>& locked) {
+  const std::string expected = "a list of x, y, z, roll, pitch and yaw, or all";
+  const auto value = map.find("lock", expected, "[]");
+  if (!value) return;
+  if (value->node.is(YamlNode::Kind::scalar)) return read_lock(*value, locked);
+  if (!value->node.is(YamlNode::Kind::list)) {
+    value->refuse(expected);
+    return;
+  }
+  for (std::size_t i = 0; i < value->node.items.size(); ++i) read_lock(value->item(i), locked);
+}
+
+Eigen::Quaterniond from_euler(const Eigen::Vector3d& angles) {
+  using Eigen::AngleAxisd;
+  using Eigen::Vector3d;
+  return AngleAxisd(angles[2], Vector3d::UnitZ()) * AngleAxisd(angles[1], Vector3d::UnitY()) *
+         AngleAxisd(angles[0], Vector3d::UnitX());
+}
+
+void read_quaternion(MapReader& map, Eigen::Quaterniond& orientation) {
+  std::optional<Eigen::Vector4d> q;
+  if (!map.optional("quaternion", q, number())) return;
+  if (q->isZero(0))
+    return map.fault("quaternion", "found a zero quaternion, expected [w, x, y, z]");
+  *q /= q->cwiseAbs().maxCoeff();
+  q->normalize();
+  orientation = Eigen::Quaterniond((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
+}
+
+void read_axis_angle(MapReader& map, Eigen::Quaterniond& orientation) {
+  std::optional<Eigen::Vector3d> axis;
+  std::optional<double> angle;
+  map.optional("axis", axis, number());
+  map.optional("angle_deg", angle, degrees());
+  if (map.has("axis") && !map.has("angle_deg"))
+    map.fault("angle_deg", "missing, expected the angle about the axis [deg]");
+  if (map.has("angle_deg") && !map.has("axis"))
+    map.fault("axis", "missing, expected the axis of the angle");
+  if (axis && axis->isZero(0)) map.fault("axis", "found a zero axis, expected a direction");
+  if (axis && angle && !axis->isZero(0))
+    orientation = Eigen::AngleAxisd(*angle, (*axis / axis->cwiseAbs().maxCoeff()).normalized());
+}
+
+const ChoiceRule<Collision> kCollisions = {{{"mesh", Collision::mesh},
+                                            {"box", Collision::box},
+                                            {"sphere", Collision::sphere},
+                                            {"none", Collision::none}}};
+
+const ChoiceRule<bool> kFrames = {{{"world", false}, {"body", true}}};
+
+}  // namespace
+
+void read(MapReader& map, BodyScene& body) {
+  read_name(map, body.name);
+  read_shape(map, body.shape);
+  read_mass(map, body);
+  map.optional("position", body.position, number("m"));
+  map.block("orientation", body.orientation);
+  map.optional("linear_velocity", body.linear_velocity, number("m/s"));
+  map.optional("angular_velocity", body.angular_velocity, number("rad/s"));
+  map.block("hydro", body.hydro);
+  map.optional("collision", body.collision, kCollisions);
+  read_locks(map, body.locked);
+  map.blocks("forces", body.forces);
+  map.optional("color", body.color, between(0, 1));
+}
+
+void read(MapReader& map, Eigen::Quaterniond& orientation) {
+  const bool angle_only = map.has("angle_deg") && !map.has("axis");
+  map.exactly_one_of({"euler_deg", "quaternion", angle_only ? "angle_deg" : "axis"});
+  std::optional<Eigen::Vector3d> angles;
+  if (map.optional("euler_deg", angles, degrees())) orientation = from_euler(*angles);
+  read_quaternion(map, orientation);
+  read_axis_angle(map, orientation);
+}
+
+void read(MapReader& map, AppliedLoadScene& load) {
+  map.optional("force", load.force, number("N"));
+  map.optional("torque", load.torque, number("N m"));
+  map.optional("frame", load.in_body_frame, kFrames);
+  map.optional("at", load.at, number("m"));
+  const bool start_is_right = map.optional("start", load.start, number("s")) || !map.has("start");
+  if (map.optional("end", load.end, number("s")) && start_is_right && load.end < load.start)
+    map.fault("end", fmt::format("found {:g}, expected a time from start ({:g}) on [s]", load.end,
+                                 load.start));
+  map.block("sine", load.sine);
+}
+
+void read(MapReader& map, AppliedLoadScene::Sine& sine) {
+  map.required("frequency_hz", sine.frequency, positive("Hz"));
+  map.optional("phase_deg", sine.phase, degrees());
+}
+
+}  // namespace app

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/scene_reader_blocks.h"
+
+namespace app {
+
+namespace {
+
+using Type = JointScene::Type;
+
+const ChoiceRule<Type> kTypes = {{{"ball", Type::ball},
+                                  {"hinge", Type::hinge},
+                                  {"slider", Type::slider},
+                                  {"fixed", Type::fixed},
+                                  {"universal", Type::universal}}};
+
+/// Which of its optional keys a joint of some type has.
+bool needs_anchor(Type type) { return type != Type::slider && type != Type::fixed; }
+bool has_axis(Type type) { return type != Type::ball && type != Type::fixed; }
+
+void read_bodies(MapReader& map, std::array<std::string, 2>& bodies) {
+  const std::string expected = "a list of two names of bodies, one may be world";
+  const auto value = map.find("bodies", expected, "required");
+  if (!value) return;
+  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != bodies.size()) {
+    value->refuse(expected);
+    return;
+  }
+  bool all = true;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    all = Field<TextRule, std::string>::read(value->item(i), {"the name of a body"}, bodies[i]) &&
+          all;
+  if (all && bodies[0] == bodies[1])
+    value->fault(fmt::format("found {} twice, expected two different bodies", bodies[0]));
+}
+
+/// Reads a direction and gives it unit length.
+void read_direction(MapReader& map, const std::string& key, std::optional<Eigen::Vector3d>& axis) {
+  if (!map.optional(key, axis, number())) return;
+  if (axis->isZero(0)) {
+    map.fault(key, "found a zero vector, expected a direction");
+    axis.reset();
+    return;
+  }
+  *axis /= axis->cwiseAbs().maxCoeff();
+  axis->normalize();
+}
+
+/// How far the axes of a universal joint may be from perpendicular: what rounding to three digits
+/// does [rad].
+constexpr double kSquareness = 2e-3;
+
+/// The two axes of a universal joint are those of its cross.
+void square_axes(MapReader& map, const Eigen::Vector3d& axis, Eigen::Vector3d& axis2) {
+  const double angle = std::acos(std::clamp(axis.dot(axis2), -1.0, 1.0));
+  if (std::abs(angle - std::numbers::pi / 2) > kSquareness)
+    map.fault("axis2",
+              fmt::format("found an axis at {:.1f} deg to axis, expected a perpendicular one",
+                          angle * 180 / std::numbers::pi));
+  else
+    axis2 = (axis2 - axis.dot(axis2) * axis).normalized();
+}
+
+void check_type_has(MapReader& map, const char* type, const char* key, bool needed, bool allowed) {
+  if (needed && !map.has(key)) map.fault(key, fmt::format("missing, a {} joint needs one", type));
+  if (!allowed && map.has(key)) map.fault(key, fmt::format("not used by a {} joint", type));
+}
+
+void check_keys(MapReader& map, Type type) {
+  const std::string name = Field<ChoiceRule<Type>, Type>::text(kTypes, type);
+  check_type_has(map, name.c_str(), "anchor", needs_anchor(type), true);
+  check_type_has(map, name.c_str(), "axis", has_axis(type), has_axis(type));
+  check_type_has(map, name.c_str(), "axis2", false, type == Type::universal);
+}
+
+}  // namespace
+
+void read(MapReader& map, JointScene& joint) {
+  map.optional("name", joint.name, TextRule{"a text, unique among the joints"});
+  const bool typed = map.required("type", joint.type, kTypes);
+  read_bodies(map, joint.bodies);
+  map.optional("anchor", joint.anchor, number("m"));
+  read_direction(map, "axis", joint.axis);
+  read_direction(map, "axis2", joint.axis2);
+  if (joint.axis && joint.axis2) square_axes(map, *joint.axis, *joint.axis2);
+  if (typed) check_keys(map, joint.type);
+}
+
+}  // namespace app

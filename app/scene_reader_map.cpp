@@ -1,0 +1,86 @@
+#include "app/scene_reader_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace app {
+
+namespace {
+
+std::string repetition(Mark first) {
+  return first.line > 0 ? fmt::format("given twice, first in line {}", first.line) : "given twice";
+}
+
+}  // namespace
+
+MapReader::MapReader(const YamlNode* map, std::string path, Reading& reading)
+    : map_(map), path_(std::move(path)), reading_(reading) {}
+
+std::string MapReader::child_path(const std::string& key) const {
+  return path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
+}
+
+std::optional<Value> MapReader::find(const std::string& key, const std::string& expected,
+                                     const std::string& fallback) {
+  known_.push_back(key);
+  if (map_ == nullptr) {
+    reading_.catalogue.push_back({child_path(key), expected, fallback});
+    return std::nullopt;
+  }
+  const YamlNode* node = map_->find(key);
+  if (node != nullptr) return Value{*node, child_path(key), reading_};
+  if (fallback == "required") fault(key, "missing, expected " + expected);
+  return std::nullopt;
+}
+
+bool MapReader::is_list(const Value& value) {
+  return value.node.is(YamlNode::Kind::list) || value.refuse("a list of maps");
+}
+
+bool MapReader::is_map(const Value& value) {
+  if (value.node.is(YamlNode::Kind::null)) return value.refuse("a map, {} for all defaults");
+  return value.node.is(YamlNode::Kind::map) || value.refuse("a map");
+}
+
+bool MapReader::exactly_one_of(const std::vector<std::string>& keys) {
+  if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return has(key); }))
+    return at_most_one_of(keys);
+  fault("", fmt::format("missing, expected exactly one of {}", enumerate(keys, "and")));
+  return false;
+}
+
+bool MapReader::at_most_one_of(const std::vector<std::string>& keys) {
+  std::string first;
+  bool one = true;
+  for (const std::string& key : keys) {
+    if (!has(key)) continue;
+    if (!first.empty()) {
+      fault(key,
+            fmt::format("given beside {}, expected only one of {}", first, enumerate(keys, "and")));
+      one = false;
+    }
+    if (first.empty()) first = key;
+  }
+  return one;
+}
+
+void MapReader::fault(const std::string& key, const std::string& message) {
+  reading_.fault(child_path(key), message);
+}
+
+void MapReader::report_other_keys() {
+  if (map_ == nullptr) return;
+  std::map<std::string, Mark> first_marks;
+  for (const YamlEntry& entry : map_->entries) {
+    const auto [first, is_new] = first_marks.emplace(entry.key, entry.mark);
+    const Place place = reading_.place(entry.mark);
+    if (!is_new)
+      reading_.faults.add({place, child_path(entry.key), repetition(first->second)});
+    else if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
+      reading_.unknown_keys.push_back({place, path_, entry.key, known_});
+  }
+}
+
+}  // namespace app

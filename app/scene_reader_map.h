@@ -1,0 +1,122 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene_reader_values.h"
+
+namespace app {
+
+/// Reads one block of a scene: a YAML map into a struct, key by key. Faults are collected, and the
+/// keys that nobody asked for are faults too.
+///
+/// For each struct there is a `void read(MapReader&, Struct&)` that asks for its keys and then
+/// checks how they go together. It also serves to list the keys: a reader without a map finds no
+/// value, enters every block, and leaves the description of each key in the reading's catalogue.
+class MapReader {
+ public:
+  /// @param map    The YAML map; null to list the keys.
+  MapReader(const YamlNode* map, std::string path, Reading& reading);
+
+  bool has(const std::string& key) const { return map_ != nullptr && map_->find(key) != nullptr; }
+
+  /// Reads a key that must be there. @return true if it was there and right.
+  template <class T, class Rule>
+  bool required(const std::string& key, T& target, const Rule& rule) {
+    const auto value = find(key, Field<Rule, T>::expected(rule), "required");
+    return value && Field<Rule, T>::read(*value, rule, target);
+  }
+
+  /// Reads a key without which `target` stays as it is. @return true if it was there and right.
+  template <class T, class Rule>
+  bool optional(const std::string& key, T& target, const Rule& rule) {
+    const auto value =
+        find(key, Field<Rule, T>::expected(rule), Field<Rule, T>::text(rule, target));
+    return value && Field<Rule, T>::read(*value, rule, target);
+  }
+
+  /// The value of a key, for those that no rule covers; a missing one is a fault if `fallback` is
+  /// `required`.
+  std::optional<Value> find(const std::string& key, const std::string& expected,
+                            const std::string& fallback);
+
+  /// Reads an optional block. @return true if it was there and a map.
+  template <class T>
+  bool block(const std::string& key, T& target) {
+    const auto value = find(key, "a map", "");
+    if (map_ == nullptr) enter(nullptr, child_path(key), target);
+    return value && enter_map(*value, target);
+  }
+
+  /// Reads an optional block whose presence means something.
+  template <class T>
+  bool block(const std::string& key, std::optional<T>& target) {
+    return alternative<T>(key, target);
+  }
+
+  /// Reads an optional block that makes `target` hold a T.
+  template <class T, class Holder>
+  bool alternative(const std::string& key, Holder& target) {
+    T alternative{};
+    const bool found = block(key, alternative);
+    if (found) target = std::move(alternative);
+    return found;
+  }
+
+  /// Reads an optional list of blocks, each of which starts as a copy of `prototype`.
+  template <class T>
+  bool blocks(const std::string& key, std::vector<T>& target, const T& prototype = {}) {
+    const auto value = find(key, "a list of maps", "[]");
+    if (map_ == nullptr) {
+      T example = prototype;
+      enter(nullptr, child_path(key) + "[]", example);
+    }
+    if (!value || !is_list(*value)) return false;
+    for (std::size_t i = 0; i < value->node.items.size(); ++i)
+      enter_map(value->item(i), target.emplace_back(prototype));
+    return true;
+  }
+
+  /// A fault unless exactly one of these keys is there. @return true if so.
+  bool exactly_one_of(const std::vector<std::string>& keys);
+  /// A fault if more than one of these keys is there. @return true if not.
+  bool at_most_one_of(const std::vector<std::string>& keys);
+
+  /// A fault of one key of this map; of the whole map if `key` is empty.
+  void fault(const std::string& key, const std::string& message);
+
+  /// To be called last: faults for repeated keys and for keys that were not asked for.
+  void report_other_keys();
+
+  const std::string& path() const { return path_; }
+  Reading& reading() { return reading_; }
+
+ private:
+  std::string child_path(const std::string& key) const;
+  /// After a fault, false.
+  static bool is_list(const Value& value);
+  static bool is_map(const Value& value);
+
+  template <class T>
+  void enter(const YamlNode* map, const std::string& path, T& target) {
+    MapReader reader(map, path, reading_);
+    read(reader, target);
+    reader.report_other_keys();
+  }
+
+  template <class T>
+  bool enter_map(const Value& value, T& target) {
+    if (!is_map(value)) return false;
+    enter(&value.node, value.path, target);
+    return true;
+  }
+
+  const YamlNode* map_;
+  std::string path_;
+  Reading& reading_;
+  std::vector<std::string> known_;  ///< Keys that were asked for.
+};
+
+}  // namespace app

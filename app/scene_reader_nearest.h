@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Number of single-letter changes, insertions, removals and swaps of neighbours that turn `a`
+/// into `b` (optimal string alignment).
+int edit_distance(const std::string& a, const std::string& b);
+
+/// The candidate nearest to `word`, the first of several; none if more than `most` changes away.
+std::optional<std::string> nearest(const std::string& word,
+                                   const std::vector<std::string>& candidates, int most);
+
+/// `; did you mean X?` with the nearest candidate, empty if none is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+/// `a, b or c`
+std::string enumerate(const std::vector<std::string>& words, const std::string& conjunction);
+
+}  // namespace app

@@ -1,0 +1,159 @@
+#include "app/scene_reader_overrides.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "app/scene_reader_nearest.h"
+
+namespace app {
+
+namespace {
+
+/// Why an override cannot be applied.
+struct Obstacle {
+  std::string message;
+};
+
+/// One step of a key path: a key, or an entry of a list by index or name.
+struct Step {
+  std::string text;
+  bool in_brackets = false;
+};
+
+/// Takes the next step off the front of `rest`; `first`: no dot stands before a key.
+Step take_step(std::string& rest, bool first) {
+  Step step;
+  step.in_brackets = rest.front() == '[';
+  const bool after_dot = rest.front() == '.';
+  if (!step.in_brackets && after_dot == first) throw Obstacle{"not a key path: expected a key"};
+  if (step.in_brackets || after_dot) rest.erase(0, 1);
+  const std::size_t end = rest.find_first_of(step.in_brackets ? "]" : ".[");
+  if (step.in_brackets && end == std::string::npos)
+    throw Obstacle{"not a key path: expected a ] after the ["};
+  step.text = rest.substr(0, end);
+  if (step.text.empty()) throw Obstacle{"not a key path: a key or index is empty"};
+  rest = end == std::string::npos ? "" : rest.substr(step.in_brackets ? end + 1 : end);
+  return step;
+}
+
+std::vector<Step> split(std::string key_path) {
+  std::vector<Step> steps;
+  while (!key_path.empty()) steps.push_back(take_step(key_path, steps.empty()));
+  return steps;
+}
+
+/// The value of a key, which is made if it is not there.
+YamlNode& enter_key(YamlNode& node, const std::string& key, const std::string& path) {
+  if (node.is(YamlNode::Kind::null)) node.kind = YamlNode::Kind::map;
+  if (!node.is(YamlNode::Kind::map))
+    throw Obstacle{fmt::format("{} is no map, so it has no key {}", path, key)};
+  for (YamlEntry& entry : node.entries)
+    if (entry.key == key) return entry.value;
+  return node.entries.emplace_back(YamlEntry{key, {}, {}}).value;
+}
+
+std::optional<std::size_t> parse_index(const std::string& text) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+/// The entries' names; empty for one without.
+std::vector<std::string> names_in(const YamlNode& list) {
+  std::vector<std::string> names;
+  for (const YamlNode& item : list.items) {
+    const YamlNode* name = item.find("name");
+    names.push_back(name == nullptr ? "" : name->text);
+  }
+  return names;
+}
+
+/// The index that the brackets mean: a number, or else the name of an entry.
+std::size_t resolve_index(const YamlNode& list, const std::string& text, const std::string& path) {
+  const std::vector<std::string> names = names_in(list);
+  const auto named = std::find(names.begin(), names.end(), text);
+  if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
+  const std::optional<std::size_t> index = parse_index(text);
+  const std::size_t size = list.items.size();
+  if (!index)
+    throw Obstacle{
+        fmt::format("{} has no entry named {}{}", path, text, did_you_mean(text, names))};
+  if (*index >= size)
+    throw Obstacle{size == 0 ? fmt::format("{} has no entries", path)
+                             : fmt::format("{} has {} entr{}, the last is {}[{}]", path, size,
+                                           size == 1 ? "y" : "ies", path, size - 1)};
+  return *index;
+}
+
+/// The value at a key path from the root.
+YamlNode& follow(YamlNode& root, const std::string& key_path) {
+  YamlNode* node = &root;
+  std::string path;
+  for (const Step& step : split(key_path)) {
+    if (!step.in_brackets) {
+      node = &enter_key(*node, step.text, path);
+      path += (path.empty() ? "" : ".") + step.text;
+      continue;
+    }
+    if (!node->is(YamlNode::Kind::list) && !node->is(YamlNode::Kind::null))
+      throw Obstacle{fmt::format("{} is no list, so it has no entry {}", path, step.text)};
+    const std::size_t index = resolve_index(*node, step.text, path);
+    node = &node->items[index];
+    path += fmt::format("[{}]", index);
+  }
+  return *node;
+}
+
+/// Marks a value as given on the command line.
+void clear_marks(YamlNode& node) {
+  node.mark = {};
+  for (YamlNode& item : node.items) clear_marks(item);
+  for (YamlEntry& entry : node.entries) {
+    entry.mark = {};
+    clear_marks(entry.value);
+  }
+}
+
+YamlNode parse_value(const std::string& value) {
+  try {
+    YamlNode node = parse_yaml(value, kOverridePlace);
+    clear_marks(node);
+    return node;
+  } catch (const InputError& error) {
+    throw Obstacle{fmt::format("found {}: {}", value, error.faults().front().message)};
+  }
+}
+
+}  // namespace
+
+Override parse_override(const std::string& argument) {
+  const std::size_t bracket = argument.find(']');
+  const std::size_t equals = argument.find('=');
+  // A name in brackets may itself hold an equals sign.
+  const bool in_brackets = equals != std::string::npos && argument.find('[') < equals &&
+                           bracket != std::string::npos && equals < bracket;
+  const std::size_t end = in_brackets ? argument.find('=', bracket) : equals;
+  if (end == std::string::npos || end == 0)
+    throw InputError(
+        {Fault{{kOverridePlace},
+               "",
+               fmt::format("found {}, expected KEY.PATH=VALUE, as in bodies[0].density=700",
+                           argument.empty() ? "nothing" : argument)}});
+  return {argument.substr(0, end), argument.substr(end + 1)};
+}
+
+void apply_override(const Override& override, YamlNode& root, Faults& faults) {
+  try {
+    YamlNode value = parse_value(override.value);
+    follow(root, override.key_path) = std::move(value);
+  } catch (const Obstacle& obstacle) {
+    faults.add({{kOverridePlace}, override.key_path, obstacle.message});
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/faults.h"
+#include "app/scene_reader.h"
+#include "app/yaml_reader.h"
+
+namespace app {
+
+/// Puts the value of an override into the tree, making the blocks on the way that are not there.
+/// What it puts there has line 0. Adds a fault if the path cannot be followed or the value is not
+/// valid YAML.
+void apply_override(const Override& override, YamlNode& root, Faults& faults);
+
+}  // namespace app

@@ -1,0 +1,61 @@
+#include "app/scene_reader_blocks.h"
+
+namespace app {
+
+namespace {
+
+// Counts are bounded so that a slip of the keyboard does not fill the memory: each of these limits
+// gives some ten million triangles.
+const NumberRule kDivisions = between(1, 1000);
+const NumberRule kSlices = between(3, 2000);
+const NumberRule kSphereStacks = between(2, 2000);
+const NumberRule kCylinderStacks = between(1, 2000);
+const NumberRule kSubdivisions = between(0, 9);
+
+}  // namespace
+
+void read_shape(MapReader& map, ShapeScene& shape) {
+  map.exactly_one_of({"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"});
+  map.alternative<MeshScene>("mesh", shape);
+  map.alternative<BoxScene>("box", shape);
+  map.alternative<SphereScene>("sphere", shape);
+  map.alternative<IcosphereScene>("icosphere", shape);
+  map.alternative<EllipsoidScene>("ellipsoid", shape);
+  map.alternative<CylinderScene>("cylinder", shape);
+}
+
+void read(MapReader& map, MeshScene& mesh) {
+  map.required("file", mesh.file, FileRule{});
+  map.optional("scale", mesh.scale, positive());
+}
+
+void read(MapReader& map, BoxScene& box) {
+  map.required("size", box.size, positive("m"));
+  map.optional("divisions", box.divisions, kDivisions);
+}
+
+void read(MapReader& map, SphereScene& sphere) {
+  map.required("radius", sphere.radius, positive("m"));
+  map.optional("slices", sphere.slices, kSlices);
+  map.optional("stacks", sphere.stacks, kSphereStacks);
+}
+
+void read(MapReader& map, IcosphereScene& sphere) {
+  map.required("radius", sphere.radius, positive("m"));
+  map.optional("subdivisions", sphere.subdivisions, kSubdivisions);
+}
+
+void read(MapReader& map, EllipsoidScene& ellipsoid) {
+  map.required("semi_axes", ellipsoid.semi_axes, positive("m"));
+  map.optional("slices", ellipsoid.slices, kSlices);
+  map.optional("stacks", ellipsoid.stacks, kSphereStacks);
+}
+
+void read(MapReader& map, CylinderScene& cylinder) {
+  map.required("radius", cylinder.radius, positive("m"));
+  map.required("height", cylinder.height, positive("m"));
+  map.optional("slices", cylinder.slices, kSlices);
+  map.optional("stacks", cylinder.stacks, kCylinderStacks);
+}
+
+}  // namespace app

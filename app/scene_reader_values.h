@@ -1,0 +1,218 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/faults.h"
+#include "app/scene_reader.h"
+#include "app/scene_reader_nearest.h"
+#include "app/yaml_reader.h"
+
+/// @file
+/// From a YAML value to a field of a scene. A rule says which values are right, in words too; the
+/// type of the field says how many numbers there are and whether they are whole.
+
+namespace app {
+
+/// A key that no reader asked for, and the keys that it stands among.
+struct UnknownKey {
+  Place place;
+  std::string block_path;  ///< Of the map that holds it.
+  std::string key;
+  std::vector<std::string> known;
+};
+
+/// What the readers of one scene's blocks share.
+struct Reading {
+  std::filesystem::path file;
+  std::map<std::string, Place> places;  ///< Of every key, by key path.
+  Faults faults;
+  std::vector<UnknownKey> unknown_keys;
+  std::vector<KeyDescription> catalogue;  ///< Every key that was asked for.
+
+  Place place(Mark mark) const;
+  /// A fault of one key, where the key or the block around it stands.
+  void fault(const std::string& key_path, const std::string& message);
+};
+
+/// A value and where it stands.
+struct Value {
+  const YamlNode& node;
+  std::string path;
+  Reading& reading;
+
+  /// Adds the fault `found …, expected …` and returns false.
+  bool refuse(const std::string& expected) const;
+  void fault(const std::string& message) const;
+  Value item(std::size_t index) const;
+};
+
+/// The value as it is shown in a fault: `-5`, `"5"`, `a list of 3`.
+std::string describe(const YamlNode& node);
+
+/// Numbers from `lo` to `hi`, in the scene file's unit.
+struct NumberRule {
+  std::string unit;  ///< Of the scene file; empty for a pure number.
+  double lo = -std::numeric_limits<double>::infinity();
+  double hi = std::numeric_limits<double>::infinity();
+  bool above_lo = false;  ///< `lo` itself is refused.
+  double factor = 1;      ///< From the scene file's unit to SI.
+};
+NumberRule number(const std::string& unit = "");
+NumberRule positive(const std::string& unit = "");
+NumberRule not_negative(const std::string& unit = "");
+NumberRule between(double lo, double hi, const std::string& unit = "");
+/// An angle in degrees, kept in radians.
+NumberRule degrees();
+NumberRule degrees_between(double lo, double hi);
+
+/// A text that is not empty.
+struct TextRule {
+  std::string expected = "a text";
+};
+/// `true` or `false`
+struct TruthRule {};
+/// A file that exists, relative to the scene's folder.
+struct FileRule {};
+/// One of some words, each with its meaning.
+template <class T>
+struct ChoiceRule {
+  std::vector<std::pair<std::string, T>> choices;
+
+  std::vector<std::string> words() const {
+    std::vector<std::string> all;
+    for (const auto& choice : choices) all.push_back(choice.first);
+    return all;
+  }
+};
+
+/// `a positive number [kg]`, `a list of 3 numbers [m]`; `count` 0: not a list.
+std::string expectation(const NumberRule& rule, bool whole, std::size_t count);
+/// A decimal number within the rule, in SI. @return false after a fault.
+bool read_number(const Value& value, const NumberRule& rule, const std::string& expected,
+                 double& target);
+bool read_whole(const Value& value, const NumberRule& rule, const std::string& expected,
+                int& target);
+bool read_numbers(const Value& value, const NumberRule& rule, std::span<double> target);
+bool read_wholes(const Value& value, const NumberRule& rule, std::span<int> target);
+bool read_word(const Value& value, const std::vector<std::string>& words, std::size_t& index);
+std::string number_text(double value);
+std::string list_text(std::span<const double> values);
+
+/// How a rule reads a field of each type: `read` (false after a fault), the words for what is
+/// expected, and the words for the field's value.
+template <class Rule, class T>
+struct Field;
+
+template <>
+struct Field<NumberRule, double> {
+  static std::string expected(const NumberRule& rule) { return expectation(rule, false, 0); }
+  static std::string text(const NumberRule& rule, double v) { return number_text(v / rule.factor); }
+  static bool read(const Value& value, const NumberRule& rule, double& target) {
+    return read_number(value, rule, expected(rule), target);
+  }
+};
+
+template <>
+struct Field<NumberRule, int> {
+  static std::string expected(const NumberRule& rule) { return expectation(rule, true, 0); }
+  static std::string text(const NumberRule&, int v) { return std::to_string(v); }
+  static bool read(const Value& value, const NumberRule& rule, int& target) {
+    return read_whole(value, rule, expected(rule), target);
+  }
+};
+
+template <int N>
+struct Field<NumberRule, Eigen::Matrix<double, N, 1>> {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  static std::string expected(const NumberRule& rule) { return expectation(rule, false, N); }
+  static std::string text(const NumberRule&, const Vector& v) { return list_text({v.data(), N}); }
+  static bool read(const Value& value, const NumberRule& rule, Vector& target) {
+    return read_numbers(value, rule, {target.data(), N});
+  }
+};
+
+template <std::size_t N>
+struct Field<NumberRule, std::array<double, N>> {
+  static std::string expected(const NumberRule& rule) { return expectation(rule, false, N); }
+  static std::string text(const NumberRule&, const std::array<double, N>& v) {
+    return list_text(v);
+  }
+  static bool read(const Value& value, const NumberRule& rule, std::array<double, N>& target) {
+    return read_numbers(value, rule, target);
+  }
+};
+
+template <std::size_t N>
+struct Field<NumberRule, std::array<int, N>> {
+  static std::string expected(const NumberRule& rule) { return expectation(rule, true, N); }
+  static std::string text(const NumberRule&, const std::array<int, N>& v) {
+    const std::vector<double> numbers(v.begin(), v.end());
+    return list_text(numbers);
+  }
+  static bool read(const Value& value, const NumberRule& rule, std::array<int, N>& target) {
+    return read_wholes(value, rule, target);
+  }
+};
+
+template <>
+struct Field<TextRule, std::string> {
+  static std::string expected(const TextRule& rule) { return rule.expected; }
+  static std::string text(const TextRule&, const std::string& v) { return v; }
+  static bool read(const Value& value, const TextRule& rule, std::string& target);
+};
+
+template <>
+struct Field<TruthRule, bool> {
+  static std::string expected(const TruthRule&) { return "true or false"; }
+  static std::string text(const TruthRule&, bool v) { return v ? "true" : "false"; }
+  static bool read(const Value& value, const TruthRule& rule, bool& target);
+};
+
+template <>
+struct Field<FileRule, std::filesystem::path> {
+  static std::string expected(const FileRule&) { return "a file"; }
+  static std::string text(const FileRule&, const std::filesystem::path& v) { return v.string(); }
+  static bool read(const Value& value, const FileRule& rule, std::filesystem::path& target);
+};
+
+template <class T>
+struct Field<ChoiceRule<T>, T> {
+  static std::string expected(const ChoiceRule<T>& rule) { return enumerate(rule.words(), "or"); }
+  static std::string text(const ChoiceRule<T>& rule, const T& v) {
+    for (const auto& [word, meaning] : rule.choices)
+      if (meaning == v) return word;
+    return "";
+  }
+  static bool read(const Value& value, const ChoiceRule<T>& rule, T& target) {
+    std::size_t index = 0;
+    if (!read_word(value, rule.words(), index)) return false;
+    target = rule.choices[index].second;
+    return true;
+  }
+};
+
+/// A field that is empty without its key.
+template <class Rule, class T>
+struct Field<Rule, std::optional<T>> {
+  static std::string expected(const Rule& rule) { return Field<Rule, T>::expected(rule); }
+  static std::string text(const Rule& rule, const std::optional<T>& v) {
+    return v ? Field<Rule, T>::text(rule, *v) : "";
+  }
+  static bool read(const Value& value, const Rule& rule, std::optional<T>& target) {
+    T read_value{};
+    if (!Field<Rule, T>::read(value, rule, read_value)) return false;
+    target = std::move(read_value);
+    return true;
+  }
+};
+
+}  // namespace app

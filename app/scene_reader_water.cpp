@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "app/scene_reader_blocks.h"
+
+namespace app {
+
+namespace {
+
+/// The extension of a file in small letters: `.png`.
+std::string extension(const std::filesystem::path& file) {
+  std::string text = file.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// A picture has grey levels, which only a range turns into heights; a table has heights. A file
+/// with another extension is told apart by its content when it is loaded.
+void check_format(MapReader& map, const HeightFieldScene& field) {
+  const std::string format = extension(field.file);
+  if (format == ".png" && !map.has("range"))
+    map.fault("range", "missing, expected the heights of black and white [m] of the picture");
+  if (format == ".csv" && map.has("range"))
+    map.fault("range", "not used with a .csv file, which has heights in metres");
+}
+
+}  // namespace
+
+void read(MapReader& map, WaterScene& water) {
+  map.optional("density", water.density, positive("kg/m^3"));
+  map.optional("level", water.level, number("m"));
+  map.optional("current", water.current, number("m/s"));
+  map.block("surface", water.surface);
+}
+
+void read(MapReader& map, SurfaceScene& surface) {
+  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
+  map.alternative<FlatScene>("flat", surface);
+  map.alternative<HeightFieldScene>("heightfield", surface);
+  std::vector<WaveScene> waves;
+  if (map.blocks("waves", waves)) {
+    if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
+    surface = std::move(waves);
+  }
+  map.alternative<SpectrumScene>("spectrum", surface);
+}
+
+void read(MapReader&, FlatScene&) {}
+
+void read(MapReader& map, HeightFieldScene& field) {
+  const bool found = map.required("file", field.file, FileRule{});
+  map.optional("cell", field.cell, positive("m"));
+  map.optional("origin", field.origin, number("m"));
+  if (map.optional("range", field.range, number("m")) && (*field.range)[0] >= (*field.range)[1])
+    map.fault("range", "expected the lower height first: [lo, hi] with lo < hi");
+  if (found) check_format(map, field);
+}
+
+void read(MapReader& map, WaveScene& wave) {
+  map.required("amplitude", wave.amplitude, not_negative("m"));
+  map.required("wavelength", wave.wavelength, positive("m"));
+  map.optional("heading_deg", wave.heading, degrees());
+  map.optional("phase_deg", wave.phase, degrees());
+}
+
+void read(MapReader& map, SpectrumScene& spectrum) {
+  using Type = SpectrumScene::Type;
+  map.required("type", spectrum.type, ChoiceRule<Type>{{{"jonswap", Type::jonswap}}});
+  map.required("significant_height", spectrum.significant_height, positive("m"));
+  map.required("peak_period", spectrum.peak_period, positive("s"));
+  map.optional("gamma", spectrum.gamma, between(1, 10));
+  map.optional("heading_deg", spectrum.heading, degrees());
+  map.optional("spreading", spectrum.spreading, not_negative());
+  map.optional("seed", spectrum.seed, number());
+  map.optional("components", spectrum.components, between(1, 1024));
+}
+
+void read(MapReader& map, GroundScene& ground) {
+  map.exactly_one_of({"z", "heightfield", "mesh"});
+  std::optional<double> z;
+  if (map.optional("z", z, number("m"))) ground = PlaneGroundScene{*z};
+  map.alternative<HeightFieldScene>("heightfield", ground);
+  map.alternative<MeshScene>("mesh", ground);
+}
+
+}  // namespace app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/pictures.h"
+#include "engine/simulation.h"
+
+namespace app {
+
+/// What `summary.json` tells of a run.
+struct RunSummary {
+  const Scene& scene;
+  const engine::SimulationSpec& spec;
+  std::string ended = "completed";  ///< Or `interrupted`, `failed`.
+  std::string error;                ///< Of a failed run.
+  long steps = 0;
+  double simulated = 0;  ///< [s]
+  engine::Timings timings;
+  engine::Skips skips;
+  double wall = 0;         ///< In all [s].
+  double wall_log = 0;     ///< [s]
+  double wall_render = 0;  ///< [s]
+  std::optional<PictureReport> pictures;
+  std::string pictures_skipped;  ///< Why there are none.
+};
+
+/// Writes the file whole or not at all. @throws InputError if it cannot be written.
+void write_summary(const RunSummary& summary, const std::filesystem::path& file);
+
+}  // namespace app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hydro/spatial.h"
+
+/// @file
+/// Trajectories as CSV: `time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz`, one row a body a time.
+
+namespace app {
+
+/// Writes a trajectory while it is made. What was added is in the file when `add` returns.
+class TrajectoryWriter {
+ public:
+  /// Replaces the file. @throws InputError if it cannot be written.
+  TrajectoryWriter(const std::filesystem::path& file, std::vector<std::string> names);
+
+  /// One row a body, in the order of the names, with digits that read back to the same numbers.
+  /// @throws InputError if the disk is full.
+  void add(double time, const std::vector<hydro::BodyState>& states);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::filesystem::path path_;
+  std::vector<std::string> names_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+/// The states of one body over time.
+struct BodyTrack {
+  std::vector<double> times;  ///< Ascending [s].
+  std::vector<hydro::BodyState> states;
+};
+
+/// A trajectory read back.
+struct Trajectory {
+  std::vector<std::string> names;  ///< In the order of their first rows.
+  std::map<std::string, BodyTrack> tracks;
+};
+
+/// Reads a trajectory; a last line that was cut off is left out.
+/// @throws InputError with the line at fault.
+Trajectory read_trajectory(const std::filesystem::path& file);
+
+}  // namespace app

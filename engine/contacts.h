@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// @file
+/// The model of a contact: what is kept of the points where two bodies overlap, and how stiff they
+/// are.
+///
+/// The points of a pair share one spring and damper between them, taken implicitly in time. Spring
+/// k = m/τ² and damper c = 2 m/τ are critical for the mass m, the heavier of the two bodies that
+/// can move, so that overlap decays within a few τ and does not bounce. With the time step h the
+/// constraint solver is given, for each of n points,
+///
+///     ERP = h k / (h k + c) = h / (h + 2 τ)                                               (1)
+///     CFM = 1 / (h k + c)   = n τ² / (m (h + 2 τ))                                        (2)
+///
+/// A body that carries its own weight sinks in by g τ². The time τ = max(h, 0.01 s) makes that 1
+/// mm, whatever the body's size; it does not follow the step below 0.01 s, so that the motion
+/// converges as the step is refined, and does above it, where a spring shorter than a step is not
+/// resolved. With the lighter mass instead of the heavier a body would sink deep into a lighter
+/// one; as it is, the light body's contact is overdamped, with the same ERP.
+///
+/// Friction is Coulomb's, µ = 0.5 for every pair, in a pyramid whose first edge lies along the
+/// sliding that the contact would see without it; so a body slides down the steepest way above
+/// atan µ, whatever the heading of the slope. Its rows are regularised by
+///
+///     slip = 1e-6 h n / m                                                                 (3)
+///
+/// which lets a body on a slope creep by less than 1e-6 g h [m/s] and keeps the equations of many
+/// points solvable.
+
+namespace engine {
+
+inline constexpr double kFriction = 0.5;           ///< µ [-].
+inline constexpr double kShortestContact = 0.01;   ///< Least τ [s].
+inline constexpr std::size_t kContactsOfPair = 8;  ///< A flat face needs 4.
+
+/// A point where two bodies overlap.
+struct ContactPoint {
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  ///< Unit, into the first body.
+  double depth = 0;                                     ///< Of the overlap along the normal [m].
+};
+
+/// The points that are contacts.
+///
+/// Where two meshes overlap by a little, the faces beside the overlap also cut each other, and are
+/// reported with their own normals and depths as large as the body. Such a point is known by a
+/// contact less than a fifth as deep in another direction whose overlap it lies in: pushed out
+/// there, it is out. Points no deeper than `reach` are trusted, points that just touch are not
+/// kept.
+///
+/// @param reach   Depth that the pair can have gathered within the last steps [m].
+std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach);
+
+/// Indices of at most `most` points that stand for all: the deepest, then one by one the point
+/// farthest from those taken, in place and direction. Equal ones go by order.
+std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most);
+
+/// What the constraint solver is told about one point: equations (1) to (3).
+struct ContactStiffness {
+  double erp = 0;   ///< [-]
+  double cfm = 0;   ///< [m/(N s)]
+  double slip = 0;  ///< [m/(N s)]
+};
+ContactStiffness contact_stiffness(double mass, std::size_t points, double step);
+
+}  // namespace engine

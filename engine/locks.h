@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/spec.h"
+
+/// @file
+/// Degrees of freedom that are held. World axes.
+///
+/// A locked translation keeps the coordinate of the centre of mass and its velocity at zero. A
+/// locked rotation keeps that component of the angular velocity at zero; with two of them the body
+/// turns about the third world axis alone, with all three not at all. One locked rotation is a
+/// condition on the velocity only: turns about the other two axes can add up to one about the
+/// third.
+
+namespace engine {
+
+/// True if all six are locked: the body is immovable.
+bool immovable(const DofMask& locked);
+
+/// True if at least one is locked.
+bool partly_held(const DofMask& locked);
+
+/// The state without velocity in locked degrees of freedom.
+hydro::BodyState without_locked_motion(const DofMask& locked, hydro::BodyState state);
+
+/// The state moved to the nearest one that the locks allow for a body that was `initial` at the
+/// start: locked coordinates exactly those of `initial`, locked velocities zero.
+hydro::BodyState held(const DofMask& locked, const hydro::BodyState& initial,
+                      hydro::BodyState state);
+
+}  // namespace engine

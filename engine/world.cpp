@@ -1,0 +1,243 @@
+#include "engine/world.h"
+
+#include <fmt/format.h>
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/body_check.h"
+#include "engine/locks.h"
+
+namespace engine {
+namespace {
+
+// Share of a joint's misalignment that a step takes back. The step is solved exactly, so that a
+// large share is stable; what is left of a joint is then little more than the step's own error.
+constexpr double kJointErp = 0.8;
+// Compliance of joints and locks in terms of the world's smallest and largest inertia, masses and
+// moments alike as numbers in SI [s]. The first makes joints that hold the same motion twice
+// solvable; the second, where inertias are very different, bounds what the heaviest body's joint
+// sinks in under its weight to 1e-6 g h [m].
+constexpr double kComplianceOfLightest = 1e-12;
+constexpr double kComplianceOfHeaviest = 1e-6;
+// Iterations of the solver that takes over when the exact one gives up.
+constexpr int kFallbackIterations = 200;
+
+Eigen::Isometry3d pose(const hydro::BodyState& state) {
+  return Eigen::Translation3d(state.position) * state.orientation;
+}
+
+void place(dxGeom* geom, const hydro::BodyState& state, const Eigen::Vector3d& center_B) {
+  const Eigen::Vector3d center_W = pose(state) * center_B;
+  dGeomSetPosition(geom, center_W.x(), center_W.y(), center_W.z());
+  dGeomSetRotation(geom, to_ode(state.orientation.toRotationMatrix()).data());
+}
+
+void place(dxBody* body, const hydro::BodyState& state) {
+  const Eigen::Vector3d& p = state.position;
+  const Eigen::Vector3d& v = state.linear_velocity;
+  const Eigen::Vector3d& w = state.angular_velocity;
+  dBodySetPosition(body, p.x(), p.y(), p.z());
+  dBodySetQuaternion(body, to_ode(state.orientation).data());
+  dBodySetLinearVel(body, v.x(), v.y(), v.z());
+  dBodySetAngularVel(body, w.x(), w.y(), w.z());
+}
+
+dMass mass_of(const BodySpec& spec) {
+  const Eigen::Matrix3d& inertia = spec.inertia_B;
+  dMass mass;
+  dMassSetParameters(&mass, spec.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2),
+                     inertia(0, 1), inertia(0, 2), inertia(1, 2));
+  return mass;
+}
+
+double furthest_from(const Eigen::Vector3d& center, const hydro::TriMesh& mesh) {
+  return (mesh.vertices.colwise() - center).colwise().norm().maxCoeff();
+}
+
+void* tag(BodyId id) { return reinterpret_cast<void*>(static_cast<std::intptr_t>(id)); }
+
+}  // namespace
+
+World::World(double gravity) : gravity_(gravity) {
+  open_ode();
+  world_.reset(dWorldCreate());
+  dWorldSetGravity(world_.get(), 0, 0, -gravity);
+  dWorldSetERP(world_.get(), kJointErp);
+  dWorldSetAutoDisableFlag(world_.get(), 0);
+  dWorldSetQuickStepNumIterations(world_.get(), kFallbackIterations);
+  space_.reset(dHashSpaceCreate(nullptr));
+  // Cells of 1 m to 1 km: body coordinates divided by a cell's size must fit an int.
+  dHashSpaceSetLevels(space_.get(), 0, 10);
+  contacts_.reset(dJointGroupCreate(0));
+}
+
+BodyId World::add_body(const BodySpec& spec) {
+  check_body(spec);
+  Body body{
+      .mass = spec.mass, .initial = without_locked_motion(spec.locked, spec.initial), .load = {}};
+  if (!immovable(spec.locked)) body.handle = create_body(spec);
+  const Shape shape = create_shape(spec);
+  body.geom = shape.geom;
+  if (body.geom) place_geom(body, shape);
+  const auto id = static_cast<BodyId>(bodies_.size());
+  if (body.geom) dGeomSetData(body.geom, tag(id));
+  bodies_.push_back(body);
+  return id;
+}
+
+dxBody* World::create_body(const BodySpec& spec) {
+  soften_joints(spec);
+  dxBody* body = dBodyCreate(world_.get());
+  const dMass mass = mass_of(spec);
+  dBodySetMass(body, &mass);
+  // Turns by exactly |ω| h about ω; ODE's default, a normalised first-order step, turns by less.
+  dBodySetFiniteRotationMode(body, 1);
+  place(body, without_locked_motion(spec.locked, spec.initial));
+  if (partly_held(spec.locked)) add_lock_motors(body, spec);
+  return body;
+}
+
+void World::soften_joints(const BodySpec& spec) {
+  const Eigen::Vector3d moments = spec.inertia_B.diagonal();
+  lightest_ = std::min({lightest_, spec.mass, moments.minCoeff()});
+  heaviest_ = std::max({heaviest_, spec.mass, moments.maxCoeff()});
+  dWorldSetCFM(world_.get(),
+               std::min(kComplianceOfLightest / lightest_, kComplianceOfHeaviest / heaviest_));
+}
+
+World::Shape World::create_shape(const BodySpec& spec) {
+  if (spec.collision == CollisionShape::none) return {};
+  if (spec.collision == CollisionShape::mesh) return {.geom = create_trimesh(spec.mesh_B)};
+  const Eigen::AlignedBox3d box = hydro::bounding_box(spec.mesh_B);
+  const Eigen::Vector3d size = box.sizes();
+  dxGeom* geom = spec.collision == CollisionShape::box
+                     ? dCreateBox(space_.get(), size.x(), size.y(), size.z())
+                     : dCreateSphere(space_.get(), furthest_from(box.center(), spec.mesh_B));
+  return {.geom = geom, .center_B = box.center()};
+}
+
+dxGeom* World::create_trimesh(const hydro::TriMesh& mesh) {
+  auto kept = std::make_unique<CollisionMesh>();
+  kept->mesh = mesh;
+  kept->data.reset(dGeomTriMeshDataCreate());
+  static_assert(sizeof(dTriIndex) == sizeof(int), "ODE reads the faces as they are");
+  dGeomTriMeshDataBuildDouble(kept->data.get(), kept->mesh.vertices.data(), 3 * sizeof(double),
+                              static_cast<int>(mesh.vertex_count()), kept->mesh.faces.data(),
+                              static_cast<int>(mesh.faces.size()), 3 * sizeof(dTriIndex));
+  dxGeom* geom = dCreateTriMesh(space_.get(), kept->data.get(), nullptr, nullptr, nullptr);
+  meshes_.push_back(std::move(kept));
+  return geom;
+}
+
+void World::place_geom(Body& body, const Shape& shape) {
+  if (!body.handle) return place(body.geom, body.initial, shape.center_B);
+  dGeomSetBody(body.geom, body.handle);
+  const Eigen::Vector3d& center = shape.center_B;
+  dGeomSetOffsetPosition(body.geom, center.x(), center.y(), center.z());
+}
+
+void World::add_lock_motors(dxBody* body, const BodySpec& spec) {
+  dxJoint* linear = dJointCreateLMotor(world_.get(), nullptr);
+  dxJoint* angular = dJointCreateAMotor(world_.get(), nullptr);
+  dJointAttach(linear, body, nullptr);
+  dJointAttach(angular, body, nullptr);
+  const double unlimited = std::numeric_limits<double>::infinity();
+  // ODE numbers the parameters of a motor's axes in groups: FMax1, FMax2, FMax3.
+  int linear_axes = 0;
+  int angular_axes = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
+    if (spec.locked[i]) {
+      dJointSetLMotorNumAxes(linear, linear_axes + 1);
+      dJointSetLMotorAxis(linear, linear_axes, 0, axis.x(), axis.y(), axis.z());
+      dJointSetLMotorParam(linear, dParamFMax + dParamGroup * linear_axes++, unlimited);
+    }
+    if (spec.locked[3 + i]) {
+      dJointSetAMotorNumAxes(angular, angular_axes + 1);
+      dJointSetAMotorAxis(angular, angular_axes, 0, axis.x(), axis.y(), axis.z());
+      dJointSetAMotorParam(angular, dParamFMax + dParamGroup * angular_axes++, unlimited);
+    }
+  }
+}
+
+void World::add_ground(const Ground& ground) {
+  if (const auto* plane = std::get_if<PlaneGround>(&ground)) {
+    ground_ = dCreatePlane(space_.get(), 0, 0, 1, plane->z);
+  }
+  if (const auto* mesh = std::get_if<MeshGround>(&ground)) ground_ = create_trimesh(mesh->mesh_W);
+  if (ground_) dGeomSetData(ground_, tag(kWorld));
+}
+
+bool World::can_collide() const {
+  const auto collides = [](const Body& body) { return body.geom != nullptr; };
+  const auto moves = [](const Body& body) { return body.geom && body.handle; };
+  const auto things = std::count_if(bodies_.begin(), bodies_.end(), collides) + (ground_ ? 1 : 0);
+  return things > 1 && std::any_of(bodies_.begin(), bodies_.end(), moves);
+}
+
+dxBody* World::handle_of(BodyId id) const {
+  return id == kWorld ? nullptr : bodies_.at(static_cast<std::size_t>(id)).handle;
+}
+
+dxGeom* World::geom_of(BodyId id) const {
+  return id == kWorld ? ground_ : bodies_.at(static_cast<std::size_t>(id)).geom;
+}
+
+hydro::BodyState World::state(BodyId id) const {
+  dxBody* body = handle_of(id);
+  if (!body) return bodies_.at(static_cast<std::size_t>(id)).initial;
+  return {.position = vector_from_ode(dBodyGetPosition(body)),
+          .orientation = quaternion_from_ode(dBodyGetQuaternion(body)),
+          .linear_velocity = vector_from_ode(dBodyGetLinearVel(body)),
+          .angular_velocity = vector_from_ode(dBodyGetAngularVel(body))};
+}
+
+void World::set_state(BodyId id, const hydro::BodyState& state) {
+  if (dxBody* body = handle_of(id)) place(body, state);
+}
+
+void World::apply(BodyId id, const hydro::Wrench& load) {
+  bodies_.at(static_cast<std::size_t>(id)).load += load;
+}
+
+void World::advance(double step) {
+  open_ode();
+  const std::vector<hydro::BodyState> before = all_states();
+  hand_over_loads();
+  take_ode_warning();  // one that a collision left says nothing about the step
+  if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
+  if (!take_ode_warning().empty()) {
+    // The exact solver met constraints that contradict each other; the iterative one gives the step
+    // a compromise between them.
+    ++compromises_;
+    set_all_states(before);
+    hand_over_loads();
+    dRandSetSeed(1);
+    if (!dWorldQuickStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
+  }
+  for (Body& body : bodies_) body.load = {};
+}
+
+void World::hand_over_loads() {
+  for (const Body& body : bodies_) {
+    if (!body.handle) continue;
+    const auto& [force, moment] = body.load;
+    dBodySetForce(body.handle, force.x(), force.y(), force.z());
+    dBodySetTorque(body.handle, moment.x(), moment.y(), moment.z());
+  }
+}
+
+std::vector<hydro::BodyState> World::all_states() const {
+  std::vector<hydro::BodyState> states;
+  states.reserve(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) states.push_back(state(static_cast<BodyId>(i)));
+  return states;
+}
+
+void World::set_all_states(const std::vector<hydro::BodyState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) set_state(static_cast<BodyId>(i), states[i]);
+}
+
+}  // namespace engine

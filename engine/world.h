@@ -1,0 +1,94 @@
+#pragma once
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "engine/ode_handles.h"
+#include "engine/spec.h"
+
+namespace engine {
+
+/// Bodies, joints and ground in ODE. Owns all of ODE's objects; a body is an index.
+///
+/// Bodies come first, then joints and ground. A step is: apply loads, collide, advance.
+/// Every call may throw OdeFault; after one out of `advance`, the world is only fit to be
+/// destroyed.
+class World {
+ public:
+  explicit World(double gravity);
+
+  /// Ids count from 0. @throws std::invalid_argument if the description is unphysical.
+  BodyId add_body(const BodySpec& spec);
+  /// Jointed bodies pass through each other. @throws std::invalid_argument for one without a pair.
+  void add_joint(const JointSpec& spec);
+  void add_ground(const Ground& ground);
+
+  /// False if no two things could ever touch of which one moves.
+  bool can_collide() const;
+  /// Position of the centre of mass, velocities in W.
+  hydro::BodyState state(BodyId body) const;
+  /// An immovable body has no state to set and stays.
+  void set_state(BodyId body, const hydro::BodyState& state);
+  /// Adds a load for the next advance: moment about the centre of mass, in W.
+  void apply(BodyId body, const hydro::Wrench& load);
+  /// Finds the contacts that hold during the next advance over `step` [s].
+  void collide(double step);
+  /// Moves the bodies over `step` [s] under loads, gravity, joints and contacts; uses up the loads.
+  void advance(double step);
+  /// Steps in which constraints contradicted each other and were each met in part.
+  long compromises() const { return compromises_; }
+
+ private:
+  struct Body {
+    dxBody* handle = nullptr;  ///< None if immovable: what it meets is then part of the world.
+    dxGeom* geom = nullptr;    ///< None if it passes through everything.
+    double mass = 0;
+    hydro::BodyState initial;
+    hydro::Wrench load;  ///< For the next advance.
+  };
+  struct Shape {
+    dxGeom* geom = nullptr;
+    Eigen::Vector3d center_B = Eigen::Vector3d::Zero();
+  };
+  using Pair = std::pair<BodyId, BodyId>;  ///< Ascending; kWorld is the ground.
+
+  void soften_joints(const BodySpec& spec);
+  dxBody* create_body(const BodySpec& spec);
+  Shape create_shape(const BodySpec& spec);
+  dxGeom* create_trimesh(const hydro::TriMesh& mesh);
+  void place_geom(Body& body, const Shape& shape);
+  void add_lock_motors(dxBody* body, const BodySpec& spec);
+  dxBody* handle_of(BodyId body) const;
+  dxGeom* geom_of(BodyId body) const;
+  void hand_over_loads();
+  std::vector<hydro::BodyState> all_states() const;
+  void set_all_states(const std::vector<hydro::BodyState>& states);
+
+  bool may_touch(const Pair& pair) const;
+  std::vector<Pair> near_pairs() const;
+  void join_contacts(const Pair& pair, double step);
+  double contact_mass(const Pair& pair) const;
+  Eigen::Vector3d velocity_without_contact(BodyId body, const Eigen::Vector3d& point_W,
+                                           double step) const;
+
+  struct CollisionMesh {
+    hydro::TriMesh mesh;  ///< ODE reads these arrays for as long as it collides them.
+    TriMeshDataHandle data;
+  };
+
+  // Members are destroyed in the opposite order: contacts before the world, shapes before meshes.
+  double gravity_;
+  double lightest_ = std::numeric_limits<double>::infinity();  ///< Least mass or moment of inertia.
+  double heaviest_ = 0;                                        ///< Largest mass or moment.
+  long compromises_ = 0;
+  std::vector<std::unique_ptr<CollisionMesh>> meshes_;
+  WorldHandle world_;
+  SpaceHandle space_;
+  JointGroupHandle contacts_;
+  std::vector<Body> bodies_;
+  std::vector<Pair> jointed_;  ///< Sorted.
+  dxGeom* ground_ = nullptr;
+};
+
+}  // namespace engine

@@ -1,0 +1,48 @@
+// Own colour above the water, the pressure's colour below; they meet where the depth is zero.
+
+uniform vec3 u_color;
+uniform sampler2D u_scale;      // colours of the pressure scale, from low to high
+uniform float u_pressure_min;   // [Pa]
+uniform float u_pressure_range; // [Pa]
+uniform float u_weight;         // rho g [Pa/m]
+uniform float u_drag;           // rho C_p / 2 [Pa s^2/m^2]
+uniform float u_flat_depth;     // steps of depth below this are rounding [m]
+
+in vec3 v_position_E;
+in vec3 v_normal;
+in vec3 v_velocity;
+in float v_depth;
+out vec4 o_color;
+
+vec3 pressure_color(float pressure) {
+  float place = clamp((pressure - u_pressure_min) / u_pressure_range, 0.0, 1.0);
+  float colors = float(textureSize(u_scale, 0).x);
+  return texture(u_scale, vec2((place * (colors - 1.0) + 0.5) / colors, 0.5)).rgb;
+}
+
+vec3 dry_color(vec3 normal, vec3 to_eye) {
+  float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 3.0);
+  vec3 half_way = normalize(u_key_light + to_eye);
+  float gloss = 0.12 * pow(max(dot(normal, half_way), 0.0), 40.0);
+  return u_color * matt_light(normal) + 0.10 * rim * k_horizon + gloss;
+}
+
+// Only brightness is shaded, and less, so that a colour can be read off the scale.
+vec3 wet_color(vec3 normal) {
+  float speed = dot(v_velocity, normal);
+  float pressure = u_weight * v_depth + u_drag * speed * abs(speed);
+  float facing = 0.5 + 0.5 * dot(normal, u_key_light);
+  return pressure_color(pressure) * (0.74 + 0.26 * facing);
+}
+
+void main() {
+  vec3 to_eye = -normalize(v_position_E);
+  vec3 normal = normalize(v_normal);
+  float depth_per_pixel = max(length(vec2(dFdx(v_depth), dFdy(v_depth))), u_flat_depth);
+  float depth_px = v_depth / depth_per_pixel;
+  float wet = u_sea ? clamp(depth_px + 0.5, 0.0, 1.0) : 0.0;
+  vec3 color = mix(dry_color(normal, to_eye), wet_color(normal), wet);
+  float line = u_sea ? 1.0 - smoothstep(0.5, 1.5, abs(depth_px)) : 0.0;
+  color = mix(color, vec3(0.97, 0.99, 1.0), 0.8 * line);
+  o_color = vec4(through_medium(color, v_position_E), 1.0);
+}

@@ -1,0 +1,24 @@
+// A rigid body: B to E, with the velocity of its surface against the water.
+
+layout(location = 0) in vec3 a_position_B;
+layout(location = 1) in vec3 a_normal_B;
+layout(location = 2) in float a_depth;  // below the water surface [m]
+
+uniform mat3 u_rotation;  // R_WB
+uniform vec3 u_position;  // p_EB [m]
+uniform vec3 u_velocity;  // of B's origin against the water, in W [m/s]
+uniform vec3 u_spin;      // angular velocity, in W [rad/s]
+
+out vec3 v_position_E;
+out vec3 v_normal;
+out vec3 v_velocity;
+out float v_depth;
+
+void main() {
+  vec3 arm = u_rotation * a_position_B;
+  v_position_E = u_position + arm;
+  v_normal = u_rotation * a_normal_B;
+  v_velocity = u_velocity + cross(u_spin, arm);
+  v_depth = a_depth;
+  gl_Position = u_clip_from_E * vec4(v_position_E, 1.0);
+}

@@ -1,0 +1,16 @@
+// Sky above the horizon. Below it deep water where there is a sea, else an even, pale backdrop.
+
+in vec3 v_ray;
+out vec4 o_color;
+
+void main() {
+  vec3 ray = normalize(v_ray);
+  vec3 color = sky(ray);
+  if (ray.z < 0.0) {
+    // Where the sea would be hit, so that it pales toward the horizon as the water does.
+    vec3 p_E = ray * max(-u_level, 0.0) / max(-ray.z, 1e-5);
+    color = u_sea ? through_medium(k_deep, p_E) : mix(k_horizon, vec3(0.80, 0.83, 0.85), min(-1.5 * ray.z, 1.0));
+  }
+  if (u_under) color = mix(inner_water(ray), sky(ray), 0.5 * smoothstep(0.15, 0.8, ray.z));
+  o_color = vec4(color, 1.0);
+}

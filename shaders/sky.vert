@@ -1,0 +1,13 @@
+// A triangle that covers the picture, behind everything.
+
+uniform vec3 u_forward;  // the ray through the middle of the picture
+uniform vec3 u_right;    // what it gains up to the right border
+uniform vec3 u_up;       // what it gains up to the upper border
+
+out vec3 v_ray;
+
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  v_ray = u_forward + corner.x * u_right + corner.y * u_up;
+  gl_Position = vec4(corner, 1.0, 1.0);
+}

@@ -1,0 +1,69 @@
+// The water surface: what lies behind it is absorbed by the length of water on the way, and the sky
+// is reflected by Fresnel's law in the approximation of C. Schlick, An inexpensive BRDF model for
+// physically-based rendering, Eurographics 1994. Colours are premultiplied by their opacity.
+
+uniform sampler2DMS u_depth;  // of what is behind the water
+uniform float u_near;         // [m]
+uniform float u_far;          // [m]
+
+in vec3 v_position_E;
+in vec2 v_slope;
+out vec4 o_color;
+
+const int k_samples = 4;
+const float k_most_tint = 0.42;  // on bodies, so that their pressure stays legible at any depth
+
+// Share of the light from behind that the water takes, averaged over those of the pixel's samples
+// that have a thing behind them. Where some have none, the backdrop there is deep water already, so
+// that outlines of things under water stay smooth.
+float tint(float surface_depth, float stretch) {
+  float sum = 0.0;
+  float count = 0.0;
+  for (int i = 0; i < k_samples; ++i) {
+    float z = 2.0 * texelFetch(u_depth, ivec2(gl_FragCoord.xy), i).r - 1.0;
+    if (z >= 1.0) continue;
+    float depth = 2.0 * u_far * u_near / (u_far + u_near - z * (u_far - u_near));
+    float water = max(depth - surface_depth, 0.0) * stretch;
+    sum += k_most_tint * (1.0 - exp(-u_murk * water / k_most_tint));
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 1.0;
+}
+
+float fresnel(float cosine) { return 0.02 + 0.98 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }
+
+// Seen from above.
+vec4 upper_side(vec3 normal, vec3 to_eye) {
+  float surface_depth = 1.0 / gl_FragCoord.w;
+  float body = tint(surface_depth, length(v_position_E) / surface_depth);
+  vec3 mirrored = reflect(-to_eye, normal);
+  mirrored.z = abs(mirrored.z);
+  float reflected = min(fresnel(dot(normal, to_eye)), 0.65);
+  float glitter = 0.5 * pow(max(dot(mirrored, u_back_light), 0.0), 60.0);
+  vec3 scattered = k_deep * (0.9 + 0.5 * dot(vec3(-v_slope, 0.0), u_key_light));
+  scattered += 0.10 * clamp(length(v_slope), 0.0, 1.0) * k_shallow;
+  vec3 color = mix(scattered * body, sky(mirrored), reflected) + glitter * reflected;
+  vec2 cells = grid_cells(v_position_E);
+  float line = 0.10 * grid_line(cells, dFdx(cells), dFdy(cells));
+  return mix(vec4(color, 1.0 - (1.0 - body) * (1.0 - reflected)), vec4(1.0), line);
+}
+
+// Seen from within: a mirror of the deep outside Snell's window.
+vec4 lower_side(vec3 normal, vec3 to_eye) {
+  float cosine = clamp(-dot(normal, to_eye), 0.0, 1.0);
+  float mirror = 1.0 - smoothstep(0.55, 0.8, cosine);
+  vec3 color = mix(k_shallow, inner_water(vec3(0.0, 0.0, 0.2)), mirror);
+  color += 0.25 * k_shallow * dot(v_slope, u_key_light.xy);
+  float opacity = mix(0.35, 0.8, mirror);
+  return vec4(color * opacity, opacity);
+}
+
+void main() {
+  vec3 normal = normalize(vec3(-v_slope, 1.0));
+  vec3 to_eye = -normalize(v_position_E);
+  vec4 color = u_under ? lower_side(normal, to_eye) : upper_side(normal, to_eye);
+  float haze = u_under ? 1.0 - exp(-0.5 * u_murk * length(v_position_E))
+                       : 1.0 - exp(-pow(length(v_position_E) / u_visibility, 1.5));
+  vec3 far_color = u_under ? inner_water(v_position_E) : k_horizon;
+  o_color = mix(color, vec4(far_color, 1.0), haze);
+}

@@ -1,0 +1,347 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/app/scene_text.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using support::read_scene_text;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Angles pass through one multiplication by π/180 and Eigen's half-angle functions: a few ulp.
+const double kRoundOff = support::tolerance(1e-15);
+
+/// Every key but those of the other surfaces and grounds, with values that no default has.
+std::string every_key() {
+  const std::string folder = support::data_folder().string();
+  return "plimsoll: 1\n"
+         "title: Every key\n"
+         "duration: 010\n"
+         "step: +2.5e-3\n"
+         "gravity: 1.62\n"
+         "integrator: {}\n"
+         "water:\n"
+         "  density: 1025\n"
+         "  level: -1.5\n"
+         "  current: [1, 2, 3]\n"
+         "  surface:\n"
+         "    waves:\n"
+         "      - {amplitude: 0.5, wavelength: 20, heading_deg: 90, phase_deg: -45}\n"
+         "      - {amplitude: 0, wavelength: 1}\n"
+         "ground: {z: -10}\n"
+         "hydro: {buoyancy: true, pressure_drag: 0.5, lift: 0.25, viscous_drag: 0.125,"
+         " added_mass: none}\n"
+         "bodies:\n"
+         "  - name: a\n"
+         "    mesh: {file: " +
+         folder +
+         "/shore.obj, scale: 2}\n"
+         "    mass: 5\n"
+         "    center_of_mass: [1, 2, 3]\n"
+         "    inertia: [2, 3, 4, 0.1, 0.2, 0.3]\n"
+         "    position: [4, 5, 6]\n"
+         "    orientation: {euler_deg: [10, 20, 30]}\n"
+         "    linear_velocity: [7, 8, 9]\n"
+         "    angular_velocity: [-1, -2, -3]\n"
+         "    hydro: {buoyancy: false, pressure_drag: false, lift: 1, viscous_drag: thesis,"
+         " added_mass: none}\n"
+         "    collision: sphere\n"
+         "    lock: [x, yaw]\n"
+         "    forces:\n"
+         "      - {force: [1, 2, 3], torque: [4, 5, 6], frame: body, at: [7, 8, 9], start: 1,"
+         " end: 2, sine: {frequency_hz: 0.5, phase_deg: 90}}\n"
+         "      - {force: [1, 0, 0]}\n"
+         "    color: [0.1, 0.2, 0.3]\n"
+         "  - {name: b, box: {size: [1, 2, 3], divisions: 8}, density: 550, lock: all,"
+         " orientation: {quaternion: [0, 0, 0, 2]}, hydro: {lift: false}}\n"
+         "  - {name: c, sphere: {radius: 2, slices: 10, stacks: 11}, density: 1,"
+         " orientation: {axis: [0, 0, 3], angle_deg: 30}, collision: none}\n"
+         "  - {name: d, icosphere: {radius: 3, subdivisions: 2}, density: 1, collision: box}\n"
+         "  - {name: e, ellipsoid: {semi_axes: [3, 2, 1], slices: 12, stacks: 13}, density: 1}\n"
+         "  - {name: f, cylinder: {radius: 4, height: 5, slices: 14, stacks: 15}, density: 1,"
+         " collision: mesh}\n"
+         "joints:\n"
+         "  - {name: j, type: universal, bodies: [a, b], anchor: [1, 2, 3], axis: [0, 2, 0],"
+         " axis2: [3, 0, 0]}\n"
+         "  - {type: slider, bodies: [c, world], axis: [1, 0, 0]}\n"
+         "log: {every: 0.5}\n"
+         "render:\n"
+         "  size: [320, 16]\n"
+         "  every: 0.25\n"
+         "  camera: {from: [1, 2, 3], to: [4, 5, 6], fov_deg: 90}\n"
+         "  pressure: {min: -100, max: 5e3}\n";
+}
+
+const std::string kSpectrum =
+    "water.surface={spectrum: {type: jonswap, significant_height: 1.5, peak_period: 7, gamma: 2,"
+    " heading_deg: 180, spreading: 4, seed: -3, components: 32}}";
+
+std::string picture(const std::string& block) {
+  return block + "={heightfield: {file: " + support::data_folder().string() +
+         "/heights.png, cell: 0.5, origin: [-1, -2], range: [-3, 4]}}";
+}
+
+std::string shore() {
+  return "ground={mesh: {file: " + support::data_folder().string() + "/shore.obj, scale: 3}}";
+}
+
+TEST(SceneKeys, TopLevelIsRead) {
+  const app::Scene scene = read_scene_text(every_key());
+  EXPECT_EQ(scene.title, "Every key");
+  EXPECT_EQ(scene.duration, 10);  // 010 is decimal
+  EXPECT_EQ(scene.step, 2.5e-3);
+  EXPECT_EQ(scene.gravity, 1.62);
+  EXPECT_EQ(scene.log_every, 0.5);
+  EXPECT_EQ(std::get<app::PlaneGroundScene>(scene.ground).z, -10);
+}
+
+TEST(SceneKeys, WaterIsRead) {
+  const app::Scene scene = read_scene_text(every_key());
+  ASSERT_TRUE(scene.water.has_value());
+  EXPECT_EQ(scene.water->density, 1025);
+  EXPECT_EQ(scene.water->level, -1.5);
+  EXPECT_EQ(scene.water->current, Eigen::Vector3d(1, 2, 3));
+  const auto& waves = std::get<std::vector<app::WaveScene>>(scene.water->surface);
+  ASSERT_EQ(waves.size(), 2);
+  EXPECT_EQ(waves[0].amplitude, 0.5);
+  EXPECT_EQ(waves[0].wavelength, 20);
+  EXPECT_NEAR(waves[0].heading, 90 * kDegree, kRoundOff);
+  EXPECT_NEAR(waves[0].phase, -45 * kDegree, kRoundOff);
+  EXPECT_EQ(waves[1].heading, 0);
+}
+
+TEST(SceneKeys, SpectrumIsRead) {
+  const app::Scene scene = read_scene_text(every_key(), {kSpectrum});
+  const auto& spectrum = std::get<app::SpectrumScene>(scene.water->surface);
+  EXPECT_EQ(spectrum.type, app::SpectrumScene::Type::jonswap);
+  EXPECT_EQ(spectrum.significant_height, 1.5);
+  EXPECT_EQ(spectrum.peak_period, 7);
+  EXPECT_EQ(spectrum.gamma, 2);
+  EXPECT_NEAR(spectrum.heading, 180 * kDegree, kRoundOff);
+  EXPECT_EQ(spectrum.spreading, 4);
+  EXPECT_EQ(spectrum.seed, -3);
+  EXPECT_EQ(spectrum.components, 32);
+}
+
+TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
+  const app::Scene scene = read_scene_text(every_key(), {picture("water.surface"), shore()});
+  const auto& field = std::get<app::HeightFieldScene>(scene.water->surface);
+  EXPECT_EQ(field.file, support::data_folder() / "heights.png");
+  EXPECT_EQ(field.cell, 0.5);
+  EXPECT_EQ(field.origin, Eigen::Vector2d(-1, -2));
+  EXPECT_EQ(field.range, (std::array<double, 2>{-3, 4}));
+  EXPECT_EQ(std::get<app::MeshScene>(scene.ground).scale, 3);
+  const app::Scene sloping = read_scene_text(every_key(), {picture("ground")});
+  EXPECT_EQ(std::get<app::HeightFieldScene>(sloping.ground).cell, 0.5);
+}
+
+TEST(SceneKeys, ShapesAreRead) {
+  const app::Scene scene = read_scene_text(every_key());
+  const auto& mesh = std::get<app::MeshScene>(scene.bodies[0].shape);
+  EXPECT_EQ(mesh.file, support::data_folder() / "shore.obj");
+  EXPECT_EQ(mesh.scale, 2);
+  const auto& box = std::get<app::BoxScene>(scene.bodies[1].shape);
+  EXPECT_EQ(box.size, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(box.divisions, 8);
+  const auto& sphere = std::get<app::SphereScene>(scene.bodies[2].shape);
+  EXPECT_EQ(std::tuple(sphere.radius, sphere.slices, sphere.stacks), std::tuple(2, 10, 11));
+  const auto& icosphere = std::get<app::IcosphereScene>(scene.bodies[3].shape);
+  EXPECT_EQ(std::tuple(icosphere.radius, icosphere.subdivisions), std::tuple(3, 2));
+  const auto& ellipsoid = std::get<app::EllipsoidScene>(scene.bodies[4].shape);
+  EXPECT_EQ(ellipsoid.semi_axes, Eigen::Vector3d(3, 2, 1));
+  EXPECT_EQ(std::tuple(ellipsoid.slices, ellipsoid.stacks), std::tuple(12, 13));
+  const auto& cylinder = std::get<app::CylinderScene>(scene.bodies[5].shape);
+  EXPECT_EQ(std::tuple(cylinder.radius, cylinder.height, cylinder.slices, cylinder.stacks),
+            std::tuple(4, 5, 14, 15));
+}
+
+TEST(SceneKeys, MassAndMotionAreRead) {
+  const app::BodyScene body = read_scene_text(every_key()).bodies[0];
+  EXPECT_EQ(body.name, "a");
+  EXPECT_EQ(body.mass, 5);
+  EXPECT_EQ(body.density, std::nullopt);
+  EXPECT_EQ(body.center_of_mass, Eigen::Vector3d(1, 2, 3));
+  ASSERT_TRUE(body.inertia.has_value());
+  const app::InertiaScene& i = *body.inertia;
+  EXPECT_EQ(std::tuple(i.xx, i.yy, i.zz), std::tuple(2, 3, 4));
+  EXPECT_EQ(std::tuple(i.xy, i.xz, i.yz), std::tuple(0.1, 0.2, 0.3));
+  EXPECT_EQ(body.position, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(body.linear_velocity, Eigen::Vector3d(7, 8, 9));
+  EXPECT_EQ(body.angular_velocity, Eigen::Vector3d(-1, -2, -3));
+  EXPECT_EQ(body.color, Eigen::Vector3d(0.1, 0.2, 0.3));
+}
+
+TEST(SceneKeys, OrientationsAreRead) {
+  const app::Scene scene = read_scene_text(every_key());
+  // R = Rz(yaw) Ry(pitch) Rx(roll), written out: x goes to (cos p cos y, cos p sin y, -sin p).
+  const double p = 20 * kDegree, y = 30 * kDegree, r = 10 * kDegree;
+  const Eigen::Matrix3d R = scene.bodies[0].orientation.toRotationMatrix();
+  const Eigen::Vector3d x(std::cos(p) * std::cos(y), std::cos(p) * std::sin(y), -std::sin(p));
+  EXPECT_LE((R.col(0) - x).norm(), kRoundOff);
+  EXPECT_NEAR(R(2, 1), std::cos(p) * std::sin(r), kRoundOff);
+  EXPECT_NEAR(R(2, 2), std::cos(p) * std::cos(r), kRoundOff);
+  EXPECT_EQ(scene.bodies[1].orientation.coeffs(), Eigen::Vector4d(0, 0, 1, 0));  // x, y, z, w
+  const Eigen::Quaterniond turned(std::cos(y / 2), 0, 0, std::sin(y / 2));
+  EXPECT_LE((scene.bodies[2].orientation.coeffs() - turned.coeffs()).norm(), kRoundOff);
+}
+
+TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
+  const app::Scene scene = read_scene_text(every_key());
+  using Law = hydro::ViscousDrag::Law;
+  const hydro::Coefficients& own = scene.bodies[0].hydro;
+  EXPECT_EQ(std::tuple(own.buoyancy, own.pressure_drag, own.lift), std::tuple(false, 0, 1));
+  EXPECT_EQ(own.viscous_drag.law, Law::thesis);
+  const hydro::Coefficients& mixed = scene.bodies[1].hydro;
+  EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift), std::tuple(true, 0.5, 0));
+  EXPECT_EQ(mixed.viscous_drag.law, Law::constant);
+  EXPECT_EQ(mixed.viscous_drag.coefficient, 0.125);
+  const app::Scene off = read_scene_text(every_key(), {"hydro.viscous_drag=false"});
+  EXPECT_EQ(off.bodies[1].hydro.viscous_drag.law, Law::none);
+}
+
+TEST(SceneKeys, LocksAndCollisionsAreRead) {
+  const app::Scene scene = read_scene_text(every_key());
+  EXPECT_EQ(scene.bodies[0].locked, (std::array{true, false, false, false, false, true}));
+  EXPECT_EQ(scene.bodies[1].locked, (std::array{true, true, true, true, true, true}));
+  EXPECT_EQ(scene.bodies[2].locked, (std::array<bool, 6>{}));
+  std::vector<app::Collision> collisions;
+  for (const app::BodyScene& body : scene.bodies) collisions.push_back(body.collision);
+  using enum app::Collision;
+  EXPECT_THAT(collisions, testing::ElementsAre(sphere, automatic, none, box, automatic, mesh));
+}
+
+TEST(SceneKeys, AppliedLoadsAreRead) {
+  const auto loads = read_scene_text(every_key()).bodies[0].forces;
+  ASSERT_EQ(loads.size(), 2);
+  EXPECT_EQ(loads[0].force, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(loads[0].torque, Eigen::Vector3d(4, 5, 6));
+  EXPECT_TRUE(loads[0].in_body_frame);
+  EXPECT_EQ(loads[0].at, Eigen::Vector3d(7, 8, 9));
+  EXPECT_EQ(std::tuple(loads[0].start, loads[0].end), std::tuple(1, 2));
+  ASSERT_TRUE(loads[0].sine.has_value());
+  EXPECT_EQ(loads[0].sine->frequency, 0.5);
+  EXPECT_NEAR(loads[0].sine->phase, 90 * kDegree, kRoundOff);
+  EXPECT_FALSE(loads[1].in_body_frame);
+  EXPECT_EQ(loads[1].at, std::nullopt);
+  EXPECT_EQ(loads[1].end, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(loads[1].sine.has_value());
+}
+
+TEST(SceneKeys, JointsAreRead) {
+  const auto joints = read_scene_text(every_key()).joints;
+  ASSERT_EQ(joints.size(), 2);
+  EXPECT_EQ(joints[0].name, "j");
+  EXPECT_EQ(joints[0].type, app::JointScene::Type::universal);
+  EXPECT_EQ(joints[0].bodies, (std::array<std::string, 2>{"a", "b"}));
+  EXPECT_EQ(joints[0].anchor, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(joints[0].axis, Eigen::Vector3d(0, 1, 0));
+  EXPECT_EQ(joints[0].axis2, Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(joints[1].name, "joint1");
+  EXPECT_EQ(joints[1].bodies[1], "world");
+  EXPECT_EQ(joints[1].axis2, std::nullopt);
+}
+
+TEST(SceneKeys, RenderIsRead) {
+  const auto render = read_scene_text(every_key()).render;
+  ASSERT_TRUE(render.has_value());
+  EXPECT_EQ(render->size, (std::array{320, 16}));
+  EXPECT_EQ(render->every, 0.25);
+  EXPECT_EQ(render->camera.from, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(render->camera.to, Eigen::Vector3d(4, 5, 6));
+  EXPECT_NEAR(render->camera.field_of_view, 90 * kDegree, kRoundOff);
+  EXPECT_EQ(render->pressure_min, -100);
+  EXPECT_EQ(render->pressure_max, 5e3);
+}
+
+TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
+  const app::Scene scene = read_scene_text("plimsoll: 1\nduration: 0\n");
+  EXPECT_EQ(scene.step, 1.0 / 60);
+  EXPECT_EQ(scene.gravity, 9.80665);
+  EXPECT_FALSE(scene.water.has_value());
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(scene.ground));
+  EXPECT_TRUE(scene.bodies.empty());
+  EXPECT_FALSE(scene.log_every.has_value());
+  EXPECT_FALSE(scene.render.has_value());
+  const app::Scene wet = read_scene_text(support::kSmallScene, {"water={}", "log.every=0"});
+  EXPECT_EQ(wet.water->density, 1000);
+  EXPECT_TRUE(std::holds_alternative<app::FlatScene>(wet.water->surface));
+  EXPECT_FALSE(wet.log_every.has_value());
+  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, 0.6316);
+  EXPECT_EQ(wet.bodies[0].hydro.lift, 0.01);
+}
+
+TEST(SceneKeys, AFilesPlaceIsRelativeToTheScene) {
+  const auto file = support::write_scene("plimsoll: 1\nduration: 1\n");
+  std::ofstream(file.parent_path() / "beside.obj") << "v 0 0 0\n";
+  const app::Scene scene = app::read_scene(file, {{"ground", "{mesh: {file: ./beside.obj}}"}});
+  EXPECT_EQ(std::get<app::MeshScene>(scene.ground).file, file.parent_path() / "beside.obj");
+}
+
+/// `bodies[3].lock[0]` → `bodies[].lock`: as the list of keys has it.
+std::string key_of(std::string path) {
+  path = std::regex_replace(path, std::regex(R"(\[\d+\])"), "[]");
+  return path.ends_with("[]") ? path.substr(0, path.size() - 2) : path;
+}
+
+TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
+  std::set<std::string> met;
+  for (const std::vector<std::string>& overrides :
+       std::vector<std::vector<std::string>>{{},
+                                             {kSpectrum},
+                                             {"water.surface={flat: {}}", picture("ground")},
+                                             {picture("water.surface"), shore()}})
+    for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
+      if (!path.empty()) met.insert(key_of(path));
+  std::set<std::string> listed;
+  for (const app::KeyDescription& key : app::scene_keys()) listed.insert(key.path);
+  EXPECT_EQ(met, listed);
+}
+
+/// The blocks that stand in several places are described once.
+std::string described_at(const std::string& path) {
+  for (const auto& [copy, original] :
+       {std::pair("bodies[].hydro.", "hydro."),
+        std::pair("ground.heightfield.", "water.surface.heightfield."),
+        std::pair("ground.mesh.", "bodies[].mesh.")})
+    if (path.starts_with(copy)) return original + path.substr(std::string(copy).size());
+  return path;
+}
+
+std::string reference_page() {
+  std::ifstream stream(std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/README.md");
+  std::stringstream page;
+  page << stream.rdbuf();
+  return page.str();
+}
+
+TEST(SceneKeys, TheExamplesOfTheReferencePageAreRight) {
+  const std::string page = reference_page();
+  const std::regex block("```yaml\n([^`]*)```");
+  int examples = 0;
+  for (std::sregex_iterator it(page.begin(), page.end(), block), end; it != end; ++it) {
+    const std::string example = (*it)[1];
+    const std::string head = example.starts_with("plimsoll") ? "" : "plimsoll: 1\nduration: 1\n";
+    EXPECT_EQ(support::faults_of(head + example), std::vector<std::string>{}) << example;
+    ++examples;
+  }
+  EXPECT_GE(examples, 7);
+}
+
+TEST(SceneKeys, TheReferencePageHasEveryKeyWithItsTypeAndDefault) {
+  const std::string page = reference_page();
+  for (const app::KeyDescription& key : app::scene_keys()) {
+    const std::string row = "\n| `" + described_at(key.path) + "` | " + key.expected + " | " +
+                            (key.fallback.empty() ? "–" : key.fallback) + " | ";
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+}
+
+}  // namespace

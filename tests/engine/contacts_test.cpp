@@ -1,0 +1,102 @@
+#include "engine/contacts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/random_pose.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::ContactPoint;
+using engine::ContactStiffness;
+using support::tolerance;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
+
+std::vector<ContactPoint> grid(int count) {
+  std::vector<ContactPoint> points;
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      points.push_back({.position_W = Vector3d(i, j, 0), .depth = 0.01});
+    }
+  }
+  return points;
+}
+
+TEST(RepresentativeContacts, OfAFaceIncludeItsCorners) {
+  const auto kept = engine::representative(grid(10), 4);
+  EXPECT_THAT(kept, UnorderedElementsAre(0, 9, 90, 99));
+}
+
+TEST(RepresentativeContacts, IncludeTheDeepest) {
+  std::vector<ContactPoint> points = grid(10);
+  points[47].depth = 0.02;
+  EXPECT_EQ(engine::representative(points, 4).front(), 47U);
+}
+
+TEST(RepresentativeContacts, IncludeEveryDirection) {
+  std::vector<ContactPoint> points = grid(10);
+  points.push_back({.position_W = {5, 5, 0}, .normal_W = Vector3d::UnitX(), .depth = 0.001});
+  EXPECT_THAT(engine::representative(points, 4), Contains(100U));
+}
+
+TEST(RepresentativeContacts, TakeCoincidentPointsOnce) {
+  const std::vector<ContactPoint> points(5, ContactPoint{.depth = 0.01});
+  EXPECT_THAT(engine::representative(points, 4), ElementsAre(0));
+  EXPECT_THAT(engine::representative({}, 4), IsEmpty());
+}
+
+TEST(RepresentativeContacts, OfFewAreAll) {
+  EXPECT_THAT(engine::representative(grid(2), 8), UnorderedElementsAre(0, 1, 2, 3));
+}
+
+// A face overlaps the ground by 1 mm; its side face is reported as if to be pushed out sideways.
+std::vector<ContactPoint> face_and_side(double side_depth, double height) {
+  return {{.position_W = {0, 0, 0}, .normal_W = Vector3d::UnitZ(), .depth = 0.001},
+          {.position_W = {1, 0, height}, .normal_W = Vector3d::UnitX(), .depth = side_depth}};
+}
+
+TEST(ContactArtefacts, AreDeepPointsInTheOverlapOfAShallowOne) {
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.0005), 0), SizeIs(1));
+}
+
+TEST(ContactArtefacts, AreNotPointsElsewhere) {
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.1), 0), SizeIs(2));
+}
+
+TEST(ContactArtefacts, AreNotPointsOfLikeDepth) {
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.004, 0.0005), 0), SizeIs(2));
+}
+
+TEST(ContactArtefacts, AreNotPointsWithinReachOfTheMotion) {
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.0005), 1), SizeIs(2));
+}
+
+TEST(ContactArtefacts, ArePointsThatOnlyTouch) {
+  EXPECT_THAT(engine::without_artefacts({ContactPoint{.depth = 0}}, 1), IsEmpty());
+}
+
+// The spring and damper that ERP and CFM stand for, found back from them.
+TEST(ContactStiffnesses, AreThoseOfACriticallyDampedSpringSharedByThePoints) {
+  const double mass = 700;
+  const double step = 0.002;
+  const ContactStiffness stiffness = engine::contact_stiffness(mass, 4, step);
+  const double spring = 4 * stiffness.erp / (step * stiffness.cfm);
+  const double damper = 4 * (1 - stiffness.erp) / stiffness.cfm;
+  EXPECT_NEAR(damper * damper / (4 * spring * mass), 1, tolerance(1e-12));
+  EXPECT_NEAR(mass / spring, 1e-4, tolerance(1e-15));  // τ² = (0.01 s)²
+}
+
+TEST(ContactStiffnesses, SoftenWithLongSteps) {
+  const double step = 0.1;
+  const ContactStiffness stiffness = engine::contact_stiffness(1, 1, step);
+  EXPECT_NEAR(stiffness.erp, 1.0 / 3, tolerance(1e-15));
+  EXPECT_NEAR(stiffness.erp / (step * stiffness.cfm), 1 / (step * step), tolerance(1e-10));
+}
+
+}  // namespace

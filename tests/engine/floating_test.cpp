@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "hydro/mass_properties.h"
+#include "tests/engine/specs.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::BodySpec;
+using engine::Simulation;
+using engine::SimulationSpec;
+using support::tolerance;
+
+constexpr double kStep = 0.01;
+constexpr double kWater = 1000;  // [kg/m^3]
+
+SimulationSpec afloat(BodySpec body, double step = kStep) {
+  body.wet = true;
+  SimulationSpec spec = support::dry_world({body}, step);
+  spec.sea = hydro::Sea{.density = kWater, .gravity = support::kGravity};
+  return spec;
+}
+
+/// The loads but for buoyancy switched off.
+BodySpec without_drag(BodySpec body) {
+  body.coefficients.pressure_drag = 0;
+  body.coefficients.lift = 0;
+  body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  return body;
+}
+
+/// A barge of half the water's density, `height` above where it floats; wide enough to be stable.
+BodySpec barge(double height) {
+  return support::box_body("barge", {4, 3, 1}, kWater / 2, {0, 0, height}, 2);
+}
+
+TEST(Floating, ABargeLeftAtItsEquilibriumStays) {
+  Simulation simulation(afloat(barge(0)));
+  double moved = 0;
+  double turned = 0;
+  for (long i = 0; i < support::steps_in(60, kStep); ++i) {
+    simulation.step();
+    const hydro::BodyState& state = simulation.states()[0];
+    moved = std::max(moved, state.position.norm());
+    turned = std::max(turned, 2 * state.orientation.vec().norm());
+  }
+  EXPECT_LT(moved, tolerance(1e-9));
+  EXPECT_LT(turned, tolerance(1e-9));
+}
+
+/// Mean time between upward crossings of the equilibrium, interpolated between steps [s].
+double heave_period(const SimulationSpec& spec, int periods) {
+  Simulation simulation(spec);
+  std::vector<double> crossings;
+  double before = simulation.states()[0].position.z();
+  while (crossings.size() <= static_cast<std::size_t>(periods)) {
+    simulation.step();
+    const double now = simulation.states()[0].position.z();
+    if (before < 0 && now >= 0) {
+      crossings.push_back(simulation.time() - spec.step * now / (now - before));
+    }
+    before = now;
+  }
+  return (crossings.back() - crossings.front()) / periods;
+}
+
+// Undamped heave of a wall-sided body is linear: ω0² = ρ g A/m, and semi-implicit Euler with the
+// force at the start of the step oscillates at cos(ω h) = 1 - (ω0 h)²/2 exactly.
+TEST(Floating, ABargeBobsAtTheFrequencyOfTheDiscreteOscillator) {
+  const BodySpec body = without_drag(barge(0.2));
+  for (const double step : {0.05, 0.01}) {
+    const double stiffness = kWater * support::kGravity * 4 * 3;
+    const double cosine = 1 - stiffness / body.mass * step * step / 2;
+    const double expected = 2 * std::numbers::pi * step / std::acos(cosine);
+    // A crossing found by a straight line between steps is off by less than (ω h)³/50 of a step,
+    // shared by the periods.
+    EXPECT_NEAR(heave_period(afloat(body, step), 20), expected, tolerance(2e-5));
+  }
+}
+
+TEST(Floating, DragBringsABodyToRestAtArchimedesDraught) {
+  BodySpec body = barge(0.3);
+  body.coefficients.pressure_drag = 2;
+  const Simulation simulation = support::after(afloat(body), support::steps_in(200, kStep));
+  // Quadratic drag leaves an amplitude that falls with 1/t.
+  EXPECT_NEAR(simulation.states()[0].position.z(), 0, tolerance(4e-3));
+}
+
+TEST(Floating, NeverGainsEnergyFromStillWater) {
+  BodySpec body = barge(2);
+  body.initial.orientation = Eigen::AngleAxisd(0.4, Vector3d(1, 0.5, 0).normalized());
+  Simulation simulation(afloat(body));
+  const double start = support::energy(simulation.spec(), simulation.states());
+  for (long i = 0; i < support::steps_in(20, kStep); ++i) {
+    simulation.step();
+    const hydro::BodyState& state = simulation.states()[0];
+    const double kinetic = body.mass / 2 * state.linear_velocity.squaredNorm() +
+                           state.angular_velocity.dot(support::spin(body, state)) / 2;
+    ASSERT_LE(kinetic, start);
+  }
+}
+
+// A sphere of half density floats with its centre in the water plane, whatever its turn; as a mesh
+// it is symmetric about that plane only up to its facets.
+TEST(Floating, ASphereOfHalfDensityFloatsHalfSubmerged) {
+  BodySpec ball = support::sphere_body("ball", 1, kWater / 2, {0, 0, 0.3});
+  ball.mass = kWater / 2 * hydro::solid_properties(ball.mesh_B).volume;
+  ball.coefficients.pressure_drag = 2;
+  const Simulation simulation = support::after(afloat(ball), support::steps_in(200, kStep));
+  EXPECT_NEAR(simulation.states()[0].position.z(), 0, tolerance(8e-3));
+}
+
+TEST(Floating, WithoutBuoyancyAndDragABodyFallsAsWithoutWater) {
+  BodySpec cube = without_drag(support::box_body("cube", {1, 1, 1}, 500, {0, 0, 0}));
+  cube.coefficients.buoyancy = false;
+  const Simulation wet = support::after(afloat(cube), 100);
+  const Simulation dry = support::after(support::dry_world({cube}, kStep), 100);
+  EXPECT_EQ(wet.states()[0].position, dry.states()[0].position);
+}
+
+TEST(Floating, ABodyDriftsWithTheCurrentInTheEnd) {
+  BodySpec body = barge(0);
+  body.coefficients.pressure_drag = 2;
+  SimulationSpec spec = afloat(body);
+  spec.sea->current = {0.5, 0, 0};
+  const Simulation simulation = support::after(spec, support::steps_in(100, kStep));
+  // Quadratic drag: the difference of speeds falls with 1/t, to m/(½ ρ C_p A t) = 0.04 m/s.
+  EXPECT_NEAR(simulation.states()[0].linear_velocity.x(), 0.5, tolerance(0.04));
+}
+
+}  // namespace

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "tests/engine/specs.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::BodySpec;
+using engine::CollisionShape;
+using engine::Simulation;
+using engine::SimulationSpec;
+using support::tolerance;
+
+constexpr double kStep = 0.01;
+
+BodySpec crate(const Vector3d& position, CollisionShape shape) {
+  BodySpec body = support::box_body("crate", {1, 1, 1}, 300, position);
+  body.collision = shape;
+  return body;
+}
+
+SimulationSpec on_flat_ground(const std::vector<BodySpec>& bodies) {
+  SimulationSpec spec = support::dry_world(bodies, kStep);
+  spec.ground = engine::PlaneGround{0};
+  return spec;
+}
+
+double fastest(const Simulation& simulation) {
+  double speed = 0;
+  for (const hydro::BodyState& state : simulation.states()) {
+    speed = std::max(speed, state.linear_velocity.norm());
+  }
+  return speed;
+}
+
+TEST(Stack, OfFiveCratesStandsForTwentySeconds) {
+  for (const CollisionShape shape : {CollisionShape::box, CollisionShape::mesh}) {
+    std::vector<BodySpec> crates;
+    for (int i = 0; i < 5; ++i) {
+      crates.push_back(crate({0.03 * (i % 2), -0.02 * (i % 3), 0.505 + 1.005 * i}, shape));
+    }
+    const Simulation simulation =
+        support::after(on_flat_ground(crates), support::steps_in(20, kStep));
+    for (std::size_t i = 0; i < crates.size(); ++i) {
+      const hydro::BodyState& state = simulation.states()[i];
+      const Vector3d moved = state.position - crates[i].initial.position;
+      // Meshes report a flat contact by points that change from step to step, so that landing
+      // shifts a crate by some centimetres before friction holds it.
+      EXPECT_LT(std::hypot(moved.x(), moved.y()), tolerance(0.05));
+      // The ground bears five crates and sinks in by 5 g τ², the next contact bears four.
+      const double n = static_cast<double>(i);
+      const double sink = support::kGravity * 1e-4 * (n + 1) * (10 - n) / 2;
+      EXPECT_NEAR(state.position.z(), 0.5 + n - sink, tolerance(3e-3));
+    }
+    EXPECT_LT(fastest(simulation), tolerance(0.02));
+  }
+}
+
+TEST(Pile, OfTwentySevenCratesSettles) {
+  for (const CollisionShape shape : {CollisionShape::box, CollisionShape::mesh}) {
+    std::vector<BodySpec> crates;
+    for (int i = 0; i < 27; ++i) {
+      const int layer = i / 9;
+      crates.push_back(crate(
+          {1.05 * (i % 3) + 0.02 * layer, 1.05 * (i / 3 % 3) - 0.03 * layer, 0.51 + 1.01 * layer},
+          shape));
+    }
+    const Simulation simulation =
+        support::after(on_flat_ground(crates), support::steps_in(5, kStep));
+    EXPECT_LT(fastest(simulation), tolerance(0.02));
+    for (std::size_t i = 0; i < crates.size(); ++i) {
+      const Vector3d moved = simulation.states()[i].position - crates[i].initial.position;
+      EXPECT_LT(moved.norm(), tolerance(0.1));
+    }
+  }
+}
+
+/// Crates that fall on each other from up to 40 m.
+SimulationSpec heap(CollisionShape shape) {
+  std::vector<BodySpec> crates;
+  for (int i = 0; i < 27; ++i) {
+    crates.push_back(crate({0.4 * (i % 3), 0.4 * (i / 3 % 3), 1 + 1.5 * i}, shape));
+  }
+  return on_flat_ground(crates);
+}
+
+TEST(Heap, OfFallenCratesGainsNoEnergyAndStaysAboveGround) {
+  for (const CollisionShape shape : {CollisionShape::box, CollisionShape::mesh}) {
+    Simulation simulation(heap(shape));
+    const double start = support::energy(simulation.spec(), simulation.states());
+    for (long i = 0; i < support::steps_in(6, kStep); ++i) {
+      simulation.step();
+      ASSERT_LE(support::energy(simulation.spec(), simulation.states()), start);
+    }
+    for (const hydro::BodyState& state : simulation.states()) EXPECT_GT(state.position.z(), 0.45);
+  }
+}
+
+TEST(Heap, OfManyContactsTakesTheSameWayTwice) {
+  const Simulation first = support::after(heap(CollisionShape::mesh), 500);
+  const Simulation second = support::after(heap(CollisionShape::mesh), 500);
+  for (std::size_t i = 0; i < first.states().size(); ++i) {
+    EXPECT_EQ(first.states()[i].position, second.states()[i].position);
+    EXPECT_EQ(first.states()[i].orientation.coeffs(), second.states()[i].orientation.coeffs());
+  }
+}
+
+}  // namespace

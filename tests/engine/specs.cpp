@@ -1,0 +1,104 @@
+#include "tests/engine/specs.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "hydro/primitives.h"
+
+namespace support {
+namespace {
+
+engine::BodySpec body(const std::string& name, hydro::TriMesh mesh_B, double mass,
+                      const Eigen::Vector3d& moments, const Eigen::Vector3d& position) {
+  engine::BodySpec spec;
+  spec.name = name;
+  spec.mesh_B = std::move(mesh_B);
+  spec.mass = mass;
+  spec.inertia_B = moments.asDiagonal();
+  spec.initial.position = position;
+  spec.wet = false;
+  spec.collision = engine::CollisionShape::none;
+  return spec;
+}
+
+Eigen::Matrix3d inertia_W(const engine::BodySpec& body, const hydro::BodyState& state) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  return R_WB * body.inertia_B * R_WB.transpose();
+}
+
+}  // namespace
+
+engine::BodySpec box_body(const std::string& name, const Eigen::Vector3d& size, double density,
+                          const Eigen::Vector3d& position, int divisions) {
+  const double mass = density * size.prod();
+  const Eigen::Vector3d squares = size.cwiseAbs2();
+  const Eigen::Vector3d moments = mass / 12 * (squares.sum() * Eigen::Vector3d::Ones() - squares);
+  return body(name, hydro::make_box(size, divisions), mass, moments, position);
+}
+
+engine::BodySpec sphere_body(const std::string& name, double radius, double density,
+                             const Eigen::Vector3d& position) {
+  const double mass = density * 4 / 3 * std::numbers::pi * std::pow(radius, 3);
+  const Eigen::Vector3d moments = 0.4 * mass * radius * radius * Eigen::Vector3d::Ones();
+  return body(name, hydro::make_icosphere(radius, 2), mass, moments, position);
+}
+
+engine::SimulationSpec dry_world(std::vector<engine::BodySpec> bodies, double step) {
+  engine::SimulationSpec spec;
+  spec.step = step;
+  spec.gravity = kGravity;
+  spec.bodies = std::move(bodies);
+  return spec;
+}
+
+engine::MeshGround slope(double angle, double heading, int cells) {
+  constexpr double kLength = 100;
+  hydro::TriMesh mesh;
+  mesh.vertices.resize(3, (cells + 1) * (cells + 1));
+  mesh.faces.resize(3, 2 * cells * cells);
+  int face = 0;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i) {
+      const int corner = j * (cells + 1) + i;
+      const double x = kLength * (static_cast<double>(i) / cells - 0.5);
+      const double y = kLength * (static_cast<double>(j) / cells - 0.5);
+      const double along = x * std::cos(heading) + y * std::sin(heading);
+      mesh.vertices.col(corner) << x, y, -along * std::tan(angle);
+      if (i == cells || j == cells) continue;
+      mesh.faces.col(face++) << corner, corner + 1, corner + cells + 2;
+      mesh.faces.col(face++) << corner, corner + cells + 2, corner + cells + 1;
+    }
+  }
+  return {mesh};
+}
+
+Eigen::Quaterniond lying_on_slope(double angle, double heading) {
+  const Eigen::Vector3d axis(-std::sin(heading), std::cos(heading), 0);
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+}
+
+double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyState>& states) {
+  double sum = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const engine::BodySpec& body = spec.bodies[i];
+    const hydro::BodyState& state = states[i];
+    sum += body.mass * spec.gravity * state.position.z() +
+           body.mass / 2 * state.linear_velocity.squaredNorm() +
+           state.angular_velocity.dot(spin(body, state)) / 2;
+  }
+  return sum;
+}
+
+Eigen::Vector3d spin(const engine::BodySpec& body, const hydro::BodyState& state) {
+  return inertia_W(body, state) * state.angular_velocity;
+}
+
+engine::Simulation after(engine::SimulationSpec spec, long steps) {
+  engine::Simulation simulation(std::move(spec));
+  for (long i = 0; i < steps; ++i) simulation.step();
+  return simulation;
+}
+
+long steps_in(double time, double step) { return std::lround(time / step); }
+
+}  // namespace support

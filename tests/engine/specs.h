@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+
+/// @file
+/// Small worlds for the tests of the engine.
+
+namespace support {
+
+inline constexpr double kGravity = 9.80665;
+
+/// A uniform box centred on its centre of mass, `divisions` squares along each edge; it collides
+/// with nothing and the water leaves it alone.
+engine::BodySpec box_body(const std::string& name, const Eigen::Vector3d& size, double density,
+                          const Eigen::Vector3d& position, int divisions = 1);
+
+/// A uniform sphere as above: an icosphere with the mass of the true sphere.
+engine::BodySpec sphere_body(const std::string& name, double radius, double density,
+                             const Eigen::Vector3d& position);
+
+/// A dry world of these bodies.
+engine::SimulationSpec dry_world(std::vector<engine::BodySpec> bodies, double step);
+
+/// A square of ground through the origin that falls by `angle` [rad] in the direction `heading`
+/// [rad]; `cells` squares along its edge of 100 m.
+engine::MeshGround slope(double angle, double heading, int cells);
+
+/// The rotation that lays a body flat on that slope.
+Eigen::Quaterniond lying_on_slope(double angle, double heading);
+
+/// Kinetic and potential energy of all bodies, the latter from z = 0 [J].
+double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyState>& states);
+
+/// Angular momentum about the body's centre of mass, in W [kg m^2/s].
+Eigen::Vector3d spin(const engine::BodySpec& body, const hydro::BodyState& state);
+
+/// The simulation after the number of steps.
+engine::Simulation after(engine::SimulationSpec spec, long steps);
+
+/// Number of steps that make up a time.
+long steps_in(double time, double step);
+
+}  // namespace support

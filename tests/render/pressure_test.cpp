@@ -1,0 +1,191 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/primitives.h"
+#include "tests/render/pictures.h"
+#include "tests/support/tolerance.h"
+
+/// What the colours on a ball say, at places that pinhole projection gives.
+
+namespace {
+
+using pictures::Scene;
+using render::Image;
+using render::Rgb;
+
+// The camera of `ball_seen_level`: 10 m away, 120 pixels for a slope of 0.15.
+constexpr double kDistance = 10;
+constexpr double kPixelsPerSlope = 120 / 0.15;
+constexpr double kMiddleRow = 120;
+constexpr int kMiddleColumn = 160;
+
+constexpr double kWeight = 1000 * 9.80665;  // of still water of the default density [N/m^3]
+
+/// Row in the middle column at which the ball's front shows the height z above its middle.
+double row_of_height(double z) {
+  return kMiddleRow - kPixelsPerSlope * z / (kDistance - std::sqrt(1 - z * z));
+}
+
+/// Height above the ball's middle that a row of the middle column shows: the near root of the
+/// ray's meeting with the unit sphere.
+double height_of_row(int row) {
+  const double slope = (kMiddleRow - row - 0.5) / kPixelsPerSlope;
+  const double a = 1 + slope * slope;
+  const double along =
+      (kDistance - std::sqrt(kDistance * kDistance - a * (kDistance * kDistance - 1))) / a;
+  return slope * along;
+}
+
+Scene ball_in_water_to(double level) {
+  Scene scene = pictures::ball_seen_level(0);
+  scene.picture.sea->level = level;
+  return scene;
+}
+
+int brightness(Rgb c) { return c.r + c.g + c.b; }
+
+/// The brightest row of the middle column between two rows: the white line between the colours.
+int brightest_row(const Image& image, int first, int last) {
+  int best = first;
+  for (int row = first; row <= last; ++row)
+    if (brightness(image.at(kMiddleColumn, row)) > brightness(image.at(kMiddleColumn, best)))
+      best = row;
+  return best;
+}
+
+constexpr double kScaleEnd = 10e3;  // [Pa]
+
+/// Largest difference of the pressures that the ball's wet front shows from `expected(height)`,
+/// held at the ends of the scale.
+template <class Pressure>
+double largest_error(const Scene& scene, double level, Pressure&& expected) {
+  const Image image = pictures::draw(scene);
+  double largest = 0;
+  // Three pixels from the waterline its line is over; below -0.9 a pixel spans much of the scale.
+  for (int row = static_cast<int>(row_of_height(level)) + 3; row < row_of_height(-0.9); ++row) {
+    const double shown =
+        pictures::pressure_of_color(scene.picture.pressure, image.at(kMiddleColumn, row));
+    const double pressure = std::clamp(expected(height_of_row(row)), 0.0, kScaleEnd);
+    largest = std::max(largest, std::abs(shown - pressure));
+  }
+  return largest;
+}
+
+// The scale has 256 colours for 10 kPa, 39 Pa each; eight-bit colours shaded by up to a quarter
+// tell neighbours apart to within three, and a flat panel lies up to 2 mm (20 Pa) inside the ball.
+constexpr double kReading = 140;
+
+TEST(Waterline, LiesOnTheRowThatProjectionGives) {
+  for (const double level : {-0.62, -0.3, -0.05, 0.17, 0.44}) {
+    const Image image = pictures::draw(ball_in_water_to(level));
+    const double row = row_of_height(level);
+    const int found = brightest_row(image, static_cast<int>(row) - 8, static_cast<int>(row) + 8);
+    EXPECT_NEAR(found + 0.5, row, support::tolerance(1.0)) << level;
+  }
+}
+
+TEST(Waterline, IsSharpOnBigTriangles) {
+  // A box of 12 triangles: colours of the two sides must not run into each other.
+  Scene scene = ball_in_water_to(0.2);
+  scene.picture.bodies[0].mesh_B = hydro::make_box({1.6, 1.6, 1.6});
+  scene.picture.camera.from.z() = 0;
+  const Image image = pictures::draw(scene);
+  const double row = kMiddleRow - kPixelsPerSlope * 0.2 / (kDistance - 0.8);
+  const int found = brightest_row(image, static_cast<int>(row) - 8, static_cast<int>(row) + 8);
+  EXPECT_NEAR(found + 0.5, row, support::tolerance(1.0));
+  const Rgb above = image.at(kMiddleColumn, found - 3), below = image.at(kMiddleColumn, found + 3);
+  EXPECT_GT(above.r, above.b);
+  EXPECT_GT(below.b, below.r);
+}
+
+TEST(BodyColor, IsItsOwnAboveTheWater) {
+  Scene scene = ball_in_water_to(-0.2);
+  for (const Eigen::Vector3d& color :
+       {Eigen::Vector3d(0.8, 0.6, 0.2), Eigen::Vector3d(0.2, 0.7, 0.4)}) {
+    scene.picture.bodies[0].color = color;
+    const Rgb c = pictures::draw(scene).at(kMiddleColumn, static_cast<int>(row_of_height(0.1)));
+    const Eigen::Vector3d shown = Eigen::Vector3d(c.r, c.g, c.b).normalized();
+    // Sheen and rim add a little white: at most 0.1 of a colour of length about 1.
+    EXPECT_LT((shown - color.normalized()).norm(), support::tolerance(0.1));
+  }
+}
+
+TEST(BodyColor, IsItsOwnEverywhereInADryScene) {
+  Scene scene = ball_in_water_to(0);
+  scene.picture.sea.reset();
+  const Image image = pictures::draw(scene);
+  for (const double z : {-0.8, -0.4, 0.0, 0.4}) {
+    const Rgb c = image.at(kMiddleColumn, static_cast<int>(row_of_height(z)));
+    EXPECT_GT(c.r, c.g) << z;
+    EXPECT_GT(c.g, c.b) << z;
+  }
+}
+
+TEST(PressureColor, ReadsBackAsTheWeightOfWaterAbove) {
+  for (const double level : {0.0, 0.5}) {
+    const double error = largest_error(ball_in_water_to(level), level,
+                                       [&](double z) { return kWeight * (level - z); });
+    EXPECT_LT(error, support::tolerance(kReading)) << level;
+  }
+}
+
+TEST(PressureColor, AddsTheDragsPressureByTheSpeedAlongTheNormal) {
+  constexpr double kDrag = 0.6316;
+  for (const double speed : {-2.5, 1.5}) {
+    Scene scene = ball_in_water_to(0.2);
+    scene.picture.bodies[0].pressure_drag = kDrag;
+    scene.states[0].linear_velocity = {0, 0, speed};
+    const double error = largest_error(scene, 0.2, [&](double z) {
+      const double along_normal = speed * z;  // a unit ball's normal is its point
+      const double dynamic = 0.5 * 1000 * kDrag * along_normal * std::abs(along_normal);
+      return kWeight * (0.2 - z) + dynamic;
+    });
+    EXPECT_LT(error, support::tolerance(kReading)) << speed;
+  }
+}
+
+TEST(PressureColor, OfABodyThatDriftsWithTheWaterIsThatOfABodyAtRest) {
+  Scene drifting = ball_in_water_to(0.2);
+  drifting.picture.bodies[0].pressure_drag = 0.6316;
+  const Image at_rest = pictures::draw(drifting);
+  drifting.states[0].linear_velocity = {1, 2, 0};
+  EXPECT_NE(pictures::draw(drifting), at_rest);
+  drifting.picture.sea->current = {1, 2, 0};
+  EXPECT_EQ(pictures::draw(drifting), at_rest);
+}
+
+TEST(PressureColor, StaysLegibleThroughTheWater) {
+  Scene scene = ball_in_water_to(0.2);
+  scene.picture.camera.from.z() = 3;
+  scene.picture.camera.to.z() = -0.2;
+  const Image bare = pictures::draw(scene);
+  scene.picture.water_visible = true;
+  const Image through = pictures::draw(scene);
+  for (const int row : {125, 140, 155, 170}) {
+    const double without = pictures::pressure_of_color(scene.picture.pressure, bare.at(160, row));
+    const double with = pictures::pressure_of_color(scene.picture.pressure, through.at(160, row));
+    // The water's tint, at most 42 %, moves a colour by less than a sixth of the scale.
+    EXPECT_NEAR(with, without, support::tolerance(1700)) << row;
+  }
+}
+
+TEST(PressureColor, DoesNotDependOnWhereInTheWorldTheSceneLies) {
+  Scene scene = ball_in_water_to(0.2);
+  const Image here = pictures::draw(scene);
+  const Eigen::Vector3d away(3e6, -1e6, 2000);
+  scene.picture.camera.from += away;
+  scene.picture.camera.to += away;
+  scene.picture.sea->level += away.z();
+  scene.states[0].position += away;
+  const Image there = pictures::draw(scene);
+  int largest = 0;
+  for (std::size_t i = 0; i < here.rgb.size(); ++i)
+    largest = std::max(largest, std::abs(here.rgb[i] - there.rgb[i]));
+  // Positions of 3e6 m are known to 5e-10 m: depths and outlines may round differently.
+  EXPECT_LE(largest, support::tolerance(3));
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+
+#include "hydro/mesh.h"
+#include "hydro/primitives.h"
+#include "tests/support/random_pose.h"
+
+/// @file
+/// Closed meshes for tests, outward unless a name says otherwise.
+
+namespace support {
+
+/// The tetrahedron with a corner at the origin and the others on the axes at `edges` [m].
+inline hydro::TriMesh corner_tetrahedron(const Eigen::Vector3d& edges) {
+  hydro::TriMesh mesh{Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xi(3, 4)};
+  mesh.vertices.rightCols(3) = edges.asDiagonal();
+  mesh.faces << 0, 0, 0, 1,  //
+      2, 1, 3, 2,            //
+      1, 3, 2, 3;
+  return mesh;
+}
+
+/// A torus about z: the mesh of the smooth one's points at equal angles.
+inline hydro::TriMesh make_torus(double radius, double tube, int around, int across) {
+  hydro::TriMesh mesh{Eigen::Matrix3Xd(3, around * across),
+                      Eigen::Matrix3Xi(3, 2 * around * across)};
+  const auto at = [&](int i, int j) { return (i % around) * across + j % across; };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * M_PI * i / around, v = 2 * M_PI * j / across;
+      const double rho = radius + tube * std::cos(v);
+      mesh.vertices.col(at(i, j)) << rho * std::cos(u), rho * std::sin(u), tube * std::sin(v);
+      mesh.faces.col(2 * at(i, j)) << at(i, j), at(i + 1, j), at(i + 1, j + 1);
+      mesh.faces.col(2 * at(i, j) + 1) << at(i, j), at(i + 1, j + 1), at(i, j + 1);
+    }
+  }
+  return mesh;
+}
+
+/// A lumpy solid that sees its whole surface from the origin, radius 0.6 … 1.4 m: every vertex of
+/// an icosphere moved along its ray. No two faces cut each other.
+inline hydro::TriMesh random_star(Random& random, int subdivisions = 2) {
+  hydro::TriMesh mesh = hydro::make_icosphere(1, subdivisions);
+  for (Eigen::Index i = 0; i < mesh.vertex_count(); ++i)
+    mesh.vertices.col(i) *= random.uniform(0.6, 1.4);
+  return mesh;
+}
+
+/// Rotated at random about the origin and moved by up to `distance` along each axis.
+inline Eigen::Isometry3d random_pose(Random& random, double distance) {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = random.rotation().toRotationMatrix();
+  X.translation() = random.vector(distance);
+  return X;
+}
+
+/// Both meshes as one, vertices not shared.
+inline hydro::TriMesh united(const hydro::TriMesh& a, const hydro::TriMesh& b) {
+  hydro::TriMesh mesh{Eigen::Matrix3Xd(3, a.vertex_count() + b.vertex_count()),
+                      Eigen::Matrix3Xi(3, a.face_count() + b.face_count())};
+  mesh.vertices << a.vertices, b.vertices;
+  mesh.faces << a.faces, b.faces.array() + static_cast<int>(a.vertex_count());
+  return mesh;
+}
+
+}  // namespace support

@@ -1,0 +1,203 @@
+// The fine surfaces of the solids, before they are meshed evenly. Each is a closed Manifold solid,
+// outward, z up, with its ridges: lines of its vertices where it is smooth but bends tightly.
+import fs from 'node:fs';
+import {fileURLToPath} from 'node:url';
+import load_manifold from 'manifold-3d';
+import {add, scale, sub, unit} from './vectors.mjs';
+
+const module = await load_manifold();
+module.setup();
+const {Manifold, Mesh} = module;
+
+const newell = JSON.parse(
+    fs.readFileSync(fileURLToPath(new URL('newell_teapot.json', import.meta.url)), 'utf8'));
+
+// How finely the reference surfaces are cut: steps a Bezier curve, steps a full turn. The chords are
+// then off the true surface by less than 1e-4 of the radius.
+const kCurveSteps = 32;
+const kTurnSteps = 256;
+
+/** Point of the cubic Bezier curve with control points c, at parameter t. */
+function bezier(c, t) {
+  const s = 1 - t, weights = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
+  return c[0].map((_, k) => weights.reduce((sum, w, i) => sum + w * c[i][k], 0));
+}
+
+/** Points of a chain of Bezier curves, the joints once. */
+function polyline(curves, steps) {
+  const points = [curves[0][0]];
+  for (const curve of curves) {
+    for (let i = 1; i <= steps; ++i) points.push(bezier(curve, i / steps));
+  }
+  return points;
+}
+
+function solid(positions, faces) {
+  const mesh = new Mesh({
+    numProp: 3,
+    vertProperties: Float32Array.from(positions.flat()),
+    triVerts: Uint32Array.from(faces.flat()),
+  });
+  const made = new Manifold(mesh);
+  if (!(made.volume() > 0)) throw new Error('a surface is open or turned inward');
+  return made;
+}
+
+/**
+ * The solid between consecutive rings of equally many points, with a point before the first ring
+ * and one after the last. Rings run counter-clockwise seen from the last one.
+ */
+function lofted(first, rings, last) {
+  const count = rings[0].length, end = 1 + rings.length * count;
+  const at = (i, j) => 1 + i * count + (j % count);
+  const faces = [];
+  for (let j = 0; j < count; ++j) {
+    faces.push([0, at(0, j + 1), at(0, j)]);
+    faces.push([end, at(rings.length - 1, j), at(rings.length - 1, j + 1)]);
+  }
+  for (let i = 0; i + 1 < rings.length; ++i) {
+    for (let j = 0; j < count; ++j) {
+      faces.push([at(i, j), at(i, j + 1), at(i + 1, j + 1)]);
+      faces.push([at(i, j), at(i + 1, j + 1), at(i + 1, j)]);
+    }
+  }
+  return solid([first, ...rings.flat(), last], faces);
+}
+
+/** Newell's circle: four Bezier quarters, up to 0.4 % outside the unit circle. */
+function newell_circle() {
+  const q = newell.quarter_circle;
+  const quarter = [[1, 0], [1, q], [q, 1], [0, 1]];
+  const turns = [([x, y]) => [x, y], ([x, y]) => [-y, x], ([x, y]) => [-x, -y], ([x, y]) => [y, -x]];
+  const circle = polyline(turns.map((turn) => quarter.map(turn)), kTurnSteps / 4);
+  return circle.slice(0, -1);
+}
+
+/** The horizontal ring that a profile point (radius, height) sweeps. */
+const newell_ring = ([r, z]) => newell_circle().map(([x, y]) => [r * x, r * y, z]);
+
+/** Pot, lid and bottom in one: the profile's curves swept, the gap between lid and rim closed flat. */
+function pot() {
+  const {lid, rim, body, bottom} = newell.profile;
+  const profile = [...polyline(lid, kCurveSteps), ...polyline([...rim, ...body, ...bottom], kCurveSteps)];
+  const [lowest, ...between] = profile.reverse();
+  const highest = between.pop();
+  return lofted([0, 0, lowest[1]], between.map(newell_ring), [0, 0, highest[1]]);
+}
+
+/** Where the teapot bends most tightly, with radii from 0.003 to 0.07 of Newell's units. */
+function teapot_ridges() {
+  const {lid, rim, bottom} = newell.profile;
+  const around_pot = [[lid[0], 10], [lid[0], 29], [rim[0], 13], [bottom[0], 4]].map(
+      ([curve, step]) => newell_ring(bezier(curve, step / kCurveSteps)));
+  const lip = tube_ring(tube_sections([newell.tubes.spout[1]])[14]);
+  return [...around_pot, lip];
+}
+
+/** Closed cross-section through four control points of the half with y < 0. */
+function tube_ring(section) {
+  const half = polyline([section], kTurnSteps / 8);
+  const mirrored = half.slice(1, -1).reverse().map(([x, y, z]) => [x, -y, z]);
+  return [...half, ...mirrored];
+}
+
+/** The sections of a tube's patches, each four control points, at all steps along it. */
+function tube_sections(patches) {
+  const columns = [0, 1, 2, 3].map(
+      (k) => polyline(patches.map((patch) => patch.map((section) => section[k])), kCurveSteps));
+  return columns[0].map((_, i) => columns.map((column) => column[i]));
+}
+
+const centre = (ring) => scale(1 / ring.length, ring.reduce(add));
+
+/** A ring moved by `reach` away from its neighbour: the tube carried on straight. */
+function carried_on(ring, neighbour, reach) {
+  const shift = scale(reach, unit(sub(centre(ring), centre(neighbour))));
+  return ring.map((p) => add(p, shift));
+}
+
+/** A closed tube; its ends are carried on by `before` and `after` into the pot, where they vanish. */
+function tube(patches, {before, after}) {
+  const rings = tube_sections(patches).map(tube_ring);
+  if (before > 0) rings.unshift(carried_on(rings[0], rings[1], before));
+  if (after > 0) rings.push(carried_on(rings.at(-1), rings.at(-2), after));
+  return lofted(centre(rings[0]), rings, centre(rings.at(-1)));
+}
+
+/** The teapot, in metres: the pot's greatest radius is 1 m, z = 0 at its bottom, the spout towards +x. */
+export function teapot() {
+  const handle = tube(newell.tubes.handle, {before: 0.5, after: 0.4});
+  const spout = tube(newell.tubes.spout, {before: 0.5, after: 0});
+  const halved = (p) => scale(0.5, p.map(Math.fround));
+  return {
+    whole: Manifold.union([pot(), handle, spout]).scale(0.5),
+    ridges: teapot_ridges().map((ridge) => ridge.map(halved)),
+  };
+}
+
+/** The two triangles of a quadrilateral, less those that have shrunk to a line. */
+function quad(a, b, c, d) {
+  return [[a, b, c], [a, c, d]].filter(([p, q, r]) => p !== q && q !== r && r !== p);
+}
+
+/**
+ * Wigley's hull: y = B/2 (1 - (2x/L)^2) (1 - (z/T)^2) below z = 0, upright sides from there to a flat
+ * deck. The two sides share the vertices of keel and stems, where the breadth is zero.
+ */
+export function wigley({length, breadth, draft, freeboard}) {
+  const stations = 96, rows = 48;
+  const positions = [], index = new Map();
+  const vertex = (i, j, side) => {
+    const x = length * (i / stations - 0.5);
+    const z = (j <= rows / 2 ? draft : freeboard) * (2 * j / rows - 1);
+    const y = 0.5 * breadth * (1 - (2 * x / length) ** 2) * (1 - (Math.min(z, 0) / draft) ** 2);
+    const key = `${i} ${j} ${y === 0 ? 0 : side}`;
+    if (!index.has(key)) index.set(key, positions.push([x, side * y, z]) - 1);
+    return index.get(key);
+  };
+  const faces = [];
+  for (let i = 0; i < stations; ++i) {
+    for (let j = 0; j < rows; ++j) {
+      const corners = (side) => [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(
+          ([s, r]) => vertex(s, r, side));
+      faces.push(...quad(...corners(-1)), ...quad(...corners(1).reverse()));
+    }
+    faces.push(...quad(vertex(i, rows, -1), vertex(i + 1, rows, -1), vertex(i + 1, rows, 1),
+                       vertex(i, rows, 1)));
+  }
+  return {whole: solid(positions, faces), ridges: []};
+}
+
+/** The solid swept by a profile of points (radius, height), given counter-clockwise, about the z axis. */
+export function revolved(profile) {
+  return {whole: Manifold.revolve([profile], kTurnSteps), ridges: []};
+}
+
+/** The solid under a cross-section of points (x, z), given counter-clockwise, of a breadth across y. */
+export function extruded(section, breadth) {
+  const whole = Manifold.extrude([section], breadth, 0, 0, [1, 1], true).rotate([90, 0, 0]);
+  return {whole, ridges: []};
+}
+
+/** The part of a solid with coordinate `axis` (0 for x, 1 for y) above zero. */
+export function half(whole, axis) {
+  return whole.trimByPlane([axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, 0], 0);
+}
+
+/** A solid's triangles, none with an edge longer than `length`. */
+export function triangles(whole, length) {
+  const mesh = whole.refineToLength(length).getMesh();
+  const positions = [], faces = [];
+  for (let i = 0; i < mesh.vertProperties.length; i += mesh.numProp) {
+    positions.push(Array.from(mesh.vertProperties.slice(i, i + 3)));
+  }
+  for (let i = 0; i < mesh.triVerts.length; i += 3) faces.push(Array.from(mesh.triVerts.slice(i, i + 3)));
+  return merged({positions, faces}, mesh);
+}
+
+/** Vertices that Manifold keeps apart for their origin become one. */
+function merged({positions, faces}, mesh) {
+  const target = positions.map((_, v) => v);
+  mesh.mergeFromVert.forEach((from, i) => { target[from] = mesh.mergeToVert[i]; });
+  return {positions, faces: faces.map((face) => face.map((v) => target[v]))};
+}

@@ -1,0 +1,65 @@
+# Sourced by the other tools: installs what is missing and builds. Needs no question answered.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# Everything that building, running and testing needs, as Debian and Ubuntu name it.
+packages=(
+  g++ cmake ninja-build pkg-config
+  libassimp-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libfontconfig-dev libfreetype-dev
+  libgl-dev libode-dev libpng-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev
+  libgtest-dev libgmock-dev
+  fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
+)
+
+say() { printf '%s\n' "$*" >&2; }
+
+# install_missing PACKAGE...: by the system's package manager, after saying which.
+install_missing() {
+  if ! command -v dpkg-query > /dev/null; then
+    say "plimsoll: this is no Debian or Ubuntu; going on in the hope that these are installed: $*"
+    return
+  fi
+  local missing=() package installed
+  installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2> /dev/null || true)
+  for package in "$@"; do
+    [[ $'\n'$installed$'\n' == *$'\ninstalled '$package$'\n'* ]] || missing+=("$package")
+  done
+  [[ ${#missing[@]} -eq 0 ]] && return
+  say "plimsoll: installing ${missing[*]}"
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    if ! command -v sudo > /dev/null; then
+      say "plimsoll: run this as root, or install them first: apt-get install ${missing[*]}"
+      exit 2
+    fi
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq update >&2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends \
+    -o Dpkg::Use-Pty=0 install "${missing[@]}" > "${TMPDIR:-/tmp}/plimsoll-apt.$$" 2>&1 || {
+    cat "${TMPDIR:-/tmp}/plimsoll-apt.$$" >&2
+    exit 2
+  }
+  rm -f "${TMPDIR:-/tmp}/plimsoll-apt.$$"
+}
+
+# build PRESET FOLDER TARGET: configures where that has not been done, and builds what has changed.
+# Two at once in one folder wait for each other.
+build() {
+  local preset=$1 folder=$root/$2 target=$3
+  mkdir -p "$folder"
+  exec 9> "$folder/.lock"
+  flock 9
+  if [[ ! -f $folder/build.ninja ]]; then
+    say "plimsoll: configuring ($preset)"
+    (cd "$root" && cmake --preset "$preset" > "$folder/configure.log" 2>&1) || {
+      cat "$folder/configure.log" >&2
+      exit 2
+    }
+  fi
+  if ! ninja -C "$folder" -n "$target" | tail -n 1 | grep -q 'no work to do'; then
+    say "plimsoll: building ($preset)"
+    ninja -C "$folder" "$target" >&2 || exit 2
+  fi
+  exec 9>&-
+}
