@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene.h"
+#include "app/scene/scene.h"
 #include "engine/spec.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/faults.h"
-#include "app/scene.h"
+#include "app/scene/scene.h"
 #include "hydro/mesh_check.h"
 #include "hydro/sea.h"
 

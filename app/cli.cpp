@@ -56,7 +56,8 @@ void add_run(CLI::App& program, Arguments& a) {
   command->add_option("scene", a.run.scene, "Scene file (YAML)")->required();
   command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]");
   add_sets(command, a);
-  command->add_flag("--no-render{false}", a.run.render, "Make no pictures");
+  command->add_flag_callback(
+      "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
   command
       ->add_option("--threads", a.run.threads, "Threads; results do not depend on it [all cores]")
       ->check(CLI::Range(1, 256));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene_reader.h"
+#include "app/scene/reader.h"
 
 /// @file
 /// What the program's commands do. Each returns the process's exit code; wrong input is thrown as

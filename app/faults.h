@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene.h"
+#include "app/scene/scene.h"
 
 /// @file
 /// What is wrong with an input, and where: collected while it is read, thrown all at once.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/assemble.h"
-#include "app/scene.h"
+#include "app/scene/scene.h"
 #include "hydro/spatial.h"
 
 namespace app {

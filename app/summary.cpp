@@ -30,7 +30,8 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
       {"triangles", body.mesh_B.face_count()},
       {"mass", body.mass},
       {"loads_not_computed", unused_loads(body)},
-      {"steps_above_water", i < summary.skips.dry_steps.size() ? summary.skips.dry_steps[i] : 0}};
+      {"steps_above_water", summary.skips.dry_steps[i]},
+      {"steps_at_rest", summary.skips.resting_steps[i]}};
 }
 
 Json to_json(const RunSummary& s) {

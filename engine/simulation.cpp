@@ -1,7 +1,10 @@
 #include "engine/simulation.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -34,12 +37,18 @@ std::string message(double time, const std::string& body, const std::string& wha
   return fmt::format("body '{}' at t = {:g} s: {}", body, time, what);
 }
 
-/// What the water acts on.
+/// What the water acts on, with the last load it had.
 struct Floater {
   BodyId body = 0;
   hydro::Hull hull;
   Eigen::AlignedBox3d box_B;
+  std::optional<hydro::BodyState> loaded_state;  ///< That `loads` belongs to.
+  hydro::Loads loads;
 };
+
+bool changes_with_time(const hydro::Sea& sea) {
+  return std::holds_alternative<hydro::WaveSurface>(sea.surface);
+}
 
 std::vector<Floater> make_floaters(const SimulationSpec& spec) {
   std::vector<Floater> floaters;
@@ -82,6 +91,7 @@ struct Simulation::Impl {
   // The stages of a step, in their order.
   void find_applied_loads();
   void find_water_loads();
+  void find_water_load(Floater& floater);
   void apply_loads();
   void collide();
   void advance();
@@ -93,6 +103,7 @@ struct Simulation::Impl {
 
   SimulationSpec spec;
   World world;
+  tbb::task_arena threads;
   std::vector<Floater> floaters;
   double highest_water = 0;
   std::vector<hydro::BodyState> states;
@@ -104,13 +115,17 @@ struct Simulation::Impl {
 };
 
 Simulation::Impl::Impl(SimulationSpec description)
-    : spec(std::move(description)), world(make_world(spec)), floaters(make_floaters(spec)) {
+    : spec(std::move(description)),
+      world(make_world(spec)),
+      threads(std::max(1, spec.threads)),
+      floaters(make_floaters(spec)) {
   if (spec.sea) highest_water = hydro::surface_bounds(*spec.sea).highest;
   for (std::size_t i = 0; i < count(); ++i) states.push_back(next_state(i));
   loads.resize(count());
   skips.collision = !world.can_collide();
   skips.water = floaters.empty();
   skips.dry_steps.assign(count(), 0);
+  skips.resting_steps.assign(count(), 0);
 }
 
 void Simulation::Impl::step() {
@@ -141,15 +156,26 @@ void Simulation::Impl::find_applied_loads() {
 
 void Simulation::Impl::find_water_loads() {
   const Stopwatch stopwatch(timings.hydro);
-  for (const Floater& floater : floaters) {
-    const auto i = static_cast<std::size_t>(floater.body);
-    if (lowest_point(floater.box_B, states[i]) >= highest_water) {
-      ++skips.dry_steps[i];
-      continue;
-    }
-    loads[i].water =
-        hydro::compute_loads(floater.hull, states[i], *spec.sea, time(), body(i).coefficients);
+  threads.execute([&] {
+    tbb::parallel_for(std::size_t{0}, floaters.size(),
+                      [&](std::size_t i) { find_water_load(floaters[i]); });
+  });
+}
+
+void Simulation::Impl::find_water_load(Floater& floater) {
+  const auto i = static_cast<std::size_t>(floater.body);
+  if (lowest_point(floater.box_B, states[i]) >= highest_water) {
+    ++skips.dry_steps[i];
+    return;
   }
+  if (floater.loaded_state == states[i] && !changes_with_time(*spec.sea)) {
+    ++skips.resting_steps[i];
+  } else {
+    floater.loads =
+        hydro::compute_loads(floater.hull, states[i], *spec.sea, time(), body(i).coefficients);
+    floater.loaded_state = states[i];
+  }
+  loads[i].water = floater.loads;
 }
 
 void Simulation::Impl::apply_loads() {

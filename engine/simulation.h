@@ -30,9 +30,11 @@ struct Timings {
 
 /// What the steps so far did not compute because the scene did not need it.
 struct Skips {
-  bool collision = false;       ///< Nothing in the scene can collide.
-  bool water = false;           ///< No water, or no body that it acts on.
-  std::vector<long> dry_steps;  ///< Per body: steps in which it was above the highest water.
+  bool collision = false;           ///< Nothing in the scene can collide.
+  bool water = false;               ///< No water, or no body that it acts on.
+  std::vector<long> dry_steps;      ///< Per body: steps in which it was above the highest water.
+  std::vector<long> resting_steps;  ///< Per body: steps that took over the last load, since neither
+                                    ///< the body nor the water had moved.
 };
 
 /// Bodies in the sea, moved step by step. Owns the mechanics engine.

@@ -50,6 +50,12 @@ struct BodyState {
   Eigen::Vector3d linear_velocity =
       Eigen::Vector3d::Zero();  ///< Of the centre of mass, in W [m/s].
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< In W [rad/s].
+
+  /// Equal in every number.
+  bool operator==(const BodyState& other) const {
+    return position == other.position && orientation.coeffs() == other.orientation.coeffs() &&
+           linear_velocity == other.linear_velocity && angular_velocity == other.angular_velocity;
+  }
 };
 
 }  // namespace hydro

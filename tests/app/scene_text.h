@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene_reader.h"
+#include "app/scene/reader.h"
 
 namespace support {
 

@@ -59,7 +59,8 @@ TEST(Skin, OfAFaceWithoutAreaHasUnitNormals) {
   TriMesh mesh;
   mesh.vertices.resize(3, 3);
   mesh.vertices << 0, 1, 2, 0, 0, 0, 0, 0, 0;
-  mesh.faces = Eigen::Vector3i(0, 1, 2);
+  mesh.faces.resize(3, 1);
+  mesh.faces << 0, 1, 2;
   const render::Skin skin = render::make_skin(mesh);
   for (const auto n : skin.normals.colwise()) EXPECT_DOUBLE_EQ(n.norm(), 1);
 }

@@ -140,8 +140,8 @@ function split_chords(mesh, surface) {
     const regions = mesh.regions_at(b);
     const common = mesh.regions_at(a).filter((region) => regions.includes(region));
     if (common.length < 2 || mesh.is_crease(a, b)) continue;
-    const m = mesh.split(a, b);
-    settle(mesh, surface, m, mesh.positions[m]);
+    const m = mesh.split(a, b), [region] = mesh.regions_at(m);
+    mesh.positions[m] = surface.on_region(mesh.positions[m], region).point;
   }
 }
 

@@ -90,22 +90,36 @@ function teapot_ridges() {
   const {lid, rim, bottom} = newell.profile;
   const around_pot = [[lid[0], 10], [lid[0], 29], [rim[0], 13], [bottom[0], 4]].map(
       ([curve, step]) => newell_ring(bezier(curve, step / kCurveSteps)));
-  const lip = tube_ring(tube_sections([newell.tubes.spout[1]])[14]);
+  const lip = tube_ring(newell.tubes.spout[1], 0.5, lip_bend);
   return [...around_pot, lip];
 }
 
-/** Closed cross-section through four control points of the half with y < 0. */
-function tube_ring(section) {
-  const half = polyline([section], kTurnSteps / 8);
+// Along the spout's lip patch the tightest bend is not at one parameter: Bezier values of the parameter
+// where it lies, from the pot's side of the mouth round to the tip.
+const kLipBend = [[0.66], [0.62], [0.4], [0.425]];
+
+/** The parameter along a patch, of the step `s` out of 1, when the step 0.5 shall fall on `middle`. */
+const leaned = (s, middle) => (s < 0.5 ? 2 * s * middle : middle + (2 * s - 1) * (1 - middle));
+
+/** A closed ring around a tube patch at the step `s`; `middle(w)` is the parameter of the step 0.5. */
+function tube_ring(patch, s, middle) {
+  const steps = kTurnSteps / 8;
+  const half = Array.from({length: steps + 1}, (_, i) => {
+    const along = patch.map((section) => bezier(section, i / steps));
+    return bezier(along, leaned(s, middle(i / steps)));
+  });
   const mirrored = half.slice(1, -1).reverse().map(([x, y, z]) => [x, -y, z]);
   return [...half, ...mirrored];
 }
 
-/** The sections of a tube's patches, each four control points, at all steps along it. */
-function tube_sections(patches) {
-  const columns = [0, 1, 2, 3].map(
-      (k) => polyline(patches.map((patch) => patch.map((section) => section[k])), kCurveSteps));
-  return columns[0].map((_, i) => columns.map((column) => column[i]));
+const straight = () => 0.5;
+const lip_bend = (w) => bezier(kLipBend, w)[0];
+
+/** The rings of a tube of two patches, those of the second spread around `middle`. */
+function tube_rings([first, second], middle) {
+  const steps = Array.from({length: kCurveSteps + 1}, (_, i) => i / kCurveSteps);
+  return [...steps.slice(0, -1).map((s) => tube_ring(first, s, straight)),
+          ...steps.map((s) => tube_ring(second, s, middle))];
 }
 
 const centre = (ring) => scale(1 / ring.length, ring.reduce(add));
@@ -117,8 +131,8 @@ function carried_on(ring, neighbour, reach) {
 }
 
 /** A closed tube; its ends are carried on by `before` and `after` into the pot, where they vanish. */
-function tube(patches, {before, after}) {
-  const rings = tube_sections(patches).map(tube_ring);
+function tube(patches, {before, after, middle = straight}) {
+  const rings = tube_rings(patches, middle);
   if (before > 0) rings.unshift(carried_on(rings[0], rings[1], before));
   if (after > 0) rings.push(carried_on(rings.at(-1), rings.at(-2), after));
   return lofted(centre(rings[0]), rings, centre(rings.at(-1)));
@@ -127,7 +141,7 @@ function tube(patches, {before, after}) {
 /** The teapot, in metres: the pot's greatest radius is 1 m, z = 0 at its bottom, the spout towards +x. */
 export function teapot() {
   const handle = tube(newell.tubes.handle, {before: 0.5, after: 0.4});
-  const spout = tube(newell.tubes.spout, {before: 0.5, after: 0});
+  const spout = tube(newell.tubes.spout, {before: 0.5, after: 0, middle: lip_bend});
   const halved = (p) => scale(0.5, p.map(Math.fround));
   return {
     whole: Manifold.union([pot(), handle, spout]).scale(0.5),

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/faults.h"
-#include "app/scene.h"
+#include "app/scene/scene.h"
 
 namespace app {
 

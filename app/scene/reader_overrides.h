@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/faults.h"
-#include "app/scene_reader.h"
-#include "app/yaml_reader.h"
+#include "app/scene/reader.h"
+#include "app/scene/yaml_reader.h"
 
 namespace app {
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "app/faults.h"
-#include "app/scene_reader.h"
-#include "app/scene_reader_nearest.h"
-#include "app/yaml_reader.h"
+#include "app/scene/reader.h"
+#include "app/scene/reader_nearest.h"
+#include "app/scene/yaml_reader.h"
 
 /// @file
 /// From a YAML value to a field of a scene. A rule says which values are right, in words too; the

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene_reader_blocks.h"
+#include "app/scene/reader_blocks.h"
 
 namespace app {
 

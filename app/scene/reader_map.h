@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene_reader_values.h"
+#include "app/scene/reader_values.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/scene.h"
-#include "app/scene_reader_map.h"
+#include "app/scene/reader_map.h"
+#include "app/scene/scene.h"
 
 /// @file
 /// The blocks of a scene: what keys each has, and how they go together.

@@ -1,13 +1,13 @@
-#include "app/scene_reader.h"
+#include "app/scene/reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "app/scene_reader_blocks.h"
-#include "app/scene_reader_overrides.h"
-#include "app/yaml_reader.h"
+#include "app/scene/reader_blocks.h"
+#include "app/scene/reader_overrides.h"
+#include "app/scene/yaml_reader.h"
 
 namespace app {
 

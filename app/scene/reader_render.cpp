@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/scene_reader_blocks.h"
+#include "app/scene/reader_blocks.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/scene_reader_blocks.h"
+#include "app/scene/reader_blocks.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/scene_reader_nearest.h"
+#include "app/scene/reader_nearest.h"
 
 #include <algorithm>
 

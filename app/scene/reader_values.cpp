@@ -1,4 +1,4 @@
-#include "app/scene_reader_values.h"
+#include "app/scene/reader_values.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/scene_reader_overrides.h"
+#include "app/scene/reader_overrides.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/scene_reader_nearest.h"
+#include "app/scene/reader_nearest.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 #include <cctype>
 #include <string>
 
-#include "app/scene_reader_blocks.h"
+#include "app/scene/reader_blocks.h"
 
 namespace app {
 

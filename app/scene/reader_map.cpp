@@ -1,4 +1,4 @@
-#include "app/scene_reader_map.h"
+#include "app/scene/reader_map.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "app/scene_reader_blocks.h"
+#include "app/scene/reader_blocks.h"
 
 namespace app {
 

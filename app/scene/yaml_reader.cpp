@@ -1,4 +1,4 @@
-#include "app/yaml_reader.h"
+#include "app/scene/yaml_reader.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
