@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/assemble_shape.h"
+#include "app/schedule.h"
+#include "engine/body_check.h"
 #include "hydro/mass_properties.h"
 #include "hydro/terrain.h"
 #include "hydro/wave_spectrum.h"
@@ -15,11 +17,6 @@ namespace app {
 namespace {
 
 std::string body_path(std::size_t i) { return fmt::format("bodies[{}]", i); }
-
-bool any_load(const hydro::Coefficients& c) {
-  return c.buoyancy || c.pressure_drag != 0 || c.lift != 0 ||
-         c.viscous_drag.law != hydro::ViscousDrag::Law::none;
-}
 
 hydro::WaveSurface wave_surface(const std::vector<WaveScene>& waves, double gravity) {
   hydro::WaveSurface surface;
@@ -121,8 +118,8 @@ bool needs_solid(const BodyScene& body, bool wet) {
   return wet || body.density || !body.inertia || !body.center_of_mass;
 }
 
-/// Masses far below or above what double precision carries through a step.
-void check_mass(const MassProperties& p, const std::string& path, AssemblyLog& log) {
+/// False, with a fault, for masses far below or above what double precision carries through a step.
+bool mass_is_usable(const MassProperties& p, const std::string& path, AssemblyLog& log) {
   const bool usable = std::isfinite(p.mass) && p.mass > 1e-30 && p.mass < 1e30 &&
                       p.inertia.allFinite() && p.inertia.diagonal().minCoeff() > 1e-60;
   if (!usable)
@@ -131,6 +128,25 @@ void check_mass(const MassProperties& p, const std::string& path, AssemblyLog& l
         fmt::format("its mass comes to {:.3g} kg and its least inertia to {:.3g} kg m^2; "
                     "expected a mesh and a density of a usable size",
                     p.mass, p.inertia.diagonal().minCoeff()));
+  return usable;
+}
+
+/// A body that the engine would refuse, such as one that starts beyond all bounds.
+void check_motion(const engine::BodySpec& spec, const std::string& path, AssemblyLog& log) {
+  try {
+    engine::check_body(spec);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, path, error.what());
+  }
+}
+
+/// A mistyped step or duration would keep the program busy for ever.
+void check_step_count(AssemblyLog& log) {
+  const double steps = log.scene.duration / log.scene.step;
+  if (!(steps <= kMostSteps))
+    log.faults.add(log.scene, "duration",
+                   fmt::format("{:g} s in steps of {:g} s are {:.3g} steps, expected at most {:g}",
+                               log.scene.duration, log.scene.step, steps, kMostSteps));
 }
 
 engine::AppliedLoad applied_load(const AppliedLoadScene& load, const Eigen::Vector3d& com_M) {
@@ -147,21 +163,38 @@ engine::AppliedLoad applied_load(const AppliedLoadScene& load, const Eigen::Vect
   return applied;
 }
 
+/// The coefficients with what follows from the mesh: the length of the friction line, by default
+/// the longest side of the bounding box, and the calibration.
+hydro::Coefficients assemble_coefficients(const BodyScene& body, const hydro::TriMesh& mesh_B,
+                                          const std::string& path, AssemblyLog& log) {
+  hydro::Coefficients coefficients = body.hydro;
+  hydro::ViscousDrag& viscous = coefficients.viscous_drag;
+  if (viscous.length == 0) viscous.length = hydro::bounding_box(mesh_B).sizes().maxCoeff();
+  if (log.scene.water) viscous.reynolds_per_speed = viscous.length / log.scene.water->viscosity;
+  if (!body.calibrated_drag) return coefficients;
+  try {
+    coefficients.calibration =
+        hydro::calibrate_drag(mesh_B, coefficients.pressure_drag, *body.calibrated_drag);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, path + ".calibrate.drag", error.what());
+  }
+  return coefficients;
+}
+
 engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, AssemblyLog& log,
                                Eigen::Vector3d& com_M) {
   const std::string path = body_path(index);
   engine::BodySpec spec{.name = body.name,
-                        .coefficients = body.hydro,
-                        .wet = log.scene.water.has_value() && any_load(body.hydro),
+                        .wet = log.scene.water.has_value() && !hydro::no_load(body.hydro),
                         .collision = collision_shape(body),
                         .locked = body.locked};
   hydro::TriMesh mesh = shape_mesh(body.shape, path, log);
   const Soundness needed = needs_solid(body, spec.wet) ? Soundness::closed : Soundness::surface;
-  if (!make_sound(mesh, needed, path, log)) return spec;
+  if (!make_sound(mesh, needed, shape_key_path(body.shape, path), log)) return spec;
   const hydro::SolidProperties solid =
       needed == Soundness::closed ? hydro::solid_properties(mesh) : hydro::SolidProperties{};
   const MassProperties p = mass_properties(body, solid);
-  check_mass(p, path, log);
+  if (!mass_is_usable(p, path, log)) return spec;
   com_M = p.center_of_mass;
   spec.mesh_B = hydro::translated(std::move(mesh), -com_M);
   spec.mass = p.mass;
@@ -170,7 +203,9 @@ engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, Assembl
                   .orientation = body.orientation,
                   .linear_velocity = body.linear_velocity,
                   .angular_velocity = body.angular_velocity};
+  spec.coefficients = assemble_coefficients(body, spec.mesh_B, path, log);
   for (const AppliedLoadScene& load : body.forces) spec.loads.push_back(applied_load(load, com_M));
+  check_motion(spec, path, log);
   return spec;
 }
 
@@ -207,6 +242,7 @@ engine::JointSpec assemble_joint(const Scene& scene, const JointScene& joint) {
 
 Assembly assemble(const Scene& scene) {
   AssemblyLog log{.scene = scene};
+  check_step_count(log);
   Assembly assembly;
   engine::SimulationSpec& spec = assembly.spec;
   spec.step = scene.step;

@@ -14,12 +14,6 @@ struct Overloaded : Ts... {
   using Ts::operator()...;
 };
 
-/// The key under which a shape stands in its body.
-std::string shape_key(const ShapeScene& shape) {
-  constexpr const char* kNames[] = {"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"};
-  return kNames[shape.index()];
-}
-
 hydro::TriMesh primitive(const ShapeScene& shape) {
   return std::visit(
       Overloaded{
@@ -47,6 +41,11 @@ hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
 
 }  // namespace
 
+std::string shape_key_path(const ShapeScene& shape, const std::string& key_path) {
+  constexpr const char* kNames[] = {"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"};
+  return fmt::format("{}.{}", key_path, kNames[shape.index()]);
+}
+
 hydro::TriMesh mesh_from_file(const MeshScene& mesh, const std::string& key_path,
                               AssemblyLog& log) {
   try {
@@ -59,7 +58,7 @@ hydro::TriMesh mesh_from_file(const MeshScene& mesh, const std::string& key_path
 }
 
 hydro::TriMesh shape_mesh(const ShapeScene& shape, const std::string& key_path, AssemblyLog& log) {
-  const std::string key = key_path + "." + shape_key(shape);
+  const std::string key = shape_key_path(shape, key_path);
   if (const auto* mesh = std::get_if<MeshScene>(&shape)) return mesh_from_file(*mesh, key, log);
   try {
     return primitive(shape);

@@ -25,6 +25,9 @@ struct AssemblyLog {
 /// @param key_path   Of the block that holds the shape: `bodies[1]`.
 hydro::TriMesh shape_mesh(const ShapeScene& shape, const std::string& key_path, AssemblyLog& log);
 
+/// The path of the key under which a body's shape stands: `bodies[1].mesh`.
+std::string shape_key_path(const ShapeScene& shape, const std::string& key_path);
+
 /// A mesh file, scaled; as `shape_mesh`. @param key_path   Of the block with the key `file`.
 hydro::TriMesh mesh_from_file(const MeshScene& mesh, const std::string& key_path, AssemblyLog& log);
 

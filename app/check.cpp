@@ -2,6 +2,7 @@
 
 #include "app/assemble.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/faults.h"
 
 namespace app {
@@ -34,6 +35,7 @@ int check(const std::vector<std::filesystem::path>& scenes,
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
     }
   }
+  flush_output();
   if (!faults.empty()) throw InputError(faults);
   return kDone;
 }

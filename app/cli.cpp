@@ -93,6 +93,20 @@ void add_others(CLI::App& program, Arguments& a) {
   render->add_flag("--quiet", a.render.quiet, "No progress and no report");
 }
 
+/// Names the commands there are if the first word is none of them.
+void check_command(const CLI::App& program, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (word.starts_with('-')) return;
+  std::string known;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw CLI::ParseError(fmt::format("{}, expected a command: {}",
+                                    word.empty() ? "found nothing" : "found " + word, known),
+                        CLI::ExitCodes::ExtrasError);
+}
+
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<Override> overrides = parse_overrides(a.sets);
   a.run.overrides = a.render.overrides = overrides;
@@ -107,13 +121,15 @@ int dispatch(const CLI::App& program, Arguments& a) {
 }  // namespace
 
 int command_line(int argc, char** argv) {
-  CLI::App program("Plimsoll, a maritime sandbox: triangle-mesh bodies in height-field water.");
+  CLI::App program("Plimsoll, a maritime sandbox: triangle-mesh bodies in height-field water.",
+                   "plimsoll");
   program.set_version_flag("--version", "plimsoll " PLIMSOLL_VERSION);
   program.require_subcommand(1);
   Arguments arguments;
   add_run(program, arguments);
   add_others(program, arguments);
   try {
+    check_command(program, argc, argv);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kDone : kWrongInput;

@@ -19,7 +19,8 @@ OutputFolder::OutputFolder(const std::filesystem::path& path) : path_(path) {
   if (error) throw InputError(path_, fmt::format("cannot be made: {}", error.message()));
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) throw InputError(path_, fmt::format("cannot be opened: {}", std::strerror(errno)));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+  // File systems that know no locks get none.
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
     throw InputError(path_, "another run is writing to this folder; name another with --out");
   }

@@ -1,8 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace app {
+
+/// A result that cannot be written, most often since the disk is full.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A folder that one run writes to. Others that want it meanwhile are refused, so that no two runs
 /// mix their files.

@@ -22,6 +22,8 @@ double highest_pressure(const engine::BodySpec& body, const hydro::BodyState& st
   const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
   const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
   const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
+  const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
+  const double scale = hydro::drag_scale(body.coefficients, state, sea.current);
   double highest = 0;
   for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
     const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
@@ -31,9 +33,9 @@ double highest_pressure(const engine::BodySpec& body, const hydro::BodyState& st
       const double depth = hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z();
       if (depth <= 0) continue;
       const double u = motion.at(p).dot(n);
+      const double c_p = u > 0 ? drag.front : drag.back;
       highest = std::max(highest,
-                         sea.density * (sea.gravity * depth +
-                                        0.5 * body.coefficients.pressure_drag * u * std::abs(u)));
+                         sea.density * (sea.gravity * depth + 0.5 * scale * c_p * u * std::abs(u)));
     }
   }
   return highest;
@@ -69,7 +71,7 @@ render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     picture.bodies.push_back({.mesh_B = spec.bodies[i].mesh_B,
                               .color = scene.bodies[i].color,
-                              .pressure_drag = spec.bodies[i].coefficients.pressure_drag});
+                              .coefficients = spec.bodies[i].coefficients});
   if (const auto* plane = std::get_if<engine::PlaneGround>(&spec.ground))
     picture.ground_z = plane->z;
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
@@ -79,16 +81,30 @@ render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
 
 /// An empty folder for the frames.
 std::filesystem::path fresh_frames(const std::filesystem::path& folder) {
+  remove_pictures(folder);
   const std::filesystem::path frames = folder / "frames";
   std::error_code error;
   std::filesystem::create_directories(frames, error);
   if (error) throw render::Error(fmt::format("{}: {}", frames.string(), error.message()));
-  for (const auto& entry : std::filesystem::directory_iterator(frames))
-    if (entry.path().filename().string().starts_with("frame_")) std::filesystem::remove(entry);
   return frames;
 }
 
+bool is_frame(const std::filesystem::path& file) {
+  return file.filename().string().starts_with("frame_") && file.extension() == ".png";
+}
+
 }  // namespace
+
+void remove_pictures(const std::filesystem::path& folder) {
+  const std::filesystem::path frames = folder / "frames";
+  std::filesystem::remove(folder / "sheet.png");
+  if (!std::filesystem::is_directory(frames)) return;
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(frames))
+    if (is_frame(entry.path())) old.push_back(entry.path());
+  for (const std::filesystem::path& file : old) std::filesystem::remove(file);
+  if (std::filesystem::is_empty(frames)) std::filesystem::remove(frames);
+}
 
 double highest_pressure(const engine::SimulationSpec& spec, const Shot& shot) {
   double highest = 0;

@@ -34,6 +34,9 @@ PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
                             const std::vector<Shot>& shots, const std::filesystem::path& folder,
                             const PictureProgress& progress);
 
+/// Removes the frames and the sheet that an earlier run left in a folder.
+void remove_pictures(const std::filesystem::path& folder);
+
 /// The largest gauge pressure on the bodies' wetted vertices, hydrostatic plus that of the pressure
 /// drag [Pa]; 0 without any.
 double highest_pressure(const engine::SimulationSpec& spec, const Shot& shot);

@@ -4,6 +4,7 @@
 
 #include "app/assemble.h"
 #include "app/commands.h"
+#include "hydro/mesh_check.h"
 
 namespace app {
 namespace {
@@ -24,7 +25,7 @@ Json to_json(const Eigen::Matrix3d& m) {
 
 Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
   hydro::Loads loads;
-  if (sea && body.wet)
+  if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
     loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
                                  body.coefficients);
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();

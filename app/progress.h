@@ -11,7 +11,11 @@ class ProgressLine {
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
 
-  /// Shows the line, at most ten times a second.
+  /// True if there is a screen to show a line on and the last one has stood for a tenth of a
+  /// second.
+  bool due() const { return enabled_ && std::chrono::steady_clock::now() >= next_; }
+
+  /// Shows the line.
   void show(const std::string& text);
 
   /// Takes the line off the screen.

@@ -4,7 +4,9 @@
 
 #include "app/assemble.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/faults.h"
+#include "app/interrupt.h"
 #include "app/output_folder.h"
 #include "app/pictures.h"
 #include "app/progress.h"
@@ -30,19 +32,31 @@ void check_same_bodies(const Trajectory& trajectory, const engine::SimulationSpe
   if (!faults.empty()) throw InputError(faults);
 }
 
-/// The logged states that `every` asks for, as a run of the scene would have drawn them.
-std::vector<Shot> choose_shots(const Trajectory& trajectory, const engine::SimulationSpec& spec,
-                               double every) {
-  const std::vector<double>& times = trajectory.tracks.at(spec.bodies.front().name).times;
-  std::size_t rows = times.size();
+/// The rows that every body has: fewer than the longest track's if the log was cut off.
+std::size_t common_rows(const Trajectory& trajectory, const std::filesystem::path& file) {
+  const auto& [first, times] = *trajectory.tracks.begin();
+  std::size_t rows = times.times.size();
   for (const auto& [name, track] : trajectory.tracks) rows = std::min(rows, track.times.size());
+  for (const auto& [name, track] : trajectory.tracks)
+    for (std::size_t i = 0; i < rows; ++i)
+      if (track.times[i] != times.times[i])
+        throw InputError(file,
+                         fmt::format("row {} of body {} is of {} s and that of body {} of {} s; "
+                                     "expected rows of all bodies at the same times",
+                                     i + 1, first, times.times[i], name, track.times[i]));
+  return rows;
+}
+
+/// The logged states that `every` asks for, as a run of the scene would have drawn them.
+std::vector<Shot> choose_shots(const Trajectory& trajectory, std::size_t rows, const Scene& scene) {
+  const std::vector<double>& times = trajectory.tracks.begin()->second.times;
+  const double end = std::max(scene.duration, times[rows - 1]);
   std::vector<Shot> shots;
-  Schedule due(every);
+  Schedule due(scene.render->every);
   for (std::size_t i = 0; i < rows; ++i) {
-    if (i > 0 && !is_frame_time(times[i], times[rows - 1])) break;
-    if (!due.due(times[i])) continue;
+    if (!is_frame_time(times[i], end) || !due.due(times[i])) continue;
     Shot shot{.time = times[i]};
-    for (const engine::BodySpec& body : spec.bodies)
+    for (const BodyScene& body : scene.bodies)
       shot.states.push_back(trajectory.tracks.at(body.name).states[i]);
     shots.push_back(std::move(shot));
   }
@@ -57,19 +71,21 @@ int render_trajectory(const RenderOptions& options) {
   const Assembly assembly = assemble(scene);
   const Trajectory trajectory = read_trajectory(options.trajectory);
   check_same_bodies(trajectory, assembly.spec, options.trajectory);
-  const std::vector<Shot> shots = choose_shots(trajectory, assembly.spec, scene.render->every);
+  const std::vector<Shot> shots =
+      choose_shots(trajectory, common_rows(trajectory, options.trajectory), scene);
   const OutputFolder folder(options.out);
+  const InterruptGuard interrupt;
   ProgressLine progress(options.quiet);
   const PictureReport report =
       draw_pictures(scene, assembly, shots, folder.path(), [&](int done, int all) {
-        progress.show(fmt::format("picture {} of {}", done, all));
-        return true;
+        if (progress.due()) progress.show(fmt::format("picture {} of {}", done, all));
+        return !interrupt.interrupted();
       });
   progress.clear();
   if (!options.quiet)
-    fmt::print(stderr, "{}: {} pictures and sheet.png, drawn on {}\n", folder.path().string(),
-               report.frames, report.device);
-  return kDone;
+    say(fmt::format("{}: {} of {} pictures and sheet.png, drawn on {}", folder.path().string(),
+                    report.frames, shots.size(), report.device));
+  return report.frames == static_cast<int>(shots.size()) ? kDone : kInterrupted;
 }
 
 }  // namespace app

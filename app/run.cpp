@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
+#include <exception>
+#include <filesystem>
 #include <thread>
 
 #include "app/assemble.h"
 #include "app/commands.h"
-#include "app/faults.h"
+#include "app/console.h"
 #include "app/interrupt.h"
 #include "app/output_folder.h"
 #include "app/pictures.h"
 #include "app/progress.h"
-#include "app/render/image.h"
 #include "app/schedule.h"
 #include "app/summary.h"
 #include "app/trajectory.h"
@@ -31,6 +31,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
+  std::vector<std::string> names;
+  for (const engine::BodySpec& body : spec.bodies) names.push_back(body.name);
+  return names;
+}
+
 /// One run: the simulation and what is kept of it.
 class Run {
  public:
@@ -42,106 +48,132 @@ class Run {
         folder_(folder),
         summary_{.scene = scene, .spec = assembly.spec},
         progress_(options.quiet),
+        simulation_(assembly.spec),
+        writer_(folder.path() / "trajectory.csv", body_names(assembly.spec)),
         log_due_(scene.log_every.value_or(0)),
         shot_due_(scene.render ? scene.render->every : 0) {}
 
   int execute() {
+    remove_earlier_results();
     int code = simulate();
-    if (code != kInterrupted && wants_pictures()) code = draw(code);
-    if (!scene_.render) summary_.pictures_skipped = "the scene has no render block";
-    if (scene_.render && !options_.render) summary_.pictures_skipped = "--no-render";
+    summary_.pictures_skipped = reason_for_no_pictures(code);
+    if (summary_.pictures_skipped.empty()) code = draw(code);
     progress_.clear();
     summary_.wall = clock_.seconds();
-    write_summary(summary_, folder_.path() / "summary.json");
     if (!options_.quiet) report(code);
+    write_summary(summary_, summary_file());
     return code;
   }
 
  private:
   bool wants_pictures() const { return scene_.render && options_.render; }
+  std::filesystem::path summary_file() const { return folder_.path() / "summary.json"; }
 
+  /// A folder tells of one run: what an earlier one left goes, should this one be killed or draw
+  /// nothing. Its trajectory has been replaced already.
+  void remove_earlier_results() const {
+    std::filesystem::remove(summary_file());
+    remove_pictures(folder_.path());
+  }
+
+  /// Steps to the end, logging. Returns the exit code so far.
   int simulate() {
-    engine::Simulation simulation(assembly_.spec);
-    TrajectoryWriter writer(folder_.path() / "trajectory.csv", names());
-    const long steps = std::lround(std::ceil(scene_.duration / scene_.step * (1 - 1e-12)));
+    const long steps = step_count(scene_.duration, scene_.step);
     int code = kDone;
     try {
-      keep(simulation, writer);
-      while (simulation.steps() < steps && !interrupt_.interrupted()) {
-        simulation.step();
-        keep(simulation, writer);
-        show_progress(simulation);
+      keep();
+      while (simulation_.steps() < steps && !interrupt_.interrupted()) {
+        simulation_.step();
+        keep();
+        if (progress_.due()) show_progress();
       }
-      if (simulation.steps() < steps) {
-        code = kInterrupted;
-        summary_.ended = "interrupted";
-        summary_.pictures_skipped = "the run was interrupted";
-      }
+      if (simulation_.steps() < steps) code = interrupted();
     } catch (const engine::SimulationError& error) {
-      code = kCannotGoOn;
-      summary_.ended = "failed";
-      summary_.error = error.what();
+      code = failed(kCannotGoOn, error.what());
+    } catch (const OutputError& error) {
+      code = failed(kWrongInput, error.what());
     }
-    summary_.steps = simulation.steps();
-    summary_.simulated = simulation.time();
-    summary_.timings = simulation.timings();
-    summary_.skips = simulation.skips();
+    summary_.steps = simulation_.steps();
+    summary_.simulated = simulation_.time();
+    summary_.timings = simulation_.timings();
+    summary_.skips = simulation_.skips();
     return code;
   }
 
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const engine::BodySpec& body : assembly_.spec.bodies) names.push_back(body.name);
-    return names;
+  int interrupted() {
+    summary_.ended = "interrupted";
+    return kInterrupted;
+  }
+
+  /// Notes and tells what went wrong. The first error is the one that the summary keeps.
+  int failed(ExitCode code, const std::string& error) {
+    summary_.ended = "failed";
+    if (summary_.error.empty()) summary_.error = error;
+    progress_.clear();
+    say("error: " + error);
+    return code;
   }
 
   /// Logs the state and remembers it for a picture, if either is due.
-  void keep(const engine::Simulation& simulation, TrajectoryWriter& writer) {
-    const double time = simulation.time();
+  void keep() {
+    const double time = simulation_.time();
     if (log_due_.due(time)) {
       const Stopwatch stopwatch;
-      writer.add(time, simulation.states());
+      writer_.add(time, simulation_.states());
       summary_.wall_log += stopwatch.seconds();
     }
     if (wants_pictures() && is_frame_time(time, scene_.duration) && shot_due_.due(time))
-      shots_.push_back({time, simulation.states()});
+      shots_.push_back({time, simulation_.states()});
   }
 
-  void show_progress(const engine::Simulation& simulation) {
+  void show_progress() {
     const double wall = clock_.seconds();
-    const double done = simulation.time() / scene_.duration;
+    const double done = simulation_.time() / scene_.duration;
     progress_.show(fmt::format("{}: {:.2f} of {:g} s  {:3.0f} %  {:.1f} x real time  {:.0f} s left",
-                               scene_.file.stem().string(), simulation.time(), scene_.duration,
-                               100 * done, simulation.time() / wall, wall / done - wall));
+                               scene_.file.stem().string(), simulation_.time(), scene_.duration,
+                               100 * done, simulation_.time() / wall, wall / done - wall));
   }
 
-  /// Draws the shots. Pictures come last: a run that failed keeps its own code.
+  /// Empty if there are to be pictures.
+  std::string reason_for_no_pictures(int code) const {
+    if (!scene_.render) return "the scene has no render block";
+    if (!options_.render) return "--no-render";
+    if (code == kInterrupted) return "the run was interrupted";
+    if (code == kWrongInput) return "the trajectory could not be written";
+    return "";
+  }
+
+  /// Draws the shots. Pictures come last: a run that failed is drawn up to there and keeps its own
+  /// exit code.
   int draw(int code) {
     const Stopwatch stopwatch;
     const auto progress = [&](int done, int all) {
-      progress_.show(fmt::format("{}: picture {} of {}", scene_.file.stem().string(), done, all));
+      if (progress_.due())
+        progress_.show(fmt::format("{}: picture {} of {}", scene_.file.stem().string(), done, all));
       return !interrupt_.interrupted();
     };
-    summary_.pictures = draw_pictures(scene_, assembly_, shots_, folder_.path(), progress);
-    summary_.wall_render = stopwatch.seconds();
-    if (code == kDone && summary_.pictures->frames < static_cast<int>(shots_.size())) {
-      summary_.ended = "interrupted";
-      return kInterrupted;
+    try {
+      summary_.pictures = draw_pictures(scene_, assembly_, shots_, folder_.path(), progress);
+    } catch (const std::exception& error) {
+      summary_.pictures_skipped = "they could not be drawn";
+      const int own = failed(kWrongInput, error.what());
+      return code == kDone ? own : code;
     }
-    return code;
+    summary_.wall_render = stopwatch.seconds();
+    const bool all_drawn = summary_.pictures->frames == static_cast<int>(shots_.size());
+    return code == kDone && !all_drawn ? interrupted() : code;
   }
 
   void report(int code) const {
-    if (code == kCannotGoOn) fmt::print(stderr, "error: {}\n", summary_.error);
     if (code == kInterrupted)
-      fmt::print(stderr, "interrupted at {:.2f} s of {:g} s; what was done is in {}\n",
-                 summary_.simulated, scene_.duration, folder_.path().string());
+      say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
+                      summary_.simulated, scene_.duration, folder_.path().string()));
     const engine::Timings& t = summary_.timings;
-    fmt::print(stderr,
-               "{}: {} steps, {:g} s simulated in {:.2f} s "
-               "(hydro {:.2f}, collision {:.2f}, engine {:.2f}, log {:.2f}, pictures {:.2f})\n",
-               folder_.path().string(), summary_.steps, summary_.simulated, summary_.wall, t.hydro,
-               t.collision, t.engine, summary_.wall_log, summary_.wall_render);
+    say(
+        fmt::format("{}: {} steps, {:g} s simulated in {:.2f} s "
+                    "(hydro {:.2f}, collision {:.2f}, engine {:.2f}, log {:.2f}, pictures {:.2f})",
+                    folder_.path().string(), summary_.steps, summary_.simulated, summary_.wall,
+                    t.hydro, t.collision, t.engine, summary_.wall_log, summary_.wall_render));
   }
 
   const RunOptions& options_;
@@ -152,6 +184,8 @@ class Run {
   Stopwatch clock_;
   ProgressLine progress_;
   InterruptGuard interrupt_;
+  engine::Simulation simulation_;
+  TrajectoryWriter writer_;
   Schedule log_due_;
   Schedule shot_due_;
   std::vector<Shot> shots_;
@@ -170,7 +204,7 @@ int run(const RunOptions& options) {
   assembly.spec.threads = thread_count(options.threads);
   if (!options.quiet)
     for (const std::string& note : assembly.notes)
-      fmt::print(stderr, "{}: note: {}\n", scene.file.string(), note);
+      say(fmt::format("{}: note: {}", scene.file.string(), note));
   const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   const OutputFolder folder(out);
   return Run(options, scene, assembly, folder).execute();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 
 namespace app {
@@ -25,6 +26,16 @@ class Schedule {
   double every_;
   double next_ = 0;
 };
+
+/// Most steps of a run: at a microsecond each they take eleven days.
+inline constexpr double kMostSteps = 1e12;
+
+/// Steps that make up a duration; the last one may reach beyond it. The slack is the rounding of
+/// a duration that is a whole number of steps. At most kMostSteps.
+inline long step_count(double duration, double step) {
+  assert(duration / step <= kMostSteps);
+  return std::lround(std::ceil(duration / step * (1 - 1e-12)));
+}
 
 /// Pictures are of times before the end, as frames of a film are; a scene without duration has one.
 inline bool is_frame_time(double time, double end) { return time == 0 || time < end * (1 - 1e-9); }

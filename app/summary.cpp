@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "app/faults.h"
+#include "app/output_folder.h"
 
 namespace app {
 namespace {
@@ -17,21 +17,19 @@ using Json = nlohmann::ordered_json;
 Json unused_loads(const engine::BodySpec& body) {
   Json unused = Json::array();
   if (!body.coefficients.buoyancy) unused.push_back("buoyancy");
-  if (body.coefficients.pressure_drag == 0) unused.push_back("pressure_drag");
-  if (body.coefficients.viscous_drag.law == hydro::ViscousDrag::Law::none)
-    unused.push_back("viscous_drag");
+  if (body.coefficients.pressure_drag.none()) unused.push_back("pressure_drag");
+  if (body.coefficients.viscous_drag.none()) unused.push_back("viscous_drag");
   if (body.coefficients.lift == 0) unused.push_back("lift");
   return unused;
 }
 
 Json body_summary(const RunSummary& summary, std::size_t i) {
   const engine::BodySpec& body = summary.spec.bodies[i];
-  return {
-      {"triangles", body.mesh_B.face_count()},
-      {"mass", body.mass},
-      {"loads_not_computed", unused_loads(body)},
-      {"steps_above_water", summary.skips.dry_steps[i]},
-      {"steps_at_rest", summary.skips.resting_steps[i]}};
+  return {{"triangles", body.mesh_B.face_count()},
+          {"mass", body.mass},
+          {"loads_not_computed", unused_loads(body)},
+          {"steps_above_water", summary.skips.dry_steps[i]},
+          {"steps_at_rest", summary.skips.resting_steps[i]}};
 }
 
 Json to_json(const RunSummary& s) {
@@ -72,11 +70,12 @@ Json to_json(const RunSummary& s) {
 void write_summary(const RunSummary& summary, const std::filesystem::path& file) {
   const std::filesystem::path draft = file.string() + ".part";
   std::ofstream stream(draft);
-  stream << to_json(summary).dump(2) << '\n';
+  // A file name may be no UTF-8; its odd bytes become U+FFFD.
+  stream << to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   stream.close();
   std::error_code error;
   if (stream) std::filesystem::rename(draft, file, error);
-  if (!stream || error) throw InputError(file, "cannot be written; is the disk full?");
+  if (!stream || error) throw OutputError(file.string() + ": cannot be written; is the disk full?");
 }
 
 }  // namespace app

@@ -26,7 +26,7 @@ struct RunSummary {
   std::string pictures_skipped;  ///< Why there are none.
 };
 
-/// Writes the file whole or not at all. @throws InputError if it cannot be written.
+/// Writes the file whole or not at all. @throws OutputError if it cannot be written.
 void write_summary(const RunSummary& summary, const std::filesystem::path& file);
 
 }  // namespace app

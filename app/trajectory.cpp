@@ -11,12 +11,14 @@
 #include <string_view>
 
 #include "app/faults.h"
+#include "app/output_folder.h"
 
 namespace app {
 namespace {
 
 constexpr std::string_view kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 constexpr std::size_t kFields = 15;
+constexpr double kUnitTolerance = 0.01;  ///< Of quaternions that others wrote with few digits.
 
 std::array<double, 13> numbers(const hydro::BodyState& s) {
   const Eigen::Vector3d& p = s.position;
@@ -75,6 +77,9 @@ void read_row(std::string_view text, const std::filesystem::path& file, int line
         fmt::format("time {} of body {} does not come after {}", time, name, track.times.back()));
   track.times.push_back(time);
   track.states.push_back(state(values));
+  const double norm = track.states.back().orientation.norm();
+  if (!(std::abs(norm - 1) < kUnitTolerance))
+    refuse(file, line, fmt::format("the quaternion has length {:g}, expected 1", norm));
 }
 
 }  // namespace
@@ -95,7 +100,8 @@ void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& sta
   }
   const std::size_t written = std::fwrite(rows.data(), 1, rows.size(), file_.get());
   if (written != rows.size() || std::fflush(file_.get()) != 0)
-    throw InputError(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+    throw OutputError(
+        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
 }
 
 Trajectory read_trajectory(const std::filesystem::path& file) {

@@ -21,7 +21,7 @@ class TrajectoryWriter {
   TrajectoryWriter(const std::filesystem::path& file, std::vector<std::string> names);
 
   /// One row a body, in the order of the names, with digits that read back to the same numbers.
-  /// @throws InputError if the disk is full.
+  /// @throws OutputError if the disk is full.
   void add(double time, const std::vector<hydro::BodyState>& states);
 
  private:
@@ -45,7 +45,8 @@ struct Trajectory {
   std::map<std::string, BodyTrack> tracks;
 };
 
-/// Reads a trajectory; a last line that was cut off is left out.
+/// Reads a trajectory; quaternions must be of unit length to 1 %. A last line that was cut off is
+/// left out.
 /// @throws InputError with the line at fault.
 Trajectory read_trajectory(const std::filesystem::path& file);
 

@@ -66,18 +66,20 @@ Immersion immerse(const Hull& hull, const BodyState& state, const Sea& sea, doub
 void add_motion_loads(const Immersion& in, const Panel& panel, const Eigen::Vector3d& normal,
                       Loads& loads) {
   const double half_density = 0.5 * in.sea.density;
-  if (in.coefficients.pressure_drag != 0) {
+  const PressureDrag& drag = in.coefficients.pressure_drag;
+  if (!drag.none()) {
     Eigen::Vector3d normal_speed;
     for (int i = 0; i < 3; ++i) normal_speed[i] = in.motion.at(panel[i]).dot(normal);
-    const double k = half_density * in.coefficients.pressure_drag;
-    for (const PanelPart& part : positive_part(panel, normal_speed))
-      loads.pressure_drag += pressure_drag_load(part.panel, normal, part.value, 1, k);
-    for (const PanelPart& part : positive_part(panel, -normal_speed))
-      loads.pressure_drag += pressure_drag_load(part.panel, normal, part.value, -1, k);
+    for (const PanelPart& front : positive_part(panel, normal_speed))
+      loads.pressure_drag +=
+          pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
+    for (const PanelPart& back : positive_part(panel, -normal_speed))
+      loads.pressure_drag +=
+          pressure_drag_load(back.panel, normal, back.value, -1, half_density * drag.back);
   }
   if (in.coefficients.lift != 0)
     loads.lift += lift_load(panel, normal, in.motion, half_density * in.coefficients.lift);
-  if (in.coefficients.viscous_drag.law != ViscousDrag::Law::none)
+  if (!in.coefficients.viscous_drag.none())
     loads.viscous_drag +=
         viscous_drag_load(panel, normal, in.motion, in.coefficients.viscous_drag, half_density);
 }
@@ -134,6 +136,14 @@ Hull make_hull(TriMesh mesh_B) {
   return hull;
 }
 
+double drag_scale(const Coefficients& coefficients, const BodyState& state,
+                  const Eigen::Vector3d& current) {
+  if (!coefficients.calibration) return 1;
+  const Eigen::Quaterniond to_body = state.orientation.conjugate();
+  return drag_factor(*coefficients.calibration, {to_body * (state.linear_velocity - current),
+                                                 to_body * state.angular_velocity});
+}
+
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients) {
   const SurfaceBounds bounds = surface_bounds(sea);
@@ -144,6 +154,7 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
   // then taken from the level of the centre of mass, so that a deep body loses no digits.
   const bool all_wet = in.r.row(2).maxCoeff() + state.position.z() < bounds.lowest;
   Loads loads = sum_faces(in, all_wet ? 0 : in.level, all_wet);
+  loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;
 }

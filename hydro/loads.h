@@ -31,6 +31,11 @@ struct Loads {
   Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift; }
 };
 
+/// What the calibration of a body's drag multiplies it with in the given motion [-]; 1 without one.
+/// @param current   Velocity of the water [m/s].
+double drag_scale(const Coefficients& coefficients, const BodyState& state,
+                  const Eigen::Vector3d& current);
+
 /// The load on a hull in the given state of motion at a time.
 ///
 /// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of

@@ -19,15 +19,48 @@ constexpr double kSmoothRatio = 0.2;
 /// there: what lies between the line and the cut costs a third-order term, 1e-6.
 constexpr double kStraightRatio = 0.05;
 
-/// Speeds where C_v has a kink [m/s].
-constexpr std::array<double, 2> kThesisKinks = {1, 2};
+/// Reynolds number below which the ITTC line is held: it is meant for ships, and has a pole at 100.
+constexpr double kLeastReynolds = 1e4;
+
+/// Speeds where C_v has a kink [m/s], ascending.
+struct Kinks {
+  std::array<double, 2> speed = {};
+  int count = 0;
+
+  const double* begin() const { return speed.data(); }
+  const double* end() const { return speed.data() + count; }
+};
+
+Kinks kinks_of(const ViscousDrag& law) {
+  if (law.law == ViscousDrag::Law::thesis) return {{1, 2}, 2};
+  if (law.law == ViscousDrag::Law::ittc57) return {{kLeastReynolds / law.reynolds_per_speed}, 1};
+  return {};
+}
+
+double thesis_coefficient(double inside, double speed) {
+  if (inside < 1) return 0.1;
+  return inside < 2 ? 0.2 - 0.1 * speed : 0;
+}
+
+double ittc57_coefficient(double inside_reynolds, double reynolds) {
+  const double held = inside_reynolds < kLeastReynolds ? kLeastReynolds : reynolds;
+  const double decades = std::log10(held) - 2;
+  return 0.075 / (decades * decades);
+}
 
 /// C_v at `speed` by the formula that holds at `inside`, on the same side of every kink.
 double coefficient_on_branch(const ViscousDrag& law, double inside, double speed) {
-  if (law.law == ViscousDrag::Law::none) return 0;
-  if (law.law == ViscousDrag::Law::constant) return law.coefficient;
-  if (inside < kThesisKinks[0]) return 0.1;
-  return inside < kThesisKinks[1] ? 0.2 - 0.1 * speed : 0;
+  switch (law.law) {
+    case ViscousDrag::Law::none:
+      return 0;
+    case ViscousDrag::Law::constant:
+      return law.coefficient;
+    case ViscousDrag::Law::thesis:
+      return thesis_coefficient(inside, speed);
+    case ViscousDrag::Law::ittc57:
+      return ittc57_coefficient(inside * law.reynolds_per_speed, speed * law.reynolds_per_speed);
+  }
+  return 0;
 }
 
 /// The tangential velocity on a panel's plane, an affine function of the place.
@@ -35,6 +68,7 @@ struct SlidingFlow {
   const Twist& motion;
   const Eigen::Vector3d& normal;
   const ViscousDrag& law;
+  Kinks kinks;
 
   Eigen::Vector3d at(const Eigen::Vector3d& r) const {
     const Eigen::Vector3d v = motion.at(r);
@@ -82,21 +116,17 @@ Wrench seven_points(const Panel& panel, const SlidingFlow& flow) {
   return area_vector(panel).norm() * sum;
 }
 
-/// The same for a panel across the kinks of C_v: cut where the speed, taken as linear, reaches
-/// them.
-Wrench cut_at_kinks(const Panel& panel, const SlidingFlow& flow) {
-  const auto excess = [&](const Panel& p, double kink) {
-    Eigen::Vector3d value;
-    for (int i = 0; i < 3; ++i) value[i] = flow.at(p[i]).norm() - kink;
-    return value;
-  };
+/// The same for a panel across the kinks from `kink` on: cut where the speed, taken as linear,
+/// reaches them.
+Wrench cut_at_kinks(const Panel& panel, const SlidingFlow& flow, const double* kink) {
+  if (kink == flow.kinks.end()) return seven_points(panel, flow);
+  Eigen::Vector3d excess;
+  for (int i = 0; i < 3; ++i) excess[i] = flow.at(panel[i]).norm() - *kink;
   Wrench sum;
-  for (const PanelPart& slow : positive_part(panel, -excess(panel, kThesisKinks[0])))
-    sum += seven_points(slow.panel, flow);
-  for (const PanelPart& fast : positive_part(panel, excess(panel, kThesisKinks[0])))
-    for (const PanelPart& middle : positive_part(fast.panel, -excess(fast.panel, kThesisKinks[1])))
-      sum += seven_points(middle.panel, flow);
-  return sum;  // above the second kink there is no drag
+  for (const PanelPart& slow : positive_part(panel, -excess)) sum += seven_points(slow.panel, flow);
+  for (const PanelPart& fast : positive_part(panel, excess))
+    sum += cut_at_kinks(fast.panel, flow, kink + 1);
+  return sum;
 }
 
 std::array<Panel, 4> split_in_four(const Panel& r) {
@@ -125,15 +155,14 @@ SpeedRange speed_range(const Panel& panel, const SlidingFlow& flow) {
   return {std::max(0.0, centre.norm() - change), std::sqrt(high_squared), change};
 }
 
-bool contains_kink(const ViscousDrag& law, const SpeedRange& range) {
-  if (law.law != ViscousDrag::Law::thesis) return false;
-  return std::any_of(kThesisKinks.begin(), kThesisKinks.end(),
+bool contains_kink(const Kinks& kinks, const SpeedRange& range) {
+  return std::any_of(kinks.begin(), kinks.end(),
                      [&](double kink) { return range.low < kink && kink < range.high; });
 }
 
-bool vanishes(const ViscousDrag& law, const SpeedRange& range) {
-  return range.high == 0 ||
-         (law.law == ViscousDrag::Law::thesis && range.low >= kThesisKinks.back());
+bool vanishes(const SlidingFlow& flow, const SpeedRange& range) {
+  const bool beyond = flow.law.law == ViscousDrag::Law::thesis && range.low >= 2;
+  return range.high == 0 || beyond;
 }
 
 /// What `adaptive` may leave as its error: of the force, and by the lever arm of the moment.
@@ -146,10 +175,10 @@ struct Allowance {
 
 Wrench adaptive(const Panel& panel, const SlidingFlow& flow, Allowance allowance, int depth) {
   const SpeedRange range = speed_range(panel, flow);
-  if (vanishes(flow.law, range)) return {};
-  const bool kink = contains_kink(flow.law, range);
+  if (vanishes(flow, range)) return {};
+  const bool kink = contains_kink(flow.kinks, range);
   if (kink && (range.change <= kStraightRatio * range.low || depth == kMaxDepth))
-    return cut_at_kinks(panel, flow);
+    return cut_at_kinks(panel, flow, flow.kinks.begin());
   if (!kink && range.change <= kSmoothRatio * range.low) return seven_points(panel, flow);
   const std::array<Panel, 4> children = split_in_four(panel);
   if (!kink) {
@@ -172,7 +201,7 @@ double viscous_coefficient(const ViscousDrag& law, double speed) {
 
 Wrench viscous_drag_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion,
                          const ViscousDrag& law, double half_density) {
-  const SlidingFlow flow{motion, normal, law};
+  const SlidingFlow flow{motion, normal, law, kinks_of(law)};
   const SpeedRange range = speed_range(panel, flow);
   const double arm = std::max({panel[0].norm(), panel[1].norm(), panel[2].norm()});
   const double largest =

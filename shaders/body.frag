@@ -5,7 +5,8 @@ uniform sampler2D u_scale;      // colours of the pressure scale, from low to hi
 uniform float u_pressure_min;   // [Pa]
 uniform float u_pressure_range; // [Pa]
 uniform float u_weight;         // rho g [Pa/m]
-uniform float u_drag;           // rho C_p / 2 [Pa s^2/m^2]
+uniform float u_drag_front;     // rho C_p / 2 where the surface moves into the water [Pa s^2/m^2]
+uniform float u_drag_back;      // the same where it moves out of it
 uniform float u_flat_depth;     // steps of depth below this are rounding [m]
 
 in vec3 v_position_E;
@@ -30,7 +31,8 @@ vec3 dry_color(vec3 normal, vec3 to_eye) {
 // Only brightness is shaded, and less, so that a colour can be read off the scale.
 vec3 wet_color(vec3 normal) {
   float speed = dot(v_velocity, normal);
-  float pressure = u_weight * v_depth + u_drag * speed * abs(speed);
+  float drag = speed > 0.0 ? u_drag_front : u_drag_back;
+  float pressure = u_weight * v_depth + drag * speed * abs(speed);
   float facing = 0.5 + 0.5 * dot(normal, u_key_light);
   return pressure_color(pressure) * (0.74 + 0.26 * facing);
 }

@@ -11,6 +11,7 @@ in vec2 v_slope;
 out vec4 o_color;
 
 const int k_samples = 4;
+const float k_most_reflected = 0.25;  // before bodies, for the same reason as the next
 const float k_most_tint = 0.42;  // on bodies, so that their pressure stays legible at any depth
 
 // Share of the light from behind that the water takes, averaged over those of the pixel's samples
@@ -38,7 +39,8 @@ vec4 upper_side(vec3 normal, vec3 to_eye) {
   float body = tint(surface_depth, length(v_position_E) / surface_depth);
   vec3 mirrored = reflect(-to_eye, normal);
   mirrored.z = abs(mirrored.z);
-  float reflected = min(fresnel(dot(normal, to_eye)), 0.65);
+  float most = body < 1.0 ? k_most_reflected : 0.65;
+  float reflected = min(fresnel(dot(normal, to_eye)), most);
   float glitter = 0.5 * pow(max(dot(mirrored, u_back_light), 0.0), 60.0);
   vec3 scattered = k_deep * (0.9 + 0.5 * dot(vec3(-v_slope, 0.0), u_key_light));
   scattered += 0.10 * clamp(length(v_slope), 0.0, 1.0) * k_shallow;

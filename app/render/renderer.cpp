@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
-#include <map>
 
 #include "app/render/egl_context.h"
 #include "app/render/framebuffer.h"
@@ -12,6 +11,7 @@
 #include "app/render/skin.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
+#include "hydro/loads.h"
 
 namespace render {
 namespace {
@@ -199,7 +199,10 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
     body.mesh.set(2, depths);
     body_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
     body_.set("u_weight", sea.density * sea.gravity);
-    body_.set("u_drag", 0.5 * sea.density * look.pressure_drag);
+    const double half_density =
+        0.5 * sea.density * hydro::drag_scale(look.coefficients, state, sea.current);
+    body_.set("u_drag_front", half_density * look.coefficients.pressure_drag.front);
+    body_.set("u_drag_back", half_density * look.coefficients.pressure_drag.back);
   }
   body.mesh.draw();
 }

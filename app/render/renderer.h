@@ -9,6 +9,7 @@
 
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
+#include "hydro/coefficients.h"
 #include "hydro/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
@@ -37,7 +38,7 @@ struct Camera {
 struct BodyLook {
   hydro::TriMesh mesh_B;
   Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< Of the dry surface, RGB 0 … 1.
-  double pressure_drag = 0;                 ///< C_p of the dynamic part of the pressure shown.
+  hydro::Coefficients coefficients;         ///< For the dynamic part of the pressure shown.
 };
 
 /// What is drawn, but for the bodies' states and the time: constant over a sequence.

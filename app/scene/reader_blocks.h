@@ -26,6 +26,7 @@ void read(MapReader& map, CylinderScene& cylinder);
 void read_shape(MapReader& map, ShapeScene& shape);
 
 void read(MapReader& map, hydro::Coefficients& coefficients);
+void read(MapReader& map, hydro::PressureDrag& drag);
 void read(MapReader& map, BodyScene& body);
 void read(MapReader& map, Eigen::Quaterniond& orientation);
 void read(MapReader& map, AppliedLoadScene& load);

@@ -9,6 +9,15 @@ namespace app {
 
 namespace {
 
+/// The block `calibrate`.
+struct Calibration {
+  std::optional<Eigen::Vector3d> drag;
+};
+
+void read(MapReader& map, Calibration& calibration) {
+  map.required("drag", calibration.drag, positive());
+}
+
 /// Names become cells of a CSV file and keys of overrides.
 bool fits_in_csv(const std::string& name) {
   return std::none_of(name.begin(), name.end(), [](char c) {
@@ -62,6 +71,15 @@ void read_mass(MapReader& map, BodyScene& body) {
   if (!map.has("density") || map.has("mass")) return;
   for (const char* key : {"center_of_mass", "inertia"})
     if (map.has(key)) map.fault(key, "follows from density and the mesh; to give it, give mass");
+}
+
+/// Tabulated drag takes the place of the panels' own: there must be some to scale.
+void read_calibration(MapReader& map, BodyScene& body) {
+  Calibration calibration;
+  if (!map.block("calibrate", calibration)) return;
+  body.calibrated_drag = calibration.drag;
+  if (body.hydro.pressure_drag.none())
+    map.fault("calibrate", "scales the pressure drag, which is switched off");
 }
 
 const std::vector<std::string> kFreedoms = {"x", "y", "z", "roll", "pitch", "yaw"};
@@ -142,6 +160,7 @@ void read(MapReader& map, BodyScene& body) {
   map.optional("linear_velocity", body.linear_velocity, number("m/s"));
   map.optional("angular_velocity", body.angular_velocity, number("rad/s"));
   map.block("hydro", body.hydro);
+  read_calibration(map, body);
   map.optional("collision", body.collision, kCollisions);
   read_locks(map, body.locked);
   map.blocks("forces", body.forces);

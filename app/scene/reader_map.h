@@ -42,6 +42,18 @@ class MapReader {
   std::optional<Value> find(const std::string& key, const std::string& expected,
                             const std::string& fallback);
 
+  /// Reads a key that may hold a block or something else: the block into `target`, or else the
+  /// value is returned.
+  template <class T>
+  std::optional<Value> find_unless_block(const std::string& key, const std::string& expected,
+                                         const std::string& fallback, T& target) {
+    const auto value = find(key, expected, fallback);
+    if (map_ == nullptr) enter(nullptr, child_path(key), target);
+    if (!value || !value->node.is(YamlNode::Kind::map)) return value;
+    enter(&value->node, value->path, target);
+    return std::nullopt;
+  }
+
   /// Reads an optional block. @return true if it was there and a map.
   template <class T>
   bool block(const std::string& key, T& target) {

@@ -30,6 +30,7 @@ void check_format(MapReader& map, const HeightFieldScene& field) {
 
 void read(MapReader& map, WaterScene& water) {
   map.optional("density", water.density, positive("kg/m^3"));
+  map.optional("viscosity", water.viscosity, positive("m^2/s"));
   map.optional("level", water.level, number("m"));
   map.optional("current", water.current, number("m/s"));
   map.block("surface", water.surface);

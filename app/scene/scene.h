@@ -56,6 +56,7 @@ using SurfaceScene =
 
 struct WaterScene {
   double density = 1000;
+  double viscosity = 1.0034e-6;  ///< Kinematic [m^2/s], > 0.
   double level = 0;
   Eigen::Vector3d current = Eigen::Vector3d::Zero();
   SurfaceScene surface;
@@ -130,6 +131,7 @@ struct BodyScene {
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   hydro::Coefficients hydro;  ///< The scene's defaults with the body's own keys over them.
+  std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;
   std::array<bool, 6> locked = {};
   std::vector<AppliedLoadScene> forces;

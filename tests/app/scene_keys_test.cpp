@@ -30,6 +30,7 @@ std::string every_key() {
          "integrator: {}\n"
          "water:\n"
          "  density: 1025\n"
+         "  viscosity: 1.2e-6\n"
          "  level: -1.5\n"
          "  current: [1, 2, 3]\n"
          "  surface:\n"
@@ -37,8 +38,8 @@ std::string every_key() {
          "      - {amplitude: 0.5, wavelength: 20, heading_deg: 90, phase_deg: -45}\n"
          "      - {amplitude: 0, wavelength: 1}\n"
          "ground: {z: -10}\n"
-         "hydro: {buoyancy: true, pressure_drag: 0.5, lift: 0.25, viscous_drag: 0.125,"
-         " added_mass: none}\n"
+         "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
+         " viscous_drag: ittc57, length: 7, added_mass: none}\n"
          "bodies:\n"
          "  - name: a\n"
          "    mesh: {file: " +
@@ -51,8 +52,9 @@ std::string every_key() {
          "    orientation: {euler_deg: [10, 20, 30]}\n"
          "    linear_velocity: [7, 8, 9]\n"
          "    angular_velocity: [-1, -2, -3]\n"
-         "    hydro: {buoyancy: false, pressure_drag: false, lift: 1, viscous_drag: thesis,"
-         " added_mass: none}\n"
+         "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5},"
+         " lift: 1, viscous_drag: ittc57, length: 3, added_mass: none}\n"
+         "    calibrate: {drag: [1, 2, 3]}\n"
          "    collision: sphere\n"
          "    lock: [x, yaw]\n"
          "    forces:\n"
@@ -197,14 +199,37 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   const app::Scene scene = read_scene_text(every_key());
   using Law = hydro::ViscousDrag::Law;
   const hydro::Coefficients& own = scene.bodies[0].hydro;
-  EXPECT_EQ(std::tuple(own.buoyancy, own.pressure_drag, own.lift), std::tuple(false, 0, 1));
-  EXPECT_EQ(own.viscous_drag.law, Law::thesis);
+  EXPECT_EQ(std::tuple(own.buoyancy, own.pressure_drag, own.lift),
+            std::tuple(false, hydro::PressureDrag{0.75, 0.5}, 1));
+  EXPECT_EQ(own.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 3}));
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
-  EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift), std::tuple(true, 0.5, 0));
-  EXPECT_EQ(mixed.viscous_drag.law, Law::constant);
-  EXPECT_EQ(mixed.viscous_drag.coefficient, 0.125);
-  const app::Scene off = read_scene_text(every_key(), {"hydro.viscous_drag=false"});
-  EXPECT_EQ(off.bodies[1].hydro.viscous_drag.law, Law::none);
+  EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
+            std::tuple(true, hydro::PressureDrag{0.5, 0.5}, 0));
+  EXPECT_EQ(mixed.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 7}));
+  for (const auto& [text, law, coefficient] :
+       {std::tuple("false", Law::none, 0.0), std::tuple("thesis", Law::thesis, 0.0),
+        std::tuple("0.125", Law::constant, 0.125)}) {
+    const hydro::ViscousDrag drag =
+        read_scene_text(every_key(), {std::string("bodies[2].hydro={viscous_drag: ") + text + "}"})
+            .bodies[2]
+            .hydro.viscous_drag;
+    EXPECT_EQ(std::tuple(drag.law, drag.coefficient), std::tuple(law, coefficient));
+  }
+}
+
+TEST(SceneKeys, APresetIsWhereTheOtherCoefficientsStartFrom) {
+  const auto drag = [](const std::string& hydro) {
+    return read_scene_text(
+               "plimsoll: 1\nduration: 1\nwater: {}\nhydro: {preset: thesis}\nbodies: "
+               "[{name: a, box: {size: [1, 1, 1]}, density: 1, hydro: " +
+               hydro + "}]\n")
+        .bodies[0]
+        .hydro.pressure_drag;
+  };
+  EXPECT_EQ(drag("{}"), (hydro::PressureDrag{0.6316, 0.6316}));
+  EXPECT_EQ(drag("{pressure_drag: {back: 0.1}}"), (hydro::PressureDrag{0.6316, 0.1}));
+  EXPECT_EQ(drag("{preset: fitted}"), hydro::PressureDrag{});
+  EXPECT_EQ(drag("{pressure_drag: false}"), (hydro::PressureDrag{0, 0}));
 }
 
 TEST(SceneKeys, LocksAndCollisionsAreRead) {
@@ -274,7 +299,7 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(wet.water->density, 1000);
   EXPECT_TRUE(std::holds_alternative<app::FlatScene>(wet.water->surface));
   EXPECT_FALSE(wet.log_every.has_value());
-  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, 0.6316);
+  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.93, 0.12}));
   EXPECT_EQ(wet.bodies[0].hydro.lift, 0.01);
 }
 
@@ -295,7 +320,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
   std::set<std::string> met;
   for (const std::vector<std::string>& overrides :
        std::vector<std::vector<std::string>>{{},
-                                             {kSpectrum},
+                                             {kSpectrum, "hydro.pressure_drag={front: 1, back: 2}"},
                                              {"water.surface={flat: {}}", picture("ground")},
                                              {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)

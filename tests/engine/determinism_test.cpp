@@ -117,7 +117,7 @@ TEST(Skipping, WaterNeedsASeaAndABodyThatFeelsIt) {
   spec.bodies[0].wet = true;
   EXPECT_FALSE(skips(spec));
   spec.bodies[0].coefficients = {.buoyancy = false,
-                                 .pressure_drag = 0,
+                                 .pressure_drag = {0, 0},
                                  .lift = 0,
                                  .viscous_drag = {hydro::ViscousDrag::Law::none, 0}};
   EXPECT_TRUE(skips(spec));

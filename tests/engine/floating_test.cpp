@@ -27,7 +27,7 @@ SimulationSpec afloat(BodySpec body, double step = kStep) {
 
 /// The loads but for buoyancy switched off.
 BodySpec without_drag(BodySpec body) {
-  body.coefficients.pressure_drag = 0;
+  body.coefficients.pressure_drag = {0, 0};
   body.coefficients.lift = 0;
   body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
   return body;
@@ -84,7 +84,7 @@ TEST(Floating, ABargeBobsAtTheFrequencyOfTheDiscreteOscillator) {
 
 TEST(Floating, DragBringsABodyToRestAtArchimedesDraught) {
   BodySpec body = barge(0.3);
-  body.coefficients.pressure_drag = 2;
+  body.coefficients.pressure_drag = {2, 2};
   const Simulation simulation = support::after(afloat(body), support::steps_in(200, kStep));
   // Quadratic drag leaves an amplitude that falls with 1/t.
   EXPECT_NEAR(simulation.states()[0].position.z(), 0, tolerance(4e-3));
@@ -109,7 +109,7 @@ TEST(Floating, NeverGainsEnergyFromStillWater) {
 TEST(Floating, ASphereOfHalfDensityFloatsHalfSubmerged) {
   BodySpec ball = support::sphere_body("ball", 1, kWater / 2, {0, 0, 0.3});
   ball.mass = kWater / 2 * hydro::solid_properties(ball.mesh_B).volume;
-  ball.coefficients.pressure_drag = 2;
+  ball.coefficients.pressure_drag = {2, 2};
   const Simulation simulation = support::after(afloat(ball), support::steps_in(200, kStep));
   EXPECT_NEAR(simulation.states()[0].position.z(), 0, tolerance(8e-3));
 }
@@ -124,7 +124,7 @@ TEST(Floating, WithoutBuoyancyAndDragABodyFallsAsWithoutWater) {
 
 TEST(Floating, ABodyDriftsWithTheCurrentInTheEnd) {
   BodySpec body = barge(0);
-  body.coefficients.pressure_drag = 2;
+  body.coefficients.pressure_drag = {2, 2};
   SimulationSpec spec = afloat(body);
   spec.sea->current = {0.5, 0, 0};
   const Simulation simulation = support::after(spec, support::steps_in(100, kStep));

@@ -180,9 +180,11 @@ TEST(Loads, ThatAreSwitchedOffAreZeroAndLeaveTheOthersAsTheyWere) {
   const Hull hull = centred_hull(support::random_star(random));
   const BodyState state = state_near_surface(random);
   const Loads all = hydro::compute_loads(hull, state, kStillSea, 0, {});
-  const Loads none = hydro::compute_loads(
-      hull, state, kStillSea, 0,
-      {.buoyancy = false, .pressure_drag = 0, .lift = 0, .viscous_drag = {ViscousDrag::Law::none}});
+  const Loads none = hydro::compute_loads(hull, state, kStillSea, 0,
+                                          {.buoyancy = false,
+                                           .pressure_drag = {0, 0},
+                                           .lift = 0,
+                                           .viscous_drag = {ViscousDrag::Law::none}});
   EXPECT_EQ(largest(none.total()), 0);
   EXPECT_EQ(none.displaced_volume, all.displaced_volume);
   const Loads drag_only = hydro::compute_loads(

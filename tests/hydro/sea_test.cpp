@@ -23,7 +23,7 @@ Sea wave_sea() {
 }
 
 Sea grid_sea() {
-  Eigen::MatrixXd heights(2, 3);
+  Eigen::MatrixXd heights = Eigen::MatrixXd::Zero(2, 3);
   heights << 0, 1, 4,  //
       2, 3, 8;
   return {.level = 10, .surface = hydro::make_height_field(heights, 0.5, {1, 2})};

@@ -64,7 +64,7 @@ Scene slamming_ball() {
   s.name = "slamming_ball";
   s.states[0].position.z() = 0.3;
   s.states[0].linear_velocity = {1, 0, -5};
-  s.picture.bodies[0].pressure_drag = 0.6316;
+  s.picture.bodies[0].coefficients.pressure_drag = {0.6316, 0.6316};
   s.picture.bodies[0].color = {0.75, 0.78, 0.82};
   return s;
 }

@@ -136,7 +136,7 @@ TEST(PressureColor, AddsTheDragsPressureByTheSpeedAlongTheNormal) {
   constexpr double kDrag = 0.6316;
   for (const double speed : {-2.5, 1.5}) {
     Scene scene = ball_in_water_to(0.2);
-    scene.picture.bodies[0].pressure_drag = kDrag;
+    scene.picture.bodies[0].coefficients.pressure_drag = {kDrag, kDrag};
     scene.states[0].linear_velocity = {0, 0, speed};
     const double error = largest_error(scene, 0.2, [&](double z) {
       const double along_normal = speed * z;  // a unit ball's normal is its point
@@ -149,7 +149,7 @@ TEST(PressureColor, AddsTheDragsPressureByTheSpeedAlongTheNormal) {
 
 TEST(PressureColor, OfABodyThatDriftsWithTheWaterIsThatOfABodyAtRest) {
   Scene drifting = ball_in_water_to(0.2);
-  drifting.picture.bodies[0].pressure_drag = 0.6316;
+  drifting.picture.bodies[0].coefficients.pressure_drag = {0.6316, 0.6316};
   const Image at_rest = pictures::draw(drifting);
   drifting.states[0].linear_velocity = {1, 2, 0};
   EXPECT_NE(pictures::draw(drifting), at_rest);

@@ -105,8 +105,10 @@ hydro::Loads reference_loads(const hydro::TriMesh& mesh_B, const hydro::BodyStat
       add(loads.buoyancy, wet, traction, 1);
     }
     for (const int sign : {1, -1}) {
+      const double c_p =
+          sign > 0 ? coefficients.pressure_drag.front : coefficients.pressure_drag.back;
       const auto drag = [&](const Vector3l& r) -> Vector3l {
-        return -rho / 2 * coefficients.pressure_drag * sign * normal_speed(r) * normal_speed(r) * n;
+        return -rho / 2 * c_p * sign * normal_speed(r) * normal_speed(r) * n;
       };
       const Polygon part = clip(wet, [&](const Vector3l& r) { return sign * normal_speed(r); });
       add(loads.pressure_drag, part, drag, 1);

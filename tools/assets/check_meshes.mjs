@@ -1,8 +1,11 @@
-// Prints what each mesh of scenes/meshes is like, and ends with status 1 when one is not a sound solid.
+// Prints what each mesh of scenes/meshes is like, and ends with status 1 when one is not a sound
+// solid.
+//
 // Usage: node check_meshes.mjs [FILE.obj...]
 import fs from 'node:fs';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
+
 import {self_intersections} from './intersections.mjs';
 import {read_obj} from './mesh_file.mjs';
 import {add, angles, area_vector, dot, norm, scale} from './vectors.mjs';
@@ -40,13 +43,17 @@ function edge_census(faces) {
 /** Vertices whose faces form more than one fan: the surface touches itself there. */
 function pinched_vertices({positions, faces}) {
   const next = positions.map(() => new Map());
-  for (const face of faces) face.forEach((v, k) => next[v].set(face[(k + 1) % 3], face[(k + 2) % 3]));
-  return next.filter((step) => {
-    const start = step.keys().next().value;
-    let length = 0, at = start;
-    do at = step.get(at), ++length; while (at !== start && at !== undefined && length <= step.size);
-    return length !== step.size;
-  }).length;
+  for (const face of faces)
+    face.forEach((v, k) => next[v].set(face[(k + 1) % 3], face[(k + 2) % 3]));
+  return next
+      .filter((step) => {
+        const start = step.keys().next().value;
+        let length = 0, at = start;
+        do at = step.get(at), ++length;
+        while (at !== start && at !== undefined && length <= step.size);
+        return length !== step.size;
+      })
+      .length;
 }
 
 /** Volume, area, closure and angles. */
@@ -76,7 +83,20 @@ function extent({positions}) {
 }
 
 function duplicates(faces) {
-  return faces.length - new Set(faces.map((face) => face.slice().sort((a, b) => a - b).join(' '))).size;
+  return faces.length -
+      new Set(faces.map((face) => face.slice().sort((a, b) => a - b).join(' '))).size;
+}
+
+function print_measures(mesh, m) {
+  const list = (values, digits) => values.map((x) => x.toFixed(digits)).join(', ');
+  const quantile = (part) => m.least[Math.floor(part * (m.least.length - 1))].toFixed(1);
+  console.log(
+      `  volume ${m.volume.toFixed(5)} m^3, area ${m.area.toFixed(5)} m^2, ` +
+      `size (${list(extent(mesh), 4)}) m, centroid (${list(m.centroid, 5)}) m`);
+  console.log(
+      `  least angle ${quantile(0)} deg, 1 % below ${quantile(0.01)}, half below ` +
+      `${quantile(0.5)}; smallest face ${m.smallest.toExponential(2)} m^2; ` +
+      `|sum n dA| / area ${m.closure.toExponential(1)}`);
 }
 
 function check(file) {
@@ -91,18 +111,17 @@ function check(file) {
     'inward': m.volume > 0 ? 0 : 1,
     'open': m.closure < kClosure ? 0 : 1,
   };
-  console.log(`${path.basename(file)}: ${mesh.faces.length} triangles, ${fs.statSync(file).size} bytes`);
-  console.log(`  volume ${m.volume.toFixed(5)} m^3, area ${m.area.toFixed(5)} m^2, genus ${1 - euler / 2}, ` +
-      `size ${extent(mesh).map((x) => x.toFixed(4)).join(' x ')} m, centroid ${m.centroid.map((x) => x.toFixed(5)).join(', ')}`);
-  console.log(`  least angle ${m.least[0].toFixed(1)} deg, 1 % below ${m.least[Math.floor(m.least.length / 100)].toFixed(1)}, ` +
-      `half below ${m.least[Math.floor(m.least.length / 2)].toFixed(1)}; smallest face ${m.smallest.toExponential(2)} m^2; ` +
-      `|sum n dA| / area ${m.closure.toExponential(1)}`);
+  console.log(
+      `${path.basename(file)}: ${mesh.faces.length} triangles, ` +
+      `${fs.statSync(file).size} bytes, genus ${1 - euler / 2}, faulty edges ${faulty}`);
+  print_measures(mesh, m);
   const found = Object.entries(faults).filter(([, count]) => count > 0);
   found.forEach(([fault, count]) => console.log(`  FAULT ${fault}: ${count}`));
   return found.length === 0;
 }
 
 const asked = process.argv.slice(2);
-const all = () => fs.readdirSync(folder).filter((f) => f.endsWith('.obj')).sort().map((f) => folder + f);
+const all = () =>
+    fs.readdirSync(folder).filter((f) => f.endsWith('.obj')).sort().map((f) => folder + f);
 const sound = (asked.length > 0 ? asked : all()).map(check);
 process.exitCode = sound.every(Boolean) ? 0 : 1;

@@ -1,5 +1,6 @@
 // A closed triangle mesh that can be changed edge by edge and stays a closed two-manifold.
-// Every face carries the region it lies in; where regions differ across an edge, the edge is a crease.
+// Every face carries the region it lies in; where regions differ across an edge, the edge is a
+// crease.
 import {metric_product, weighted_metric} from './sizing.mjs';
 import {area_vector, dot, middle, sub, unit} from './vectors.mjs';
 
@@ -30,12 +31,19 @@ export class EditableMesh {
   }
 
   /** The faces on both sides of edge a-b; none when there is no such edge. */
-  sides(a, b) { return this.around[a].filter((f) => this.faces[f].includes(b)); }
+  sides(a, b) {
+    return this.around[a].filter((f) => this.faces[f].includes(b));
+  }
 
   /** The corner of face f that is neither a nor b. */
-  opposite(f, a, b) { return this.faces[f].find((v) => v !== a && v !== b); }
+  opposite(f, a, b) {
+    return this.faces[f].find((v) => v !== a && v !== b);
+  }
 
-  /** Sorted numbers of the regions that meet at a vertex: one is smooth, two a crease, more a corner. */
+  /**
+   * Sorted numbers of the regions that meet at a vertex: one is smooth, two a crease, more a
+   * corner.
+   */
   regions_at(v) {
     return [...new Set(this.around[v].map((f) => this.region[f]))].sort((a, b) => a - b);
   }
@@ -49,7 +57,9 @@ export class EditableMesh {
     return [...new Set(this.around[v].flatMap((f) => this.faces[f]))].filter((w) => w !== v);
   }
 
-  normal(face) { return unit(area_vector(...face.map((v) => this.positions[v]))); }
+  normal(face) {
+    return unit(area_vector(...face.map((v) => this.positions[v])));
+  }
 
   /** Length of an edge over the wished one. */
   relative_length(a, b) {
@@ -90,7 +100,9 @@ export class EditableMesh {
   }
 
   remove_face(f) {
-    this.faces[f].forEach((v) => { this.around[v] = this.around[v].filter((g) => g !== f); });
+    this.faces[f].forEach((v) => {
+      this.around[v] = this.around[v].filter((g) => g !== f);
+    });
     this.faces[f] = null;
   }
 
@@ -114,7 +126,9 @@ export class EditableMesh {
     return m;
   }
 
-  /** Whether drawing `gone` into `kept` leaves a two-manifold: they share exactly two neighbours. */
+  /**
+   * Whether drawing `gone` into `kept` leaves a two-manifold: they share exactly two neighbours.
+   */
   may_collapse(gone, kept) {
     const near = this.neighbours(kept);
     const shared = this.neighbours(gone).filter((v) => near.includes(v));
@@ -126,12 +140,15 @@ export class EditableMesh {
     for (const f of this.around[gone].slice()) this.replace_vertex(f, gone, kept);
   }
 
-  /** The two faces that would replace those of edge a-b, or null where the edge cannot be turned. */
+  /**
+   * The two faces that would replace those of edge a-b, or null where the edge cannot be turned.
+   */
   flipped(a, b) {
     const [f, g] = this.sides(a, b);
     if (this.region[f] !== this.region[g]) return null;
     const c = this.opposite(f, a, b), d = this.opposite(g, a, b);
-    if (this.around[a].length <= 3 || this.around[b].length <= 3 || this.sides(c, d).length > 0) return null;
+    if (this.around[a].length <= 3 || this.around[b].length <= 3 || this.sides(c, d).length > 0)
+      return null;
     const face = this.faces[f];
     const forward = face[(face.indexOf(a) + 1) % 3] === b;
     return forward ? [[a, d, c], [d, b, c]] : [[b, d, c], [d, a, c]];

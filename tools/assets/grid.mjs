@@ -6,7 +6,9 @@ export class Grid {
     this.widest = 0;
   }
 
-  key(i, j, k) { return ((i + 1024) * 2048 + (j + 1024)) * 2048 + (k + 1024); }
+  key(i, j, k) {
+    return ((i + 1024) * 2048 + (j + 1024)) * 2048 + (k + 1024);
+  }
 
   insert(item, points) {
     const low = [0, 1, 2].map((k) => Math.floor(Math.min(...points.map((p) => p[k])) / this.cell));

@@ -35,8 +35,8 @@ function box({positions}, face) {
   return [[0, 1, 2].map((k) => along(k, Math.min)), [0, 1, 2].map((k) => along(k, Math.max))];
 }
 
-const overlap = ([low, high], [other_low, other_high]) =>
-    [0, 1, 2].every((k) => low[k] <= other_high[k] && other_low[k] <= high[k]);
+const overlap = ([low, high], [other_low, other_high]) => [0, 1, 2].every(
+    (k) => low[k] <= other_high[k] && other_low[k] <= high[k]);
 
 /** Number of pairs of faces that cut each other, found by a sweep along x. */
 export function self_intersections(mesh) {

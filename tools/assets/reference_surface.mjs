@@ -1,10 +1,9 @@
-// A fine closed surface as the remesher sees it: smooth regions that meet in creases, how long edges
-// should be where, and the point of a region or of a crease nearest to a given point.
+// A fine closed surface as the remesher sees it: smooth regions that meet in creases, how long
+// edges should be where, and the point of a region or of a crease nearest to a given point.
 import {Grid} from './grid.mjs';
 import {vertex_metrics, weighted_metric} from './sizing.mjs';
-import {
-  area_vector, closest_on_segment, closest_on_triangle, cross, distance, dot, norm, sub, unit,
-} from './vectors.mjs';
+import {area_vector, closest_on_segment, closest_on_triangle} from './vectors.mjs';
+import {cross, distance, dot, norm, sub, unit} from './vectors.mjs';
 
 // Two faces that turn by more than this [rad] meet in a sharp edge. Larger loses the kink under the
 // teapot's knob (0.64), smaller finds edges in the finely curved rim.
@@ -23,14 +22,18 @@ function edge_faces(faces) {
     }
   });
   for (const sides of edges.values()) {
-    if (sides.length !== 2) throw new Error(`an edge of the fine surface has ${sides.length} faces`);
+    if (sides.length !== 2)
+      throw new Error(`an edge of the fine surface has ${sides.length} faces`);
   }
   return edges;
 }
 
 const edge_ends = (key) => [Math.floor(key / 2 ** 26), key % 2 ** 26];
 
-/** Number of the smooth region each face lies in, found by walking over all edges but the sharp ones. */
+/**
+ * Number of the smooth region each face lies in, found by walking over all edges but the sharp
+ * ones.
+ */
 function smooth_regions(faces, edges, is_sharp) {
   const neighbours = faces.map(() => []);
   for (const [key, [f, g]] of edges) {
@@ -74,13 +77,15 @@ export const crease_name = (regions) => regions.join(' ');
 export class ReferenceSurface {
   /**
    * `sizing` as in sizing.mjs. `ridges`: lists of vertices, each list a line over the surface that
-   * becomes a crease though the surface is smooth there, for it bends more tightly than edges are long.
+   * becomes a crease though the surface is smooth there, for it bends more tightly than edges are
+   * long.
    */
   constructor(mesh, ridges, sizing) {
     this.positions = mesh.positions;
     this.faces = mesh.faces;
     const edges = edge_faces(mesh.faces), on_ridge = ridge_edges(mesh.positions, ridges);
-    const normals = mesh.faces.map((face) => unit(area_vector(...face.map((v) => mesh.positions[v]))));
+    const normals =
+        mesh.faces.map((face) => unit(area_vector(...face.map((v) => mesh.positions[v]))));
     const is_sharp = (key, f, g) => dot(normals[f], normals[g]) < Math.cos(kSharp) || on_ridge(key);
     this.region = smooth_regions(mesh.faces, edges, is_sharp);
     const listed = [...edges].map(([key, sides]) => ({ends: edge_ends(key), sides}));
@@ -130,7 +135,8 @@ export class ReferenceSurface {
   /** The metric inside a face, linear between its corners. */
   metric_in(f, p) {
     const face = this.faces[f], [a, b, c] = face.map((v) => this.positions[v]);
-    const parts = [[p, b, c], [a, p, c], [a, b, p]].map(([u, v, w]) => norm(cross(sub(v, u), sub(w, u))));
+    const parts =
+        [[p, b, c], [a, p, c], [a, b, p]].map(([u, v, w]) => norm(cross(sub(v, u), sub(w, u))));
     const whole = parts[0] + parts[1] + parts[2];
     if (!(whole > 0)) return this.metrics[face[0]];
     return weighted_metric(face.map((v) => this.metrics[v]), parts.map((part) => part / whole));

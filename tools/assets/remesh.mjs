@@ -1,19 +1,20 @@
-// Even triangles on a given surface: edges are split, collapsed and turned, and vertices moved along
-// the surface, until edges are as long as wished (Botsch, Kobbelt: A remeshing approach to
-// multiresolution modeling, 2004; lengths from curvature as in Dunyach et al.: Adaptive remeshing for
-// real-time mesh deformation, 2013). Creases stay, and so does every corner where three regions meet.
+// Even triangles on a given surface: edges are split, collapsed and turned, and vertices moved
+// along the surface, until edges are as long as wished (Botsch, Kobbelt: A remeshing approach to
+// multiresolution modeling, 2004; lengths from curvature as in Dunyach et al.: Adaptive remeshing
+// for real-time mesh deformation, 2013). Creases stay, and so does every corner where three regions
+// meet.
 import {EditableMesh} from './editable_mesh.mjs';
 import {add, dot, middle, scale, sub, unit} from './vectors.mjs';
 
 const kRounds = 16;
 
-// Edges of the first round are this much shorter than wished and grow by a factor each round, so that
-// the mesh settles on the surface while it is still fine.
+// Edges of the first round are this much shorter than wished and grow by a factor each round, so
+// that the mesh settles on the surface while it is still fine.
 const kFirstCoarseness = 0.3;
 const kCoarser = 1.2;
 
-// An edge is split above and collapsed below these multiples of its wished length; 4/3 and 4/5 bring
-// the halves of a split edge nearer to the wish than the whole was.
+// An edge is split above and collapsed below these multiples of its wished length; 4/3 and 4/5
+// bring the halves of a split edge nearer to the wish than the whole was.
 const kSplitAbove = 4 / 3;
 const kCollapseBelow = 4 / 5;
 
@@ -33,7 +34,8 @@ const kNegligible = 0.4;
 function settle(mesh, surface, v, p) {
   const regions = mesh.regions_at(v);
   if (regions.length > 2) return false;
-  const found = regions.length === 1 ? surface.on_region(p, regions[0]) : surface.on_crease(p, regions);
+  const found =
+      regions.length === 1 ? surface.on_region(p, regions[0]) : surface.on_crease(p, regions);
   if (!mesh.may_move(v, found.point)) return false;
   mesh.positions[v] = found.point;
   mesh.metrics[v] = found.metric;
@@ -59,16 +61,21 @@ function collapse_order(mesh, a, b) {
 
 /** Whether the edges that `gone` hands over to `kept` stay short enough not to be split again. */
 function stays_short(mesh, gone, kept, coarseness) {
-  const limit = Math.max(kSplitAbove * coarseness, ...mesh.neighbours(gone).map((v) => mesh.relative_length(gone, v)));
+  const limit = Math.max(
+      kSplitAbove * coarseness, ...mesh.neighbours(gone).map((v) => mesh.relative_length(gone, v)));
   return mesh.neighbours(gone).every((v) => v === kept || mesh.relative_length(kept, v) <= limit);
 }
 
-/** Whether a vertex may leave its crease: not where the crease turns so much that a bend would be cut off. */
+/**
+ * Whether a vertex may leave its crease: not where the crease turns so much that a bend would be
+ * cut off.
+ */
 function may_leave(mesh, gone, kept, coarseness) {
   if (mesh.regions_at(gone).length === 1) return true;
   if (mesh.relative_length(gone, kept) < kNegligible * coarseness) return true;
-  const [before, after] = mesh.neighbours(gone).filter((v) => mesh.is_crease(gone, v)).map(
-      (v) => unit(sub(mesh.positions[v], mesh.positions[gone])));
+  const [before, after] = mesh.neighbours(gone)
+                              .filter((v) => mesh.is_crease(gone, v))
+                              .map((v) => unit(sub(mesh.positions[v], mesh.positions[gone])));
   return dot(before, after) < -kCreaseTurn;
 }
 
@@ -79,7 +86,8 @@ function collapse_short(mesh, coarseness) {
     const order = collapse_order(mesh, a, b);
     if (!order || !mesh.may_collapse(...order)) continue;
     const [gone, kept] = order;
-    if (!stays_short(mesh, gone, kept, coarseness) || !may_leave(mesh, gone, kept, coarseness)) continue;
+    if (!stays_short(mesh, gone, kept, coarseness) || !may_leave(mesh, gone, kept, coarseness))
+      continue;
     if (mesh.may_move(gone, mesh.positions[kept], sides)) mesh.collapse(gone, kept);
   }
 }
@@ -119,7 +127,8 @@ function smooth_step(mesh, v) {
 
 /** The step of a crease vertex to the middle of its two neighbours, along the crease. */
 function crease_step(mesh, v) {
-  const [p, q] = mesh.neighbours(v).filter((w) => mesh.is_crease(v, w)).map((w) => mesh.positions[w]);
+  const [p, q] =
+      mesh.neighbours(v).filter((w) => mesh.is_crease(v, w)).map((w) => mesh.positions[w]);
   const tangent = unit(sub(q, p));
   return scale(dot(sub(middle(p, q), mesh.positions[v]), tangent), tangent);
 }
@@ -134,7 +143,10 @@ function relax(mesh, surface) {
   }
 }
 
-/** Splits the edges that cut a corner off between two vertices of one crease, so that no face lies in it. */
+/**
+ * Splits the edges that cut a corner off between two vertices of one crease, so that no face lies
+ * in it.
+ */
 function split_chords(mesh, surface) {
   for (const [a, b] of mesh.edges()) {
     const regions = mesh.regions_at(b);

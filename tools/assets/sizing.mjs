@@ -1,12 +1,15 @@
-// How long edges should be on a surface. The wish at a point is a metric: a symmetric matrix M, kept as
-// [xx, yy, zz, xy, xz, yz], in which an edge d of the wished length has d·M d = 1. Where a surface bends
-// in one direction only, as a tube does, edges along the tube may be longer than those around it.
+// How long edges should be on a surface. The wish at a point is a metric: a symmetric matrix M,
+// kept as [xx, yy, zz, xy, xz, yz], in which an edge d of the wished length has d·M d = 1. Where a
+// surface bends in one direction only, as a tube does, edges along the tube may be longer than
+// those around it.
 //
-// A sizing is {error, shortest, longest, finest, stretch, gradation}, the first four in metres: how far a
-// triangle may depart from the surface, the range of edge lengths, the length below which an edge of the
-// fine surface tells no curvature; the greatest ratio of edge lengths at one point, and by how much edge
-// lengths may change over a unit of distance, so that neighbouring triangles are of similar size.
-import {add, angles, area_vector, cross, distance, dot, norm, scale, sub, unit} from './vectors.mjs';
+// A sizing is {error, shortest, longest, finest, stretch, gradation}, the first four in metres: how
+// far a triangle may depart from the surface, the range of edge lengths, the length below which an
+// edge of the fine surface tells no curvature; the greatest ratio of edge lengths at one point, and
+// by how much edge lengths may change over a unit of distance, so that neighbouring triangles are
+// of similar size.
+import {add, angles, area_vector, cross, distance, dot} from './vectors.mjs';
+import {scale, sub, unit} from './vectors.mjs';
 
 /** d·M e */
 export function metric_product(m, d, e) {
@@ -22,8 +25,10 @@ export function weighted_metric(metrics, weights) {
 /** The metric that wishes `short` everywhere but `long` in the direction `along`. */
 function metric_of({short, long, along: a}) {
   const p = 1 / short ** 2, q = 1 / long ** 2 - p;
-  return [p + q * a[0] * a[0], p + q * a[1] * a[1], p + q * a[2] * a[2],
-          q * a[0] * a[1], q * a[0] * a[2], q * a[1] * a[2]];
+  return [
+    p + q * a[0] * a[0], p + q * a[1] * a[1], p + q * a[2] * a[2], q * a[0] * a[1], q * a[0] * a[2],
+    q * a[1] * a[2]
+  ];
 }
 
 /** Smooth normals, one for each vertex and region it touches, by region and vertex. */
@@ -52,18 +57,25 @@ function solve_bending([a, b, c], [p, q, r]) {
 }
 
 /**
- * Principal curvatures {most, least, along} at a vertex, from the turn of the normal along its edges:
- * least squares for the matrix (e, f; f, g) in the tangent plane (Rusinkiewicz, Estimating curvatures
- * and their derivatives on triangle meshes, 2004). `along` is the direction that bends least.
+ * Principal curvatures {most, least, along} at a vertex, from the turn of the normal along its
+ * edges: least squares for the matrix (e, f; f, g) in the tangent plane (Rusinkiewicz, Estimating
+ * curvatures and their derivatives on triangle meshes, 2004). `along` is the direction that bends
+ * least.
  */
 function curvatures(normal, edges) {
-  const u = unit(cross(normal, Math.abs(normal[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0])), v = cross(normal, u);
+  const u = unit(cross(normal, Math.abs(normal[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0])),
+        v = cross(normal, u);
   const left = [0, 0, 0], right = [0, 0, 0];
   for (const {step, turn} of edges) {
     const span = Math.hypot(dot(step, u), dot(step, v));
-    const x = dot(step, u) / span, y = dot(step, v) / span, a = dot(turn, u) / span, b = dot(turn, v) / span;
-    [x * x, x * y, y * y].forEach((term, k) => { left[k] += term; });
-    [x * a, y * a + x * b, y * b].forEach((term, k) => { right[k] += term; });
+    const x = dot(step, u) / span, y = dot(step, v) / span, a = dot(turn, u) / span,
+          b = dot(turn, v) / span;
+    [x * x, x * y, y * y].forEach((term, k) => {
+      left[k] += term;
+    });
+    [x * a, y * a + x * b, y * b].forEach((term, k) => {
+      right[k] += term;
+    });
   }
   const solution = edges.length >= 2 ? solve_bending(left, right) : null;
   if (!solution) return {most: 0, least: 0, along: u};
@@ -99,19 +111,22 @@ function bending_edges({positions}, edges, region, normals, finest) {
 /** {short, long, along} at each vertex; where regions meet, of the region that bends most. */
 function wished_lengths(mesh, edges, region, sizing) {
   const normals = vertex_normals(mesh, region);
-  const wishes = mesh.positions.map(() => ({short: sizing.longest, long: sizing.longest, along: [1, 0, 0]}));
-  bending_edges(mesh, edges, region, normals, sizing.finest).forEach((list, r) => list.forEach((steps, v) => {
-    const {most, least, along} = curvatures(normals[r].get(v), steps);
-    const short = length_for(most, sizing);
-    if (short < wishes[v].short) wishes[v] = {short, long: length_for(least, sizing), along};
-  }));
+  const wishes =
+      mesh.positions.map(() => ({short: sizing.longest, long: sizing.longest, along: [1, 0, 0]}));
+  bending_edges(mesh, edges, region, normals, sizing.finest)
+      .forEach((list, r) => list.forEach((steps, v) => {
+        const {most, least, along} = curvatures(normals[r].get(v), steps);
+        const short = length_for(most, sizing);
+        if (short < wishes[v].short) wishes[v] = {short, long: length_for(least, sizing), along};
+      }));
   return wishes;
 }
 
 /** The largest lengths not above the given ones that change no faster than `gradation`. */
 function graded(lengths, positions, edges, gradation) {
   const result = lengths.slice();
-  const spans = edges.map(({ends: [a, b]}) => [a, b, gradation * distance(positions[a], positions[b])]);
+  const spans =
+      edges.map(({ends: [a, b]}) => [a, b, gradation * distance(positions[a], positions[b])]);
   for (let changed = true; changed;) {
     changed = false;
     for (const [a, b, slack] of spans) {
@@ -128,6 +143,6 @@ export function vertex_metrics(mesh, edges, region, sizing) {
   const short = graded(wishes.map((w) => w.short), mesh.positions, edges, sizing.gradation);
   const stretched = wishes.map((w, v) => Math.min(w.long, sizing.stretch * short[v]));
   const long = graded(stretched, mesh.positions, edges, sizing.gradation);
-  return wishes.map(({along}, v) =>
-      metric_of({short: short[v], long: Math.max(short[v], long[v]), along}));
+  return wishes.map(
+      ({along}, v) => metric_of({short: short[v], long: Math.max(short[v], long[v]), along}));
 }

@@ -1,8 +1,9 @@
 // The fine surfaces of the solids, before they are meshed evenly. Each is a closed Manifold solid,
 // outward, z up, with its ridges: lines of its vertices where it is smooth but bends tightly.
+import load_manifold from 'manifold-3d';
 import fs from 'node:fs';
 import {fileURLToPath} from 'node:url';
-import load_manifold from 'manifold-3d';
+
 import {add, scale, sub, unit} from './vectors.mjs';
 
 const module = await load_manifold();
@@ -12,8 +13,8 @@ const {Manifold, Mesh} = module;
 const newell = JSON.parse(
     fs.readFileSync(fileURLToPath(new URL('newell_teapot.json', import.meta.url)), 'utf8'));
 
-// How finely the reference surfaces are cut: steps a Bezier curve, steps a full turn. The chords are
-// then off the true surface by less than 1e-4 of the radius.
+// How finely the reference surfaces are cut: steps a Bezier curve, steps a full turn. The chords
+// are then off the true surface by less than 1e-4 of the radius.
 const kCurveSteps = 32;
 const kTurnSteps = 256;
 
@@ -68,7 +69,8 @@ function lofted(first, rings, last) {
 function newell_circle() {
   const q = newell.quarter_circle;
   const quarter = [[1, 0], [1, q], [q, 1], [0, 1]];
-  const turns = [([x, y]) => [x, y], ([x, y]) => [-y, x], ([x, y]) => [-x, -y], ([x, y]) => [y, -x]];
+  const turns =
+      [([x, y]) => [x, y], ([x, y]) => [-y, x], ([x, y]) => [-x, -y], ([x, y]) => [y, -x]];
   const circle = polyline(turns.map((turn) => quarter.map(turn)), kTurnSteps / 4);
   return circle.slice(0, -1);
 }
@@ -76,10 +78,13 @@ function newell_circle() {
 /** The horizontal ring that a profile point (radius, height) sweeps. */
 const newell_ring = ([r, z]) => newell_circle().map(([x, y]) => [r * x, r * y, z]);
 
-/** Pot, lid and bottom in one: the profile's curves swept, the gap between lid and rim closed flat. */
+/**
+ * Pot, lid and bottom in one: the profile's curves swept, the gap between lid and rim closed flat.
+ */
 function pot() {
   const {lid, rim, body, bottom} = newell.profile;
-  const profile = [...polyline(lid, kCurveSteps), ...polyline([...rim, ...body, ...bottom], kCurveSteps)];
+  const profile =
+      [...polyline(lid, kCurveSteps), ...polyline([...rim, ...body, ...bottom], kCurveSteps)];
   const [lowest, ...between] = profile.reverse();
   const highest = between.pop();
   return lofted([0, 0, lowest[1]], between.map(newell_ring), [0, 0, highest[1]]);
@@ -94,14 +99,18 @@ function teapot_ridges() {
   return [...around_pot, lip];
 }
 
-// Along the spout's lip patch the tightest bend is not at one parameter: Bezier values of the parameter
-// where it lies, from the pot's side of the mouth round to the tip.
+// Along the spout's lip patch the tightest bend is not at one parameter: Bezier values of the
+// parameter where it lies, from the pot's side of the mouth round to the tip.
 const kLipBend = [[0.66], [0.62], [0.4], [0.425]];
 
-/** The parameter along a patch, of the step `s` out of 1, when the step 0.5 shall fall on `middle`. */
+/**
+ * The parameter along a patch, of the step `s` out of 1, when the step 0.5 shall fall on `middle`.
+ */
 const leaned = (s, middle) => (s < 0.5 ? 2 * s * middle : middle + (2 * s - 1) * (1 - middle));
 
-/** A closed ring around a tube patch at the step `s`; `middle(w)` is the parameter of the step 0.5. */
+/**
+ * A closed ring around a tube patch at the step `s`; `middle(w)` is the parameter of the step 0.5.
+ */
 function tube_ring(patch, s, middle) {
   const steps = kTurnSteps / 8;
   const half = Array.from({length: steps + 1}, (_, i) => {
@@ -118,8 +127,10 @@ const lip_bend = (w) => bezier(kLipBend, w)[0];
 /** The rings of a tube of two patches, those of the second spread around `middle`. */
 function tube_rings([first, second], middle) {
   const steps = Array.from({length: kCurveSteps + 1}, (_, i) => i / kCurveSteps);
-  return [...steps.slice(0, -1).map((s) => tube_ring(first, s, straight)),
-          ...steps.map((s) => tube_ring(second, s, middle))];
+  return [
+    ...steps.slice(0, -1).map((s) => tube_ring(first, s, straight)),
+    ...steps.map((s) => tube_ring(second, s, middle))
+  ];
 }
 
 const centre = (ring) => scale(1 / ring.length, ring.reduce(add));
@@ -130,7 +141,9 @@ function carried_on(ring, neighbour, reach) {
   return ring.map((p) => add(p, shift));
 }
 
-/** A closed tube; its ends are carried on by `before` and `after` into the pot, where they vanish. */
+/**
+ * A closed tube; its ends are carried on by `before` and `after` into the pot, where they vanish.
+ */
 function tube(patches, {before, after, middle = straight}) {
   const rings = tube_rings(patches, middle);
   if (before > 0) rings.unshift(carried_on(rings[0], rings[1], before));
@@ -138,7 +151,10 @@ function tube(patches, {before, after, middle = straight}) {
   return lofted(centre(rings[0]), rings, centre(rings.at(-1)));
 }
 
-/** The teapot, in metres: the pot's greatest radius is 1 m, z = 0 at its bottom, the spout towards +x. */
+/**
+ * The teapot, in metres: the pot's greatest radius is 1 m, z = 0 at its bottom, the spout towards
+ * +x.
+ */
 export function teapot() {
   const handle = tube(newell.tubes.handle, {before: 0.5, after: 0.4});
   const spout = tube(newell.tubes.spout, {before: 0.5, after: 0, middle: lip_bend});
@@ -155,8 +171,8 @@ function quad(a, b, c, d) {
 }
 
 /**
- * Wigley's hull: y = B/2 (1 - (2x/L)^2) (1 - (z/T)^2) below z = 0, upright sides from there to a flat
- * deck. The two sides share the vertices of keel and stems, where the breadth is zero.
+ * Wigley's hull: y = B/2 (1 - (2x/L)^2) (1 - (z/T)^2) below z = 0, upright sides from there to a
+ * flat deck. The two sides share the vertices of keel and stems, where the breadth is zero.
  */
 export function wigley({length, breadth, draft, freeboard}) {
   const stations = 96, rows = 48;
@@ -176,18 +192,24 @@ export function wigley({length, breadth, draft, freeboard}) {
           ([s, r]) => vertex(s, r, side));
       faces.push(...quad(...corners(-1)), ...quad(...corners(1).reverse()));
     }
-    faces.push(...quad(vertex(i, rows, -1), vertex(i + 1, rows, -1), vertex(i + 1, rows, 1),
-                       vertex(i, rows, 1)));
+    faces.push(...quad(
+        vertex(i, rows, -1), vertex(i + 1, rows, -1), vertex(i + 1, rows, 1), vertex(i, rows, 1)));
   }
   return {whole: solid(positions, faces), ridges: []};
 }
 
-/** The solid swept by a profile of points (radius, height), given counter-clockwise, about the z axis. */
+/**
+ * The solid swept by a profile of points (radius, height), given counter-clockwise, about the z
+ * axis.
+ */
 export function revolved(profile) {
   return {whole: Manifold.revolve([profile], kTurnSteps), ridges: []};
 }
 
-/** The solid under a cross-section of points (x, z), given counter-clockwise, of a breadth across y. */
+/**
+ * The solid under a cross-section of points (x, z), given counter-clockwise, of a breadth across
+ * y.
+ */
 export function extruded(section, breadth) {
   const whole = Manifold.extrude([section], breadth, 0, 0, [1, 1], true).rotate([90, 0, 0]);
   return {whole, ridges: []};
@@ -205,13 +227,16 @@ export function triangles(whole, length) {
   for (let i = 0; i < mesh.vertProperties.length; i += mesh.numProp) {
     positions.push(Array.from(mesh.vertProperties.slice(i, i + 3)));
   }
-  for (let i = 0; i < mesh.triVerts.length; i += 3) faces.push(Array.from(mesh.triVerts.slice(i, i + 3)));
+  for (let i = 0; i < mesh.triVerts.length; i += 3)
+    faces.push(Array.from(mesh.triVerts.slice(i, i + 3)));
   return merged({positions, faces}, mesh);
 }
 
 /** Vertices that Manifold keeps apart for their origin become one. */
 function merged({positions, faces}, mesh) {
   const target = positions.map((_, v) => v);
-  mesh.mergeFromVert.forEach((from, i) => { target[from] = mesh.mergeToVert[i]; });
+  mesh.mergeFromVert.forEach((from, i) => {
+    target[from] = mesh.mergeToVert[i];
+  });
   return {positions, faces: faces.map((face) => face.map((v) => target[v]))};
 }

@@ -7,10 +7,10 @@ export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const norm = (a) => Math.sqrt(dot(a, a));
 export const distance = (a, b) => norm(sub(a, b));
 export const middle = (a, b) => scale(0.5, add(a, b));
-export const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
+export const cross = (a, b) =>
+    [a[1] * b[2] - a[2] * b[1],
+     a[2] * b[0] - a[0] * b[2],
+     a[0] * b[1] - a[1] * b[0],
 ];
 
 /** The unit vector along a; zero stays zero. */
@@ -19,7 +19,9 @@ export function unit(a) {
   return length > 0 ? scale(1 / length, a) : a;
 }
 
-/** Area times the unit normal of a triangle whose corners run counter-clockwise seen from outside. */
+/**
+ * Area times the unit normal of a triangle whose corners run counter-clockwise seen from outside.
+ */
 export const area_vector = (a, b, c) => scale(0.5, cross(sub(b, a), sub(c, a)));
 
 /** The three angles of a triangle [rad], at a, b and c. */
@@ -38,7 +40,9 @@ export function closest_on_segment(p, a, b) {
   return add(a, scale(Math.min(1, Math.max(0, t)), d));
 }
 
-/** The point of the triangle a, b, c nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). */
+/**
+ * The point of the triangle a, b, c nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
+ */
 export function closest_on_triangle(p, a, b, c) {
   const n = cross(sub(b, a), sub(c, a)), nn = dot(n, n);
   const inside = (u, v) => dot(cross(sub(v, u), sub(p, u)), n) >= 0;

@@ -1,0 +1,110 @@
+"""What a validation case is: a comparison of the program with a reference, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Row:
+    """One compared quantity. The error is a pure number: the difference over `scale`."""
+
+    quantity: str
+    unit: str
+    reference: float
+    ours: float
+    error: float
+    tolerance: float | None  # None: shown, not judged.
+    thesis: float | None = None  # What the thesis found for the same quantity.
+    headline: bool = False  # Stands for its case in the README.
+
+    @property
+    def passed(self) -> bool:
+        """A quantity that is not judged passes; a NaN never does."""
+        return self.tolerance is None or bool(self.error <= self.tolerance)
+
+
+def compare(quantity: str, unit: str, reference: float, ours: float, tolerance: float | None, *,
+            scale: float | None = None, thesis: float | None = None,
+            headline: bool = False) -> Row:
+    """Error relative to the reference, or to `scale` where the reference is zero or small."""
+    error = abs(ours - reference) / abs(reference if scale is None else scale)
+    return Row(quantity, unit, float(reference), float(ours), float(error), tolerance, thesis,
+               headline)
+
+
+def compare_vectors(quantity: str, unit: str, reference: Sequence[float], ours: Sequence[float],
+                    tolerance: float | None, *, scale: float | None = None,
+                    headline: bool = False) -> Row:
+    """The norms are shown, the error is the norm of the difference over `scale`, by default the
+    reference's norm."""
+    a, b = np.asarray(reference, float), np.asarray(ours, float)
+    norm = float(np.linalg.norm(a))
+    error = float(np.linalg.norm(b - a)) / (norm if scale is None else scale)
+    return Row(quantity, unit, norm, float(np.linalg.norm(b)), error, tolerance,
+               headline=headline)
+
+
+def compare_all(quantity: str, unit: str, reference: Sequence[float], ours: Sequence[float],
+                tolerance: float | None, *, scale: float, thesis: float | None = None,
+                headline: bool = False) -> Row:
+    """The worst of many pairs: its values, and its error over `scale`."""
+    a, b = np.asarray(reference, float), np.asarray(ours, float)
+    worst = int(np.argmax(np.nan_to_num(np.abs(b - a), nan=np.inf)))
+    return compare(quantity, unit, a[worst], b[worst], tolerance, scale=scale, thesis=thesis,
+                   headline=headline)
+
+
+def observed_order(quantity: str, errors: Sequence[float], tolerance: float, expected: float = 2,
+                   headline: bool = False) -> Row:
+    """Order of convergence between the last two of a sequence whose sizes halve."""
+    order = float(np.log2(abs(errors[-2]) / abs(errors[-1])))
+    return compare(quantity, "–", expected, order, tolerance, scale=1, headline=headline)
+
+
+@dataclass(frozen=True)
+class Curve:
+    label: str
+    x: Sequence[float]
+    y: Sequence[float]
+    style: str = "-"  # As matplotlib writes it.
+
+
+@dataclass(frozen=True)
+class Plot:
+    title: str
+    x_label: str
+    y_label: str
+    curves: Sequence[Curve]
+    log_x: bool = False
+    log_y: bool = False
+    log_base: int = 10
+
+
+@dataclass
+class Result:
+    rows: list[Row] = field(default_factory=list)
+    plots: list[Plot] = field(default_factory=list)
+
+    @property
+    def passed(self) -> bool:
+        return all(row.passed for row in self.rows)
+
+
+@dataclass(frozen=True)
+class Case:
+    """A comparison. `text` and `exact` are HTML: what is compared, and why the reference is right.
+    `scenes` are to be run by people: paths below scenes/, with `--set` where a variation is meant.
+    """
+
+    name: str
+    section: str
+    title: str
+    text: str
+    exact: str
+    scenes: Sequence[str]
+    measure: Callable[..., Result]
+    timed: bool = False  # Judges nothing and measures time: no test.

@@ -1,0 +1,153 @@
+"""Exact answers, derived outside the program: closed forms, and quadratures of smooth functions.
+
+SI units. `quadrature` is exact to round-off for what it is used on here; the tests of this file
+compare each form with a brute-force sum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+kGravity = 9.80665  # The program's default [m/s^2].
+
+
+def quadrature(f: Callable, a: float, b: float, points: int = 200) -> float:
+    """Gauss–Legendre."""
+    x, weights = np.polynomial.legendre.leggauss(points)
+    return float(np.sum(weights * f(0.5 * (a + b) + 0.5 * (b - a) * x)) * 0.5 * (b - a))
+
+
+# Sphere ------------------------------------------------------------------------------------------
+
+def cap_volume(radius: float, depth: float) -> float:
+    """Volume of a sphere that is immersed to `depth` below the surface."""
+    d = min(max(depth, 0.0), 2 * radius)
+    return np.pi * d * d * (3 * radius - d) / 3
+
+
+def uv_sphere_volume_below(radius: float, slices: int, stacks: int, z: float) -> float:
+    """Volume of the part below z of the polyhedron that a UV sphere is: frusta whose sections are
+    regular polygons and whose circumradius is linear in z between the rings."""
+    angles = np.linspace(np.pi, 0, stacks + 1)
+    rings_z, rings_r = radius * np.cos(angles), radius * np.sin(angles)
+    section = 0.5 * slices * np.sin(2 * np.pi / slices)
+    volume = 0.0
+    for (za, zb), (ra, rb) in zip(zip(rings_z, rings_z[1:]), zip(rings_r, rings_r[1:])):
+        top = min(max(z, za), zb)
+        r = ra + (rb - ra) * (top - za) / (zb - za)
+        volume += section * (top - za) * (ra * ra + ra * r + r * r) / 3
+    return volume
+
+
+def sphere_pressure_drag(radius: float, speed: float, density: float, c_p: float) -> float:
+    """-F of a submerged sphere: the integral of v_n |v_n| cos over the sphere is pi R^2 v^2."""
+    return 0.5 * density * c_p * np.pi * radius**2 * speed**2
+
+
+def sphere_viscous_drag(radius: float, speed: float, density: float, c_v: float) -> float:
+    """-F for constant C_v: the integral of sin^3 over the sphere is 3 pi^2 R^2 / 4."""
+    return 0.5 * density * c_v * 0.75 * np.pi**2 * radius**2 * speed**2
+
+
+def half_sphere_lift(radius: float, speed: float, density: float, c_l: float) -> float:
+    """F_z of a half-immersed sphere in level motion: the integral of (1 - n_x^2) n_z over the
+    lower half is -3 pi R^2 / 4."""
+    return 0.5 * density * c_l * 0.75 * np.pi * radius**2 * speed**2
+
+
+def sphere_spin_torque(radius: float, omega: float, density: float, c_v: float) -> float:
+    """-M of a spinning sphere for constant C_v: the integral of sin^3 over the sphere again."""
+    return 3 * np.pi**2 / 8 * density * c_v * omega**2 * radius**5
+
+
+# Cube, edge a, spinning about an axis through two face centres ---------------------------------------
+
+# Integral of r^3 over the unit square about its centre: (1/20) of the integral of sec^5 from 0 to
+# pi/4.
+kSquareThirdMoment = (7 * np.sqrt(2) / 8 + 3 / 8 * np.log(1 + np.sqrt(2))) / 20
+
+
+def cube_spin_pressure_torque(edge: float, omega: float, density: float, c_p: float) -> float:
+    """-M: four faces, v_n = omega y, so 4 a 2 (1/2) rho C_p omega^2 (a/2)^4 / 4."""
+    return density * c_p * omega**2 * edge**5 / 16
+
+
+def cube_spin_viscous_torque(edge: float, omega: float, density: float, c_v: float) -> float:
+    """-M: on the four side faces v_t = omega a/2 everywhere, on the two end faces omega r."""
+    return (0.25 + kSquareThirdMoment) * density * c_v * omega**2 * edge**5
+
+
+# Drag of the thesis's four tests, per density C_p v^2 ------------------------------------------------
+
+def prism_pressure_area(radius: float, height: float, sides: int) -> float:
+    """Integral of |n_x|^3 over the sides of a regular prism about z whose edges start at angle 0;
+    towards 8/3 R H for a cylinder."""
+    angles = (np.arange(sides) + 0.5) * 2 * np.pi / sides
+    width = 2 * radius * np.sin(np.pi / sides)
+    return float(np.sum(np.abs(np.cos(angles))**3) * width * height)
+
+
+# Floating bodies -------------------------------------------------------------------------------------
+
+def box_gz(breadth: float, draft: float, center_above_keel: float, heel: float) -> float:
+    """Righting arm of a wall-sided box: sin(heel) (GM + BM/2 tan^2(heel)), exact until the deck
+    goes under or the bilge comes out."""
+    bm = breadth**2 / (12 * draft)
+    gm = draft / 2 + bm - center_above_keel
+    return np.sin(heel) * (gm + 0.5 * bm * np.tan(heel)**2)
+
+
+def cube_tilt_growth_rate(edge: float, relative_density: float, gravity: float) -> float:
+    """Growth rate of a small tilt of a cube that floats flat, under buoyancy alone [1/s]:
+    sigma^2 = -m g GM / I with I = m a^2 / 6."""
+    draft = relative_density * edge
+    gm = draft / 2 + edge**2 / (12 * draft) - edge / 2
+    return np.sqrt(-gravity * gm / (edge**2 / 6))
+
+
+# Motion ------------------------------------------------------------------------------------------------
+
+def heave_period(radius: float, mass: float, density: float, gravity: float,
+                 amplitude: float) -> float:
+    """Period of a half-immersed sphere that bobs without losses and without added mass, from the
+    conservation of energy: a quarter of it is the integral of dz / v from 0 to the amplitude."""
+
+    def work(z):  # Done by buoyancy minus weight from z = 0 (force is odd in z).
+        return density * gravity * np.pi * (radius**2 * z**2 / 2 - z**4 / 12)
+
+    def integrand(theta):
+        z = amplitude * np.sin(theta)
+        return amplitude * np.cos(theta) / np.sqrt(2 * (work(amplitude) - work(z)) / mass)
+
+    return 4 * quadrature(integrand, 0, np.pi / 2)
+
+
+def thesis_viscous_coefficient(speed: np.ndarray) -> np.ndarray:
+    """C_v of the thesis, Table 2."""
+    return np.clip(np.minimum(0.1, 0.2 - 0.1 * speed), 0, None)
+
+
+def sphere_spin_torque_of_law(radius: float, omega: float, density: float,
+                              law: Callable) -> float:
+    """-M of a spinning sphere for a C_v that depends on the tangential speed."""
+    theta = (np.arange(4000) + 0.5) * np.pi / 4000
+    speed = abs(omega) * radius * np.sin(theta)
+    ring = 2 * np.pi * radius**2 * np.sin(theta) * (np.pi / 4000)
+    return float(np.sum(0.5 * density * law(speed) * speed**2 * radius * np.sin(theta) * ring))
+
+
+def integrate(rate: Callable[[float, float], float], start: float,
+              times: np.ndarray) -> np.ndarray:
+    """dw/dt = rate(t, w) at the times given, by the classical Runge–Kutta method. Breaks of the
+    rate should lie on the times."""
+    values = [start]
+    for a, b in zip(times, times[1:]):
+        h, w = b - a, values[-1]
+        k1 = rate(a, w)
+        k2 = rate(0.5 * (a + b), w + 0.5 * h * k1)
+        k3 = rate(0.5 * (a + b), w + 0.5 * h * k2)
+        k4 = rate(np.nextafter(b, a), w + h * k3)
+        values.append(w + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
+    return np.array(values)
