@@ -172,6 +172,23 @@ void expect_viscous_matches(const Case& c, const ViscousDrag& law) {
   EXPECT_LT((load.moment - expected.moment).norm(), support::tolerance(2e-6) * largest * arm);
 }
 
+TEST(ViscousCoefficient, FollowsTheIttcLineAndIsHeldBelowIt) {
+  const ViscousDrag law{.law = ViscousDrag::Law::ittc57, .reynolds_per_speed = 1e6};
+  EXPECT_DOUBLE_EQ(hydro::viscous_coefficient(law, 1), 0.075 / 16);   // Re = 1e6
+  EXPECT_DOUBLE_EQ(hydro::viscous_coefficient(law, 10), 0.075 / 25);  // Re = 1e7
+  EXPECT_DOUBLE_EQ(hydro::viscous_coefficient(law, 0.01), 0.075 / 4);
+  EXPECT_DOUBLE_EQ(hydro::viscous_coefficient(law, 1e-9), 0.075 / 4);
+}
+
+TEST(ViscousDragLoad, MatchesBruteForceOnTheIttcLine) {
+  support::Random random(20);
+  for (const double reynolds_per_speed : {1e4, 1e6}) {
+    for (int i = 0; i < 20; ++i)
+      expect_viscous_matches(Case(random), {.law = ViscousDrag::Law::ittc57,
+                                            .reynolds_per_speed = reynolds_per_speed});
+  }
+}
+
 TEST(ViscousDragLoad, MatchesBruteForceForAConstantCoefficient) {
   support::Random random(16);
   for (int i = 0; i < 40; ++i)
