@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/assemble_shape.h"
+#include "app/assemble_start.h"
 #include "app/schedule.h"
 #include "engine/body_check.h"
 #include "hydro/mass_properties.h"
@@ -203,6 +204,7 @@ engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, Assembl
                   .orientation = body.orientation,
                   .linear_velocity = body.linear_velocity,
                   .angular_velocity = body.angular_velocity};
+  if (body.start == Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
   spec.coefficients = assemble_coefficients(body, spec.mesh_B, path, log);
   for (const AppliedLoadScene& load : body.forces) spec.loads.push_back(applied_load(load, com_M));
   check_motion(spec, path, log);

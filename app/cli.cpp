@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
 
 #include "app/commands.h"
 #include "app/faults.h"
@@ -31,11 +34,32 @@ std::map<std::string, double> parse_tolerances(const std::vector<std::string>& a
   return tolerances;
 }
 
+/// `0:60:5` → 0, 5 … 60, in radians.
+std::vector<double> parse_heels(const std::string& argument) {
+  double first = 0, last = 0, step = 0;
+  int end = 0;
+  const bool read = std::sscanf(argument.c_str(), "%lf:%lf:%lf%n", &first, &last, &step, &end) == 3;
+  // Not a number fails every comparison.
+  const bool fits = std::abs(first) <= 180 && std::abs(last) <= 180 && step >= 0.01;
+  if (!read || argument.size() != static_cast<std::size_t>(end) || !fits || first > last)
+    throw InputError("--heel", fmt::format("found {}, expected FIRST:LAST:STEP within -180 and 180 "
+                                           "degrees, FIRST <= LAST and STEP >= 0.01",
+                                           argument));
+  std::vector<double> heels;
+  const long count = std::lround(std::floor((last - first) / step + 1e-9));
+  for (long i = 0; i <= count; ++i)
+    heels.push_back((first + static_cast<double>(i) * step) * std::numbers::pi / 180);
+  return heels;
+}
+
 /// What the options of all commands are read into.
 struct Arguments {
   RunOptions run;
   CompareOptions compare;
   RenderOptions render;
+  HydrostaticsOptions hydrostatics;
+  std::vector<double> center_of_mass;
+  std::string heels = "0:60:5";
   std::vector<std::filesystem::path> scenes;
   std::filesystem::path scene;
   std::vector<std::string> sets;
@@ -93,6 +117,34 @@ void add_others(CLI::App& program, Arguments& a) {
   render->add_flag("--quiet", a.render.quiet, "No progress and no report");
 }
 
+void add_hydrostatics(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "hydrostatics", "How a mesh or a scene's bodies float at rest, and what rights them");
+  HydrostaticsOptions& o = a.hydrostatics;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->required();
+  command->add_option("--mass", o.mass, "Of the mesh [kg]");
+  command->add_option("--draught", o.draught, "Instead of a mass: that of the upright mesh [m]");
+  command->add_option("--density", o.density, "Of the water, with a mesh [kg/m^3] [1000]");
+  command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->expected(3);
+  command->add_option("--heel", a.heels, "Heels of the righting arms [deg]")
+      ->type_name("FIRST:LAST:STEP")
+      ->capture_default_str();
+  add_sets(command, a);
+  command->add_flag("--json", o.json, "As JSON");
+  command->add_flag("--csv", o.csv, "As CSV, a number a row");
+}
+
+int run_hydrostatics(Arguments& a, const std::vector<Override>& overrides) {
+  const std::vector<double>& com = a.center_of_mass;
+  a.hydrostatics.overrides = overrides;
+  a.hydrostatics.heels = parse_heels(a.heels);
+  if (com.size() == 3) a.hydrostatics.center_of_mass = Eigen::Vector3d(com[0], com[1], com[2]);
+  return hydrostatics(a.hydrostatics);
+}
+
 /// Names the commands there are if the first word is none of them.
 void check_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
@@ -115,6 +167,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("check")) return check(a.scenes, overrides);
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
   if (program.got_subcommand("compare")) return compare(a.compare);
+  if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
   return render_trajectory(a.render);
 }
 
@@ -128,6 +181,7 @@ int command_line(int argc, char** argv) {
   Arguments arguments;
   add_run(program, arguments);
   add_others(program, arguments);
+  add_hydrostatics(program, arguments);
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);

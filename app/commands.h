@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,5 +54,20 @@ struct RenderOptions {
   bool quiet = false;
 };
 int render_trajectory(const RenderOptions& options);
+
+/// The floating position, stability and curve of righting arms of a mesh or of a scene's bodies.
+struct HydrostaticsOptions {
+  std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, otherwise a mesh.
+  /// Of a mesh. Exactly one of these two; a draught is that with the mesh's z axis up.
+  std::optional<double> mass;                     ///< [kg]
+  std::optional<double> draught;                  ///< [m]
+  std::optional<double> density;                  ///< Of the water [kg/m^3]; none: 1000.
+  std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
+  std::vector<Override> overrides;                ///< Of a scene.
+  std::vector<double> heels;                      ///< Of the curve [rad].
+  bool json = false;
+  bool csv = false;
+};
+int hydrostatics(const HydrostaticsOptions& options);
 
 }  // namespace app

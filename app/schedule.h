@@ -27,8 +27,8 @@ class Schedule {
   double next_ = 0;
 };
 
-/// Most steps of a run: at a microsecond each they take eleven days.
-inline constexpr double kMostSteps = 1e12;
+/// Most steps of a run: a day and more at a microsecond each.
+inline constexpr double kMostSteps = 1e11;
 
 /// Steps that make up a duration; the last one may reach beyond it. The slack is the rounding of
 /// a duration that is a whole number of steps. At most kMostSteps.

@@ -1,7 +1,6 @@
 #include "engine/simulation.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "engine/locks.h"
 #include "engine/wetness.h"
 #include "engine/world.h"
+#include "hydro/parallel.h"
 
 namespace engine {
 namespace {
@@ -157,8 +157,7 @@ void Simulation::Impl::find_applied_loads() {
 void Simulation::Impl::find_water_loads() {
   const Stopwatch stopwatch(timings.hydro);
   threads.execute([&] {
-    tbb::parallel_for(std::size_t{0}, floaters.size(),
-                      [&](std::size_t i) { find_water_load(floaters[i]); });
+    hydro::parallel_for(floaters.size(), [&](std::size_t i) { find_water_load(floaters[i]); });
   });
 }
 

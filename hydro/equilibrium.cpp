@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "hydro/trust_region.h"
@@ -108,8 +109,8 @@ class Descent {
     double least = model_of(found, freedom_).energy - kEnergyNoise * size_;
     for (int k = 0; k < 8; ++k) {
       if (freedom_ == Freedom::pitch_only && k % 4 != 2) continue;
-      const Eigen::Vector2d turn =
-          kProbe * Eigen::Vector2d(std::cos(k * M_PI / 4), std::sin(k * M_PI / 4));
+      const Eigen::Vector2d turn = kProbe * Eigen::Vector2d(std::cos(k * std::numbers::pi / 4),
+                                                            std::sin(k * std::numbers::pi / 4));
       const Eigen::Vector2d allowed =
           freedom_ == Freedom::all ? turn : Eigen::Vector2d(0, turn.y());
       const Flotation there = afloat(mesh_B_, volume_, turned(found.orientation, allowed));

@@ -52,7 +52,7 @@ Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
 /// maximum it leaves along the least stable direction, to the side that `trust_region_step` names.
 /// Where a search has ended, eight attitudes 1e-3 rad around are tried: a saddle that (1) shows
 /// from one side only, or not at all, is left too. The remaining arm of the moment is round-off,
-/// most often below 1e-15 of the body's radius.
+/// a few 1e-15 of the body's radius.
 Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start);
 
 /// A point of the curve of righting arms.

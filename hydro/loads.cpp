@@ -1,12 +1,11 @@
 #include "hydro/loads.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "hydro/clip.h"
 #include "hydro/panel_loads.h"
+#include "hydro/parallel.h"
 #include "hydro/refine.h"
 #include "hydro/viscous_drag.h"
 
@@ -57,8 +56,8 @@ Immersion immerse(const Hull& hull, const BodyState& state, const Sea& sea, doub
                .moving = false};
   in.moving = !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
   if (in.surface.flat()) return in;
-  tbb::parallel_for(Eigen::Index{0}, in.r.cols(),
-                    [&](Eigen::Index i) { in.elevation[i] = in.surface.elevation(in.r.col(i)); });
+  parallel_for(static_cast<std::size_t>(in.r.cols()),
+               [&](std::size_t i) { in.elevation[i] = in.surface.elevation(in.r.col(i)); });
   return in;
 }
 
@@ -116,7 +115,7 @@ void add_face(const Immersion& in, Eigen::Index face, double below, bool all_wet
 Loads sum_faces(const Immersion& in, double below, bool all_wet) {
   const Eigen::Index faces = in.hull.mesh_B.face_count();
   std::vector<Loads> pieces((faces + kFacesAPiece - 1) / kFacesAPiece);
-  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t piece) {
+  parallel_for(pieces.size(), [&](std::size_t piece) {
     const Eigen::Index begin = static_cast<Eigen::Index>(piece) * kFacesAPiece;
     const Eigen::Index end = std::min(begin + kFacesAPiece, faces);
     for (Eigen::Index face = begin; face < end; ++face)

@@ -1,11 +1,11 @@
 #include "hydro/mesh_overlap.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "hydro/parallel.h"
 
 namespace hydro {
 namespace {
@@ -112,7 +112,8 @@ struct Found {
 Overlaps find_overlaps(const TriMesh& mesh, const FaceTree& tree) {
   const double margin = kMargin * bounding_box(mesh).diagonal().norm();
   std::vector<Found> of_leaf(static_cast<std::size_t>(tree.leaf_count()));
-  tbb::parallel_for(0, tree.leaf_count(), [&](int leaf) {
+  parallel_for(static_cast<std::size_t>(tree.leaf_count()), [&](std::size_t index) {
+    const int leaf = static_cast<int>(index);
     tree.visit_pairs(leaf, [&](int f, int g) {
       const auto faces = std::minmax(f, g);
       const auto p =

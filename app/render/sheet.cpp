@@ -42,7 +42,7 @@ int sheet_columns(int count, double frame_aspect) {
 void ContactSheet::add(const Image& frame, double time) {
   if (seen_++ % stride_ != 0) return;
   if (frames_.size() == kMostFrames) {
-    for (std::size_t i = 0; 2 * i < frames_.size(); ++i) frames_[i] = std::move(frames_[2 * i]);
+    for (std::size_t i = 1; 2 * i < frames_.size(); ++i) frames_[i] = std::move(frames_[2 * i]);
     frames_.resize(kMostFrames / 2);
     stride_ *= 2;
   }

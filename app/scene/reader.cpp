@@ -62,6 +62,17 @@ void check_joint_bodies(MapReader& map, const Scene& scene) {
   }
 }
 
+/// What a start in equilibrium needs of the whole scene.
+void check_starts(MapReader& map, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].start != Start::equilibrium) continue;
+    const std::string key = fmt::format("bodies[{}].start", i);
+    if (!scene.water && !map.has("water"))
+      map.fault(key, "equilibrium needs water, and the scene has none");
+    if (scene.gravity == 0) map.fault(key, "equilibrium needs gravity, which is 0 in this scene");
+  }
+}
+
 void name_nameless_joints(std::vector<JointScene>& joints) {
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (joints[i].name.empty()) joints[i].name = fmt::format("joint{}", i);
@@ -164,6 +175,7 @@ void read(MapReader& map, Scene& scene) {
   check_unique(map, "bodies", names_of(scene.bodies));
   check_unique(map, "joints", names_of(scene.joints));
   check_joint_bodies(map, scene);
+  check_starts(map, scene);
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {

@@ -147,6 +147,17 @@ const ChoiceRule<Collision> kCollisions = {{{"mesh", Collision::mesh},
                                             {"sphere", Collision::sphere},
                                             {"none", Collision::none}}};
 
+const ChoiceRule<Start> kStarts = {{{"given", Start::given}, {"equilibrium", Start::equilibrium}}};
+
+/// A body that is to find its own height and attitude must be free to, and carried by the water.
+void check_start(MapReader& map, const BodyScene& body) {
+  if (body.start != Start::equilibrium) return;
+  if (body.locked[2] || body.locked[3] || body.locked[4])
+    map.fault("start", "equilibrium needs z, roll and pitch to be free, but lock holds them");
+  if (!body.hydro.buoyancy)
+    map.fault("start", "equilibrium needs buoyancy, which is false for this body");
+}
+
 const ChoiceRule<bool> kFrames = {{{"world", false}, {"body", true}}};
 
 }  // namespace
@@ -157,6 +168,7 @@ void read(MapReader& map, BodyScene& body) {
   read_mass(map, body);
   map.optional("position", body.position, number("m"));
   map.block("orientation", body.orientation);
+  map.optional("start", body.start, kStarts);
   map.optional("linear_velocity", body.linear_velocity, number("m/s"));
   map.optional("angular_velocity", body.angular_velocity, number("rad/s"));
   map.block("hydro", body.hydro);
@@ -165,6 +177,7 @@ void read(MapReader& map, BodyScene& body) {
   read_locks(map, body.locked);
   map.blocks("forces", body.forces);
   map.optional("color", body.color, between(0, 1));
+  check_start(map, body);
 }
 
 void read(MapReader& map, Eigen::Quaterniond& orientation) {

@@ -119,6 +119,12 @@ struct AppliedLoadScene {
 
 enum class Collision { automatic, mesh, box, sphere, none };
 
+/// Where a body is at time 0.
+enum class Start {
+  given,       ///< At `position` and `orientation`.
+  equilibrium  ///< Afloat at rest, as they lead to it.
+};
+
 struct BodyScene {
   std::string name;
   ShapeScene shape;
@@ -128,6 +134,7 @@ struct BodyScene {
   std::optional<InertiaScene> inertia;                 ///< With `mass` only.
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the mesh frame's origin, in W.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Start start = Start::given;
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   hydro::Coefficients hydro;  ///< The scene's defaults with the body's own keys over them.

@@ -50,6 +50,7 @@ std::string every_key() {
          "    inertia: [2, 3, 4, 0.1, 0.2, 0.3]\n"
          "    position: [4, 5, 6]\n"
          "    orientation: {euler_deg: [10, 20, 30]}\n"
+         "    start: given\n"
          "    linear_velocity: [7, 8, 9]\n"
          "    angular_velocity: [-1, -2, -3]\n"
          "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5},"
@@ -193,6 +194,13 @@ TEST(SceneKeys, OrientationsAreRead) {
   EXPECT_EQ(scene.bodies[1].orientation.coeffs(), Eigen::Vector4d(0, 0, 1, 0));  // x, y, z, w
   const Eigen::Quaterniond turned(std::cos(y / 2), 0, 0, std::sin(y / 2));
   EXPECT_LE((scene.bodies[2].orientation.coeffs() - turned.coeffs()).norm(), kRoundOff);
+}
+
+TEST(SceneKeys, StartIsReadAndGivenByDefault) {
+  const app::Scene scene = read_scene_text(every_key(), {"bodies[c].start=equilibrium"});
+  EXPECT_EQ(scene.bodies[0].start, app::Start::given);
+  EXPECT_EQ(scene.bodies[1].start, app::Start::given);
+  EXPECT_EQ(scene.bodies[2].start, app::Start::equilibrium);
 }
 
 TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {

@@ -84,6 +84,13 @@ TEST(ContactSheet, KeepsManyPicturesEvenlySpacedFromTheFirst) {
   }
 }
 
+TEST(ContactSheet, ShowsTheFirstPictureAtItsTopLeftHoweverManyThereAre) {
+  for (const int count : {1, 24, 25, 49, 200}) {
+    const Image image = sheet_of(count, 0.5, std::nullopt).image();
+    EXPECT_TRUE(image.at(40, 40) == gray(0).at(0, 0)) << count;
+  }
+}
+
 TEST(ContactSheet, WithoutPicturesIsAnError) {
   EXPECT_THROW(ContactSheet(std::nullopt).image(), render::Error);
 }

@@ -59,10 +59,11 @@ def _body(entry: dict) -> Body:
 
 
 def _set_options(overrides: dict) -> list[str]:
-    """Values are written as JSON, which is YAML too."""
+    """Values are written as JSON, which is YAML too; a text stands without quotes."""
     options = []
     for path, value in overrides.items():
-        options += ["--set", f"{path}={json.dumps(value)}"]
+        text = value if isinstance(value, str) else json.dumps(value)
+        options += ["--set", f"{path}={text}"]
     return options
 
 

@@ -1,0 +1,272 @@
+#include "app/assemble.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "app/faults.h"
+#include "hydro/mass_properties.h"
+#include "tests/app/scene_text.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using app::Assembly;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using engine::BodySpec;
+using support::tolerance;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A scene of one body, its keys as given, in water.
+std::string wet_scene(const std::string& body) {
+  return "plimsoll: 1\nduration: 1\nwater: {}\nbodies:\n  - {name: a, " + body + "}\n";
+}
+
+/// As above, dry.
+std::string dry_scene(const std::string& body) {
+  return "plimsoll: 1\nduration: 1\nbodies:\n  - {name: a, " + body + "}\n";
+}
+
+std::string data_mesh(const std::string& file) {
+  return fmt::format("mesh: {{file: {}/tests/data/bad_meshes/{}}}", PLIMSOLL_SOURCE_DIR, file);
+}
+
+Assembly assembled(const std::string& text) {
+  return app::assemble(support::read_scene_text(text));
+}
+
+BodySpec body_of(const std::string& text) { return assembled(text).spec.bodies.at(0); }
+
+/// Faults that are found when meshes are loaded, without the scene's name.
+std::vector<std::string> faults_of(const std::string& text) {
+  const app::Scene scene = support::read_scene_text(text);
+  std::vector<std::string> faults;
+  try {
+    app::assemble(scene);
+  } catch (const app::InputError& error) {
+    for (const app::Fault& fault : error.faults())
+      faults.push_back(app::to_string(fault).substr(scene.file.string().size() + 1));
+  }
+  return faults;
+}
+
+Matrix3d box_inertia(double mass, const Vector3d& size) {
+  const Vector3d s = size.cwiseAbs2();
+  return mass / 12 * Vector3d(s.y() + s.z(), s.x() + s.z(), s.x() + s.y()).asDiagonal();
+}
+
+TEST(Assemble, DensityAndMassOfTheSameSolidAreTheSameBody) {
+  const BodySpec by_density = body_of(wet_scene("box: {size: [2, 3, 4]}, density: 500"));
+  const BodySpec by_mass = body_of(wet_scene("box: {size: [2, 3, 4]}, mass: 12000"));
+  // Sums over 12 tetrahedra of the box.
+  EXPECT_NEAR(by_density.mass, 12000, tolerance(1e-10));
+  EXPECT_EQ(by_mass.mass, 12000);
+  const Matrix3d expected = box_inertia(12000, {2, 3, 4});
+  EXPECT_LT((by_density.inertia_B - expected).norm(), tolerance(1e-12 * expected.norm()));
+  EXPECT_LT((by_mass.inertia_B - expected).norm(), tolerance(1e-12 * expected.norm()));
+}
+
+TEST(Assemble, InertiaIsTakenAsGiven) {
+  const BodySpec body =
+      body_of(wet_scene("box: {size: [1, 1, 1]}, mass: 10, inertia: [2, 3, 4, 0.1, 0.2, 0.3]"));
+  Matrix3d expected;
+  expected << 2, 0.1, 0.2, 0.1, 3, 0.3, 0.2, 0.3, 4;
+  EXPECT_EQ(body.inertia_B, expected);
+}
+
+/// The corner tetrahedron with edges of 4 m, its centroid at (1, 1, 1).
+std::string tetrahedron_file() {
+  const std::string file = testing::TempDir() + "assemble_tetrahedron.obj";
+  std::ofstream(file) << "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n"
+                         "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  return "mesh: {file: " + file + "}";
+}
+
+TEST(Assemble, PositionPlacesTheMeshFramesOriginAndTheStateIsTheCentreOfMass) {
+  const std::string placed =
+      tetrahedron_file() +
+      ", density: 600, position: [10, 20, 30], orientation: {euler_deg: [0, 0, 90]}";
+  const Assembly assembly = assembled(wet_scene(placed));
+  const BodySpec& body = assembly.spec.bodies[0];
+  // A quarter turn about z takes (1, 1, 1) to (-1, 1, 1).
+  EXPECT_LT((assembly.centers_of_mass[0] - Vector3d(1, 1, 1)).norm(), tolerance(1e-14));
+  EXPECT_LT((body.initial.position - Vector3d(9, 21, 31)).norm(), tolerance(1e-14));
+  // The mesh's own origin comes back to where it was placed.
+  const Vector3d origin_W = body.initial.position + body.initial.orientation * Vector3d(-1, -1, -1);
+  EXPECT_LT((origin_W - Vector3d(10, 20, 30)).norm(), tolerance(1e-13));
+  EXPECT_LT(hydro::solid_properties(body.mesh_B).centroid.norm(), tolerance(1e-14));
+}
+
+TEST(Assemble, AGivenCentreOfMassReplacesThatOfTheSolid) {
+  const BodySpec body = body_of(wet_scene(
+      "box: {size: [2, 2, 2]}, mass: 5, center_of_mass: [0, 0, -0.5], position: [1, 2, 3]"));
+  EXPECT_EQ(body.initial.position, Vector3d(1, 2, 2.5));
+  EXPECT_EQ(hydro::bounding_box(body.mesh_B).min().z(), -0.5);
+  EXPECT_EQ(hydro::bounding_box(body.mesh_B).max().z(), 1.5);
+}
+
+TEST(Assemble, VelocityAndLoadsAreOfTheCentreOfMass) {
+  const BodySpec body =
+      body_of(wet_scene("box: {size: [2, 2, 2]}, mass: 5, center_of_mass: [0, 0, 0.25], "
+                        "linear_velocity: [1, 2, 3], forces: [{force: [1, 0, 0], at: [0, 0, 1]}, "
+                        "{force: [1, 0, 0]}]"));
+  EXPECT_EQ(body.initial.linear_velocity, Vector3d(1, 2, 3));
+  EXPECT_EQ(body.loads[0].at_B, Vector3d(0, 0, 0.75));
+  EXPECT_EQ(body.loads[1].at_B, Vector3d::Zero());
+}
+
+TEST(Assemble, AnOpenMeshInWaterIsRefusedAtItsKeyWithTheEdges) {
+  EXPECT_THAT(
+      faults_of(wet_scene(data_mesh("open.obj") +
+                          ", mass: 1, center_of_mass: [0, 0, 0], inertia: [1, 1, 1, 0, 0, 0]")),
+      ElementsAre("5:21: bodies[0].mesh: 3 edges are open (one face only), "
+                  "the first at (1, 0, 0.5)"));
+}
+
+TEST(Assemble, AnOpenMeshIsFineWhereNothingAsksForASolid) {
+  const std::string mass = ", mass: 1, center_of_mass: [0, 0, 0], inertia: [1, 1, 1, 0, 0, 0]";
+  const std::string no_loads =
+      ", hydro: {buoyancy: false, pressure_drag: false, lift: false, viscous_drag: false}";
+  EXPECT_THAT(faults_of(dry_scene(data_mesh("open.obj") + mass)), IsEmpty());
+  EXPECT_THAT(faults_of(wet_scene(data_mesh("open.obj") + mass + no_loads)), IsEmpty());
+}
+
+TEST(Assemble, AnOpenMeshWhoseMassIsToFollowFromItIsRefusedDryToo) {
+  for (const std::string mass :
+       {", density: 500", ", mass: 1", ", mass: 1, center_of_mass: [0, 0, 0]",
+        ", mass: 1, inertia: [1, 1, 1, 0, 0, 0]"})
+    EXPECT_THAT(faults_of(dry_scene(data_mesh("open.obj") + mass)),
+                ElementsAre(HasSubstr("bodies[0].mesh: 3 edges are open")))
+        << mass;
+}
+
+TEST(Assemble, AMeshTurnedInwardIsTurnedOutwardAndNoted) {
+  const Assembly assembly = assembled(wet_scene(data_mesh("inward.obj") + ", density: 500"));
+  EXPECT_NEAR(assembly.spec.bodies[0].mass, 500, tolerance(1e-10));
+  EXPECT_THAT(assembly.notes, ElementsAre("bodies[0].mesh: the normals pointed into the solid; "
+                                          "all faces were turned over"));
+}
+
+TEST(Assemble, MeshesThatBoundNoSolidAreRefused) {
+  const auto fault = [](const std::string& file) {
+    return testing::PrintToString(faults_of(wet_scene(data_mesh(file) + ", density: 500")));
+  };
+  EXPECT_THAT(fault("flat.obj"), HasSubstr("the mesh encloses no volume"));
+  EXPECT_THAT(fault("degenerate.obj"), HasSubstr("no area"));
+  EXPECT_THAT(fault("crowded.obj"), HasSubstr("more than two faces"));
+  EXPECT_THAT(fault("misoriented.obj"), HasSubstr("turned against each other"));
+  EXPECT_THAT(fault("overlapping.obj"), HasSubstr("through each other"));
+}
+
+TEST(Assemble, AMeshFileThatCannotBeReadIsAFaultAtItsKey) {
+  EXPECT_THAT(faults_of(wet_scene(data_mesh("truncated.stl") + ", density: 500")),
+              ElementsAre(testing::AllOf(HasSubstr("5:28: bodies[0].mesh.file: "),
+                                         HasSubstr("truncated.stl: "))));
+}
+
+TEST(Assemble, FindsTheFaultsOfAllBodies) {
+  const std::string text =
+      wet_scene(data_mesh("open.obj") + ", density: 500") + "  - {name: b, " +
+      data_mesh("flat.obj") + ", density: 500}\n" +
+      "  - {name: c, box: {size: [1, 1, 1]}, density: 1.0e+40}\n" +
+      "  - {name: d, box: {size: [1, 1, 1]}, density: 1, position: [1e+12, 0, 0]}\n";
+  const std::vector<std::string> faults = faults_of(text);
+  ASSERT_EQ(faults.size(), 4u);
+  EXPECT_THAT(faults[0], HasSubstr("bodies[0].mesh: 3 edges are open"));
+  EXPECT_THAT(faults[1], HasSubstr("bodies[1].mesh: the mesh encloses no volume"));
+  EXPECT_THAT(faults[2], HasSubstr("bodies[2]: its mass comes to 1e+40 kg"));
+  EXPECT_THAT(faults[3], HasSubstr("bodies[3]: body 'd': initially, the position's x is 1e+12"));
+}
+
+TEST(Assemble, BodiesOfAMicrometreAndOfThreeHundredMetresAreBodies) {
+  for (const double size : {1e-6, 300.0}) {
+    const BodySpec body =
+        body_of(wet_scene(fmt::format("box: {{size: [{0}, {0}, {0}]}}, density: 500", size)));
+    const double mass = 500 * size * size * size;
+    EXPECT_NEAR(body.mass / mass, 1, tolerance(1e-12));
+    EXPECT_NEAR(body.inertia_B(0, 0) / (mass * size * size / 6), 1, tolerance(1e-12));
+  }
+}
+
+TEST(Assemble, ARunOfMoreStepsThanCanBeTakenIsRefused) {
+  const auto fault = [](const std::string& keys) {
+    return faults_of("plimsoll: 1\n" + keys + "bodies: []\n");
+  };
+  EXPECT_THAT(fault("duration: 1e+300\nstep: 1e-300\n"),
+              ElementsAre("2:11: duration: 1e+300 s in steps of 1e-300 s are inf steps, "
+                          "expected at most 1e+11"));
+  EXPECT_THAT(fault("duration: 1e+9\nstep: 1e-4\n"), ElementsAre(HasSubstr("are 1e+13 steps")));
+  EXPECT_THAT(fault("duration: 1e+8\nstep: 1e-3\n"), IsEmpty());
+}
+
+/// The file of a table of heights, as a block.
+std::string heights(const std::string& table, const std::string& more = "") {
+  const std::string file = testing::TempDir() + "assemble_heights_" +
+                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
+  std::ofstream(file) << table;
+  return "{heightfield: {file: " + file + more + "}}";
+}
+
+TEST(Assemble, AHeightFieldMakesTheSea) {
+  const std::string surface = heights("0, 1, 2\n3, 4, 5\n", ", cell: 2, origin: [10, 20]");
+  const Assembly assembly =
+      assembled("plimsoll: 1\nduration: 1\nwater: {level: 100, surface: " + surface + "}\n");
+  const hydro::Sea& sea = *assembly.spec.sea;
+  // Rows count along y, columns along x; between the points the surface is bilinear.
+  EXPECT_EQ(hydro::surface_height(sea, 10, 20, 0), 100);
+  EXPECT_EQ(hydro::surface_height(sea, 14, 20, 0), 102);
+  EXPECT_EQ(hydro::surface_height(sea, 10, 22, 0), 103);
+  EXPECT_EQ(hydro::surface_height(sea, 11, 21, 0), 102);
+}
+
+TEST(Assemble, AHeightFieldMakesTheGround) {
+  const std::string ground = heights("0, 1\n2, 3\n", ", cell: 4, origin: [1, 1]");
+  const Assembly assembly = assembled("plimsoll: 1\nduration: 1\nground: " + ground + "\n");
+  const auto& mesh = std::get<engine::MeshGround>(assembly.spec.ground).mesh_W;
+  EXPECT_EQ(mesh.face_count(), 2);
+  EXPECT_EQ(hydro::bounding_box(mesh).min(), Vector3d(1, 1, 0));
+  EXPECT_EQ(hydro::bounding_box(mesh).max(), Vector3d(5, 5, 3));
+}
+
+TEST(Assemble, AHeightOfOnePointIsASeaButNoGround) {
+  const std::string point = heights("2\n");
+  EXPECT_THAT(faults_of("plimsoll: 1\nduration: 1\nwater: {surface: " + point + "}\n"), IsEmpty());
+  EXPECT_THAT(faults_of("plimsoll: 1\nduration: 1\nground: " + point + "\n"),
+              ElementsAre(HasSubstr("3:23: ground.heightfield: the height field has 1 x 1")));
+}
+
+TEST(Assemble, JointsNameTheirBodiesByIndexAndHaveUnitAxes) {
+  const Assembly assembly = assembled(
+      "plimsoll: 1\nduration: 1\nbodies:\n"
+      "  - {name: a, box: {size: [1, 1, 1]}, density: 500}\n"
+      "  - {name: b, box: {size: [1, 1, 1]}, density: 500, position: [2, 0, 0]}\n"
+      "joints:\n"
+      "  - {type: universal, bodies: [b, world], anchor: [1, 2, 3], axis: [0, 0, 5]}\n"
+      "  - {type: slider, bodies: [a, b], axis: [3, 4, 0]}\n");
+  const std::vector<engine::JointSpec>& joints = assembly.spec.joints;
+  EXPECT_EQ(joints[0].type, engine::JointSpec::Type::universal);
+  EXPECT_EQ(joints[0].first, 1);
+  EXPECT_EQ(joints[0].second, engine::kWorld);
+  EXPECT_EQ(joints[0].anchor_W, Vector3d(1, 2, 3));
+  EXPECT_EQ(joints[0].axis_W, Vector3d::UnitZ());
+  EXPECT_EQ(joints[0].axis2_W.dot(joints[0].axis_W), 0);
+  EXPECT_EQ(joints[0].axis2_W.norm(), 1);
+  EXPECT_EQ(joints[1].type, engine::JointSpec::Type::slider);
+  EXPECT_LT((joints[1].axis_W - Vector3d(0.6, 0.8, 0)).norm(), tolerance(1e-15));
+}
+
+TEST(Assemble, WaterLeavesABodyWithoutLoadsAlone) {
+  const std::string off = ", hydro: {buoyancy: false, pressure_drag: 0, lift: 0, viscous_drag: 0}";
+  const std::string box = "box: {size: [1, 1, 1]}, density: 500";
+  EXPECT_FALSE(body_of(wet_scene(box + off)).wet);
+  EXPECT_TRUE(body_of(wet_scene(box)).wet);
+  EXPECT_FALSE(body_of(dry_scene(box)).wet);
+}
+
+}  // namespace

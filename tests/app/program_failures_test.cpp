@@ -1,0 +1,195 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/trajectory.h"
+#include "tests/app/program.h"
+
+/// What the program does when it cannot do what it was asked for: exit codes, messages, and what is
+/// left on disk.
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using support::falling_box;
+using support::Outcome;
+using support::Workplace;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ProgramFailures : public testing::Test {
+ protected:
+  /// Starts a run that would take hours and waits until it has logged some rows.
+  pid_t start_long_run() {
+    here.write("long.yaml", falling_box("1e+7"));
+    const pid_t process = here.start({"run", "long.yaml", "--out", "o"});
+    const fs::path log = here / "o/trajectory.csv";
+    EXPECT_TRUE(support::wait_until([&] {
+      std::error_code error;
+      const auto size = fs::file_size(log, error);
+      return !error && size > 20'000;
+    }));
+    return process;
+  }
+
+  /// Checks that the long run's log has a row for each step from the first.
+  std::size_t expect_whole_log() {
+    const app::BodyTrack track = app::read_trajectory(here / "o/trajectory.csv").tracks.at("box");
+    for (std::size_t i = 0; i < track.times.size(); ++i)
+      EXPECT_EQ(track.times[i], static_cast<double>(i) * 0.01);
+    return track.times.size();
+  }
+
+  json summary() const { return json::parse(here.read("o/summary.json")); }
+
+  Workplace here;
+};
+
+TEST_F(ProgramFailures, WrongUsageIsCodeTwoAndSaysWhatIsRight) {
+  const Outcome nothing = here.run({});
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_THAT(nothing.err, StartsWith("found nothing, expected a command: run, check, "));
+  const Outcome command = here.run({"fly", "x.yaml"});
+  EXPECT_EQ(command.code, 2);
+  EXPECT_THAT(command.err, StartsWith("found fly, expected a command: run, check, "));
+  here.write("box.yaml", falling_box("1"));
+  const Outcome option = here.run({"run", "box.yaml", "--nope"});
+  EXPECT_EQ(option.code, 2);
+  EXPECT_THAT(option.err, HasSubstr("--nope"));
+  EXPECT_EQ(here.run({"run"}).code, 2);
+  EXPECT_EQ(here.run({"run", "box.yaml", "--threads", "0"}).code, 2);
+  EXPECT_EQ(here.run({"run", "box.yaml", "box.yaml"}).code, 2);
+  EXPECT_EQ(here.run({"run", "box.yaml", "--set", "duration"}).code, 2);
+  EXPECT_FALSE(fs::exists(here / "out"));
+}
+
+TEST_F(ProgramFailures, HelpAndVersionAreNoFailures) {
+  const Outcome help = here.run({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, HasSubstr("Usage: plimsoll"));
+  EXPECT_THAT(here.run({"--version"}).out, StartsWith("plimsoll "));
+}
+
+TEST_F(ProgramFailures, AWrongSceneRunsNothing) {
+  here.write("wrong.yaml", "plimsoll: 1\nduration: -1\nstepp: 1\nbodies: 3\n");
+  const Outcome outcome = here.run({"run", "wrong.yaml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(support::lines_of(outcome.err).size(), 4u);
+  EXPECT_THAT(outcome.err, StartsWith("wrong.yaml:2:11: duration: found -1"));
+  EXPECT_THAT(outcome.err, EndsWith("\n3 problems, nothing was run.\n"));
+  EXPECT_FALSE(fs::exists(here / "out"));
+}
+
+TEST_F(ProgramFailures, ASceneThatIsNotThereIsNamed) {
+  EXPECT_EQ(here.run({"run", "none.yaml"}).err,
+            "none.yaml: there is no such file\n1 problem, nothing was run.\n");
+  EXPECT_EQ(here.run({"run", "."}).err,
+            ".: found a folder, expected a file\n1 problem, nothing was run.\n");
+}
+
+TEST_F(ProgramFailures, AFolderThatCannotBeMadeIsNamed) {
+  here.write("box.yaml", falling_box("0.1"));
+  here.write("file", "");
+  for (const std::string out : {"file", "file/x", "/proc/x"}) {
+    const Outcome outcome = here.run({"run", "box.yaml", "--out", out});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, StartsWith(out + ": cannot be made: "));
+  }
+}
+
+TEST_F(ProgramFailures, ABodyThatExplodesIsNamedAndItsPastIsKept) {
+  const std::string push = "bodies[0].forces=[{force: [1e+30, 0, 0], start: 0.5}]";
+  here.write("box.yaml", falling_box("1"));
+  const Outcome outcome = here.run({"run", "box.yaml", "--out", "o", "--quiet", "--set", push});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, StartsWith("error: body 'box' at t = 0.5 s: "));
+  EXPECT_EQ(expect_whole_log(), 51u);
+  EXPECT_EQ(summary()["ended"], "failed");
+  EXPECT_EQ("error: " + std::string(summary()["error"]) + "\n", outcome.err);
+  EXPECT_EQ(summary()["steps"], 50);
+}
+
+TEST_F(ProgramFailures, AnExplosionIsDrawnUpToThere) {
+  const std::string push = "bodies[0].forces=[{force: [1e+30, 0, 0], start: 0.5}]";
+  here.write("box.yaml", falling_box("1", "render: {size: [64, 48], every: 0.25}\n"));
+  EXPECT_EQ(here.run({"run", "box.yaml", "--out", "o", "--set", push}).code, 3);
+  EXPECT_EQ(summary()["pictures"]["frames"], 3);
+}
+
+TEST_F(ProgramFailures, CtrlCKeepsWhatWasDone) {
+  const pid_t process = start_long_run();
+  ::kill(process, SIGINT);
+  const Outcome outcome = here.finish(process);
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.err, StartsWith("interrupted at "));
+  EXPECT_EQ(summary()["ended"], "interrupted");
+  EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>() + 1);
+}
+
+TEST_F(ProgramFailures, AKilledRunLeavesEveryRowItHadLogged) {
+  const pid_t process = start_long_run();
+  const auto logged = fs::file_size(here / "o/trajectory.csv");
+  ::kill(process, SIGKILL);
+  EXPECT_EQ(here.finish(process).code, -SIGKILL);
+  EXPECT_GE(fs::file_size(here / "o/trajectory.csv"), logged);
+  EXPECT_GT(expect_whole_log(), 50u);
+  EXPECT_FALSE(fs::exists(here / "o/summary.json"));
+}
+
+TEST_F(ProgramFailures, ASecondRunDoesNotMixItsFilesWithThoseOfTheFirst) {
+  const pid_t first = start_long_run();
+  here.write("box.yaml", falling_box("0.1"));
+  const Outcome second = here.shell("$PLIMSOLL run box.yaml --out o");
+  EXPECT_EQ(second.code, 2);
+  EXPECT_THAT(second.err, StartsWith("o: another run is writing to this folder"));
+  ::kill(first, SIGTERM);
+  EXPECT_EQ(here.finish(first).code, 130);
+  EXPECT_GT(expect_whole_log(), 11u);
+  EXPECT_EQ(here.run({"run", "box.yaml", "--out", "o"}).code, 0);
+}
+
+TEST_F(ProgramFailures, AFullDiskIsToldAtTheFirstRowLost) {
+  here.write("box.yaml", falling_box("1"));
+  fs::create_directories(here / "o");
+  fs::create_symlink("/dev/full", here / "o/trajectory.csv");
+  const Outcome outcome = here.run({"run", "box.yaml", "--out", "o"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              StartsWith("error: o/trajectory.csv: cannot be written: No space left on device"));
+}
+
+// A limit on the size of files stands for a disk that fills up: both make a write come short.
+TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
+  here.write("box.yaml", falling_box("10"));
+  const Outcome outcome =
+      here.shell("trap '' XFSZ; ulimit -f 16; exec $PLIMSOLL run box.yaml --out o");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              StartsWith("error: o/trajectory.csv: cannot be written: File too large"));
+  EXPECT_EQ(summary()["ended"], "failed");
+  EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>());
+}
+
+TEST_F(ProgramFailures, OutputThatCannotBeWrittenIsTold) {
+  here.write("box.yaml", falling_box("1"));
+  EXPECT_EQ(here.shell("$PLIMSOLL probe box.yaml >/dev/full").code, 2);
+  EXPECT_EQ(here.shell("$PLIMSOLL check box.yaml >/dev/full").code, 2);
+}
+
+TEST_F(ProgramFailures, WithoutGraphicsTheMotionIsStillThere) {
+  here.write("box.yaml", falling_box("0.5", "render: {size: [64, 48]}\n"));
+  const Outcome outcome =
+      here.run({"run", "box.yaml", "--out", "o"},
+               {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent", "__EGL_VENDOR_LIBRARY_FILENAMES="});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, StartsWith("error: "));
+  EXPECT_EQ(expect_whole_log(), 51u);
+  EXPECT_EQ(summary()["skipped"]["pictures"], "they could not be drawn");
+}
+
+}  // namespace

@@ -1,0 +1,246 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/trajectory.h"
+#include "tests/app/program.h"
+
+/// What `plimsoll run` leaves behind.
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using support::falling_box;
+using support::lines_of;
+using support::Outcome;
+using support::Workplace;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// Keys of a JSON object, in their order in the file.
+std::vector<std::string> keys(const nlohmann::ordered_json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+/// Names of what lies in a folder, sorted.
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (!fs::exists(folder)) return names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+const std::string kPictures = "render: {size: [160, 120], every: 0.2}\n";
+
+class ProgramRun : public testing::Test {
+ protected:
+  Workplace here;
+};
+
+TEST_F(ProgramRun, WritesTheTrajectoryFromTimeZeroWithARowAStep) {
+  here.write("box.yaml", falling_box("0.5"));
+  const Outcome outcome = here.run({"run", "box.yaml"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(here.read("out/box/trajectory.csv"));
+  ASSERT_EQ(lines.size(), 1u + 51u);
+  EXPECT_EQ(lines[0], "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
+  EXPECT_THAT(lines[1], testing::StartsWith("0,box,"));
+  const app::BodyTrack track =
+      app::read_trajectory(here / "out/box/trajectory.csv").tracks.at("box");
+  EXPECT_EQ(track.states[0].linear_velocity, Eigen::Vector3d::Zero());
+  EXPECT_EQ(track.states[0].position.z(), 1);
+  EXPECT_EQ(track.times.back(), 50 * 0.01);
+}
+
+TEST_F(ProgramRun, LogsAsOftenAsTheSceneSays) {
+  here.write("box.yaml", falling_box("0.5", "log: {every: 0.1}\n"));
+  here.run({"run", "box.yaml"});
+  const auto trajectory = app::read_trajectory(here / "out/box/trajectory.csv");
+  EXPECT_THAT(trajectory.tracks.at("box").times,
+              ElementsAre(0, 10 * 0.01, 20 * 0.01, 30 * 0.01, 40 * 0.01, 50 * 0.01));
+}
+
+TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
+  here.write("box.yaml", falling_box("0.5"));
+  here.run({"run", "box.yaml"});
+  const auto summary = nlohmann::ordered_json::parse(here.read("out/box/summary.json"));
+  EXPECT_THAT(keys(summary),
+              ElementsAre("version", "scene", "title", "ended", "steps", "simulated_seconds",
+                          "real_time_factor", "threads", "wall_seconds", "skipped", "bodies"));
+  EXPECT_EQ(summary["scene"], "box.yaml");
+  EXPECT_EQ(summary["title"], "Falling box");
+  EXPECT_EQ(summary["ended"], "completed");
+  EXPECT_EQ(summary["steps"], 50);
+  EXPECT_EQ(summary["simulated_seconds"], 50 * 0.01);
+  EXPECT_THAT(keys(summary["wall_seconds"]),
+              ElementsAre("total", "collision", "hydro", "engine", "render", "log"));
+  EXPECT_EQ(summary["skipped"]["collision"], true);
+  EXPECT_EQ(summary["skipped"]["water"], false);
+  EXPECT_EQ(summary["skipped"]["pictures"], "the scene has no render block");
+  EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
+}
+
+TEST_F(ProgramRun, DrawsFramesAndASheetOfThoseTimesBeforeTheEnd) {
+  here.write("box.yaml", falling_box("0.6", kPictures));
+  const Outcome outcome = here.run({"run", "box.yaml"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(files_in(here / "out/box"),
+              ElementsAre("frames", "sheet.png", "summary.json", "trajectory.csv"));
+  EXPECT_THAT(files_in(here / "out/box/frames"),
+              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png"));
+  const json summary = json::parse(here.read("out/box/summary.json"));
+  EXPECT_EQ(summary["pictures"]["frames"], 3);
+  EXPECT_EQ(summary["skipped"]["pictures"], false);
+}
+
+TEST_F(ProgramRun, DrawsMorePicturesThanASheetHolds) {
+  here.write("box.yaml", falling_box("0.6", "render: {size: [64, 48], every: 0.01}\n"));
+  EXPECT_EQ(here.run({"run", "box.yaml"}).code, 0);
+  EXPECT_EQ(files_in(here / "out/box/frames").size(), 60u);
+}
+
+TEST_F(ProgramRun, DrawsNothingUnlessAsked) {
+  here.write("box.yaml", falling_box("0.2", kPictures));
+  here.write("bare.yaml", falling_box("0.2"));
+  EXPECT_EQ(here.run({"run", "box.yaml", "--no-render"}).code, 0);
+  EXPECT_EQ(here.run({"run", "bare.yaml"}).code, 0);
+  for (const std::string folder : {"out/box", "out/bare"})
+    EXPECT_THAT(files_in(here / folder), ElementsAre("summary.json", "trajectory.csv"));
+}
+
+TEST_F(ProgramRun, LeavesNothingOfAnEarlierRunInItsFolder) {
+  here.write("box.yaml", falling_box("0.6", kPictures));
+  here.run({"run", "box.yaml"});
+  here.run({"run", "box.yaml", "--set", "duration=0.3"});
+  EXPECT_THAT(files_in(here / "out/box/frames"), ElementsAre("frame_0000.png", "frame_0001.png"));
+  here.write("out/box/notes.txt", "mine");
+  here.run({"run", "box.yaml", "--no-render"});
+  EXPECT_THAT(files_in(here / "out/box"),
+              ElementsAre("notes.txt", "summary.json", "trajectory.csv"));
+}
+
+/// Graphics libraries that the loader had to do with in a run, by its own account.
+std::vector<std::string> graphics_libraries(const Workplace& here, const std::string& scene) {
+  here.run({"run", scene}, {"LD_DEBUG=libs", "LD_DEBUG_OUTPUT=loader"});
+  std::vector<std::string> found;
+  for (const std::string& file : files_in(here / ".")) {
+    if (!file.starts_with("loader.")) continue;
+    const std::string text = here.read(file);
+    EXPECT_THAT(text, HasSubstr("libode"));  // the account is of this program
+    for (const std::string name : {"libEGL", "libGL.", "libGLX", "libOpenGL", "libgbm"})
+      if (text.find(name) != std::string::npos) found.push_back(name);
+  }
+  return found;
+}
+
+TEST_F(ProgramRun, TouchesNoGraphicsLibraryWithoutARenderBlock) {
+  here.write("bare.yaml", falling_box("0.1"));
+  EXPECT_THAT(graphics_libraries(here, "bare.yaml"), IsEmpty());
+}
+
+TEST_F(ProgramRun, TouchesAGraphicsLibraryWithARenderBlock) {
+  here.write("box.yaml", falling_box("0.1", kPictures));
+  EXPECT_THAT(graphics_libraries(here, "box.yaml"), testing::Contains("libEGL"));
+}
+
+/// Many bodies that collide in waves: what threads could put in another order.
+std::string busy_scene() {
+  std::string text =
+      "plimsoll: 1\nduration: 0.5\nground: {z: -1}\n"
+      "water: {surface: {waves: [{amplitude: 0.2, wavelength: 5}]}}\nbodies:\n";
+  for (int i = 0; i < 12; ++i)
+    text += "  - {name: b" + std::to_string(i) +
+            ", box: {size: [1, 1, 1], divisions: 10}, density: 700, position: [" +
+            std::to_string(0.9 * (i % 3)) + ", 0.1, " + std::to_string(1.01 * (i / 3)) + "]}\n";
+  return text;
+}
+
+TEST_F(ProgramRun, RepeatsItselfToTheByteWithAnyNumberOfThreads) {
+  here.write("busy.yaml", busy_scene());
+  for (const std::string threads : {"1", "2", "5"})
+    ASSERT_EQ(here.run({"run", "busy.yaml", "--threads", threads, "--out", threads}).code, 0);
+  ASSERT_EQ(here.run({"run", "busy.yaml", "--out", "again"}).code, 0);
+  const std::string once = here.read("1/trajectory.csv");
+  EXPECT_GT(once.size(), 10'000u);
+  EXPECT_EQ(here.read("2/trajectory.csv"), once);
+  EXPECT_EQ(here.read("5/trajectory.csv"), once);
+  EXPECT_EQ(here.read("again/trajectory.csv"), once);
+}
+
+TEST_F(ProgramRun, TakesKeysFromTheCommandLine) {
+  here.write("box.yaml", falling_box("9"));
+  const Outcome outcome = here.run({"run", "box.yaml", "--set", "duration=0.1", "--set",
+                                    "bodies[box].position=[0, 0, 7]", "--set", "step=0.05"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto trajectory = app::read_trajectory(here / "out/box/trajectory.csv");
+  EXPECT_THAT(trajectory.tracks.at("box").times, ElementsAre(0, 0.05, 0.1));
+  EXPECT_EQ(trajectory.tracks.at("box").states[0].position.z(), 7);
+}
+
+TEST_F(ProgramRun, OfNoDurationLogsAndDrawsTheInitialState) {
+  here.write("box.yaml", falling_box("0", kPictures));
+  EXPECT_EQ(here.run({"run", "box.yaml"}).code, 0);
+  EXPECT_EQ(lines_of(here.read("out/box/trajectory.csv")).size(), 2u);
+  EXPECT_THAT(files_in(here / "out/box/frames"), ElementsAre("frame_0000.png"));
+}
+
+TEST_F(ProgramRun, OfNoBodiesIsARun) {
+  here.write("sea.yaml", "plimsoll: 1\nduration: 0.1\nwater: {}\n" + kPictures);
+  const Outcome outcome = here.run({"run", "sea.yaml"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(lines_of(here.read("out/sea/trajectory.csv")).size(), 1u);
+}
+
+TEST_F(ProgramRun, FindsItsFilesFromAnyFolderAndWithAnyName) {
+  const std::string mesh =
+      "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  here.write("a b/mesh é/tetra hedron.obj", mesh);
+  here.write("a b/my scène.yaml",
+             "plimsoll: 1\nduration: 0.1\nbodies:\n  - {name: Blåhaj the 鯊, density: 500, "
+             "mesh: {file: mesh é/tetra hedron.obj}}\n");
+  const Outcome outcome = here.run({"run", "a b/my scène.yaml", "--out", "new folder/ö"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto trajectory = app::read_trajectory(here / "new folder/ö/trajectory.csv");
+  EXPECT_THAT(trajectory.names, ElementsAre("Blåhaj the 鯊"));
+  EXPECT_EQ(here.shell("cd 'a b' && mkdir x && cd x && $PLIMSOLL run '../my scène.yaml'").code, 0);
+  EXPECT_TRUE(fs::exists(here / "a b/x/out/my scène/summary.json"));
+}
+
+TEST_F(ProgramRun, OfAFileWhoseNameIsNoUtf8WritesItsSummary) {
+  here.write("b\xe9.yaml", falling_box("0.1"));
+  const Outcome outcome = here.run({"run", "b\xe9.yaml", "--out", "o"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(here.read("o/summary.json"))["scene"], "b\uFFFD.yaml");
+}
+
+TEST_F(ProgramRun, SaysNothingWhenQuietAndShowsNoProgressOutsideATerminal) {
+  here.write("box.yaml", falling_box("0.5"));
+  const Outcome loud = here.run({"run", "box.yaml"});
+  EXPECT_THAT(loud.err, HasSubstr("out/box: 50 steps, 0.5 s simulated in "));
+  EXPECT_THAT(loud.err, Not(HasSubstr("\r")));
+  EXPECT_EQ(loud.out, "");
+  const Outcome quiet = here.run({"run", "box.yaml", "--quiet"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST_F(ProgramRun, DoesNotMindStreamsThatAreClosedOrFull) {
+  here.write("box.yaml", falling_box("0.5"));
+  here.run({"run", "box.yaml"});
+  const std::string expected = here.read("out/box/trajectory.csv");
+  for (const std::string streams : {">&- 2>&-", "<&- >&- 2>&-", "2>/dev/full"}) {
+    EXPECT_EQ(here.shell("$PLIMSOLL run box.yaml " + streams).code, 0) << streams;
+    EXPECT_EQ(here.read("out/box/trajectory.csv"), expected);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/assemble.h"
+#include "app/scene/reader.h"
+#include "engine/simulation.h"
+
+/// Every scene that comes with the program.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kScenes = fs::path(PLIMSOLL_SOURCE_DIR) / "scenes";
+
+/// Names of the scenes relative to the folder of scenes, sorted.
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(kScenes))
+    if (entry.path().extension() == ".yaml")
+      names.push_back(fs::relative(entry.path(), kScenes).string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// States of all bodies after each of the first steps.
+std::vector<std::vector<hydro::BodyState>> first_steps(const engine::SimulationSpec& spec) {
+  constexpr int kSteps = 100;
+  engine::Simulation simulation(spec);
+  std::vector<std::vector<hydro::BodyState>> states;
+  for (int i = 0; i < kSteps; ++i) {
+    simulation.step();
+    states.push_back(simulation.states());
+  }
+  return states;
+}
+
+class ShippedScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedScene, IsRight) {
+  const app::Scene scene = app::read_scene(kScenes / GetParam());
+  EXPECT_FALSE(scene.title.empty());
+  const app::Assembly assembly = app::assemble(scene);
+  EXPECT_THAT(assembly.notes, testing::IsEmpty());
+}
+
+// The simulation refuses states beyond 1e9 by itself; in a second or two nothing goes far.
+TEST_P(ShippedScene, RunsWithinBoundsAndRepeatsItselfBitForBit) {
+  engine::SimulationSpec spec = app::assemble(app::read_scene(kScenes / GetParam())).spec;
+  const auto once = first_steps(spec);
+  for (const auto& states : once) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      ASSERT_LT((states[i].position - spec.bodies[i].initial.position).norm(), 100);
+      ASSERT_LT(states[i].linear_velocity.norm(), 100);
+      ASSERT_LT(states[i].angular_velocity.norm(), 100);
+    }
+  }
+  spec.threads = 2;
+  EXPECT_EQ(first_steps(spec), once);
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& scene) {
+  std::string name = scene.param;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(scene_names()), test_name);
+
+}  // namespace

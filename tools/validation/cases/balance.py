@@ -1,0 +1,107 @@
+"""Hydrostatics of floating bodies: righting arms, metacentric heights."""
+
+import numpy as np
+
+from case import Case, Result, compare, compare_all, observed_order
+from closed_forms import box_gz
+from plimsoll import Body, Plimsoll
+from wigley import write_wigley
+
+kSection = "Hydrostatics"
+kTilt = 1e-5  # For derivatives [rad]; its square is the error left, far below the meshes'.
+
+
+def measure_box(plimsoll: Plimsoll) -> Result:
+    """The box of the scene: breadth 4 m, draft 1.2 m, its centre 0.3 m above the water. As it heels,
+    the middle of its waterline stays on the water."""
+    angles = np.radians([1, 5, 10, 15, 20, 25, 30])
+    arms, volumes = [], []
+    for angle in angles:
+        body = plimsoll.probe_one("validation/box_heeled.yaml", {
+            "bodies[0].orientation.angle_deg": float(np.degrees(angle)),
+            "bodies[0].position": [0, -0.3 * np.sin(angle), 0.3 * np.cos(angle)]})
+        arms.append(-body.buoyancy.torque[0] / body.buoyancy.force[2])
+        volumes.append(body.volume)
+    exact = [box_gz(4, 1.2, 1.3, angle) for angle in angles]
+    return Result([
+        compare_all("righting arm GZ at seven angles to 30°, worst", "m", exact, arms, 1e-13,
+                    scale=max(exact), headline=True),
+        compare_all("displaced volume, worst", "m³", [48.0] * 7, volumes, 1e-13, scale=48)])
+
+
+def metacentric_height(plimsoll: Plimsoll, scene: str, axis: int, overrides: dict) -> float:
+    """GM about x (0) or y (1), from the torque at a small tilt about the origin [m]."""
+    moments = []
+    for tilt in (kTilt, -kTilt):
+        turn = {"bodies[0].orientation.axis": [1 - axis, axis, 0],
+                "bodies[0].orientation.angle_deg": float(np.degrees(tilt))}
+        body = plimsoll.probe_one(scene, {**overrides, **turn})
+        moments.append(-body.buoyancy.torque[axis] / body.buoyancy.force[2])
+    return (moments[0] - moments[1]) / (2 * np.sin(kTilt))
+
+
+def wigley_values(plimsoll: Plimsoll, stations: int) -> list[float]:
+    """V, BM_T and BM_L of Wigley's hull on a mesh of this fineness."""
+    scene = "validation/wigley_heeled.yaml"
+    plimsoll.work.mkdir(parents=True, exist_ok=True)
+    mesh = plimsoll.work / f"wigley_{stations}.obj"
+    write_wigley(mesh, stations=stations, rows=stations // 2)
+    overrides = {"bodies[0].mesh.file": str(mesh)}
+    upright: Body = plimsoll.probe_one(scene, {**overrides, "bodies[0].orientation.angle_deg": 0})
+    # The centre of mass stands in the exact centre of buoyancy, so GM is BM.
+    return [upright.volume, metacentric_height(plimsoll, scene, 0, overrides),
+            metacentric_height(plimsoll, scene, 1, overrides)]
+
+
+def measure_wigley(plimsoll: Plimsoll) -> Result:
+    values = np.array([wigley_values(plimsoll, n) for n in (32, 64, 128)])
+    length, breadth, draft = 10, 1, 0.625
+    exact = [4 / 9 * length * breadth * draft, 3 * breadth**2 / (35 * draft),
+             3 * length**2 / (40 * draft)]
+    result = Result()
+    names = (("displaced volume", "m³"), ("BM transverse", "m"), ("BM longitudinal", "m"))
+    for (name, unit), reference, ours in zip(names, exact, values.T):
+        result.rows += [compare(f"{name}, 128 × 64 panels a side", unit, reference, ours[-1], 5e-4,
+                                headline=True),
+                        observed_order(f"order of the error, {name}", ours - reference, 0.05)]
+    return result
+
+
+def measure_ellipsoid(plimsoll: Plimsoll) -> Result:
+    heights, volumes = [], []
+    for count in (24, 48, 96):
+        mesh = {"bodies[0].ellipsoid.slices": count, "bodies[0].ellipsoid.stacks": count}
+        scene = "validation/ellipsoid_buoy.yaml"
+        heights.append(metacentric_height(plimsoll, scene, 0, mesh))
+        upright = plimsoll.probe_one(scene, {**mesh, "bodies[0].orientation.angle_deg": 0})
+        volumes.append(upright.volume)
+    volume = 2 / 3 * np.pi * 5 * 5 * 2.5
+    height = np.pi * 5**4 / 4 / volume - 3 / 8 * 2.5 + 2
+    return Result([
+        compare("GM, 18,240 triangles", "m", height, heights[-1], 2e-3, headline=True),
+        observed_order("order of the error, GM", np.array(heights) - height, 0.05),
+        compare("displaced volume, 18,240 triangles", "m³", volume, volumes[-1], 2e-3),
+        observed_order("order of the error, volume", np.array(volumes) - volume, 0.05)])
+
+
+kCases = [
+    Case("box_gz", kSection, "Righting arm of a box",
+         "A box of 10 &times; 4 &times; 3 m with a draft of 1.2 m and its centre of mass 0.2 m below "
+         "its centre, heeled by up to 30&deg;, of 12 triangles. GZ is the torque of the buoyancy "
+         "about the centre of mass, over the buoyancy.",
+         "Wall-sided formula: GZ = sin&phi;(GM + &frac12;BM tan&sup2;&phi;), exact for a box until an "
+         "edge of deck or bilge meets the water (31&deg; here).",
+         ["validation/box_heeled.yaml"], measure_box),
+    Case("wigley", kSection, "Wigley's hull",
+         "y = (B/2)(1 &minus; (2x/L)&sup2;)(1 &minus; (z/T)&sup2;) with L = 10, B = 1 and T = 0.625 m, on "
+         "three meshes. The centre of mass stands in the exact centre of buoyancy, so that the "
+         "measured GM is BM.",
+         "Integrals of the polynomial: V = (4/9)LBT, BM<sub>T</sub> = 3B&sup2;/(35T), BM<sub>L</sub> = "
+         "3L&sup2;/(40T), and the centre of buoyancy (3/8)T below the water.",
+         ["validation/wigley_heeled.yaml"], measure_wigley),
+    Case("ellipsoid_buoy", kSection, "Half-ellipsoid buoy",
+         "A buoy of 134,172 kg whose immersed half is that of an ellipsoid with semi-axes 5, 5 and "
+         "2.5 m, its centre of mass 2 m below the water.",
+         "V = (2/3)&pi;abc, BM = &pi;a&#8308;/(4V) = 3.75 m, KB = (5/8)c, so GM = 3.75 &minus; 0.9375 + 2 "
+         "= 4.8125 m.", ["validation/ellipsoid_buoy.yaml"], measure_ellipsoid),
+]

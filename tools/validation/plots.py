@@ -1,0 +1,44 @@
+"""Plots as SVG, to stand in the page itself."""
+
+from __future__ import annotations
+
+import io
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as pyplot  # noqa: E402  The backend is chosen first.
+
+from case import Plot  # noqa: E402
+
+kColors = ("#0b6e99", "#c8553d", "#4c8c4a", "#8a5a9e", "#b8860b", "#5a6b7b")
+
+pyplot.rcParams.update({
+    "svg.fonttype": "none",       # Text stays text, in the page's font.
+    "svg.hashsalt": "plimsoll",   # The same plot gives the same bytes.
+    "font.family": "sans-serif", "font.size": 9, "axes.titlesize": 10, "axes.titleweight": "bold",
+    "axes.titlelocation": "left", "axes.edgecolor": "#8a949e", "axes.linewidth": 0.8,
+    "axes.labelcolor": "#37424d", "xtick.color": "#5a6672", "ytick.color": "#5a6672",
+    "axes.grid": True, "grid.color": "#e3e8ec", "grid.linewidth": 0.8,
+    "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
+    "legend.fontsize": 8.5, "lines.linewidth": 1.5, "lines.markersize": 5,
+})
+
+
+def draw(plot: Plot) -> str:
+    figure, axes = pyplot.subplots(figsize=(5.4, 3.3), layout="constrained")
+    colors = iter(kColors * 2)
+    for curve in plot.curves:
+        color = {} if "k" in curve.style else {"color": next(colors)}
+        axes.plot(curve.x, curve.y, curve.style, label=curve.label, markerfacecolor="none", **color)
+    axes.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
+    if plot.log_x:
+        axes.set_xscale("log")
+    if plot.log_y:
+        axes.set_yscale("log")
+    if len(plot.curves) > 1:
+        axes.legend()
+    text = io.StringIO()
+    figure.savefig(text, format="svg", transparent=True, metadata={"Date": None})
+    pyplot.close(figure)
+    return text.getvalue()[text.getvalue().index("<svg"):]
