@@ -150,6 +150,15 @@ void check_step_count(AssemblyLog& log) {
                                log.scene.duration, log.scene.step, steps, kMostSteps));
 }
 
+/// Ground that the engine would refuse: it lies beyond all bounds.
+void check_ground(const engine::Ground& ground, AssemblyLog& log) {
+  try {
+    engine::check_ground(ground);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, "ground", error.what());
+  }
+}
+
 engine::AppliedLoad applied_load(const AppliedLoadScene& load, const Eigen::Vector3d& com_M) {
   engine::AppliedLoad applied{.force = load.force,
                               .torque = load.torque,
@@ -251,6 +260,7 @@ Assembly assemble(const Scene& scene) {
   spec.gravity = scene.gravity;
   if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
   spec.ground = assemble_ground(scene.ground, log);
+  check_ground(spec.ground, log);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
     spec.bodies.push_back(assemble_body(scene.bodies[i], i, log, com_M));

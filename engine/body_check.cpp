@@ -19,6 +19,10 @@ constexpr double kUnitTolerance = 1e-9;
   throw std::invalid_argument(fmt::format("body '{}': {}", spec.name, what));
 }
 
+bool within_bounds(const hydro::TriMesh& mesh) {
+  return (mesh.vertices.array().abs() <= kLargestState).all();
+}
+
 void check_inertia(const BodySpec& spec) {
   const Eigen::Matrix3d& inertia = spec.inertia_B;
   if (!inertia.allFinite()) refuse(spec, "the inertia is not finite");
@@ -50,9 +54,20 @@ void check_body(const BodySpec& spec) {
     refuse(spec, "the initial orientation is not a unit quaternion");
   }
   if (!spec.mesh_B.vertices.allFinite()) refuse(spec, "a vertex of its mesh is not finite");
+  if (!within_bounds(spec.mesh_B)) refuse(spec, "its mesh reaches beyond all bounds");
   if (spec.collision != CollisionShape::none && spec.mesh_B.face_count() == 0) {
     refuse(spec, "it collides but its mesh has no triangles");
   }
+}
+
+void check_ground(const Ground& ground) {
+  const auto* plane = std::get_if<PlaneGround>(&ground);
+  const auto* mesh = std::get_if<MeshGround>(&ground);
+  const bool inside =
+      (!plane || std::abs(plane->z) <= kLargestState) && (!mesh || within_bounds(mesh->mesh_W));
+  if (!inside)
+    throw std::invalid_argument(fmt::format(
+        "the ground reaches beyond all bounds, expected coordinates within {:g} m", kLargestState));
 }
 
 }  // namespace engine

@@ -163,6 +163,7 @@ void World::add_lock_motors(dxBody* body, const BodySpec& spec) {
 }
 
 void World::add_ground(const Ground& ground) {
+  check_ground(ground);
   if (const auto* plane = std::get_if<PlaneGround>(&ground)) {
     ground_ = dCreatePlane(space_.get(), 0, 0, 1, plane->z);
   }

@@ -22,6 +22,7 @@ class World {
   BodyId add_body(const BodySpec& spec);
   /// Jointed bodies pass through each other. @throws std::invalid_argument for one without a pair.
   void add_joint(const JointSpec& spec);
+  /// @throws std::invalid_argument if it lies out of bounds.
   void add_ground(const Ground& ground);
 
   /// False if no two things could ever touch of which one moves.

@@ -241,6 +241,12 @@ TEST(Assemble, AHeightOfOnePointIsASeaButNoGround) {
               ElementsAre(HasSubstr("3:23: ground.heightfield: the height field has 1 x 1")));
 }
 
+TEST(Assemble, GroundBeyondAllBoundsIsRefused) {
+  for (const std::string ground : {std::string("{z: 1e+300}"), heights("0, 1e+300\n2, 3\n")})
+    EXPECT_THAT(faults_of("plimsoll: 1\nduration: 1\nground: " + ground + "\n"),
+                ElementsAre(HasSubstr("ground: the ground reaches beyond all bounds")));
+}
+
 TEST(Assemble, JointsNameTheirBodiesByIndexAndHaveUnitAxes) {
   const Assembly assembly = assembled(
       "plimsoll: 1\nduration: 1\nbodies:\n"

@@ -44,6 +44,7 @@ TEST(BodyCheck, RefusesWhatNoSolidCouldBeAndSaysWhy) {
       {[nan](BodySpec& b) { b.initial.position.z() = nan; }, "the position's z is nan"},
       {[](BodySpec& b) { b.initial.orientation.coeffs() *= 2; }, "not a unit quaternion"},
       {[nan](BodySpec& b) { b.mesh_B.vertices(0, 0) = nan; }, "vertex"},
+      {[](BodySpec& b) { b.mesh_B.vertices(0, 0) = 1e300; }, "beyond all bounds"},
       {[](BodySpec& b) {
          b.collision = engine::CollisionShape::mesh;
          b.mesh_B = {};
@@ -57,6 +58,19 @@ TEST(BodyCheck, RefusesWhatNoSolidCouldBeAndSaysWhy) {
                 ThrowsMessage<std::invalid_argument>(
                     testing::AllOf(HasSubstr("body 'crate'"), HasSubstr(fault.message))));
   }
+}
+
+// The engine's collision pass would stop at coordinates that it cannot number.
+TEST(GroundCheck, RefusesGroundBeyondAllBounds) {
+  engine::MeshGround mesh = support::slope(0, 0, 1);
+  EXPECT_NO_THROW(engine::check_ground(mesh));
+  EXPECT_NO_THROW(engine::check_ground(engine::PlaneGround{-1e8}));
+  EXPECT_THROW(engine::check_ground(engine::PlaneGround{1e300}), std::invalid_argument);
+  mesh.mesh_W.vertices(2, 0) = -1e300;
+  EXPECT_THROW(engine::check_ground(mesh), std::invalid_argument);
+  engine::SimulationSpec spec = support::dry_world({sound()}, 0.01);
+  spec.ground = mesh;
+  EXPECT_THROW(engine::Simulation{spec}, std::invalid_argument);
 }
 
 TEST(BodyCheck, GuardsTheSimulation) {

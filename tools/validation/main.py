@@ -96,6 +96,10 @@ def main() -> int:
         return 0
     cases = chosen_cases(arguments.cases)
     arguments.program = arguments.program.resolve()
+    if not arguments.program.is_file():
+        print(f"there is no program {arguments.program}; tools/validate builds it",
+              file=sys.stderr)
+        return 2
     results = measure_all(cases, arguments)
     for name, result in results.items():
         print_result(name, result)
