@@ -242,7 +242,7 @@ TEST(Assemble, AHeightOfOnePointIsASeaButNoGround) {
 }
 
 TEST(Assemble, GroundBeyondAllBoundsIsRefused) {
-  for (const std::string ground : {std::string("{z: 1e+300}"), heights("0, 1e+300\n2, 3\n")})
+  for (const std::string& ground : {std::string("{z: 1e+300}"), heights("0, 1e+300\n2, 3\n")})
     EXPECT_THAT(faults_of("plimsoll: 1\nduration: 1\nground: " + ground + "\n"),
                 ElementsAre(HasSubstr("ground: the ground reaches beyond all bounds")));
 }
