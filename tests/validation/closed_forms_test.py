@@ -46,7 +46,8 @@ class Sphere(unittest.TestCase):
         viscous = np.sum(self.area * self.tangential**3 * 3 * 3
                          * exact.thesis_viscous_coefficient(3 * self.tangential))
         drag = exact.sphere_pressure_drag(1, 3, 2, 1)
-        self.assertAlmostEqual(towed_sphere.resistance(tow, 0, 3), 0.5 * (drag + viscous), delta=1e-3)
+        self.assertAlmostEqual(towed_sphere.resistance(tow, 0, 3), 0.5 * (drag + viscous),
+                               delta=1e-3)
         self.assertAlmostEqual(towed_sphere.lift(tow, 0, 3), exact.half_sphere_lift(1, 3, 2, 1),
                                delta=1e-9)
 
@@ -79,7 +80,7 @@ class Box(unittest.TestCase):
     def test_righting_arm_is_the_wedges_moment(self):
         heel, breadth, draft, center = np.radians(20), 4.0, 1.2, 1.3
         y = breadth * ((np.arange(200000) + 0.5) / 200000 - 0.5)
-        depth = draft - y * np.tan(heel)  # Of the keel below the heeled waterline, along z of the box.
+        depth = draft - y * np.tan(heel)  # Of the keel, along z of the box.
         volume, across = np.mean(depth), np.mean(depth * y) / np.mean(depth)
         above_keel = np.mean(depth**2 / 2) / volume
         arm = -across * np.cos(heel) + (above_keel - center) * np.sin(heel)
@@ -88,7 +89,8 @@ class Box(unittest.TestCase):
 
 class Motion(unittest.TestCase):
     def test_heave_period(self):
-        self.assertAlmostEqual(exact.heave_period(0.15, 7.056, 998.2, 9.82, 0.03), 0.63725, places=5)
+        self.assertAlmostEqual(exact.heave_period(0.15, 7.056, 998.2, 9.82, 0.03), 0.63725,
+                               places=5)
 
     def test_integration_follows_the_closed_form(self):
         times = np.linspace(0, 10, 501)

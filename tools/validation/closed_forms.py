@@ -62,7 +62,7 @@ def sphere_spin_torque(radius: float, omega: float, density: float, c_v: float) 
     return 3 * np.pi**2 / 8 * density * c_v * omega**2 * radius**5
 
 
-# Cube, edge a, spinning about an axis through two face centres ---------------------------------------
+# Cube, edge a, spinning about an axis through two face centres -----------------------------------
 
 # Integral of r^3 over the unit square about its centre: (1/20) of the integral of sec^5 from 0 to
 # pi/4.
@@ -79,7 +79,7 @@ def cube_spin_viscous_torque(edge: float, omega: float, density: float, c_v: flo
     return (0.25 + kSquareThirdMoment) * density * c_v * omega**2 * edge**5
 
 
-# Drag of the thesis's four tests, per density C_p v^2 ------------------------------------------------
+# Drag of the thesis's four tests, per density C_p v^2 --------------------------------------------
 
 def prism_pressure_area(radius: float, height: float, sides: int) -> float:
     """Integral of |n_x|^3 over the sides of a regular prism about z whose edges start at angle 0;
@@ -89,7 +89,7 @@ def prism_pressure_area(radius: float, height: float, sides: int) -> float:
     return float(np.sum(np.abs(np.cos(angles))**3) * width * height)
 
 
-# Floating bodies -------------------------------------------------------------------------------------
+# Floating bodies ---------------------------------------------------------------------------------
 
 def box_gz(breadth: float, draft: float, center_above_keel: float, heel: float) -> float:
     """Righting arm of a wall-sided box: sin(heel) (GM + BM/2 tan^2(heel)), exact until the deck
@@ -107,7 +107,7 @@ def cube_tilt_growth_rate(edge: float, relative_density: float, gravity: float) 
     return np.sqrt(-gravity * gm / (edge**2 / 6))
 
 
-# Motion ------------------------------------------------------------------------------------------------
+# Motion ------------------------------------------------------------------------------------------
 
 def heave_period(radius: float, mass: float, density: float, gravity: float,
                  amplitude: float) -> float:

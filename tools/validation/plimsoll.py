@@ -94,6 +94,13 @@ class Plimsoll:
     def probe_one(self, scene: str | Path, overrides: dict | None = None) -> Body:
         return next(iter(self.probe(scene, overrides).values()))
 
+    def hydrostatics(self, scene: str | Path, overrides: dict | None = None,
+                     heels: str = "0:30:5") -> dict:
+        """How the scene's only body floats, as the program prints it; heels as FIRST:LAST:STEP."""
+        text = self._call("hydrostatics", self._scene(scene), "--heel", heels, "--json",
+                          *_set_options(overrides or {}))
+        return next(iter(json.loads(text)["bodies"].values()))
+
     def run(self, scene: str | Path, name: str,
             overrides: dict | None = None) -> tuple[dict[str, Track], dict]:
         """Trajectories by body, and the summary; `name` is the folder of the run."""

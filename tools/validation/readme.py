@@ -16,7 +16,8 @@ kEnd = "<!-- accuracy:end -->"
 def rewrite_readme(readme: Path, results: Path, cases: list[Case]) -> None:
     for path in (readme, results):
         if not path.is_file():
-            sys.exit(f"{path} is missing" + ("" if path == readme else "; run tools/validate first"))
+            hint = "" if path == readme else "; run tools/validate first"
+            sys.exit(f"{path} is missing{hint}")
     text = readme.read_text(encoding="utf-8")
     if text.count(kBegin) != 1 or text.count(kEnd) != 1 or text.index(kBegin) > text.index(kEnd):
         sys.exit(f"{readme} lacks the marks {kBegin} and {kEnd}, once each and in this order")

@@ -76,7 +76,8 @@ def _thesis_table(cases: list[Case], results: dict[str, Result | str]) -> str:
         return ""
     return ("<h2>The thesis's numbers</h2><p class=lead>Chapter 4 of S. Ålstig Sandberg, "
             "Interactive simulation of hydrodynamics for arbitrarily shaped objects (2014). Its "
-            "other experiments are figures without numbers; they are repeated below.</p><article><table>"
+            "other experiments are figures without numbers; they are repeated below.</p>"
+            "<article><table>"
             "<tr><th>case</th><th>quantity</th><th class=n>thesis</th><th class=n>exact</th>"
             f"<th class=n>ours</th><th class=n>our error</th></tr>{''.join(lines)}</table>"
             "</article>")

@@ -41,8 +41,8 @@ def measure(plimsoll: Plimsoll) -> Result:
 kCases = [
     Case("cost", "Cost", "Cost of a step against triangles",
          "Thesis, Fig. 15: one second at 60 Hz, a sphere held under water, all loads but added "
-         "mass; and the same at the surface. One thread, the lesser of two runs. The sphere turns, "
-         "so that no load can be taken over from the step before.",
-         "There is no exact answer: the thesis found a linear dependence, exponent 1. Nothing is "
-         "judged here.", [kScene], measure, timed=True),
+         "mass; and the same at the surface. One thread, the lesser of two runs. The sphere "
+         "turns, so that no load can be taken over from the step before.",
+         "There is no exact answer: the thesis found a linear "
+         "dependence, exponent 1. Nothing is judged here.", [kScene], measure, timed=True),
 ]

@@ -80,21 +80,22 @@ def measure_far(plimsoll: Plimsoll) -> Result:
 
 kCases = [
     Case("sloping_sea", kSection, "A sea that slopes as a plane",
-         "The sea is the height field z = x/8 &minus; y/16. A triangle takes the depth at each of its "
+         "The sea is the height field z = x/8 − y/16. A triangle takes the depth at each of its "
          "vertices, so that a plane is no approximation.",
-         "By Gauss's theorem the pressure &rho;g(&xi; &minus; z) pushes with &rho;gV(&minus;s<sub>x</sub>, "
-         "&minus;s<sub>y</sub>, 1), also on a body that is partly immersed.",
+         "By Gauss's theorem the pressure ρg(ξ − z) pushes with ρgV(−s<sub>x</sub>, "
+         "−s<sub>y</sub>, 1), also on a body that is partly immersed.",
          ["validation/sloping_sea.yaml"], measure_slope),
     Case("current", kSection, "A uniform current changes nothing but the place",
-         "A heavy box falls through the surface and tumbles, in still water, and in a current with "
-         "the current's velocity added to it at the start.",
-         "Galilean invariance: the two motions differ by c t. Round-off grows with the tumbling, hence "
-         "1e-11 m, m/s and rad/s. A body that does not move through the water feels no drag at all.",
+         "A heavy box falls through the surface and tumbles, in still water, and in a current "
+         "with the current's velocity added to it at the start.",
+         "Galilean invariance: the two motions differ by c t. Round-off grows with the tumbling, "
+         "hence 1e-11 m, m/s and rad/s. A body that does not move through the water feels no drag "
+         "at all.",
          ["validation/tumbling_box.yaml"], measure_current),
     Case("far_from_origin", kSection, "A million metres from the origin",
          "The loads on a moving, half-immersed box with everything shifted by 1,000 km along x, y "
          "and z, the water's level too.",
-         "Loads do not depend on the origin. The tolerance is what rounding a position at 1e6 m to a "
-         "double costs: 6e-11 m, times a load's relative change with depth, up to 10 a metre.",
+         "Loads do not depend on the origin. The tolerance is what rounding a position at 1e6 m "
+         "to a double costs: 6e-11 m, times a load's relative change with depth, up to 10 a metre.",
          ["validation/far_from_origin.yaml"], measure_far),
 ]

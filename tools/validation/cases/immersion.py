@@ -35,8 +35,8 @@ def measure_sphere(plimsoll: Plimsoll) -> Result:
         ]
         curves.append(Curve(f"{triangles} triangles", depths, ours, style))
     result.rows.append(convergence(plimsoll))
-    result.plots.append(Plot("Buoyancy of spheres of radius 1 m", "immersion of the lowest point [m]",
-                             "buoyancy [N]", curves))
+    result.plots.append(Plot("Buoyancy of spheres of radius 1 m",
+                             "immersion of the lowest point [m]", "buoyancy [N]", curves))
     return result
 
 
@@ -74,12 +74,12 @@ kCases = [
          "separates them from a smooth sphere is their shape, which is known; what remains is the "
          "error of the integration.",
          "The mesh is a stack of frusta with regular polygons for sections: its volume below any "
-         "height has a closed form. The smooth sphere's is &pi;d&sup2;(3R &minus; d)/3.",
+         "height has a closed form. The smooth sphere's is πd²(3R − d)/3.",
          ["thesis_sphere_480.yaml", "thesis_sphere_4900.yaml"], measure_sphere),
     Case("buoyancy_cube", kSection, "Buoyancy of a cube against depth",
          "Thesis, Fig. 7. A cube is represented exactly by 12 triangles or by 768, so only "
          "round-off may remain.",
-         "&rho;g a&sup2;d. The tolerance is forty-five roundings of each triangle's force, added "
-         "like random errors.",
+         "ρg a²d. The tolerance is forty-five roundings of each triangle's force, added like "
+         "random errors.",
          ["thesis_cube_12.yaml", "thesis_cube_768.yaml"], measure_cube),
 ]

@@ -42,8 +42,8 @@ def measure_terminal(plimsoll: Plimsoll) -> Result:
     limit = extrapolated([s[at] for s in speeds], steps)
     result = Result([
         compare("terminal velocity", "m/s", terminal, -late.velocity[-1, 2], 1e-12, headline=True),
-        compare("speed at 0.8 s, steps 10, 5 and 2.5 ms extrapolated", "m/s", exact[at], limit, 1e-5,
-                headline=True),
+        compare("speed at 0.8 s, steps 10, 5 and 2.5 ms extrapolated", "m/s", exact[at], limit,
+                1e-5, headline=True),
         compare_all("speed at ten times, step 2.5 ms, worst", "m/s", exact, speeds[-1], 2e-3,
                     scale=terminal),
         at_least("order of the error with the step, at least", 1,
@@ -107,14 +107,16 @@ def measure_period(plimsoll: Plimsoll) -> Result:
 
 kCases = [
     Case("terminal_velocity", kSection, "A sinking cube",
-         "A cube of 1 m and 1,500 kg/m&sup3;, face down, from rest, without added mass. Three time "
+         "A cube of 1 m and 1,500 kg/m³, face down, from rest, without added mass. Three time "
          "steps show the order of the time stepping; their extrapolation has none of its error.",
-         "With K = &rho;a&sup2;(C_p + 2C_v): m dv/dt = (m &minus; &rho;V)g &minus; Kv&sup2;, so "
-         "v = v<sub>t</sub> tanh(t (m &minus; &rho;V)g/(m v<sub>t</sub>)), v<sub>t</sub>&sup2; = "
-         "(m &minus; &rho;V)g/K.", ["validation/falling_cube.yaml"], measure_terminal),
+         "With K = ρa²(C_p + 2C_v): m dv/dt "
+         "= (m − ρV)g − Kv², so v = "
+         "v<sub>t</sub> tanh(t (m − ρV)g/(m "
+         "v<sub>t</sub>)), v<sub>t</sub>² = "
+         "(m − ρV)g/K.", ["validation/falling_cube.yaml"], measure_terminal),
     Case("heave_period", kSection, "Period of a bobbing sphere at finite amplitude",
-         "R = 0.15 m, m = 7.056 kg, &rho; = 998.2 kg/m&sup3;, g = 9.82 m/s&sup2;, let go 30 mm above its "
-         "rest; buoyancy alone. Step and mesh are halved twice each and extrapolated.",
+         "R = 0.15 m, m = 7.056 kg, ρ = 998.2 kg/m³, g = 9.82 m/s², let go 30 mm above its rest; "
+         "buoyancy alone. Step and mesh are halved twice each and extrapolated.",
          "Conservation of energy gives v(z), and the period as a quadrature: 0.63725 s.",
          ["validation/bobbing_sphere.yaml"], measure_period),
 ]

@@ -38,10 +38,11 @@ def measure(plimsoll: Plimsoll) -> Result:
 
 kCases = [
     Case("corner_up", "Hydrostatics", "A cube of half the water's density rests corner up",
-         "From six random orientations, damped by a large pressure drag, for two minutes. Drag fades "
-         "with the square of the speed, so the last of the motion dies out slowly, as 1/t: the "
-         "tolerance is half a degree.",
-         "Of all orientations of a cube of relative density 0.5 the one with a diagonal upright has "
-         "the least potential energy; the others are saddles or maxima (E. N. Gilbert, How things "
-         "float, Am. Math. Monthly 98 (1991) 201&ndash;216).", [kScene], measure),
+         "From six random orientations, damped by a large pressure drag, for two minutes. Drag "
+         "fades with the square of the speed, so the last of the motion dies out slowly, as 1/t: "
+         "the tolerance is half a degree.",
+         "Of all orientations of a cube of relative density 0.5 the one with "
+         "a diagonal upright has the least potential energy; the others are "
+         "saddles or maxima (E. N. Gilbert, How things float, Am. Math. "
+         "Monthly 98 (1991) 201–216).", [kScene], measure),
 ]

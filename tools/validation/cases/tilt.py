@@ -72,21 +72,21 @@ def measure_growth(plimsoll: Plimsoll) -> Result:
 
 kCases = [
     Case("spurious_spin", kSection, "A body dropped flat does not spin up",
-         "Thesis, Figs 8 and 9: buoyancy alone, a drop from 2 m and ten seconds of bobbing. There, "
-         "the sphere's angular velocity grew from step to step and more with more triangles. "
-         "Forces placed at the triangles' centroids make such torques; exact first moments do not. "
-         "A cube of relative density 0.55 is unstable when it floats flat, so round-off grows at "
-         "the rate of the next case: its tolerance allows for that growth over the whole run.",
-         "By symmetry there is no torque. The tolerance, in rad/s, is 1e-12, round-off of a torque "
-         "of the size &rho;gVR acting for ten seconds; for the cubes times exp(1.4703 &middot; 10).",
+         "Thesis, Figs 8 and 9: buoyancy alone, a drop from 2 m and ten seconds of bobbing. "
+         "There, the sphere's angular velocity grew from step to step and more with more "
+         "triangles. Forces placed at the triangles' centroids make such torques; exact first "
+         "moments do not. A cube of relative density 0.55 is unstable when it floats flat, so "
+         "round-off grows at the rate of the next case: its tolerance allows for that growth over "
+         "the whole run.",
+         "By symmetry there is no torque. The tolerance, in rad/s, is 1e-12, round-off of a "
+         "torque of the size ρgVR acting for ten seconds; for the cubes times exp(1.4703 · 10).",
          ["thesis_sphere_480.yaml", "thesis_sphere_4900.yaml", "thesis_cube_12.yaml",
           "thesis_cube_768.yaml"], measure_drops),
     Case("tilt_growth", kSection, "A flat floating cube rights itself at the right rate",
          "What Fig. 8 of the thesis takes for numerical error is partly physics: a cube of "
-         "relative density 0.55 is unstable afloat. It starts with a tilt of 1e-6 rad; the slope of "
-         "the tilt's logarithm is compared with linear theory.",
-         "With edge a = 2 m and draft d = 1.1 m, GM = d/2 + a&sup2;/(12 d) &minus; a/2 = "
-         "&minus;0.1470 m and I = m a&sup2;/6, so &sigma;&sup2; = &minus;m g GM / I = "
-         "&minus;6 g GM / a&sup2; and &sigma; = 1.4703 1/s, about any level axis.",
+         "relative density 0.55 is unstable afloat. It starts with a tilt of 1e-6 rad; the slope "
+         "of the tilt's logarithm is compared with linear theory.",
+         "With edge a = 2 m and draft d = 1.1 m, GM = d/2 + a²/(12 d) − a/2 = −0.1470 m and I = m "
+         "a²/6, so σ² = −m g GM / I = −6 g GM / a² and σ = 1.4703 1/s, about any level axis.",
          ["validation/cube_tilt.yaml"], measure_growth),
 ]

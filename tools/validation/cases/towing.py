@@ -36,7 +36,7 @@ def measure(plimsoll: Plimsoll) -> Result:
 
 kCases = [
     Case("towed_sphere", "Drag and lift", "A sphere pulled along, with and without lift",
-         "Thesis, Fig. 13: a floating sphere of 550 kg/m&sup3; is pulled by 10,000 N; the one that "
+         "Thesis, Fig. 13: a floating sphere of 550 kg/m³ is pulled by 10,000 N; the one that "
          "feels lift runs higher. Compared after 40 s, when both run steadily.",
          "Speed and height at which the integrals of drag and lift over the wet part of a smooth "
          "sphere balance the pull and the weight. The tolerance is the mesh's, 4,900 triangles.",

@@ -20,9 +20,9 @@ def measure_dispersion(plimsoll: Plimsoll) -> Result:
             "water.surface.waves[0].wavelength": value(f"dispersion.{period}")})
         late = track.t > 5 * period
         times = crossings(track.t[late], track.position[late, 2])
-        result.rows.append(compare(f"period of a wave of {value(f'dispersion.{period}'):.2f} m", "s",
-                                   period, (times[10] - times[0]) / 10, 1e-5,
-                                   headline=period == 8))
+        length = value(f"dispersion.{period}")
+        result.rows.append(compare(f"period of a wave of {length:.2f} m", "s", period,
+                                   (times[10] - times[0]) / 10, 1e-5, headline=period == 8))
     return result
 
 
@@ -103,22 +103,29 @@ def measure_jonswap(plimsoll: Plimsoll) -> Result:
 
 kCases = [
     Case("dispersion", kSection, "Dispersion of deep-water waves",
-         "A raft that may only heave rides regular waves of four lengths; the period of its motion "
-         "is that of the wave.",
-         "Airy: &omega;&sup2; = gk, g = 9.81 m/s&sup2;. The lengths are given to 1e-5 m, the crossings "
-         "found to less than 1e-5 of a period.", ["validation/wave_follower.yaml"],
+         "A raft that may only heave rides regular waves of four lengths; the period of its "
+         "motion is that of the wave.",
+         "Airy: ω² = gk, g = 9.81 m/s². The lengths are given "
+         "to 1e-5 m, the crossings found to less than 1e-5 of "
+         "a period.", ["validation/wave_follower.yaml"],
          measure_dispersion),
     Case("froude_krylov", kSection, "Heave force of a long barge in head waves",
-         "A box barge of 100 &times; 20 m, draft 5 m, of 12 triangles, on crest and trough. Plimsoll "
+         "A box barge of 100 × 20 m, draft 5 m, of 12 triangles, on crest and trough. Plimsoll "
          "takes the pressure as hydrostatic below the local surface; the rows without a tolerance "
          "show how far that is from waves whose pressure decays with depth.",
-         "The mean of the wave over the length: sin(kL/2)/(kL/2); with decay, times exp(&minus;kT). The "
+         "The mean of the wave over the length: sin(kL/2)/(kL/2); with decay, times exp(−kT). The "
          "tolerance is what the refinement of panels promises, two thirds of 0.5 %.",
          ["validation/barge_in_head_wave.yaml"], measure_barge),
     Case("jonswap", kSection, "A JONSWAP sea",
-         "4,096 thin posts stand in a row, 4 m apart, in a sea of H<sub>s</sub> = 2 m and T<sub>p</sub> "
-         "= 8 s of 16 waves of equal energy, which keep m<sub>0</sub> and m<sub>1</sub>; what they displace is the height of the sea, a snapshot over 16 km.",
-         "H<sub>s</sub> is four standard deviations; T01 = 2&pi;m<sub>0</sub>/m<sub>1</sub> by quadrature of "
-         "the spectrum, measured from the snapshot's spectrum over k with &omega;&sup2; = gk. A finite "
-         "line of sea is a sample: 2 %.", ["validation/jonswap_staff.yaml"], measure_jonswap),
+         "4,096 thin posts stand in a row, 4 m apart, in a sea of H<sub>s</sub> = 2 m and "
+         "T<sub>p</sub> = 8 s of 16 waves of equal energy, which keep m<sub>0</sub> and "
+         "m<sub>1</sub>; what they displace is the height of the sea, a snapshot over 16 km.",
+         "H<sub>s</sub> is four standard "
+         "deviations; T01 = "
+         "2πm<sub>0</sub>/m<sub>1</sub> by "
+         "quadrature of the spectrum, "
+         "measured from the snapshot's "
+         "spectrum over k with ω² = gk. A "
+         "finite line of sea is a sample: 2 "
+         "%.", ["validation/jonswap_staff.yaml"], measure_jonswap),
 ]
