@@ -1,8 +1,6 @@
 #include "hydro/loads.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -248,25 +246,6 @@ TEST(Loads, InShortWavesConvergeToThoseOfAFineMesh) {
     const double wave = sea.density * sea.gravity * 24 * 0.3;
     expect_close(coarse.buoyancy, fine.buoyancy, 5e-3, wave);
     expect_close(coarse.pressure_drag, fine.pressure_drag, 5e-3, largest(fine.pressure_drag));
-  }
-}
-
-TEST(Loads, AreTheSameToTheLastBitForAnyNumberOfThreads) {
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
-  support::Random random(31);
-  const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 5));
-  Sea sea = kStillSea;
-  for (const bool waves : {false, true}) {
-    if (waves) sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.2, 3, 0.4, 1, 9.81)}};
-    const BodyState state = state_near_surface(random);
-    Loads one;
-    tbb::task_arena(1).execute([&] { one = hydro::compute_loads(hull, state, sea, 1, {}); });
-    for (const int threads : {2, 3, 4}) {
-      Loads many;
-      tbb::task_arena(threads).execute(
-          [&] { many = hydro::compute_loads(hull, state, sea, 1, {}); });
-      expect_same(many, one);
-    }
   }
 }
 
