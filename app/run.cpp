@@ -97,6 +97,7 @@ class Run {
     summary_.simulated = simulation_.time();
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
+    summary_.stiff_steps = simulation_.stiff_steps();
     return code;
   }
 

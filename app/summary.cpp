@@ -29,7 +29,8 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"mass", body.mass},
           {"loads_not_computed", unused_loads(body)},
           {"steps_above_water", summary.skips.dry_steps[i]},
-          {"steps_at_rest", summary.skips.resting_steps[i]}};
+          {"steps_at_rest", summary.skips.resting_steps[i]},
+          {"steps_with_stiff_drag", summary.stiff_steps[i]}};
 }
 
 Json to_json(const RunSummary& s) {

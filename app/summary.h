@@ -19,9 +19,10 @@ struct RunSummary {
   double simulated = 0;  ///< [s]
   engine::Timings timings;
   engine::Skips skips;
-  double wall = 0;         ///< In all [s].
-  double wall_log = 0;     ///< [s]
-  double wall_render = 0;  ///< [s]
+  std::vector<long> stiff_steps;  ///< Per body: engine::Simulation::stiff_steps.
+  double wall = 0;                ///< In all [s].
+  double wall_log = 0;            ///< [s]
+  double wall_render = 0;         ///< [s]
   std::optional<PictureReport> pictures;
   std::string pictures_skipped;  ///< Why there are none.
 };

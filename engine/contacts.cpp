@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "engine/world.h"
 
@@ -90,6 +91,8 @@ bool explains(const ContactPoint& shallow, const ContactPoint& deep) {
              1.5 * shallow.depth;
 }
 
+bool is_sphere(dxGeom* geom) { return dGeomGetClass(geom) == dSphereClass; }
+
 double extent_of(const std::vector<ContactPoint>& points) {
   Eigen::AlignedBox3d box;
   for (const ContactPoint& point : points) box.extend(point.position_W);
@@ -118,6 +121,19 @@ std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& poi
   std::vector<ContactPoint> contacts;
   std::remove_copy_if(touching.begin(), touching.end(), std::back_inserter(contacts), artefact);
   return contacts;
+}
+
+std::vector<ContactPoint> holding_a_sphere(std::vector<ContactPoint> points) {
+  const auto deeper = [](const auto& a, const auto& b) { return a.depth > b.depth; };
+  std::stable_sort(points.begin(), points.end(), deeper);
+  std::vector<ContactPoint> kept;
+  for (const ContactPoint& point : points) {
+    const bool left = std::all_of(kept.begin(), kept.end(), [&](const ContactPoint& other) {
+      return point.depth > other.depth * other.normal_W.dot(point.normal_W);
+    });
+    if (left) kept.push_back(point);
+  }
+  return kept;
 }
 
 std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most) {
@@ -178,7 +194,9 @@ void World::join_contacts(const Pair& pair, double step) {
            velocity_without_contact(pair.second, point_W, step);
   };
   const double reach = kReachInSteps * step * approach(all.front().position_W).norm();
-  const std::vector<ContactPoint> points = without_artefacts(all, reach);
+  std::vector<ContactPoint> points = without_artefacts(all, reach);
+  if (is_sphere(geom_of(pair.first)) || is_sphere(geom_of(pair.second)))
+    points = holding_a_sphere(std::move(points));
   const std::vector<std::size_t> kept = representative(points, kContactsOfPair);
   const ContactStiffness stiffness = contact_stiffness(contact_mass(pair), kept.size(), step);
   for (const std::size_t i : kept) {

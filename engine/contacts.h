@@ -54,6 +54,13 @@ struct ContactPoint {
 /// @param reach   Depth that the pair can have gathered within the last steps [m].
 std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach);
 
+/// The points that hold a sphere: those that are left when it is pushed out of every deeper one.
+///
+/// On a mesh a sphere also overlaps the triangles beside the one that it lies on, and is reported
+/// to touch their edges with normals that lean away from them. Such points would set it rolling on
+/// a flat floor; pushed out of the deepest, it is out of them. In a valley both sides are kept.
+std::vector<ContactPoint> holding_a_sphere(std::vector<ContactPoint> points);
+
 /// Indices of at most `most` points that stand for all: the deepest, then one by one the point
 /// farthest from those taken, in place and direction. Equal ones go by order.
 std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most);

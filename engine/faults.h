@@ -28,6 +28,7 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
 struct BodyLoads {
   std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`.
   hydro::Loads water;
+  hydro::Wrench damping;  ///< The implicit part of stiff drag (stiff_drag.h).
 
   hydro::Wrench total() const;
 };

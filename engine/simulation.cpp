@@ -11,6 +11,7 @@
 #include "engine/applied_load.h"
 #include "engine/faults.h"
 #include "engine/locks.h"
+#include "engine/stiff_drag.h"
 #include "engine/wetness.h"
 #include "engine/world.h"
 #include "hydro/parallel.h"
@@ -44,7 +45,14 @@ struct Floater {
   Eigen::AlignedBox3d box_B;
   std::optional<hydro::BodyState> loaded_state;  ///< That `loads` belongs to.
   hydro::Loads loads;
+  bool jointed = false;
 };
+
+bool has_joint(const SimulationSpec& spec, BodyId body) {
+  return std::any_of(spec.joints.begin(), spec.joints.end(), [&](const JointSpec& joint) {
+    return joint.first == body || joint.second == body;
+  });
+}
 
 bool changes_with_time(const hydro::Sea& sea) {
   return std::holds_alternative<hydro::WaveSurface>(sea.surface);
@@ -58,7 +66,8 @@ std::vector<Floater> make_floaters(const SimulationSpec& spec) {
     if (!feels_water(body)) continue;
     floaters.push_back({.body = static_cast<BodyId>(i),
                         .hull = hydro::make_hull(body.mesh_B),
-                        .box_B = hydro::bounding_box(body.mesh_B)});
+                        .box_B = hydro::bounding_box(body.mesh_B),
+                        .jointed = has_joint(spec, static_cast<BodyId>(i))});
   }
   return floaters;
 }
@@ -92,6 +101,7 @@ struct Simulation::Impl {
   void find_applied_loads();
   void find_water_loads();
   void find_water_load(Floater& floater);
+  void damp_stiff_drag(const Floater& floater);
   void apply_loads();
   void collide();
   void advance();
@@ -112,6 +122,7 @@ struct Simulation::Impl {
   bool broken = false;  ///< The mechanics engine stopped in the middle of a step.
   Timings timings;
   Skips skips;
+  std::vector<long> stiff_steps;
 };
 
 Simulation::Impl::Impl(SimulationSpec description)
@@ -126,6 +137,7 @@ Simulation::Impl::Impl(SimulationSpec description)
   skips.water = floaters.empty();
   skips.dry_steps.assign(count(), 0);
   skips.resting_steps.assign(count(), 0);
+  stiff_steps.assign(count(), 0);
 }
 
 void Simulation::Impl::step() {
@@ -175,6 +187,20 @@ void Simulation::Impl::find_water_load(Floater& floater) {
     floater.loaded_state = states[i];
   }
   loads[i].water = floater.loads;
+  // A body in a joint moves with what it is tied to; its own mass says nothing about its stiffness.
+  if (!floater.jointed) damp_stiff_drag(floater);
+}
+
+void Simulation::Impl::damp_stiff_drag(const Floater& floater) {
+  const auto i = static_cast<std::size_t>(floater.body);
+  const hydro::Wrench drag = floater.loads.pressure_drag + floater.loads.viscous_drag;
+  const double stiffness = drag_stiffness(body(i), states[i], spec.sea->current, drag, spec.step);
+  if (!(stiffness > kStiffDrag)) return;
+  hydro::Wrench load = loads[i].total();
+  load.force.z() -= body(i).mass * spec.gravity;
+  loads[i].damping =
+      implicit_part(body(i), floater.hull, states[i], *spec.sea, time(), load, spec.step);
+  ++stiff_steps[i];
 }
 
 void Simulation::Impl::apply_loads() {
@@ -255,6 +281,7 @@ long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 const Timings& Simulation::timings() const { return impl_->timings; }
 const Skips& Simulation::skips() const { return impl_->skips; }
+const std::vector<long>& Simulation::stiff_steps() const { return impl_->stiff_steps; }
 
 void Simulation::step() { impl_->step(); }
 

@@ -53,6 +53,8 @@ class Simulation {
   const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
   const Timings& timings() const;
   const Skips& skips() const;
+  /// Per body: steps so long for its mass that its drag was taken implicitly (stiff_drag.h).
+  const std::vector<long>& stiff_steps() const;
 
   /// One step. The state before it is kept if it throws; every later step then throws too.
   /// @throws SimulationError

@@ -40,11 +40,13 @@ vec3 wet_color(vec3 normal) {
 void main() {
   vec3 to_eye = -normalize(v_position_E);
   vec3 normal = normalize(v_normal);
-  float depth_per_pixel = max(length(vec2(dFdx(v_depth), dFdy(v_depth))), u_flat_depth);
-  float depth_px = v_depth / depth_per_pixel;
+  float slope = length(vec2(dFdx(v_depth), dFdy(v_depth)));
+  // A face that lies in the surface itself is dry, and no waterline.
+  bool level = slope < u_flat_depth;
+  float depth_px = level ? v_depth / u_flat_depth - 8.0 : v_depth / slope;
   float wet = u_sea ? clamp(depth_px + 0.5, 0.0, 1.0) : 0.0;
   vec3 color = mix(dry_color(normal, to_eye), wet_color(normal), wet);
-  float line = u_sea ? 1.0 - smoothstep(0.5, 1.5, abs(depth_px)) : 0.0;
+  float line = u_sea && !level ? 1.0 - smoothstep(0.5, 1.5, abs(depth_px)) : 0.0;
   color = mix(color, vec3(0.97, 0.99, 1.0), 0.8 * line);
   o_color = vec4(through_medium(color, v_position_E), 1.0);
 }

@@ -14,6 +14,9 @@ constexpr Rgb kInk = {25, 32, 40};
 constexpr Rgb kPaper = {255, 255, 255};
 constexpr double kPaperWeight = 0.78;  // lets the picture show through, yet text is legible
 
+/// Of a picture with text [px]: in a smaller one the ticks of the scale would run together.
+constexpr int kLeastExtent = 120;
+
 /// A place for a colour bar; colours run up, or to the right.
 struct Bar {
   double left, top, width, height;
@@ -56,7 +59,7 @@ void add_scale(Image& image, const Font& font, double size, const PressureScale&
   const std::vector<Tick> ticks = round_ticks(scale);
   const double labels = std::max(widest(font, ticks), font.width("kPa") - size);
   const double bar_width = std::round(0.9 * size);
-  const double bar_height = std::round(0.34 * image.height);
+  const double bar_height = std::round(std::min(0.34 * image.height, 13.6 * size));
   Panel panel;
   panel.width = std::round(bar_width + labels + 2.0 * size);
   panel.height = std::round(bar_height + 3.4 * size);
@@ -81,8 +84,10 @@ void add_scale(Image& image, const Font& font, double size, const PressureScale&
 std::string time_label(double time) { return fmt::format("t = {:.2f} s", time); }
 
 void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time) {
+  const int extent = std::min(image.width, image.height);
+  if (extent < kLeastExtent) return;
   // 18 px at 720 lines stays legible when the picture is printed a column wide.
-  const int size = std::max(11, image.height / 40);
+  const int size = std::max(11, extent / 40);
   const Font font(size);
   add_time(image, font, size, time);
   if (scale) add_scale(image, font, size, *scale);

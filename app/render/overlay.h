@@ -8,7 +8,8 @@
 namespace render {
 
 /// Puts the time [s], upper left, and the labelled pressure scale, lower right, on a picture. Text
-/// grows with the picture. Without a scale (a dry scene) only the time.
+/// grows with the picture. Without a scale (a dry scene) only the time. A picture of less than 120
+/// pixels either way is left as it is.
 void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time);
 
 /// The pressure scale lying, for a figure: bar, ticks and name, on white.

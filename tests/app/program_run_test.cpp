@@ -88,6 +88,9 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["skipped"]["water"], false);
   EXPECT_EQ(summary["skipped"]["pictures"], "the scene has no render block");
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
+  EXPECT_THAT(keys(summary["bodies"]["box"]),
+              ElementsAre("triangles", "mass", "loads_not_computed", "steps_above_water",
+                          "steps_at_rest", "steps_with_stiff_drag"));
 }
 
 TEST_F(ProgramRun, DrawsFramesAndASheetOfThoseTimesBeforeTheEnd) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
@@ -53,6 +55,26 @@ TEST(RepresentativeContacts, TakeCoincidentPointsOnce) {
 
 TEST(RepresentativeContacts, OfFewAreAll) {
   EXPECT_THAT(engine::representative(grid(2), 8), UnorderedElementsAre(0, 1, 2, 3));
+}
+
+/// A sphere's overlap with ground that leans by `angle`, seen from above [rad].
+ContactPoint below_sphere(double angle, double depth) {
+  return {.normal_W = {std::sin(angle), 0, std::cos(angle)}, .depth = depth};
+}
+
+TEST(ContactsOfASphere, AreNotTheEdgesBesideTheOneItLiesOn) {
+  // Radius 1 sunk in by 1 cm; the edge lies 0.1 from the lowest point.
+  const double to_edge = std::hypot(0.99, 0.1);
+  const ContactPoint edge = below_sphere(std::atan2(0.1, 0.99), 1 - to_edge);
+  EXPECT_THAT(engine::holding_a_sphere({edge, below_sphere(0, 0.01)}), SizeIs(1));
+  EXPECT_EQ(engine::holding_a_sphere({edge, below_sphere(0, 0.01)})[0].depth, 0.01);
+}
+
+TEST(ContactsOfASphere, AreBothSidesOfAValley) {
+  EXPECT_THAT(engine::holding_a_sphere({below_sphere(0.1, 0.01), below_sphere(-0.1, 0.01)}),
+              SizeIs(2));
+  EXPECT_THAT(engine::holding_a_sphere({below_sphere(1, 0.01), below_sphere(-1, 0.002)}),
+              SizeIs(2));
 }
 
 // A face overlaps the ground by 1 mm; its side face is reported as if to be pushed out sideways.

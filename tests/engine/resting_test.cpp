@@ -5,6 +5,7 @@
 
 #include "engine/contacts.h"
 #include "tests/engine/specs.h"
+#include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -101,6 +102,20 @@ double creep(const SimulationSpec& spec) {
   const Vector3d then = simulation.states()[0].position;
   for (int i = 0; i < 1000; ++i) simulation.step();
   return (simulation.states()[0].position - then).norm();
+}
+
+TEST(Resting, ASphereDroppedOnAFlatMeshStaysWhereItFell) {
+  support::Random random(8);
+  for (int i = 0; i < 20; ++i) {
+    const Vector3d start(random.uniform(-3, 3), random.uniform(-3, 3), 1);
+    const BodySpec ball = support::sphere_body("ball", 0.5, 500, start);
+    const Simulation simulation =
+        support::after(on_ground(ball, CollisionShape::sphere, support::slope(0, 0, 200)), 500);
+    const hydro::BodyState& state = simulation.states()[0];
+    // The meshed floor is flat to its round-off, which sets the ball rolling by no more than that.
+    EXPECT_LT((state.position - start).head<2>().norm(), tolerance(1e-9));
+    EXPECT_LT(state.linear_velocity.norm(), tolerance(1e-9));
+  }
 }
 
 TEST(Friction, HoldsABodyOnASlopeBelowTheFrictionAngle) {

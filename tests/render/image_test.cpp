@@ -164,6 +164,21 @@ TEST(Overlay, ShowsTheScalesColorsAndTheTime) {
   }
 }
 
+TEST(Overlay, TakesLittleOfANarrowPicture) {
+  const Image blank = render::filled_image(200, 900, {40, 90, 120});
+  Image image = blank;
+  render::add_overlay(image, render::PressureScale{.max = 1e4}, 0.3);
+  for (int y = 60; y < 680; ++y)
+    for (int x = 0; x < 200; ++x) ASSERT_EQ(image.at(x, y), blank.at(x, y)) << x << ", " << y;
+}
+
+TEST(Overlay, IsLeftOutWhereItWouldNotBeLegible) {
+  const Image blank = render::filled_image(400, 100, {40, 90, 120});
+  Image image = blank;
+  render::add_overlay(image, render::PressureScale{.max = 1e4}, 0.3);
+  EXPECT_EQ(image, blank);
+}
+
 TEST(Overlay, StaysInsideASmallPicture) {
   Image image = render::filled_image(160, 120, {255, 255, 255});
   render::add_overlay(image, render::PressureScale{.max = 1e4}, 12.5);

@@ -1,6 +1,7 @@
 """The exact answers against brute-force sums of what they are the integrals of."""
 
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -8,8 +9,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "validati
 
 import numpy as np  # noqa: E402
 
+import bluff_bodies  # noqa: E402
 import closed_forms as exact  # noqa: E402
+import fit_drag  # noqa: E402
+import shadow  # noqa: E402
 import towed_sphere  # noqa: E402
+from cases import friction  # noqa: E402
 
 
 def sphere_points(count: int = 1000):
@@ -85,6 +90,66 @@ class Box(unittest.TestCase):
         above_keel = np.mean(depth**2 / 2) / volume
         arm = -across * np.cos(heel) + (above_keel - center) * np.sin(heel)
         self.assertAlmostEqual(exact.box_gz(breadth, draft, center, heel), arm, places=8)
+
+
+class BluffBodies(unittest.TestCase):
+    """The integrals of front and back, over the panels of the meshes that the cases use."""
+
+    def sums(self, profile):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "mesh.obj"
+            bluff_bodies.write_turned(path, profile)
+            triangles = shadow.read_triangles(path)
+        twice = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        area = np.linalg.norm(twice, axis=1) / 2
+        part = area * (twice[:, 0] / (2 * area))**3 / bluff_bodies.kCircle
+        np.testing.assert_allclose(np.sum(twice, axis=0), 0, atol=1e-12)  # The mesh is closed.
+        return np.sum(part[part > 0]), -np.sum(part[part < 0])
+
+    def test_meshes_have_the_closed_forms_on_either_side(self):
+        forms = {body.name: (body.front, body.back) for body in bluff_bodies.kBodies}
+        hemisphere = self.sums(bluff_bodies.hemisphere_profile())
+        cone = self.sums(bluff_bodies.cone_profile())
+        np.testing.assert_allclose(hemisphere, forms["hemisphere_round"], rtol=2e-3)
+        np.testing.assert_allclose(hemisphere[::-1], forms["hemisphere_flat"], rtol=2e-3)
+        np.testing.assert_allclose(cone, forms["cone_point"], rtol=2e-3)
+        np.testing.assert_allclose(cone[::-1], forms["cone_base"], rtol=2e-3)
+
+    def test_no_pair_near_the_fit_is_better(self):
+        fit = fit_drag.fit_drag()
+        around = np.linspace(-0.1, 0.1, 21)
+        near = fit_drag.objective(*np.meshgrid(fit.front + around, fit.back + around))
+        self.assertGreaterEqual(np.min(near), fit.objective - 1e-12)
+        self.assertLess(fit.objective, float(fit_drag.objective(0.6316, 0.6316)))
+
+
+class Shadow(unittest.TestCase):
+    def test_an_area_under_two_triangles_counts_once(self):
+        # The L of two rectangles of 2 x 1 and 1 x 2 that share a square, the second twice and
+        # upside down.
+        def rectangle(x, y, z):
+            p = np.array([[0, 0, z], [x, 0, z], [x, y, z], [0, y, z]], float)
+            return [p[[0, 1, 2]], p[[0, 2, 3]]]
+        faces = rectangle(2, 1, 0) + rectangle(1, 2, 1) + [t[::-1] for t in rectangle(1, 2, 5)]
+        self.assertAlmostEqual(shadow.shadow_area(np.array(faces), 2), 3, delta=1e-9)
+
+    def test_of_a_hemisphere_of_panels(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "mesh.obj"
+            bluff_bodies.write_turned(path, bluff_bodies.hemisphere_profile())
+            triangles = shadow.read_triangles(path)
+        # A polygon of 96 corners from ahead; half of one of 192 from abeam, where a ring every
+        # 90/48 degrees makes the outline.
+        ahead, abeam = (0.25 * n / 2 * np.sin(2 * np.pi / n) for n in (96, 192))
+        np.testing.assert_allclose(shadow.shadow_area(triangles, 0), ahead, rtol=1e-4)
+        np.testing.assert_allclose(shadow.shadow_area(triangles, 1), abeam / 2, rtol=1e-4)
+
+
+class Friction(unittest.TestCase):
+    def test_line_of_1957_and_what_it_is_held_at(self):
+        self.assertAlmostEqual(friction.ittc57(1e7), 0.003, places=15)
+        self.assertAlmostEqual(friction.ittc57(1e5), 0.075 / 9, places=15)
+        self.assertEqual(friction.ittc57(10), friction.ittc57(1e4))
 
 
 class Motion(unittest.TestCase):

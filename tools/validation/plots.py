@@ -26,6 +26,13 @@ pyplot.rcParams.update({
 
 
 def draw(plot: Plot) -> str:
+    """The svg element."""
+    text = drawn(plot, "svg", transparent=True).decode("utf-8")
+    return text[text.index("<svg"):]
+
+
+def drawn(plot: Plot, format_name: str, **options) -> bytes:
+    """The file's bytes, in a format that matplotlib writes."""
     figure, axes = pyplot.subplots(figsize=(5.4, 3.3), layout="constrained")
     colors = iter(kColors * 2)
     for curve in plot.curves:
@@ -38,7 +45,8 @@ def draw(plot: Plot) -> str:
         axes.set_yscale("log")
     if len(plot.curves) > 1:
         axes.legend()
-    text = io.StringIO()
-    figure.savefig(text, format="svg", transparent=True, metadata={"Date": None})
+    picture = io.BytesIO()
+    date = {"metadata": {"Date": None}} if format_name == "svg" else {}
+    figure.savefig(picture, format=format_name, **date, **options)
     pyplot.close(figure)
-    return text.getvalue()[text.getvalue().index("<svg"):]
+    return picture.getvalue()

@@ -1,10 +1,11 @@
 """Every case, in the order of the report."""
 
-from . import (balance, cost, drag, frames, immersion, motion, spin, stability, towing, tilt,
-               waves)
+from . import (balance, bluff, calibrated, cost, drag, frames, friction, immersion, motion, spin,
+               stability, towing, tilt, waves)
 
 kCases = [
-    *immersion.kCases, *tilt.kCases, *drag.kCases, *spin.kCases, *towing.kCases,
+    *immersion.kCases, *tilt.kCases, *drag.kCases, *bluff.kCases, *calibrated.kCases,
+    *friction.kCases, *spin.kCases, *towing.kCases,
     *balance.kCases, *stability.kCases, *motion.kCases, *frames.kCases, *waves.kCases,
     *cost.kCases,
 ]

@@ -10,25 +10,35 @@ kCounts = (16, 32, 64, 96, 128)
 kRepeats = 2
 
 
-def hydro_time(plimsoll: Plimsoll, count: int, height: float) -> float:
+kStates = {"submerged": -3.0, "half immersed": 0.0}  # Height of the centre [m].
+kStepsTimed = 60
+
+
+def triangle_count(count: int) -> int:
+    """Of a UV sphere with as many slices as stacks."""
+    return 2 * count * (count - 1)
+
+
+def hydro_time(plimsoll: Plimsoll, count: int, height: float, threads: int = 1,
+               repeats: int = kRepeats) -> float:
     """Of one simulated second at 60 Hz, the least of some runs [s]."""
     times = []
-    for repeat in range(kRepeats):
-        _, summary = plimsoll.run(kScene, f"cost_{count}_{height:g}_{repeat}", {
+    for repeat in range(repeats):
+        _, summary = plimsoll.run(kScene, f"cost_{count}_{height:g}_{threads}_{repeat}", {
             "bodies[0].sphere.slices": count, "bodies[0].sphere.stacks": count,
-            "bodies[0].position": [0, 0, height]})
+            "bodies[0].position": [0, 0, height]}, threads=threads)
         times.append(summary["wall_seconds"]["hydro"])
     return min(times)
 
 
 def measure(plimsoll: Plimsoll) -> Result:
-    triangles = np.array([2 * n * (n - 1) for n in kCounts])
+    triangles = np.array([triangle_count(n) for n in kCounts])
     result = Result()
     curves = []
-    for name, height, style in (("submerged", -3.0, "o-"), ("half immersed", 0.0, "s--")):
+    for (name, height), style in zip(kStates.items(), ("o-", "s--")):
         times = np.array([hydro_time(plimsoll, n, height) for n in kCounts])
         slope = float(np.polyfit(np.log(triangles[1:]), np.log(times[1:]), 1)[0])
-        per_panel = times[-1] / 60 / triangles[-1] * 1e9
+        per_panel = times[-1] / kStepsTimed / triangles[-1] * 1e9
         result.rows += [
             Row(f"exponent of time over triangles, {name}", "–", 1, slope, abs(slope - 1), None),
             Row(f"time a triangle and step, {triangles[-1]} triangles, {name}", "ns", float("nan"),
