@@ -58,6 +58,7 @@ struct Arguments {
   CompareOptions compare;
   RenderOptions render;
   HydrostaticsOptions hydrostatics;
+  AddedMassCommand addedmass;
   std::vector<double> center_of_mass;
   std::string heels = "0:60:5";
   std::vector<std::filesystem::path> scenes;
@@ -77,31 +78,33 @@ void add_sets(CLI::App* command, Arguments& arguments) {
 
 void add_run(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("run", "Run a scene: trajectory, pictures, summary");
-  command->add_option("scene", a.run.scene, "Scene file (YAML)")->required();
-  command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]");
+  command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE")->required();
+  command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]")->type_name("DIR");
   add_sets(command, a);
   command->add_flag_callback(
       "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
   command
-      ->add_option("--threads", a.run.threads, "Threads; results do not depend on it [all cores]")
-      ->check(CLI::Range(1, 256));
+      ->add_option("--threads", a.run.threads,
+                   "Threads, 1 to 256; results do not depend on it [all cores]")
+      ->check(CLI::Range(1, 256).description(""))
+      ->type_name("N");
   command->add_flag("--quiet", a.run.quiet, "No progress and no report");
 }
 
 void add_others(CLI::App& program, Arguments& a) {
   CLI::App* check =
       program.add_subcommand("check", "Validate scenes and their meshes; run nothing");
-  check->add_option("scenes", a.scenes, "Scene files")->required();
+  check->add_option("scenes", a.scenes, "Scene files")->type_name("FILE")->required();
   add_sets(check, a);
 
   CLI::App* probe =
       program.add_subcommand("probe", "Print the forces on every body in its initial state (JSON)");
-  probe->add_option("scene", a.scene, "Scene file")->required();
+  probe->add_option("scene", a.scene, "Scene file")->type_name("FILE")->required();
   add_sets(probe, a);
 
   CLI::App* compare = program.add_subcommand("compare", "Compare two trajectories body by body");
-  compare->add_option("a", a.compare.a, "Trajectory (CSV)")->required();
-  compare->add_option("b", a.compare.b, "Trajectory (CSV)")->required();
+  compare->add_option("a", a.compare.a, "Trajectory (CSV)")->type_name("FILE")->required();
+  compare->add_option("b", a.compare.b, "Trajectory (CSV)")->type_name("FILE")->required();
   compare
       ->add_option("--tol", a.tolerances,
                    "Tolerances: position, orientation_deg, linear_velocity, angular_velocity; only "
@@ -110,9 +113,15 @@ void add_others(CLI::App& program, Arguments& a) {
       ->delimiter(',');
 
   CLI::App* render = program.add_subcommand("render", "Draw pictures of a trajectory");
-  render->add_option("trajectory", a.render.trajectory, "Trajectory (CSV)")->required();
-  render->add_option("--scene", a.render.scene, "The scene that it is of")->required();
-  render->add_option("--out", a.render.out, "Folder for the pictures")->required();
+  render->add_option("trajectory", a.render.trajectory, "Trajectory (CSV)")
+      ->type_name("FILE")
+      ->required();
+  render->add_option("--scene", a.render.scene, "The scene that it is of")
+      ->type_name("SCENE")
+      ->required();
+  render->add_option("--out", a.render.out, "Folder for the pictures")
+      ->type_name("DIR")
+      ->required();
   add_sets(render, a);
   render->add_flag("--quiet", a.render.quiet, "No progress and no report");
 }
@@ -121,10 +130,12 @@ void add_hydrostatics(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand(
       "hydrostatics", "How a mesh or a scene's bodies float at rest, and what rights them");
   HydrostaticsOptions& o = a.hydrostatics;
-  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->required();
-  command->add_option("--mass", o.mass, "Of the mesh [kg]");
-  command->add_option("--draught", o.draught, "Instead of a mass: that of the upright mesh [m]");
-  command->add_option("--density", o.density, "Of the water, with a mesh [kg/m^3] [1000]");
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--mass", o.mass, "Of the mesh [kg]")->type_name("KG");
+  command->add_option("--draught", o.draught, "Instead of a mass: that of the upright mesh [m]")
+      ->type_name("M");
+  command->add_option("--density", o.density, "Of the water, with a mesh [kg/m^3] [1000]")
+      ->type_name("RHO");
   command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")
       ->type_name("X,Y,Z")
       ->delimiter(',')
@@ -135,6 +146,24 @@ void add_hydrostatics(CLI::App& program, Arguments& a) {
   add_sets(command, a);
   command->add_flag("--json", o.json, "As JSON");
   command->add_flag("--csv", o.csv, "As CSV, a number a row");
+}
+
+void add_addedmass(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "addedmass", "Added mass of a mesh or a scene's bodies, wholly submerged");
+  AddedMassCommand& o = a.addedmass;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--density", o.density, "Of the water [kg/m^3] [the scene's, or 1000]");
+  command->add_option("--tolerance", o.options.tolerance, "Of the estimated relative error")
+      ->capture_default_str();
+  command
+      ->add_option("--method", o.options.method,
+                   "linear: on panels of its own; constant: plain collocation on the faces")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
+          {"linear", hydro::AddedMassMethod::linear},
+          {"constant", hydro::AddedMassMethod::constant}}));
+  add_sets(command, a);
+  command->add_flag("--json", o.json, "As JSON");
 }
 
 int run_hydrostatics(Arguments& a, const std::vector<Override>& overrides) {
@@ -161,12 +190,13 @@ void check_command(const CLI::App& program, int argc, char** argv) {
 
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<Override> overrides = parse_overrides(a.sets);
-  a.run.overrides = a.render.overrides = overrides;
+  a.run.overrides = a.render.overrides = a.addedmass.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
   if (program.got_subcommand("check")) return check(a.scenes, overrides);
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
   if (program.got_subcommand("compare")) return compare(a.compare);
+  if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
   if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
   return render_trajectory(a.render);
 }
@@ -182,6 +212,7 @@ int command_line(int argc, char** argv) {
   add_run(program, arguments);
   add_others(program, arguments);
   add_hydrostatics(program, arguments);
+  add_addedmass(program, arguments);
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/scene/reader.h"
+#include "hydro/added_mass.h"
 
 /// @file
 /// What the program's commands do. Each returns the process's exit code; wrong input is thrown as
@@ -69,5 +70,15 @@ struct HydrostaticsOptions {
   bool csv = false;
 };
 int hydrostatics(const HydrostaticsOptions& options);
+
+/// The added mass of a mesh or of a scene's bodies, each wholly submerged and alone.
+struct AddedMassCommand {
+  std::filesystem::path file;       ///< A scene if its extension is .yaml or .yml, else a mesh.
+  std::optional<double> density;    ///< Of the water [kg/m^3]; none: the scene's, or 1000.
+  std::vector<Override> overrides;  ///< Of a scene.
+  hydro::AddedMassOptions options;
+  bool json = false;
+};
+int addedmass(const AddedMassCommand& command);
 
 }  // namespace app
