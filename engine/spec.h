@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "hydro/added_mass_model.h"
 #include "hydro/loads.h"
 
 /// @file
@@ -55,6 +57,7 @@ struct BodySpec {
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
   hydro::BodyState initial;
   hydro::Coefficients coefficients;
+  std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
   bool wet = true;  ///< False if the water does nothing to it.
   CollisionShape collision = CollisionShape::mesh;
   DofMask locked = {};  ///< Held at their initial value; all six make the body immovable.

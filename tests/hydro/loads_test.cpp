@@ -9,6 +9,7 @@
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"
+#include "tests/support/repeats.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -54,7 +55,7 @@ void expect_same(const Loads& a, const Loads& b) {
 
 TEST(Loads, AgreeWithExactIntegrationOnRandomMeshesInRandomPoses) {
   support::Random random(21);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < support::repeats(12); ++i) {
     const Hull hull = centred_hull(support::random_star(random, 1));
     const BodyState state = state_near_surface(random);
     Sea sea = kStillSea;
