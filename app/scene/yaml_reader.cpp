@@ -277,6 +277,13 @@ InputError input_error(const std::filesystem::path& file, Mark mark, const std::
   return InputError({Fault{{file, mark.line, mark.column}, "", message}});
 }
 
+/// What the parser says, the same for all its versions: from 0.8 on yaml-cpp appends the name of an
+/// anchor that is not defined, which stands at the place of the fault anyway.
+std::string parser_message(const std::string& message) {
+  const std::string undefined = "the referenced anchor is not defined";
+  return message.starts_with(undefined) ? undefined : message;
+}
+
 }  // namespace
 
 const YamlNode* YamlNode::find(const std::string& key) const {
@@ -316,7 +323,8 @@ YamlNode parse_yaml(const std::string& text, const std::filesystem::path& file) 
     throw input_error(file, refusal.mark, refusal.message);
   } catch (const YAML::Exception& error) {
     const Mark mark = to_mark(error.mark);
-    throw input_error(file, mark, "not valid YAML: " + error.msg + tab_hint(text, mark));
+    throw input_error(file, mark,
+                      "not valid YAML: " + parser_message(error.msg) + tab_hint(text, mark));
   }
   return builder.take_root();
 }
