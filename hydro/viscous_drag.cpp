@@ -5,19 +5,31 @@
 #include <array>
 #include <cmath>
 
+#include "hydro/rotary_drag.h"
+
 namespace hydro {
 namespace {
 
 /// Splitting ends here whatever the error: 4^-12 of the panel's area is left in a corner.
 constexpr int kMaxDepth = 12;
 
-/// Below this ratio of the velocity's change over a panel to the velocity itself the degree 5 rule
-/// errs by less than 1e-7: the first term it misses is of sixth order in the ratio.
-constexpr double kSmoothRatio = 0.2;
+/// Up to which ratio of the velocity's change over a panel to the velocity itself...
+struct Ratios {
+  /// ...the rule of degree 5 is taken: the first term it misses is of sixth order.
+  double smooth;
+  /// ...the line where |v_t| has a given value is straight enough to cut a panel there: what lies
+  /// between the line and the cut costs a third-order term.
+  double straight;
+};
 
-/// Below this ratio the line where |v_t| has a given value is straight enough to cut a panel
-/// there: what lies between the line and the cut costs a third-order term, 1e-6.
-constexpr double kStraightRatio = 0.05;
+/// Errors below 1e-7 and 1e-6.
+constexpr Ratios kForAdaptive = {0.2, 0.05};
+
+/// Errors below 1e-10. Beyond these ratios the closed form has more than ten digits.
+constexpr Ratios kBesideClosedForm = {0.05, 0.002};
+
+/// The laws that `rotary_drag` integrates.
+constexpr std::array<DragPiece, 3> kThesisPieces = {{{0, 0.1, 0}, {1, 0.2, -0.1}, {2, 0, 0}}};
 
 /// Reynolds number below which the ITTC line is held: it is meant for ships, and has a pole at 100.
 constexpr double kLeastReynolds = 1e4;
@@ -136,33 +148,25 @@ std::array<Panel, 4> split_in_four(const Panel& r) {
   return {{{r[0], m2, m1}, {m2, r[1], m0}, {m1, m0, r[2]}, {m0, m1, m2}}};
 }
 
-/// The range of |v_t| over a panel: its largest value is at a vertex; from below a bound.
+/// Bounds of |v_t| over a panel, and its change from the centre at most: v_t turns about the
+/// normal.
 struct SpeedRange {
   double low, high, change;
 };
 
 SpeedRange speed_range(const Panel& panel, const SlidingFlow& flow) {
-  const std::array<Eigen::Vector3d, 3> v = {flow.at(panel[0]), flow.at(panel[1]),
-                                            flow.at(panel[2])};
-  const Eigen::Vector3d centre = (v[0] + v[1] + v[2]) / 3;
-  double high_squared = 0;
-  double change_squared = 0;
-  for (const Eigen::Vector3d& v_i : v) {
-    high_squared = std::max(high_squared, v_i.squaredNorm());
-    change_squared = std::max(change_squared, (v_i - centre).squaredNorm());
-  }
-  const double change = std::sqrt(change_squared);
-  return {std::max(0.0, centre.norm() - change), std::sqrt(high_squared), change};
+  const Eigen::Vector3d center = (panel[0] + panel[1] + panel[2]) / 3;
+  double size_squared = 0;
+  for (const Eigen::Vector3d& r : panel)
+    size_squared = std::max(size_squared, (r - center).squaredNorm());
+  const double middle = flow.at(center).norm();
+  const double change = std::abs(flow.motion.angular.dot(flow.normal)) * std::sqrt(size_squared);
+  return {std::max(0.0, middle - change), middle + change, change};
 }
 
 bool contains_kink(const Kinks& kinks, const SpeedRange& range) {
   return std::any_of(kinks.begin(), kinks.end(),
                      [&](double kink) { return range.low < kink && kink < range.high; });
-}
-
-bool vanishes(const SlidingFlow& flow, const SpeedRange& range) {
-  const bool beyond = flow.law.law == ViscousDrag::Law::thesis && range.low >= 2;
-  return range.high == 0 || beyond;
 }
 
 /// What `adaptive` may leave as its error: of the force, and by the lever arm of the moment.
@@ -175,11 +179,11 @@ struct Allowance {
 
 Wrench adaptive(const Panel& panel, const SlidingFlow& flow, Allowance allowance, int depth) {
   const SpeedRange range = speed_range(panel, flow);
-  if (vanishes(flow, range)) return {};
+  if (range.high == 0) return {};
   const bool kink = contains_kink(flow.kinks, range);
-  if (kink && (range.change <= kStraightRatio * range.low || depth == kMaxDepth))
+  if (kink && (range.change <= kForAdaptive.straight * range.low || depth == kMaxDepth))
     return cut_at_kinks(panel, flow, flow.kinks.begin());
-  if (!kink && range.change <= kSmoothRatio * range.low) return seven_points(panel, flow);
+  if (!kink && range.change <= kForAdaptive.smooth * range.low) return seven_points(panel, flow);
   const std::array<Panel, 4> children = split_in_four(panel);
   if (!kink) {
     Wrench fine;
@@ -193,6 +197,29 @@ Wrench adaptive(const Panel& panel, const SlidingFlow& flow, Allowance allowance
   return sum;
 }
 
+Wrench adaptive(const Panel& panel, const SlidingFlow& flow) {
+  const SpeedRange range = speed_range(panel, flow);
+  const double arm = std::max({panel[0].norm(), panel[1].norm(), panel[2].norm()});
+  const double largest = area_vector(panel).norm() * range.high * range.high *
+                         viscous_coefficient(flow.law, range.low);
+  return adaptive(panel, flow, {kViscousTolerance * largest, arm}, 0);
+}
+
+/// For the laws that are linear in the speed by pieces.
+Wrench by_pieces(const Panel& panel, const SlidingFlow& flow) {
+  const SpeedRange range = speed_range(panel, flow);
+  const bool thesis = flow.law.law == ViscousDrag::Law::thesis;
+  if (range.high == 0 || (thesis && range.low >= 2)) return {};
+  const bool kink = contains_kink(flow.kinks, range);
+  if (!kink && range.change <= kBesideClosedForm.smooth * range.low)
+    return seven_points(panel, flow);
+  if (kink && range.change <= kBesideClosedForm.straight * range.low)
+    return cut_at_kinks(panel, flow, flow.kinks.begin());
+  if (thesis) return rotary_drag(panel, flow.normal, flow.motion, kThesisPieces);
+  const std::array<DragPiece, 1> constant = {{{0, flow.law.coefficient, 0}}};
+  return rotary_drag(panel, flow.normal, flow.motion, constant);
+}
+
 }  // namespace
 
 double viscous_coefficient(const ViscousDrag& law, double speed) {
@@ -201,12 +228,10 @@ double viscous_coefficient(const ViscousDrag& law, double speed) {
 
 Wrench viscous_drag_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion,
                          const ViscousDrag& law, double half_density) {
+  if (law.none()) return {};
   const SlidingFlow flow{motion, normal, law, kinks_of(law)};
-  const SpeedRange range = speed_range(panel, flow);
-  const double arm = std::max({panel[0].norm(), panel[1].norm(), panel[2].norm()});
-  const double largest =
-      area_vector(panel).norm() * viscous_coefficient(law, range.low) * range.high * range.high;
-  return -half_density * adaptive(panel, flow, {kViscousTolerance * largest, arm}, 0);
+  const bool smooth = law.law == ViscousDrag::Law::ittc57;
+  return -half_density * (smooth ? adaptive(panel, flow) : by_pieces(panel, flow));
 }
 
 }  // namespace hydro

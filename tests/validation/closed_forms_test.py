@@ -10,11 +10,15 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "validati
 import numpy as np  # noqa: E402
 
 import bluff_bodies  # noqa: E402
+import case  # noqa: E402
 import closed_forms as exact  # noqa: E402
+import convergence  # noqa: E402
 import fit_drag  # noqa: E402
 import shadow  # noqa: E402
 import towed_sphere  # noqa: E402
+import uv_sphere  # noqa: E402
 from cases import friction  # noqa: E402
+from reference_values import value  # noqa: E402
 
 
 def sphere_points(count: int = 1000):
@@ -161,6 +165,102 @@ class Motion(unittest.TestCase):
         times = np.linspace(0, 10, 501)
         ours = exact.integrate(lambda t, w: -0.4 * w * w, 5, times)
         np.testing.assert_allclose(ours, 5 / (1 + 2 * times), rtol=1e-6)
+
+
+class CornerUp(unittest.TestCase):
+    """The cube of half the water's density."""
+
+    def energy(self, x, y):
+        """About the diagonal, x towards the face diagonals, y square to it [rad]."""
+        axes = (np.array([1, 1, -2]) / np.sqrt(6), np.array([1, -1, 0]) / np.sqrt(2))
+        angle = np.hypot(x, y)
+        way = (x * axes[0] + y * axes[1]) / angle if angle else axes[0]
+        return exact.cube_mean_depth(np.cos(angle) * np.ones(3) / np.sqrt(3) + np.sin(angle) * way)
+
+    def test_mean_depth_is_that_of_points_in_the_cube(self):
+        x = (np.arange(200) + 0.5) / 100 - 1
+        up = np.array([0.5, 0.6, 0.62]) / np.linalg.norm([0.5, 0.6, 0.62])
+        depths = np.abs(up[0] * x[:, None, None] + up[1] * x[:, None] + up[2] * x)
+        self.assertAlmostEqual(exact.cube_mean_depth(up), depths.mean(), places=4)
+
+    def test_attitude_is_a_minimum_with_the_cubic_term_that_shifts_its_mean(self):
+        h = 0.005
+        e = {i: self.energy(i * h, 0) for i in (-2, -1, 0, 1, 2)}
+        k = (e[1] - 2 * e[0] + e[-1]) / h**2
+        c = (e[2] - 2 * e[1] + 2 * e[-1] - e[-2]) / (4 * h**3)
+        self.assertGreater(k, 0)
+        np.testing.assert_allclose(abs(c / k), exact.cube_corner_shift(), rtol=1e-3)
+        across = (self.energy(0, h) - 2 * e[0] + self.energy(0, -h)) / h**2
+        np.testing.assert_allclose(across, k, rtol=1e-3)
+
+
+class Polyhedron(unittest.TestCase):
+    """The UV sphere by its own panels."""
+
+    def test_tends_to_the_sphere(self):
+        errors = []
+        for count in (20, 40):
+            sphere = uv_sphere.SpinningSphere(1.5, count, count)
+            errors.append([
+                sphere.torque(2, 1000, 0.1) / exact.sphere_spin_torque(1.5, 2, 1000, 0.1) - 1,
+                sphere.moment_of_inertia(3) / (8 / 15 * np.pi * 3 * 1.5**5) - 1])
+        np.testing.assert_allclose(np.array(errors[0]) / errors[1], 4, rtol=0.02)
+
+    def test_law_of_the_thesis_tends_to_the_sphere_s(self):
+        sphere = uv_sphere.SpinningSphere(1, 80, 80)
+        for omega in (0.5, 1.5, 3):
+            smooth = exact.sphere_spin_torque_of_law(1, omega, 1000,
+                                                     exact.thesis_viscous_coefficient)
+            np.testing.assert_allclose(sphere.torque_of_thesis_law(omega, 1000), smooth, rtol=0.01)
+
+
+class Waves(unittest.TestCase):
+    def test_moments_against_a_sum(self):
+        omega = (np.arange(400000) + 0.5) * exact.kHighest / 400000 * 2 * np.pi / 8
+        shape = exact.jonswap_shape(omega * 8 / (2 * np.pi), 3.3)
+        for order in (-1, 0, 1, 2):
+            total = np.sum(omega**order * shape) * (omega[1] - omega[0])
+            np.testing.assert_allclose(exact.jonswap_moment(3.3, 8, order), total, rtol=1e-7)
+
+    def test_mean_period_is_the_tabulated_one_but_for_the_cut(self):
+        # The tail of omega^-4 above 20 omega_p has 1.6e-4 of the first moment.
+        for gamma in (1, 3.3, 7):
+            ratio = value(f"jonswap.t01.{gamma:g}")
+            period = (2 * np.pi * exact.jonswap_moment(gamma, 8, 0)
+                      / exact.jonswap_moment(gamma, 8, 1))
+            self.assertAlmostEqual(period / 8 / ratio, 1, delta=2e-4)
+
+    def test_bands_keep_the_first_moment(self):
+        bands = exact.jonswap_bands(3.3, 8, 37)
+        self.assertTrue(np.all(np.diff(bands) > 0))
+        mean = exact.jonswap_moment(3.3, 8, 1) / exact.jonswap_moment(3.3, 8, 0)
+        np.testing.assert_allclose(bands.mean(), mean, rtol=1e-7)
+
+
+class Convergence(unittest.TestCase):
+    def test_extrapolation_takes_the_leading_error_away(self):
+        values = [5 + 3 * h**2 + h**4 for h in (0.4, 0.2, 0.1)]
+        limit, doubt = convergence.extrapolated(values, 2)
+        self.assertLess(abs(limit - 5), doubt)
+        self.assertLess(doubt, 0.3 * abs(values[2] - 5))
+        self.assertEqual(convergence.whole_order(values), 2)
+
+    def test_a_bias_that_no_mesh_takes_away_fails(self):
+        rows = convergence.mesh_rows("x", "m", 5.01, [5 + 3 * h**2 for h in (0.4, 0.2, 0.1)],
+                                     "finest")
+        self.assertFalse(rows[1].passed or rows[2].passed)  # The order, the extrapolated value.
+        rows = convergence.mesh_rows("x", "m", 5, [5 + 3 * h**2 + h**4 for h in (0.2, 0.1, 0.05)],
+                                     "finest")
+        self.assertTrue(all(row.passed for row in rows))
+
+    def test_a_scheme_of_half_the_order_fails(self):
+        rows = convergence.step_order_rows("x", [5 + h**0.5 for h in (0.4, 0.2, 0.1)], 1e-9)
+        self.assertFalse(rows[0].passed)
+        self.assertEqual(convergence.step_order_rows("x", [5, 5, 5 + 1e-10], 1e-9), [])
+
+    def test_an_exact_row_admits_round_off_only(self):
+        with self.assertRaises(ValueError):
+            case.compare("x", "m", 1, 1, 1e-8)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,27 @@ from dataclasses import dataclass, field
 import numpy as np
 
 
+kLargestExact = 1e-9  # Tolerance of what is represented exactly.
+
+# Every kind of comparison, and the rule for its tolerance.
+kKinds = {
+    "exact": "The program is given the very shape that the reference is for: nothing but round-off "
+             "may remain, at most 1e-9.",
+    "mesh": "Flat panels stand for what is smooth. Measured with three meshes whose panels halve: "
+            "the tolerance is 1.25 times the error that the last two let expect, and the order is "
+            "2. An extrapolated value is judged by the difference of the two extrapolations. Where "
+            "there is one mesh, the case argues the bound.",
+    "step": "Steps of time stand for time. As with meshes, with three steps that halve; the order "
+            "may be higher than the one that is judged.",
+    "raster": "The reference itself is counted on a raster of points; the case argues its error.",
+    "statistical": "A finite sample stands for a distribution: the tolerance is exceeded once in "
+                   "ten thousand times by chance.",
+    "asymptotic": "A motion dies out without ever ending: the tolerance follows from the amplitude "
+                  "that is left.",
+    "shown": "Not judged: it tells how far the model, or the thesis, is from the truth.",
+}
+
+
 @dataclass(frozen=True)
 class Row:
     """One compared quantity. The error is a pure number: the difference over `scale`."""
@@ -20,6 +41,14 @@ class Row:
     tolerance: float | None  # None: shown, not judged.
     thesis: float | None = None  # What the thesis found for the same quantity.
     headline: bool = False  # Stands for its case in the README.
+    kind: str = "exact"  # One of kKinds.
+
+    def __post_init__(self):
+        if self.tolerance is None:
+            object.__setattr__(self, "kind", "shown")
+        assert self.kind in kKinds, self.kind
+        if self.kind == "exact" and self.tolerance > kLargestExact:
+            raise ValueError(f"{self.quantity}: {self.tolerance} is no tolerance of an exact row")
 
     @property
     def passed(self) -> bool:
@@ -29,11 +58,11 @@ class Row:
 
 def compare(quantity: str, unit: str, reference: float, ours: float, tolerance: float | None, *,
             scale: float | None = None, thesis: float | None = None,
-            headline: bool = False) -> Row:
+            headline: bool = False, kind: str = "exact") -> Row:
     """Error relative to the reference, or to `scale` where the reference is zero or small."""
     error = abs(ours - reference) / abs(reference if scale is None else scale)
     return Row(quantity, unit, float(reference), float(ours), float(error), tolerance, thesis,
-               headline)
+               headline, kind)
 
 
 def compare_vectors(quantity: str, unit: str, reference: Sequence[float], ours: Sequence[float],
@@ -49,25 +78,16 @@ def compare_vectors(quantity: str, unit: str, reference: Sequence[float], ours: 
 
 
 def compare_all(quantity: str, unit: str, reference: Sequence[float], ours: Sequence[float],
-                tolerance: float | None, *, scale: float, thesis: float | None = None,
-                headline: bool = False) -> Row:
+                tolerance: float | None, *, scale: float, **options) -> Row:
     """The worst of many pairs: its values, and its error over `scale`."""
     a, b = np.asarray(reference, float), np.asarray(ours, float)
     worst = int(np.argmax(np.nan_to_num(np.abs(b - a), nan=np.inf)))
-    return compare(quantity, unit, a[worst], b[worst], tolerance, scale=scale, thesis=thesis,
-                   headline=headline)
-
-
-def observed_order(quantity: str, errors: Sequence[float], tolerance: float, expected: float = 2,
-                   headline: bool = False) -> Row:
-    """Order of convergence between the last two of a sequence whose sizes halve."""
-    order = float(np.log2(abs(errors[-2]) / abs(errors[-1])))
-    return compare(quantity, "–", expected, order, tolerance, scale=1, headline=headline)
+    return compare(quantity, unit, a[worst], b[worst], tolerance, scale=scale, **options)
 
 
 @dataclass(frozen=True)
 class Curve:
-    label: str
+    label: str  # Empty: not in the legend.
     x: Sequence[float]
     y: Sequence[float]
     style: str = "-"  # As matplotlib writes it.

@@ -107,6 +107,22 @@ def cube_tilt_growth_rate(edge: float, relative_density: float, gravity: float) 
     return np.sqrt(-gravity * gm / (edge**2 / 6))
 
 
+def cube_mean_depth(up: np.ndarray) -> float:
+    """Mean of |z| over a cube of edge 2 whose centre is in the water's surface, for an upward unit
+    vector in its axes that meets the hexagon about a diagonal. The potential energy of a cube of
+    half the water's density is proportional to it."""
+    total = np.sum(up)
+    return float((total**4 - np.sum((total - 2 * up)**4)) / (96 * np.prod(up)))
+
+
+def cube_corner_shift() -> float:
+    """How the mean attitude of a cube that floats corner up moves while it oscillates, over the
+    mean square of the angle. About a diagonal the energy is k r^2/2 + c (x^3 - 3 x y^2)/3, by its
+    threefold symmetry; the mean of the moment vanishes, so the mean of x + iy is c/k times the
+    mean of the conjugate of -(x + iy)^2. c/k = 9/sqrt(8)."""
+    return 9 / np.sqrt(8)
+
+
 # Motion ------------------------------------------------------------------------------------------
 
 def heave_period(radius: float, mass: float, density: float, gravity: float,
@@ -151,3 +167,39 @@ def integrate(rate: Callable[[float, float], float], start: float,
         k4 = rate(np.nextafter(b, a), w + h * k3)
         values.append(w + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
     return np.array(values)
+
+
+# Waves -------------------------------------------------------------------------------------------
+
+kHighest = 20.0  # Where the program cuts its spectrum off, over the peak's frequency.
+
+
+def jonswap_shape(ratio: np.ndarray, gamma: float) -> np.ndarray:
+    """JONSWAP density over ratio = omega/omega_p, without its scale."""
+    width = np.where(ratio <= 1, 0.07, 0.09)
+    peak = np.exp(-(ratio - 1)**2 / (2 * width**2))
+    return ratio**-5.0 * np.exp(-1.25 * ratio**-4.0) * gamma**peak
+
+
+def jonswap_moment(gamma: float, peak_period: float, order: int) -> float:
+    """Integral of omega^order times the shape up to the cut, by Gauss on either side of the peak,
+    in the shape's scale."""
+    peak = 2 * np.pi / peak_period
+    edges = (0.2, 0.6, 1, 1.4, 2, 4, 8, kHighest)
+    return peak**(order + 1) * sum(
+        quadrature(lambda r: r**order * jonswap_shape(r, gamma), a, b)
+        for a, b in zip(edges, edges[1:]))
+
+
+def jonswap_bands(gamma: float, peak_period: float, count: int, steps: int = 40000) -> np.ndarray:
+    """Mean frequencies of bands of equal energy [rad/s], by the midpoint rule with as many steps
+    as the program has, the steps at a band's ends shared between two bands."""
+    ratio = (np.arange(steps) + 0.5) * kHighest / steps
+    energy = jonswap_shape(ratio, gamma).astype(np.longdouble)
+    running = np.concatenate([[0], np.cumsum(energy)])
+    moment = np.concatenate([[0], np.cumsum(energy * ratio)])
+    ends = running[-1] * np.arange(count + 1) / count
+    at = np.clip(np.searchsorted(running, ends, side="right") - 1, 0, steps - 1)
+    at_ends = moment[at] + (ends - running[at]) * ratio[at]
+    means = np.diff(at_ends) * count / running[-1]
+    return (means * 2 * np.pi / peak_period).astype(float)

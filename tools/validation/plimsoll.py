@@ -11,6 +11,9 @@ from pathlib import Path
 import numpy as np
 
 
+kNone = "none"  # As a value in a scene: the word.
+
+
 class ProgramError(RuntimeError):
     """The program ended with an error; its message."""
 
@@ -116,7 +119,7 @@ class Plimsoll:
         """A scene made by a case, in its folder."""
         self.work.mkdir(parents=True, exist_ok=True)
         path = self.work / f"{name}.yaml"
-        path.write_text(json.dumps(scene))
+        path.write_text(json.dumps(scene).replace(f'"{kNone}"', kNone))
         return path
 
 

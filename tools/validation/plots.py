@@ -11,7 +11,7 @@ import matplotlib.pyplot as pyplot  # noqa: E402  The backend is chosen first.
 
 from case import Plot  # noqa: E402
 
-kColors = ("#0b6e99", "#c8553d", "#4c8c4a", "#8a5a9e", "#b8860b", "#5a6b7b")
+kColors = ("#0b6e99", "#c8553d", "#4c8c4a", "#8a5a9e", "#b8860b", "#5a6b7b", "#a0468c")
 
 pyplot.rcParams.update({
     "svg.fonttype": "none",       # Text stays text, in the page's font.
@@ -37,7 +37,8 @@ def drawn(plot: Plot, format_name: str, **options) -> bytes:
     colors = iter(kColors * 2)
     for curve in plot.curves:
         color = {} if "k" in curve.style else {"color": next(colors)}
-        axes.plot(curve.x, curve.y, curve.style, label=curve.label, markerfacecolor="none", **color)
+        axes.plot(curve.x, curve.y, curve.style, label=curve.label or None,
+                  markerfacecolor="none", **color)
     axes.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
     if plot.log_x:
         axes.set_xscale("log")

@@ -37,8 +37,8 @@ def _table(results: Path, cases: list[Case]) -> str:
                if not case.timed and name not in {row["case"] for row in rows}]
     if missing:
         sys.exit(f"{results} lacks {', '.join(missing)}; run tools/validate without names first")
-    lines = ["| case | quantity | reference | ours | error | tolerance |",
-             "| --- | --- | ---: | ---: | ---: | ---: |"]
+    lines = ["| case | quantity | kind | reference | ours | error | tolerance |",
+             "| --- | --- | --- | ---: | ---: | ---: | ---: |"]
     lines += [_line(row, titles) for row in rows]
     return "\n".join(lines)
 
@@ -48,7 +48,7 @@ def _line(row: dict[str, str], titles: dict[str, str]) -> str:
         sys.exit(f"{row['case']} could not be measured; the table stays as it is")
     unit = "" if row["unit"] == "–" else f" {row['unit']}"
     tolerance = f"{float(row['tolerance']):.2g}" if row["tolerance"] else ""
-    return (f"| {titles[row['case']]} | {row['quantity']} "
+    return (f"| {titles[row['case']]} | {row['quantity']} | {row['kind']} "
             f"| {format_number(float(row['reference']))}{unit} "
             f"| {format_number(float(row['ours']))}{unit} "
             f"| {float(row['error']):.1e} | {tolerance} |")

@@ -6,17 +6,18 @@ from html import escape
 from itertools import groupby
 from pathlib import Path
 
-from case import Case, Result, Row
+from case import Case, kKinds, Result, Row
 from plots import draw
 from results import format_number
 
-kHead = ("<th>quantity</th><th>unit</th><th class=n>reference</th><th class=n>ours</th>"
-         "<th class=n>error</th><th class=n>tolerance</th>")
+kHead = ("<th>quantity</th><th>kind</th><th>unit</th><th class=n>reference</th>"
+         "<th class=n>ours</th><th class=n>error</th><th class=n>tolerance</th>")
 
 
 def write_report(path: Path, cases: list[Case], results: dict[str, Result | str]) -> None:
     css = Path(__file__).with_name("report.css").read_text(encoding="utf-8")
-    body = [_introduction(results), _thesis_table(cases, results), _summary(cases, results)]
+    body = [_introduction(results), _kinds(results), _thesis_table(cases, results),
+            _summary(cases, results)]
     for section, members in groupby(cases, key=lambda case: case.section):
         body.append(f"<h2>{escape(section)}</h2>")
         body += [_article(case, results[case.name]) for case in members]
@@ -44,10 +45,27 @@ def _introduction(results: dict[str, Result | str]) -> str:
         f"<div class='verdict{bad}'>{escape(verdict)}</div>")
 
 
+def _kinds(results: dict[str, Result | str]) -> str:
+    """The rule for the tolerance of each kind of row, and how many there are."""
+    rows = [row for result in results.values() if isinstance(result, Result)
+            for row in result.rows]
+    lines = []
+    for kind, rule in kKinds.items():
+        members = [row for row in rows if row.kind == kind]
+        passed = sum(row.passed for row in members)
+        count = f"{len(members)}" if kind == "shown" else f"{passed} of {len(members)}"
+        lines.append(f"<tr><td class=k>{kind}</td><td>{escape(rule)}</td>"
+                     f"<td class=n>{count}</td></tr>")
+    return ("<h2>How each row is judged</h2><article><table><tr><th>kind</th>"
+            "<th>what it is, and the rule for its tolerance</th><th class=n>passed</th></tr>"
+            f"{''.join(lines)}</table></article>")
+
+
 def _cells(row: Row) -> str:
     error = "–" if row.error != row.error else f"{row.error:.2g}"
     tolerance = "" if row.tolerance is None else f"{row.tolerance:.2g}"
-    return (f"<td>{escape(row.quantity)}</td><td class=u>{escape(row.unit)}</td>"
+    return (f"<td>{escape(row.quantity)}</td><td class=k>{row.kind}</td>"
+            f"<td class=u>{escape(row.unit)}</td>"
             f"<td class=n>{format_number(row.reference)}</td>"
             f"<td class=n>{format_number(row.ours)}</td>"
             f"<td class=n>{error}</td><td class=n>{tolerance}</td>{_verdict(row)}")

@@ -9,7 +9,7 @@ from pathlib import Path
 from case import Result
 
 kColumns = ("case", "quantity", "reference", "ours", "error", "tolerance", "unit", "thesis",
-            "passed", "headline")
+            "passed", "headline", "kind")
 
 
 def write_csv(path: Path, results: dict[str, Result | str]) -> None:
@@ -21,14 +21,15 @@ def write_csv(path: Path, results: dict[str, Result | str]) -> None:
         for name, result in results.items():
             if isinstance(result, str):
                 lines.writerow([name, "the case could not be measured", "", "", "", "", "", "",
-                                "no", "yes"])
+                                "no", "yes", ""])
                 continue
             for row in result.rows:
                 lines.writerow([
                     name, row.quantity, repr(row.reference), repr(row.ours), repr(row.error),
                     "" if row.tolerance is None else repr(float(row.tolerance)), row.unit,
                     "" if row.thesis is None else repr(row.thesis),
-                    "yes" if row.passed else "no", "yes" if row.headline else "no"])
+                    "yes" if row.passed else "no", "yes" if row.headline else "no",
+                    row.kind])
 
 
 def format_number(value: float) -> str:

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from case import Case, Curve, Plot, Result, compare, compare_all, observed_order
+from case import Case, Curve, Plot, Result, compare, compare_all
 from closed_forms import cap_volume, kGravity, uv_sphere_volume_below
+from convergence import mesh_rows
 from plimsoll import Plimsoll
 from reference_values import value
 
@@ -34,7 +35,7 @@ def measure_sphere(plimsoll: Plimsoll) -> Result:
                     thesis=value(f"thesis.buoyancy.sphere_{triangles}")),
         ]
         curves.append(Curve(f"{triangles} triangles", depths, ours, style))
-    result.rows.append(convergence(plimsoll))
+    result.rows += convergence(plimsoll)
     result.plots.append(Plot("Buoyancy of spheres of radius 1 m",
                              "immersion of the lowest point [m]", "buoyancy [N]", curves))
     return result
@@ -42,13 +43,14 @@ def measure_sphere(plimsoll: Plimsoll) -> Result:
 
 def convergence(plimsoll: Plimsoll):
     """A sphere immersed to 1.25 m, with panels halved twice."""
-    errors = []
+    forces_of_meshes = []
     for count in (24, 48, 96):
         body = plimsoll.probe_one("thesis_sphere_480.yaml", {
             "bodies[0].position": [0, 0, -0.25], "bodies[0].sphere.slices": count,
             "bodies[0].sphere.stacks": count})
-        errors.append(body.buoyancy.force[2] / (kWeight * cap_volume(1, 1.25)) - 1)
-    return observed_order("order at which the error vanishes with the panels' size", errors, 0.05)
+        forces_of_meshes.append(body.buoyancy.force[2])
+    return mesh_rows("buoyancy of the smooth sphere, immersed to 1.25 m", "N",
+                     kWeight * cap_volume(1, 1.25), forces_of_meshes, "18,240 triangles")
 
 
 def measure_cube(plimsoll: Plimsoll) -> Result:
