@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
+#include "hydro/bem/adapt.h"
 #include "hydro/bem/collocation.h"
-#include "hydro/bem/estimate.h"
+#include "hydro/bem/galerkin.h"
+#include "hydro/bem/roughness.h"
 #include "hydro/mass_properties.h"
 #include "hydro/mesh_check.h"
 
@@ -18,41 +21,36 @@ namespace {
 
 using bem::Element;
 using bem::Potential;
+using bem::Surface;
 using Eigen::Index;
 using Eigen::Vector3d;
-
-/// Of the correction for what linear potentials lack, the part that may be wrong.
-constexpr double kDoubt = 0.7;
 
 /// Least error that is claimed: that of the integrals over pairs of panels.
 constexpr double kLeastError = 1e-4;
 
-/// Edges are halved that hold this part of the kinks. With less there are more solves, with more
-/// the panels are less well spread.
-constexpr double kHalvedPart = 0.7;
-
 /// With more panels interactions are compressed: slower for fewer, but F log F instead of F².
-constexpr Index kMostStored = 6000;
+constexpr std::size_t kMostStored = 5000;
 
 /// Everything found on one set of panels.
 struct Stage {
-  bem::Split split;
-  std::vector<Element> elements;
-  bem::Parts parts;
-  bem::Edges edges;
-  Potential psi;
-  Matrix6d scale;
-  bem::Kinks kinks;
+  Surface surface;
+  std::vector<int> parent;  ///< Of each panel, the face it is a part of.
+  bem::Solution solution;
   Matrix6d matrix;  ///< Not made symmetric.
-  double bytes = 0;
+  Matrix6d scale;
+  double error = 0;  ///< That finer panels would lessen.
 };
+
+Eigen::Matrix3d cross_matrix(const Vector3d& a) {
+  Eigen::Matrix3d cross;
+  cross << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return cross;
+}
 
 /// What errors are measured by: the added mass and a tenth of the displaced fluid's own inertia
 /// about the origin. Turned or moved, it transforms as the added mass does.
 Matrix6d scale_of(const Matrix6d& matrix, const SolidProperties& solid) {
-  const Vector3d& c = solid.centroid;
-  Eigen::Matrix3d cross;
-  cross << 0, -c.z(), c.y(), c.z(), 0, -c.x(), -c.y(), c.x(), 0;
+  const Eigen::Matrix3d cross = cross_matrix(solid.centroid);
   Matrix6d inertia;
   inertia << solid.volume * Eigen::Matrix3d::Identity(), -solid.volume * cross,
       solid.volume * cross, solid.inertia - solid.volume * cross * cross;
@@ -66,127 +64,105 @@ double largest_relative(const Matrix6d& difference, const Matrix6d& scale) {
 }
 
 Stage solve_on(bem::Split split, const SolidProperties& solid) {
-  Stage stage{.split = std::move(split)};
-  const TriMesh& mesh = stage.split.mesh;
-  stage.elements = bem::make_elements(mesh);
-  stage.parts = bem::parts_of(mesh);
-  stage.edges = bem::edges_of(mesh);
-  if (mesh.face_count() > kMostStored) {
-    bem::LargeSolution large = bem::solve_compressed(mesh, stage.elements, stage.parts);
-    stage.psi = std::move(large.psi);
-    stage.bytes = large.bytes;
-  } else {
-    stage.psi = bem::solve_dense(mesh, stage.elements, stage.parts);
-    stage.bytes = 8 * static_cast<double>(mesh.face_count() * mesh.face_count() +
-                                          mesh.vertex_count() * mesh.vertex_count());
-  }
-  stage.matrix = stage.psi.transpose() * bem::loads_on(mesh, stage.elements);
+  Stage stage{bem::make_surface(split.mesh), std::move(split.parent)};
+  stage.solution = stage.surface.face_count() > kMostStored ? bem::solve_compressed(stage.surface)
+                                                            : bem::solve_dense(stage.surface);
+  stage.matrix = stage.solution.psi.transpose() * bem::loads_on(stage.surface);
   stage.scale = scale_of(stage.matrix, solid);
-  stage.kinks =
-      bem::find_kinks(mesh, stage.elements, stage.edges, stage.psi, stage.scale.inverse());
+  stage.error = largest_relative(stage.solution.doubt, stage.scale) + kLeastError;
   return stage;
-}
-
-double estimated_error(const Stage& stage) {
-  return kDoubt * largest_relative(stage.kinks.missing, stage.scale) + kLeastError;
-}
-
-/// The edges with the largest kinks that together hold kHalvedPart of them. Equal ones go
-/// together, whatever round-off says.
-std::vector<bool> edges_to_halve(const std::vector<double>& kinks) {
-  std::vector<double> sorted = kinks;
-  std::sort(sorted.begin(), sorted.end(), std::greater<>());
-  double whole = 0, held = 0, least = 0;
-  for (const double kink : sorted) whole += kink;
-  for (std::size_t i = 0; i < sorted.size() && held < kHalvedPart * whole; ++i) {
-    held += sorted[i];
-    least = sorted[i];
-  }
-  std::vector<bool> marked(kinks.size());
-  for (std::size_t i = 0; i < kinks.size(); ++i) marked[i] = kinks[i] >= least * (1 - 1e-6);
-  return marked;
 }
 
 Stage refined_until(const TriMesh& mesh_B, const SolidProperties& solid,
                     const AddedMassOptions& options) {
-  Stage stage = solve_on({mesh_B, {}}, solid);
-  stage.split.parent.resize(static_cast<std::size_t>(mesh_B.face_count()));
-  for (std::size_t f = 0; f < stage.split.parent.size(); ++f)
-    stage.split.parent[f] = static_cast<int>(f);
-  while (estimated_error(stage) > options.tolerance) {
-    bem::Split finer = bem::bisected(stage.split, stage.edges, edges_to_halve(stage.kinks.of_edge));
+  std::vector<int> own(static_cast<std::size_t>(mesh_B.face_count()));
+  std::iota(own.begin(), own.end(), 0);
+  Stage stage = solve_on({mesh_B, own}, solid);
+  while (stage.error > options.tolerance && mesh_B.face_count() < options.most_panels) {
+    const std::vector<bool> marked =
+        bem::edges_to_halve(stage.surface, stage.solution.psi, stage.scale.inverse());
+    bem::Split finer =
+        bem::bisected({stage.surface.mesh, stage.parent}, stage.surface.edges, marked);
     if (finer.mesh.face_count() > options.most_panels) break;
     stage = solve_on(std::move(finer), solid);
   }
   return stage;
 }
 
-/// Each motion's ψ mixed from those found such that the added mass gains what the kinks say it
-/// lacks. Motions without added mass are left alone.
-Potential corrected(const Stage& stage) {
-  Matrix6d stiff = stage.matrix;
-  stiff += 1e-3 * stage.scale;
-  const Matrix6d mix = stiff.partialPivLu().solve(stage.kinks.missing);
-  return stage.psi + stage.psi * mix;
+/// ∫ ψ λ_j over a panel: a column a corner.
+CornerPotentials moments_on(const Surface& surface, std::size_t panel, const Potential& psi) {
+  const std::array<int, 6> rows = bem::functions_of(surface, panel);
+  const double area = surface.elements[panel].area;
+  CornerPotentials moments = CornerPotentials::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector6d vertex = psi.row(rows[i]).transpose(), edge = psi.row(rows[3 + i]).transpose();
+    for (std::size_t j = 0; j < 3; ++j) {
+      // ∫ λ_i λ_j = area/12 (1 + δ_ij), and ∫ 4 λ_i λ_k λ_j is twice as large at the edge's ends.
+      const bool opposite = j == (i + 2) % 3;
+      moments.col(static_cast<Index>(j)) +=
+          area / 12 * (i == j ? 2 : 1) * vertex + area / 15 * (opposite ? 1 : 2) * edge;
+    }
+  }
+  return moments;
 }
 
 /// Fits ψ on each face of the mesh by what it is on the panels that the face was split into.
 std::vector<CornerPotentials> fitted(const TriMesh& mesh_B, const Stage& stage,
                                      const Potential& psi) {
-  std::vector<CornerPotentials> moments(static_cast<std::size_t>(mesh_B.face_count()),
-                                        CornerPotentials::Zero());
   const std::vector<Element> faces = bem::make_elements(mesh_B);
-  for (std::size_t p = 0; p < stage.elements.size(); ++p) {
-    const auto parent = static_cast<std::size_t>(stage.split.parent[p]);
-    const Element& face = faces[parent];
-    CornerPotentials values;
-    Eigen::Matrix3d hats;  // of the face's corners, a row each, at the panel's, a column each
-    for (Index k = 0; k < 3; ++k) {
-      values.col(k) = psi.row(stage.split.mesh.faces(k, static_cast<Index>(p))).transpose();
-      const Vector3d offset =
-          stage.elements[p].corners[static_cast<std::size_t>(k)] - face.centroid;
-      for (std::size_t i = 0; i < 3; ++i)
-        hats(static_cast<Index>(i), k) = 1.0 / 3 + face.curls[i].cross(face.normal).dot(offset);
-    }
-    moments[parent] +=
-        stage.elements[p].area / 12 *
-        (values.rowwise().sum() * hats.rowwise().sum().transpose() + values * hats.transpose());
+  std::vector<CornerPotentials> potentials(faces.size(), CornerPotentials::Zero());
+  for (std::size_t p = 0; p < stage.surface.face_count(); ++p) {
+    const auto parent = static_cast<std::size_t>(stage.parent[p]);
+    Eigen::Matrix3d hats;  // of the face's corners, a column each, at the panel's, a row each
+    for (std::size_t k = 0; k < 3; ++k)
+      hats.row(static_cast<Index>(k)) =
+          bem::hats_at(faces[parent], stage.surface.elements[p].corners[k]).transpose();
+    potentials[parent] += moments_on(stage.surface, p, psi) * hats;
   }
   for (std::size_t f = 0; f < faces.size(); ++f) {
     // The inverse of ∫ λ_i λ_k = area/12 (1 + δ_ik).
-    const Vector6d whole = moments[f].rowwise().sum();
-    moments[f] = 12 / faces[f].area * (moments[f].colwise() - whole / 4);
+    const Vector6d whole = potentials[f].rowwise().sum();
+    potentials[f] = 12 / faces[f].area * (potentials[f].colwise() - whole / 4);
   }
-  return moments;
+  return potentials;
 }
 
-AddedMassSolution solve_linear(const TriMesh& mesh_B, const SolidProperties& solid,
-                               const AddedMassOptions& options) {
-  const Stage stage = refined_until(mesh_B, solid, options);
-  const TriMesh& panels = stage.split.mesh;
-  const Potential psi = bem::anchored(panels, stage.elements, stage.parts, corrected(stage));
+AddedMassSolution solve_about_origin(const TriMesh& mesh_B, const AddedMassOptions& options) {
+  const Stage stage = refined_until(mesh_B, solid_properties(mesh_B), options);
   AddedMassSolution solution;
-  solution.matrix = psi.transpose() * bem::loads_on(panels, stage.elements);
-  solution.error_estimate = estimated_error(stage);
-  solution.potentials = fitted(mesh_B, stage, psi);
-  solution.panels = static_cast<int>(panels.face_count());
-  solution.unknowns = static_cast<int>(panels.vertex_count());
-  solution.bytes = stage.bytes;
+  solution.matrix = stage.matrix;
+  // A flow that is as fine as panels is found in part or not at all: not both are lacking.
+  solution.error_estimate =
+      std::max(stage.error, largest_relative(bem::roughness(stage.surface), stage.scale));
+  solution.potentials = fitted(mesh_B, stage, bem::anchored(stage.surface, stage.solution.psi));
+  solution.panels = static_cast<int>(stage.surface.face_count());
+  solution.unknowns = static_cast<int>(stage.solution.unknowns);
+  solution.bytes = stage.solution.bytes;
+  return solution;
+}
+
+/// Solves about the centroid and moves the result, so that a moved body's is the same to round-off.
+AddedMassSolution solve_on_panels(const TriMesh& mesh_B, const Vector3d& centroid,
+                                  const AddedMassOptions& options) {
+  AddedMassSolution solution = solve_about_origin(translated(mesh_B, -centroid), options);
+  Matrix6d shift = Matrix6d::Identity();  // (n, r × n) from that about the centroid
+  shift.bottomLeftCorner<3, 3>() = cross_matrix(centroid);
+  solution.matrix = (shift * solution.matrix * shift.transpose()).eval();
+  for (CornerPotentials& psi : solution.potentials) psi = (shift * psi).eval();
   return solution;
 }
 
 AddedMassSolution solve_constant(const TriMesh& mesh_B) {
-  const std::vector<Element> elements = bem::make_elements(mesh_B);
-  const Potential psi = bem::collocate(mesh_B, elements, bem::parts_of(mesh_B));
+  const Surface surface = bem::make_surface(mesh_B);
+  const Potential psi = bem::collocate(surface);
   AddedMassSolution solution;
-  for (std::size_t f = 0; f < elements.size(); ++f) {
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
     solution.potentials.push_back(psi.row(static_cast<Index>(f)).transpose() *
                                   Eigen::RowVector3d::Ones());
-    solution.matrix += triangle_share(elements[f].corners, solution.potentials.back());
+    solution.matrix += triangle_share(surface.elements[f].corners, solution.potentials.back());
   }
-  solution.panels = solution.unknowns = static_cast<int>(mesh_B.face_count());
-  solution.bytes =
-      8 * static_cast<double>(mesh_B.face_count()) * static_cast<double>(mesh_B.face_count());
+  solution.panels = solution.unknowns = static_cast<int>(surface.face_count());
+  solution.bytes = 8 * std::pow(static_cast<double>(surface.face_count()), 2);
   return solution;
 }
 
@@ -204,12 +180,14 @@ AddedMassSolution solve_added_mass(const TriMesh& mesh_B, const AddedMassOptions
   const auto start = std::chrono::steady_clock::now();
   const SolidProperties solid = solid_properties(mesh_B);
   check(mesh_B, solid);
-  AddedMassSolution solution = options.method == AddedMassMethod::linear
-                                   ? solve_linear(mesh_B, solid, options)
+  AddedMassSolution solution = options.method == AddedMassMethod::galerkin
+                                   ? solve_on_panels(mesh_B, solid.centroid, options)
                                    : solve_constant(mesh_B);
   const Matrix6d scale = scale_of(solution.matrix, solid);
   solution.symmetry_error = largest_relative(solution.matrix - solution.matrix.transpose(), scale);
   solution.matrix = (0.5 * (solution.matrix + solution.matrix.transpose())).eval();
+  if (options.method == AddedMassMethod::galerkin)
+    solution.error_estimate += solution.symmetry_error;
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return solution;

@@ -23,17 +23,20 @@ namespace hydro {
 
 /// How the potential is sought.
 enum class AddedMassMethod {
-  linear,   ///< Linear on panels of its own, Galerkin; refined until the tolerance is met.
-  constant  ///< Constant on each face, collocation at centroids: the plain method, for comparison.
+  galerkin,  ///< Quadratic on panels of its own, split until the tolerance is met.
+  constant   ///< Constant on each face, collocation at centroids: the plain method, for comparison.
 };
 
 struct AddedMassOptions {
-  AddedMassMethod method = AddedMassMethod::linear;
-  /// Of the estimated error, relative as in AddedMassSolution::error_estimate.
+  AddedMassMethod method = AddedMassMethod::galerkin;
+  /// Of the error that finer panels would lessen, relative as in AddedMassSolution::error_estimate.
+  /// What flows around single facets of the mesh have is left to the estimate: a round body has
+  /// none.
   double tolerance = 1e-3;
   /// Faces are split no further than to this many panels; a mesh with more is solved as it is. Time
-  /// and memory grow with the square of the panels up to 6,000, and then as F log F.
-  int most_panels = 4500;
+  /// and memory grow with the square of the panels up to 5,000; a larger mesh gets linear functions
+  /// and compressed interactions, in a time and memory that grow as F log F.
+  int most_panels = 4000;
 };
 
 /// ψ of the six motions on a triangle, linear: a row a motion, a column a corner.

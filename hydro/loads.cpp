@@ -1,137 +1,110 @@
 #include "hydro/loads.h"
 
-#include <algorithm>
-#include <vector>
+#include <array>
+#include <cmath>
+#include <optional>
 
-#include "hydro/clip.h"
-#include "hydro/panel_loads.h"
+#include "hydro/kernel/surface.h"
+#include "hydro/kernel/walk.h"
 #include "hydro/parallel.h"
-#include "hydro/refine.h"
-#include "hydro/viscous_drag.h"
 
 namespace hydro {
 namespace {
 
-/// Faces summed as one piece of work. Pieces are added in their order, so the sum does not depend
-/// on the number of threads.
-constexpr Eigen::Index kFacesAPiece = 1024;
+/// Motion slower than this has no drag: its square would be a denormal number, slow to work with.
+constexpr double kLeastSpeed = 1e-120;
 
 /// No panel is split to edges shorter than this part of the hull's radius.
 constexpr double kSmallestPanel = 1.0 / 256;
 
-Loads& operator+=(Loads& a, const Loads& b) {
-  a.buoyancy += b.buoyancy;
-  a.pressure_drag += b.pressure_drag;
-  a.viscous_drag += b.viscous_drag;
-  a.lift += b.lift;
-  a.wetted_area += b.wetted_area;
-  a.displaced_volume += b.displaced_volume;
-  return a;
+/// Volume over area [m]: an error of the elevation that is the same part of it makes an error of
+/// the force that is that part of the buoyancy at most.
+double size_of(const Hull& hull) {
+  const auto& moment = hull.tree.nodes[0].moment;
+  return moment[kernel::kPlace + 2][2] / moment[kernel::kOne][kernel::kAreaLane];
 }
 
-/// Everything that the sum over the panels needs, with the vertices in W axes about the centre of
-/// mass.
-struct Immersion {
-  const Hull& hull;
-  const Sea& sea;
-  const Coefficients& coefficients;
-  SurfaceSampler surface;
-  Eigen::Matrix3Xd r;         ///< 3×V [m].
-  Eigen::VectorXd elevation;  ///< Of the surface over each vertex, above the level [m].
-  Twist motion;               ///< Relative to the water.
-  double level;               ///< Of the still water above the centre of mass [m].
-  bool moving;                ///< Relative to the water.
-};
+/// A hull that dips less deep than this part of its radius is dry: roundings are as large.
+constexpr double kLeastDip = 1e-13;
 
-Immersion immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                  const Coefficients& coefficients) {
-  Immersion in{.hull = hull,
-               .sea = sea,
-               .coefficients = coefficients,
-               .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
-               .r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices,
-               .elevation = Eigen::VectorXd::Zero(hull.mesh_B.vertex_count()),
-               .motion = {state.linear_velocity - sea.current, state.angular_velocity},
-               .level = sea.level - state.position.z(),
-               .moving = false};
-  in.moving = !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
-  if (in.surface.flat()) return in;
-  parallel_for(static_cast<std::size_t>(in.r.cols()),
-               [&](std::size_t i) { in.elevation[i] = in.surface.elevation(in.r.col(i)); });
-  return in;
+/// True if no point of the hull's box is below the highest water.
+bool all_dry(const Hull& hull, const kernel::Immersion& in, double highest_elevation) {
+  const kernel::Node& root = hull.tree.nodes[0];
+  double deepest = in.below + highest_elevation;
+  for (int axis = 0; axis < 3; ++axis)
+    deepest += std::abs(in.up[axis]) * root.half[axis] - in.up[axis] * root.centre[axis];
+  return deepest <= kLeastDip * hull.radius;
 }
 
-/// Drag and lift on a wet panel of the given unit normal.
-void add_motion_loads(const Immersion& in, const Panel& panel, const Eigen::Vector3d& normal,
-                      Loads& loads) {
-  const double half_density = 0.5 * in.sea.density;
-  const PressureDrag& drag = in.coefficients.pressure_drag;
-  if (!drag.none()) {
-    Eigen::Vector3d normal_speed;
-    for (int i = 0; i < 3; ++i) normal_speed[i] = in.motion.at(panel[i]).dot(normal);
-    for (const PanelPart& front : positive_part(panel, normal_speed))
-      loads.pressure_drag +=
-          pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
-    for (const PanelPart& back : positive_part(panel, -normal_speed))
-      loads.pressure_drag +=
-          pressure_drag_load(back.panel, normal, back.value, -1, half_density * drag.back);
-  }
-  if (in.coefficients.lift != 0)
-    loads.lift += lift_load(panel, normal, in.motion, half_density * in.coefficients.lift);
-  if (!in.coefficients.viscous_drag.none())
-    loads.viscous_drag +=
-        viscous_drag_load(panel, normal, in.motion, in.coefficients.viscous_drag, half_density);
+void set(double (&to)[3], const Eigen::Vector3d& v) {
+  for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
 }
 
-/// All loads on a wet panel with the given depths at its vertices.
-void add_wet_panel(const Immersion& in, const Panel& panel, const Eigen::Vector3d& depth,
-                   const Eigen::Vector3d& normal, Loads& loads) {
-  const Wrench depth_load = pressure_load(panel, depth);
-  loads.buoyancy += depth_load;
-  loads.displaced_volume += depth_load.force.z();
-  loads.wetted_area += area_vector(panel).norm();
-  if (in.moving) add_motion_loads(in, panel, normal, loads);
+void set_motion(const Hull& hull, const Twist& motion_B, double density,
+                const Coefficients& coefficients, kernel::Immersion& in) {
+  set(in.linear, motion_B.linear);
+  set(in.angular, motion_B.angular);
+  in.moving = motion_B.linear.norm() + hull.radius * motion_B.angular.norm() > kLeastSpeed;
+  in.half_density = 0.5 * density;
+  in.drag_front = in.half_density * coefficients.pressure_drag.front;
+  in.drag_back = in.half_density * coefficients.pressure_drag.back;
+  in.lift = in.half_density * coefficients.lift;
+  if (!coefficients.viscous_drag.none()) in.viscous = &coefficients.viscous_drag;
 }
 
-/// One face, split where the surface bends over it and cut at the waterline. `below` is what the
-/// depth of a point at z = 0 over flat water is taken as.
-void add_face(const Immersion& in, Eigen::Index face, double below, bool all_wet, Loads& loads) {
-  const auto vertex = in.hull.mesh_B.faces.col(face);
-  const Panel panel = {in.r.col(vertex[0]), in.r.col(vertex[1]), in.r.col(vertex[2])};
-  const Eigen::Vector3d elevation(in.elevation[vertex[0]], in.elevation[vertex[1]],
-                                  in.elevation[vertex[2]]);
-  const Eigen::Vector3d normal = area_vector(panel).normalized();
-  const auto add_piece = [&](const Panel& piece, const Eigen::Vector3d& piece_elevation) {
-    Eigen::Vector3d depth;
-    for (int i = 0; i < 3; ++i) depth[i] = below + (piece_elevation[i] - piece[i].z());
-    if (all_wet) return add_wet_panel(in, piece, depth, normal, loads);
-    for (const PanelPart& wet : positive_part(piece, depth))
-      add_wet_panel(in, wet.panel, wet.value, normal, loads);
+Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) {
+  const auto vector = [&](int from) {
+    return Eigen::Vector3d(sums.total(from), sums.total(from + 1), sums.total(from + 2));
   };
-  for_each_linear_piece(panel, elevation, in.surface, add_piece);
+  return {R_WB * vector(which), R_WB * vector(which + 3)};
 }
 
-/// The sum over all faces, piece by piece.
-Loads sum_faces(const Immersion& in, double below, bool all_wet) {
-  const Eigen::Index faces = in.hull.mesh_B.face_count();
-  std::vector<Loads> pieces((faces + kFacesAPiece - 1) / kFacesAPiece);
-  parallel_for(pieces.size(), [&](std::size_t piece) {
-    const Eigen::Index begin = static_cast<Eigen::Index>(piece) * kFacesAPiece;
-    const Eigen::Index end = std::min(begin + kFacesAPiece, faces);
-    for (Eigen::Index face = begin; face < end; ++face)
-      add_face(in, face, below, all_wet, pieces[piece]);
-  });
-  Loads sum;
-  for (const Loads& piece : pieces) sum += piece;
-  return sum;
+/// From how many leaves on several threads share a body: below they take longer to wake than to
+/// work. With whole branches and no viscous drag few leaves are looked into.
+int shared_from(const kernel::Immersion& in) {
+  return in.branches && !in.surface && !(in.moving && in.viscous) ? 4096 : 128;
+}
+
+/// The sum over all faces. Chunks are added in their order, whichever thread made them.
+kernel::Sums sum_hull(const Hull& hull, const kernel::Immersion& in) {
+  kernel::Sums sums;
+  const bool shared = static_cast<int>(hull.panels.leaves.size()) >= shared_from(in);
+  if (!shared) {
+    kernel::sum_branch(hull.panels, hull.tree, in, 0, sums);
+    return sums;
+  }
+  const kernel::Chunks chunks = kernel::sum_top(hull.panels, hull.tree, in, sums);
+  std::array<std::array<double, kernel::kSums>, kernel::kMostChunks> parts;
+  const auto work = [&](std::size_t i) {
+    kernel::Sums part;
+    kernel::sum_branch(hull.panels, hull.tree, in, chunks.node[i], part);
+    for (int k = 0; k < kernel::kSums; ++k) parts[i][k] = part.total(k);
+  };
+  const auto count = static_cast<std::size_t>(chunks.count);
+  parallel_for(count, work);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int k = 0; k < kernel::kSums; ++k) sums.lane[k][0] += parts[i][k];
+  return sums;
 }
 
 }  // namespace
+
+Loads& Loads::operator+=(const Loads& other) {
+  buoyancy += other.buoyancy;
+  pressure_drag += other.pressure_drag;
+  viscous_drag += other.viscous_drag;
+  lift += other.lift;
+  wetted_area += other.wetted_area;
+  displaced_volume += other.displaced_volume;
+  return *this;
+}
 
 Hull make_hull(TriMesh mesh_B) {
   Hull hull{.mesh_B = std::move(mesh_B)};
   if (hull.mesh_B.vertex_count() > 0)
     hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
+  hull.panels = kernel::make_panels(hull.mesh_B);
+  hull.tree = kernel::make_tree(hull.panels);
   return hull;
 }
 
@@ -144,15 +117,35 @@ double drag_scale(const Coefficients& coefficients, const BodyState& state,
 }
 
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients) {
+                    const Coefficients& coefficients, const Summation& how) {
   const SurfaceBounds bounds = surface_bounds(sea);
-  if (state.position.z() - hull.radius >= bounds.highest) return {};
-  const Immersion in = immerse(hull, state, sea, time, coefficients);
-  if (in.r.row(2).minCoeff() + state.position.z() >= bounds.highest) return {};
+  if (state.position.z() - hull.radius >= bounds.highest || hull.tree.nodes.empty()) return {};
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  kernel::Immersion in;
   // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
   // then taken from the level of the centre of mass, so that a deep body loses no digits.
-  const bool all_wet = in.r.row(2).maxCoeff() + state.position.z() < bounds.lowest;
-  Loads loads = sum_faces(in, all_wet ? 0 : in.level, all_wet);
+  in.wet = state.position.z() + hull.radius < bounds.lowest;
+  in.below = in.wet ? 0 : sea.level - state.position.z();
+  in.branches = how.branches;
+  set(in.up, R_WB.row(2));
+  if (!in.wet && all_dry(hull, in, bounds.highest - sea.level)) return {};
+  set_motion(hull,
+             {R_WB.transpose() * (state.linear_velocity - sea.current),
+              R_WB.transpose() * state.angular_velocity},
+             sea.density, coefficients, in);
+  std::optional<kernel::Surface> surface;
+  if (!is_flat(sea)) {
+    surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);
+    in.surface = &*surface;
+    in.wave_error = how.wave_tolerance * size_of(hull);
+  }
+  const kernel::Sums sums = sum_hull(hull, in);
+  Loads loads{.buoyancy = wrench(sums, kernel::kBuoyancy, R_WB),
+              .pressure_drag = wrench(sums, kernel::kPressureDrag, R_WB),
+              .viscous_drag = wrench(sums, kernel::kViscousDrag, R_WB),
+              .lift = wrench(sums, kernel::kLift, R_WB),
+              .wetted_area = sums.total(kernel::kArea)};
+  loads.displaced_volume = loads.buoyancy.force.z();
   loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "hydro/coefficients.h"
+#include "hydro/kernel/panels.h"
+#include "hydro/kernel/tree.h"
 #include "hydro/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
@@ -14,6 +16,8 @@ namespace hydro {
 struct Hull {
   TriMesh mesh_B;     ///< Closed, outward; in B, its origin the centre of mass.
   double radius = 0;  ///< Of the smallest sphere about the centre of mass that holds the mesh [m].
+  kernel::Panels panels;  ///< The mesh as the kernel reads it.
+  kernel::Tree tree;
 };
 
 /// Builds a hull from a closed mesh in B.
@@ -28,6 +32,7 @@ struct Loads {
   double wetted_area = 0;       ///< [m^2]
   double displaced_volume = 0;  ///< [m^3]; exact in still water.
 
+  Loads& operator+=(const Loads& other);
   Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift; }
 };
 
@@ -36,12 +41,21 @@ struct Loads {
 double drag_scale(const Coefficients& coefficients, const BodyState& state,
                   const Eigen::Vector3d& current);
 
+/// How the sum over the panels is made.
+struct Summation {
+  /// Whole branches of the tree at once. On flat water the result is the same.
+  bool branches = true;
+  /// In waves a branch is taken whole where the error in the force that this makes is bounded by
+  /// this part of the wholly submerged body's buoyancy [-].
+  double wave_tolerance = 1e-4;
+};
+
 /// The load on a hull in the given state of motion at a time.
 ///
 /// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
 /// its largest component. In waves the surface is taken as linear over panels that are split until
 /// it departs from linear by less than a tolerance.
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients);
+                    const Coefficients& coefficients, const Summation& how = {});
 
 }  // namespace hydro

@@ -1,5 +1,6 @@
 #include "hydro/refine.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hydro {
@@ -46,6 +47,19 @@ bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector
   if (squared <= smallest_squared_) return false;
   if (const auto* field = std::get_if<HeightField>(&sea_.surface)) return grid_bends(*field, a, b);
   return waves_bend(dx, dy);
+}
+
+bool SurfaceSampler::may_bend(double length) const {
+  if (flat_ || length * length <= smallest_squared_) return false;
+  if (const auto* field = std::get_if<HeightField>(&sea_.surface)) {
+    const double cells = length / field->cell;
+    // A shorter edge bends less, but up to one cell the bound is the weaker one.
+    return cells * cells * field->bend > 8 * tolerance_ ||
+           std::min(cells, 1.0) * field->bend > 4 * tolerance_;
+  }
+  // (k·d)⁴ is |k|⁴|d|⁴ at most: the quartic's coefficients hold Σ ½a²|k|⁴.
+  const double fourth = quartic_[0] + quartic_[2] / 3 + quartic_[4];
+  return fourth * std::pow(length, 4) > 64 * tolerance_ * tolerance_;
 }
 
 /// Over n > 1 cells second differences up to `bend` add to a sag of n² bend / 8; within a cell or

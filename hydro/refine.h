@@ -32,6 +32,9 @@ class SurfaceSampler {
   /// is kSagTolerance of the surface's standard deviation.
   bool bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
+  /// False if no edge of the given length bends [m].
+  bool may_bend(double length) const;
+
   bool flat() const { return flat_; }
 
   /// True if a panel has less than smallest² of area: it is not worth splitting.
@@ -62,10 +65,13 @@ inline constexpr double kSagTolerance = 5e-3;
 /// Splits a panel until the surface is linear over each piece, within the tolerance.
 ///
 /// @param elevation   Of the surface over the three vertices [m].
+/// @param skips       skips(piece): true for a piece that is of no interest, nor any part of it.
 /// @param visit       Called as visit(piece, elevation) for each piece.
-template <class Visit>
+/// @param surface     A SurfaceSampler, or what has its functions.
+template <class Sampler, class Skips, class Visit>
 void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
-                           const SurfaceSampler& surface, Visit&& visit) {
+                           const Sampler& surface, Skips&& skips, Visit&& visit) {
+  if (skips(panel)) return;
   int longest = -1;
   double length_squared = 0;
   for (int i = 0; i < 3; ++i) {
@@ -86,9 +92,17 @@ void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
   const Eigen::Vector3d middle = 0.5 * (panel[i] + panel[j]);
   const double height = surface.elevation(middle);
   for_each_linear_piece({panel[i], middle, panel[k]}, {elevation[i], height, elevation[k]}, surface,
-                        visit);
+                        skips, visit);
   for_each_linear_piece({middle, panel[j], panel[k]}, {height, elevation[j], elevation[k]}, surface,
-                        visit);
+                        skips, visit);
+}
+
+/// The same for all pieces.
+template <class Visit>
+void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
+                           const SurfaceSampler& surface, Visit&& visit) {
+  for_each_linear_piece(
+      panel, elevation, surface, [](const Panel&) { return false; }, visit);
 }
 
 }  // namespace hydro

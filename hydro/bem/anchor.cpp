@@ -1,8 +1,7 @@
-#include <tbb/parallel_for.h>
-
 #include <numbers>
 
 #include "hydro/bem/galerkin.h"
+#include "hydro/parallel.h"
 
 namespace hydro::bem {
 namespace {
@@ -15,67 +14,76 @@ using Eigen::Vector3d;
 constexpr int kSamples = 32;
 
 /// Faces of a part, evenly spread over its area.
-std::vector<Index> samples_of(const TriMesh& mesh, const std::vector<Element>& elements,
-                              const Parts& parts, int part) {
-  const auto in_part = [&](Index f) {
-    return parts.of_vertex[static_cast<std::size_t>(mesh.faces(0, f))] == part;
-  };
+std::vector<std::size_t> samples_of(const Surface& surface, int part) {
   double whole = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    if (in_part(f)) whole += elements[static_cast<std::size_t>(f)].area;
-  std::vector<Index> samples;
+  for (std::size_t f = 0; f < surface.face_count(); ++f)
+    if (surface.part_of_face(f) == part) whole += surface.elements[f].area;
+  std::vector<std::size_t> samples;
   double passed = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    if (!in_part(f)) continue;
-    passed += elements[static_cast<std::size_t>(f)].area;
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    if (surface.part_of_face(f) != part) continue;
+    passed += surface.elements[f].area;
     if (passed >= whole * (static_cast<double>(samples.size()) + 0.5) / kSamples)
       samples.push_back(f);
   }
   return samples;
 }
 
+/// ∫ φ dΩ of the six functions on an element, seen from x.
+std::array<double, 6> double_layers(const Element& element, const PotentialMoments& seen,
+                                    const Vector3d& x) {
+  const double height = element.normal.dot(element.centroid - x);
+  const Vector3d hats = hats_at(element, x);
+  const auto& slopes = element.slopes;
+  const auto hat = [&](std::size_t i) { return hats[static_cast<Index>(i)]; };
+  std::array<double, 6> layers;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    layers[i] = hat(i) * seen.solid_angle + height * slopes[i].dot(seen.attraction);
+    layers[3 + i] = 4 * (hat(i) * hat(j) * seen.solid_angle +
+                         height * (hat(i) * slopes[j] + hat(j) * slopes[i]).dot(seen.attraction) +
+                         height * slopes[i].dot(seen.stress * slopes[j]));
+  }
+  return layers;
+}
+
 /// What (1/4π) Σ N ∫ 1/r lacks or exceeds of ½ψ + (1/4π) ∫ ψ dΩ at the centroid of a face.
-Vector6d residual(const TriMesh& mesh, const std::vector<Element>& elements, const Potential& psi,
-                  Index at) {
-  const Vector3d x = elements[static_cast<std::size_t>(at)].centroid;
+Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) {
+  const Vector3d x = surface.elements[at].centroid;
   Vector6d sum = Vector6d::Zero();
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const Element& element = elements[static_cast<std::size_t>(f)];
-    const Potentials seen = potentials(element, x);
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    const Element& element = surface.elements[f];
+    const PotentialMoments seen = potential_moments(element, x);
     const Vector3d arm = seen.first + seen.single * x;  // ∫ y/r
     Vector6d given;
     given << seen.single * element.normal, arm.cross(element.normal);
-    const double height = element.normal.dot(element.centroid - x);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto row = psi.row(mesh.faces(static_cast<Index>(i), f)).transpose();
-      const Vector3d slope = element.curls[i].cross(element.normal);  // ∇λ
-      const double hat = 1.0 / 3 + slope.dot(x - element.centroid);   // λ below x
-      const double layer =
-          f == at ? 0 : hat * seen.solid_angle + height * slope.dot(seen.attraction);
-      given -= layer * row;
+    if (f != at) {  // An element's own double layer is 0 on it.
+      const std::array<double, 6> layers = double_layers(element, seen, x);
+      const std::array<int, 6> rows = functions_of(surface, f);
+      for (std::size_t k = 0; k < 6; ++k) given -= layers[k] * psi.row(rows[k]).transpose();
     }
     sum += given / (4 * std::numbers::pi);
   }
-  for (int i = 0; i < 3; ++i) sum -= psi.row(mesh.faces(i, at)).transpose() / 6;
+  const std::array<int, 6> rows = functions_of(surface, at);
+  for (std::size_t i = 0; i < 3; ++i)
+    sum -= psi.row(rows[i]).transpose() / 6 + 2 * psi.row(rows[3 + i]).transpose() / 9;
   return sum;
 }
 
 }  // namespace
 
-Potential anchored(const TriMesh& mesh, const std::vector<Element>& elements, const Parts& parts,
-                   Potential psi) {
+Potential anchored(const Surface& surface, Potential psi) {
   const Potential given = psi;
-  for (std::size_t k = 0; k < parts.volume.size(); ++k) {
-    if (parts.volume[k] < 0) continue;
-    const std::vector<Index> samples = samples_of(mesh, elements, parts, static_cast<int>(k));
+  for (std::size_t k = 0; k < surface.parts.volume.size(); ++k) {
+    if (surface.parts.volume[k] < 0) continue;
+    const std::vector<std::size_t> samples = samples_of(surface, static_cast<int>(k));
     std::vector<Vector6d> residuals(samples.size());
-    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-      residuals[i] = residual(mesh, elements, given, samples[i]);
-    });
+    parallel_for(samples.size(),
+                 [&](std::size_t i) { residuals[i] = residual(surface, given, samples[i]); });
     Vector6d mean = Vector6d::Zero();
     for (const Vector6d& r : residuals) mean += r / static_cast<double>(samples.size());
-    for (Index i = 0; i < psi.rows(); ++i)
-      if (parts.of_vertex[static_cast<std::size_t>(i)] == static_cast<int>(k))
+    for (Index i = 0; i < surface.vertex_count(); ++i)
+      if (surface.parts.of_vertex[static_cast<std::size_t>(i)] == static_cast<int>(k))
         psi.row(i) += mean.transpose();
   }
   return psi;

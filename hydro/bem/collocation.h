@@ -9,6 +9,6 @@
 namespace hydro::bem {
 
 /// A row a face. A cavity's ψ, of which the equation leaves a constant free, has a mean of 0.
-Potential collocate(const TriMesh& mesh, const std::vector<Element>& elements, const Parts& parts);
+Potential collocate(const Surface& surface);
 
 }  // namespace hydro::bem

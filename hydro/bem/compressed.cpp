@@ -1,11 +1,8 @@
 #include "hydro/bem/compressed.h"
 
-#include <tbb/parallel_for.h>
-
-#include "hydro/bem/dense.h"
-#include "hydro/bem/far_kernel.h"
-#include "hydro/bem/interpolation.h"
+#include "hydro/bem/near_pairs.h"
 #include "hydro/bem/quadrature.h"
+#include "hydro/parallel.h"
 
 namespace hydro::bem {
 namespace {
@@ -41,30 +38,66 @@ std::vector<Grid> grids_of(const ClusterTree& tree) {
 
 }  // namespace
 
-CompressedInteractions::CompressedInteractions(const TriMesh& mesh,
-                                               const std::vector<Element>& elements)
-    : elements_(elements),
-      tree_(make_cluster_tree(elements)),
+CompressedInteractions::CompressedInteractions(const Surface& surface)
+    : surface_(surface),
+      tree_(make_cluster_tree(surface.elements)),
       grids_(grids_of(tree_)),
-      self_(elements.size()),
-      swirl_(elements.size(), Matrix3d::Zero()) {
-  store_near(mesh);
+      leaf_of_(surface.face_count()),
+      batch_of_(tree_.clusters.size()),
+      self_(surface.face_count()),
+      swirl_(surface.face_count()) {
+  make_batches();
+  store_near();
   add_far_swirl();
 }
 
 Vector3d CompressedInteractions::point_of(std::size_t element, std::size_t k) const {
-  return point(elements_[element].corners, rule_of_degree_2()[k]);
+  return point(surface_.elements[element].corners, rule_of_degree_2()[k]);
 }
 
-void CompressedInteractions::store_near(const TriMesh& mesh) {
-  std::vector<int> leaf_of(tree_.order.size());  // by place in the order
-  row_start_.assign(1, 0);
+void CompressedInteractions::make_batches() {
   for (std::size_t c = 0; c < tree_.clusters.size(); ++c) {
-    if (!tree_.clusters[c].is_leaf()) continue;
-    for (int i = tree_.clusters[c].first; i < tree_.clusters[c].last; ++i)
-      leaf_of[static_cast<std::size_t>(i)] = static_cast<int>(c);
+    const Cluster& cluster = tree_.clusters[c];
+    if (!cluster.is_leaf()) continue;
+    batch_of_[c] = batches_.size();
+    std::vector<Element> elements;
+    for (int i = cluster.first; i < cluster.last; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      leaf_of_[place] = static_cast<int>(c);
+      if (elements.size() % kLanes == 0) batches_.emplace_back();
+      batches_.back().elements.push_back(static_cast<std::size_t>(tree_.order[place]));
+      elements.push_back(surface_.elements[batches_.back().elements.back()]);
+    }
+    const std::vector<Batch> batches = batches_of(elements);
+    for (std::size_t k = 0; k < batches.size(); ++k) batches_[batch_of_[c] + k].batch = batches[k];
   }
-  for (const int leaf : leaf_of) {
+}
+
+template <class Function>
+void CompressedInteractions::for_near(std::size_t place, Function&& f) const {
+  const auto a = static_cast<std::size_t>(tree_.order[place]);
+  const Element& element = surface_.elements[a];
+  LanePairs pairs;
+  for (const int leaf : tree_.clusters[static_cast<std::size_t>(leaf_of_[place])].near) {
+    const Cluster& cluster = tree_.clusters[static_cast<std::size_t>(leaf)];
+    const auto count =
+        (static_cast<std::size_t>(cluster.last - cluster.first) + kLanes - 1) / kLanes;
+    for (std::size_t k = 0; k < count; ++k) {
+      const LeafBatch& batch = batches_[batch_of_[static_cast<std::size_t>(leaf)] + k];
+      pairs_by_points(element, batch.batch, pairs);
+      for (std::size_t lane = 0; lane < batch.elements.size(); ++lane) {
+        const std::size_t b = batch.elements[lane];
+        if (!is_beyond(kNear, element, surface_.elements[b]))
+          set_lane(near_integrals(surface_, a, b), lane, pairs);
+      }
+      f(batch, pairs);
+    }
+  }
+}
+
+void CompressedInteractions::store_near() {
+  row_start_.assign(1, 0);
+  for (const int leaf : leaf_of_) {
     for (const int other : tree_.clusters[static_cast<std::size_t>(leaf)].near)
       for (int j = tree_.clusters[static_cast<std::size_t>(other)].first;
            j < tree_.clusters[static_cast<std::size_t>(other)].last; ++j)
@@ -72,36 +105,46 @@ void CompressedInteractions::store_near(const TriMesh& mesh) {
     row_start_.push_back(near_.size());
   }
   single_.resize(near_.size());
-  tbb::parallel_for(std::size_t{0}, tree_.order.size(), [&](std::size_t i) {
-    const int a = tree_.order[i];
-    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
-      const OrderedPair pair = near_pair(mesh, elements_, a, near_[k]);
-      single_[k] = pair.single;
-      swirl_[static_cast<std::size_t>(a)] += pair.swirl;
-      if (near_[k] == a) self_[static_cast<std::size_t>(a)] = pair.single;
-    }
+  parallel_for(tree_.order.size(), [&](std::size_t place) {
+    const auto a = static_cast<std::size_t>(tree_.order[place]);
+    std::size_t next = row_start_[place];
+    LaneSwirls swirls = {};
+    for_near(place, [&](const LeafBatch& batch, const LanePairs& pairs) {
+      add_swirls(batch.batch, pairs, swirls);
+      for (std::size_t lane = 0; lane < batch.elements.size(); ++lane) {
+        const Matrix3d hats = hats_of_lane(pairs, lane);
+        single_[next++] = hats.sum();
+        if (batch.elements[lane] == a) self_[a] = hats;
+      }
+    });
+    swirl_[a] = summed(swirls);
   });
 }
 
 void CompressedInteractions::add_far_swirl() {
-  Columns charges(3 * static_cast<Index>(elements_.size()), 12);
-  for (std::size_t f = 0; f < elements_.size(); ++f) {
+  Columns charges(3 * surface_.mesh.face_count(), 12);
+  for (std::size_t f = 0; f < surface_.face_count(); ++f) {
+    const Element& element = surface_.elements[f];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3d charge = elements_[f].area / 3 * elements_[f].normal;
+      const Vector3d charge = element.area / 3 * element.normal;
       const Matrix3d moment = point_of(f, k) * charge.transpose();
       charges.row(static_cast<Index>(3 * f + k)) << charge.transpose(),
           moment.reshaped().transpose();
     }
   }
   const Columns potentials = far_potentials(charges);
-  for (std::size_t f = 0; f < elements_.size(); ++f) {
+  for (std::size_t f = 0; f < surface_.face_count(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = potentials.row(static_cast<Index>(3 * f + k));
       Matrix3d swirl = at.tail<9>().transpose().reshaped(3, 3);
       swirl.diagonal().array() -= at.head<3>().dot(point_of(f, k));
-      swirl_[f] += elements_[f].area / 3 * swirl;
+      for (std::size_t i = 0; i < 3; ++i) swirl_[f][i] += hat_weight(f, k, i) * swirl;
     }
   }
+}
+
+double CompressedInteractions::hat_weight(std::size_t element, std::size_t k, std::size_t i) const {
+  return surface_.elements[element].area / 3 * rule_of_degree_2()[k].at[static_cast<Index>(i)];
 }
 
 void CompressedInteractions::gather(const Columns& charges, std::size_t c,
@@ -144,9 +187,8 @@ Columns CompressedInteractions::far_potentials(const Columns& charges) const {
   for (const Grid& grid : grids_) moments.push_back(Columns::Zero(grid.count(), width));
   std::vector<Columns> fields = moments;
   for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
-    tbb::parallel_for(std::size_t{0}, level->size(),
-                      [&](std::size_t i) { gather(charges, (*level)[i], moments); });
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t c) {
+    parallel_for(level->size(), [&](std::size_t i) { gather(charges, (*level)[i], moments); });
+  parallel_for(count, [&](std::size_t c) {
     for (const int other : tree_.clusters[c].far) {
       const auto from = static_cast<std::size_t>(other);
       add_interaction(grids_[c], grids_[from], moments[from].data(), width, fields[c].data());
@@ -154,22 +196,25 @@ Columns CompressedInteractions::far_potentials(const Columns& charges) const {
   });
   Columns potentials(charges.rows(), charges.cols());
   for (const std::vector<std::size_t>& level : tree_.levels)
-    tbb::parallel_for(std::size_t{0}, level.size(),
-                      [&](std::size_t i) { spread(level[i], fields, potentials); });
+    parallel_for(level.size(), [&](std::size_t i) { spread(level[i], fields, potentials); });
   return potentials;
 }
 
-Columns CompressedInteractions::apply(const Columns& densities) const {
+Columns CompressedInteractions::charges_of(const Columns& densities) const {
   Columns charges(3 * densities.rows(), densities.cols());
   for (Index f = 0; f < densities.rows(); ++f)
     charges.middleRows<3>(3 * f).rowwise() =
-        elements_[static_cast<std::size_t>(f)].area / 3 * densities.row(f);
-  const Columns potentials = far_potentials(charges);
+        surface_.elements[static_cast<std::size_t>(f)].area / 3 * densities.row(f);
+  return charges;
+}
+
+Columns CompressedInteractions::apply(const Columns& densities) const {
+  const Columns potentials = far_potentials(charges_of(densities));
   Columns result(densities.rows(), densities.cols());
-  tbb::parallel_for(std::size_t{0}, tree_.order.size(), [&](std::size_t i) {
+  parallel_for(tree_.order.size(), [&](std::size_t i) {
     const Index f = tree_.order[i];
     auto row = result.row(f);
-    row = elements_[static_cast<std::size_t>(f)].area / 3 *
+    row = surface_.elements[static_cast<std::size_t>(f)].area / 3 *
           potentials.middleRows<3>(3 * f).colwise().sum();
     const std::size_t start = row_start_[i];
     add_rows(single_.data() + start, near_.data() + start, row_start_[i + 1] - start,
@@ -178,11 +223,31 @@ Columns CompressedInteractions::apply(const Columns& densities) const {
   return result;
 }
 
+Columns CompressedInteractions::apply_to_hats(const Columns& densities) const {
+  const Columns potentials = far_potentials(charges_of(densities));
+  Columns result = Columns::Zero(3 * densities.rows(), densities.cols());
+  parallel_for(tree_.order.size(), [&](std::size_t place) {
+    const auto f = static_cast<std::size_t>(tree_.order[place]);
+    auto rows = result.middleRows<3>(static_cast<Index>(3 * f));
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        rows.row(static_cast<Index>(i)) +=
+            hat_weight(f, k, i) * potentials.row(static_cast<Index>(3 * f + k));
+    for_near(place, [&](const LeafBatch& batch, const LanePairs& pairs) {
+      for (std::size_t lane = 0; lane < batch.elements.size(); ++lane)
+        rows += hats_of_lane(pairs, lane).rowwise().sum() *
+                densities.row(static_cast<Index>(batch.elements[lane]));
+    });
+  });
+  return result;
+}
+
 double CompressedInteractions::bytes() const {
   double nodes = 0;
   for (const Grid& grid : grids_) nodes += static_cast<double>(grid.count());
   return static_cast<double>(near_.size()) * (sizeof(double) + sizeof(int)) +
-         static_cast<double>(elements_.size()) * (sizeof(Element) + 8.0 * 3 * 18 * 2) +
+         static_cast<double>(self_.size()) *
+             (2 * sizeof(Element) + sizeof(Swirl) + 8.0 * (9 + 3 * 18 * 2)) +
          nodes * 24 * 8.0 * 2;
 }
 

@@ -1,88 +1,156 @@
 #include "hydro/bem/dense.h"
 
-#include <tbb/parallel_for.h>
+#include <algorithm>
+#include <numbers>
 
-#include "hydro/bem/far_kernel.h"
+#include "hydro/bem/galerkin.h"
+#include "hydro/bem/near_pairs.h"
 #include "hydro/bem/pair.h"
+#include "hydro/parallel.h"
 
 namespace hydro::bem {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
-/// What elements T (x) and T' (y) give to the swirl of T.
-Matrix3d swirl_of(const Vector3d& first, const Vector3d& second, const Vector3d& normal) {
-  Matrix3d swirl = second * normal.transpose();
-  swirl.diagonal().array() -= normal.dot(first);
-  return swirl;
+constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
+
+/// Elements in groups none of which has two at one vertex: the rows of one group's equations can
+/// be added to at the same time, and group by group all are in one order.
+std::vector<std::vector<std::size_t>> apart(const Surface& surface) {
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::vector<bool>> taken(static_cast<std::size_t>(surface.vertex_count()));
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    std::size_t group = 0;
+    const auto is_taken = [&](std::size_t corner) {
+      const auto& at = taken[static_cast<std::size_t>(surface.vertex(f, corner))];
+      return group < at.size() && at[group];
+    };
+    while (is_taken(0) || is_taken(1) || is_taken(2)) ++group;
+    if (group >= groups.size()) groups.resize(group + 1);
+    groups[group].push_back(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      auto& at = taken[static_cast<std::size_t>(surface.vertex(f, i))];
+      if (group >= at.size()) at.resize(group + 1);
+      at[group] = true;
+    }
+  }
+  return groups;
 }
 
-/// The far rule for element `a` against all, 0 for those near it.
-Matrix3d far_row(Index a, const std::vector<Element>& elements, const FarPoints& points,
-                 std::vector<double>& sums, Eigen::Ref<Eigen::VectorXd> single) {
-  const Element& here = elements[static_cast<std::size_t>(a)];
-  const auto count = static_cast<std::size_t>(single.size());
-  far_sums(points, static_cast<std::size_t>(a), sums.data());
-  const auto sum = [&](std::size_t k, std::size_t b) { return sums[k * count + b]; };
-  Matrix3d swirl = Matrix3d::Zero();
-  const Eigen::Matrix3d x = points.of(static_cast<std::size_t>(a));
-  for (std::size_t b = 0; b < count; ++b) {
-    const Element& there = elements[b];
-    if (!is_far(here, there)) continue;
-    const double weight = here.area * there.area / 9;
-    const Vector3d at_x(sum(0, b), sum(1, b), sum(2, b));
-    const Vector3d at_y(sum(3, b), sum(4, b), sum(5, b));
-    single[static_cast<Index>(b)] = weight * at_x.sum();
-    swirl += swirl_of(weight * (x * at_x), weight * (points.of(b) * at_y), there.normal);
+/// matrix + matrixᵀ, by squares that fit into a processor's memory.
+void add_transpose(Eigen::MatrixXd& matrix) {
+  constexpr Index kSide = 64;
+  const Index count = matrix.rows();
+  parallel_for(static_cast<std::size_t>((count + kSide - 1) / kSide), [&](std::size_t strip) {
+    const Index j = kSide * static_cast<Index>(strip), columns = std::min(kSide, count - j);
+    for (Index i = 0; i <= j; i += kSide) {
+      const Index rows = std::min(kSide, count - i);
+      const Eigen::MatrixXd sum =
+          matrix.block(i, j, rows, columns) + matrix.block(j, i, columns, rows).transpose();
+      matrix.block(i, j, rows, columns) = sum;
+      matrix.block(j, i, columns, rows) = sum.transpose();
+    }
+  });
+}
+
+class Assembly {
+ public:
+  explicit Assembly(const Surface& surface)
+      : surface_(surface), batches_(batches_of(surface.elements)), near_(surface) {
+    for (std::size_t f = 0; f < surface.face_count(); ++f)
+      functions_.push_back(functions_of(surface, f));
+    const Index count = function_count(surface);
+    result_.matrix = Eigen::MatrixXd::Zero(count, count);
+    result_.swirl.resize(surface.face_count());
   }
-  return swirl;
+
+  DenseEquations run() {
+    for (const std::vector<std::size_t>& group : apart(surface_))
+      parallel_for(group.size(), [&](std::size_t i) { add_rows(group[i]); });
+    add_transpose(result_.matrix);
+    return std::move(result_);
+  }
+
+ private:
+  void add_rows(std::size_t a) {
+    LanePairs pairs;
+    LaneCouplings couplings;
+    LaneSwirls swirls = {};
+    const Element& element = surface_.elements[a];
+    auto near = near_.of(a).begin();
+    for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
+      pairs_by_points(element, batches_[batch], pairs);
+      for (; near != near_.of(a).end() && near->element / kLanes == batch; ++near)
+        set_lane(near->integrals, near->element % kLanes, pairs);
+      add_swirls(batches_[batch], pairs, swirls);
+      if (kLanes * (batch + 1) <= a) continue;
+      couple(element, batches_[batch], pairs, couplings);
+      scatter(a, kLanes * batch, couplings);
+    }
+    result_.swirl[a] = summed(swirls);
+  }
+
+  /// Adds the pairs of an element and those behind it to columns of the matrix, which lie together
+  /// in memory; those before it follow by symmetry.
+  void scatter(std::size_t a, std::size_t first, const LaneCouplings& couplings) {
+    const std::size_t begin = std::max(first, a);
+    const std::size_t end = std::min(first + kLanes, surface_.face_count());
+    for (std::size_t k = 0; k < 6; ++k) {
+      double* column = result_.matrix.col(functions_[a][k]).data();
+      for (std::size_t b = begin; b < end; ++b) {
+        const double factor = b == a ? 0.5 * kPerSphere : kPerSphere;
+        for (std::size_t l = 0; l < 6; ++l)
+          column[functions_[b][l]] += factor * couplings.functions[k][l][b - first];
+      }
+    }
+  }
+
+  const Surface& surface_;
+  std::vector<Batch> batches_;
+  NearPairs near_;
+  std::vector<std::array<int, 6>> functions_;
+  DenseEquations result_;
+};
+
+/// Columns of the matrix taken at a time: one after another, each sum would wait for its last
+/// addition.
+constexpr Index kColumns = 8;
+
+/// A row of six numbers and two zeros.
+struct alignas(kAligned) Row {
+  Lanes lanes = {};
+};
+
+/// results[c] = Σ_i columns[c·rows + i] vectors[i].
+PLIMSOLL_VECTOR_CLONES
+void multiply_columns(const double* columns, Index rows, const Row* vectors, Row* results) {
+  const Lanes zero = {};
+  Lanes sums[kColumns] = {zero, zero, zero, zero, zero, zero, zero, zero};
+  for (Index i = 0; i < rows; ++i)
+    for (Index c = 0; c < kColumns; ++c) sums[c] += columns[c * rows + i] * vectors[i].lanes;
+  for (Index c = 0; c < kColumns; ++c) results[c].lanes = sums[c];
 }
 
 }  // namespace
 
-std::array<int, 3> shared_corners(const Eigen::Matrix3Xi& faces, Index a, Index b) {
-  std::array<int, 3> shared = {-1, -1, -1};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      if (faces(i, a) == faces(j, b)) shared[static_cast<std::size_t>(i)] = j;
-  }
-  return shared;
-}
+DenseEquations dense_equations(const Surface& surface) { return Assembly(surface).run(); }
 
-OrderedPair near_pair(const TriMesh& mesh, const std::vector<Element>& elements, Index a, Index b) {
-  const bool turn = a > b;
-  const Index low = turn ? b : a, high = turn ? a : b;
-  PairIntegrals pair = pair_integrals(elements[static_cast<std::size_t>(low)],
-                                      elements[static_cast<std::size_t>(high)],
-                                      shared_corners(mesh.faces, low, high));
-  if (turn) std::swap(pair.first, pair.second);
-  return {pair.single,
-          swirl_of(pair.first, pair.second, elements[static_cast<std::size_t>(b)].normal)};
-}
-
-DenseInteractions dense_interactions(const TriMesh& mesh, const std::vector<Element>& elements) {
-  const auto count = static_cast<Index>(elements.size());
-  const FarPoints points(elements);
-  DenseInteractions result{Eigen::MatrixXd(count, count), {}};
-  result.swirl.resize(elements.size());
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, 8), [&](const auto& range) {
-    std::vector<double> sums(6 * elements.size());
-    for (Index a = range.begin(); a < range.end(); ++a) {
-      // The matrix is symmetric: its columns, which lie together in memory, are its rows.
-      auto column = result.single.col(a);
-      Matrix3d swirl = far_row(a, elements, points, sums, column);
-      for (Index b = 0; b < count; ++b) {
-        if (is_far(elements[static_cast<std::size_t>(a)], elements[static_cast<std::size_t>(b)]))
-          continue;
-        const OrderedPair pair = near_pair(mesh, elements, a, b);
-        column[b] = pair.single;
-        swirl += pair.swirl;
-      }
-      result.swirl[static_cast<std::size_t>(a)] = swirl;
-    }
+Potential product(const Eigen::MatrixXd& matrix, const Potential& vectors) {
+  const Index count = matrix.rows(), blocks = count / kColumns;
+  std::vector<Row> rows(static_cast<std::size_t>(count));
+  for (Index i = 0; i < count; ++i)
+    for (Index m = 0; m < 6; ++m) rows[static_cast<std::size_t>(i)].lanes[m] = vectors(i, m);
+  Potential result(count, 6);
+  parallel_for(static_cast<std::size_t>(blocks), [&](std::size_t block) {
+    const Index first = kColumns * static_cast<Index>(block);
+    Row sums[kColumns];
+    multiply_columns(matrix.col(first).data(), count, rows.data(), sums);
+    for (Index c = 0; c < kColumns; ++c)
+      for (Index m = 0; m < 6; ++m) result(first + c, m) = sums[c].lanes[m];
   });
+  for (Index i = kColumns * blocks; i < count; ++i)
+    result.row(i).noalias() = matrix.col(i).transpose() * vectors;
   return result;
 }
 

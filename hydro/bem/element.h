@@ -17,6 +17,7 @@ struct Element {
   std::array<Eigen::Vector3d, 3> conormals;  ///< Unit, in the plane, out of the triangle.
   std::array<double, 3> lengths;             ///< Of the edges [m].
   std::array<Eigen::Vector3d, 3> curls;      ///< n × ∇λ of the corners' hat functions [1/m].
+  std::array<Eigen::Vector3d, 3> slopes;     ///< ∇λ [1/m].
   Eigen::Vector3d normal;                    ///< Unit, out of the solid.
   Eigen::Vector3d centroid;                  ///< [m]
   double area = 0;                           ///< [m^2]
@@ -28,17 +29,28 @@ Element make_element(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const E
 /// One element a face.
 std::vector<Element> make_elements(const TriMesh& mesh);
 
-/// Integrals over an element seen from a point x, with r = |y − x|.
+/// The corners' hat functions at the foot of x in the element's plane: barycentric coordinates.
+Eigen::Vector3d hats_at(const Element& element, const Eigen::Vector3d& x);
+
+/// Integrals over an element seen from a point x, with r = |y − x| and the part ρ of y − x in the
+/// element's plane.
 struct Potentials {
   double single = 0;           ///< ∫ 1/r dS [m].
   Eigen::Vector3d first;       ///< ∫ (y − x)/r dS [m^2].
   double solid_angle = 0;      ///< ∫ n·(y − x)/r³ dS: positive from behind the element.
-  Eigen::Vector3d attraction;  ///< The part of ∫ (y − x)/r³ dS in the element's plane.
+  Eigen::Vector3d attraction;  ///< ∫ ρ/r³ dS.
 };
 
 /// Exact to round-off, also on the element (its solid angle is 0 there) and at its corners, where
 /// `attraction` is not defined.
 Potentials potentials(const Element& element, const Eigen::Vector3d& x);
+
+/// Second moments as well.
+struct PotentialMoments : Potentials {
+  Eigen::Matrix3d second;  ///< ∫ ρ ρᵀ/r dS [m^3].
+  Eigen::Matrix3d stress;  ///< ∫ ρ ρᵀ/r³ dS [m].
+};
+PotentialMoments potential_moments(const Element& element, const Eigen::Vector3d& x);
 
 /// Signed solid angle of the element, as in Potentials (van Oosterom and Strackee, 1983).
 double solid_angle(const Element& element, const Eigen::Vector3d& x);

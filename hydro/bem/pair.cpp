@@ -18,16 +18,28 @@ constexpr double kClose = 1.0137;
 /// Halvings of an element beside one that is very near.
 constexpr int kDeepest = 7;
 
-/// Adds the integrals over one piece of the first element, closed form over the second.
-void add_piece(const Corners& piece, double area, const Rule& rule, const Element& b,
-               PairIntegrals& sum) {
+/// Adds the integrals over one piece of `a`, closed form over `b`.
+void add_piece(const Element& a, const Corners& piece, double area, const Rule& rule,
+               const Element& b, PairIntegrals& sum) {
   for (const Node& node : rule) {
     const Vector3d x = point(piece, node);
-    const Potentials inner = potentials(b, x);
-    const double weight = area * node.weight;
-    sum.single += weight * inner.single;
-    sum.first += weight * inner.single * x;
-    sum.second += weight * (inner.first + inner.single * x);
+    const PotentialMoments inner = potential_moments(b, x);
+    const Vector3d hats = area * node.weight * hats_at(a, x);
+    const Vector3d below = hats_at(b, x);
+    Vector3d inside;  // ∫ λ_j/r
+    Vector3d raised;  // ∫ λ_j n·y/r with the normal of a
+    const double foot = a.normal.dot(x) + b.normal.dot(b.centroid - x) * a.normal.dot(b.normal);
+    const double across =
+        a.normal.dot(inner.first) - b.normal.dot(inner.first) * a.normal.dot(b.normal);
+    const Vector3d bent = inner.second * a.normal;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      inside[k] = below[k] * inner.single + b.slopes[j].dot(inner.first);
+      raised[k] = foot * inside[k] + below[k] * across + b.slopes[j].dot(bent);
+    }
+    sum.hats += hats * inside.transpose();
+    sum.rise += (b.normal.dot(x) * inner.single) * hats;
+    sum.other_rise += hats.sum() * raised;
   }
 }
 
@@ -37,10 +49,11 @@ double size(const Corners& c) {
 }
 
 /// As add_piece, on halves where the second element is nearer than the piece's size.
-void add_near(const Corners& c, double area, const Element& b, int depth, PairIntegrals& sum) {
+void add_near(const Element& a, const Corners& c, double area, const Element& b, int depth,
+              PairIntegrals& sum) {
   const Vector3d middle = (c[0] + c[1] + c[2]) / 3;
   if (depth == kDeepest || size(c) <= kClose * distance(b, middle)) {
-    add_piece(c, area, rule_of_degree_5(), b, sum);
+    add_piece(a, c, area, rule_of_degree_5(), b, sum);
     return;
   }
   std::size_t longest = 0;
@@ -51,23 +64,8 @@ void add_near(const Corners& c, double area, const Element& b, int depth, PairIn
   const Vector3d& end = c[(longest + 1) % 3];
   const Vector3d& top = c[(longest + 2) % 3];
   const Vector3d half = 0.5 * (start + end);
-  add_near({start, half, top}, area / 2, b, depth + 1, sum);
-  add_near({half, end, top}, area / 2, b, depth + 1, sum);
-}
-
-PairIntegrals product(const Element& a, const Element& b, const Rule& rule) {
-  PairIntegrals sum;
-  for (const Node& i : rule) {
-    const Vector3d x = point(a.corners, i);
-    for (const Node& j : rule) {
-      const Vector3d y = point(b.corners, j);
-      const double value = a.area * i.weight * b.area * j.weight / (x - y).norm();
-      sum.single += value;
-      sum.first += value * x;
-      sum.second += value * y;
-    }
-  }
-  return sum;
+  add_near(a, {start, half, top}, area / 2, b, depth + 1, sum);
+  add_near(a, {half, end, top}, area / 2, b, depth + 1, sum);
 }
 
 /// (4A²/3) Σ ln(s/(s − l))/l over the edges' lengths l, s half their sum (Eibert and Hansen, 1995).
@@ -81,10 +79,12 @@ double self_integral(const Element& a) {
 PairIntegrals self(const Element& a) {
   PairIntegrals sum;
   for (std::size_t e = 0; e < 3; ++e)
-    add_piece({a.corners[e], a.corners[(e + 1) % 3], a.centroid}, a.area / 3, rule_at_edge(), a,
+    add_piece(a, {a.corners[e], a.corners[(e + 1) % 3], a.centroid}, a.area / 3, rule_at_edge(), a,
               sum);
-  sum.single = self_integral(a);
-  sum.second = sum.first;
+  sum.hats = (0.5 * (sum.hats + sum.hats.transpose())).eval();
+  sum.hats *= self_integral(a) / sum.hats.sum();
+  sum.rise = a.normal.dot(a.centroid) * sum.hats.rowwise().sum();
+  sum.other_rise = sum.rise;
   return sum;
 }
 
@@ -105,14 +105,10 @@ PairIntegrals pair_integrals(const Element& a, const Element& b, const std::arra
   PairIntegrals sum;
   if (count > 0) {
     const Rule& rule = count == 2 ? rule_at_edge() : rule_at_corner();
-    add_piece(turned(a, shared, static_cast<int>(count)), a.area, rule, b, sum);
-    return sum;
+    add_piece(a, turned(a, shared, static_cast<int>(count)), a.area, rule, b, sum);
+  } else {
+    add_near(a, a.corners, a.area, b, 0, sum);
   }
-  if (is_far(a, b)) return product(a, b, rule_of_degree_2());
-  const double reach = kNear * (a.radius + b.radius);
-  if ((a.centroid - b.centroid).squaredNorm() > reach * reach)
-    return product(a, b, rule_of_degree_4());
-  add_near(a.corners, a.area, b, 0, sum);
   return sum;
 }
 

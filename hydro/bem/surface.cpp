@@ -141,4 +141,8 @@ Parts parts_of(const TriMesh& mesh) {
   return parts;
 }
 
+Surface make_surface(const TriMesh& mesh) {
+  return {mesh, make_elements(mesh), edges_of(mesh), parts_of(mesh)};
+}
+
 }  // namespace hydro::bem

@@ -34,4 +34,22 @@ struct Parts {
 };
 Parts parts_of(const TriMesh& mesh);
 
+/// A mesh with all that the equations on it need.
+struct Surface {
+  TriMesh mesh;
+  std::vector<Element> elements;
+  Edges edges;
+  Parts parts;
+
+  Eigen::Index vertex_count() const { return mesh.vertex_count(); }
+  std::size_t face_count() const { return elements.size(); }
+  int vertex(std::size_t face, std::size_t corner) const {
+    return mesh.faces(static_cast<Eigen::Index>(corner), static_cast<Eigen::Index>(face));
+  }
+  int part_of_face(std::size_t face) const {
+    return parts.of_vertex[static_cast<std::size_t>(vertex(face, 0))];
+  }
+};
+Surface make_surface(const TriMesh& mesh);
+
 }  // namespace hydro::bem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hydro/mesh.h"
+
+/// @file
+/// The faces of a hull as the kernel reads them: in leaves of 64 neighbours, numbers of one kind
+/// side by side.
+///
+/// A face is kept as its centroid c, its unit normal n, a unit vector e_1 in its plane and, with
+/// e_2 = n × e_1, the plane coordinates (x, y) of its vertices r_i = c + x_i e_1 + y_i e_2. Axes
+/// are those of the body: nothing needs to be turned when the body moves, the water is turned
+/// instead.
+///
+/// All fields that a load is made of are polynomials of (x, y). With Σ x_i = Σ y_i = 0, for linear
+/// functions f, g, h that vanish at the centroid,
+///
+///     ∫ f g dA = (A/12) Σ f_i g_i          ∫ f g h dA = (A/30) Σ f_i g_i h_i              (1)
+///
+/// [EM73] Eisenberg, Malvern. On finite element integration in natural co-ordinates.
+///        Int. J. Numer. Methods Eng. 7 (1973) 574-575.
+
+namespace hydro::kernel {
+
+/// Faces of a leaf: a multiple of the lanes of every vector unit.
+inline constexpr int kLeafFaces = 64;
+
+/// Faces in body axes about the centre of mass [m, m^2]. A leaf that is not full repeats its last
+/// face with no area.
+struct alignas(64) Leaf {
+  double c[3][kLeafFaces];   ///< Centroids.
+  double n[3][kLeafFaces];   ///< Unit normals, out of the body.
+  double e1[3][kLeafFaces];  ///< Unit vectors along each face's first side.
+  double area[kLeafFaces];
+  double x[2][kLeafFaces];  ///< Of the first two vertices; the third makes the sum zero.
+  double y[2][kLeafFaces];
+};
+
+/// The vertices of a leaf's faces, each once.
+struct alignas(64) LeafVertices {
+  double r[3][3 * kLeafFaces];               ///< [m]; `count`, and repeats of the last up to 8.
+  std::int64_t of_face[3][kLeafFaces] = {};  ///< Columns of `r`.
+  int count = 0;
+};
+
+/// All faces of a mesh that have an area.
+struct Panels {
+  std::vector<Leaf> leaves;
+  std::vector<LeafVertices> vertices;  ///< One for each leaf.
+  std::vector<int> face;               ///< Of the mesh, in the order of the leaves.
+  double longest_edge = 0;             ///< [m]
+};
+
+/// Orders the faces so that any run of them of a power of two leaves is compact in place and
+/// normal, and lays them out.
+Panels make_panels(const TriMesh& mesh_B);
+
+}  // namespace hydro::kernel

@@ -1,0 +1,146 @@
+#include "hydro/kernel/tree.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hydro/spatial.h"
+
+namespace hydro::kernel {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d at(const double (&field)[3][kLeafFaces], int lane) {
+  return {field[0][lane], field[1][lane], field[2][lane]};
+}
+
+Vector6d along_normal(const Vector3d& r, const Vector3d& n) {
+  Vector6d j;
+  j << n, r.cross(n);
+  return j;
+}
+
+/// Adds weight·J_a·{…} of one point.
+void add_point(const Vector3d& r, const Vector3d& n, double weight, Node& node) {
+  const Vector6d j = along_normal(r, n);
+  std::array<double, kMoments> row = {1,
+                                      r.x(),
+                                      r.y(),
+                                      r.z(),
+                                      r.x() * r.x(),
+                                      r.y() * r.y(),
+                                      r.z() * r.z(),
+                                      r.x() * r.y(),
+                                      r.y() * r.z(),
+                                      r.z() * r.x()};
+  int k = kNormal;
+  for (int b = 0; b < 6; ++b)
+    for (int c = b; c < 6; ++c) row[k++] = j[b] * j[c];
+  for (k = 0; k < kMoments; ++k) {
+    for (int a = 0; a < 6; ++a) node.moment[k][a] += weight * row[k] * j[a];
+    node.moment[k][kAreaLane] += weight * row[k];
+  }
+}
+
+/// The integrands are cubic; this rule of degree 4 has positive weights (Dunavant 1985).
+void add_face(const std::array<Vector3d, 3>& r, const Vector3d& n, double area, Node& node) {
+  constexpr double kNear = 0.445948490915965, kNearWeight = 0.223381589678011;
+  constexpr double kFar = 0.091576213509771, kFarWeight = 0.109951743655322;
+  const Vector3d sum = r[0] + r[1] + r[2];
+  for (const Vector3d& corner : r) {
+    add_point(kNear * sum + (1 - 3 * kNear) * corner, n, kNearWeight * area, node);
+    add_point(kFar * sum + (1 - 3 * kFar) * corner, n, kFarWeight * area, node);
+  }
+}
+
+std::array<Vector3d, 3> corners(const Leaf& leaf, int lane) {
+  const Vector3d c = at(leaf.c, lane), e1 = at(leaf.e1, lane), e2 = at(leaf.n, lane).cross(e1);
+  const double x[3] = {leaf.x[0][lane], leaf.x[1][lane], -leaf.x[0][lane] - leaf.x[1][lane]};
+  const double y[3] = {leaf.y[0][lane], leaf.y[1][lane], -leaf.y[0][lane] - leaf.y[1][lane]};
+  return {c + x[0] * e1 + y[0] * e2, c + x[1] * e1 + y[1] * e2, c + x[2] * e1 + y[2] * e2};
+}
+
+/// Bounds as lowest and highest values while a node is made.
+struct Bounds {
+  Vector3d low = Vector3d::Constant(HUGE_VAL), high = Vector3d::Constant(-HUGE_VAL);
+  Vector6d j_low = Vector6d::Constant(HUGE_VAL), j_high = Vector6d::Constant(-HUGE_VAL);
+
+  void include(const Vector3d& r, const Vector6d& j) {
+    low = low.cwiseMin(r);
+    high = high.cwiseMax(r);
+    j_low = j_low.cwiseMin(j);
+    j_high = j_high.cwiseMax(j);
+  }
+  void include(const Node& node) {
+    const Eigen::Map<const Vector3d> centre(node.centre), half(node.half);
+    const Eigen::Map<const Vector6d> j(node.j_centre), j_half(node.j_half);
+    include(centre - half, j - j_half);
+    include(centre + half, j + j_half);
+  }
+};
+
+/// Widened by some roundings, so that the bounds hold for what the kernel computes.
+void set_bounds(const Bounds& b, Node& node) {
+  constexpr double kWiden = 1e-14;
+  const double size = b.low.cwiseAbs().cwiseMax(b.high.cwiseAbs()).maxCoeff();
+  const double j_size = b.j_low.cwiseAbs().cwiseMax(b.j_high.cwiseAbs()).maxCoeff();
+  Eigen::Map<Vector3d>(node.centre) = (b.low + b.high) / 2;
+  Eigen::Map<Vector3d>(node.half) = ((b.high - b.low) / 2).array() + kWiden * size;
+  Eigen::Map<Vector6d>(node.j_centre) = (b.j_low + b.j_high) / 2;
+  Eigen::Map<Vector6d>(node.j_half) = ((b.j_high - b.j_low) / 2).array() + kWiden * j_size;
+}
+
+void fill_leaf(const Leaf& leaf, Node& node) {
+  Bounds bounds;
+  for (int lane = 0; lane < kLeafFaces; ++lane) {
+    const std::array<Vector3d, 3> r = corners(leaf, lane);
+    const Vector3d n = at(leaf.n, lane);
+    add_face(r, n, leaf.area[lane], node);
+    for (const Vector3d& corner : r) bounds.include(corner, along_normal(corner, n));
+  }
+  set_bounds(bounds, node);
+}
+
+void fill_branch(const Node& left, const Node& right, Node& node) {
+  Bounds bounds;
+  bounds.include(left);
+  bounds.include(right);
+  set_bounds(bounds, node);
+  for (int k = 0; k < kMoments; ++k)
+    for (int a = 0; a < kMostLanes; ++a) node.moment[k][a] = left.moment[k][a] + right.moment[k][a];
+}
+
+/// Halves as `make_panels` does.
+void build(const Panels& panels, int first, int last, std::vector<Node>& nodes) {
+  const std::size_t here = nodes.size();
+  nodes.emplace_back();
+  nodes[here].first = first;
+  nodes[here].last = last;
+  if (last - first == 1) {
+    fill_leaf(panels.leaves[first], nodes[here]);
+  } else {
+    const int middle = first + (last - first + 1) / 2;
+    build(panels, first, middle, nodes);
+    const std::size_t right = nodes.size();
+    build(panels, middle, last, nodes);
+    fill_branch(nodes[here + 1], nodes[right], nodes[here]);
+  }
+  nodes[here].next = static_cast<int>(nodes.size());
+}
+
+}  // namespace
+
+Tree make_tree(const Panels& panels) {
+  Tree tree;
+  const int leaves = static_cast<int>(panels.leaves.size());
+  if (leaves == 0) return tree;
+  tree.nodes.reserve(2 * panels.leaves.size());
+  build(panels, 0, leaves, tree.nodes);
+  // Halving ends at more than half of this, so there are fewer than kMostChunks.
+  tree.chunk_leaves = std::max(16, (2 * leaves + kMostChunks - 1) / kMostChunks);
+  return tree;
+}
+
+}  // namespace hydro::kernel

@@ -1,0 +1,199 @@
+#include "hydro/kernel/walk.h"
+
+// A vector whose length is not known when compiling (SVE) cannot be a member of a struct; NEON can.
+// Of the steps between the units of x86-64 some are left out: they gain nothing here.
+#ifndef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hydro/kernel/walk.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
+
+#include "hydro/kernel/faces-inl.h"
+#include "hydro/kernel/tree-inl.h"
+#include "hydro/kernel/waves-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hydro::kernel::HWY_NAMESPACE {
+
+/// True if C_v is zero all over a branch: the thesis's law above 2 m/s. |v_t|² = |v|² − (v·n)².
+inline bool without_viscous_drag(const Node& node, const Immersion& in) {
+  if (!in.viscous) return true;
+  if (in.viscous->law != ViscousDrag::Law::thesis) return false;
+  const double* w = in.angular;
+  double speed2 = 0, reach2 = 0, turning2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double v = in.linear[i] + w[j] * node.centre[k] - w[k] * node.centre[j];
+    speed2 += v * v;
+    reach2 += node.half[i] * node.half[i];
+    turning2 += w[i] * w[i];
+  }
+  const double least = std::sqrt(speed2) - std::sqrt(turning2 * reach2);
+  const Range normal = normal_speed_range(node, in);
+  const double most_normal2 = std::max(normal.low * normal.low, normal.high * normal.high);
+  return least > 0 && least * least - most_normal2 >= 4;
+}
+
+/// Sets the rows of the depth to the waves' Taylor series about the middle of a branch, up to
+/// second order, if what is left out is small enough: a third of |k·d|³/2 for each wave at most.
+inline bool set_local_waves(const Node& node, const Immersion& in, double (&depth)[kNormal]) {
+  const WaveField& waves = in.surface->waves;
+  const double* c = node.centre;
+  const double size = std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
+                                node.half[2] * node.half[2]);
+  if (waves.third * size * size * size > 6 * in.wave_error) return false;
+  double value = 0, g[3] = {},
+         h[6] = {};  // ξ, its gradient and its second derivatives, in body axes.
+  for (int i = 0; i < waves.count; ++i) {
+    const double k[3] = {waves.row[1][i], waves.row[2][i], waves.row[3][i]};
+    const double phase = k[0] * c[0] + k[1] * c[1] + k[2] * c[2] + waves.row[4][i];
+    const double cosine = waves.row[0][i] * std::cos(phase);
+    const double sine = waves.row[0][i] * std::sin(phase);
+    value += cosine;
+    for (int a = 0; a < 3; ++a) {
+      g[a] -= sine * k[a];
+      h[a] -= cosine * k[a] * k[a];
+      h[3 + a] -= cosine * k[a] * k[(a + 1) % 3];
+    }
+  }
+  // From powers of r − c to powers of r.
+  const double hc[3] = {h[0] * c[0] + h[3] * c[1] + h[5] * c[2],
+                        h[3] * c[0] + h[1] * c[1] + h[4] * c[2],
+                        h[5] * c[0] + h[4] * c[1] + h[2] * c[2]};
+  depth[kOne] = in.below + value;
+  for (int a = 0; a < 3; ++a) {
+    depth[kOne] += (0.5 * hc[a] - g[a]) * c[a];
+    depth[kPlace + a] = g[a] - hc[a] - in.up[a];
+    depth[kSquare + a] = 0.5 * h[a];
+    depth[kSquare + 3 + a] = h[3 + a];
+  }
+  return true;
+}
+
+/// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
+/// the sign of the motion.
+HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag) {
+  drag = 0;
+  if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
+  const Range normal = normal_speed_range(node, in);
+  drag = normal.high > 0 ? in.drag_front : -in.drag_back;
+  return normal.low >= 0 || normal.high <= 0;
+}
+
+/// Takes a wet branch whole if it can be.
+HWY_INLINE bool take_whole(Work& work, Factors& factors, const Node& node) {
+  const Immersion& in = work.in;
+  double drag;
+  if (!of_one_sign(node, in, drag)) return false;
+  if (in.surface) {
+    const bool curved = in.surface->is_grid() || !set_local_waves(node, in, factors.depth);
+    if (curved && in.surface->bends) return false;
+    if (curved) {
+      for (double& factor : factors.depth) factor = 0;
+      for (int leaf = node.first; leaf < node.last; ++leaf) add_buoyancy_of_leaf(work, leaf);
+    }
+    add_branch(node, factors, in, drag, work.sums);
+    if (curved) work.sums.lane[kArea][0] -= node.moment[kOne][kAreaLane];  // It is there already.
+  } else {
+    add_branch(node, factors, in, drag, work.sums);
+  }
+  if (in.moving && !without_viscous_drag(node, in))
+    for (int leaf = node.first; leaf < node.last; ++leaf) add_viscous_of_leaf(work, leaf);
+  return true;
+}
+
+/// What is known of a branch and the waterline.
+enum class Wetness { dry, mixed, wet };
+
+HWY_INLINE Wetness wetness(const Node& node, const Immersion& in) {
+  if (in.wet) return Wetness::wet;
+  Range depth = depth_range(node, in);
+  if (in.surface && depth.high + in.surface->highest <= 0) return Wetness::dry;
+  if (in.surface && depth.low + in.surface->lowest >= 0) return Wetness::wet;
+  if (in.surface) {
+    const ElevationRange elevation = elevation_over(*in.surface, node.centre, node.half);
+    depth = {depth.low + elevation.low, depth.high + elevation.high};
+  }
+  if (depth.high <= 0) return Wetness::dry;
+  return depth.low >= 0 ? Wetness::wet : Wetness::mixed;
+}
+
+/// Goes through the nodes [node, end). Branches that fit in a chunk go to `chunks`, if it is there.
+HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* chunks) {
+  const Immersion& in = work.in;
+  Factors factors = factors_of(in);
+  while (node < end) {
+    const Node& here = tree.nodes[static_cast<std::size_t>(node)];
+    const bool asks = in.branches || here.leaf();
+    const Wetness wet = asks ? wetness(here, in) : Wetness::mixed;
+    if (wet == Wetness::dry) {
+      node = here.next;
+    } else if (in.branches && wet == Wetness::wet && take_whole(work, factors, here)) {
+      node = here.next;
+    } else if (chunks && here.last - here.first <= tree.chunk_leaves) {
+      chunks->node[static_cast<std::size_t>(chunks->count++)] = node;
+      node = here.next;
+    } else {
+      const Known known = {.wet = wet == Wetness::wet};
+      if (here.leaf())
+        in.surface ? add_leaf_in_waves(work, here.first, known) : add_leaf(work, here.first, known);
+      ++node;
+    }
+  }
+}
+
+void sum_top_here(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums,
+                  Chunks& chunks) {
+  Work work{panels, in, sums, {}, {}};
+  walk(work, tree, 0, static_cast<int>(tree.nodes.size()), &chunks);
+}
+
+void sum_branch_here(const Panels& panels, const Tree& tree, const Immersion& in, int node,
+                     Sums& sums) {
+  Work work{panels, in, sums, {}, {}};
+  walk(work, tree, node, tree.nodes[static_cast<std::size_t>(node)].next, nullptr);
+  drain(work, true);
+}
+
+double wave_elevation_here(const WaveField& waves, const double* r) {
+  const D d;
+  const auto row = [&](int which, int i) HWY_ATTR { return hn::LoadU(d, waves.row[which] + i); };
+  V sum = zero();
+  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(d))) {
+    const V phase =
+        hn::MulAdd(row(1, i), all(r[0]),
+                   hn::MulAdd(row(2, i), all(r[1]), hn::MulAdd(row(3, i), all(r[2]), row(4, i))));
+    sum = hn::MulAdd(row(0, i), hn::Cos(d, phase), sum);
+  }
+  return hn::GetLane(hn::SumOfLanes(d, sum));
+}
+
+}  // namespace hydro::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hydro::kernel {
+
+HWY_EXPORT(sum_top_here);
+HWY_EXPORT(sum_branch_here);
+HWY_EXPORT(wave_elevation_here);
+
+double wave_elevation(const WaveField& waves, const double* r) {
+  return HWY_DYNAMIC_DISPATCH(wave_elevation_here)(waves, r);
+}
+
+Chunks sum_top(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums) {
+  Chunks chunks;
+  HWY_DYNAMIC_DISPATCH(sum_top_here)(panels, tree, in, sums, chunks);
+  return chunks;
+}
+
+void sum_branch(const Panels& panels, const Tree& tree, const Immersion& in, int node, Sums& sums) {
+  HWY_DYNAMIC_DISPATCH(sum_branch_here)(panels, tree, in, node, sums);
+}
+
+}  // namespace hydro::kernel
+#endif

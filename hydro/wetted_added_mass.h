@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "hydro/added_mass.h"
+#include "hydro/added_mass_model.h"
+#include "hydro/refine.h"
+
+/// @file
+/// The wetted panels' share of a body's added mass in unbounded fluid,
+///
+///     A = ρ ∫_{S_w} ψ_m N_n dS,                                                             (1)
+///
+/// made symmetric and without negative eigenvalues. ψ is that of the wholly submerged body, so the
+/// free surface is not felt: a body half under has half of its added mass if it is symmetric about
+/// the waterline. Exact for ψ linear on each face and, in waves, for the surface as the loads take
+/// it (refine.h).
+
+namespace hydro {
+
+/// The solution of a body about another origin: A' = T A Tᵀ and ψ' = T ψ with T = (1, 0; −[p]×, 1).
+/// @param p   The new origin, in the old frame; the axes stay.
+AddedMassSolution moved_origin(AddedMassSolution solution, const Eigen::Vector3d& p);
+
+/// The symmetric part of a matrix with its negative eigenvalues set to zero (to round-off).
+Matrix6d semi_definite_part(const Matrix6d& matrix);
+
+class WettedAddedMass final : public AddedMassModel {
+ public:
+  /// @param mesh_B     Closed; its origin the centre of mass.
+  /// @param solution   Of this mesh, about the same origin.
+  WettedAddedMass(TriMesh mesh_B, const AddedMassSolution& solution);
+
+  Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
+
+  /// A of the wholly submerged body for ρ = 1.
+  const Matrix6d& whole() const { return whole_; }
+
+ private:
+  /// A box around faces_[first … last). Its left child follows it; a leaf has no right child.
+  struct Node {
+    Eigen::AlignedBox3d box_B;
+    int first = 0, last = 0;
+    int right = 0;
+    Matrix6d share = Matrix6d::Zero();  ///< Of all its faces.
+  };
+  struct Immersion;
+
+  int build(int first, int last);
+  void add_node(Immersion& in, int node, Matrix6d& sum) const;
+  void add_face(Immersion& in, int face, Matrix6d& sum) const;
+  void add_piece(int face, const Panel& weights, const Eigen::Vector3d& depth, Matrix6d& sum) const;
+
+  TriMesh mesh_B_;
+  double radius_ = 0;  ///< As Hull::radius [m].
+  Matrix6d whole_;
+  std::vector<CornerPotentials> potentials_;  ///< A face each.
+  std::vector<Matrix6d> shares_;              ///< A wholly wet face each, ρ = 1.
+  std::vector<int> faces_;                    ///< In the order of the tree's leaves.
+  std::vector<Node> nodes_;
+};
+
+}  // namespace hydro

@@ -1,0 +1,129 @@
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <memory>
+
+#include "hydro/loads.h"
+#include "hydro/plain_loads.h"
+#include "hydro/primitives.h"
+#include "hydro/wave_spectrum.h"
+#include "tests/benchmarks/bare_loop.h"
+#include "tests/benchmarks/benches.h"
+
+/// @file
+/// Loads on one body. A name is BM_Hydro/SHAPE/TRIANGLES/STATE/THREADS[/WHAT]: without WHAT all
+/// loads of the default coefficients but viscous drag, with the tree; `viscous` adds that,
+/// `no_tree` takes every leaf, `plain` is the sum that the tests compare with. For one thread read
+/// the CPU time, for more the real time. BM_BareLoop is the floor to compare with.
+
+namespace bench {
+namespace {
+
+using hydro::BodyState;
+using hydro::Sea;
+
+const hydro::Coefficients kInviscid{.viscous_drag = {hydro::ViscousDrag::Law::none}};
+
+struct Case {
+  std::string state = "half";  ///< submerged, half, waves, field or jonswap.
+  std::string what;
+  int subdivisions = 4;
+  int threads = 1;
+};
+
+/// A unit sphere that moves and turns, its centre in the surface or 5 m below.
+BodyState state_of(const std::string& name) {
+  BodyState state{.orientation = Eigen::Quaterniond(0.6, 0.3, -0.5, 0.5).normalized(),
+                  .linear_velocity = {1, 0.3, -0.2},
+                  .angular_velocity = {0.3, -0.2, 0.5}};
+  if (name == "submerged") state.position.z() = -5;
+  return state;
+}
+
+/// 256×256 heights of a swell of 12 m and a cross sea of 7 m, 0.25 m apart.
+hydro::HeightField swell() {
+  Eigen::MatrixXd heights(256, 256);
+  for (int row = 0; row < 256; ++row) {
+    for (int column = 0; column < 256; ++column) {
+      const double x = 0.25 * column, y = 0.25 * row;
+      heights(row, column) = 0.3 * std::cos(2 * M_PI * x / 12) + 0.1 * std::cos(2 * M_PI * y / 7);
+    }
+  }
+  return hydro::make_height_field(heights, 0.25, {-32, -32});
+}
+
+Sea sea_of(const std::string& name) {
+  Sea sea{.density = 1025};
+  if (name == "waves")
+    sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.3, 12, 0.3, 0, sea.gravity)}};
+  if (name == "field") sea.surface = swell();
+  if (name == "jonswap")
+    sea.surface = hydro::jonswap_sea({.significant_height = 1.5, .spreading = 4}, sea.gravity);
+  return sea;
+}
+
+using Compute = hydro::Loads (*)(const hydro::Hull&, const BodyState&, const Sea&, double,
+                                 const hydro::Coefficients&);
+
+void count(benchmark::State& state, Eigen::Index triangles) {
+  state.counters["ns_per_triangle"] = benchmark::Counter(
+      static_cast<double>(triangles) * 1e-9,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void loads_of_a_body(benchmark::State& state, const Case& c) {
+  const hydro::Hull hull = hydro::make_hull(hydro::make_icosphere(1, c.subdivisions));
+  const Sea sea = sea_of(c.state);
+  BodyState motion = state_of(c.state);
+  if (c.what == "rest") motion.linear_velocity = motion.angular_velocity = {1e-200, 0, 1e-160};
+  const hydro::Coefficients coefficients =
+      c.what.starts_with("viscous") ? hydro::Coefficients{} : kInviscid;
+  const bool plain = c.what == "plain" || c.what == "plain_viscous";
+  tbb::task_arena arena(c.threads);
+  for (auto _ : state) {
+    arena.execute([&] {
+      benchmark::DoNotOptimize(
+          plain ? hydro::plain_loads(hull, motion, sea, 0.7,
+                                     c.what == "plain" ? kInviscid : hydro::Coefficients{})
+                : hydro::compute_loads(hull, motion, sea, 0.7, coefficients,
+                                       {.branches = !c.what.ends_with("no_tree")}));
+    });
+  }
+  count(state, hull.mesh_B.face_count());
+}
+
+void bare(benchmark::State& state, int subdivisions) {
+  const hydro::TriMesh mesh = hydro::make_icosphere(1, subdivisions);
+  const BareTriangles triangles(mesh);
+  const BodyState motion = state_of("half");
+  for (auto _ : state)
+    benchmark::DoNotOptimize(bare_loop(triangles, Eigen::Vector3d(0.6, 0, 0.8), 0.1,
+                                       {motion.linear_velocity, motion.angular_velocity}));
+  count(state, mesh.face_count());
+}
+
+void add(const Case& c) {
+  const int triangles = 20 << (2 * c.subdivisions);
+  const std::string name = fmt::format("BM_Hydro/icosphere/{}/{}/{}{}{}", triangles, c.state,
+                                       c.threads, c.what.empty() ? "" : "/", c.what);
+  benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& s) { loads_of_a_body(s, c); });
+}
+
+}  // namespace
+
+void register_hydro() {
+  for (const int subdivisions : {2, 3, 4, 5, 6}) {
+    const std::string name = fmt::format("BM_BareLoop/icosphere/{}", 20 << (2 * subdivisions));
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& s) { bare(s, subdivisions); });
+    for (const char* state : {"submerged", "half", "waves", "field", "jonswap"})
+      for (const char* what :
+           {"", "no_tree", "viscous", "viscous_no_tree", "plain", "plain_viscous"})
+        add({state, what, subdivisions, 1});
+  }
+  add({"half", "rest", 4, 1});
+  add({"half", "no_tree", 6, 2});
+}
+
+}  // namespace bench

@@ -1,0 +1,13 @@
+#include <benchmark/benchmark.h>
+
+#include "tests/benchmarks/benches.h"
+
+/// The project's benchmarks; `tools/benchmark` runs them and draws what they say.
+int main(int argc, char** argv) {
+  bench::register_hydro();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

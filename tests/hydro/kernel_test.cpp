@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hydro/loads.h"
+#include "hydro/mass_properties.h"
+#include "hydro/plain_loads.h"
+#include "hydro/primitives.h"
+#include "hydro/refine.h"
+#include "tests/support/meshes.h"
+#include "tests/support/random_pose.h"
+#include "tests/support/repeats.h"
+#include "tests/support/tolerance.h"
+
+/// The kernel against the plain sum over the panels.
+
+namespace {
+
+using hydro::BodyState;
+using hydro::Coefficients;
+using hydro::Hull;
+using hydro::Loads;
+using hydro::Sea;
+using hydro::ViscousDrag;
+using hydro::Wrench;
+
+double largest(const Wrench& w) {
+  return std::max(w.force.cwiseAbs().maxCoeff(), w.moment.cwiseAbs().maxCoeff());
+}
+
+/// Hulls of all kinds of panels: few and large, many, slivers, round, thin.
+std::vector<Hull> hulls(support::Random& random) {
+  std::vector<Hull> all;
+  all.push_back(hydro::make_hull(hydro::make_box({2, 3, 1})));
+  all.push_back(hydro::make_hull(hydro::make_box({2, 1, 0.02}, 8)));
+  all.push_back(hydro::make_hull(hydro::make_icosphere(1, 5)));
+  all.push_back(hydro::make_hull(hydro::make_cylinder(0.2, 12, 24, 30)));
+  all.push_back(hydro::make_hull(support::random_star(random, 4)));
+  return all;
+}
+
+/// Most often cut by the surface, sometimes above or below it.
+BodyState state_near_surface(const Hull& hull, support::Random& random) {
+  BodyState state{.orientation = random.rotation()};
+  state.position = random.vector(0.8 * hull.radius);
+  state.linear_velocity = random.vector(2);
+  state.angular_velocity = random.vector(2);
+  return state;
+}
+
+/// The largest force among the loads [N].
+double scale_of(const Loads& loads) {
+  return std::max({loads.buoyancy.force.norm(), loads.pressure_drag.force.norm(),
+                   loads.lift.force.norm(), loads.viscous_drag.force.norm()});
+}
+
+void expect_close(const Wrench& a, const Wrench& b, double error, double radius) {
+  EXPECT_LE((a.force - b.force).norm(), error);
+  EXPECT_LE((a.moment - b.moment).norm(), error * std::max(radius, 1.0));
+}
+
+/// The kernel's promise: 1e-12 of the largest force.
+constexpr double kExact = 1e-12;
+
+/// Viscous drag is a quadrature: 1e-5 of its largest component is promised.
+constexpr double kViscous = 1e-5;
+
+void expect_same(const Loads& a, const Loads& b, double radius) {
+  const double error = support::tolerance(kExact) * scale_of(b);
+  expect_close(a.buoyancy, b.buoyancy, error, radius);
+  expect_close(a.pressure_drag, b.pressure_drag, error, radius);
+  expect_close(a.lift, b.lift, error, radius);
+  expect_close(a.viscous_drag, b.viscous_drag,
+               support::tolerance(kViscous) * largest(b.viscous_drag) + error, radius);
+  EXPECT_NEAR(a.wetted_area, b.wetted_area, support::tolerance(1e-12) * radius * radius * 4 * M_PI);
+  EXPECT_NEAR(a.displaced_volume, b.displaced_volume,
+              support::tolerance(1e-12) * radius * radius * radius * 4);
+}
+
+TEST(Kernel, AgreesWithThePlainSumInAnyPoseAndMotion) {
+  support::Random random(51);
+  const Sea sea{.density = 1025, .gravity = 9.81, .current = {0.3, -0.1, 0.2}};
+  for (const Hull& hull : hulls(random)) {
+    for (int i = 0; i < support::repeats(20); ++i) {
+      const BodyState state = state_near_surface(hull, random);
+      const Coefficients coefficients{.lift = 0.4};
+      const Loads plain = hydro::plain_loads(hull, state, sea, 0, coefficients);
+      expect_same(hydro::compute_loads(hull, state, sea, 0, coefficients), plain, hull.radius);
+      expect_same(hydro::compute_loads(hull, state, sea, 0, coefficients, {.branches = false}),
+                  plain, hull.radius);
+    }
+  }
+}
+
+TEST(Kernel, AgreesWithThePlainSumForEveryLawOfViscousDrag) {
+  support::Random random(52);
+  const ViscousDrag laws[] = {
+      {ViscousDrag::Law::constant, 0.02},
+      {ViscousDrag::Law::thesis},
+      {.law = ViscousDrag::Law::ittc57, .length = 2, .reynolds_per_speed = 2e6},
+      // Re = 1e4 at 1 m/s: the line is held on a part of the body.
+      {.law = ViscousDrag::Law::ittc57, .length = 0.01, .reynolds_per_speed = 1e4},
+  };
+  for (const Hull& hull : hulls(random)) {
+    for (const ViscousDrag& law : laws) {
+      for (int i = 0; i < support::repeats(4); ++i) {
+        BodyState state = state_near_surface(hull, random);
+        if (i % 2 == 0) state.linear_velocity *= 3;
+        const Coefficients coefficients{.viscous_drag = law};
+        const Wrench ours = hydro::compute_loads(hull, state, {}, 0, coefficients).viscous_drag;
+        const Wrench plain = hydro::plain_loads(hull, state, {}, 0, coefficients).viscous_drag;
+        expect_close(ours, plain, support::tolerance(kViscous) * largest(plain), hull.radius);
+      }
+    }
+  }
+}
+
+Sea wavy(bool grid) {
+  Sea sea{.density = 1025};
+  if (!grid) {
+    sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.3, 12, 0.4, 1, 9.81),
+                                      hydro::deep_water_wave(0.1, 7, -1.1, 2, 9.81)}};
+    return sea;
+  }
+  Eigen::MatrixXd heights(64, 80);
+  for (int row = 0; row < 64; ++row)
+    for (int column = 0; column < 80; ++column)
+      heights(row, column) = 0.3 * std::cos(0.13 * column) + 0.1 * std::cos(0.2 * row + 1);
+  sea.surface = hydro::make_height_field(heights, 0.25, {-10, -8});
+  return sea;
+}
+
+TEST(Kernel, AgreesWithThePlainSumInWaves) {
+  support::Random random(53);
+  for (const bool grid : {false, true}) {
+    const Sea sea = wavy(grid);
+    for (const Hull& hull : hulls(random)) {
+      for (int i = 0; i < support::repeats(8); ++i) {
+        const BodyState state = state_near_surface(hull, random);
+        SCOPED_TRACE(testing::Message() << hull.mesh_B.face_count() << " faces, grid " << grid);
+        const Loads plain = hydro::plain_loads(hull, state, sea, 1.5, {});
+        if (hull.mesh_B.face_count() == 12) {
+          // Its faces are split, where of two equally long edges roundings choose the one: both
+          // ways are within the tolerance of the splitting.
+          const Loads ours = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
+          const double error = support::tolerance(hydro::kSagTolerance) * scale_of(plain);
+          expect_close(ours.buoyancy, plain.buoyancy, error, hull.radius);
+          expect_close(ours.pressure_drag, plain.pressure_drag, error, hull.radius);
+          continue;
+        }
+        expect_same(hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false}), plain,
+                    hull.radius);
+      }
+    }
+  }
+}
+
+TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
+  support::Random random(54);
+  for (const bool grid : {false, true}) {
+    const Sea sea = wavy(grid);
+    for (const Hull& hull : hulls(random)) {
+      const double buoyancy =
+          sea.density * sea.gravity * hydro::solid_properties(hull.mesh_B).volume;
+      for (int i = 0; i < support::repeats(8); ++i) {
+        const BodyState state = state_near_surface(hull, random);
+        const Loads each = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
+        const Loads whole = hydro::compute_loads(hull, state, sea, 1.5, {});
+        EXPECT_LT((whole.buoyancy.force - each.buoyancy.force).norm(),
+                  support::tolerance(1e-4) * buoyancy);
+        EXPECT_LT((whole.buoyancy.moment - each.buoyancy.moment).norm(),
+                  support::tolerance(1e-4) * buoyancy * hull.radius);
+        const double error = support::tolerance(kExact) * scale_of(each);
+        expect_close(whole.pressure_drag, each.pressure_drag, error, hull.radius);
+        expect_close(whole.lift, each.lift, error, hull.radius);
+      }
+    }
+  }
+}
+
+TEST(Kernel, HasNoDragAtSpeedsWhoseSquareIsNoProperNumber) {
+  const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 2));
+  BodyState state{.linear_velocity = {1e-160, 0, 0}};
+  const Loads loads = hydro::compute_loads(hull, state, {}, 0, {});
+  EXPECT_EQ(largest(loads.pressure_drag), 0);
+  EXPECT_EQ(largest(loads.viscous_drag), 0);
+  EXPECT_GT(largest(loads.buoyancy), 0);
+}
+
+TEST(Kernel, LeavesOutFacesWithoutArea) {
+  hydro::TriMesh mesh = hydro::make_box({1, 1, 1}, 2);
+  const Loads before = hydro::compute_loads(hydro::make_hull(mesh), {}, {}, 0, {});
+  mesh.faces.conservativeResize(3, mesh.face_count() + 1);
+  mesh.faces.rightCols(1) << 0, 0, 1;
+  const Loads after = hydro::compute_loads(hydro::make_hull(mesh), {}, {}, 0, {});
+  EXPECT_EQ(after.buoyancy.force, before.buoyancy.force);
+  EXPECT_EQ(after.wetted_area, before.wetted_area);
+}
+
+}  // namespace

@@ -1,0 +1,283 @@
+#include "hydro/wetted_added_mass.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <numbers>
+
+#include "hydro/mass_properties.h"
+#include "hydro/primitives.h"
+#include "tests/support/meshes.h"
+#include "tests/support/reference_loads.h"
+#include "tests/support/repeats.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using hydro::AddedMassSolution;
+using hydro::BodyState;
+using hydro::Matrix6d;
+using hydro::Sea;
+using hydro::TriMesh;
+using hydro::WettedAddedMass;
+using support::tolerance;
+
+/// Sums of some hundred products: some hundred ulp of the largest.
+const double kRoundOff = tolerance(1e-13);
+
+/// Coarse potentials, so that a solve takes little: what is tested holds for any.
+AddedMassSolution coarse(const TriMesh& mesh) {
+  return hydro::solve_added_mass(mesh, {.tolerance = 1e3});
+}
+
+TriMesh star(support::Random& random) {
+  const TriMesh mesh = support::random_star(random, 1);
+  return hydro::translated(mesh, -hydro::solid_properties(mesh).centroid);
+}
+
+double difference(const Matrix6d& a, const Matrix6d& b) {
+  return (a - b).cwiseAbs().maxCoeff() / a.cwiseAbs().maxCoeff();
+}
+
+Matrix6d symmetric(const Matrix6d& m) { return 0.5 * (m + m.transpose()); }
+
+BodyState at_height(double z) { return {.position = {0, 0, z}}; }
+
+Sea short_waves() {
+  Sea sea;
+  sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.1, 1.3, 0.4, 0.2, sea.gravity),
+                                    hydro::deep_water_wave(0.05, 0.9, -1.1, 2, sea.gravity)}};
+  return sea;
+}
+
+/// Corners of a face as a polygon in extended precision.
+support::Polygon polygon(const TriMesh& mesh, Index face) {
+  support::Polygon corners;
+  for (int i = 0; i < 3; ++i)
+    corners.push_back(mesh.vertices.col(mesh.faces(i, face)).cast<long double>());
+  return corners;
+}
+
+/// ψ of one motion anywhere in the plane of a face, from its values at the corners.
+std::function<long double(const support::Vector3l&)> interpolated(const support::Polygon& p,
+                                                                  const Eigen::RowVector3d& psi) {
+  return [=](const support::Vector3l& r) {
+    const support::Vector3l n = (p[1] - p[0]).cross(p[2] - p[0]);
+    long double value = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      value += psi[static_cast<Index>(i)] * (p[(i + 1) % 3] - r).cross(p[(i + 2) % 3] - r).dot(n) /
+               n.squaredNorm();
+    return value;
+  };
+}
+
+/// ∫ ψ_m N_n dS over the part of the mesh where `depth` is positive, by quadrature over clipped
+/// polygons.
+Matrix6d reference_share(const TriMesh& mesh, const AddedMassSolution& solution,
+                         const std::function<long double(const support::Vector3l&)>& depth) {
+  Matrix6d share = Matrix6d::Zero();
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const support::Polygon face = polygon(mesh, f);
+    const support::Polygon wet = support::clip(face, depth);
+    if (wet.size() < 3) continue;
+    const support::Vector3l n = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
+    for (int m = 0; m < 6; ++m) {
+      const auto psi = interpolated(face, solution.potentials[static_cast<std::size_t>(f)].row(m));
+      share.block<1, 3>(m, 0) +=
+          support::integrate(wet, [&](const auto& r) -> support::Vector3l { return psi(r) * n; })
+              .cast<double>()
+              .transpose();
+      share.block<1, 3>(m, 3) +=
+          support::integrate(
+              wet, [&](const auto& r) -> support::Vector3l { return psi(r) * r.cross(n); })
+              .cast<double>()
+              .transpose();
+    }
+  }
+  return share;
+}
+
+/// ψ_m = x_m / 2, as on a sphere of 1 m, without a solver's errors.
+AddedMassSolution smooth_sphere(const TriMesh& mesh) {
+  AddedMassSolution solution;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    std::array<Vector3d, 3> corners;
+    hydro::CornerPotentials psi = hydro::CornerPotentials::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = mesh.vertices.col(mesh.faces(static_cast<Index>(i), f));
+      psi.col(static_cast<Index>(i)).head<3>() = corners[i] / 2;
+    }
+    solution.matrix += symmetric(hydro::triangle_share(corners, psi));
+    solution.potentials.push_back(psi);
+  }
+  return solution;
+}
+
+TEST(WettedAddedMass, OfASphereHalfUnderHasHalfOfItsHeave) {
+  for (const TriMesh& mesh : {hydro::make_sphere(1, 16, 8), hydro::make_sphere(1, 7, 9)}) {
+    const AddedMassSolution solution = smooth_sphere(mesh);
+    const WettedAddedMass model(mesh, solution);
+    for (const double density : {1.0, 1025.0}) {
+      const double heave = model.at(at_height(0), {.density = density}, 0)(2, 2);
+      const double half = density * solution.matrix(2, 2) / 2;
+      EXPECT_NEAR(heave, half, tolerance(1e-12) * half);
+    }
+  }
+}
+
+TEST(WettedAddedMass, OfBothHalvesOfASolvedSphereIsThatOfTheWhole) {
+  const TriMesh mesh = hydro::make_sphere(1, 16, 8);
+  const AddedMassSolution solution = coarse(mesh);
+  const WettedAddedMass model(mesh, solution);
+  const Eigen::Quaterniond over(Eigen::AngleAxisd(std::numbers::pi, Vector3d::UnitX()));
+  const double lower = model.at(at_height(0), {.density = 1}, 0)(2, 2);
+  const double upper = model.at({.orientation = over}, {.density = 1}, 0)(2, 2);
+  const double whole = solution.matrix(2, 2);
+  EXPECT_NEAR(lower + upper, whole, tolerance(1e-12) * whole);
+  // The solver's integrals over pairs of panels are good to 1e-5 each, and cancel in their sum.
+  EXPECT_NEAR(lower, whole / 2, tolerance(1e-6) * whole);
+}
+
+TEST(WettedAddedMass, IsThatOfTheWholeBodyOrZeroWhereNothingIsCut) {
+  support::Random random(3);
+  const TriMesh mesh = star(random);
+  const AddedMassSolution solution = coarse(mesh);
+  const WettedAddedMass model(mesh, solution);
+  EXPECT_LT(difference(model.whole(), solution.matrix), tolerance(1e-6));
+  for (const Sea& sea : {Sea{}, short_waves()}) {
+    // Submerged by its box only, and by the sphere around it too.
+    EXPECT_EQ(model.at(at_height(-1.65), sea, 0), 1000 * model.whole());
+    EXPECT_EQ(model.at(at_height(-1e6), sea, 0), 1000 * model.whole());
+    EXPECT_EQ(model.at(at_height(1.65), sea, 0), Matrix6d::Zero());
+    EXPECT_EQ(model.at(at_height(1e6), sea, 0), Matrix6d::Zero());
+  }
+}
+
+TEST(WettedAddedMass, IsTheIntegralOverTheClippedFaces) {
+  support::Random random(5);
+  const TriMesh mesh = star(random);
+  const AddedMassSolution solution = coarse(mesh);
+  const WettedAddedMass model(mesh, solution);
+  for (int k = 0; k < support::repeats(8); ++k) {
+    BodyState state = random.state(1e6, 1);
+    const Sea sea = {.density = 1025, .level = state.position.z() + random.uniform(-1, 1)};
+    const Matrix3d R = state.orientation.toRotationMatrix();
+    const double level = sea.level - state.position.z();
+    const Matrix6d reference = reference_share(mesh, solution, [&](const support::Vector3l& r) {
+      return level - (R.row(2).cast<long double>() * r)(0);
+    });
+    EXPECT_LT(difference(1025 * hydro::semi_definite_part(reference), model.at(state, sea, 0)),
+              kRoundOff);
+  }
+}
+
+/// The sea turned with the body about the y axis, given by its heights, is another sea with the
+/// same added mass in body axes.
+TEST(WettedAddedMass, InASeaThatSlopesAsAPlaneIsThatOfTheTurnedBody) {
+  support::Random random(7);
+  const TriMesh mesh = star(random);
+  const WettedAddedMass model(mesh, coarse(mesh));
+  const double angle = 0.3;
+  Eigen::MatrixXd heights(2, 2);
+  heights << -10, 10, -10, 10;
+  Sea sloping;
+  sloping.surface = hydro::make_height_field(std::tan(angle) * heights, 20, {-10, -10});
+  for (int k = 0; k < support::repeats(8); ++k) {
+    const BodyState flat = {.position = random.vector(0.8), .orientation = random.rotation()};
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(-angle, Vector3d::UnitY()));
+    const BodyState turned = {.position = turn * flat.position,
+                              .orientation = turn * flat.orientation};
+    EXPECT_LT(difference(model.at(flat, Sea{}, 0), model.at(turned, sloping, 0)),
+              tolerance(1e-12));  // one more turn, and tan(0.3) in the heights
+  }
+}
+
+/// Each face in four, the potentials as they are at the new corners.
+std::pair<TriMesh, AddedMassSolution> split(const TriMesh& mesh, const AddedMassSolution& of_mesh) {
+  const Index faces = mesh.face_count();
+  TriMesh finer{Eigen::Matrix3Xd(3, 12 * faces), Eigen::Matrix3Xi(3, 4 * faces)};
+  AddedMassSolution solution = of_mesh;
+  solution.potentials.clear();
+  const double h = 0.5;
+  std::array<Matrix3d, 4> weights;  // barycentric coordinates of the corners, a column each
+  weights[0] << 1, h, h, 0, h, 0, 0, 0, h;
+  weights[1] << h, 0, 0, h, 1, h, 0, 0, h;
+  weights[2] << h, 0, 0, 0, h, 0, h, h, 1;
+  weights[3] << h, 0, h, h, h, 0, 0, h, h;
+  for (Index f = 0; f < faces; ++f) {
+    Matrix3d corners;
+    for (int i = 0; i < 3; ++i) corners.col(i) = mesh.vertices.col(mesh.faces(i, f));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index piece = 4 * f + static_cast<Index>(k);
+      finer.vertices.middleCols(3 * piece, 3) = corners * weights[k];
+      finer.faces.col(piece) << Eigen::Vector3i::LinSpaced(3, 3 * static_cast<int>(piece),
+                                                           3 * static_cast<int>(piece) + 2);
+      solution.potentials.push_back(of_mesh.potentials[static_cast<std::size_t>(f)] * weights[k]);
+    }
+  }
+  return {finer, solution};
+}
+
+TEST(WettedAddedMass, InShortWavesDoesNotDependOnTheSizeOfTheFaces) {
+  const TriMesh box = hydro::make_box({2, 1.5, 1}, 1);
+  const AddedMassSolution of_box = coarse(box);
+  auto [finer, solution] = split(box, of_box);
+  for (int i = 0; i < 3; ++i) std::tie(finer, solution) = split(finer, solution);
+  const WettedAddedMass model(box, of_box);
+  const WettedAddedMass fine(finer, solution);
+  support::Random random(9);
+  for (int k = 0; k < support::repeats(6); ++k) {
+    const BodyState state = {.position = random.vector(0.3), .orientation = random.rotation()};
+    // The surface departs from linear by kSagTolerance of its deviation, of either sign.
+    EXPECT_LT(difference(fine.at(state, short_waves(), 1), model.at(state, short_waves(), 1)),
+              tolerance(hydro::kSagTolerance));
+  }
+}
+
+TEST(WettedAddedMass, IsSymmetricAndTakesWorkForEveryMotion) {
+  support::Random random(11);
+  for (int k = 0; k < support::repeats(4); ++k) {
+    const TriMesh mesh = star(random);
+    const WettedAddedMass model(mesh, coarse(mesh));
+    for (int i = 0; i < 50; ++i) {
+      const BodyState state = {.position = random.vector(1.2), .orientation = random.rotation()};
+      const Matrix6d A = model.at(state, i % 5 == 0 ? short_waves() : Sea{}, 0);
+      EXPECT_EQ(A, A.transpose());
+      const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(A);
+      EXPECT_GE(eigen.eigenvalues()[0], -tolerance(1e-14) * eigen.eigenvalues()[5]);
+    }
+  }
+}
+
+TEST(MovedOrigin, GivesTheIntegralsAboutTheNewOrigin) {
+  support::Random random(13);
+  const TriMesh mesh = star(random);
+  const Vector3d p(0.4, -0.3, 0.8);
+  const AddedMassSolution moved = hydro::moved_origin(coarse(mesh), p);
+  const TriMesh mesh_there = hydro::translated(mesh, -p);
+  const Matrix6d sum =
+      reference_share(mesh_there, moved, [](const support::Vector3l&) { return 1.0L; });
+  EXPECT_LT(difference(moved.matrix, symmetric(sum)), kRoundOff);
+  // Solved there it is the same but for the integrals over pairs of panels, good to 1e-5.
+  const AddedMassSolution solved = coarse(mesh_there);
+  EXPECT_LT(difference(solved.matrix, moved.matrix), tolerance(1e-4));
+  for (std::size_t f = 0; f < solved.potentials.size(); ++f)
+    EXPECT_LT((solved.potentials[f] - moved.potentials[f]).cwiseAbs().maxCoeff(), tolerance(1e-2));
+}
+
+TEST(SemiDefinitePart, KeepsWhatIsNotNegative) {
+  const Eigen::Matrix<double, 6, 1> values{3, 2, 1, 0, -1, -2};
+  support::Random random(15);
+  Matrix6d any;
+  for (double& entry : any.reshaped()) entry = random.uniform(-1, 1);
+  const Matrix6d turn = any.householderQr().householderQ();
+  const Matrix6d matrix = turn * values.asDiagonal() * turn.transpose();
+  const Matrix6d expected = turn * values.cwiseMax(0).asDiagonal() * turn.transpose();
+  EXPECT_LT(difference(expected, hydro::semi_definite_part(matrix)), kRoundOff);
+  EXPECT_LT(difference(expected, hydro::semi_definite_part(expected)), kRoundOff);
+}
+
+}  // namespace
