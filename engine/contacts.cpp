@@ -168,6 +168,7 @@ ContactStiffness contact_stiffness(double mass, std::size_t points, double step)
 void World::collide(double step) {
   open_ode();
   dJointGroupEmpty(contacts_.get());
+  touching_.clear();
   for (const Pair& pair : near_pairs()) join_contacts(pair, step);
 }
 
@@ -198,6 +199,8 @@ void World::join_contacts(const Pair& pair, double step) {
   if (is_sphere(geom_of(pair.first)) || is_sphere(geom_of(pair.second)))
     points = holding_a_sphere(std::move(points));
   const std::vector<std::size_t> kept = representative(points, kContactsOfPair);
+  if (kept.empty()) return;
+  touching_.push_back(pair);
   const ContactStiffness stiffness = contact_stiffness(contact_mass(pair), kept.size(), step);
   for (const std::size_t i : kept) {
     const dContact contact = contact_joint(points[i], stiffness, approach(points[i].position_W));
@@ -209,7 +212,7 @@ void World::join_contacts(const Pair& pair, double step) {
 double World::contact_mass(const Pair& pair) const {
   double mass = 0;
   for (const BodyId id : {pair.first, pair.second}) {
-    if (handle_of(id)) mass = std::max(mass, bodies_[static_cast<std::size_t>(id)].mass);
+    if (handle_of(id)) mass = std::max(mass, bodies_[static_cast<std::size_t>(id)].contact_mass);
   }
   return mass;
 }
@@ -220,7 +223,7 @@ Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d
   const Body& body = bodies_[static_cast<std::size_t>(id)];
   const hydro::BodyState now = state(id);
   const Eigen::Vector3d acceleration =
-      body.load.force / body.mass - gravity_ * Eigen::Vector3d::UnitZ();
+      body.acceleration.value_or(body.load.force / body.mass - gravity_ * Eigen::Vector3d::UnitZ());
   return now.linear_velocity + now.angular_velocity.cross(point_W - now.position) +
          step * acceleration;
 }

@@ -40,7 +40,7 @@ std::vector<NamedWrench> by_name(const BodyLoads& loads) {
   named.emplace_back("pressure drag", loads.water.pressure_drag);
   named.emplace_back("viscous drag", loads.water.viscous_drag);
   named.emplace_back("lift", loads.water.lift);
-  named.emplace_back("damping of stiff drag", loads.damping);
+  named.emplace_back("weight", loads.weight);
   return named;
 }
 
@@ -66,7 +66,7 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
 }
 
 hydro::Wrench BodyLoads::total() const {
-  hydro::Wrench sum = water.total() + damping;
+  hydro::Wrench sum = water.total() + weight;
   for (const hydro::Wrench& load : applied) sum += load;
   return sum;
 }

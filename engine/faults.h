@@ -18,9 +18,9 @@ inline constexpr double kLargestState = 1e9;
 /// "the position's z is inf" or nothing if the state is finite and within kLargestState.
 std::optional<std::string> state_fault(const hydro::BodyState& state);
 
-/// "the angular velocity's x is 1e+40, beyond all bounds" or nothing if the body, were it free,
-/// would stay within bounds over a step [s] under the load. The mechanics engine cannot take larger
-/// ones.
+/// "the angular velocity's x is 1e+40, beyond all bounds" or nothing if the body, were it free and
+/// of its own mass alone, would stay within bounds over a step [s] under the load. The mechanics
+/// engine cannot take larger ones.
 std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyState& state,
                                         const hydro::Wrench& load, double step);
 
@@ -28,7 +28,7 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
 struct BodyLoads {
   std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`.
   hydro::Loads water;
-  hydro::Wrench damping;  ///< The implicit part of stiff drag (stiff_drag.h).
+  hydro::Wrench weight;  ///< Of the body's own mass.
 
   hydro::Wrench total() const;
 };

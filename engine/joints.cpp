@@ -68,6 +68,7 @@ void World::add_joint(const JointSpec& spec) {
     jointed_.insert(std::lower_bound(jointed_.begin(), jointed_.end(), pair), pair);
   // Two immovable bodies keep any joint by themselves.
   if (!handle_of(spec.first) && !handle_of(spec.second)) return;
+  joints_.push_back(pair);
   dxJoint* joint = create(world_.get(), spec.type);
   dJointAttach(joint, handle_of(spec.first), handle_of(spec.second));
   align(joint, spec);

@@ -32,9 +32,20 @@ struct Timings {
 struct Skips {
   bool collision = false;           ///< Nothing in the scene can collide.
   bool water = false;               ///< No water, or no body that it acts on.
-  std::vector<long> dry_steps;      ///< Per body: steps in which it was above the highest water.
-  std::vector<long> resting_steps;  ///< Per body: steps that took over the last load, since neither
-                                    ///< the body nor the water had moved.
+  std::vector<long> dry_steps;      ///< Per body: load evaluations above the highest water.
+  std::vector<long> resting_steps;  ///< Per body: evaluations that took over the last load, since
+                                    ///< neither the body nor the water had moved.
+};
+
+/// How a body's motion was found, in steps and pieces of steps so far.
+struct Path {
+  long free = 0;         ///< Steps by itself.
+  long constrained = 0;  ///< Steps under joints or contacts.
+  long pieces = 0;       ///< That those steps were cut in.
+  long implicit = 0;     ///< Pieces too long for its loads to be taken explicitly (kick.h).
+  long iterations = 0;   ///< Solutions of its constraints, one a piece without added mass.
+  long unconverged = 0;  ///< Pieces in which they did not reach their tolerance.
+  long braked = 0;       ///< Pieces slowed so that still water gives no energy (free_step.h).
 };
 
 /// Bodies in the sea, moved step by step. Owns the mechanics engine.
@@ -53,8 +64,9 @@ class Simulation {
   const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
   const Timings& timings() const;
   const Skips& skips() const;
-  /// Per body: steps so long for its mass that its drag was taken implicitly (stiff_drag.h).
-  const std::vector<long>& stiff_steps() const;
+  const std::vector<Path>& paths() const;  ///< Per body.
+  /// What the user should know of the run so far, each once, as whole sentences.
+  const std::vector<std::string>& warnings() const;
 
   /// One step. The state before it is kept if it throws; every later step then throws too.
   /// @throws SimulationError

@@ -85,7 +85,21 @@ struct MeshGround {
 };
 using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 
+/// How the motion is found from the loads.
+struct Integrator {
+  enum class Method {
+    split,  ///< Inertia, loads and constraints in turn, with added mass; second order
+            ///< (split_step.h).
+    ode  ///< ODE's own step, loads once a step, no added mass: the plain method, to compare with.
+  };
+  Method method = Method::split;
+  /// Largest error of a free body's pose in a second, as a part of its radius and in rad, by which
+  /// steps are cut; 0: they are not cut for it.
+  double tolerance = 0;
+};
+
 struct SimulationSpec {
+  Integrator integrator;
   double step = 1.0 / 60;         ///< [s], > 0.
   double gravity = 9.80665;       ///< Along −z [m/s^2].
   std::optional<hydro::Sea> sea;  ///< None: a dry scene.

@@ -75,8 +75,11 @@ World::World(double gravity) : gravity_(gravity) {
 
 BodyId World::add_body(const BodySpec& spec) {
   check_body(spec);
-  Body body{
-      .mass = spec.mass, .initial = without_locked_motion(spec.locked, spec.initial), .load = {}};
+  Body body{.mass = spec.mass,
+            .contact_mass = spec.mass,
+            .initial = without_locked_motion(spec.locked, spec.initial),
+            .load = {},
+            .acceleration = {}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
   const Shape shape = create_shape(spec);
   body.geom = shape.geom;

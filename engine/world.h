@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,9 +12,11 @@ namespace engine {
 
 /// Bodies, joints and ground in ODE. Owns all of ODE's objects; a body is an index.
 ///
-/// Bodies come first, then joints and ground. A step is: apply loads, collide, advance.
-/// Every call may throw OdeFault; after one out of `advance`, the world is only fit to be
-/// destroyed.
+/// Bodies come first, then joints and ground. It is used in one of two ways. By itself a step is:
+/// apply loads, collide, advance. As the solver of joints and contacts alone (`only_constrain`) it
+/// is: set states, collide, then ask `constrained_velocities`.
+/// Every call may throw OdeFault; after one out of `advance` or `constrained_velocities`, the world
+/// is only fit to be destroyed.
 class World {
  public:
   explicit World(double gravity);
@@ -40,13 +43,38 @@ class World {
   /// Steps in which constraints contradicted each other and were each met in part.
   long compromises() const { return compromises_; }
 
+  /// From now on bodies move only where they are set: no gravity, no motion of their own.
+  void only_constrain();
+  /// A body as the constraint solver is to take it, moment and velocities about the centre of mass.
+  struct Constrained {
+    BodyId body = 0;
+    hydro::BodyState state;
+    double mass = 0;
+    Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();
+    hydro::Wrench load;  ///< In W.
+  };
+  /// The velocities in W, linear and angular, that these bodies have after `step` [s] under their
+  /// loads, joints, locks and contacts. Nothing moves.
+  std::vector<hydro::Twist> constrained_velocities(const std::vector<Constrained>& bodies,
+                                                   double step);
+  /// Groups of bodies that joints or the last contacts hold to each other, to the ground or to what
+  /// cannot move; each ascending, in the order of their first body.
+  std::vector<std::vector<BodyId>> islands() const;
+  /// Per body: it is in one of the last contacts.
+  std::vector<bool> touching() const;
+  /// What the contacts of a body are told of it: how much it resists them [kg], and how it would
+  /// speed up without them, in W [m/s^2].
+  void set_contact_inertia(BodyId body, double mass, const Eigen::Vector3d& acceleration);
+
  private:
   struct Body {
     dxBody* handle = nullptr;  ///< None if immovable: what it meets is then part of the world.
     dxGeom* geom = nullptr;    ///< None if it passes through everything.
-    double mass = 0;
+    double mass = 0;           ///< Its own.
+    double contact_mass = 0;   ///< What contacts push against.
     hydro::BodyState initial;
-    hydro::Wrench load;  ///< For the next advance.
+    hydro::Wrench load;                           ///< For the next advance.
+    std::optional<Eigen::Vector3d> acceleration;  ///< Without contacts; none: by load and gravity.
   };
   struct Shape {
     dxGeom* geom = nullptr;
@@ -88,7 +116,9 @@ class World {
   SpaceHandle space_;
   JointGroupHandle contacts_;
   std::vector<Body> bodies_;
-  std::vector<Pair> jointed_;  ///< Sorted.
+  std::vector<Pair> jointed_;   ///< Sorted.
+  std::vector<Pair> joints_;    ///< With kWorld, of which one at least can move.
+  std::vector<Pair> touching_;  ///< Of which one at least can move.
   dxGeom* ground_ = nullptr;
 };
 

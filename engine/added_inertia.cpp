@@ -1,0 +1,57 @@
+#include "engine/added_inertia.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "engine/locks.h"
+
+namespace engine {
+namespace {
+
+/// The matrix with locked degrees of freedom cut off from the others.
+Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
+  for (int i = 0; i < 6; ++i) {
+    if (!locked[static_cast<std::size_t>(i)]) continue;
+    matrix.row(i).setZero();
+    matrix.col(i).setZero();
+    matrix(i, i) = diagonal;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+Matrix6d rigid_inertia(const BodySpec& body) {
+  Matrix6d inertia = Matrix6d::Zero();
+  inertia.diagonal().head<3>().setConstant(body.mass);
+  inertia.bottomRightCorner<3, 3>() = body.inertia_B;
+  return inertia;
+}
+
+InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change, const DofMask& locked,
+                             const Vector6d& u) {
+  if (change.isZero(0)) return {.inertia = inertia, .velocity = u};
+  const Eigen::LLT<Matrix6d> S(uncoupled(inertia, locked, 1));
+  const Matrix6d half = S.matrixL().solve(uncoupled(change, locked, 0));
+  const Matrix6d relative = S.matrixL().solve(Matrix6d(half.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> basis((relative + relative.transpose()) / 2);
+  const auto growth = basis.eigenvalues().array().max(0.0);
+  const Matrix6d& V = basis.eigenvectors();
+  const Vector6d kept = (V.transpose() * (S.matrixU() * u)).array() / (1 + growth);
+  const Matrix6d root = S.matrixL() * V;
+  const Vector6d factor = 1 + basis.eigenvalues().array().max(basis.eigenvalues().array() / 2);
+  InertiaChange result{.inertia = root * factor.asDiagonal() * root.transpose(),
+                       .velocity = S.matrixU().solve(Vector6d(V * kept))};
+  for (int i = 0; i < 6; ++i)
+    if (locked[static_cast<std::size_t>(i)]) result.velocity[i] = u[i];
+  return result;
+}
+
+Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const DofMask& locked) {
+  if (partly_held(locked)) matrix = uncoupled(matrix, locked, 1);
+  for (int i = 0; i < 6; ++i)
+    if (locked[static_cast<std::size_t>(i)]) rhs[i] = 0;
+  return matrix.llt().solve(rhs);
+}
+
+}  // namespace engine

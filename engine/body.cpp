@@ -1,0 +1,140 @@
+#include "engine/body.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <chrono>
+
+#include "engine/added_inertia.h"
+#include "engine/applied_load.h"
+#include "engine/free_motion.h"
+#include "engine/locks.h"
+#include "engine/wetness.h"
+
+namespace engine {
+namespace {
+
+bool has_joint(const SimulationSpec& spec, BodyId body) {
+  return std::any_of(spec.joints.begin(), spec.joints.end(), [&](const JointSpec& joint) {
+    return joint.first == body || joint.second == body;
+  });
+}
+
+bool changes_with_time(const hydro::Sea& sea) {
+  return std::holds_alternative<hydro::WaveSurface>(sea.surface);
+}
+
+/// The loads of the water, by a look above the surface, from the last time, or anew.
+const hydro::Loads& water_loads(Body& body, const Surroundings& around,
+                                const hydro::BodyState& state, double time) {
+  static const hydro::Loads kNone;
+  if (lowest_point(body.box_B, state) >= around.highest) {
+    ++body.cost.dry;
+    return kNone;
+  }
+  if (body.loaded_state == state && !changes_with_time(*around.sea)) {
+    ++body.cost.resting;
+    return body.water;
+  }
+  body.water = hydro::compute_loads(body.hull, state, *around.sea, time, body.spec->coefficients);
+  body.loaded_state = state;
+  return body.water;
+}
+
+}  // namespace
+
+Surroundings surroundings(const SimulationSpec& spec) {
+  Surroundings around{.gravity = spec.gravity};
+  if (!spec.sea) return around;
+  const hydro::SurfaceBounds bounds = hydro::surface_bounds(*spec.sea);
+  around.sea = &*spec.sea;
+  around.highest = bounds.highest;
+  around.lowest = bounds.lowest;
+  return around;
+}
+
+Body make_body(const SimulationSpec& spec, std::size_t index) {
+  const BodySpec& s = spec.bodies[index];
+  Body body{.spec = &s,
+            .box_B = hydro::bounding_box(s.mesh_B),
+            .rigid_B = rigid_inertia(s),
+            .inverse_inertia_B = s.inertia_B.inverse(),
+            .wet = spec.sea && feels_water(s),
+            .adds = spec.sea && s.added_mass && !immovable(s.locked),
+            .movable = !immovable(s.locked),
+            .locked = partly_held(s.locked),
+            .jointed = has_joint(spec, static_cast<BodyId>(index))};
+  if (body.wet) body.hull = hydro::make_hull(s.mesh_B);
+  body.motion.state = without_locked_motion(s.locked, s.initial);
+  if (!body.adds) return body;
+  body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
+  body.motion.has_added = !body.motion.added_B.isZero(0);
+  return body;
+}
+
+Matrix6d inertia_W(const Body& body, const Motion& motion) {
+  return turned_matrix(motion.state.orientation.toRotationMatrix(), body.rigid_B + motion.added_B);
+}
+
+Motion drift(const Body& body, const Surroundings& around, const Motion& motion, double time) {
+  Motion next = motion;
+  const Matrix6d S = body.rigid_B + motion.added_B;
+  if (body.locked)
+    next.state = held(body.spec->locked, body.spec->initial,
+                      drifted(S, body.spec->locked, motion.state, around.current(), time));
+  else if (motion.has_added)
+    next.state = drifted(S, motion.state, around.current(), time);
+  else
+    next.state = drifted(*body.spec, motion.state, time);
+  return next;
+}
+
+Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::BodyState& state,
+                    double time) {
+  return body.adds ? body.spec->added_mass->at(state, *around.sea, time)
+                   : Matrix6d(Matrix6d::Zero());
+}
+
+Motion with_added_mass(Motion motion, const Matrix6d& added_B, const Matrix6d& before_B,
+                       double step) {
+  motion.added_B = added_B;
+  motion.added_rate_B = (added_B - before_B) / step;
+  motion.has_added = !added_B.isZero(0);
+  return motion;
+}
+
+Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step) {
+  if (!body.adds || motion.added_rate_B.isZero(0)) return motion.added_B;
+  const Matrix6d expected = motion.added_B + step * motion.added_rate_B;
+  // Beyond an end, such as a body's leaving the water, the rate leads to what is no mass.
+  const bool sound = Eigen::LLT<Matrix6d>(0.99 * body.rigid_B + expected).info() == Eigen::Success;
+  return sound ? expected : motion.added_B;
+}
+
+bool same_added_mass(const Body& body, const Matrix6d& a, const Matrix6d& b) {
+  const Vector6d scale = (body.rigid_B + a).diagonal().cwiseSqrt().cwiseInverse();
+  return (scale.asDiagonal() * (a - b) * scale.asDiagonal()).cwiseAbs().maxCoeff() <= 1e-9;
+}
+
+hydro::Wrench find_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,
+                         double time) {
+  body.loads = {};
+  for (const AppliedLoad& load : body.spec->loads)
+    body.loads.applied.push_back(wrench(load, state, time));
+  body.loads.weight.force.z() = -body.spec->mass * around.gravity;
+  if (body.wet) {
+    const auto start = std::chrono::steady_clock::now();
+    ++body.cost.evaluations;
+    body.loads.water = water_loads(body, around, state, time);
+    body.cost.load_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  if (const auto fault = load_fault(body.loads)) throw MotionFault(body, *fault);
+  return body.loads.total();
+}
+
+void check_state(const Body& body, const hydro::BodyState& state) {
+  if (const auto fault = state_fault(state))
+    throw MotionFault(body, *fault + " after the step; " + largest_load(body.loads));
+}
+
+}  // namespace engine

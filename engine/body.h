@@ -1,0 +1,122 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+
+#include "engine/faults.h"
+#include "engine/six.h"
+
+/// @file
+/// A body as the stepping sees it: what is constant, how it moves, what it remembers and what it
+/// has cost.
+
+namespace engine {
+
+/// What surrounds the bodies. Constant.
+struct Surroundings {
+  double gravity = 0;               ///< [m/s^2]
+  const hydro::Sea* sea = nullptr;  ///< Null: a dry scene.
+  double highest = 0;               ///< Of the water surface, ever [m].
+  double lowest = 0;                ///< Of the water surface, ever [m].
+
+  Eigen::Vector3d current() const { return sea ? sea->current : Eigen::Vector3d::Zero(); }
+};
+
+/// How a body moves at an instant.
+struct Motion {
+  hydro::BodyState state;
+  Matrix6d added_B = Matrix6d::Zero();       ///< A, body axes.
+  Matrix6d added_rate_B = Matrix6d::Zero();  ///< Its change a second in the last step.
+  /// Change of velocity a second in the last step's kick, body axes; none if it says nothing about
+  /// the next one.
+  std::optional<Vector6d> kick_B;
+  bool constrained = false;  ///< The last kick was under joints or contacts.
+  bool has_added = false;    ///< False: A is zero.
+};
+
+/// What a body has cost.
+struct Cost {
+  long free_steps = 0;         ///< Steps moved by itself.
+  long constrained_steps = 0;  ///< Steps moved under joints or contacts.
+  long substeps = 0;           ///< Pieces that those steps were cut in, in all.
+  long implicit = 0;           ///< Pieces whose loads were taken implicitly.
+  long iterations = 0;         ///< Solutions of its constraints for its added mass.
+  long unconverged = 0;        ///< Pieces in which those did not reach their tolerance.
+  long braked = 0;             ///< Pieces slowed so that the water gives no energy.
+  long dry = 0;                ///< Evaluations above the highest water.
+  long resting = 0;            ///< Evaluations that took over the last loads.
+  long evaluations = 0;        ///< Of its loads, the former two included.
+  double load_seconds = 0;     ///< Wall time of them [s].
+};
+
+struct Body {
+  const BodySpec* spec = nullptr;
+  hydro::Hull hull;
+  Eigen::AlignedBox3d box_B;
+  Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass, body axes.
+  Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
+  bool wet = false;      ///< The water has loads on it.
+  bool adds = false;     ///< It has added mass.
+  bool movable = true;   ///< Not all of it is locked.
+  bool locked = false;   ///< Some of it is.
+  bool jointed = false;  ///< A joint holds it.
+
+  Motion motion;
+  BodyLoads loads;  ///< Of the last evaluation.
+  /// In which the water's last loads were found.
+  std::optional<hydro::BodyState> loaded_state;
+  hydro::Loads water;
+  Vector6d reaction_B = Vector6d::Zero();  ///< Of the last constraints, body axes.
+  /// Of the centre of mass without constraints, in W, when it was last under them [m/s^2].
+  std::optional<Eigen::Vector3d> acceleration_W;
+  Cost cost;
+};
+
+Surroundings surroundings(const SimulationSpec& spec);
+
+/// A body at its initial state.
+Body make_body(const SimulationSpec& spec, std::size_t index);
+
+/// M + A in W.
+Matrix6d inertia_W(const Body& body, const Motion& motion);
+
+/// Where added mass and loads leave the body after `time` [s] without loads.
+Motion drift(const Body& body, const Surroundings& around, const Motion& motion, double time);
+
+/// A of the body in a state, body axes.
+Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::BodyState& state,
+                    double time);
+
+/// The motion with the added mass `added_B` after a step.
+Motion with_added_mass(Motion motion, const Matrix6d& added_B, const Matrix6d& before_B,
+                       double step);
+
+/// A as it will be after the step: as it changed in the last one.
+Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step);
+
+/// Passes of a step until the added mass at its end is the one it was taken with, at most.
+inline constexpr int kMostPasses = 3;
+/// True if two added masses differ by no more than matters to the step.
+bool same_added_mass(const Body& body, const Matrix6d& a, const Matrix6d& b);
+
+/// All loads on the body in a state, its weight included.
+/// Kept in body.loads.
+/// @throws MotionFault if they are not finite.
+hydro::Wrench find_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,
+                         double time);
+
+/// A load or state of a body that is not finite or beyond all bounds, in words.
+class MotionFault : public std::runtime_error {
+ public:
+  MotionFault(const Body& body, const std::string& what)
+      : std::runtime_error(what), body_(body.spec->name) {}
+  const std::string& body() const { return body_; }
+
+ private:
+  std::string body_;
+};
+
+/// @throws MotionFault if the state is out of bounds, naming the largest load.
+void check_state(const Body& body, const hydro::BodyState& state);
+
+}  // namespace engine

@@ -1,0 +1,230 @@
+#include "engine/constrained_step.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/anderson.h"
+#include "engine/kick.h"
+
+namespace engine {
+namespace {
+
+constexpr int kMostIterations = 60;
+constexpr int kMostLinearisations = 12;
+constexpr std::size_t kDepth = 12;
+// Of the change of velocity by reactions, in the metric of M_o.
+constexpr double kTolerance = 1e-9;
+constexpr double kNewtonTolerance = 1e-3;
+
+/// Everything of one body that (2) needs. W axes.
+struct Row {
+  Matrix6d S;  ///< Effective inertia.
+  Eigen::LLT<Matrix6d> S_factor;
+  Vector6d load;              ///< F
+  Vector6d jump;              ///< Change of velocity by that of the added mass.
+  World::Constrained solver;  ///< M_o, state.
+  Matrix6d M_o;
+  Matrix6d root;  ///< Lower Cholesky factor of M_o.
+  bool implicit = false;
+  bool plain = false;  ///< S = M_o.
+};
+
+Eigen::Matrix3d symmetric(const Eigen::Matrix3d& m) { return (m + m.transpose()) / 2; }
+
+/// M_o: `factor` times the nearest that ODE can take.
+void choose_solver_mass(const ConstrainedBody& c, Row& row, double factor) {
+  const Eigen::Matrix3d R_WB = c.middle.motion.state.orientation.toRotationMatrix();
+  const bool own = !c.body->adds && !row.implicit;
+  const Matrix6d S_B = own ? c.body->rigid_B : turned_matrix(R_WB.transpose(), row.S);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> translation(S_B.topLeftCorner<3, 3>(),
+                                                                   Eigen::EigenvaluesOnly);
+  const double mean = own ? c.body->spec->mass : std::cbrt(translation.eigenvalues().prod());
+  row.solver.mass = factor * mean;
+  row.solver.inertia_B = factor * symmetric(S_B.bottomRightCorner<3, 3>());
+  Matrix6d M_B = Matrix6d::Zero();
+  M_B.diagonal().head<3>().setConstant(row.solver.mass);
+  M_B.bottomRightCorner<3, 3>() = row.solver.inertia_B;
+  row.plain = own || (M_B - S_B).cwiseAbs().maxCoeff() <= 1e-14 * S_B.cwiseAbs().maxCoeff();
+  row.M_o = turned_matrix(R_WB, M_B);
+  row.root = row.M_o.llt().matrixL();
+}
+
+Row make_row(ConstrainedBody& c, const Surroundings& around, double time, double step) {
+  const EffectiveLoad effective = effective_load(*c.body, around, c.middle, c.expected, time, step);
+  const Vector6d jump = c.middle.after - c.middle.before;
+  Row row{.S = effective.inertia,
+          .S_factor = Eigen::LLT<Matrix6d>(effective.inertia),
+          .load = effective.load + effective.inertia * jump / step,
+          .jump = jump,
+          .solver = {.body = c.id, .state = c.middle.motion.state},
+          .implicit = effective.implicit};
+  choose_solver_mass(c, row, 1);
+  const Vector6d unheld = velocity(c.middle.motion.state, Eigen::Vector3d::Zero()) +
+                          step * row.S_factor.solve(row.load);
+  check_state(*c.body, with_velocity(c.middle.motion.state, unheld, Eigen::Vector3d::Zero()));
+  return row;
+}
+
+/// Largest number that M_o may be multiplied with so that M_o <= S.
+double contraction_factor(const Row& row) {
+  const Matrix6d half = row.root.triangularView<Eigen::Lower>().solve(row.S);
+  const Matrix6d relative =
+      row.root.triangularView<Eigen::Lower>().solve(Matrix6d(half.transpose()));
+  return std::min(
+      1.0,
+      Eigen::SelfAdjointEigenSolver<Matrix6d>(relative, Eigen::EigenvaluesOnly).eigenvalues()[0]);
+}
+
+/// One answer of the solver to the reactions r: the changes of velocity, and R.
+struct Answer {
+  std::vector<Vector6d> changes;
+  std::vector<Vector6d> reactions;
+};
+
+Answer ask(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& r, double step) {
+  std::vector<World::Constrained> bodies;
+  std::vector<Vector6d> loads;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows[i];
+    loads.push_back(row.plain ? row.load
+                              : Vector6d(row.M_o * row.S_factor.solve(row.load + r[i]) - r[i]));
+    row.solver.load = to_wrench(loads.back());
+    bodies.push_back(row.solver);
+  }
+  const std::vector<hydro::Twist> after = world.constrained_velocities(bodies, step);
+  Answer answer;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const hydro::BodyState& before = rows[i].solver.state;
+    const Vector6d change = stacked(after[i].linear - before.linear_velocity,
+                                    after[i].angular - before.angular_velocity);
+    answer.changes.push_back(change - rows[i].jump);
+    answer.reactions.push_back(rows[i].M_o * change / step - loads[i]);
+  }
+  return answer;
+}
+
+/// Reactions of the bodies that iterate, as changes of velocity in the metric of M_o.
+Eigen::VectorXd scaled(const std::vector<Row>& rows, const std::vector<Vector6d>& reactions,
+                       double step) {
+  Eigen::VectorXd x(6 * static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Vector6d part = rows[i].root.triangularView<Eigen::Lower>().solve(reactions[i]);
+    x.segment<6>(6 * static_cast<Eigen::Index>(i)) =
+        rows[i].plain ? Vector6d(Vector6d::Zero()) : Vector6d(step * part);
+  }
+  return x;
+}
+
+std::vector<Vector6d> unscaled(const std::vector<Row>& rows, const Eigen::VectorXd& x,
+                               double step) {
+  std::vector<Vector6d> reactions;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    reactions.push_back(rows[i].root * x.segment<6>(6 * static_cast<Eigen::Index>(i)) / step);
+  return reactions;
+}
+
+/// A measure of the motion that the reactions act on, as `scaled`.
+double motion_size(const std::vector<Row>& rows, double step) {
+  double sum = 0;
+  for (const Row& row : rows) {
+    const hydro::BodyState& state = row.solver.state;
+    const Vector6d u = stacked(state.linear_velocity, state.angular_velocity);
+    const Vector6d push = row.root.triangularView<Eigen::Lower>().solve(Vector6d(step * row.load));
+    sum += u.dot(row.M_o * u) + push.squaredNorm();
+  }
+  return std::sqrt(sum);
+}
+
+struct Iteration {
+  Answer answer;
+  int count = 0;
+  bool converged = false;
+};
+
+/// r ← R from `start`, accelerated if `depth` > 0.
+Iteration iterate(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& start,
+                  double step, std::size_t depth) {
+  const double size = motion_size(rows, step);
+  Eigen::VectorXd x = scaled(rows, start, step);
+  Anderson anderson(depth);
+  Iteration iteration;
+  while (true) {
+    iteration.answer = ask(world, rows, unscaled(rows, x, step), step);
+    ++iteration.count;
+    const Eigen::VectorXd image = scaled(rows, iteration.answer.reactions, step);
+    iteration.converged = (image - x).norm() <= kTolerance * (size + image.norm());
+    if (iteration.converged || iteration.count == kMostIterations) return iteration;
+    x = depth > 0 ? anderson.next(x, image) : image;
+  }
+}
+
+std::vector<Vector6d> last_reactions(const std::vector<ConstrainedBody>& island) {
+  std::vector<Vector6d> reactions;
+  for (const ConstrainedBody& c : island)
+    reactions.push_back(
+        turned(c.middle.motion.state.orientation.toRotationMatrix(), c.body->reaction_B));
+  return reactions;
+}
+
+/// (1) for the loads of the rows.
+Answer solve(World& world, std::vector<ConstrainedBody>& island, std::vector<Row>& rows,
+             double step) {
+  std::vector<Vector6d> start = last_reactions(island);
+  if (std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plain; })) {
+    for (const ConstrainedBody& c : island) ++c.body->cost.iterations;
+    return ask(world, rows, start, step);
+  }
+  Iteration iteration = iterate(world, rows, start, step, kDepth);
+  int count = iteration.count;
+  if (!iteration.converged) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (!rows[i].plain) choose_solver_mass(island[i], rows[i], contraction_factor(rows[i]));
+    iteration = iterate(world, rows, iteration.answer.reactions, step, 0);
+    count += iteration.count;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    island[i].body->cost.iterations += count;
+    island[i].body->cost.unconverged += !iteration.converged;
+  }
+  return iteration.answer;
+}
+
+/// True if the changes agree with those that the loads were linearised about.
+bool settled(const std::vector<ConstrainedBody>& island, const std::vector<Row>& rows,
+             const Answer& answer) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].implicit) continue;
+    const Vector6d& change = answer.changes[i];
+    const Vector6d off = change - island[i].expected;
+    if (off.dot(rows[i].S * off) >
+        kNewtonTolerance * kNewtonTolerance * change.dot(rows[i].S * change))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void constrained_kick(World& world, const Surroundings& around,
+                      std::vector<ConstrainedBody>& island, double time, double step) {
+  for (int i = 0; i < kMostLinearisations; ++i) {
+    std::vector<Row> rows;
+    for (ConstrainedBody& c : island) rows.push_back(make_row(c, around, time, step));
+    const Answer answer = solve(world, island, rows, step);
+    const bool done = settled(island, rows, answer);
+    for (std::size_t k = 0; k < island.size(); ++k) {
+      ConstrainedBody& c = island[k];
+      c.change = answer.changes[k];
+      c.expected = c.change;
+      const Eigen::Matrix3d R_BW = c.middle.motion.state.orientation.conjugate().toRotationMatrix();
+      c.body->reaction_B = turned(R_BW, answer.reactions[k]);
+      c.body->acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();
+      if (done) c.body->cost.implicit += rows[k].implicit;
+    }
+    if (done) return;
+  }
+}
+
+}  // namespace engine

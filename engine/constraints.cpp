@@ -1,0 +1,103 @@
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/world.h"
+
+namespace engine {
+namespace {
+
+void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia) {
+  dMass parameters;
+  dMassSetParameters(&parameters, mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2),
+                     inertia(0, 1), inertia(0, 2), inertia(1, 2));
+  dBodySetMass(body, &parameters);
+}
+
+/// The smallest index that leads to i.
+std::size_t root(std::vector<std::size_t>& leader, std::size_t i) {
+  while (leader[i] != i) i = leader[i] = leader[leader[i]];
+  return i;
+}
+
+}  // namespace
+
+void World::only_constrain() {
+  dWorldSetGravity(world_.get(), 0, 0, 0);
+  for (const Body& body : bodies_) {
+    if (!body.handle) continue;
+    dBodySetGyroscopicMode(body.handle, 0);
+    dBodyDisable(body.handle);
+  }
+}
+
+void World::set_contact_inertia(BodyId id, double mass, const Eigen::Vector3d& acceleration) {
+  Body& body = bodies_.at(static_cast<std::size_t>(id));
+  body.contact_mass = mass;
+  body.acceleration = acceleration;
+}
+
+std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Constrained>& bodies,
+                                                        double step) {
+  open_ode();
+  const auto ready = [&] {
+    for (const Constrained& c : bodies) {
+      dxBody* body = handle_of(c.body);
+      const auto& [force, moment] = c.load;
+      set_state(c.body, c.state);
+      set_mass(body, c.mass, c.inertia_B);
+      dBodySetForce(body, force.x(), force.y(), force.z());
+      dBodySetTorque(body, moment.x(), moment.y(), moment.z());
+      dBodyEnable(body);
+    }
+  };
+  ready();
+  take_ode_warning();
+  if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
+  if (!take_ode_warning().empty()) {
+    ++compromises_;
+    ready();
+    dRandSetSeed(1);
+    if (!dWorldQuickStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
+  }
+  std::vector<hydro::Twist> velocities;
+  for (const Constrained& c : bodies) {
+    const hydro::BodyState after = state(c.body);
+    velocities.push_back({after.linear_velocity, after.angular_velocity});
+    set_state(c.body, c.state);
+    dBodyDisable(handle_of(c.body));
+  }
+  return velocities;
+}
+
+std::vector<bool> World::touching() const {
+  std::vector<bool> touches(bodies_.size(), false);
+  for (const Pair& pair : touching_)
+    for (const BodyId id : {pair.first, pair.second})
+      if (id != kWorld) touches[static_cast<std::size_t>(id)] = true;
+  return touches;
+}
+
+std::vector<std::vector<BodyId>> World::islands() const {
+  std::vector<std::size_t> leader(bodies_.size());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  std::vector<bool> held(bodies_.size(), false);
+  for (const std::vector<Pair>* pairs : {&joints_, &touching_}) {
+    for (const Pair& pair : *pairs) {
+      for (const BodyId id : {pair.first, pair.second})
+        if (handle_of(id)) held[static_cast<std::size_t>(id)] = true;
+      if (!handle_of(pair.first) || !handle_of(pair.second)) continue;
+      const auto a = root(leader, static_cast<std::size_t>(pair.first));
+      const auto b = root(leader, static_cast<std::size_t>(pair.second));
+      leader[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::vector<BodyId>> members(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (held[i]) members[root(leader, i)].push_back(static_cast<BodyId>(i));
+  std::erase_if(members, [](const std::vector<BodyId>& island) { return island.empty(); });
+  return members;
+}
+
+}  // namespace engine

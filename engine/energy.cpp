@@ -1,0 +1,39 @@
+#include "engine/energy.h"
+
+#include "engine/wetness.h"
+#include "hydro/buoyancy_energy.h"
+
+namespace engine {
+
+double energy(const Body& body, const Surroundings& around, const Motion& motion) {
+  const hydro::BodyState& state = motion.state;
+  const Vector6d u =
+      turned(state.orientation.conjugate().toRotationMatrix(), velocity(state, around.current()));
+  const double kinetic = u.dot((body.rigid_B + motion.added_B) * u) / 2;
+  const double height = state.position.z() - (around.sea ? around.sea->level : 0);
+  double potential = body.spec->mass * around.gravity * height;
+  if (body.wet && body.spec->coefficients.buoyancy &&
+      lowest_point(body.box_B, state) < around.highest)
+    potential += hydro::buoyancy_energy(body.hull, state, *around.sea);
+  return kinetic + potential;
+}
+
+bool must_not_gain_energy(const Body& body, const Surroundings& around) {
+  return body.wet && hydro::is_flat(*around.sea) && around.current().z() == 0 &&
+         body.spec->loads.empty() && body.spec->coefficients.lift == 0;
+}
+
+double total_energy(const SimulationSpec& spec, const std::vector<hydro::BodyState>& states) {
+  const Surroundings around = surroundings(spec);
+  double sum = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Body body = make_body(spec, i);
+    if (!body.movable) continue;
+    Motion motion{.state = states[i]};
+    if (body.adds) motion.added_B = body.spec->added_mass->at(states[i], *spec.sea, 0);
+    sum += energy(body, around, motion);
+  }
+  return sum;
+}
+
+}  // namespace engine

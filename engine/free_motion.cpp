@@ -1,0 +1,207 @@
+#include "engine/free_motion.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/added_inertia.h"
+#include "engine/locks.h"
+
+namespace engine {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kMostIterations = 40;
+constexpr int kMostPieces = 1024;
+constexpr int kMostHalvings = 6;
+constexpr double kConverged = 1e-15;  // of the momentum
+constexpr double kKept = 1e-9;        // of the energy, where that is not reached
+
+/// a of equation (2).
+double half_step(double speed, double time) {
+  const double half = speed * time / 2;
+  return half < 1e-4 ? time / 2 * (1 + half * half / 3) : std::tan(half) / speed;
+}
+
+/// Number of equal pieces in which no rate [rad/s] turns further than kLargestTurn.
+int pieces(double rate, double time) {
+  return static_cast<int>(
+      std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostPieces));
+}
+
+/// What turns with the body in (2): momentum in B and the attitude.
+struct Momentum {
+  Vector6d p = Vector6d::Zero();
+  Matrix3d R = Matrix3d::Identity();
+  Vector3d x = Vector3d::Zero();
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+};
+
+/// Rate of change of p by (1).
+Vector6d kirchhoff(const Vector6d& p, const Vector6d& u) {
+  const Vector3d P = p.head<3>(), L = p.tail<3>(), v = u.head<3>(), w = u.tail<3>();
+  return stacked(P.cross(w), L.cross(w) + P.cross(v));
+}
+
+/// Displacement (3) in B axes of the start.
+Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, double a,
+                      double time) {
+  const Vector3d v = u.head<3>(), w = u.tail<3>();
+  const double b = 2 * a / (1 + a * a * w.squaredNorm());
+  const double P2 = P.squaredNorm();
+  const Vector3d straight = P2 > 0 ? Vector3d(v.dot(P) / P2 * P0) : v;
+  return b * (v + a * w.cross(v)) + (time - b) * straight;
+}
+
+/// True if the momentum p₁ has the energy of p₀, which an exact solution of (2) keeps.
+bool keeps_energy(const Eigen::LLT<Matrix6d>& S, const Vector6d& p0, const Vector6d& p1) {
+  const double before = p0.dot(S.solve(p0));
+  return std::abs(p1.dot(S.solve(p1)) - before) <= kKept * before;
+}
+
+/// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
+/// no half do, the body moves on as it does, which keeps the energy too.
+void advance(const Eigen::LLT<Matrix6d>& S, Momentum& m, double time, int halvings) {
+  Vector6d mean = m.p;
+  Vector6d u = S.solve(mean);
+  double a = half_step(u.tail<3>().norm(), time);
+  bool solved = false;
+  for (int i = 0; i < kMostIterations && !solved; ++i) {
+    const Vector6d next = m.p + a * kirchhoff(mean, u);
+    const double change = (next - mean).squaredNorm();
+    mean = next;
+    u = S.solve(mean);
+    a = half_step(u.tail<3>().norm(), time);
+    solved = change <= kConverged * kConverged * mean.squaredNorm();
+    if (!(u.tail<3>().norm() * time < 1)) break;  // the tangent has a pole
+  }
+  if (!solved && !(keeps_energy(S, m.p, 2 * mean - m.p) && u.tail<3>().norm() * time < 1)) {
+    if (halvings > 0) {
+      advance(S, m, time / 2, halvings - 1);
+      return advance(S, m, time / 2, halvings - 1);
+    }
+    mean = m.p;
+    u = S.solve(mean);
+    a = 0;
+  }
+  m.x += m.R * displacement(u, m.p.head<3>(), mean.head<3>(), a, time);
+  m.q = (m.q * exponential(time * u.tail<3>())).normalized();
+  m.R = m.q.toRotationMatrix();
+  m.p = 2 * mean - m.p;
+}
+
+/// Rate at which (1) turns velocity and momentum [rad/s].
+double turning_rate(const Matrix6d& S, const Vector6d& u) {
+  const Vector3d P = (S * u).head<3>();
+  const double fastest = std::max(u.head<3>().norm(), P.norm() / S.diagonal().head<3>().minCoeff());
+  const double bent = P.cross(u.head<3>()).norm() > 1e-12 * P.norm() * u.head<3>().norm() ? 1 : 0;
+  const double munk = bent * P.norm() * fastest / S.diagonal().tail<3>().minCoeff();
+  return u.tail<3>().norm() + std::sqrt(munk);
+}
+
+/// Euler's equations for the angular momentum L in B by (2); returns ω̄.
+Vector3d turn_freely(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w, double time) {
+  const Vector3d L = inertia * w;
+  Vector3d mean = L;
+  for (int i = 0; i < kMostIterations; ++i) {
+    const Vector3d rate = inverse * mean;
+    const Vector3d next = L + half_step(rate.norm(), time) * mean.cross(rate);
+    const double change = (next - mean).squaredNorm();
+    mean = next;
+    if (change <= kConverged * kConverged * L.squaredNorm()) break;
+  }
+  w = inverse * (2 * mean - L);
+  return inverse * mean;
+}
+
+/// (0, −v × P) in W.
+Vector6d gyration(const Vector6d& u, const Vector6d& p) {
+  return stacked(Vector3d::Zero(), -u.head<3>().cross(p.head<3>()));
+}
+
+/// One midpoint step of (4): the velocity at its end.
+Vector6d held_step(const Matrix6d& inertia_B, const DofMask& locked, hydro::BodyState& state,
+                   const Vector6d& u0, double time) {
+  const Matrix3d R0 = state.orientation.toRotationMatrix();
+  const Vector6d p0 = turned_matrix(R0, inertia_B) * u0;
+  Vector6d u = u0;
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    const Vector6d mean = (u0 + u) / 2;
+    turn = exponential(time * mean.tail<3>());
+    const Matrix6d S = turned_matrix((turn * state.orientation).toRotationMatrix(), inertia_B);
+    const Vector6d rest = p0 + time * gyration(mean, (p0 + S * u) / 2) - S * u;
+    const Vector6d change = solve_free(S, rest, locked);
+    u += change;
+    if (change.norm() <= 1e-15 * u.norm()) break;
+  }
+  state.orientation = (turn * state.orientation).normalized();
+  return u;
+}
+
+}  // namespace
+
+Eigen::Quaterniond exponential(const Vector3d& turn) {
+  const double half = turn.norm() / 2;
+  const double sinc = half < 1e-4 ? 0.5 * (1 - half * half / 6) : std::sin(half) / (2 * half);
+  const Vector3d v = sinc * turn;
+  return {std::cos(half), v.x(), v.y(), v.z()};
+}
+
+hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& state,
+                         const Vector3d& current, double time) {
+  Momentum m{.R = state.orientation.toRotationMatrix(), .q = state.orientation};
+  const Vector6d u_B = turned(m.R.transpose(), velocity(state, current));
+  m.p = inertia_B * u_B;
+  const Eigen::LLT<Matrix6d> S(inertia_B);
+  const int count = pieces(turning_rate(inertia_B, u_B), time);
+  for (int i = 0; i < count; ++i) advance(S, m, time / count, kMostHalvings);
+  hydro::BodyState next = with_velocity(state, turned(m.R, S.solve(m.p)), current);
+  next.position += m.x + time * current;
+  next.orientation = m.q;
+  return next;
+}
+
+hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, double time) {
+  hydro::BodyState next = state;
+  next.position += time * state.linear_velocity;
+  if (state.angular_velocity.isZero(0)) return next;
+  const Matrix3d& inertia = body.inertia_B;
+  const bool round =
+      inertia.isDiagonal(0) && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
+  if (round) {
+    next.orientation =
+        (exponential(time * state.angular_velocity) * state.orientation).normalized();
+    return next;
+  }
+  const Matrix3d inverse = inertia.inverse();
+  Vector3d w_B = state.orientation.conjugate() * state.angular_velocity;
+  const int count = pieces(w_B.norm(), time);
+  for (int i = 0; i < count; ++i) {
+    const Vector3d mean = turn_freely(inertia, inverse, w_B, time / count);
+    next.orientation = (next.orientation * exponential(time / count * mean)).normalized();
+  }
+  next.angular_velocity = next.orientation * w_B;
+  return next;
+}
+
+hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
+                         const hydro::BodyState& state, const Vector3d& current, double time) {
+  hydro::BodyState next = state;
+  if (state.angular_velocity.isZero(0) && locked[3] && locked[4] && locked[5]) {
+    next.position += time * state.linear_velocity;
+    return next;
+  }
+  Vector6d u = velocity(state, current);
+  const int count = pieces(turning_rate(inertia_B, u), time);
+  for (int i = 0; i < count; ++i) {
+    const Vector6d before = u;
+    u = held_step(inertia_B, locked, next, before, time / count);
+    next.position += time / count * ((before + u).head<3>() / 2 + current);
+  }
+  return with_velocity(next, u, current);
+}
+
+}  // namespace engine

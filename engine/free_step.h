@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/body.h"
+
+/// @file
+/// The step of a body without joints and contacts.
+///
+/// A piece of length h is half a drift, a kick and half a drift (free_motion.h, kick.h), the added
+/// mass taken anew halfway (added_inertia.h): symmetric in time and of second order but for
+/// impacts. Each part alone never adds energy, up to the difference between a load's work over the
+/// piece and its value halfway. So a step is cut in pieces
+/// - in which a body that crosses the water surface moves by no more than half its own height, and
+///   turns by no more than half a radian while it is wet;
+/// - in still water, if the energy still rises by more than kEnergyGain of the energy that the
+/// piece
+///   moves: in halves, kMostHalvings times, and at the end the motion is slowed by what is too
+///   much.
+///
+/// With a tolerance the pieces are chosen from an estimate of the error: each is done as a whole
+/// and as two halves, whose difference is three times the error of the halves and is taken off it.
+
+namespace engine {
+
+inline constexpr double kEnergyGain = 1e-5;
+inline constexpr int kMostHalvings = 8;
+inline constexpr int kMostPieces = 64;  ///< By the first rule, in a step.
+
+/// Length of the first of the equal pieces in which the rest of a step is to be taken [s].
+double piece_length(const Body& body, const Surroundings& around, const Motion& motion, double rest,
+                    double shortest);
+
+/// The motion after a step of a body by itself.
+/// @param tolerance   Largest error of the pose in a second, as a part of the body's radius and in
+///                    rad; 0: pieces are cut by the rules above alone.
+Motion free_step(Body& body, const Surroundings& around, const Motion& motion, double time,
+                 double step, double tolerance);
+
+}  // namespace engine

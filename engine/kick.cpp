@@ -1,0 +1,207 @@
+#include "engine/kick.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/added_inertia.h"
+#include "engine/wetness.h"
+#include "hydro/load_jacobian.h"
+
+namespace engine {
+namespace {
+
+constexpr int kMostNewtonSteps = 30;
+// Of the change of velocity. Newton's method converges quadratically: the error is the square.
+constexpr double kNewtonTolerance = 1e-3;
+
+/// Everything about one kick that its parts share.
+struct Setting {
+  Body& body;
+  const Surroundings& around;
+  const hydro::BodyState& state;  ///< Halfway.
+  Vector6d u;                     ///< Relative to the water, W, without the loads.
+  Matrix6d S;                     ///< M + A in W.
+  double time;
+  double step;
+
+  hydro::BodyState at(const Vector6d& relative) const {
+    return with_velocity(state, relative, around.current());
+  }
+  Vector6d loads(const Vector6d& relative) const {
+    return stacked(find_loads(body, around, at(relative), time));
+  }
+  Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
+    return solve_free(matrix, rhs, body.spec->locked);
+  }
+};
+
+Setting make_setting(Body& body, const Surroundings& around, const Middle& middle, double time,
+                     double step) {
+  return {.body = body,
+          .around = around,
+          .state = middle.motion.state,
+          .u = middle.mean(),
+          .S = middle.inertia,
+          .time = time,
+          .step = step};
+}
+
+/// ζ along the motion u from the drag of the last evaluation, and in the measure of the energy how
+/// much larger the motion `after` is.
+double drag_stiffness(const Setting& s, const Vector6d& u, const Vector6d& after) {
+  const hydro::Loads& water = s.body.loads.water;
+  const Vector6d D = stacked(water.pressure_drag + water.viscous_drag);
+  const double power = -D.dot(u);
+  if (!(power > 0)) return 0;
+  const double energy = u.dot(s.S * u);
+  const double growth = std::sqrt(std::max(1.0, after.dot(s.S * after) / energy));
+  return 2 * growth * s.step * D.dot(s.solve(s.S, D)) / power;
+}
+
+/// A bound of (h ω)² for heave, roll and pitch.
+double waterplane_stiffness(const Setting& s) {
+  const Surroundings& around = s.around;
+  if (!s.body.spec->coefficients.buoyancy) return 0;
+  const Eigen::Vector3d size = s.body.box_B.sizes();
+  const double low = lowest_point(s.body.box_B, s.state);
+  const double reach = (s.state.orientation.toRotationMatrix().row(2).cwiseAbs() * size).value();
+  if (low >= around.highest || low + reach <= around.lowest) return 0;
+  // The area of the waterplane is no more than the widest section of the box, and the square of its
+  // radius of gyration no more than three times the body's.
+  const double area = size.prod() / size.minCoeff() * std::sqrt(3.0);
+  const double inertia = s.S.diagonal().head<3>().minCoeff();
+  return 3 * s.step * s.step * around.sea->density * around.sea->gravity * area / inertia;
+}
+
+/// θ of equation (2).
+double theta(double stiffness) {
+  if (stiffness < 1e-3) return 0.5 + stiffness / 12;
+  return std::min(1.0, std::max(0.5, 1 / -std::expm1(-stiffness) - 1 / stiffness));
+}
+
+/// ζ: the largest eigenvalue of −h J in the metric of S.
+double largest_stiffness(const Setting& s, const Matrix6d& J) {
+  const Eigen::LLT<Matrix6d> S(s.S);
+  const Matrix6d half = S.matrixL().solve(J);
+  const Matrix6d relative = S.matrixL().solve(Matrix6d(half.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(relative, Eigen::EigenvaluesOnly);
+  return std::max(0.0, -s.step * eigen.eigenvalues()[0]);
+}
+
+hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {
+  return hydro::load_jacobian(s.body.hull, s.at(relative), *s.around.sea, s.time,
+                              s.body.spec->coefficients);
+}
+
+/// Equation (2) by Newton's method from `change`.
+Vector6d implicit_change(const Setting& s, Vector6d change) {
+  double part = 0.5;
+  for (int i = 0; i < kMostNewtonSteps; ++i) {
+    Vector6d at = s.u + part * change;
+    const hydro::LoadJacobian J = jacobian(s, at);
+    part = std::max(part, theta(largest_stiffness(s, J.drag)));
+    at = s.u + part * change;
+    const Matrix6d S = s.S - s.step * s.step / 4 * J.waterplane;
+    const Vector6d residual = s.step * s.loads(at) - S * change;
+    const Vector6d correction = s.solve(S - s.step * part * J.drag, residual);
+    change += correction;
+    if (correction.dot(S * correction) <=
+        kNewtonTolerance * kNewtonTolerance * change.dot(S * change))
+      break;
+  }
+  return change;
+}
+
+bool feels_velocity(const Body& body) {
+  const hydro::Coefficients& c = body.spec->coefficients;
+  return body.wet && !(c.pressure_drag.none() && c.viscous_drag.none() && c.lift == 0);
+}
+
+/// Δu of a body that the water leaves alone.
+Vector6d dry_change(Body& body, const Surroundings& around, const hydro::BodyState& state,
+                    double time, double step) {
+  const hydro::Wrench load = find_loads(body, around, state, time);
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();
+  if (!load.moment.isZero(0)) {
+    const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+    turning = step * (R_WB * (body.inverse_inertia_B * (R_WB.transpose() * load.moment)));
+  }
+  return stacked(step / body.spec->mass * load.force, turning);
+}
+
+/// Half the last change, in W.
+Vector6d expected_half(const Motion& middle, double step) {
+  return step / 2 * turned(middle.state.orientation.toRotationMatrix(), *middle.kick_B);
+}
+
+/// Equation (1).
+Kick explicit_kick(const Setting& s, const Motion& middle, Vector6d& at) {
+  at = middle.kick_B ? s.u + expected_half(middle, s.step) : s.u;
+  Kick kick{.load = s.loads(at)};
+  kick.change = s.solve(s.S, s.step * kick.load);
+  const bool dry = s.body.loads.water.wetted_area == 0;
+  if (middle.kick_B || dry || !feels_velocity(s.body)) return kick;
+  at = s.u + kick.change / 2;
+  kick.load = s.loads(at);
+  kick.change = s.solve(s.S, s.step * kick.load);
+  return kick;
+}
+
+}  // namespace
+
+Middle make_middle(const Body& body, const Surroundings& around, const Motion& motion,
+                   const Matrix6d& added_B, const DofMask& locked) {
+  const Vector6d u = velocity(motion.state, around.current());
+  if (added_B == motion.added_B)
+    return {.motion = motion, .inertia = inertia_W(body, motion), .before = u, .after = u};
+  const Matrix6d change =
+      turned_matrix(motion.state.orientation.toRotationMatrix(), added_B - motion.added_B);
+  const InertiaChange result = inertia_change(inertia_W(body, motion), change, locked, u);
+  return {.motion = motion, .inertia = result.inertia, .before = u, .after = result.velocity};
+}
+
+Kick free_kick_again(Body& body, const Surroundings& around, const Middle& middle, const Kick& last,
+                     double time, double step) {
+  if (last.implicit) return free_kick(body, around, middle, time, step);
+  Kick kick = last;
+  kick.change = solve_free(middle.inertia, step * last.load, body.spec->locked);
+  return kick;
+}
+
+Kick free_kick(Body& body, const Surroundings& around, const Middle& middle, double time,
+               double step) {
+  if (!body.wet && !body.adds && !body.locked)
+    return {.change = dry_change(body, around, middle.motion.state, time, step)};
+  const Setting s = make_setting(body, around, middle, time, step);
+  Vector6d at;
+  Kick kick = explicit_kick(s, middle.motion, at);
+  if (!body.wet || body.loads.water.wetted_area == 0) return kick;
+  kick.implicit = drag_stiffness(s, at, s.u + kick.change) > kStiffDrag ||
+                  waterplane_stiffness(s) > kStiffWaterplane;
+  // Newton's method comes from rest: an explicit change can be off by orders of magnitude.
+  if (kick.implicit) kick.change = implicit_change(s, Vector6d::Zero());
+  return kick;
+}
+
+EffectiveLoad effective_load(Body& body, const Surroundings& around, const Middle& middle,
+                             const Vector6d& expected, double time, double step) {
+  const Setting s = make_setting(body, around, middle, time, step);
+  Vector6d at = s.u + expected / 2;
+  EffectiveLoad result{.inertia = s.S, .load = s.loads(at)};
+  if (!body.wet || body.loads.water.wetted_area == 0) return result;
+  const Vector6d after = s.u + expected + step * s.solve(s.S, result.load);
+  result.implicit =
+      drag_stiffness(s, at, after) > kStiffDrag || waterplane_stiffness(s) > kStiffWaterplane;
+  if (!result.implicit) return result;
+  hydro::LoadJacobian J = jacobian(s, at);
+  result.theta = theta(largest_stiffness(s, J.drag));
+  at = s.u + result.theta * expected;
+  J = jacobian(s, at);
+  result.inertia = s.S - step * result.theta * J.drag - step * step / 4 * J.waterplane;
+  result.load = s.loads(at) - result.theta * J.drag * expected;
+  return result;
+}
+
+}  // namespace engine

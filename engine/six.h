@@ -1,0 +1,45 @@
+#pragma once
+
+#include "hydro/spatial.h"
+
+/// @file
+/// Six-component quantities between frames that share an origin: both halves turn alike.
+
+namespace engine {
+
+using hydro::Matrix6d;
+using hydro::Vector6d;
+
+inline Vector6d stacked(const Eigen::Vector3d& linear, const Eigen::Vector3d& angular) {
+  Vector6d six;
+  six << linear, angular;
+  return six;
+}
+inline Vector6d stacked(const hydro::Wrench& w) { return stacked(w.force, w.moment); }
+inline hydro::Wrench to_wrench(const Vector6d& six) { return {six.head<3>(), six.tail<3>()}; }
+
+/// Components in A of what is given in B.
+inline Vector6d turned(const Eigen::Matrix3d& R_AB, const Vector6d& six) {
+  return stacked(R_AB * six.head<3>(), R_AB * six.tail<3>());
+}
+inline Matrix6d turned_matrix(const Eigen::Matrix3d& R_AB, const Matrix6d& matrix) {
+  Matrix6d result;
+  for (const int i : {0, 3})
+    for (const int j : {0, 3})
+      result.block<3, 3>(i, j) = R_AB * matrix.block<3, 3>(i, j) * R_AB.transpose();
+  return result;
+}
+
+/// Velocity of a state relative to water that moves with `current`, in W.
+inline Vector6d velocity(const hydro::BodyState& state, const Eigen::Vector3d& current) {
+  return stacked(state.linear_velocity - current, state.angular_velocity);
+}
+
+inline hydro::BodyState with_velocity(hydro::BodyState state, const Vector6d& relative,
+                                      const Eigen::Vector3d& current) {
+  state.linear_velocity = relative.head<3>() + current;
+  state.angular_velocity = relative.tail<3>();
+  return state;
+}
+
+}  // namespace engine

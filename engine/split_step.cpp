@@ -1,0 +1,175 @@
+#include "engine/split_step.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "engine/constrained_step.h"
+#include "engine/free_step.h"
+
+namespace engine {
+namespace {
+
+/// What contacts push against: a mass no less than M + A in any direction.
+double contact_mass(const Body& body) {
+  const double own = body.spec->mass;
+  if (!body.motion.has_added) return own;
+  const Eigen::Matrix3d added = body.motion.added_B.topLeftCorner<3, 3>();
+  return own + Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(added, Eigen::EigenvaluesOnly)
+                   .eigenvalues()[2];
+}
+
+/// A member of an island whose added mass is `added_B` at the end of the step.
+ConstrainedBody make_member(Body& body, BodyId id, const Surroundings& around, const Motion& middle,
+                            const Matrix6d& added_B, double step, bool touching) {
+  ConstrainedBody c{
+      .body = &body, .id = id, .middle = make_middle(body, around, middle, added_B, DofMask{})};
+  // An impact says nothing of the next kick.
+  const bool smooth = middle.kick_B && middle.constrained && !touching;
+  if (smooth)
+    c.expected = step * turned(middle.state.orientation.toRotationMatrix(), *middle.kick_B);
+  return c;
+}
+
+/// The motion of a member at the end of the step.
+Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix6d& added_B,
+              double step, bool touching) {
+  const Motion& middle = c.middle.motion;
+  const Eigen::Matrix3d R_BW = middle.state.orientation.conjugate().toRotationMatrix();
+  Motion after = with_added_mass(middle, added_B, middle.added_B, step);
+  after.state = with_velocity(middle.state, c.middle.after + c.change, around.current());
+  after.kick_B.reset();
+  if (!touching) after.kick_B = turned(R_BW, c.change) / step;
+  after.constrained = true;
+  check_state(*c.body, after.state);
+  after = drift(*c.body, around, after, step / 2);
+  check_state(*c.body, after.state);
+  return after;
+}
+
+}  // namespace
+
+SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings& around,
+                     ForEach for_each, bool collides, double tolerance)
+    : world_(world),
+      bodies_(bodies),
+      around_(around),
+      for_each_(std::move(for_each)),
+      collides_(collides),
+      jointed_(std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.jointed; })),
+      tolerance_(tolerance),
+      middle_(bodies.size()) {}
+
+void SplitStep::advance(double time, double step) { advance_once(time, step, true); }
+
+void SplitStep::advance_once(double time, double step, bool may_cut) {
+  if (!any_constraint()) return advance_free({}, time, step);
+  drift_to_middle(step);
+  collide(step);
+  const std::vector<std::vector<BodyId>> islands = world_.islands();
+  const double piece = may_cut ? longest_piece(islands, step) : step;
+  if (piece < step) {
+    const auto count = static_cast<int>(std::lround(step / piece));
+    for (int i = 0; i < count; ++i) advance_once(time + i * piece, piece, false);
+    return;
+  }
+  advance_constrained(islands, time, step);
+  advance_free(islands, time, step);
+}
+
+void SplitStep::drift_to_middle(double step) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = bodies_[i];
+    if (!body.movable) continue;
+    middle_[i] = drift(body, around_, body.motion, step / 2);
+    check_state(body, middle_[i].state);
+    const auto id = static_cast<BodyId>(i);
+    world_.set_state(id, middle_[i].state);
+    world_.set_contact_inertia(
+        id, contact_mass(body),
+        body.acceleration_W.value_or(-around_.gravity * Eigen::Vector3d::UnitZ()));
+  }
+}
+
+void SplitStep::collide(double step) {
+  if (!collides_) return;
+  const auto start = std::chrono::steady_clock::now();
+  world_.collide(step);
+  collision_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double SplitStep::longest_piece(const std::vector<std::vector<BodyId>>& islands,
+                                double step) const {
+  double piece = step;
+  for (const std::vector<BodyId>& island : islands)
+    for (const BodyId id : island) {
+      const Body& body = bodies_[static_cast<std::size_t>(id)];
+      piece = std::min(piece, piece_length(body, around_, body.motion, step, step / kMostPieces));
+    }
+  return piece;
+}
+
+void SplitStep::advance_constrained(const std::vector<std::vector<BodyId>>& islands, double time,
+                                    double step) {
+  touching_ = world_.touching();
+  for (const std::vector<BodyId>& island : islands) advance_island(island, time, step);
+}
+
+void SplitStep::advance_island(const std::vector<BodyId>& island, double time, double step) {
+  const auto index = [&](std::size_t k) { return static_cast<std::size_t>(island[k]); };
+  std::vector<Matrix6d> added;
+  for (std::size_t k = 0; k < island.size(); ++k)
+    added.push_back(expected_added_mass(bodies_[index(k)], bodies_[index(k)].motion, step));
+  std::vector<Motion> ends(island.size());
+  for (int pass = 0; pass < 2; ++pass) {
+    std::vector<ConstrainedBody> members;
+    for (std::size_t k = 0; k < island.size(); ++k)
+      members.push_back(make_member(bodies_[index(k)], island[k], around_, middle_[index(k)],
+                                    added[k], step, touching_[index(k)]));
+    constrained_kick(world_, around_, members, time + step / 2, step);
+    bool same = true;
+    for (std::size_t k = 0; k < island.size(); ++k) {
+      const Body& body = bodies_[index(k)];
+      ends[k] = finish(members[k], around_, added[k], step, touching_[index(k)]);
+      const Matrix6d found = added_mass(body, around_, ends[k].state, time + step);
+      same = same && same_added_mass(body, found, added[k]);
+      if (pass == 0) added[k] = found;
+    }
+    if (same) break;
+  }
+  for (std::size_t k = 0; k < island.size(); ++k) {
+    Body& body = bodies_[index(k)];
+    body.motion = ends[k];
+    ++body.cost.constrained_steps;
+    ++body.cost.substeps;
+  }
+}
+
+void SplitStep::advance_free(const std::vector<std::vector<BodyId>>& islands, double time,
+                             double step) {
+  std::vector<bool> held(bodies_.size(), false);
+  for (const std::vector<BodyId>& island : islands)
+    for (const BodyId id : island) held[static_cast<std::size_t>(id)] = true;
+  std::vector<std::exception_ptr> faults(bodies_.size());
+  for_each_(bodies_.size(), [&](std::size_t i) {
+    Body& body = bodies_[i];
+    if (held[i] || !body.movable) return;
+    try {
+      if (body.motion.constrained) body.motion.kick_B.reset();
+      body.motion.constrained = false;
+      body.motion = free_step(body, around_, body.motion, time, step, tolerance_);
+      body.reaction_B.setZero();
+      body.acceleration_W.reset();
+    } catch (...) {
+      faults[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& fault : faults)
+    if (fault) std::rethrow_exception(fault);
+}
+
+}  // namespace engine

@@ -1,0 +1,283 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/added_inertia.h"
+#include "engine/energy.h"
+#include "engine/free_motion.h"
+#include "hydro/constant_added_mass.h"
+#include "tests/engine/specs.h"
+#include "tests/support/random_pose.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::BodySpec;
+using engine::JointSpec;
+using engine::Simulation;
+using engine::SimulationSpec;
+using hydro::Matrix6d;
+using hydro::Vector6d;
+using support::tolerance;
+
+/// Deep below the surface: the body never meets it.
+SimulationSpec submerged(std::vector<BodySpec> bodies, double step) {
+  SimulationSpec spec = support::dry_world(std::move(bodies), step);
+  spec.sea = hydro::Sea{.gravity = support::kGravity, .level = 1000};
+  return spec;
+}
+
+void add_mass(BodySpec& body, const Matrix6d& added) {
+  body.added_mass = std::make_shared<hydro::ConstantAddedMass>(body.mesh_B, added);
+}
+
+Matrix6d diagonal(const Vector6d& values) { return values.asDiagonal(); }
+
+/// Symmetric and positive semi-definite, all motions coupled, entries of the order of `size`.
+Matrix6d random_inertia(support::Random& random, double size) {
+  Matrix6d root;
+  for (int i = 0; i < 36; ++i) root(i / 6, i % 6) = random.uniform(-1, 1);
+  return size / 6 * root * root.transpose();
+}
+
+struct EllipsoidCase {
+  double factor;  ///< Of the added mass.
+  Vector3d end;   ///< Position after 1 s [m].
+};
+
+// Reference positions: gz-sim, test/integration/added_mass.cc (numbers only), from an independent
+// integration of the same equations.
+TEST(AddedMass, ForcedEllipsoidsGoWhereGazeboHasThem) {
+  const EllipsoidCase cases[] = {{1, {0.16150346, 0.10710151, -0.00249428}},
+                                 {0.1, {0.19339397, 0.18238589, -0.00061475}},
+                                 {10, {0.06168088, 0.02095114, -0.00068374}}};
+  Vector6d added;
+  added << 236.14304479483277, 901.6370915802705, 901.6370915802705, 0, 64.40264939859075,
+      64.40264939859075;
+  for (const auto& [factor, end] : cases) {
+    BodySpec body = support::sphere_body("ellipsoid", 0.5, 1000, {0, 0, 0});
+    body.mass = 1073.3774899765126;
+    body.inertia_B =
+        Vector3d(107.33774899765126, 268.34437249412815, 268.34437249412815).asDiagonal();
+    add_mass(body, factor * diagonal(added));
+    body.loads = {{.force = {2000, 2000, 0}}, {.torque = {200, 200, 0}}};
+    body.loads[0].sine = {.frequency = 1.5};
+    body.loads[1].sine = {.frequency = 1};
+    SimulationSpec spec = submerged({body}, 1e-3);
+    spec.gravity = 0;
+    const Simulation simulation = support::after(spec, 1000);
+    // The measure of the reference itself; the step's own error is below 1e-6 m.
+    EXPECT_LT((simulation.states()[0].position - end).norm(), tolerance(1e-5)) << factor;
+  }
+}
+
+/// A spheroid of 2 : 1 : 1 and the water's density that moves nearly along its long axis, which is
+/// unstable (Munk): m + A and I + A of its first line in tests/data/kirchhoff_prolate_munk.csv.
+SimulationSpec munk_spheroid(double step) {
+  constexpr double kMass = 8377.580409572781;  // 4/3 π a b² ρ
+  BodySpec body = support::sphere_body("spheroid", 0.5, 1000, {0, 0, 0});
+  body.mass = kMass;
+  body.inertia_B = Vector3d(3351.0321638291125, 8377.580409572781, 8377.580409572781).asDiagonal();
+  Vector6d added;
+  added << 10136.99836959496 - kMass, 14277.15987739361 - kMass, 14277.15987739361 - kMass, 0,
+      10383.373326788156 - 8377.580409572781, 10383.373326788156 - 8377.580409572781;
+  add_mass(body, diagonal(added));
+  body.initial.linear_velocity = {1, 0.01, 0};
+  SimulationSpec spec = submerged({body}, step);
+  spec.gravity = 0;
+  return spec;
+}
+
+TEST(AddedMass, ASpheroidTumblesByMunksMomentAsItsEquationsSay) {
+  const Simulation simulation = support::after(munk_spheroid(0.01), 6000);
+  // Last line of shared reference: DOP853 at a relative tolerance of 1e-13, a path of 60 m.
+  const Vector3d exact(56.729788007605, 0.77207762664287, 0);
+  // Phase error (ω h)²/12 with ω < 0.5 1/s: 2e-6 of the path.
+  EXPECT_LT((simulation.states()[0].position - exact).norm(), tolerance(60 * 2e-6));
+}
+
+TEST(AddedMass, KeepsKirchhoffsEnergy) {
+  const SimulationSpec spec = munk_spheroid(0.01);
+  Simulation simulation(spec);
+  const double start = engine::total_energy(spec, simulation.states());
+  for (int i = 0; i < 6000; ++i) simulation.step();
+  // The scheme keeps it; round-off of 12,000 half-steps adds up.
+  EXPECT_NEAR(engine::total_energy(spec, simulation.states()), start, tolerance(1e-10 * start));
+}
+
+TEST(AddedMass, InACurrentIsAsInStillWater) {
+  SimulationSpec spec = munk_spheroid(0.05);
+  spec.bodies[0].initial.angular_velocity = {0.1, 0.2, -0.3};
+  const Simulation still = support::after(spec, 200);
+  const Vector3d current(3, -2, 0.5);
+  spec.sea->current = current;
+  spec.bodies[0].initial.linear_velocity += current;
+  const Simulation carried = support::after(spec, 200);
+  // Round-off of velocities.
+  EXPECT_LT((carried.states()[0].position - 10 * current - still.states()[0].position).norm(),
+            tolerance(1e-11));
+}
+
+TEST(FreeMotion, KeepsEnergyAndBothMomentaForAnyStep) {
+  support::Random random(11);
+  for (const double time : {0.01, 0.3, 2.0}) {
+    const Matrix6d S = random_inertia(random, 10) + Matrix6d(2 * Matrix6d::Identity());
+    const hydro::BodyState start = random.state(3, 2);
+    const Vector3d none = Vector3d::Zero();
+    const hydro::BodyState end = engine::drifted(S, start, none, time);
+    const auto momentum = [&](const hydro::BodyState& state) {
+      const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+      const Vector6d p = engine::turned_matrix(R_WB, S) * engine::velocity(state, none);
+      return engine::stacked(p.head<3>(), p.tail<3>() + state.position.cross(p.head<3>()));
+    };
+    const auto energy = [&](const hydro::BodyState& state) {
+      const Eigen::Matrix3d R_BW = state.orientation.conjugate().toRotationMatrix();
+      const Vector6d u = engine::turned(R_BW, engine::velocity(state, none));
+      return u.dot(S * u) / 2;
+    };
+    EXPECT_NEAR(energy(end), energy(start), tolerance(1e-12 * energy(start)));
+    EXPECT_LT((momentum(end) - momentum(start)).norm(), tolerance(1e-12 * momentum(start).norm()));
+    EXPECT_GT((end.orientation * start.orientation.conjugate()).vec().norm(), 1e-3);
+  }
+}
+
+TEST(AddedInertia, GrowthKeepsMomentumAndLossKeepsVelocity) {
+  support::Random random(4);
+  const Matrix6d S = random_inertia(random, 3) + Matrix6d(Matrix6d::Identity());
+  const Matrix6d growth = random_inertia(random, 50);
+  Vector6d u;
+  for (int i = 0; i < 6; ++i) u[i] = random.uniform(-2, 2);
+  const engine::InertiaChange in = engine::inertia_change(S, growth, {}, u);
+  // Round-off of a matrix of condition 1e4.
+  EXPECT_LT(((S + growth) * in.velocity - S * u).norm(), tolerance(1e-11 * (S * u).norm()));
+  EXPECT_LT((in.inertia - S - growth).norm(), tolerance(1e-11 * growth.norm()));
+  const engine::InertiaChange out = engine::inertia_change(S + growth, -growth, {}, u);
+  EXPECT_LT((out.velocity - u).norm(), tolerance(1e-11 * u.norm()));
+}
+
+TEST(AddedInertia, NoChangeAddsEnergy) {
+  support::Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const double ratio = std::pow(10, random.uniform(-3, 3));
+    const Matrix6d before = random_inertia(random, ratio);
+    const Matrix6d after = random_inertia(random, ratio * random.uniform(0, 2));
+    const Matrix6d S = before + Matrix6d(Matrix6d::Identity());
+    Vector6d u;
+    for (int k = 0; k < 6; ++k) u[k] = random.uniform(-2, 2);
+    const Vector6d v = engine::inertia_change(S, after - before, {}, u).velocity;
+    const double end = v.dot(v) + v.dot(after * v);
+    EXPECT_LE(end, u.dot(S * u) * (1 + 1e-12));
+  }
+}
+
+TEST(AddedInertia, LockedDegreesOfFreedomTakeNoPart) {
+  support::Random random(6);
+  const Matrix6d S = random_inertia(random, 3) + Matrix6d(Matrix6d::Identity());
+  const Matrix6d growth = random_inertia(random, 5);
+  const engine::DofMask locked = {true, true, false, true, true, true};
+  const Vector6d u = Vector6d::Unit(2);
+  const Vector6d v = engine::inertia_change(S, growth, locked, u).velocity;
+  EXPECT_NEAR(v[2], S(2, 2) / (S(2, 2) + growth(2, 2)), tolerance(1e-14));
+  EXPECT_NEAR(v.norm(), v[2], tolerance(1e-15));
+}
+
+/// A plate of mass m with added mass of up to `ratio` m, unequal in all directions.
+BodySpec plate(double ratio, const Vector3d& position) {
+  BodySpec body = support::box_body("plate", {1, 0.6, 0.05}, 3000, position);
+  Vector6d parts;
+  parts << 0.1, 0.3, 1, 0.02, 0.05, 0.01;
+  add_mass(body, ratio * body.mass * diagonal(parts));
+  return body;
+}
+
+constexpr double kRatios[] = {0.5, 1, 2, 10, 100, 1000};
+
+/// Largest rise of the energy above its start within 60 s, as a part of the weight times 1 m.
+double energy_gain(const SimulationSpec& spec) {
+  Simulation simulation(spec);
+  const double start = engine::total_energy(spec, simulation.states());
+  double gain = 0;
+  double weight = 0;
+  for (const BodySpec& body : spec.bodies) weight += body.mass * support::kGravity;
+  for (long i = 0; i < support::steps_in(60, spec.step); ++i) {
+    simulation.step();
+    gain = std::max(gain, engine::total_energy(spec, simulation.states()) - start);
+  }
+  for (const engine::Path& path : simulation.paths()) EXPECT_EQ(path.unconverged, 0);
+  return gain / weight;
+}
+
+TEST(AddedMass, OfAnyRatioFeedsNoHingedBody) {
+  for (const double ratio : kRatios) {
+    SimulationSpec spec = submerged({plate(ratio, {0.5, 0, 0})}, 0.01);
+    spec.joints = {{.type = JointSpec::Type::hinge, .first = 0, .axis_W = Vector3d::UnitY()}};
+    // (ω h)²/8 with ω = 4 1/s of a swing of 1 m.
+    EXPECT_LT(energy_gain(spec), tolerance(2e-4)) << ratio;
+  }
+}
+
+TEST(AddedMass, OfAnyRatioFeedsNoBallJointedBody) {
+  for (const double ratio : kRatios) {
+    SimulationSpec spec = submerged({plate(ratio, {0.5, 0.3, 0})}, 0.01);
+    spec.joints = {{.type = JointSpec::Type::ball, .first = 0}};
+    EXPECT_LT(energy_gain(spec), tolerance(2e-4)) << ratio;
+  }
+}
+
+TEST(AddedMass, OfAnyRatioFeedsNoChain) {
+  for (const double ratio : kRatios) {
+    SimulationSpec spec = submerged({}, 0.01);
+    for (int i = 0; i < 3; ++i) {
+      spec.bodies.push_back(plate(ratio, {0.5 + i, 0, 0}));
+      spec.joints.push_back({.first = i, .second = i - 1, .anchor_W = Vector3d(i, 0, 0)});
+    }
+    EXPECT_LT(energy_gain(spec), tolerance(2e-4)) << ratio;
+  }
+}
+
+TEST(AddedMass, OfAnyRatioLetsAPlatePushedAgainstAWallComeToRest) {
+  for (const double ratio : kRatios) {
+    BodySpec body = plate(ratio, {0, 0, 1});
+    body.collision = engine::CollisionShape::box;
+    body.loads = {{.force = {0, 0, -2000}}};
+    body.initial.orientation = Eigen::AngleAxisd(0.5, Vector3d(1, 2, 0).normalized());
+    SimulationSpec spec = submerged({body}, 0.01);
+    spec.gravity = 0;
+    spec.ground = engine::PlaneGround{0};
+    const Simulation simulation = support::after(spec, 6000);
+    // Half its thickness, but for what the contact gives, (F/m) τ² = 2.2 mm.
+    EXPECT_NEAR(simulation.states()[0].position.z(), 0.025, tolerance(2.5e-3)) << ratio;
+    EXPECT_LT(simulation.states()[0].linear_velocity.norm(), tolerance(1e-9)) << ratio;
+  }
+}
+
+// The hinge lies in the plane of the plate, so that A about it is A_zz L² + A_pitch.
+TEST(AddedMass, AHingedPlateSwingsWithThePeriodOfItsWholeInertia) {
+  constexpr double kLever = 0.5;
+  constexpr double kAngle = 0.1;
+  for (const double ratio : kRatios) {
+    BodySpec body = plate(ratio, kLever * Vector3d(std::sin(kAngle), 0, -std::cos(kAngle)));
+    body.initial.orientation = Eigen::AngleAxisd(std::numbers::pi / 2 - kAngle, Vector3d::UnitY());
+    SimulationSpec spec = submerged({body}, 0.01);
+    spec.joints = {{.type = JointSpec::Type::hinge, .first = 0, .axis_W = Vector3d::UnitY()}};
+    const double inertia = body.inertia_B(1, 1) + body.mass * kLever * kLever +
+                           ratio * body.mass * (0.05 + kLever * kLever);
+    const double omega = std::sqrt(body.mass * support::kGravity * kLever / inertia);
+    const double exact = 2 * std::numbers::pi / omega * (1 + kAngle * kAngle / 16);
+    Simulation simulation(spec);
+    std::vector<double> crossings;
+    double before = kAngle;
+    while (crossings.size() < 2) {
+      simulation.step();
+      const double now = simulation.states()[0].position.x();
+      if (before > 0 && now <= 0)
+        crossings.push_back(simulation.time() - spec.step * now / (now - before));
+      before = now;
+    }
+    EXPECT_NEAR(crossings[1] - crossings[0], exact, tolerance(2e-3 * exact)) << ratio;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/energy.h"
+#include "hydro/added_mass.h"
+#include "hydro/wetted_added_mass.h"
+#include "tests/engine/specs.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::BodySpec;
+using engine::Integrator;
+using engine::Simulation;
+using engine::SimulationSpec;
+using support::tolerance;
+
+BodySpec barge() {
+  BodySpec body = support::box_body("barge", {4, 3, 1}, 500, {0, 0, 0.2}, 2);
+  body.wet = true;
+  body.coefficients.lift = 0;
+  body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  body.initial.orientation = Eigen::AngleAxisd(0.2, Vector3d(1, 0.5, 0.3).normalized());
+  body.added_mass = std::make_shared<hydro::WettedAddedMass>(
+      body.mesh_B, hydro::solve_added_mass(body.mesh_B, {.tolerance = 0.02}));
+  return body;
+}
+
+SimulationSpec afloat(const BodySpec& body, double step) {
+  SimulationSpec spec = support::dry_world({body}, step);
+  spec.sea.emplace();
+  return spec;
+}
+
+/// Largest distance in place [m] and angle [rad].
+double distance(const hydro::BodyState& a, const hydro::BodyState& b) {
+  return std::max((a.position - b.position).norm(),
+                  2 * (a.orientation * b.orientation.conjugate()).vec().norm());
+}
+
+hydro::BodyState rocked(SimulationSpec spec, double time) {
+  return support::after(spec, support::steps_in(time, spec.step)).states()[0];
+}
+
+TEST(SplitStep, OfARockingBargeWithChangingAddedMassIsOfSecondOrder) {
+  const BodySpec body = barge();
+  const hydro::BodyState exact = rocked(afloat(body, 1.0 / 3840), 2);
+  const double coarse = distance(rocked(afloat(body, 1.0 / 60), 2), exact);
+  const double fine = distance(rocked(afloat(body, 1.0 / 480), 2), exact);
+  EXPECT_GT(std::log2(coarse / fine) / 3, 1.85) << coarse << " and " << fine;
+  EXPECT_LT(coarse, tolerance(5e-4));
+}
+
+TEST(Tolerance, BoundsTheErrorOfAFreeBody) {
+  const BodySpec body = barge();
+  const hydro::BodyState exact = rocked(afloat(body, 1.0 / 3840), 2);
+  for (const double wanted : {1e-3, 1e-5}) {
+    SimulationSpec spec = afloat(body, 0.1);
+    spec.integrator.tolerance = wanted;
+    const Simulation simulation = support::after(spec, 20);
+    // The body's radius is 2.5 m; 2 s of a motion that does not amplify errors.
+    EXPECT_LT(distance(simulation.states()[0], exact), tolerance(2.5 * 2 * wanted)) << wanted;
+    EXPECT_GT(simulation.paths()[0].pieces, 40);
+  }
+}
+
+TEST(PlainMethod, IsFurtherOffThanTheSplitStepByFar) {
+  BodySpec body = barge();
+  body.added_mass = nullptr;
+  SimulationSpec spec = afloat(body, 1.0 / 3840);
+  const hydro::BodyState exact = rocked(spec, 2);
+  spec.step = 0.01;
+  const double split = distance(rocked(spec, 2), exact);
+  spec.integrator.method = Integrator::Method::ode;
+  const double plain = distance(rocked(spec, 2), exact);
+  EXPECT_GT(plain, 10 * split);
+}
+
+TEST(Entry, AtHighSpeedGainsNoEnergy) {
+  for (const double speed : {30.0, 300.0}) {
+    BodySpec body = barge();
+    body.initial.position.z() = 20;
+    body.initial.linear_velocity = {5, 0, -speed};
+    body.initial.angular_velocity = {1, 2, 0};
+    const SimulationSpec spec = afloat(body, 1.0 / 15);
+    Simulation simulation(spec);
+    double top = engine::total_energy(spec, simulation.states());
+    const double start = top;
+    for (int i = 0; i < 60; ++i) {
+      simulation.step();
+      const double now = engine::total_energy(spec, simulation.states());
+      ASSERT_LE(now, top + 1e-3 * top) << speed << ", step " << i;
+      top = std::max(top, now);
+    }
+    EXPECT_LT(engine::total_energy(spec, simulation.states()), 0.5 * start);
+  }
+}
+
+TEST(Warning, SaysOnceThatAStepIsTooLongForTheWavesABodyMeets) {
+  BodySpec body = barge();
+  body.added_mass = nullptr;
+  SimulationSpec spec = afloat(body, 0.25);
+  spec.sea->surface = hydro::WaveSurface{
+      {hydro::deep_water_wave(0.02, 2, 0, 0, support::kGravity)}};  // 1.13 s: 4.5 steps
+  const Simulation coarse = support::after(spec, 10);
+  ASSERT_EQ(coarse.warnings().size(), 1U);
+  EXPECT_NE(coarse.warnings()[0].find("body 'barge' meets a wave every 1.1"), std::string::npos);
+  spec.step = 0.02;
+  EXPECT_TRUE(support::after(spec, 10).warnings().empty());
+}
+
+}  // namespace
