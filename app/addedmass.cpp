@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/assemble.h"
+#include "app/assemble_added_mass.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/faults.h"
@@ -11,6 +11,7 @@
 #include "hydro/added_mass.h"
 #include "hydro/mass_properties.h"
 #include "hydro/mesh_check.h"
+#include "hydro/wetted_added_mass.h"
 
 namespace app {
 namespace {
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 /// A body wholly submerged in water.
 struct Submerged {
   std::string name;
-  hydro::TriMesh mesh_B;  ///< Closed; origin at the centre of mass.
+  CenteredMesh solid;
   Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
   double density = 1000;  ///< Of the water [kg/m^3].
 };
@@ -37,8 +38,14 @@ Submerged body_of_mesh(const AddedMassCommand& o) {
   Submerged body{.name = o.file.stem().string(),
                  .com_M = hydro::solid_properties(repaired.mesh).centroid,
                  .density = o.density.value_or(1000)};
-  body.mesh_B = hydro::translated(std::move(repaired.mesh), -body.com_M);
+  body.solid.mesh_C = hydro::translated(std::move(repaired.mesh), -body.com_M);
   return body;
+}
+
+/// A closed mesh about the centroid of its volume.
+CenteredMesh centered(const hydro::TriMesh& mesh_B) {
+  const Eigen::Vector3d centroid_B = hydro::solid_properties(mesh_B).centroid;
+  return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
 }
 
 std::vector<Submerged> bodies_of_scene(const AddedMassCommand& o) {
@@ -53,7 +60,10 @@ std::vector<Submerged> bodies_of_scene(const AddedMassCommand& o) {
     const engine::BodySpec& spec = assembly.spec.bodies[i];
     const std::vector<std::string> wrong = hydro::describe(hydro::check_mesh(spec.mesh_B));
     if (!wrong.empty()) faults.push_back({{scene.file}, spec.name, wrong.front()});
-    bodies.push_back({spec.name, spec.mesh_B, assembly.centers_of_mass[i], density});
+    // A body that needs no closed mesh in its scene has not been looked at as a solid.
+    const CenteredMesh& solid = assembly.solids[i];
+    bodies.push_back({spec.name, solid.mesh_C.face_count() > 0 ? solid : centered(spec.mesh_B),
+                      assembly.centers_of_mass[i], density});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return bodies;
@@ -71,14 +81,21 @@ std::vector<Submerged> bodies_of(const AddedMassCommand& o) {
   return {body_of_mesh(o)};
 }
 
-Json to_json(const Submerged& body, const hydro::AddedMassSolution& solution) {
+/// A solution about the body's centre of mass, and whether it was stored.
+struct Found {
+  hydro::AddedMassSolution solution;
+  bool from_store = false;
+};
+
+Json to_json(const Submerged& body, const Found& found) {
+  const hydro::AddedMassSolution& solution = found.solution;
   Json rows = Json::array();
   for (int i = 0; i < 6; ++i) {
     Json row = Json::array();
     for (int j = 0; j < 6; ++j) row.push_back(body.density * solution.matrix(i, j));
     rows.push_back(row);
   }
-  return {{"volume", hydro::solid_properties(body.mesh_B).volume},
+  return {{"volume", hydro::solid_properties(body.solid.mesh_C).volume},
           {"com", {body.com_M.x(), body.com_M.y(), body.com_M.z()}},
           {"density", body.density},
           {"added_mass", rows},
@@ -86,15 +103,17 @@ Json to_json(const Submerged& body, const hydro::AddedMassSolution& solution) {
           {"symmetry_error", solution.symmetry_error},
           {"panels", solution.panels},
           {"unknowns", solution.unknowns},
+          {"from_store", found.from_store},
           {"seconds", solution.seconds},
           {"bytes", solution.bytes}};
 }
 
 /// The matrix row by row; what is below the symmetry error or round-off is still shown.
-std::string table_of(const Submerged& body, const hydro::AddedMassSolution& solution) {
+std::string table_of(const Submerged& body, const Found& found) {
+  const hydro::AddedMassSolution& solution = found.solution;
   std::string text = fmt::format(
       "{}: volume {:.6g} m^3, centre of mass {:.6g} {:.6g} {:.6g} m, water {:g} kg/m^3\n",
-      body.name, hydro::solid_properties(body.mesh_B).volume, body.com_M.x(), body.com_M.y(),
+      body.name, hydro::solid_properties(body.solid.mesh_C).volume, body.com_M.x(), body.com_M.y(),
       body.com_M.z(), body.density);
   text += fmt::format("{:>9}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "", "surge", "sway", "heave",
                       "roll", "pitch", "yaw");
@@ -110,9 +129,10 @@ std::string table_of(const Submerged& body, const hydro::AddedMassSolution& solu
   }
   if (solution.error_estimate > 0)
     text += fmt::format("  error below {:.2g} %", 100 * solution.error_estimate);
-  text += fmt::format("  asymmetry {:.2g} %, {} unknowns on {} panels, {:.2f} s, {:.0f} MB\n",
+  text += fmt::format("  asymmetry {:.2g} %, {} unknowns on {} panels, {:.2f} s, {:.0f} MB{}\n",
                       100 * solution.symmetry_error, solution.unknowns, solution.panels,
-                      solution.seconds, solution.bytes / 1e6);
+                      solution.seconds, solution.bytes / 1e6,
+                      found.from_store ? ", from the store" : "");
   return text;
 }
 
@@ -121,12 +141,16 @@ std::string table_of(const Submerged& body, const hydro::AddedMassSolution& solu
 int addedmass(const AddedMassCommand& command) {
   Json all = Json::object();
   std::string text;
+  AddedMassStore store(command.store ? cache_folder() : std::nullopt);
   for (const Submerged& body : bodies_of(command)) {
-    const hydro::AddedMassSolution solution = hydro::solve_added_mass(body.mesh_B, command.options);
+    const StoredAddedMass stored =
+        solved_added_mass(body.name, body.solid.mesh_C, command.options, store, false);
+    const Found found = {hydro::moved_origin(*stored.solution, body.solid.com_C),
+                         stored.from_store};
     if (command.json)
-      all[body.name] = to_json(body, solution);
+      all[body.name] = to_json(body, found);
     else
-      text += table_of(body, solution);
+      text += table_of(body, found);
   }
   fmt::print("{}", command.json ? Json{{"bodies", all}}.dump(2) + "\n" : text);
   flush_output();

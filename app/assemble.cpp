@@ -191,11 +191,19 @@ hydro::Coefficients assemble_coefficients(const BodyScene& body, const hydro::Tr
   return coefficients;
 }
 
+/// False if the water does nothing to a body.
+bool feels_water(const BodyScene& body, const Scene& scene) {
+  using Model = AddedMassScene::Model;
+  const Model model = body.hydro.added_mass.model;
+  const bool asks_for_added_mass = model != Model::automatic && model != Model::none;
+  return scene.water && (asks_for_added_mass || !hydro::no_load(body.hydro));
+}
+
 engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, AssemblyLog& log,
-                               Eigen::Vector3d& com_M) {
+                               Eigen::Vector3d& com_M, CenteredMesh& centered) {
   const std::string path = body_path(index);
   engine::BodySpec spec{.name = body.name,
-                        .wet = log.scene.water.has_value() && !hydro::no_load(body.hydro),
+                        .wet = feels_water(body, log.scene),
                         .collision = collision_shape(body),
                         .locked = body.locked};
   hydro::TriMesh mesh = shape_mesh(body.shape, path, log);
@@ -206,6 +214,8 @@ engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, Assembl
   const MassProperties p = mass_properties(body, solid);
   if (!mass_is_usable(p, path, log)) return spec;
   com_M = p.center_of_mass;
+  if (needed == Soundness::closed)
+    centered = {hydro::translated(mesh, -solid.centroid), com_M - solid.centroid};
   spec.mesh_B = hydro::translated(std::move(mesh), -com_M);
   spec.mass = p.mass;
   spec.inertia_B = p.inertia;
@@ -258,16 +268,21 @@ Assembly assemble(const Scene& scene) {
   engine::SimulationSpec& spec = assembly.spec;
   spec.step = scene.step;
   spec.gravity = scene.gravity;
+  spec.integrator = {.method = static_cast<engine::Integrator::Method>(scene.integrator.method),
+                     .tolerance = scene.integrator.tolerance.value_or(0)};
   if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
   spec.ground = assemble_ground(scene.ground, log);
   check_ground(spec.ground, log);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
-    spec.bodies.push_back(assemble_body(scene.bodies[i], i, log, com_M));
+    CenteredMesh centered;
+    spec.bodies.push_back(assemble_body(scene.bodies[i], i, log, com_M, centered));
     assembly.centers_of_mass.push_back(com_M);
+    assembly.solids.push_back(std::move(centered));
   }
   for (const JointScene& joint : scene.joints) spec.joints.push_back(assemble_joint(scene, joint));
   log.faults.throw_if_any();
+  assembly.added_mass.resize(scene.bodies.size());
   assembly.notes = std::move(log.notes);
   return assembly;
 }

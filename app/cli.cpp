@@ -158,11 +158,13 @@ void add_addedmass(CLI::App& program, Arguments& a) {
       ->capture_default_str();
   command
       ->add_option("--method", o.options.method,
-                   "linear: on panels of its own; constant: plain collocation on the faces")
+                   "galerkin: on panels of its own; constant: plain collocation on the faces")
       ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
-          {"linear", hydro::AddedMassMethod::linear},
+          {"galerkin", hydro::AddedMassMethod::galerkin},
           {"constant", hydro::AddedMassMethod::constant}}));
   add_sets(command, a);
+  command->add_flag_callback(
+      "--no-store", [&o] { o.store = false; }, "Solve anew, and keep nothing for later runs");
   command->add_flag("--json", o.json, "As JSON");
 }
 

@@ -77,6 +77,7 @@ struct AddedMassCommand {
   std::optional<double> density;    ///< Of the water [kg/m^3]; none: the scene's, or 1000.
   std::vector<Override> overrides;  ///< Of a scene.
   hydro::AddedMassOptions options;
+  bool store = true;  ///< Take solutions from the store, and keep them there.
   bool json = false;
 };
 int addedmass(const AddedMassCommand& command);

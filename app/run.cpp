@@ -1,11 +1,12 @@
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <exception>
 #include <filesystem>
 #include <thread>
 
-#include "app/assemble.h"
+#include "app/assemble_added_mass.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/interrupt.h"
@@ -41,12 +42,12 @@ std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
 class Run {
  public:
   Run(const RunOptions& options, const Scene& scene, const Assembly& assembly,
-      const OutputFolder& folder)
+      const OutputFolder& folder, double wall_added_mass)
       : options_(options),
         scene_(scene),
         assembly_(assembly),
         folder_(folder),
-        summary_{.scene = scene, .spec = assembly.spec},
+        summary_{.scene = scene, .assembly = assembly, .wall_added_mass = wall_added_mass},
         progress_(options.quiet),
         simulation_(assembly.spec),
         writer_(folder.path() / "trajectory.csv", body_names(assembly.spec)),
@@ -59,7 +60,7 @@ class Run {
     summary_.pictures_skipped = reason_for_no_pictures(code);
     if (summary_.pictures_skipped.empty()) code = draw(code);
     progress_.clear();
-    summary_.wall = clock_.seconds();
+    summary_.wall = summary_.wall_added_mass + clock_.seconds();
     if (!options_.quiet) report(code);
     write_summary(summary_, summary_file());
     return code;
@@ -97,7 +98,8 @@ class Run {
     summary_.simulated = simulation_.time();
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
-    summary_.stiff_steps = simulation_.stiff_steps();
+    summary_.paths = simulation_.paths();
+    summary_.warnings = simulation_.warnings();
     return code;
   }
 
@@ -197,6 +199,15 @@ int thread_count(int wanted) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// Finds the bodies' added mass on the threads of the run. @return how long that took [s].
+double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& assembly) {
+  const Stopwatch stopwatch;
+  AddedMassStore store(cache_folder());
+  tbb::task_arena threads(assembly.spec.threads);
+  threads.execute([&] { add_added_mass(scene, assembly, store, options.quiet); });
+  return stopwatch.seconds();
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -206,9 +217,10 @@ int run(const RunOptions& options) {
   if (!options.quiet)
     for (const std::string& note : assembly.notes)
       say(fmt::format("{}: note: {}", scene.file.string(), note));
+  const double wall_added_mass = find_added_mass(options, scene, assembly);
   const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   const OutputFolder folder(out);
-  return Run(options, scene, assembly, folder).execute();
+  return Run(options, scene, assembly, folder, wall_added_mass).execute();
 }
 
 }  // namespace app

@@ -23,20 +23,58 @@ Json unused_loads(const engine::BodySpec& body) {
   return unused;
 }
 
+Json path_summary(const engine::Path& path) {
+  return {{"free_steps", path.free},
+          {"constrained_steps", path.constrained},
+          {"pieces", path.pieces},
+          {"implicit_pieces", path.implicit},
+          {"constraint_solutions", path.iterations},
+          {"unconverged_pieces", path.unconverged},
+          {"braked_pieces", path.braked}};
+}
+
+Json to_json(const hydro::Matrix6d& matrix) {
+  Json rows = Json::array();
+  for (int i = 0; i < 6; ++i) {
+    rows.push_back(Json::array());
+    for (int j = 0; j < 6; ++j) rows.back().push_back(matrix(i, j));
+  }
+  return rows;
+}
+
+/// The added mass of the wholly submerged body and where it came from; null if it has none.
+Json to_json(const std::optional<AddedMassReport>& report) {
+  if (!report) return nullptr;
+  if (report->surface)
+    return {{"model", "surface"},
+            {"matrix", to_json(report->matrix)},
+            {"solves", report->surface->solves()}};
+  if (!report->stored) return {{"model", "matrix"}, {"matrix", to_json(report->matrix)}};
+  const hydro::AddedMassSolution& solution = *report->stored->solution;
+  return {{"model", "deep"},
+          {"matrix", to_json(report->matrix)},
+          {"symmetry_error", solution.symmetry_error},
+          {"error_estimate", solution.error_estimate},
+          {"from_store", report->stored->from_store},
+          {"solve_seconds", solution.seconds}};
+}
+
 Json body_summary(const RunSummary& summary, std::size_t i) {
-  const engine::BodySpec& body = summary.spec.bodies[i];
+  const engine::BodySpec& body = summary.assembly.spec.bodies[i];
   return {{"triangles", body.mesh_B.face_count()},
           {"mass", body.mass},
           {"loads_not_computed", unused_loads(body)},
           {"steps_above_water", summary.skips.dry_steps[i]},
           {"steps_at_rest", summary.skips.resting_steps[i]},
-          {"steps_with_stiff_drag", summary.stiff_steps[i]}};
+          {"motion", path_summary(summary.paths[i])},
+          {"added_mass", to_json(summary.assembly.added_mass[i])}};
 }
 
 Json to_json(const RunSummary& s) {
   Json bodies = Json::object();
-  for (std::size_t i = 0; i < s.spec.bodies.size(); ++i)
-    bodies[s.spec.bodies[i].name] = body_summary(s, i);
+  const engine::SimulationSpec& spec = s.assembly.spec;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    bodies[spec.bodies[i].name] = body_summary(s, i);
   Json json = {{"version", PLIMSOLL_VERSION},
                {"scene", s.scene.file.string()},
                {"title", s.scene.title},
@@ -45,10 +83,13 @@ Json to_json(const RunSummary& s) {
   json.update(
       {{"steps", s.steps},
        {"simulated_seconds", s.simulated},
-       {"real_time_factor", s.wall > 0 ? s.simulated / s.wall : 0},
-       {"threads", s.spec.threads},
+       {"real_time_factor",
+        s.wall > s.wall_added_mass ? s.simulated / (s.wall - s.wall_added_mass) : 0},
+       {"threads", spec.threads},
+       {"warnings", s.warnings},
        {"wall_seconds",
         {{"total", s.wall},
+         {"added_mass", s.wall_added_mass},
          {"collision", s.timings.collision},
          {"hydro", s.timings.hydro},
          {"engine", s.timings.engine},

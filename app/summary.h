@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/assemble.h"
 #include "app/pictures.h"
 #include "engine/simulation.h"
 
@@ -12,17 +13,19 @@ namespace app {
 /// What `summary.json` tells of a run.
 struct RunSummary {
   const Scene& scene;
-  const engine::SimulationSpec& spec;
+  const Assembly& assembly;
   std::string ended = "completed";  ///< Or `interrupted`, `failed`.
   std::string error;                ///< Of a failed run.
   long steps = 0;
   double simulated = 0;  ///< [s]
   engine::Timings timings;
   engine::Skips skips;
-  std::vector<long> stiff_steps;  ///< Per body: engine::Simulation::stiff_steps.
-  double wall = 0;                ///< In all [s].
-  double wall_log = 0;            ///< [s]
-  double wall_render = 0;         ///< [s]
+  std::vector<engine::Path> paths;    ///< Per body.
+  std::vector<std::string> warnings;  ///< engine::Simulation::warnings.
+  double wall = 0;                    ///< In all [s].
+  double wall_added_mass = 0;         ///< To find it, before the first step [s].
+  double wall_log = 0;                ///< [s]
+  double wall_render = 0;             ///< [s]
   std::optional<PictureReport> pictures;
   std::string pictures_skipped;  ///< Why there are none.
 };

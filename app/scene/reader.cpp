@@ -26,10 +26,6 @@ void read(MapReader& map, LogBlock& log) {
   if (log.every == 0.0) log.every.reset();
 }
 
-/// Time stepping has no options.
-struct IntegratorBlock {};
-void read(MapReader&, IntegratorBlock&) {}
-
 /// Faults for names that stand before in the list. `list` is `bodies` or `joints`.
 void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> first_uses;
@@ -152,14 +148,22 @@ YamlNode read_tree(const std::filesystem::path& file, const std::vector<Override
 
 }  // namespace
 
+void read(MapReader& map, IntegratorScene& integrator) {
+  using Method = IntegratorScene::Method;
+  map.optional("method", integrator.method,
+               ChoiceRule<Method>{{{"split", Method::split}, {"ode", Method::ode}}});
+  map.optional("tolerance", integrator.tolerance, positive("1/s"));
+  if (integrator.method == Method::ode && integrator.tolerance)
+    map.fault("tolerance", "method ode takes whole steps only; expected method split with it");
+}
+
 void read(MapReader& map, Scene& scene) {
   map.find("plimsoll", kVersionExpected, "required");
   map.optional("title", scene.title, TextRule{});
   map.required("duration", scene.duration, not_negative("s"));
   map.optional("step", scene.step, positive("s"));
   map.optional("gravity", scene.gravity, not_negative("m/s^2"));
-  IntegratorBlock integrator;
-  map.block("integrator", integrator);
+  map.block("integrator", scene.integrator);
   map.block("water", scene.water);
   map.block("ground", scene.ground);
   BodyScene prototype;

@@ -25,7 +25,8 @@ void read(MapReader& map, CylinderScene& cylinder);
 /// The one shape among a body's keys.
 void read_shape(MapReader& map, ShapeScene& shape);
 
-void read(MapReader& map, hydro::Coefficients& coefficients);
+void read(MapReader& map, HydroScene& hydro);
+void read(MapReader& map, AddedMassScene& added_mass);
 void read(MapReader& map, hydro::PressureDrag& drag);
 void read(MapReader& map, BodyScene& body);
 void read(MapReader& map, Eigen::Quaterniond& orientation);
@@ -35,6 +36,8 @@ void read(MapReader& map, JointScene& joint);
 
 void read(MapReader& map, RenderScene& render);
 void read(MapReader& map, CameraScene& camera);
+
+void read(MapReader& map, IntegratorScene& integrator);
 
 /// The whole file.
 void read(MapReader& map, Scene& scene);

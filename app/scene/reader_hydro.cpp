@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+
 #include "app/scene/reader_blocks.h"
 
 namespace app {
@@ -81,14 +85,70 @@ void read_preset(MapReader& map, hydro::Coefficients& coefficients) {
   coefficients = preset == Preset::thesis ? hydro::thesis_coefficients() : hydro::Coefficients{};
 }
 
-void read_added_mass(MapReader& map) {
-  const auto value = map.find("added_mass", "none", "none");
-  if (!value || value->node.is_word("none")) return;
-  if (value->node.is_word("deep") || value->node.find("matrix") != nullptr)
-    value->fault("found " + describe(value->node) +
-                 ", but this version computes no added mass; expected none");
+using Model = AddedMassScene::Model;
+const ChoiceRule<Model> kModels = {
+    {{"none", Model::none}, {"deep", Model::deep}, {"surface", Model::surface}}};
+
+std::string model_text(const AddedMassScene& added_mass) {
+  return added_mass.model == Model::matrix    ? "a matrix"
+         : added_mass.model == Model::none    ? "none"
+         : added_mass.model == Model::surface ? "{model: surface}"
+                                              : "deep";
+}
+
+/// A word for the model, or a block with its options.
+void read_added_mass(MapReader& map, AddedMassScene& added_mass) {
+  const std::string expected = "none, deep, {model, tolerance}, or {matrix}";
+  const auto value =
+      map.find_unless_block("added_mass", expected, model_text(added_mass), added_mass);
+  if (!value) return;
+  if (value->node.is_word("none"))
+    added_mass = {.model = Model::none};
+  else if (value->node.is_word("deep"))
+    added_mass = {.model = Model::deep};
   else
-    value->refuse("none");
+    value->refuse(expected);
+}
+
+/// Round-off of a matrix that was computed elsewhere and printed, relative to its largest entry.
+constexpr double kMatrixRoundOff = 1e-9;
+
+/// A fault unless the matrix is one that a fluid can have.
+void check_matrix(MapReader& map, const hydro::Matrix6d& matrix) {
+  const double scale = matrix.cwiseAbs().maxCoeff();
+  Eigen::Index row, column;
+  const double asymmetry = (matrix - matrix.transpose()).cwiseAbs().maxCoeff(&column, &row);
+  if (asymmetry > kMatrixRoundOff * scale)
+    return map.fault(
+        "matrix",
+        fmt::format("found {:g} in row {}, column {}, and {:g} in row {}, column {}; expected a "
+                    "symmetric matrix",
+                    matrix(row, column), row + 1, column + 1, matrix(column, row), column + 1,
+                    row + 1));
+  if (scale == 0) return;
+  const Eigen::SelfAdjointEigenSolver<hydro::Matrix6d> eigen(matrix / scale);
+  const double least = eigen.eigenvalues()[0];
+  if (least < -kMatrixRoundOff)
+    map.fault("matrix", fmt::format("found the eigenvalue {:.6g}, expected a matrix without "
+                                    "negative ones",
+                                    scale * least));
+}
+
+/// Six rows of six. @return true if it was there and right.
+bool read_matrix(MapReader& map, hydro::Matrix6d& matrix) {
+  const std::string expected = "a list of 6 lists of 6 numbers [kg, kg m, kg m^2]";
+  const auto value = map.find("matrix", expected, "");
+  if (!value) return false;
+  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != 6)
+    return value->refuse(expected);
+  bool all = true;
+  for (std::size_t i = 0; i < 6; ++i) {
+    hydro::Vector6d row = hydro::Vector6d::Zero();
+    all = read_numbers(value->item(i), number(), {row.data(), 6}) && all;
+    matrix.row(static_cast<Eigen::Index>(i)) = row;
+  }
+  if (all) check_matrix(map, matrix);
+  return all;
 }
 
 }  // namespace
@@ -98,14 +158,29 @@ void read(MapReader& map, hydro::PressureDrag& drag) {
   map.optional("back", drag.back, not_negative());
 }
 
-void read(MapReader& map, hydro::Coefficients& coefficients) {
-  read_preset(map, coefficients);
-  map.optional("buoyancy", coefficients.buoyancy, TruthRule{});
-  read_pressure_drag(map, coefficients.pressure_drag);
-  read_coefficient(map, "lift", coefficients.lift);
-  read_viscous_drag(map, coefficients.viscous_drag);
-  read_length(map, coefficients.viscous_drag);
-  read_added_mass(map);
+/// The block takes the place of what held before it, as one key.
+void read(MapReader& map, AddedMassScene& added_mass) {
+  added_mass = {.model = Model::deep};
+  map.optional("model", added_mass.model, kModels);
+  map.optional("tolerance", added_mass.tolerance, positive());
+  if (!map.has("matrix")) {
+    if (added_mass.model != Model::deep && map.has("tolerance"))
+      map.fault("tolerance", "is only used with model: deep");
+  } else {
+    for (const char* key : {"model", "tolerance"})
+      if (map.has(key)) map.fault(key, "given beside matrix, which is taken as it is");
+  }
+  if (read_matrix(map, added_mass.matrix)) added_mass.model = Model::matrix;
+}
+
+void read(MapReader& map, HydroScene& hydro) {
+  read_preset(map, hydro);
+  map.optional("buoyancy", hydro.buoyancy, TruthRule{});
+  read_pressure_drag(map, hydro.pressure_drag);
+  read_coefficient(map, "lift", hydro.lift);
+  read_viscous_drag(map, hydro.viscous_drag);
+  read_length(map, hydro.viscous_drag);
+  read_added_mass(map, hydro.added_mass);
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hydro/coefficients.h"
+#include "hydro/spatial.h"
 
 /// @file
 /// A scene as its file says it: one struct a block, one field a key, values checked one by one.
@@ -117,6 +118,26 @@ struct AppliedLoadScene {
   std::optional<Sine> sine;
 };
 
+/// Where a body's added mass comes from.
+struct AddedMassScene {
+  enum class Model {
+    automatic,  ///< `deep` for a body that feels the water.
+    none,
+    deep,     ///< Of the body in unbounded fluid; the wetted panels' share.
+    surface,  ///< With ψ = 0 on the water's surface, the limit of high frequency.
+    matrix    ///< As given.
+  };
+  Model model = Model::automatic;
+  double tolerance = 1e-3;  ///< Of `deep`: of the estimated relative error [-].
+  /// Of `matrix`: about the centre of mass, body axes [kg, kg m, kg m^2].
+  hydro::Matrix6d matrix = hydro::Matrix6d::Zero();
+};
+
+/// The block `hydro`.
+struct HydroScene : hydro::Coefficients {
+  AddedMassScene added_mass;
+};
+
 enum class Collision { automatic, mesh, box, sphere, none };
 
 /// Where a body is at time 0.
@@ -137,7 +158,7 @@ struct BodyScene {
   Start start = Start::given;
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
-  hydro::Coefficients hydro;  ///< The scene's defaults with the body's own keys over them.
+  HydroScene hydro;  ///< The scene's defaults with the body's own keys over them.
   std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;
   std::array<bool, 6> locked = {};
@@ -169,12 +190,19 @@ struct RenderScene {
   std::optional<double> pressure_max;  ///< [Pa]; none: `auto`.
 };
 
+struct IntegratorScene {
+  enum class Method { split, ode };
+  Method method = Method::split;
+  std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
+};
+
 struct Scene {
   std::filesystem::path file;
   std::string title;
   double duration = 0;  ///< [s]; 0: the initial state only.
   double step = 1.0 / 60;
   double gravity = 9.80665;
+  IntegratorScene integrator;
   std::optional<WaterScene> water;
   GroundScene ground;
   std::vector<BodyScene> bodies;

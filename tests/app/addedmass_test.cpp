@@ -3,8 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli.h"
-#include "app/faults.h"
+#include "tests/app/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -26,19 +25,10 @@ std::string mesh_file(const std::string& name) {
   return (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / name).string();
 }
 
-/// What the command line prints, or the fault it throws.
+/// What the command prints, or the fault it throws.
 std::string output_of(std::vector<std::string> words) {
-  words.insert(words.begin(), {"plimsoll", "addedmass"});
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  testing::internal::CaptureStdout();
-  std::string fault;
-  try {
-    EXPECT_EQ(app::command_line(static_cast<int>(argv.size()), argv.data()), 0);
-  } catch (const app::InputError& error) {
-    fault = error.what();
-  }
-  return testing::internal::GetCapturedStdout() + fault;
+  words.insert(words.begin(), "addedmass");
+  return support::output_of(std::move(words));
 }
 
 TEST(AddedMassCommand, TakesBodiesAndWaterOfAScene) {

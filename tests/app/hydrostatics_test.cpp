@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app/assemble.h"
-#include "app/cli.h"
+#include "tests/app/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -168,19 +168,10 @@ TEST(HydrostaticsReport, HasTheSameNumbersInCsvAsInJson) {
   EXPECT_GT(numbers, 70);
 }
 
-/// What the command line prints, or the fault it throws.
+/// What the command prints, or the fault it throws.
 std::string output_of(std::vector<std::string> words) {
-  words.insert(words.begin(), {"plimsoll", "hydrostatics"});
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  testing::internal::CaptureStdout();
-  std::string fault;
-  try {
-    EXPECT_EQ(app::command_line(static_cast<int>(argv.size()), argv.data()), 0);
-  } catch (const app::InputError& error) {
-    fault = error.what();
-  }
-  return testing::internal::GetCapturedStdout() + fault;
+  words.insert(words.begin(), "hydrostatics");
+  return support::output_of(std::move(words));
 }
 
 TEST(HydrostaticsCommand, TakesMassCentreOfMassAndHeelsOfAMesh) {

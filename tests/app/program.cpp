@@ -13,6 +13,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "app/cli.h"
+#include "app/faults.h"
+
 namespace support {
 namespace {
 
@@ -125,6 +128,20 @@ bool wait_until(const std::function<bool()>& condition) {
   return false;
 }
 
+std::string output_of(std::vector<std::string> words) {
+  words.insert(words.begin(), "plimsoll");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  testing::internal::CaptureStdout();
+  std::string fault;
+  try {
+    EXPECT_EQ(app::command_line(static_cast<int>(argv.size()), argv.data()), 0);
+  } catch (const app::InputError& error) {
+    fault = error.what();
+  }
+  return testing::internal::GetCapturedStdout() + fault;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
@@ -137,7 +154,7 @@ std::string falling_box(const std::string& duration, const std::string& more) {
          "\nstep: 0.01\nwater: {}\n"
          "bodies:\n"
          "  - {name: box, box: {size: [1, 1, 1], divisions: 2}, density: 500, "
-         "position: [0, 0, 1]}\n" +
+         "position: [0, 0, 1], hydro: {added_mass: none}}\n" +
          more;
 }
 

@@ -56,10 +56,15 @@ class Workplace {
 /// Waits until the condition holds, for a minute at most. False if it does not.
 bool wait_until(const std::function<bool()>& condition);
 
+/// What the program prints within this process, or the fault it throws.
+/// @param words   Of the command line, without the program's name.
+std::string output_of(std::vector<std::string> words);
+
 /// Lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
-/// A scene of one box that falls into water in steps of 0.01 s, and further keys of the top level.
+/// A scene of one box, without added mass, that falls into water in steps of 0.01 s, and further
+/// keys of the top level.
 std::string falling_box(const std::string& duration, const std::string& more = "");
 
 }  // namespace support

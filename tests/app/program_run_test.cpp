@@ -74,23 +74,23 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   here.write("box.yaml", falling_box("0.5"));
   here.run({"run", "box.yaml"});
   const auto summary = nlohmann::ordered_json::parse(here.read("out/box/summary.json"));
-  EXPECT_THAT(keys(summary),
-              ElementsAre("version", "scene", "title", "ended", "steps", "simulated_seconds",
-                          "real_time_factor", "threads", "wall_seconds", "skipped", "bodies"));
+  EXPECT_THAT(keys(summary), ElementsAre("version", "scene", "title", "ended", "steps",
+                                         "simulated_seconds", "real_time_factor", "threads",
+                                         "warnings", "wall_seconds", "skipped", "bodies"));
   EXPECT_EQ(summary["scene"], "box.yaml");
   EXPECT_EQ(summary["title"], "Falling box");
   EXPECT_EQ(summary["ended"], "completed");
   EXPECT_EQ(summary["steps"], 50);
   EXPECT_EQ(summary["simulated_seconds"], 50 * 0.01);
   EXPECT_THAT(keys(summary["wall_seconds"]),
-              ElementsAre("total", "collision", "hydro", "engine", "render", "log"));
+              ElementsAre("total", "added_mass", "collision", "hydro", "engine", "render", "log"));
   EXPECT_EQ(summary["skipped"]["collision"], true);
   EXPECT_EQ(summary["skipped"]["water"], false);
   EXPECT_EQ(summary["skipped"]["pictures"], "the scene has no render block");
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
   EXPECT_THAT(keys(summary["bodies"]["box"]),
               ElementsAre("triangles", "mass", "loads_not_computed", "steps_above_water",
-                          "steps_at_rest", "steps_with_stiff_drag"));
+                          "steps_at_rest", "motion", "added_mass"));
 }
 
 TEST_F(ProgramRun, DrawsFramesAndASheetOfThoseTimesBeforeTheEnd) {
@@ -160,7 +160,8 @@ TEST_F(ProgramRun, TouchesAGraphicsLibraryWithARenderBlock) {
 std::string busy_scene() {
   std::string text =
       "plimsoll: 1\nduration: 0.5\nground: {z: -1}\n"
-      "water: {surface: {waves: [{amplitude: 0.2, wavelength: 5}]}}\nbodies:\n";
+      "water: {surface: {waves: [{amplitude: 0.2, wavelength: 5}]}}\nhydro: {added_mass: "
+      "none}\nbodies:\n";
   for (int i = 0; i < 12; ++i)
     text += "  - {name: b" + std::to_string(i) +
             ", box: {size: [1, 1, 1], divisions: 10}, density: 700, position: [" +

@@ -27,7 +27,7 @@ std::string every_key() {
          "duration: 010\n"
          "step: +2.5e-3\n"
          "gravity: 1.62\n"
-         "integrator: {}\n"
+         "integrator: {method: split, tolerance: 0.5}\n"
          "water:\n"
          "  density: 1025\n"
          "  viscosity: 1.2e-6\n"
@@ -39,7 +39,8 @@ std::string every_key() {
          "      - {amplitude: 0, wavelength: 1}\n"
          "ground: {z: -10}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
-         " viscous_drag: ittc57, length: 7, added_mass: none}\n"
+         " viscous_drag: ittc57, length: 7,"
+         " added_mass: {model: deep, tolerance: 2e-3}}\n"
          "bodies:\n"
          "  - name: a\n"
          "    mesh: {file: " +
@@ -54,7 +55,9 @@ std::string every_key() {
          "    linear_velocity: [7, 8, 9]\n"
          "    angular_velocity: [-1, -2, -3]\n"
          "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5},"
-         " lift: 1, viscous_drag: ittc57, length: 3, added_mass: none}\n"
+         " lift: 1, viscous_drag: ittc57, length: 3,"
+         " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
+         " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
          "    collision: sphere\n"
          "    lock: [x, yaw]\n"
@@ -94,6 +97,13 @@ std::string picture(const std::string& block) {
 
 std::string shore() {
   return "ground={mesh: {file: " + support::data_folder().string() + "/shore.obj, scale: 3}}";
+}
+
+std::string zero_matrix() {
+  const std::string row = "[0, 0, 0, 0, 0, 0]";
+  std::string rows = row;
+  for (int i = 1; i < 6; ++i) rows += ", " + row;
+  return "{matrix: [" + rows + "]}";
 }
 
 TEST(SceneKeys, TopLevelIsRead) {
@@ -240,6 +250,28 @@ TEST(SceneKeys, APresetIsWhereTheOtherCoefficientsStartFrom) {
   EXPECT_EQ(drag("{pressure_drag: false}"), (hydro::PressureDrag{0, 0}));
 }
 
+TEST(SceneKeys, AddedMassIsReadAsOneKey) {
+  using Model = app::AddedMassScene::Model;
+  const app::Scene scene = read_scene_text(every_key());
+  const app::AddedMassScene& given = scene.bodies[0].hydro.added_mass;
+  EXPECT_EQ(given.model, Model::matrix);
+  EXPECT_EQ(given.matrix.diagonal(), (hydro::Vector6d{6, 5, 4, 3, 2, 1}));
+  EXPECT_EQ(given.matrix(1, 5), 1);
+  EXPECT_EQ(given.matrix(0, 1), 0);
+  EXPECT_EQ(scene.bodies[1].hydro.added_mass.model, Model::deep);
+  EXPECT_EQ(scene.bodies[1].hydro.added_mass.tolerance, 2e-3);
+  const auto read = [](const std::string& value) {
+    return read_scene_text(every_key(), {"bodies[1].hydro.added_mass=" + value})
+        .bodies[1]
+        .hydro.added_mass;
+  };
+  EXPECT_EQ(read("none").model, Model::none);
+  EXPECT_EQ(read("{model: none}").model, Model::none);
+  EXPECT_EQ(read("deep").tolerance, 1e-3);
+  EXPECT_EQ(read("{}").model, Model::deep);
+  EXPECT_EQ(read(zero_matrix()).model, Model::matrix);
+}
+
 TEST(SceneKeys, LocksAndCollisionsAreRead) {
   const app::Scene scene = read_scene_text(every_key());
   EXPECT_EQ(scene.bodies[0].locked, (std::array{true, false, false, false, false, true}));
@@ -309,6 +341,7 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_FALSE(wet.log_every.has_value());
   EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.93, 0.12}));
   EXPECT_EQ(wet.bodies[0].hydro.lift, 0.01);
+  EXPECT_EQ(wet.bodies[0].hydro.added_mass.model, app::AddedMassScene::Model::automatic);
 }
 
 TEST(SceneKeys, AFilesPlaceIsRelativeToTheScene) {
@@ -321,16 +354,19 @@ TEST(SceneKeys, AFilesPlaceIsRelativeToTheScene) {
 /// `bodies[3].lock[0]` → `bodies[].lock`: as the list of keys has it.
 std::string key_of(std::string path) {
   path = std::regex_replace(path, std::regex(R"(\[\d+\])"), "[]");
-  return path.ends_with("[]") ? path.substr(0, path.size() - 2) : path;
+  while (path.ends_with("[]")) path.resize(path.size() - 2);
+  return path;
 }
 
 TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
   std::set<std::string> met;
-  for (const std::vector<std::string>& overrides :
-       std::vector<std::vector<std::string>>{{},
-                                             {kSpectrum, "hydro.pressure_drag={front: 1, back: 2}"},
-                                             {"water.surface={flat: {}}", picture("ground")},
-                                             {picture("water.surface"), shore()}})
+  for (const std::vector<std::string>& overrides : std::vector<std::vector<std::string>>{
+           {},
+           {kSpectrum, "hydro.pressure_drag={front: 1, back: 2}"},
+           {"water.surface={flat: {}}", picture("ground")},
+           {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
+           {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
       if (!path.empty()) met.insert(key_of(path));
   std::set<std::string> listed;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/assemble.h"
+#include "app/assemble_added_mass.h"
 #include "app/scene/reader.h"
 #include "engine/simulation.h"
 
@@ -49,7 +49,11 @@ TEST_P(ShippedScene, IsRight) {
 
 // The simulation refuses states beyond 1e9 by itself; in a second or two nothing goes far.
 TEST_P(ShippedScene, RunsWithinBoundsAndRepeatsItselfBitForBit) {
-  engine::SimulationSpec spec = app::assemble(app::read_scene(kScenes / GetParam())).spec;
+  const app::Scene scene = app::read_scene(kScenes / GetParam());
+  app::Assembly assembly = app::assemble(scene);
+  app::AddedMassStore store(app::cache_folder());
+  app::add_added_mass(scene, assembly, store, true);
+  engine::SimulationSpec& spec = assembly.spec;
   const auto once = first_steps(spec);
   for (const auto& states : once) {
     for (std::size_t i = 0; i < states.size(); ++i) {
