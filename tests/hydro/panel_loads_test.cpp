@@ -7,6 +7,7 @@
 #include "hydro/viscous_drag.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"
+#include "tests/support/repeats.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -183,7 +184,7 @@ TEST(ViscousCoefficient, FollowsTheIttcLineAndIsHeldBelowIt) {
 TEST(ViscousDragLoad, MatchesBruteForceOnTheIttcLine) {
   support::Random random(20);
   for (const double reynolds_per_speed : {1e4, 1e6}) {
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < support::repeats(20); ++i)
       expect_viscous_matches(Case(random), {.law = ViscousDrag::Law::ittc57,
                                             .reynolds_per_speed = reynolds_per_speed});
   }
@@ -191,13 +192,13 @@ TEST(ViscousDragLoad, MatchesBruteForceOnTheIttcLine) {
 
 TEST(ViscousDragLoad, MatchesBruteForceForAConstantCoefficient) {
   support::Random random(16);
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < support::repeats(40); ++i)
     expect_viscous_matches(Case(random), {.law = ViscousDrag::Law::constant, .coefficient = 0.3});
 }
 
 TEST(ViscousDragLoad, MatchesBruteForceAcrossTheKinksOfTheThesisLaw) {
   support::Random random(17);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < support::repeats(40); ++i) {
     Case c(random);
     c.motion.linear *= 0.5;
     c.motion.angular *= 0.5;
@@ -207,7 +208,7 @@ TEST(ViscousDragLoad, MatchesBruteForceAcrossTheKinksOfTheThesisLaw) {
 
 TEST(ViscousDragLoad, MatchesBruteForceWhereTheVelocityPassesThroughZero) {
   support::Random random(18);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < support::repeats(40); ++i) {
     Case c(random);
     const Vector3d inside = 0.2 * c.panel[0] + 0.5 * c.panel[1] + 0.3 * c.panel[2];
     c.motion.linear = -c.motion.angular.cross(inside);
