@@ -1,6 +1,7 @@
 #include "engine/body.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 
@@ -69,6 +70,14 @@ Body make_body(const SimulationSpec& spec, std::size_t index) {
   body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
   body.motion.has_added = !body.motion.added_B.isZero(0);
   return body;
+}
+
+double contact_mass(const Body& body, const Motion& motion) {
+  const double own = body.spec->mass;
+  if (!motion.has_added) return own;
+  const Eigen::Matrix3d added = motion.added_B.topLeftCorner<3, 3>();
+  return own + Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(added, Eigen::EigenvaluesOnly)
+                   .eigenvalues()[2];
 }
 
 Matrix6d inertia_W(const Body& body, const Motion& motion) {

@@ -77,6 +77,9 @@ Surroundings surroundings(const SimulationSpec& spec);
 /// A body at its initial state.
 Body make_body(const SimulationSpec& spec, std::size_t index);
 
+/// What contacts push against: a mass no less than M + A in any direction [kg].
+double contact_mass(const Body& body, const Motion& motion);
+
 /// M + A in W.
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 

@@ -3,6 +3,7 @@
 #include <ode/ode.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -91,6 +92,17 @@ bool explains(const ContactPoint& shallow, const ContactPoint& deep) {
              1.5 * shallow.depth;
 }
 
+/// Least overlap along a world axis of the boxes around two solids [m].
+double box_overlap(dxGeom* first, dxGeom* second) {
+  std::array<dReal, 6> a{}, b{};
+  dGeomGetAABB(first, a.data());
+  dGeomGetAABB(second, b.data());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t low = 0; low < 6; low += 2)
+    least = std::min(least, std::min(a[low + 1], b[low + 1]) - std::max(a[low], b[low]));
+  return least;
+}
+
 bool is_sphere(dxGeom* geom) { return dGeomGetClass(geom) == dSphereClass; }
 
 double extent_of(const std::vector<ContactPoint>& points) {
@@ -109,12 +121,14 @@ void note_near_pair(void* pairs, dxGeom* first, dxGeom* second) {
 
 }  // namespace
 
-std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach) {
+std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach,
+                                            double boxes) {
   std::vector<ContactPoint> touching;
   const auto overlap = [](const ContactPoint& point) { return point.depth > 0; };
   std::copy_if(points.begin(), points.end(), std::back_inserter(touching), overlap);
   const auto artefact = [&](const ContactPoint& point) {
-    return point.depth > reach &&
+    if (point.depth <= reach) return false;
+    return point.depth > 2 * boxes ||
            std::any_of(touching.begin(), touching.end(),
                        [&](const ContactPoint& other) { return explains(other, point); });
   };
@@ -169,6 +183,7 @@ void World::collide(double step) {
   open_ode();
   dJointGroupEmpty(contacts_.get());
   touching_.clear();
+  deepest_contact_ = 0;
   for (const Pair& pair : near_pairs()) join_contacts(pair, step);
 }
 
@@ -187,22 +202,27 @@ bool World::may_touch(const Pair& pair) const {
 }
 
 void World::join_contacts(const Pair& pair, double step) {
-  const std::vector<ContactPoint> all =
-      contact_points(overlaps(geom_of(pair.first), geom_of(pair.second)));
+  dxGeom* first = geom_of(pair.first);
+  dxGeom* second = geom_of(pair.second);
+  const std::vector<ContactPoint> all = contact_points(overlaps(first, second));
   if (all.empty()) return;
   const auto approach = [&](const Eigen::Vector3d& point_W) -> Eigen::Vector3d {
     return velocity_without_contact(pair.first, point_W, step) -
            velocity_without_contact(pair.second, point_W, step);
   };
+  // Ground is a sheet: its box says nothing of how deep a body lies in it.
+  const double boxes =
+      pair.first == kWorld ? std::numeric_limits<double>::infinity() : box_overlap(first, second);
   const double reach = kReachInSteps * step * approach(all.front().position_W).norm();
-  std::vector<ContactPoint> points = without_artefacts(all, reach);
-  if (is_sphere(geom_of(pair.first)) || is_sphere(geom_of(pair.second)))
-    points = holding_a_sphere(std::move(points));
+  std::vector<ContactPoint> points = without_artefacts(all, reach, boxes);
+  if (is_sphere(first) || is_sphere(second)) points = holding_a_sphere(std::move(points));
   const std::vector<std::size_t> kept = representative(points, kContactsOfPair);
   if (kept.empty()) return;
   touching_.push_back(pair);
-  const ContactStiffness stiffness = contact_stiffness(contact_mass(pair), kept.size(), step);
+  const ContactStiffness stiffness =
+      contact_stiffness(unit_ * contact_mass(pair), kept.size(), step);
   for (const std::size_t i : kept) {
+    deepest_contact_ = std::max(deepest_contact_, points[i].depth);
     const dContact contact = contact_joint(points[i], stiffness, approach(points[i].position_W));
     dxJoint* joint = dJointCreateContact(world_.get(), contacts_.get(), &contact);
     dJointAttach(joint, handle_of(pair.first), handle_of(pair.second));

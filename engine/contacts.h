@@ -48,11 +48,14 @@ struct ContactPoint {
 /// Where two meshes overlap by a little, the faces beside the overlap also cut each other, and are
 /// reported with their own normals and depths as large as the body. Such a point is known by a
 /// contact less than a fifth as deep in another direction whose overlap it lies in: pushed out
-/// there, it is out. Points no deeper than `reach` are trusted, points that just touch are not
-/// kept.
+/// there, it is out. So is one more than twice as deep as the pair's boxes overlap, which pushing
+/// the boxes apart undoes: where flat faces meet edge on edge, no sound point may be reported.
+/// Points no deeper than `reach` are trusted, points that just touch are not kept.
 ///
 /// @param reach   Depth that the pair can have gathered within the last steps [m].
-std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach);
+/// @param boxes   Least overlap of boxes around the two, over directions [m]; infinite for a sheet.
+std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach,
+                                            double boxes);
 
 /// The points that hold a sphere: those that are left when it is pushed out of every deeper one.
 ///

@@ -1,6 +1,5 @@
 #include "engine/split_step.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,15 +11,6 @@
 
 namespace engine {
 namespace {
-
-/// What contacts push against: a mass no less than M + A in any direction.
-double contact_mass(const Body& body) {
-  const double own = body.spec->mass;
-  if (!body.motion.has_added) return own;
-  const Eigen::Matrix3d added = body.motion.added_B.topLeftCorner<3, 3>();
-  return own + Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(added, Eigen::EigenvaluesOnly)
-                   .eigenvalues()[2];
-}
 
 /// A member of an island whose added mass is `added_B` at the end of the step.
 ConstrainedBody make_member(Body& body, BodyId id, const Surroundings& around, const Motion& middle,
@@ -89,7 +79,7 @@ void SplitStep::drift_to_middle(double step) {
     const auto id = static_cast<BodyId>(i);
     world_.set_state(id, middle_[i].state);
     world_.set_contact_inertia(
-        id, contact_mass(body),
+        id, contact_mass(body, body.motion),
         body.acceleration_W.value_or(-around_.gravity * Eigen::Vector3d::UnitZ()));
   }
 }

@@ -60,6 +60,8 @@ class World {
   /// Groups of bodies that joints or the last contacts hold to each other, to the ground or to what
   /// cannot move; each ascending, in the order of their first body.
   std::vector<std::vector<BodyId>> islands() const;
+  /// Greatest depth of the last contacts [m].
+  double deepest_contact() const { return deepest_contact_; }
   /// Per body: it is in one of the last contacts.
   std::vector<bool> touching() const;
   /// What the contacts of a body are told of it: how much it resists them [kg], and how it would
@@ -110,7 +112,9 @@ class World {
   double gravity_;
   double lightest_ = std::numeric_limits<double>::infinity();  ///< Least mass or moment of inertia.
   double heaviest_ = 0;                                        ///< Largest mass or moment.
+  double unit_ = 1;  ///< What masses, moments and loads are multiplied with for the solver.
   long compromises_ = 0;
+  double deepest_contact_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
   WorldHandle world_;
   SpaceHandle space_;

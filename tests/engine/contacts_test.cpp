@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
@@ -77,6 +78,8 @@ TEST(ContactsOfASphere, AreBothSidesOfAValley) {
               SizeIs(2));
 }
 
+constexpr double kNoBoxes = std::numeric_limits<double>::infinity();
+
 // A face overlaps the ground by 1 mm; its side face is reported as if to be pushed out sideways.
 std::vector<ContactPoint> face_and_side(double side_depth, double height) {
   return {{.position_W = {0, 0, 0}, .normal_W = Vector3d::UnitZ(), .depth = 0.001},
@@ -84,23 +87,32 @@ std::vector<ContactPoint> face_and_side(double side_depth, double height) {
 }
 
 TEST(ContactArtefacts, AreDeepPointsInTheOverlapOfAShallowOne) {
-  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.0005), 0), SizeIs(1));
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.0005), 0, kNoBoxes), SizeIs(1));
 }
 
 TEST(ContactArtefacts, AreNotPointsElsewhere) {
-  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.1), 0), SizeIs(2));
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.1), 0, kNoBoxes), SizeIs(2));
 }
 
 TEST(ContactArtefacts, AreNotPointsOfLikeDepth) {
-  EXPECT_THAT(engine::without_artefacts(face_and_side(0.004, 0.0005), 0), SizeIs(2));
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.004, 0.0005), 0, kNoBoxes), SizeIs(2));
 }
 
 TEST(ContactArtefacts, AreNotPointsWithinReachOfTheMotion) {
-  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.0005), 1), SizeIs(2));
+  EXPECT_THAT(engine::without_artefacts(face_and_side(0.9, 0.0005), 1, kNoBoxes), SizeIs(2));
+}
+
+TEST(ContactArtefacts, AreDeeperThanTheBoxesOverlap) {
+  const std::vector<ContactPoint> points = face_and_side(0.9, 0.1);
+  EXPECT_THAT(engine::without_artefacts(points, 0, 0.46), SizeIs(2));
+  const auto kept = engine::without_artefacts(points, 0, 0.44);
+  ASSERT_THAT(kept, SizeIs(1));
+  EXPECT_EQ(kept[0].depth, 0.001);
+  EXPECT_THAT(engine::without_artefacts(points, 1, 0.44), SizeIs(2));
 }
 
 TEST(ContactArtefacts, ArePointsThatOnlyTouch) {
-  EXPECT_THAT(engine::without_artefacts({ContactPoint{.depth = 0}}, 1), IsEmpty());
+  EXPECT_THAT(engine::without_artefacts({ContactPoint{.depth = 0}}, 1, kNoBoxes), IsEmpty());
 }
 
 // The spring and damper that ERP and CFM stand for, found back from them.

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/engine/specs.h"
 #include "tests/support/tolerance.h"
 
@@ -54,6 +56,21 @@ TEST(Stack, OfFiveCratesStandsForTwentySeconds) {
       EXPECT_NEAR(state.position.z(), 0.5 + n - sink, tolerance(3e-3));
     }
     EXPECT_LT(fastest(simulation), tolerance(0.02));
+  }
+}
+
+// Flat faces that meet edge on edge have no sound contact points at first, only deep sideways ones.
+TEST(Stack, OfAlignedCratesIsNotThrownApartAsItCloses) {
+  std::vector<BodySpec> crates;
+  for (int i = 0; i < 3; ++i)
+    crates.push_back(crate({0, 0, 0.5 + 1.001 * i}, CollisionShape::mesh));
+  SimulationSpec spec = on_flat_ground(crates);
+  spec.step = 0.001;
+  Simulation simulation(spec);
+  for (int i = 0; i < 500; ++i) {
+    simulation.step();
+    // No more than the fall through both gaps and the contacts' sinking in.
+    EXPECT_LT(fastest(simulation), std::sqrt(2 * support::kGravity * 0.005)) << "step " << i;
   }
 }
 

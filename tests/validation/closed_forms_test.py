@@ -14,6 +14,7 @@ import case  # noqa: E402
 import closed_forms as exact  # noqa: E402
 import convergence  # noqa: E402
 import fit_drag  # noqa: E402
+import meshes  # noqa: E402
 import shadow  # noqa: E402
 import towed_sphere  # noqa: E402
 import uv_sphere  # noqa: E402
@@ -94,6 +95,67 @@ class Box(unittest.TestCase):
         above_keel = np.mean(depth**2 / 2) / volume
         arm = -across * np.cos(heel) + (above_keel - center) * np.sin(heel)
         self.assertAlmostEqual(exact.box_gz(breadth, draft, center, heel), arm, places=8)
+
+
+class AddedMass(unittest.TestCase):
+    def test_lambs_integrals_of_a_spheroid_are_elementary(self):
+        # Prolate, e = sqrt(3)/2: alpha = 2 (1 - e^2)/e^3 (artanh e - e).
+        e = np.sqrt(3) / 2
+        along = 2 * (1 - e**2) / e**3 * (np.arctanh(e) - e)
+        across = 1 / e**2 - (1 - e**2) / e**3 * np.arctanh(e)
+        np.testing.assert_allclose(exact.lamb_integrals((2, 1, 1)), [along, across, across],
+                                   rtol=1e-10)
+        np.testing.assert_allclose(exact.lamb_integrals((3, 2, 1)).sum(), 2, rtol=1e-10)
+
+    def test_a_sphere_has_half_its_mass_and_no_moment(self):
+        np.testing.assert_allclose(exact.lamb_coefficients((2, 2, 2)), [0.5] * 3, rtol=1e-10)
+        self.assertEqual(list(exact.lamb_rotation((2, 2, 2))), [0, 0, 0])
+
+    def test_a_thin_disc_turns_as_lamb_says(self):
+        # Oblate and flat: 16/45 of rho a^5 about a diameter, 8/3 of rho a^3 along the axis; the
+        # thickness c = 1e-3 a adds a part of its own order.
+        volume = 4 / 3 * np.pi * 1e-3
+        self.assertAlmostEqual(exact.lamb_coefficients((1, 1, 1e-3))[2] * volume * 3 / 8, 1, 2)
+        self.assertAlmostEqual(exact.lamb_rotation((1, 1, 1e-3))[0] * volume * 45 / 16, 1, 2)
+
+    def test_munks_moment_follows(self):
+        moment = exact.munk_moment(exact.lamb_coefficients((2, 1, 1)), (2, 1, 1), 1000)
+        self.assertAlmostEqual(moment, 2070.08, 2)
+
+
+class Meshes(unittest.TestCase):
+    def assert_closed(self, mesh):
+        edges = mesh[1][:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        there = sorted(map(tuple, edges.tolist()))
+        self.assertEqual(there, sorted(map(tuple, edges[:, ::-1].tolist())))
+        self.assertEqual(len(there), len(set(there)))
+
+    def test_regular_solids_are_closed_and_have_their_volumes(self):
+        # By edge a: tetrahedron sqrt(2)/12, octahedron sqrt(2)/3, dodecahedron (15 + 7 sqrt(5))/4,
+        # icosahedron 5 (3 + sqrt(5))/12.
+        root = np.sqrt(5)
+        for mesh, faces, coefficient in (
+                (meshes.tetrahedron(), 4, np.sqrt(2) / 12),
+                (meshes.octahedron(), 8, np.sqrt(2) / 3),
+                (meshes.dodecahedron(), 36, (15 + 7 * root) / 4),
+                (meshes.icosahedron(), 20, 5 * (3 + root) / 12)):
+            vertices = mesh[0]
+            gaps = np.linalg.norm(vertices[:, None] - vertices, axis=2)
+            edge = gaps[gaps > 1e-9].min()
+            self.assert_closed(mesh)
+            self.assertEqual(len(mesh[1]), faces)
+            np.testing.assert_allclose(meshes.volume(mesh), coefficient * edge**3, rtol=1e-12)
+
+    def test_round_meshes_are_closed_and_tend_to_their_bodies(self):
+        sphere = meshes.geodesic_sphere(7)
+        self.assert_closed(sphere)
+        self.assertEqual([len(part) for part in sphere], [10 * 49 + 2, 20 * 49])
+        np.testing.assert_allclose(np.linalg.norm(sphere[0], axis=1), 1, rtol=1e-14)
+        lacks = [4 / 3 * np.pi - meshes.volume(meshes.geodesic_sphere(n)) for n in (8, 16)]
+        self.assertAlmostEqual(lacks[0] / lacks[1], 4, delta=0.05)  # Of the second order.
+        torus = meshes.torus_of_volume(1, 0.3, 56, 18)
+        self.assert_closed(torus)
+        np.testing.assert_allclose(meshes.volume(torus), 2 * np.pi**2 * 0.09, rtol=1e-12)
 
 
 class BluffBodies(unittest.TestCase):

@@ -20,6 +20,8 @@ kKinds = {
             "there is one mesh, the case argues the bound.",
     "step": "Steps of time stand for time. As with meshes, with three steps that halve; the order "
             "may be higher than the one that is judged.",
+    "goal": "The program chooses its own panels, so that meshes cannot be halved: the tolerance is "
+            "the accuracy that is asked of the method, set before it was measured.",
     "raster": "The reference itself is counted on a raster of points; the case argues its error.",
     "statistical": "A finite sample stands for a distribution: the tolerance is exceeded once in "
                    "ten thousand times by chance.",

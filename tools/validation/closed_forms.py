@@ -123,6 +123,48 @@ def cube_corner_shift() -> float:
     return 9 / np.sqrt(8)
 
 
+# Added mass --------------------------------------------------------------------------------------
+
+kLambAxes = ((2, 1, 1), (3, 2, 1))  # Semi-axes of the ellipsoids that are compared [m].
+
+
+def lamb_integrals(axes) -> np.ndarray:
+    """alpha_i = abc times the integral of dl / ((a_i^2 + l) sqrt((a^2 + l)(b^2 + l)(c^2 + l))) over
+    l > 0; their sum is 2. With l = (t/(1 - t))^2 the integrand is smooth on (0, 1)."""
+    squares = np.array(axes, float)[:, None]**2
+
+    def integrand(t, i):
+        u = t / (1 - t)
+        root = np.sqrt(np.prod(squares + u**2, axis=0))
+        return 2 * u / (1 - t)**2 / ((squares[i] + u**2) * root)
+
+    return np.array([np.prod(axes) * quadrature(lambda t: integrand(t, i), 0, 1)
+                     for i in range(3)])
+
+
+def lamb_coefficients(axes) -> np.ndarray:
+    """Added mass of an ellipsoid along its axes, over rho V."""
+    alpha = lamb_integrals(axes)
+    return alpha / (2 - alpha)
+
+
+def lamb_rotation(axes) -> np.ndarray:
+    """Added moment of inertia about its axes, over rho V [m^2]: Lamb, Hydrodynamics, 115."""
+    alpha, squares = lamb_integrals(axes), np.array(axes, float)**2
+    moments = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        lever, swing = squares[j] - squares[k], alpha[k] - alpha[j]
+        both = squares[j] + squares[k]
+        moments.append(lever**2 * swing / (2 * lever - both * swing) / 5 if lever else 0.0)
+    return np.array(moments)
+
+
+def munk_moment(coefficients, axes, density: float) -> float:
+    """Of an ellipsoid at 1 m/s, 45 degrees from its first axis towards the second [N m]."""
+    return 0.5 * (coefficients[1] - coefficients[0]) * density * 4 / 3 * np.pi * np.prod(axes)
+
+
 # Motion ------------------------------------------------------------------------------------------
 
 def heave_period(radius: float, mass: float, density: float, gravity: float,

@@ -36,6 +36,7 @@ class Body:
     pressure_drag: Load
     viscous_drag: Load
     lift: Load
+    added_mass: np.ndarray | None  # 6 x 6, about the centre of mass; None without a model.
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,7 @@ def _body(entry: dict) -> Body:
     return Body(
         com=np.array(entry["com"]), mass=entry["mass"], inertia=np.array(entry["inertia"]),
         volume=entry["displaced_volume"],
+        added_mass=None if entry["added_mass"] is None else np.array(entry["added_mass"]),
         **{name: _load(entry[name])
            for name in ("buoyancy", "pressure_drag", "viscous_drag", "lift")})
 
@@ -102,6 +104,12 @@ class Plimsoll:
         """How the scene's only body floats, as the program prints it; heels as FIRST:LAST:STEP."""
         text = self._call("hydrostatics", self._scene(scene), "--heel", heels, "--json",
                           *_set_options(overrides or {}))
+        return next(iter(json.loads(text)["bodies"].values()))
+
+    def added_mass(self, file: Path, *options: str) -> dict:
+        """Of a mesh file's or scene's only body, wholly submerged and solved anew, as the program
+        prints it: SI, body axes, about the centre of mass."""
+        text = self._call("addedmass", str(file), "--json", "--no-store", *options)
         return next(iter(json.loads(text)["bodies"].values()))
 
     def run(self, scene: str | Path, name: str,

@@ -5,7 +5,7 @@ import numpy as np
 from case import Case, Curve, Plot, Result, Row, compare
 from closed_forms import (cube_spin_pressure_torque, cube_spin_viscous_torque, integrate,
                           sphere_spin_torque)
-from convergence import extrapolated, mesh_rows, track_rows
+from convergence import mesh_rows, track_rows
 from plimsoll import Plimsoll
 from uv_sphere import SpinningSphere
 
@@ -52,54 +52,54 @@ def sphere_torque(plimsoll: Plimsoll, count: int, law) -> float:
 
 kCount = 24  # Slices and stacks of the sphere that is compared.
 kTimes = np.linspace(0, 10, 501)
-kReleased = 0.2  # After the torque of the scene has ended [s].
+kSpin = 5.4  # What the torque of the scene leaves, about [rad/s].
+kSpinning = {"bodies[0].angular_velocity": [0, 0, kSpin], "bodies[0].forces": []}
 kSteps = (0.01, 0.005, 0.0025)
 kDensityError = 0.01  # What the comparison must be able to see.
 
 
-def decay(torque, times: np.ndarray, start: float) -> np.ndarray:
-    """Angular velocity of the scene's sphere [rad/s], by 16 steps between two of the times."""
+def decay(torque, start: float, push: float = 0) -> np.ndarray:
+    """Angular velocity of the scene's sphere at kTimes [rad/s], by 16 steps between two of them;
+    `push` [N m] for the first tenth of a second."""
     moment = SpinningSphere(1, kCount, kCount).moment_of_inertia(550)
-    applied = lambda t: 50000 if t < 0.1 else 0
-    fine = np.linspace(times[0], times[-1], 16 * (len(times) - 1) + 1)
+    applied = lambda t: push if t < 0.1 else 0
+    fine = np.linspace(kTimes[0], kTimes[-1], 16 * (len(kTimes) - 1) + 1)
     return integrate(lambda t, w: (applied(t) - np.sign(w) * torque(w)) / moment, start, fine)[::16]
 
 
-def spin_down(plimsoll: Plimsoll, law, step: float, density: float = 1000) -> np.ndarray:
+def spin_down(plimsoll: Plimsoll, law, step: float, changes: dict) -> np.ndarray:
     """The same by the program at kTimes, without the pressure drag of the facets."""
-    track = plimsoll.run_one(kSphere, f"decay_{law}_{step}_{density:g}", {
+    name = f"decay_{law}_{step}_{changes.get('water.density', '')}_{len(changes)}"
+    track = plimsoll.run_one(kSphere, name, {
         "hydro.viscous_drag": law, "hydro.pressure_drag": False, "step": step, "log.every": 0.02,
-        "water.density": density, "bodies[0].sphere.slices": kCount,
-        "bodies[0].sphere.stacks": kCount})
+        "bodies[0].sphere.slices": kCount, "bodies[0].sphere.stacks": kCount, **changes})
     return np.interp(kTimes, track.t, track.angular_velocity[:, 2])
 
 
 def measure_decay(plimsoll: Plimsoll) -> Result:
-    """From its release on, the reference starts at the angular velocity that the program has
-    there. With constant C_v the spin-up is compared too; with the thesis's C_v friction acts for
-    two or three steps of it only, too few to extrapolate from."""
+    """The spin-up is compared with constant C_v alone: friction by the thesis's C_v acts for two
+    or three steps of it only, too few to extrapolate from. What is lost afterwards is measured on
+    a sphere that starts at kSpin."""
     polyhedron = SpinningSphere(1, kCount, kCount)
     laws = (("C_v = 0.1", 0.1, lambda w: polyhedron.torque(w, 1000, 0.1), 1e-9, "k-"),
             ("C_v of the thesis", "thesis", lambda w: polyhedron.torque_of_thesis_law(w, 1000),
              kKinks, "k--"))
     result = Result()
     curves = []
-    after = kTimes >= kReleased
     for name, law, torque, floor, style in laws:
-        tracks = [spin_down(plimsoll, law, step) for step in kSteps]
         if law == 0.1:
+            spun_up = [spin_down(plimsoll, law, step, {}) for step in kSteps]
             result.rows += track_rows(f"angular velocity, {name}, spin-up and decay", "rad/s",
-                                      decay(torque, kTimes, 0), tracks, floor)
-        lost = [track[after] - track[after][0] for track in tracks]
-        start, _ = extrapolated([track[after][0] for track in tracks], 1)
-        exact = decay(torque, kTimes[after], start)
-        rows = track_rows(f"angular velocity lost, {name}", "rad/s", exact - exact[0], lost, floor,
+                                      decay(torque, 0, push=50000), spun_up, floor)
+        lost = [spin_down(plimsoll, law, step, kSpinning) - kSpin for step in kSteps]
+        exact = decay(torque, kSpin)
+        rows = track_rows(f"angular velocity lost, {name}", "rad/s", exact - kSpin, lost, floor,
                           headline=True)
         result.rows += [*rows, density_row(plimsoll, law, name, lost[2], rows[0])]
-        curves += [Curve(f"polyhedron, {name}", kTimes[after], exact, style),
-                   Curve(f"ours, {name}", kTimes[::12], tracks[2][::12], "o")]
+        curves += [Curve(f"polyhedron, {name}", kTimes, exact, style),
+                   Curve(f"ours, {name}", kTimes[::12], kSpin + lost[2][::12], "o")]
     free = plimsoll.run_one(kSphere, "decay_none", {"hydro.viscous_drag": False,
-                                                    "log.every": 0.02})
+                                                    "log.every": 0.02, **kSpinning})
     curves.append(Curve("ours, pressure drag alone", free.t[::12],
                         free.angular_velocity[::12, 2], "+"))
     result.plots.append(Plot("Spin-down of a sphere", "time [s]", "angular velocity [rad/s]",
@@ -110,8 +110,9 @@ def measure_decay(plimsoll: Plimsoll) -> Result:
 def density_row(plimsoll: Plimsoll, law, name: str, right: np.ndarray, row: Row) -> Row:
     """That water 1 % too dense would fail the row: it moves the loss by more than twice the
     tolerance."""
-    wrong = spin_down(plimsoll, law, kSteps[2], 1000 * (1 + kDensityError))[kTimes >= kReleased]
-    times = float(np.abs(wrong - wrong[0] - right).max() / np.ptp(right) / row.tolerance)
+    dense = {**kSpinning, "water.density": 1000 * (1 + kDensityError)}
+    wrong = spin_down(plimsoll, law, kSteps[2], dense) - kSpin
+    times = float(np.abs(wrong - right).max() / np.ptp(right) / row.tolerance)
     return Row(f"what 1 % more density does, over the tolerance, {name}, at least", "–", 2, times,
                max(0.0, 2 - times), 0.0)
 

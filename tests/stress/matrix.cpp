@@ -1,0 +1,115 @@
+#include "tests/stress/matrix.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+namespace stress {
+namespace {
+
+constexpr std::size_t kHypercubeRuns = 1650;
+
+std::vector<RunName> bases() {
+  std::vector<RunName> runs;
+  for (const char* text : {
+           "shape=cube density=0.5 size=1 speed=10",
+           "shape=shell density=0.001 size=1 speed=0 start=deep",
+           "shape=plate density=8 size=0.1 speed=100 entry=slant",
+           "shape=needle density=0.5 size=10 speed=30 spin=10",
+           "shape=ball density=8 size=0.001 speed=300 step=1/15",
+           "shape=teapot density=0.5 size=1 speed=1 water=steep",
+           "shape=ball density=0.1 start=deep speed=0 with=pinned",
+           "shape=cube density=2 speed=0 pose=flat start=half with=floor",
+           "shape=cube density=2 speed=0 pose=flat start=half with=stack",
+           "shape=cube density=0.5 speed=1 start=deep with=chain",
+       })
+    runs.push_back(parse_run(text));
+  return runs;
+}
+
+/// Every base, and it with each value of each parameter.
+std::vector<RunName> one_at_a_time() {
+  std::vector<RunName> runs;
+  for (const RunName& base : bases()) {
+    runs.push_back(base);
+    for (const Dimension& dimension : dimensions())
+      for (const std::string& value : dimension.values)
+        if (value != base[dimension.key]) runs.push_back(base.with(dimension.key, value));
+  }
+  return runs;
+}
+
+/// Runs in which every value of a parameter occurs equally often, in random combinations.
+std::vector<RunName> hypercube() {
+  std::mt19937 random(20140601);
+  std::vector<RunName> runs(kHypercubeRuns);
+  for (const Dimension& dimension : dimensions()) {
+    std::vector<std::size_t> order(runs.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    // The standard library's shuffle is not the same everywhere.
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      runs[i] = runs[i].with(dimension.key, dimension.values[order[i] % dimension.values.size()]);
+  }
+  for (RunName& run : runs) run = run.with(Key::steps, "100");
+  return runs;
+}
+
+/// A minute in the water with A/m far on both sides of one.
+std::vector<RunName> heavy_water() {
+  std::vector<RunName> runs;
+  const RunName base = parse_run("density=0.5 speed=1 spin=1 start=deep steps=3600");
+  for (const char* with : {"free", "hinged", "pinned", "chain", "wall"})
+    for (const char* added : {"0.5", "1", "2", "10", "100", "1000"})
+      runs.push_back(base.with(Key::with, with).with(Key::added, added));
+  return runs;
+}
+
+std::vector<RunName> great_teapots() {
+  std::vector<RunName> runs;
+  for (const char* text : {
+           "density=0.5 speed=10",
+           "density=0.5 speed=10 step=1/15",
+           "density=0.001 speed=0 start=deep",
+           "density=8 speed=300 size=0.1",
+           "density=20 speed=30 size=300",
+           "density=0.5 spin=300 speed=1",
+           "density=0.5 coefs=x100 speed=30",
+           "density=0.5 speed=1 water=steep start=half",
+           "density=0.5 speed=1 water=breaking start=half",
+           "density=0.1 speed=0 start=deep with=pinned",
+           "density=2 speed=0 start=half with=floor",
+           "density=0.5 speed=1 with=chain",
+       })
+    runs.push_back(
+        parse_run(text).with(Key::shape, "teapot80k").with(Key::added, "1").with(Key::steps, "30"));
+  return runs;
+}
+
+using Part = std::vector<RunName> (*)();
+
+/// Each part of the matrix, and of how many of its runs one is in the subset.
+constexpr std::pair<Part, std::size_t> kParts[] = {
+    {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 5}, {great_teapots, 6}};
+
+std::vector<RunName> every_once(std::vector<std::size_t> strides) {
+  std::vector<RunName> runs;
+  for (std::size_t p = 0; p < std::size(kParts); ++p) {
+    const std::vector<RunName> part = kParts[p].first();
+    for (std::size_t i = 0; i < part.size(); i += strides[p])
+      if (std::find(runs.begin(), runs.end(), part[i]) == runs.end()) runs.push_back(part[i]);
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::vector<RunName> whole_matrix() { return every_once({1, 1, 1, 1}); }
+
+std::vector<RunName> subset() {
+  std::vector<std::size_t> strides;
+  for (const auto& part : kParts) strides.push_back(part.second);
+  return every_once(strides);
+}
+
+}  // namespace stress

@@ -1,0 +1,115 @@
+#include "tests/stress/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace stress {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Differs between two builds of a program.
+std::string build_mark(const fs::path& program) {
+  return fmt::format("# {} bytes, built at {}", fs::file_size(program),
+                     fs::last_write_time(program).time_since_epoch().count());
+}
+
+std::vector<Result> read_results(const fs::path& file, const std::string& mark) {
+  std::ifstream in(file);
+  std::string line;
+  if (!std::getline(in, line) || line != mark) return {};
+  std::getline(in, line);  // the columns
+  std::vector<Result> results;
+  while (std::getline(in, line)) {
+    if (in.eof()) break;  // interrupted in the middle of a line
+    const std::size_t comma = line.find(',');
+    results.push_back({parse_run(line.substr(0, comma)), outcome_from_csv(line.substr(comma + 1))});
+  }
+  return results;
+}
+
+/// The runs that share a parameter's value, as a line of the table.
+struct Line {
+  long runs = 0, failed = 0, judged = 0;
+  double rise = 0;
+  long pieces = 0, solutions = 0;
+  long unconverged = 0, braked = 0;
+
+  void add(const Outcome& outcome) {
+    ++runs;
+    failed += !outcome.fault.empty();
+    judged += outcome.judged;
+    rise = std::max(rise, outcome.rise);
+    pieces = std::max(pieces, outcome.pieces);
+    solutions = std::max(solutions, outcome.solutions);
+    unconverged += outcome.unconverged > 0;
+    braked += outcome.braked > 0;
+  }
+  std::string text(const std::string& key, const std::string& value) const {
+    return fmt::format(
+        "| {:8} | {:10} | {:5} | {:6} | {:6} | {:10.2e} | {:6} | {:9} | {:11} | {:6} |\n", key,
+        value, runs, failed, judged, rise, pieces, solutions, unconverged, braked);
+  }
+};
+
+/// The values of a parameter in the order of the matrix, and after them others that were run.
+std::vector<std::string> values_of(const Dimension& dimension, const std::vector<Result>& results) {
+  std::vector<std::string> values = dimension.values;
+  for (const Result& result : results)
+    if (std::find(values.begin(), values.end(), result.run[dimension.key]) == values.end())
+      values.push_back(result.run[dimension.key]);
+  return values;
+}
+
+}  // namespace
+
+ResultFile::ResultFile(const fs::path& folder, const fs::path& program) {
+  fs::create_directories(folder);
+  const fs::path file = folder / "stress.csv";
+  const std::string mark = build_mark(program);
+  earlier_ = read_results(file, mark);
+  out_.open(file);
+  out_ << mark << "\nrun," << kOutcomeColumns << '\n';
+  for (const Result& result : earlier_)
+    out_ << result.run.text() << ',' << to_csv(result.outcome) << '\n';
+  out_.flush();
+  if (!out_) throw std::runtime_error(fmt::format("{} cannot be written", file.string()));
+}
+
+void ResultFile::add(const Result& result) {
+  out_ << result.run.text() << ',' << to_csv(result.outcome) << '\n';
+  out_.flush();
+  if (!out_) throw std::runtime_error("a result cannot be written");
+}
+
+std::string table(const std::vector<Result>& results) {
+  std::string text =
+      "|          | value      |  runs | failed | judged | worst rise | pieces | solutions | "
+      "unconverged | braked |\n"
+      "| -------- | ---------- | ----: | -----: | -----: | ---------: | -----: | --------: | "
+      "----------: | -----: |\n";
+  Line all;
+  for (const Dimension& dimension : dimensions()) {
+    for (const std::string& value : values_of(dimension, results)) {
+      Line line;
+      for (const Result& result : results)
+        if (result.run[dimension.key] == value) line.add(result.outcome);
+      if (line.runs > 0) text += line.text(dimension.name, value);
+    }
+  }
+  for (const Result& result : results) all.add(result.outcome);
+  return text + all.text("all", "");
+}
+
+std::string failures(const std::vector<Result>& results, const std::string& program) {
+  std::string text;
+  for (const Result& result : results)
+    if (!result.outcome.fault.empty())
+      text += fmt::format("FAILED {}\n  {} --run '{}'\n", result.outcome.fault, program,
+                          result.run.text());
+  return text;
+}
+
+}  // namespace stress

@@ -1,0 +1,93 @@
+#include "tests/stress/scenario.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "tests/stress/arrangement.h"
+#include "tests/stress/shapes.h"
+#include "tests/stress/waters.h"
+
+namespace stress {
+namespace {
+
+constexpr double kWater = 1000;  // [kg/m^3]
+
+hydro::Coefficients coefficients(const std::string& name) {
+  hydro::Coefficients c{.lift = 0};
+  if (name == "default") return c;
+  if (name == "thesis") {
+    c = hydro::thesis_coefficients();
+    c.lift = 0;
+  } else if (name == "none") {
+    c.pressure_drag = {0, 0};
+    c.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  } else if (name == "lift") {
+    c.lift = hydro::Coefficients().lift;
+  } else if (name == "x100" || name == "x100lift") {
+    c.pressure_drag = {100 * c.pressure_drag.front, 100 * c.pressure_drag.back};
+    c.viscous_drag = {.law = hydro::ViscousDrag::Law::constant, .coefficient = 10};
+    c.lift = name == "x100" ? 0 : 100 * hydro::Coefficients().lift;
+  } else {
+    throw std::invalid_argument(fmt::format("'{}' is no set of coefficients", name));
+  }
+  return c;
+}
+
+Eigen::Vector3d direction(const std::string& entry) {
+  if (entry == "down") return -Eigen::Vector3d::UnitZ();
+  if (entry == "slant") return Eigen::Vector3d(0.7, 0.1, -0.7).normalized();
+  if (entry == "skim") return Eigen::Vector3d(0.98, 0.17, -0.1).normalized();
+  throw std::invalid_argument(fmt::format("'{}' is no direction of entry", entry));
+}
+
+/// No symmetry plane of a body is vertical, or all are that can be.
+Eigen::Quaterniond orientation(const std::string& pose) {
+  if (pose == "flat") return Eigen::Quaterniond::Identity();
+  if (pose == "tilted")
+    return Eigen::Quaterniond(
+        Eigen::AngleAxisd(0.7, Eigen::Vector3d(0.48, 0.36, 0.8).normalized()));
+  throw std::invalid_argument(fmt::format("'{}' is no pose", pose));
+}
+
+/// Height of the centre of mass.
+double height(const RunName& run, double size, double reach_down) {
+  const std::string& start = run[Key::start];
+  if (start == "above") return reach_down + 0.01 * size;
+  if (start == "half") return 0;
+  if (start == "deep") return -3 * size;
+  throw std::invalid_argument(fmt::format("'{}' is no place to start", start));
+}
+
+engine::BodySpec make_body(const RunName& run, const Shape& shape, double size) {
+  engine::BodySpec body{.name = "body", .mesh_B = shape.mesh_B};
+  body.mass = run.number(Key::density) * kWater * shape.volume;
+  body.inertia_B = body.mass * shape.inertia;
+  body.coefficients = coefficients(run[Key::coefs]);
+  body.added_mass = make_added_mass(run[Key::added], run[Key::shape], size, body);
+  hydro::BodyState& state = body.initial;
+  state.orientation = orientation(run[Key::pose]);
+  state.position.z() = height(run, size, -lowest(body));
+  state.linear_velocity = run.number(Key::speed) * direction(run[Key::entry]);
+  state.angular_velocity = run.number(Key::spin) * Eigen::Vector3d(0.36, 0.48, 0.8);
+  return body;
+}
+
+}  // namespace
+
+Scenario make_scenario(const RunName& run) {
+  Scenario scenario{.size = run.number(Key::size)};
+  const Shape shape = make_shape(run[Key::shape], scenario.size);
+  scenario.volume = shape.volume;
+  scenario.steps = static_cast<long>(run.number(Key::steps));
+  scenario.spec.step = run.number(Key::step);
+  scenario.spec.sea = make_water(run[Key::water], scenario.size);
+  arrange(run[Key::with], make_body(run, shape, scenario.size), scenario);
+  const bool streams = !scenario.spec.sea->current.isZero(0);
+  const bool freely = run[Key::with] == "free";
+  scenario.passive = hydro::is_flat(*scenario.spec.sea) &&
+                     scenario.spec.bodies[0].coefficients.lift == 0 && (!streams || freely);
+  return scenario;
+}
+
+}  // namespace stress

@@ -1,0 +1,122 @@
+#include "tests/stress/shapes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "app/added_mass_store.h"
+#include "app/mesh_io.h"
+#include "hydro/constant_added_mass.h"
+#include "hydro/mass_properties.h"
+#include "hydro/primitives.h"
+#include "hydro/wetted_added_mass.h"
+#include "tests/stress/run_name.h"
+
+namespace stress {
+namespace {
+
+// Accurate enough to stress the mechanics with, and solved in a second.
+constexpr hydro::AddedMassOptions kSolver{.tolerance = 0.02, .most_panels = 1500};
+
+hydro::TriMesh stored_mesh(const std::string& name) {
+  return app::read_mesh(std::string(PLIMSOLL_SOURCE_DIR) + "/scenes/meshes/" + name + ".obj");
+}
+
+/// Every triangle cut in four at the middles of its edges.
+hydro::TriMesh quartered(const hydro::TriMesh& mesh) {
+  std::map<std::pair<int, int>, int> middles;
+  std::vector<Eigen::Vector3d> added;
+  const auto middle = [&](int a, int b) {
+    const int next = static_cast<int>(mesh.vertex_count()) + static_cast<int>(added.size());
+    const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), next);
+    if (is_new) added.push_back((mesh.vertices.col(a) + mesh.vertices.col(b)) / 2);
+    return place->second;
+  };
+  hydro::TriMesh fine{.vertices = mesh.vertices,
+                      .faces = Eigen::Matrix3Xi(3, 4 * mesh.faces.cols())};
+  for (Eigen::Index f = 0; f < mesh.face_count(); ++f) {
+    const int a = mesh.faces(0, f), b = mesh.faces(1, f), c = mesh.faces(2, f);
+    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    fine.faces.middleCols<4>(4 * f) << a, b, c, ab,  //
+        ab, bc, ca, bc,                              //
+        ca, ab, bc, ca;
+  }
+  fine.vertices.conservativeResize(3,
+                                   mesh.vertex_count() + static_cast<Eigen::Index>(added.size()));
+  for (std::size_t i = 0; i < added.size(); ++i)
+    fine.vertices.col(mesh.vertex_count() + static_cast<Eigen::Index>(i)) = added[i];
+  return fine;
+}
+
+hydro::TriMesh raw_mesh(const std::string& name) {
+  if (name == "cube") return hydro::make_box({1, 1, 1});
+  if (name == "ball" || name == "shell") return hydro::make_icosphere(0.5, 2);
+  if (name == "plate") return hydro::make_box({1, 1, 0.01});
+  if (name == "needle") return hydro::make_box({1, 0.01, 0.01});
+  if (name == "teapot") return stored_mesh("teapot_1k");
+  if (name == "teapot80k") return quartered(stored_mesh("teapot_20k"));
+  throw std::invalid_argument(fmt::format("'{}' is no shape", name));
+}
+
+/// Largest extent 1, the centre of the volume in the origin.
+hydro::TriMesh unit_mesh(const std::string& name) {
+  const hydro::TriMesh mesh = raw_mesh(name);
+  const Eigen::Vector3d center = hydro::solid_properties(mesh).centroid;
+  return hydro::scaled(hydro::translated(mesh, -center),
+                       1 / hydro::bounding_box(mesh).sizes().maxCoeff());
+}
+
+/// The solution of a mesh `size` times as large: φ grows with it, and once more for a rotation.
+hydro::AddedMassSolution scaled_solution(hydro::AddedMassSolution solution, double size) {
+  hydro::Vector6d arm;
+  arm << 1, 1, 1, size, size, size;
+  solution.matrix = std::pow(size, 3) * arm.asDiagonal() * solution.matrix * arm.asDiagonal();
+  for (hydro::CornerPotentials& potentials : solution.potentials)
+    potentials = size * arm.asDiagonal() * potentials;
+  return solution;
+}
+
+std::shared_ptr<const hydro::AddedMassModel> deep(const std::string& shape, double size,
+                                                  const engine::BodySpec& body) {
+  const hydro::TriMesh unit = unit_mesh(shape);
+  app::AddedMassStore store(app::cache_folder());
+  auto stored = store.find(unit, kSolver);
+  if (!stored) stored = store.keep(unit, kSolver, hydro::solve_added_mass(unit, kSolver));
+  return std::make_shared<hydro::WettedAddedMass>(body.mesh_B,
+                                                  scaled_solution(*stored->solution, size));
+}
+
+std::shared_ptr<const hydro::AddedMassModel> given(double ratio, const engine::BodySpec& body) {
+  const Eigen::Vector3d moments = body.inertia_B.diagonal();
+  hydro::Vector6d diagonal;
+  diagonal << body.mass, body.mass / 2, body.mass / 4, moments.x() / 2, moments.y(),
+      moments.z() / 4;
+  hydro::Matrix6d A = (ratio * diagonal).asDiagonal();
+  A(0, 4) = A(4, 0) = 0.3 * std::sqrt(A(0, 0) * A(4, 4));
+  return std::make_shared<hydro::ConstantAddedMass>(body.mesh_B, A);
+}
+
+}  // namespace
+
+Shape make_shape(const std::string& name, double size) {
+  Shape shape{.mesh_B = hydro::scaled(unit_mesh(name), size)};
+  const hydro::SolidProperties solid = hydro::solid_properties(shape.mesh_B);
+  // A thin shell has 2/3 m r², a solid ball 2/5 m r².
+  const double hollow = name == "shell" ? 5.0 / 3 : 1;
+  shape.volume = solid.volume;
+  shape.inertia = hollow / solid.volume * solid.inertia;
+  return shape;
+}
+
+std::shared_ptr<const hydro::AddedMassModel> make_added_mass(const std::string& added,
+                                                             const std::string& shape, double size,
+                                                             const engine::BodySpec& body) {
+  if (added == "none") return nullptr;
+  if (added == "deep") return deep(shape, size, body);
+  return given(RunName().with(Key::added, added).number(Key::added), body);
+}
+
+}  // namespace stress

@@ -1,0 +1,151 @@
+#include "tests/stress/watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/energy.h"
+#include "engine/faults.h"
+#include "tests/stress/waters.h"
+
+namespace stress {
+namespace {
+
+engine::Motion motion_of(const engine::Body& body, const engine::Surroundings& around,
+                         const hydro::BodyState& state) {
+  engine::Motion motion{.state = state};
+  if (body.adds) motion.added_B = body.spec->added_mass->at(state, *around.sea, 0);
+  motion.has_added = body.adds;
+  return motion;
+}
+
+double kinetic_energy(const engine::Body& body, const engine::Surroundings& around,
+                      const engine::Motion& motion) {
+  const engine::Vector6d u = engine::velocity(motion.state, around.current());
+  return u.dot(engine::inertia_W(body, motion) * u) / 2;
+}
+
+}  // namespace
+
+Watch::Watch(const Scenario& scenario)
+    : scenario_(scenario), world_(scenario.spec.gravity), paths_(scenario.spec.bodies.size()) {
+  for (const engine::BodySpec& body : scenario_.spec.bodies) world_.add_body(body);
+  for (const engine::JointSpec& joint : scenario_.spec.joints) world_.add_joint(joint);
+  world_.add_ground(scenario_.spec.ground);
+  around_ = engine::surroundings(scenario_.spec);
+  std::vector<hydro::BodyState> states;
+  for (std::size_t i = 0; i < scenario_.spec.bodies.size(); ++i) {
+    bodies_.push_back(engine::make_body(scenario_.spec, i));
+    const engine::Motion& motion = bodies_[i].motion;
+    states.push_back(motion.state);
+    initial_energies_.push_back(kinetic_energy(bodies_[i], around_, motion));
+    weight_ +=
+        (scenario_.spec.bodies[i].mass + around_.sea->density * scenario_.volume) * around_.gravity;
+  }
+  smallest_scale_ = kSmallestScale * weight_ * scenario_.size;
+  if (!scenario_.passive) return;
+  const Energy energy = find_energy(states);
+  energy_ = lowest_ = highest_ = energy.total();
+  lowest_potential_ = energy.potential;
+}
+
+double Watch::overlap_energy(const std::vector<engine::Motion>& motions) {
+  if (!world_.can_collide()) return 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].movable) continue;
+    const auto id = static_cast<engine::BodyId>(i);
+    world_.set_state(id, motions[i].state);
+    world_.set_contact_inertia(id, engine::contact_mass(bodies_[i], motions[i]),
+                               Eigen::Vector3d::Zero());
+  }
+  world_.collide(scenario_.spec.step);
+  return weight_ * static_cast<double>(bodies_.size()) * world_.deepest_contact();
+}
+
+Watch::Energy Watch::find_energy(const std::vector<hydro::BodyState>& states) {
+  Energy sum;
+  std::vector<engine::Motion> motions;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    motions.push_back(motion_of(bodies_[i], around_, states[i]));
+    if (!bodies_[i].movable) continue;
+    const engine::Motion& motion = motions.back();
+    const double kinetic = kinetic_energy(bodies_[i], around_, motion);
+    sum.kinetic += kinetic;
+    sum.potential += engine::energy(bodies_[i], around_, motion) - kinetic;
+  }
+  sum.potential -= scenario_.push.dot(states[0].position);
+  sum.overlap = overlap_energy(motions);
+  return sum;
+}
+
+void Watch::follow_energy(const Energy& energy) {
+  energy_ = energy.total();
+  lowest_ = std::min(lowest_, energy_);
+  highest_ = std::max(highest_, energy_);
+  lowest_potential_ = std::min(lowest_potential_, energy.potential);
+  const double scale = std::max(highest_ - lowest_potential_, smallest_scale_);
+  overlap_ = std::max(overlap_, energy.overlap);
+  worst_rise_ = std::max(worst_rise_, (energy_ - lowest_ - overlap_) / scale);
+}
+
+double Watch::greatest_speed(std::size_t i, const hydro::BodyState& state) const {
+  const engine::BodySpec& body = scenario_.spec.bodies[i];
+  const double c = fastest(*around_.sea);
+  const Eigen::Vector3d way = state.position - body.initial.position;
+  const double depth = around_.highest - body.initial.position.z();
+  double kinetic = 0;
+  for (const double energy : initial_energies_) kinetic += energy;
+  const double lift = around_.sea->density * around_.gravity * scenario_.volume *
+                      (std::max(0.0, depth) + scenario_.size);
+  const double sunk = body.mass * around_.gravity * std::max(0.0, -way.z());
+  const double pushed = scenario_.push.norm() * way.norm();
+  const double bodies = static_cast<double>(bodies_.size());
+  const double q = std::sqrt(2 * kinetic / body.mass);
+  return c + std::sqrt((q + c) * (q + c) + 2 * bodies * (lift + sunk + pushed) / body.mass);
+}
+
+std::optional<std::string> Watch::left(const engine::Simulation& simulation) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].movable) continue;
+    const hydro::BodyState& state = simulation.states()[i];
+    const hydro::BodyState& initial = scenario_.spec.bodies[i].initial;
+    const double v = greatest_speed(i, state);
+    const double way = (state.position - initial.position).head<2>().norm();
+    if (way > v * simulation.time() + scenario_.size)
+      return fmt::format("{} got {:.3g} m away, no more than {:.3g} m/s fast",
+                         scenario_.spec.bodies[i].name, way, v);
+    const double height = state.position.z() - std::max(around_.highest, initial.position.z());
+    if (height > v * v / (2 * around_.gravity) + scenario_.size)
+      return fmt::format("{} rose {:.3g} m, no more than {:.3g} m/s fast",
+                         scenario_.spec.bodies[i].name, height, v);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> Watch::stalled(const engine::Simulation& simulation) {
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    const engine::Path& path = simulation.paths()[i];
+    most_pieces_ = std::max(most_pieces_, path.pieces - paths_[i].pieces);
+    most_solutions_ = std::max(most_solutions_, path.iterations - paths_[i].iterations);
+  }
+  paths_ = simulation.paths();
+  if (most_pieces_ > kMostPieces) return fmt::format("a step took {} pieces", most_pieces_);
+  if (most_solutions_ > kMostSolutions)
+    return fmt::format("a step solved its constraints {} times", most_solutions_);
+  return std::nullopt;
+}
+
+std::optional<std::string> Watch::look(const engine::Simulation& simulation) {
+  for (const hydro::BodyState& state : simulation.states())
+    if (const auto fault = engine::state_fault(state)) return fault;
+  if (scenario_.passive) {
+    follow_energy(find_energy(simulation.states()));
+    if (worst_rise_ > kLargestRise)
+      return fmt::format("energy rose by {:.3g} of the greatest so far", worst_rise_);
+  }
+  if (auto fault = left(simulation)) return fault;
+  return stalled(simulation);
+}
+
+}  // namespace stress

@@ -1,0 +1,147 @@
+#include "tests/stress/watch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/stress/matrix.h"
+#include "tests/stress/outcome.h"
+#include "tests/stress/pool.h"
+#include "tests/stress/results.h"
+
+namespace {
+
+using stress::Key;
+using stress::Outcome;
+using stress::RunName;
+using stress::Scenario;
+using stress::Watch;
+using testing::HasSubstr;
+
+/// The fault that the watch finds within the run's steps; empty if none.
+std::string fault_of(const Scenario& watched, const engine::SimulationSpec& simulated) {
+  Watch watch(watched);
+  engine::Simulation simulation(simulated);
+  for (long i = 0; i < watched.steps; ++i) {
+    try {
+      simulation.step();
+    } catch (const engine::SimulationError& error) {
+      return error.what();
+    }
+    if (const auto fault = watch.look(simulation)) return *fault;
+  }
+  return "";
+}
+
+Scenario floating_cube() {
+  return stress::make_scenario(stress::parse_run("speed=1 added=none steps=60"));
+}
+
+TEST(StressWatch, FindsNothingInAFallIntoTheWater) {
+  const Scenario scenario = floating_cube();
+  ASSERT_TRUE(scenario.passive);
+  EXPECT_EQ(fault_of(scenario, scenario.spec), "");
+}
+
+TEST(StressWatch, SeesThatThePlainMethodGainsEnergyFromStiffDrag) {
+  Scenario scenario = stress::make_scenario(
+      stress::parse_run("density=0.01 speed=30 coefs=x100 step=1/15 start=deep added=none"));
+  scenario.spec.integrator.method = engine::Integrator::Method::ode;
+  EXPECT_NE(fault_of(scenario, scenario.spec), "");
+}
+
+TEST(StressWatch, SeesAHiddenForceByTheEnergyItGives) {
+  const Scenario scenario = floating_cube();
+  engine::SimulationSpec pushed = scenario.spec;
+  const double weight = pushed.bodies[0].mass * pushed.gravity;
+  pushed.bodies[0].loads.push_back({.force = {0.2 * weight, 0, 0}, .start = 0.5});
+  EXPECT_THAT(fault_of(scenario, pushed), HasSubstr("energy rose"));
+}
+
+TEST(StressWatch, SeesABodyThatGoesFartherThanItsEnergyCarriesIt) {
+  Scenario scenario = floating_cube();
+  scenario.passive = false;
+  scenario.steps = 600;
+  engine::SimulationSpec pushed = scenario.spec;
+  const double weight = pushed.bodies[0].mass * pushed.gravity;
+  pushed.bodies[0].loads.push_back({.force = {30 * weight, 0, 0}});
+  EXPECT_THAT(fault_of(scenario, pushed), HasSubstr("got"));
+  pushed.bodies[0].loads.back().force = {0, 0, 30 * weight};
+  EXPECT_THAT(fault_of(scenario, pushed), HasSubstr("rose"));
+}
+
+TEST(StressRuns, AreRepeatedByTheirName) {
+  for (const RunName& run : stress::whole_matrix()) {
+    ASSERT_EQ(stress::parse_run(run.text()), run) << run.text();
+  }
+}
+
+TEST(StressRuns, AreAllDifferentAndSomeThousands) {
+  std::set<std::string> names;
+  for (const RunName& run : stress::whole_matrix())
+    EXPECT_TRUE(names.insert(run.text()).second) << run.text();
+  EXPECT_GE(names.size(), 2000U);
+  const std::vector<RunName> some = stress::subset();
+  EXPECT_GE(some.size(), 180U);
+  EXPECT_LE(some.size(), 220U);
+  for (const RunName& run : some) EXPECT_TRUE(names.contains(run.text())) << run.text();
+}
+
+TEST(StressRuns, HaveEveryValueOfEveryParameterInTheSubset) {
+  const std::vector<RunName> runs = stress::subset();
+  for (const stress::Dimension& dimension : stress::dimensions())
+    for (const std::string& value : dimension.values)
+      EXPECT_TRUE(std::any_of(runs.begin(), runs.end(),
+                              [&](const RunName& run) { return run[dimension.key] == value; }))
+          << dimension.name << '=' << value;
+}
+
+TEST(StressRuns, RefuseNamesThatMeanNothing) {
+  EXPECT_THROW(stress::parse_run("colour=red"), std::invalid_argument);
+  EXPECT_THROW(stress::parse_run("size"), std::invalid_argument);
+  EXPECT_THROW(stress::parse_run("size=big").number(Key::size), std::invalid_argument);
+  for (const char* text : {"shape=pig", "water=dry", "with=friends", "coefs=x7", "added=much",
+                           "entry=up", "start=here", "pose=proud"})
+    EXPECT_NE(stress::run_through(stress::parse_run(text)).fault, "") << text;
+}
+
+TEST(StressOutcome, ComesBackFromALine) {
+  const Outcome outcome{.fault = "step 7: it fell, and so on",
+                        .steps = 7,
+                        .judged = true,
+                        .rise = 1.25e-3,
+                        .pieces = 64,
+                        .solutions = 12,
+                        .unconverged = 2,
+                        .braked = 1,
+                        .seconds = 0.5};
+  const Outcome back = stress::outcome_from_csv(stress::to_csv(outcome));
+  EXPECT_EQ(stress::to_csv(back), stress::to_csv(outcome));
+  EXPECT_EQ(back.fault, "step 7: it fell; and so on");
+}
+
+TEST(StressPool, DoesEveryRunOnceInProcessesOfTheirOwn) {
+  std::vector<RunName> runs;
+  for (const char* steps : {"1", "2", "3", "4", "5"})
+    runs.push_back(RunName().with(Key::added, "none").with(Key::steps, steps));
+  std::set<long> done;
+  stress::do_all(runs, 2, [&](const RunName& run, const Outcome& outcome) {
+    EXPECT_EQ(outcome.fault, "");
+    EXPECT_EQ(static_cast<double>(outcome.steps), run.number(Key::steps));
+    done.insert(outcome.steps);
+  });
+  EXPECT_EQ(done.size(), runs.size());
+}
+
+TEST(StressResults, AFailureComesWithTheCommandThatRepeatsIt) {
+  const RunName run = stress::parse_run("shape=plate");
+  Outcome outcome;
+  EXPECT_EQ(stress::failures({{run, outcome}}, "program"), "");
+  outcome.fault = "step 1: bad";
+  EXPECT_THAT(stress::failures({{run, outcome}}, "program"),
+              HasSubstr("program --run '" + run.text() + "'"));
+}
+
+}  // namespace
