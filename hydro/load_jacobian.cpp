@@ -1,12 +1,16 @@
 #include "hydro/load_jacobian.h"
 
 #include "hydro/clip.h"
+#include "hydro/refine.h"
 #include "hydro/viscous_drag.h"
 
 namespace hydro {
 namespace {
 
 using Eigen::Vector3d;
+
+// Panels are split no further than to this part of the body's radius, as the loads are.
+constexpr double kSmallestPanel = 1.0 / 256;
 
 /// What the sum over the panels needs.
 struct Motion {
@@ -59,16 +63,19 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
                       .twist = {state.linear_velocity - sea.current, state.angular_velocity},
                       .scale = drag_scale(coefficients, state, sea.current)};
   const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
-  Eigen::VectorXd depth(r.cols());
-  for (Eigen::Index i = 0; i < r.cols(); ++i) {
-    const Vector3d at = state.position + r.col(i);
-    depth[i] = surface_elevation(sea, at.x(), at.y(), time) + (sea.level - at.z());
-  }
+  const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * hull.radius);
+  const double level = sea.level - state.position.z();
   LoadJacobian sum;
+  const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
+    const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
+    const Vector3d depth = (elevation - z).array() + level;
+    for (const PanelPart& wet : positive_part(piece, depth)) add_panel(motion, wet.panel, sum);
+  };
   for (const auto& face : hull.mesh_B.faces.colwise()) {
     const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
-    const Vector3d depths(depth[face[0]], depth[face[1]], depth[face[2]]);
-    for (const PanelPart& wet : positive_part(panel, depths)) add_panel(motion, wet.panel, sum);
+    const Vector3d elevation(surface.elevation(panel[0]), surface.elevation(panel[1]),
+                             surface.elevation(panel[2]));
+    for_each_linear_piece(panel, elevation, surface, add_piece);
   }
   sum.drag *= sea.density;
   sum.waterplane *= coefficients.buoyancy ? sea.density * sea.gravity : 0;
