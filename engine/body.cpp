@@ -97,6 +97,12 @@ Motion drift(const Body& body, const Surroundings& around, const Motion& motion,
   return next;
 }
 
+hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
+  state.position += change.head<3>();
+  state.orientation = (exponential(change.tail<3>()) * state.orientation).normalized();
+  return body.locked ? held(body.spec->locked, body.spec->initial, state) : state;
+}
+
 Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::BodyState& state,
                     double time) {
   return body.adds ? body.spec->added_mass->at(state, *around.sea, time)

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
 #include "engine/faults.h"
+#include "engine/kick_history.h"
 #include "engine/six.h"
 
 /// @file
@@ -22,14 +25,26 @@ struct Surroundings {
   Eigen::Vector3d current() const { return sea ? sea->current : Eigen::Vector3d::Zero(); }
 };
 
+/// Energies that a body has had [J].
+struct EnergyRange {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  double lowest_potential = std::numeric_limits<double>::infinity();
+
+  void extend(double energy, double potential) {
+    lowest = std::min(lowest, energy);
+    highest = std::max(highest, energy);
+    lowest_potential = std::min(lowest_potential, potential);
+  }
+};
+
 /// How a body moves at an instant.
 struct Motion {
   hydro::BodyState state;
   Matrix6d added_B = Matrix6d::Zero();       ///< A, body axes.
   Matrix6d added_rate_B = Matrix6d::Zero();  ///< Its change a second in the last step.
-  /// Change of velocity a second in the last step's kick, body axes; none if it says nothing about
-  /// the next one.
-  std::optional<Vector6d> kick_B;
+  KickHistory kicks;   ///< Empty if they say nothing about the next one.
+  EnergyRange energy;  ///< Where still water must not give any.
   bool constrained = false;  ///< The last kick was under joints or contacts.
   bool has_added = false;    ///< False: A is zero.
 };
@@ -85,6 +100,9 @@ Matrix6d inertia_W(const Body& body, const Motion& motion);
 
 /// Where added mass and loads leave the body after `time` [s] without loads.
 Motion drift(const Body& body, const Surroundings& around, const Motion& motion, double time);
+
+/// The state moved on by (Δx, Δθ) in W, its velocity as it was.
+hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change);
 
 /// A of the body in a state, body axes.
 Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::BodyState& state,

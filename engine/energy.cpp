@@ -5,17 +5,24 @@
 
 namespace engine {
 
-double energy(const Body& body, const Surroundings& around, const Motion& motion) {
+double kinetic_energy(const Body& body, const Surroundings& around, const Motion& motion) {
   const hydro::BodyState& state = motion.state;
   const Vector6d u =
       turned(state.orientation.conjugate().toRotationMatrix(), velocity(state, around.current()));
-  const double kinetic = u.dot((body.rigid_B + motion.added_B) * u) / 2;
+  return u.dot((body.rigid_B + motion.added_B) * u) / 2;
+}
+
+double potential_energy(const Body& body, const Surroundings& around,
+                        const hydro::BodyState& state) {
   const double height = state.position.z() - (around.sea ? around.sea->level : 0);
-  double potential = body.spec->mass * around.gravity * height;
-  if (body.wet && body.spec->coefficients.buoyancy &&
-      lowest_point(body.box_B, state) < around.highest)
-    potential += hydro::buoyancy_energy(body.hull, state, *around.sea);
-  return kinetic + potential;
+  const double weight = body.spec->mass * around.gravity * height;
+  const bool lifted = body.wet && body.spec->coefficients.buoyancy &&
+                      lowest_point(body.box_B, state) < around.highest;
+  return lifted ? weight + hydro::buoyancy_energy(body.hull, state, *around.sea) : weight;
+}
+
+double energy(const Body& body, const Surroundings& around, const Motion& motion) {
+  return kinetic_energy(body, around, motion) + potential_energy(body, around, motion.state);
 }
 
 bool must_not_gain_energy(const Body& body, const Surroundings& around) {

@@ -13,6 +13,11 @@
 
 namespace engine {
 
+/// ½ u·(M + A) u with the added mass in force [J].
+double kinetic_energy(const Body& body, const Surroundings& around, const Motion& motion);
+/// m g z + U [J]
+double potential_energy(const Body& body, const Surroundings& around,
+                        const hydro::BodyState& state);
 /// E of a body with the added mass in force [J].
 double energy(const Body& body, const Surroundings& around, const Motion& motion);
 

@@ -12,8 +12,12 @@
 namespace engine {
 namespace {
 
-constexpr double kLargestWetTurn = 0.5;   // in a piece [rad]
-constexpr double kLargestCrossing = 0.5;  // in a piece, of the body's height
+constexpr double kLargestWetTurn = 0.5;     // in a piece [rad]
+constexpr double kLargestCrossing = 0.5;    // in a piece, of the body's height
+constexpr double kLargestSwing = 0.25;      // in a piece [rad]
+constexpr double kShortestSwing = 1.0 / 8;  // of the step
+// Motions are cut if they move a body by more than this part of its radius in a step.
+constexpr double kSmallestSwing = 1e-6;
 // A load that changes the motion by more than this from one piece to the next, as a part of the
 // motion, is taken as a reason to look at the energy.
 constexpr double kSuddenLoad = 0.01;
@@ -22,6 +26,9 @@ constexpr double kSuddenCrossing = 0.1;
 // Difference of the added mass that a piece ends with from that of its pose, as a part of the
 // inertia: its energy is uncertain by as much.
 constexpr double kUnmetInertia = 1e-4;
+// Least energy that the gain is measured by, of the weights of the body and of the water in its
+// place times its size: energies have round-off in them.
+constexpr double kLeastScale = 1e-9;
 constexpr double kSmallestPart = 1.0 / 4096;  // of a step, with a tolerance
 
 struct Piece {
@@ -29,12 +36,12 @@ struct Piece {
   bool sudden = false;  ///< Its loads changed by much, or were stiff.
 };
 
-/// True if the kick changes the motion by much more or less than the last one did.
-bool is_sudden(const Body& body, const std::optional<Vector6d>& last_B, const Vector6d& kick_B,
-               const Vector6d& u, double h) {
+/// True if the kick changes the motion by much more or less than the last ones foretell.
+bool is_sudden(const Body& body, const KickHistory& last, const Kick& kick,
+               const Eigen::Matrix3d& R_BW, const Vector6d& u, double h) {
   const double radius = body.hull.radius;
-  const Vector6d change = h * (kick_B - last_B.value_or(Vector6d::Zero()));
-  const double jump = std::hypot(change.head<3>().norm(), radius * change.tail<3>().norm());
+  const Vector6d off = turned(R_BW, kick.change) - h * last.expected(h / 2);
+  const double jump = std::hypot(off.head<3>().norm(), radius * off.tail<3>().norm());
   return jump > kSuddenLoad * std::hypot(u.head<3>().norm(), radius * u.tail<3>().norm());
 }
 
@@ -56,7 +63,9 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
               const Matrix6d& added_B, double h) {
   const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
   Motion next = with_added_mass(middle.motion, added_B, middle.motion.added_B, h);
-  next.kick_B = turned(R_BW, kick.change) / h;
+  // An implicit kick is of another kind: explicit ones do not follow from it.
+  if (kick.implicit) next.kicks.clear();
+  next.kicks.add(turned(R_BW, kick.change) / h, h, body.hull.radius);
   next.state = with_velocity(next.state, middle.after + kick.change, around.current());
   check_state(body, next.state);
   next = drift(body, around, next, h / 2);
@@ -85,8 +94,34 @@ Motion settled(const Body& body, const Surroundings& around, Motion motion,
   return motion;
 }
 
+/// What the state that equation (1) of kick.h moves on is beyond the one that is seen, in W.
+struct Offset {
+  Vector6d pose;
+  Vector6d velocity;
+};
+
+/// (2) of free_step.h by the trend of the last kicks; none if they do not show it.
+std::optional<Offset> find_offset(const Body& body, const Motion& motion, double h) {
+  if (!body.wet || motion.constrained || !motion.kicks.resolved()) return std::nullopt;
+  const KickHistory::Trend trend = motion.kicks.trend();
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  const Eigen::Vector3d spin = motion.state.angular_velocity;
+  const Vector6d a = turned(R_WB, trend.value);
+  const Vector6d turning = stacked(spin.cross(a.head<3>()), spin.cross(a.tail<3>()));
+  return Offset{h * h / 24 * a, -h * h / 24 * (turned(R_WB, trend.slope) + turning)};
+}
+
+Motion with_offset(const Body& body, const Surroundings& around, Motion motion,
+                   const Offset& offset, double sign) {
+  motion.state = displaced(body, motion.state, sign * offset.pose);
+  const Vector6d u = velocity(motion.state, around.current()) + sign * offset.velocity;
+  motion.state = with_velocity(motion.state, u, around.current());
+  return motion;
+}
+
 /// Drift, kick, drift; again with the added mass of the end where it is not the expected one.
-Piece piece(Body& body, const Surroundings& around, const Motion& motion, double time, double h) {
+Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
+                 double h) {
   const DofMask& locked = body.spec->locked;
   const Motion halfway = drift(body, around, motion, h / 2);
   Matrix6d added_B = expected_added_mass(body, motion, h);
@@ -110,18 +145,26 @@ Piece piece(Body& body, const Surroundings& around, const Motion& motion, double
     kick = free_kick_again(body, around, middle, kick, time + h / 2, h);
     result.motion = finish(body, around, middle, kick, added_B, h);
   }
+  const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
   result.sudden =
-      kick.implicit || (body.wet && (crosses(body, around, motion.state, result.motion.state) ||
-                                     is_sudden(body, motion.kick_B, *result.motion.kick_B,
-                                               middle.after + kick.change, h)));
+      kick.implicit ||
+      (body.wet && (crosses(body, around, motion.state, result.motion.state) ||
+                    (!result.motion.kicks.resolved() &&
+                     is_sudden(body, motion.kicks, kick, R_BW, middle.after + kick.change, h))));
   body.cost.implicit += kick.implicit;
   ++body.cost.substeps;
   return result;
 }
 
-double kinetic_energy(const Body& body, const Surroundings& around, const Motion& motion) {
-  const Vector6d u = velocity(motion.state, around.current());
-  return u.dot(inertia_W(body, motion) * u) / 2;
+/// A piece from and to states that are seen: what is added at its start is taken off at its end, by
+/// the trend that the kicks show there.
+Piece piece(Body& body, const Surroundings& around, const Motion& motion, double time, double h) {
+  const std::optional<Offset> before = find_offset(body, motion, h);
+  if (!before) return bare_piece(body, around, motion, time, h);
+  Piece result = bare_piece(body, around, with_offset(body, around, motion, *before, 1), time, h);
+  const Offset after = find_offset(body, result.motion, h).value_or(*before);
+  result.motion = with_offset(body, around, result.motion, after, -1);
+  return result;
 }
 
 /// `after` slowed until it has `excess` less energy; if it has not that much, at rest where it was
@@ -134,26 +177,59 @@ Motion braked(const Body& body, const Surroundings& around, const Motion& before
   Motion slowed = enough ? after : before;
   slowed.state = with_velocity(slowed.state, part * velocity(slowed.state, around.current()),
                                around.current());
-  slowed.kick_B.reset();
+  slowed.kicks.clear();
   return slowed;
 }
 
-/// A piece that does not add energy.
+/// Energy by which a body may have more than the least that it has had [J].
+double allowed_gain(const Body& body, const Surroundings& around, const EnergyRange& range) {
+  const double radius = body.hull.radius;
+  const double weight =
+      around.gravity * (body.spec->mass + around.sea->density * std::pow(radius, 3));
+  return kEnergyGain *
+         std::max(range.highest - range.lowest_potential, kLeastScale * weight * radius);
+}
+
+/// A piece in which still water does not add energy.
 Motion passive_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
                      double h, int halvings) {
-  const Piece whole = piece(body, around, motion, time, h);
+  Piece whole = piece(body, around, motion, time, h);
   if (!whole.sudden || !must_not_gain_energy(body, around)) return whole.motion;
-  const double before = energy(body, around, motion);
-  const double excess = energy(body, around, whole.motion) - before;
-  const double moved =
-      kinetic_energy(body, around, motion) + kinetic_energy(body, around, whole.motion);
-  if (excess <= kEnergyGain * moved) return whole.motion;
-  if (halvings == 0) {
-    ++body.cost.braked;
-    return braked(body, around, motion, whole.motion, excess);
+  EnergyRange range = motion.energy;
+  const double potential = potential_energy(body, around, motion.state);
+  range.extend(potential + kinetic_energy(body, around, motion), potential);
+  const double after = potential_energy(body, around, whole.motion.state);
+  const double energy = after + kinetic_energy(body, around, whole.motion);
+  const double excess = energy - range.lowest - allowed_gain(body, around, range);
+  if (excess > 0 && halvings > 0) {
+    const Motion half = passive_piece(body, around, motion, time, h / 2, halvings - 1);
+    return passive_piece(body, around, half, time + h / 2, h / 2, halvings - 1);
   }
-  const Motion half = passive_piece(body, around, motion, time, h / 2, halvings - 1);
-  return passive_piece(body, around, half, time + h / 2, h / 2, halvings - 1);
+  if (excess > 0) {
+    ++body.cost.braked;
+    whole.motion = braked(body, around, motion, whole.motion, excess);
+  }
+  range.extend(std::min(energy, energy - excess), after);
+  whole.motion.energy = range;
+  return whole.motion;
+}
+
+/// Length of the first of the equal pieces in which the rest of a step resolves the body's swing.
+double swing_length(const Body& body, const Motion& motion, double rest, double shortest) {
+  const Eigen::Vector3d a = motion.kicks.expected(0).head<3>();
+  const double swing = motion.kicks.pace() * rest;
+  if (!body.wet || swing <= kLargestSwing ||
+      a.norm() * rest * rest < kSmallestSwing * body.hull.radius)
+    return rest;
+  const double longest = std::max(shortest, kLargestSwing / motion.kicks.pace());
+  return rest / std::max(1.0, std::ceil(rest / longest));
+}
+
+/// Length of the first of the equal pieces in which the rest of a step is to be taken.
+double next_length(const Body& body, const Surroundings& around, const Motion& motion, double rest,
+                   double step) {
+  return std::min(piece_length(body, around, motion, rest, step / kMostPieces),
+                  swing_length(body, motion, rest, kShortestSwing * step));
 }
 
 /// One step in pieces cut by the motion.
@@ -161,7 +237,7 @@ Motion cut_step(Body& body, const Surroundings& around, Motion motion, double ti
   double done = 0;
   while (done < step) {
     const double rest = step - done;
-    const double h = piece_length(body, around, motion, rest, step / kMostPieces);
+    const double h = next_length(body, around, motion, rest, step);
     motion = passive_piece(body, around, motion, time + done, h, kMostHalvings);
     if (h >= rest) break;
     done += h;
@@ -178,34 +254,23 @@ double distance(const Body& body, const Motion& a, const Motion& b, double h) {
                    h * (a.state.angular_velocity - b.state.angular_velocity).norm()});
 }
 
-/// `fine` with a third of what it differs from `coarse` added.
-Motion extrapolated(const Motion& coarse, const Motion& fine) {
-  Motion result = fine;
-  const hydro::BodyState& a = coarse.state;
-  hydro::BodyState& b = result.state;
-  b.position += (b.position - a.position) / 3;
-  b.linear_velocity += (b.linear_velocity - a.linear_velocity) / 3;
-  b.angular_velocity += (b.angular_velocity - a.angular_velocity) / 3;
-  const Eigen::AngleAxisd turn(b.orientation * a.orientation.conjugate());
-  b.orientation = (Eigen::AngleAxisd(turn.angle() / 3, turn.axis()) * b.orientation).normalized();
-  return result;
-}
-
 /// One step in pieces whose error is estimated.
 Motion controlled_step(Body& body, const Surroundings& around, Motion motion, double time,
                        double step, double tolerance) {
   double done = 0;
   double h = step;
   while (done < step) {
-    h = std::min(h, step - done);
-    const Motion coarse = cut_step(body, around, motion, time + done, h);
-    const Motion half = cut_step(body, around, motion, time + done, h / 2);
-    const Motion fine = cut_step(body, around, half, time + done + h / 2, h / 2);
+    h = next_length(body, around, motion, std::min(h, step - done), step);
+    // Both must be cut by the tolerance alone, or they could be the same pieces.
+    const Motion coarse = piece(body, around, motion, time + done, h).motion;
+    const Motion half = passive_piece(body, around, motion, time + done, h / 2, kMostHalvings);
+    const Motion fine =
+        passive_piece(body, around, half, time + done + h / 2, h / 2, kMostHalvings);
     const double error = distance(body, coarse, fine, h) / 3 / (tolerance * h);
     const bool shortest = h <= step * kSmallestPart;
     if (error <= 1 || shortest) {
       const bool all = h >= step - done;
-      motion = body.locked ? fine : extrapolated(coarse, fine);
+      motion = fine;
       if (all) break;
       done += h;
     }

@@ -15,6 +15,8 @@ namespace {
 constexpr int kMostNewtonSteps = 30;
 // Of the change of velocity. Newton's method converges quadratically: the error is the square.
 constexpr double kNewtonTolerance = 1e-3;
+// Of the pose in equation (1), of the body's radius: oscillations that a piece resolves take less.
+constexpr double kLargestShift = 0.02;
 
 /// Everything about one kick that its parts share.
 struct Setting {
@@ -31,6 +33,14 @@ struct Setting {
   }
   Vector6d loads(const Vector6d& relative) const {
     return stacked(find_loads(body, around, at(relative), time));
+  }
+  /// F of equation (1). A change that would take the pose far is of no use for that.
+  Vector6d loads_halfway(const Vector6d& change) const {
+    const Vector6d shift = step / 12 * change;
+    const double length = shift.head<3>().norm() + body.hull.radius * shift.tail<3>().norm();
+    hydro::BodyState halfway = at(u + change / 2);
+    if (length <= kLargestShift * body.hull.radius) halfway = displaced(body, halfway, shift);
+    return stacked(find_loads(body, around, halfway, time));
   }
   Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
     return solve_free(matrix, rhs, body.spec->locked);
@@ -114,11 +124,6 @@ Vector6d implicit_change(const Setting& s, Vector6d change) {
   return change;
 }
 
-bool feels_velocity(const Body& body) {
-  const hydro::Coefficients& c = body.spec->coefficients;
-  return body.wet && !(c.pressure_drag.none() && c.viscous_drag.none() && c.lift == 0);
-}
-
 /// Δu of a body that the water leaves alone.
 Vector6d dry_change(Body& body, const Surroundings& around, const hydro::BodyState& state,
                     double time, double step) {
@@ -131,20 +136,19 @@ Vector6d dry_change(Body& body, const Surroundings& around, const hydro::BodySta
   return stacked(step / body.spec->mass * load.force, turning);
 }
 
-/// Half the last change, in W.
-Vector6d expected_half(const Motion& middle, double step) {
-  return step / 2 * turned(middle.state.orientation.toRotationMatrix(), *middle.kick_B);
-}
-
 /// Equation (1).
-Kick explicit_kick(const Setting& s, const Motion& middle, Vector6d& at) {
-  at = middle.kick_B ? s.u + expected_half(middle, s.step) : s.u;
-  Kick kick{.load = s.loads(at)};
-  kick.change = s.solve(s.S, s.step * kick.load);
-  const bool dry = s.body.loads.water.wetted_area == 0;
-  if (middle.kick_B || dry || !feels_velocity(s.body)) return kick;
-  at = s.u + kick.change / 2;
-  kick.load = s.loads(at);
+Kick explicit_kick(const Setting& s, const Motion& middle) {
+  Vector6d expected;
+  if (middle.kicks.empty()) {
+    Kick kick{.load = s.loads(s.u)};
+    kick.change = s.solve(s.S, s.step * kick.load);
+    if (s.body.loads.water.wetted_area == 0) return kick;
+    expected = kick.change;
+  } else {
+    expected = s.step * turned(middle.state.orientation.toRotationMatrix(),
+                               middle.kicks.expected(s.step / 2));
+  }
+  Kick kick{.load = s.loads_halfway(expected), .at = s.u + expected / 2};
   kick.change = s.solve(s.S, s.step * kick.load);
   return kick;
 }
@@ -175,10 +179,9 @@ Kick free_kick(Body& body, const Surroundings& around, const Middle& middle, dou
   if (!body.wet && !body.adds && !body.locked)
     return {.change = dry_change(body, around, middle.motion.state, time, step)};
   const Setting s = make_setting(body, around, middle, time, step);
-  Vector6d at;
-  Kick kick = explicit_kick(s, middle.motion, at);
+  Kick kick = explicit_kick(s, middle.motion);
   if (!body.wet || body.loads.water.wetted_area == 0) return kick;
-  kick.implicit = drag_stiffness(s, at, s.u + kick.change) > kStiffDrag ||
+  kick.implicit = drag_stiffness(s, kick.at, s.u + kick.change) > kStiffDrag ||
                   waterplane_stiffness(s) > kStiffWaterplane;
   // Newton's method comes from rest: an explicit change can be off by orders of magnitude.
   if (kick.implicit) kick.change = implicit_change(s, Vector6d::Zero());

@@ -8,13 +8,15 @@
 /// Between two halves of motion by inertia (free_motion.h) the velocity u changes at a held pose by
 /// S u' = F(u), with S = M + A and F all loads. The change Δu is found by one of two forms:
 ///
-///     S Δu = h F(u + ½Δu_0)                                                               (1)
-///     (S − ¼h²K) Δu = h F(u + θ Δu)                                                       (2)
+///     S Δu = h F(x + (h/12) Δu_0, u + ½Δu_0)                                              (1)
+///     (S − ¼h²K) Δu = h F(x, u + θ Δu)                                                    (2)
 ///
-/// (1) is explicit, with Δu_0 the last step's change (or, where there is none, one found from
-/// F(u)): one evaluation of the loads a step, second order. (2) is implicit, solved by Newton's
-/// method with the Jacobian J = ∂F/∂u of the drag (hydro/load_jacobian.h); K is the waterplane's
-/// stiffness.
+/// (1) is explicit, with Δu_0 the change that the last kicks foretell (kick_history.h; where there
+/// are none, one found from F(x, u)): one evaluation of the loads a step. The pose x is taken as
+/// much further as makes loads that hang on it alone accurate to the fourth order but for an offset
+/// of the state (free_step.h), by Takahashi and Imada's force [TI84]. (2) is implicit, solved by
+/// Newton's method with the Jacobian J = ∂F/∂u of the drag (hydro/load_jacobian.h); K is the
+/// waterplane's stiffness.
 ///
 /// Stability. With ζ the largest eigenvalue of −h J in the metric of S, θ = max(½, 1/(1−e^−ζ) −
 /// 1/ζ): the mean of ½ and the exponential method's, which tends to 1 as the drag becomes stiff. J
@@ -23,7 +25,10 @@
 /// it. θ − ½ is of first order in h, which keeps the scheme's order at two. With K and θ = ½ the
 /// whole step is the implicit midpoint rule for the oscillation of a floating body: stable, and
 /// without loss, for any h ω. The drift does not need either. (1) is taken where ζ is below
-/// kStiffDrag and (h ω)² below kStiffWaterplane: it is stable for real ζ < 1 and (h ω)² < 4.
+/// kStiffDrag and (h ω)² below kStiffWaterplane: it is stable for real ζ < ½ and (h ω)² < 4.
+///
+/// [TI84] Takahashi and Imada. Monte Carlo calculation of quantum systems. II. J. Phys. Soc. Japan
+/// 53 (1984).
 
 namespace engine {
 
@@ -48,6 +53,7 @@ Middle make_middle(const Body& body, const Surroundings& around, const Motion& m
 struct Kick {
   Vector6d change = Vector6d::Zero();  ///< Δu in W.
   Vector6d load = Vector6d::Zero();    ///< F of (1).
+  Vector6d at = Vector6d::Zero();      ///< The velocity that it was found with.
   bool implicit = false;               ///< By (2).
 };
 

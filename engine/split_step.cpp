@@ -18,9 +18,9 @@ ConstrainedBody make_member(Body& body, BodyId id, const Surroundings& around, c
   ConstrainedBody c{
       .body = &body, .id = id, .middle = make_middle(body, around, middle, added_B, DofMask{})};
   // An impact says nothing of the next kick.
-  const bool smooth = middle.kick_B && middle.constrained && !touching;
-  if (smooth)
-    c.expected = step * turned(middle.state.orientation.toRotationMatrix(), *middle.kick_B);
+  if (middle.constrained && !touching)
+    c.expected = step * turned(middle.state.orientation.toRotationMatrix(),
+                               middle.kicks.expected(step / 2));
   return c;
 }
 
@@ -31,8 +31,10 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   const Eigen::Matrix3d R_BW = middle.state.orientation.conjugate().toRotationMatrix();
   Motion after = with_added_mass(middle, added_B, middle.added_B, step);
   after.state = with_velocity(middle.state, c.middle.after + c.change, around.current());
-  after.kick_B.reset();
-  if (!touching) after.kick_B = turned(R_BW, c.change) / step;
+  if (touching)
+    after.kicks.clear();
+  else
+    after.kicks.add(turned(R_BW, c.change) / step, step, c.body->hull.radius);
   after.constrained = true;
   check_state(*c.body, after.state);
   after = drift(*c.body, around, after, step / 2);
@@ -149,7 +151,7 @@ void SplitStep::advance_free(const std::vector<std::vector<BodyId>>& islands, do
     Body& body = bodies_[i];
     if (held[i] || !body.movable) return;
     try {
-      if (body.motion.constrained) body.motion.kick_B.reset();
+      if (body.motion.constrained) body.motion.kicks.clear();
       body.motion.constrained = false;
       body.motion = free_step(body, around_, body.motion, time, step, tolerance_);
       body.reaction_B.setZero();

@@ -49,8 +49,9 @@ TEST(SplitStep, OfARockingBargeWithChangingAddedMassIsOfSecondOrder) {
   const hydro::BodyState exact = rocked(afloat(body, 1.0 / 3840), 2);
   const double coarse = distance(rocked(afloat(body, 1.0 / 60), 2), exact);
   const double fine = distance(rocked(afloat(body, 1.0 / 480), 2), exact);
-  EXPECT_GT(std::log2(coarse / fine) / 3, 1.85) << coarse << " and " << fine;
-  EXPECT_LT(coarse, tolerance(5e-4));
+  // Above the second order's error there is some of the fourth's: the slope is that of the finer.
+  EXPECT_GT(std::log2(coarse / fine) / 3, 1.6) << coarse << " and " << fine;
+  EXPECT_LT(coarse, tolerance(8e-5));
 }
 
 TEST(Tolerance, BoundsTheErrorOfAFreeBody) {

@@ -166,6 +166,28 @@ TEST(LoadJacobian, IsTheDerivativeOfTheDrag) {
   EXPECT_LT((J.drag - J.drag.transpose()).norm(), tolerance(1e-12 * J.drag.norm()));
 }
 
+TEST(LoadJacobian, KnowsTheWavesThatAPanelIsLongerThan) {
+  // The bottom's corners are dry; the crests of a short wave wet its middle.
+  const BodySpec box = support::box_body("box", {4, 3, 1}, 500, {0, 0, 0.55}, 1);
+  const hydro::Hull hull = hydro::make_hull(box.mesh_B);
+  hydro::Sea sea;
+  sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.1, 1.7, 0.3, 0, sea.gravity)}};
+  hydro::Coefficients coefficients;
+  coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  const auto drag_at = [&](double speed) {
+    hydro::BodyState state = box.initial;
+    state.linear_velocity.z() = speed;
+    return hydro::compute_loads(hull, state, sea, 0, coefficients).pressure_drag.force.z();
+  };
+  hydro::BodyState sinking = box.initial;
+  sinking.linear_velocity.z() = -1;
+  const hydro::LoadJacobian J = hydro::load_jacobian(hull, sinking, sea, 0, coefficients);
+  const double slope = (drag_at(-1.001) - drag_at(-0.999)) / -0.002;
+  ASSERT_LT(slope, -100);
+  // Drag's surface is cut by the same pieces as the slope's, but those of its tree's tolerance.
+  EXPECT_NEAR(J.drag(2, 2), slope, tolerance(1e-2 * std::abs(slope)));
+}
+
 TEST(LoadJacobian, OfTheWaterplaneIsThatOfAWallSidedBody) {
   BodySpec box = support::box_body("box", {4, 3, 1}, 500, {0, 0, 0.1}, 2);
   const hydro::LoadJacobian J = hydro::load_jacobian(hydro::make_hull(box.mesh_B), box.initial,

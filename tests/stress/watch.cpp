@@ -20,12 +20,6 @@ engine::Motion motion_of(const engine::Body& body, const engine::Surroundings& a
   return motion;
 }
 
-double kinetic_energy(const engine::Body& body, const engine::Surroundings& around,
-                      const engine::Motion& motion) {
-  const engine::Vector6d u = engine::velocity(motion.state, around.current());
-  return u.dot(engine::inertia_W(body, motion) * u) / 2;
-}
-
 }  // namespace
 
 Watch::Watch(const Scenario& scenario)
@@ -39,7 +33,7 @@ Watch::Watch(const Scenario& scenario)
     bodies_.push_back(engine::make_body(scenario_.spec, i));
     const engine::Motion& motion = bodies_[i].motion;
     states.push_back(motion.state);
-    initial_energies_.push_back(kinetic_energy(bodies_[i], around_, motion));
+    initial_energies_.push_back(engine::kinetic_energy(bodies_[i], around_, motion));
     weight_ +=
         (scenario_.spec.bodies[i].mass + around_.sea->density * scenario_.volume) * around_.gravity;
   }
@@ -70,9 +64,8 @@ Watch::Energy Watch::find_energy(const std::vector<hydro::BodyState>& states) {
     motions.push_back(motion_of(bodies_[i], around_, states[i]));
     if (!bodies_[i].movable) continue;
     const engine::Motion& motion = motions.back();
-    const double kinetic = kinetic_energy(bodies_[i], around_, motion);
-    sum.kinetic += kinetic;
-    sum.potential += engine::energy(bodies_[i], around_, motion) - kinetic;
+    sum.kinetic += engine::kinetic_energy(bodies_[i], around_, motion);
+    sum.potential += engine::potential_energy(bodies_[i], around_, motion.state);
   }
   sum.potential -= scenario_.push.dot(states[0].position);
   sum.overlap = overlap_energy(motions);

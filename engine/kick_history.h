@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include "engine/six.h"
+
+/// @file
+/// What the last kicks of a body foretell of the next one.
+
+namespace engine {
+
+/// The accelerations a = Δu/h of the last kicks, in body axes, each taken halfway through its piece.
+class KickHistory {
+ public:
+  bool empty() const { return count_ == 0; }
+  void clear() { *this = {}; }
+
+  /// After a piece of this length [s].
+  /// @param radius   Of the body: angular accelerations count with it [m].
+  void add(const Vector6d& acceleration_B, double piece, double radius);
+
+  /// On the line through the last two, `ahead` [s] after the end of the last piece. With one, that
+  /// one; zero without any.
+  Vector6d expected(double ahead) const;
+
+  /// True if there are three and the last was foretold to kResolved of the largest.
+  bool resolved() const { return resolved_; }
+
+  /// The frequency of a motion that is resolved, √(|a''|/|a|) where that was greatest of late; 0 if
+  /// none is known [rad/s].
+  double pace() const { return pace_; }
+
+  /// Of the parabola through the last three at the end of the last piece.
+  struct Trend {
+    Vector6d value;
+    Vector6d slope;  ///< A second.
+  };
+  /// Only if there are three.
+  Trend trend() const;
+
+ private:
+  static constexpr double kResolved = 0.25;
+
+  /// a''/2 by the last three.
+  Vector6d curvature() const;
+
+  std::array<Vector6d, 3> acceleration_;  ///< The last one first.
+  std::array<double, 3> age_ = {};        ///< [s]
+  int count_ = 0;
+  bool resolved_ = false;
+  double pace_ = 0;
+};
+
+}  // namespace engine
