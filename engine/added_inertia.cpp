@@ -1,9 +1,7 @@
 #include "engine/added_inertia.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include "engine/locks.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -31,17 +29,13 @@ Matrix6d rigid_inertia(const BodySpec& body) {
 InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change, const DofMask& locked,
                              const Vector6d& u) {
   if (change.isZero(0)) return {.inertia = inertia, .velocity = u};
-  const Eigen::LLT<Matrix6d> S(uncoupled(inertia, locked, 1));
-  const Matrix6d half = S.matrixL().solve(uncoupled(change, locked, 0));
-  const Matrix6d relative = S.matrixL().solve(Matrix6d(half.transpose()));
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> basis((relative + relative.transpose()) / 2);
-  const auto growth = basis.eigenvalues().array().max(0.0);
-  const Matrix6d& V = basis.eigenvectors();
-  const Vector6d kept = (V.transpose() * (S.matrixU() * u)).array() / (1 + growth);
-  const Matrix6d root = S.matrixL() * V;
-  const Vector6d factor = 1 + basis.eigenvalues().array().max(basis.eigenvalues().array() / 2);
+  const hydro::Cholesky6 S(uncoupled(inertia, locked, 1));
+  const auto [mu, V] = hydro::eigen_decomposition(S.relative(uncoupled(change, locked, 0)));
+  const Matrix6d root = S.lower() * V;
+  const Vector6d kept = (root.transpose() * u).array() / (1 + mu.array().max(0.0));
+  const Vector6d factor = 1 + mu.array().max(mu.array() / 2);
   InertiaChange result{.inertia = root * factor.asDiagonal() * root.transpose(),
-                       .velocity = S.matrixU().solve(Vector6d(V * kept))};
+                       .velocity = S.solve_upper(V * kept)};
   for (int i = 0; i < 6; ++i)
     if (locked[static_cast<std::size_t>(i)]) result.velocity[i] = u[i];
   return result;
@@ -51,7 +45,7 @@ Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const DofMask& locked) {
   if (partly_held(locked)) matrix = uncoupled(matrix, locked, 1);
   for (int i = 0; i < 6; ++i)
     if (locked[static_cast<std::size_t>(i)]) rhs[i] = 0;
-  return matrix.llt().solve(rhs);
+  return hydro::Cholesky6(matrix).solve(rhs);
 }
 
 }  // namespace engine

@@ -1,7 +1,5 @@
 #include "engine/body.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 
@@ -10,6 +8,7 @@
 #include "engine/free_motion.h"
 #include "engine/locks.h"
 #include "engine/wetness.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -76,8 +75,7 @@ double contact_mass(const Body& body, const Motion& motion) {
   const double own = body.spec->mass;
   if (!motion.has_added) return own;
   const Eigen::Matrix3d added = motion.added_B.topLeftCorner<3, 3>();
-  return own + Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(added, Eigen::EigenvaluesOnly)
-                   .eigenvalues()[2];
+  return own + hydro::eigenvalues(added)[2];
 }
 
 Matrix6d inertia_W(const Body& body, const Motion& motion) {
@@ -121,8 +119,8 @@ Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step
   if (!body.adds || motion.added_rate_B.isZero(0)) return motion.added_B;
   const Matrix6d expected = motion.added_B + step * motion.added_rate_B;
   // Beyond an end, such as a body's leaving the water, the rate leads to what is no mass.
-  const bool sound = Eigen::LLT<Matrix6d>(0.99 * body.rigid_B + expected).info() == Eigen::Success;
-  return sound ? expected : motion.added_B;
+  const hydro::Cholesky6 left(0.99 * body.rigid_B + expected);
+  return left.positive_definite() ? expected : motion.added_B;
 }
 
 bool same_added_mass(const Body& body, const Matrix6d& a, const Matrix6d& b) {

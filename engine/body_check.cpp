@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <stdexcept>
 
 #include "engine/faults.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -30,8 +30,7 @@ void check_inertia(const BodySpec& spec) {
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > kInertiaTolerance * size) {
     refuse(spec, "the inertia matrix is not symmetric");
   }
-  const Eigen::Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector3d moments = hydro::eigenvalues(inertia);
   if (!(moments[0] > 0)) {
     refuse(spec, fmt::format("a principal moment of inertia is {}, not positive", moments[0]));
   }

@@ -1,12 +1,11 @@
 #include "engine/constrained_step.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/anderson.h"
 #include "engine/kick.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -21,12 +20,12 @@ constexpr double kNewtonTolerance = 1e-3;
 /// Everything of one body that (2) needs. W axes.
 struct Row {
   Matrix6d S;  ///< Effective inertia.
-  Eigen::LLT<Matrix6d> S_factor;
+  hydro::Cholesky6 S_factor;
   Vector6d load;              ///< F
   Vector6d jump;              ///< Change of velocity by that of the added mass.
   World::Constrained solver;  ///< M_o, state.
-  Matrix6d M_o;
-  Matrix6d root;  ///< Lower Cholesky factor of M_o.
+  Matrix6d M_o = Matrix6d::Identity();
+  hydro::Cholesky6 root{M_o};  ///< Of M_o.
   bool implicit = false;
   bool plain = false;  ///< S = M_o.
 };
@@ -38,9 +37,8 @@ void choose_solver_mass(const ConstrainedBody& c, Row& row, double factor) {
   const Eigen::Matrix3d R_WB = c.middle.motion.state.orientation.toRotationMatrix();
   const bool own = !c.body->adds && !row.implicit;
   const Matrix6d S_B = own ? c.body->rigid_B : turned_matrix(R_WB.transpose(), row.S);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> translation(S_B.topLeftCorner<3, 3>(),
-                                                                   Eigen::EigenvaluesOnly);
-  const double mean = own ? c.body->spec->mass : std::cbrt(translation.eigenvalues().prod());
+  const Eigen::Matrix3d translation = S_B.topLeftCorner<3, 3>();
+  const double mean = own ? c.body->spec->mass : std::cbrt(hydro::eigenvalues(translation).prod());
   row.solver.mass = factor * mean;
   row.solver.inertia_B = factor * symmetric(S_B.bottomRightCorner<3, 3>());
   Matrix6d M_B = Matrix6d::Zero();
@@ -48,14 +46,14 @@ void choose_solver_mass(const ConstrainedBody& c, Row& row, double factor) {
   M_B.bottomRightCorner<3, 3>() = row.solver.inertia_B;
   row.plain = own || (M_B - S_B).cwiseAbs().maxCoeff() <= 1e-14 * S_B.cwiseAbs().maxCoeff();
   row.M_o = turned_matrix(R_WB, M_B);
-  row.root = row.M_o.llt().matrixL();
+  row.root = hydro::Cholesky6(row.M_o);
 }
 
 Row make_row(ConstrainedBody& c, const Surroundings& around, double time, double step) {
   const EffectiveLoad effective = effective_load(*c.body, around, c.middle, c.expected, time, step);
   const Vector6d jump = c.middle.after - c.middle.before;
   Row row{.S = effective.inertia,
-          .S_factor = Eigen::LLT<Matrix6d>(effective.inertia),
+          .S_factor = hydro::Cholesky6(effective.inertia),
           .load = effective.load + effective.inertia * jump / step,
           .jump = jump,
           .solver = {.body = c.id, .state = c.middle.motion.state},
@@ -69,12 +67,7 @@ Row make_row(ConstrainedBody& c, const Surroundings& around, double time, double
 
 /// Largest number that M_o may be multiplied with so that M_o <= S.
 double contraction_factor(const Row& row) {
-  const Matrix6d half = row.root.triangularView<Eigen::Lower>().solve(row.S);
-  const Matrix6d relative =
-      row.root.triangularView<Eigen::Lower>().solve(Matrix6d(half.transpose()));
-  return std::min(
-      1.0,
-      Eigen::SelfAdjointEigenSolver<Matrix6d>(relative, Eigen::EigenvaluesOnly).eigenvalues()[0]);
+  return std::min(1.0, hydro::eigenvalues(row.root.relative(row.S))[0]);
 }
 
 /// One answer of the solver to the reactions r: the changes of velocity, and R.
@@ -110,7 +103,7 @@ Eigen::VectorXd scaled(const std::vector<Row>& rows, const std::vector<Vector6d>
                        double step) {
   Eigen::VectorXd x(6 * static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vector6d part = rows[i].root.triangularView<Eigen::Lower>().solve(reactions[i]);
+    const Vector6d part = rows[i].root.solve_lower(reactions[i]);
     x.segment<6>(6 * static_cast<Eigen::Index>(i)) =
         rows[i].plain ? Vector6d(Vector6d::Zero()) : Vector6d(step * part);
   }
@@ -121,7 +114,8 @@ std::vector<Vector6d> unscaled(const std::vector<Row>& rows, const Eigen::Vector
                                double step) {
   std::vector<Vector6d> reactions;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    reactions.push_back(rows[i].root * x.segment<6>(6 * static_cast<Eigen::Index>(i)) / step);
+    reactions.push_back(rows[i].root.lower() * x.segment<6>(6 * static_cast<Eigen::Index>(i)) /
+                        step);
   return reactions;
 }
 
@@ -131,7 +125,7 @@ double motion_size(const std::vector<Row>& rows, double step) {
   for (const Row& row : rows) {
     const hydro::BodyState& state = row.solver.state;
     const Vector6d u = stacked(state.linear_velocity, state.angular_velocity);
-    const Vector6d push = row.root.triangularView<Eigen::Lower>().solve(Vector6d(step * row.load));
+    const Vector6d push = row.root.solve_lower(step * row.load);
     sum += u.dot(row.M_o * u) + push.squaredNorm();
   }
   return std::sqrt(sum);

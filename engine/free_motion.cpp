@@ -1,11 +1,11 @@
 #include "engine/free_motion.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/added_inertia.h"
 #include "engine/locks.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -56,14 +56,14 @@ Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, 
 }
 
 /// True if the momentum p₁ has the energy of p₀, which an exact solution of (2) keeps.
-bool keeps_energy(const Eigen::LLT<Matrix6d>& S, const Vector6d& p0, const Vector6d& p1) {
+bool keeps_energy(const hydro::Cholesky6& S, const Vector6d& p0, const Vector6d& p1) {
   const double before = p0.dot(S.solve(p0));
   return std::abs(p1.dot(S.solve(p1)) - before) <= kKept * before;
 }
 
 /// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
 /// no half do, the body moves on as it does, which keeps the energy too.
-void advance(const Eigen::LLT<Matrix6d>& S, Momentum& m, double time, int halvings) {
+void advance(const hydro::Cholesky6& S, Momentum& m, double time, int halvings) {
   Vector6d mean = m.p;
   Vector6d u = S.solve(mean);
   double a = half_step(u.tail<3>().norm(), time);
@@ -155,7 +155,7 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& stat
   Momentum m{.R = state.orientation.toRotationMatrix(), .q = state.orientation};
   const Vector6d u_B = turned(m.R.transpose(), velocity(state, current));
   m.p = inertia_B * u_B;
-  const Eigen::LLT<Matrix6d> S(inertia_B);
+  const hydro::Cholesky6 S(inertia_B);
   const int count = pieces(turning_rate(inertia_B, u_B), time);
   for (int i = 0; i < count; ++i) advance(S, m, time / count, kMostHalvings);
   hydro::BodyState next = with_velocity(state, turned(m.R, S.solve(m.p)), current);

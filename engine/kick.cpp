@@ -1,12 +1,11 @@
 #include "engine/kick.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/added_inertia.h"
 #include "engine/wetness.h"
+#include "hydro/decompositions.h"
 #include "hydro/load_jacobian.h"
 
 namespace engine {
@@ -93,11 +92,7 @@ double theta(double stiffness) {
 
 /// ζ: the largest eigenvalue of −h J in the metric of S.
 double largest_stiffness(const Setting& s, const Matrix6d& J) {
-  const Eigen::LLT<Matrix6d> S(s.S);
-  const Matrix6d half = S.matrixL().solve(J);
-  const Matrix6d relative = S.matrixL().solve(Matrix6d(half.transpose()));
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(relative, Eigen::EigenvaluesOnly);
-  return std::max(0.0, -s.step * eigen.eigenvalues()[0]);
+  return std::max(0.0, -s.step * hydro::eigenvalues(hydro::Cholesky6(s.S).relative(J))[0]);
 }
 
 hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {

@@ -19,8 +19,8 @@ ConstrainedBody make_member(Body& body, BodyId id, const Surroundings& around, c
       .body = &body, .id = id, .middle = make_middle(body, around, middle, added_B, DofMask{})};
   // An impact says nothing of the next kick.
   if (middle.constrained && !touching)
-    c.expected = step * turned(middle.state.orientation.toRotationMatrix(),
-                               middle.kicks.expected(step / 2));
+    c.expected =
+        step * turned(middle.state.orientation.toRotationMatrix(), middle.kicks.expected(step / 2));
   return c;
 }
 

@@ -1,11 +1,12 @@
 #include "hydro/wetted_added_mass.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
+
+#include "hydro/decompositions.h"
 
 namespace hydro {
 namespace {
@@ -71,10 +72,10 @@ AddedMassSolution moved_origin(AddedMassSolution solution, const Vector3d& p) {
 
 Matrix6d semi_definite_part(const Matrix6d& matrix) {
   const Matrix6d symmetric = 0.5 * (matrix + matrix.transpose());
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(symmetric);
-  if (eigen.eigenvalues()[0] >= 0) return symmetric;
-  const Vector6d kept = eigen.eigenvalues().cwiseMax(0);
-  const Matrix6d part = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+  const EigenDecomposition6 eigen = eigen_decomposition(symmetric);
+  if (eigen.values[0] >= 0) return symmetric;
+  const Vector6d kept = eigen.values.cwiseMax(0);
+  const Matrix6d part = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
   return 0.5 * (part + part.transpose());
 }
 

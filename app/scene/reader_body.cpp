@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "app/scene/reader_blocks.h"
+#include "hydro/decompositions.h"
 
 namespace app {
 
@@ -43,8 +43,7 @@ void check_inertia(MapReader& map, const InertiaScene& inertia) {
   const double scale = matrix.cwiseAbs().maxCoeff();
   if (scale == 0)
     return map.fault("inertia", "found a zero matrix, expected a positive definite one");
-  const Eigen::Vector3d moments =
-      scale * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix / scale).eigenvalues();
+  const Eigen::Vector3d moments = scale * hydro::eigenvalues(Eigen::Matrix3d(matrix / scale));
   const std::string found =
       fmt::format("found the principal moments {:.6g}, {:.6g} and {:.6g} kg m^2", moments[0],
                   moments[1], moments[2]);

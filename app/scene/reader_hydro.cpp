@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "app/scene/reader_blocks.h"
+#include "hydro/decompositions.h"
 
 namespace app {
 
@@ -126,8 +125,7 @@ void check_matrix(MapReader& map, const hydro::Matrix6d& matrix) {
                     matrix(row, column), row + 1, column + 1, matrix(column, row), column + 1,
                     row + 1));
   if (scale == 0) return;
-  const Eigen::SelfAdjointEigenSolver<hydro::Matrix6d> eigen(matrix / scale);
-  const double least = eigen.eigenvalues()[0];
+  const double least = hydro::eigenvalues(hydro::Matrix6d(matrix / scale))[0];
   if (least < -kMatrixRoundOff)
     map.fault("matrix", fmt::format("found the eigenvalue {:.6g}, expected a matrix without "
                                     "negative ones",
