@@ -40,6 +40,15 @@ const hydro::Loads& water_loads(Body& body, const Surroundings& around,
   return body.water;
 }
 
+// Difference of the added mass that a piece ends with from that of its pose, as a part of the
+// inertia: its energy is uncertain by as much.
+constexpr double kUnmetInertia = 1e-4;
+
+/// Largest part of the inertia that a change of added mass makes up [-].
+double part_of_inertia(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
+  return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();
+}
+
 }  // namespace
 
 Surroundings surroundings(const SimulationSpec& spec) {
@@ -126,6 +135,28 @@ Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step
 bool same_added_mass(const Body& body, const Matrix6d& a, const Matrix6d& b) {
   const Vector6d scale = (body.rigid_B + a).diagonal().cwiseSqrt().cwiseInverse();
   return (scale.asDiagonal() * (a - b) * scale.asDiagonal()).cwiseAbs().maxCoeff() <= 1e-9;
+}
+
+bool nearly_met(const Body& body, const Matrix6d& start_B, const Matrix6d& taken_B,
+                const Matrix6d& found_B) {
+  // What is left of a difference after a pass is this much of the inertia, or less.
+  const double off = part_of_inertia(body, taken_B, found_B - taken_B);
+  const double change = part_of_inertia(body, taken_B, found_B - start_B);
+  return off * std::max(off, change) <= kUnmetInertia;
+}
+
+Motion settled(const Body& body, const Surroundings& around, Motion motion,
+               const Matrix6d& added_B) {
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  const Matrix6d change = turned_matrix(R_WB, added_B - motion.added_B);
+  const Vector6d u = inertia_change(inertia_W(body, motion), change, body.spec->locked,
+                                    velocity(motion.state, around.current()))
+                         .velocity;
+  motion.state = with_velocity(motion.state, u, around.current());
+  motion.added_B = added_B;
+  motion.added_rate_B.setZero();
+  motion.has_added = !added_B.isZero(0);
+  return motion;
 }
 
 hydro::Wrench find_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,

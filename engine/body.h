@@ -25,6 +25,9 @@ struct Surroundings {
   Eigen::Vector3d current() const { return sea ? sea->current : Eigen::Vector3d::Zero(); }
 };
 
+/// Part of the greatest energy so far by which a body may come to have more than the lowest so far.
+inline constexpr double kEnergyGain = 2.5e-4;
+
 /// Energies that a body has had [J].
 struct EnergyRange {
   double lowest = std::numeric_limits<double>::infinity();
@@ -36,6 +39,10 @@ struct EnergyRange {
     highest = std::max(highest, energy);
     lowest_potential = std::min(lowest_potential, potential);
   }
+  /// @param floor   Least energy that the gain is measured by.
+  double allowed_gain(double floor) const {
+    return kEnergyGain * std::max(highest - lowest_potential, floor);
+  }
 };
 
 /// How a body moves at an instant.
@@ -43,10 +50,10 @@ struct Motion {
   hydro::BodyState state;
   Matrix6d added_B = Matrix6d::Zero();       ///< A, body axes.
   Matrix6d added_rate_B = Matrix6d::Zero();  ///< Its change a second in the last step.
-  KickHistory kicks;   ///< Empty if they say nothing about the next one.
-  EnergyRange energy;  ///< Where still water must not give any.
-  bool constrained = false;  ///< The last kick was under joints or contacts.
-  bool has_added = false;    ///< False: A is zero.
+  KickHistory kicks;                         ///< Empty if they say nothing about the next one.
+  EnergyRange energy;                        ///< Where still water must not give any.
+  bool constrained = false;                  ///< The last kick was under joints or contacts.
+  bool has_added = false;                    ///< False: A is zero.
 };
 
 /// What a body has cost.
@@ -119,6 +126,15 @@ Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step
 inline constexpr int kMostPasses = 3;
 /// True if two added masses differ by no more than matters to the step.
 bool same_added_mass(const Body& body, const Matrix6d& a, const Matrix6d& b);
+
+/// True if one more pass with the added mass `found_B` of the pose that `taken_B` has led to, from
+/// `start_B`, leaves no difference that matters to the energy.
+bool nearly_met(const Body& body, const Matrix6d& start_B, const Matrix6d& taken_B,
+                const Matrix6d& found_B);
+/// The motion with the added mass of its pose where passes have not met that, as when a body comes
+/// to the water: what it gains shares the momentum (added_inertia.h).
+Motion settled(const Body& body, const Surroundings& around, Motion motion,
+               const Matrix6d& added_B);
 
 /// All loads on the body in a state, its weight included.
 /// Kept in body.loads.

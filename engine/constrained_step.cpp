@@ -10,8 +10,11 @@
 namespace engine {
 namespace {
 
-constexpr int kMostIterations = 60;
-constexpr int kMostLinearisations = 12;
+constexpr int kMostIterations = 40;
+constexpr int kMostLinearisations = 6;
+constexpr int kFullSteps = 3;  // of Newton's method; later ones are halved
+// Solutions of an island's constraints in a kick after which loads are not linearised again.
+constexpr int kMostSolutions = 50;
 constexpr std::size_t kDepth = 12;
 // Of the change of velocity by reactions, in the metric of M_o.
 constexpr double kTolerance = 1e-9;
@@ -162,12 +165,13 @@ std::vector<Vector6d> last_reactions(const std::vector<ConstrainedBody>& island)
   return reactions;
 }
 
-/// (1) for the loads of the rows.
+/// (1) for the loads of the rows. Adds to `solutions` how often it asked the solver.
 Answer solve(World& world, std::vector<ConstrainedBody>& island, std::vector<Row>& rows,
-             double step) {
+             double step, int& solutions) {
   std::vector<Vector6d> start = last_reactions(island);
   if (std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plain; })) {
     for (const ConstrainedBody& c : island) ++c.body->cost.iterations;
+    ++solutions;
     return ask(world, rows, start, step);
   }
   Iteration iteration = iterate(world, rows, start, step, kDepth);
@@ -178,6 +182,7 @@ Answer solve(World& world, std::vector<ConstrainedBody>& island, std::vector<Row
     iteration = iterate(world, rows, iteration.answer.reactions, step, 0);
     count += iteration.count;
   }
+  solutions += count;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     island[i].body->cost.iterations += count;
     island[i].body->cost.unconverged += !iteration.converged;
@@ -203,15 +208,17 @@ bool settled(const std::vector<ConstrainedBody>& island, const std::vector<Row>&
 
 void constrained_kick(World& world, const Surroundings& around,
                       std::vector<ConstrainedBody>& island, double time, double step) {
-  for (int i = 0; i < kMostLinearisations; ++i) {
+  int solutions = 0;
+  for (int i = 0; i < kMostLinearisations && solutions < kMostSolutions; ++i) {
     std::vector<Row> rows;
     for (ConstrainedBody& c : island) rows.push_back(make_row(c, around, time, step));
-    const Answer answer = solve(world, island, rows, step);
+    const Answer answer = solve(world, island, rows, step, solutions);
     const bool done = settled(island, rows, answer);
     for (std::size_t k = 0; k < island.size(); ++k) {
       ConstrainedBody& c = island[k];
       c.change = answer.changes[k];
-      c.expected = c.change;
+      // Where Newton's method goes to and fro, the middle is nearer.
+      c.expected = i < kFullSteps ? c.change : Vector6d((c.expected + c.change) / 2);
       const Eigen::Matrix3d R_BW = c.middle.motion.state.orientation.conjugate().toRotationMatrix();
       c.body->reaction_B = turned(R_BW, answer.reactions[k]);
       c.body->acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();

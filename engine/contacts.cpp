@@ -21,6 +21,8 @@ constexpr std::size_t kUsualPoints = 256;
 constexpr double kSlip = 1e-6;
 // Extent of points that are all one [m]; its square can still be divided by.
 constexpr double kLeastExtent = 1e-100;
+// By which overlaps are left where there is no weight [m/s^2].
+constexpr double kLeastGravity = 1;
 // Steps in which an overlap can have come about before it is told from an artefact. Fewer would let
 // a fast edge through a wall that it meets where it also touches the ground.
 constexpr double kReachInSteps = 3;
@@ -57,7 +59,7 @@ std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overla
   return points;
 }
 
-dContact contact_joint(const ContactPoint& point, const ContactStiffness& stiffness,
+dContact contact_joint(const ContactPoint& point, const ContactStiffness& stiffness, double erp,
                        const Eigen::Vector3d& velocity) {
   dContact contact{};
   Eigen::Map<Eigen::Vector3d>(contact.geom.pos) = point.position_W;
@@ -66,7 +68,7 @@ dContact contact_joint(const ContactPoint& point, const ContactStiffness& stiffn
   contact.surface.mode =
       dContactSoftERP | dContactSoftCFM | dContactSlip1 | dContactSlip2 | dContactApprox1;
   contact.surface.mu = kFriction;
-  contact.surface.soft_erp = stiffness.erp;
+  contact.surface.soft_erp = erp;
   contact.surface.soft_cfm = stiffness.cfm;
   contact.surface.slip1 = contact.surface.slip2 = stiffness.slip;
 
@@ -179,6 +181,10 @@ ContactStiffness contact_stiffness(double mass, std::size_t points, double step)
           .slip = kSlip * step * share};
 }
 
+double limited_erp(double erp, double depth, double gravity, double step) {
+  return std::min(erp, step * std::sqrt(2 * std::max(gravity, kLeastGravity) / depth));
+}
+
 void World::collide(double step) {
   open_ode();
   dJointGroupEmpty(contacts_.get());
@@ -223,7 +229,9 @@ void World::join_contacts(const Pair& pair, double step) {
       contact_stiffness(unit_ * contact_mass(pair), kept.size(), step);
   for (const std::size_t i : kept) {
     deepest_contact_ = std::max(deepest_contact_, points[i].depth);
-    const dContact contact = contact_joint(points[i], stiffness, approach(points[i].position_W));
+    const double erp = limited_erp(stiffness.erp, points[i].depth, gravity_, step);
+    const dContact contact =
+        contact_joint(points[i], stiffness, erp, approach(points[i].position_W));
     dxJoint* joint = dJointCreateContact(world_.get(), contacts_.get(), &contact);
     dJointAttach(joint, handle_of(pair.first), handle_of(pair.second));
   }

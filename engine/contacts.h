@@ -18,8 +18,13 @@
 /// A body that carries its own weight sinks in by g τ². The time τ = max(h, 0.01 s) makes that 1
 /// mm, whatever the body's size; it does not follow the step below 0.01 s, so that the motion
 /// converges as the step is refined, and does above it, where a spring shorter than a step is not
-/// resolved. With the lighter mass instead of the heavier a body would sink deep into a lighter
-/// one; as it is, the light body's contact is overdamped, with the same ERP.
+/// resolved. A body that has got deep into another in one step is pushed out no faster than
+///
+///     √(2 g depth)                                                                        (4)
+///
+/// so that it gains no more energy than by a fall through the overlap. With the lighter mass
+/// instead of the heavier a body would sink deep into a lighter one; as it is, the light body's
+/// contact is overdamped, with the same ERP.
 ///
 /// Friction is Coulomb's, µ = 0.5 for every pair, in a pyramid whose first edge lies along the
 /// sliding that the contact would see without it; so a body slides down the steepest way above
@@ -75,5 +80,8 @@ struct ContactStiffness {
   double slip = 0;  ///< [m/(N s)]
 };
 ContactStiffness contact_stiffness(double mass, std::size_t points, double step);
+
+/// The ERP of (1), or what makes the speed ERP·depth/h that of (4) if that is less.
+double limited_erp(double erp, double depth, double gravity, double step);
 
 }  // namespace engine

@@ -1,5 +1,8 @@
 #include "engine/energy.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/wetness.h"
 #include "hydro/buoyancy_energy.h"
 
@@ -25,9 +28,23 @@ double energy(const Body& body, const Surroundings& around, const Motion& motion
   return kinetic_energy(body, around, motion) + potential_energy(body, around, motion.state);
 }
 
+double least_energy_scale(const Body& body, const Surroundings& around) {
+  const double radius = body.hull.radius;
+  const double water = around.sea ? around.sea->density * std::pow(radius, 3) : 0;
+  return 1e-9 * around.gravity * (body.spec->mass + water) * radius;
+}
+
 bool must_not_gain_energy(const Body& body, const Surroundings& around) {
-  return body.wet && hydro::is_flat(*around.sea) && around.current().z() == 0 &&
-         body.spec->loads.empty() && body.spec->coefficients.lift == 0;
+  return body.wet && hydro::is_flat(*around.sea) && around.current().z() == 0;
+}
+
+double work_done(const Body& body, const Surroundings& around, const hydro::BodyState& before,
+                 const hydro::BodyState& after, double h) {
+  hydro::Wrench load = body.loads.water.lift;
+  for (const hydro::Wrench& applied : body.loads.applied) load += applied;
+  const Vector6d F = stacked(load);
+  return h * std::max({0.0, F.dot(velocity(before, around.current())),
+                       F.dot(velocity(after, around.current()))});
 }
 
 double total_energy(const SimulationSpec& spec, const std::vector<hydro::BodyState>& states) {

@@ -6,10 +6,10 @@
 /// The energy of bodies in still water.
 ///
 /// E = ½ u·(M + A) u + m g z + U, with u the velocity relative to the water, z the height of the
-/// centre of mass and U the work done against buoyancy (hydro/buoyancy_energy.h). Without applied
-/// loads and lift, in water with a level surface that does not rise, no load adds to E: drag, and
-/// what the added mass leaves in the water, take from it. (Lift pushes inward on a whole body and
-/// can do either.)
+/// centre of mass and U the work done against buoyancy (hydro/buoyancy_energy.h). In water with a
+/// level surface that does not rise, no load adds to E: drag, and what the added mass leaves in the
+/// water, take from it. Lift pushes inward on a whole body and can do either; its work and that of
+/// applied loads is counted.
 
 namespace engine {
 
@@ -21,8 +21,17 @@ double potential_energy(const Body& body, const Surroundings& around,
 /// E of a body with the added mass in force [J].
 double energy(const Body& body, const Surroundings& around, const Motion& motion);
 
-/// True if nothing but its own motion can add to a body's energy.
+/// Energy below which a change is round-off of larger ones: 1e-9 of the weights of the body and of
+/// the water in its place times its size [J].
+double least_energy_scale(const Body& body, const Surroundings& around);
+
+/// True if the water stands still: what adds to a body's energy is known.
 bool must_not_gain_energy(const Body& body, const Surroundings& around);
+
+/// What lift and applied loads, as they were last found, may have added to a body's energy on its
+/// way between two states a time h [s] apart; 0 if they took from it [J].
+double work_done(const Body& body, const Surroundings& around, const hydro::BodyState& before,
+                 const hydro::BodyState& after, double h);
 
 /// E of all bodies in the given states, each with the added mass of its pose [J]. For still water.
 double total_energy(const SimulationSpec& spec, const std::vector<hydro::BodyState>& states);

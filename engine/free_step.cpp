@@ -23,12 +23,6 @@ constexpr double kSmallestSwing = 1e-6;
 constexpr double kSuddenLoad = 0.01;
 // The same for the motion through the water surface in a piece, as a part of the body's height.
 constexpr double kSuddenCrossing = 0.1;
-// Difference of the added mass that a piece ends with from that of its pose, as a part of the
-// inertia: its energy is uncertain by as much.
-constexpr double kUnmetInertia = 1e-4;
-// Least energy that the gain is measured by, of the weights of the body and of the water in its
-// place times its size: energies have round-off in them.
-constexpr double kLeastScale = 1e-9;
 constexpr double kSmallestPart = 1.0 / 4096;  // of a step, with a tolerance
 
 struct Piece {
@@ -45,17 +39,32 @@ bool is_sudden(const Body& body, const KickHistory& last, const Kick& kick,
   return jump > kSuddenLoad * std::hypot(u.head<3>().norm(), radius * u.tail<3>().norm());
 }
 
-/// True if the body moves through the surface by much of its height, or comes to it or leaves it.
-bool crosses(const Body& body, const Surroundings& around, const hydro::BodyState& before,
-             const hydro::BodyState& after) {
+/// How a body has moved relative to what the water surface never leaves.
+struct Passage {
+  bool meets;     ///< It may have met the surface.
+  bool enters;    ///< Or it has come to it or left it.
+  double rise;    ///< [m]
+  double height;  ///< The body's own [m].
+};
+
+Passage passage(const Body& body, const Surroundings& around, const hydro::BodyState& before,
+                const hydro::BodyState& after) {
   const double first = lowest_point(body.box_B, before);
   const double last = lowest_point(body.box_B, after);
   const double height =
       after.orientation.toRotationMatrix().row(2).cwiseAbs().dot(body.box_B.sizes());
-  if (std::min(first, last) >= around.highest) return false;
-  if (std::max(first, last) + height <= around.lowest) return false;
-  return std::max(first, last) >= around.highest ||
-         std::abs(last - first) > kSuddenCrossing * height;
+  return {.meets = std::min(first, last) < around.highest &&
+                   std::max(first, last) + height > around.lowest,
+          .enters = std::max(first, last) >= around.highest,
+          .rise = last - first,
+          .height = height};
+}
+
+/// True if the body moves through the surface by much of its height, or comes to it or leaves it.
+bool crosses(const Body& body, const Surroundings& around, const hydro::BodyState& before,
+             const hydro::BodyState& after) {
+  const Passage p = passage(body, around, before, after);
+  return p.meets && (p.enters || std::abs(p.rise) > kSuddenCrossing * p.height);
 }
 
 /// The second half of a piece, with the added mass of its end.
@@ -71,27 +80,6 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
   next = drift(body, around, next, h / 2);
   check_state(body, next.state);
   return next;
-}
-
-/// Largest part of the inertia that a change of added mass makes up [-].
-double part_of_inertia(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
-  return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();
-}
-
-/// The motion with the added mass of its pose where the passes of a piece have not met that, as
-/// when a body comes to the water: what it gains shares the momentum (added_inertia.h).
-Motion settled(const Body& body, const Surroundings& around, Motion motion,
-               const Matrix6d& added_B) {
-  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
-  const Matrix6d change = turned_matrix(R_WB, added_B - motion.added_B);
-  const Vector6d u = inertia_change(inertia_W(body, motion), change, body.spec->locked,
-                                    velocity(motion.state, around.current()))
-                         .velocity;
-  motion.state = with_velocity(motion.state, u, around.current());
-  motion.added_B = added_B;
-  motion.added_rate_B.setZero();
-  motion.has_added = !added_B.isZero(0);
-  return motion;
 }
 
 /// What the state that equation (1) of kick.h moves on is beyond the one that is seen, in W.
@@ -136,10 +124,7 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
       result.motion = settled(body, around, result.motion, found_B);
       break;
     }
-    // What is left of a difference after a pass is this much of the inertia, or less.
-    const double off = part_of_inertia(body, added_B, found_B - added_B);
-    const double change = part_of_inertia(body, added_B, found_B - motion.added_B);
-    close = off * std::max(off, change) <= kUnmetInertia;
+    close = nearly_met(body, motion.added_B, added_B, found_B);
     added_B = found_B;
     middle = make_middle(body, around, halfway, added_B, locked);
     kick = free_kick_again(body, around, middle, kick, time + h / 2, h);
@@ -181,30 +166,26 @@ Motion braked(const Body& body, const Surroundings& around, const Motion& before
   return slowed;
 }
 
-/// Energy by which a body may have more than the least that it has had [J].
-double allowed_gain(const Body& body, const Surroundings& around, const EnergyRange& range) {
-  const double radius = body.hull.radius;
-  const double weight =
-      around.gravity * (body.spec->mass + around.sea->density * std::pow(radius, 3));
-  return kEnergyGain *
-         std::max(range.highest - range.lowest_potential, kLeastScale * weight * radius);
-}
-
-/// A piece in which still water does not add energy.
-Motion passive_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
-                     double h, int halvings) {
+/// A piece in which the water gives no more energy than it can, and throws the body nowhere.
+Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
+                   double h, int halvings) {
+  const auto in_halves = [&] {
+    const Motion half = sound_piece(body, around, motion, time, h / 2, halvings - 1);
+    return sound_piece(body, around, half, time + h / 2, h / 2, halvings - 1);
+  };
   Piece whole = piece(body, around, motion, time, h);
-  if (!whole.sudden || !must_not_gain_energy(body, around)) return whole.motion;
+  if (!whole.sudden) return whole.motion;
+  if (halvings > 0 && leaps(body, around, motion.state, whole.motion.state, h)) return in_halves();
+  if (!must_not_gain_energy(body, around)) return whole.motion;
   EnergyRange range = motion.energy;
   const double potential = potential_energy(body, around, motion.state);
   range.extend(potential + kinetic_energy(body, around, motion), potential);
+  range.lowest += work_done(body, around, motion.state, whole.motion.state, h);
   const double after = potential_energy(body, around, whole.motion.state);
   const double energy = after + kinetic_energy(body, around, whole.motion);
-  const double excess = energy - range.lowest - allowed_gain(body, around, range);
-  if (excess > 0 && halvings > 0) {
-    const Motion half = passive_piece(body, around, motion, time, h / 2, halvings - 1);
-    return passive_piece(body, around, half, time + h / 2, h / 2, halvings - 1);
-  }
+  const double excess =
+      energy - range.lowest - range.allowed_gain(least_energy_scale(body, around));
+  if (excess > 0 && halvings > 0) return in_halves();
   if (excess > 0) {
     ++body.cost.braked;
     whole.motion = braked(body, around, motion, whole.motion, excess);
@@ -238,7 +219,7 @@ Motion cut_step(Body& body, const Surroundings& around, Motion motion, double ti
   while (done < step) {
     const double rest = step - done;
     const double h = next_length(body, around, motion, rest, step);
-    motion = passive_piece(body, around, motion, time + done, h, kMostHalvings);
+    motion = sound_piece(body, around, motion, time + done, h, kMostHalvings);
     if (h >= rest) break;
     done += h;
   }
@@ -263,9 +244,8 @@ Motion controlled_step(Body& body, const Surroundings& around, Motion motion, do
     h = next_length(body, around, motion, std::min(h, step - done), step);
     // Both must be cut by the tolerance alone, or they could be the same pieces.
     const Motion coarse = piece(body, around, motion, time + done, h).motion;
-    const Motion half = passive_piece(body, around, motion, time + done, h / 2, kMostHalvings);
-    const Motion fine =
-        passive_piece(body, around, half, time + done + h / 2, h / 2, kMostHalvings);
+    const Motion half = sound_piece(body, around, motion, time + done, h / 2, kMostHalvings);
+    const Motion fine = sound_piece(body, around, half, time + done + h / 2, h / 2, kMostHalvings);
     const double error = distance(body, coarse, fine, h) / 3 / (tolerance * h);
     const bool shortest = h <= step * kSmallestPart;
     if (error <= 1 || shortest) {
@@ -297,6 +277,13 @@ double piece_length(const Body& body, const Surroundings& around, const Motion& 
     rate = std::max(rate, std::abs(state.linear_velocity.z()) / (kLargestCrossing * height));
   const double longest = std::max(shortest, rate > 0 ? 1 / rate : rest);
   return rest / std::max(1.0, std::ceil(rest / longest));
+}
+
+bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState& before,
+           const hydro::BodyState& after, double h) {
+  const Passage p = passage(body, around, before, after);
+  const double thrown = h / 2 * (after.linear_velocity.z() - before.linear_velocity.z());
+  return p.meets && std::min(std::abs(p.rise), std::abs(thrown)) > kLongestLeap * p.height;
 }
 
 Motion free_step(Body& body, const Surroundings& around, const Motion& motion, double time,

@@ -11,6 +11,8 @@
 /// piece and its value halfway. So a step is cut in pieces
 /// - in which a body that crosses the water surface moves by no more than half its own height, and
 ///   turns by no more than half a radian while it is wet;
+/// - in halves, if loads throw the body through the surface by more than kLongestLeap of its
+/// height;
 /// - in which a body that bobs or rocks goes through no more than a quarter of a radian of that;
 /// - in still water, if the energy rises by more than kEnergyGain of the greatest so far above the
 ///   lowest so far: in halves, kMostHalvings times, and at the end the motion is slowed by what is
@@ -30,13 +32,18 @@
 
 namespace engine {
 
-inline constexpr double kEnergyGain = 2.5e-4;
 inline constexpr int kMostHalvings = 8;
 inline constexpr int kMostPieces = 64;  ///< By the first rule, in a step.
 
 /// Length of the first of the equal pieces in which the rest of a step is to be taken [s].
 double piece_length(const Body& body, const Surroundings& around, const Motion& motion, double rest,
                     double shortest);
+
+/// True if loads have thrown a body through the water's surface, or from it or to it, by more than
+/// kLongestLeap of its height in a time h [s]: they were not those on its way.
+bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState& before,
+           const hydro::BodyState& after, double h);
+inline constexpr double kLongestLeap = 2;
 
 /// The motion after a step of a body by itself.
 /// @param tolerance   Largest error of the pose in a second, as a part of the body's radius and in

@@ -9,7 +9,8 @@
 
 namespace engine {
 
-/// The accelerations a = Δu/h of the last kicks, in body axes, each taken halfway through its piece.
+/// The accelerations a = Δu/h of the last kicks, in body axes, each taken halfway through its
+/// piece.
 class KickHistory {
  public:
   bool empty() const { return count_ == 0; }

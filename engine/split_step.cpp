@@ -42,6 +42,9 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   return after;
 }
 
+/// As kMostPasses: a pass of an island solves its constraints, often many times.
+constexpr int kMostIslandPasses = 2;
+
 }  // namespace
 
 SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings& around,
@@ -53,9 +56,55 @@ SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings
       collides_(collides),
       jointed_(std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.jointed; })),
       tolerance_(tolerance),
-      middle_(bodies.size()) {}
+      middle_(bodies.size()),
+      touching_(bodies.size()),
+      guard_(world.islands(), bodies, around) {}
 
-void SplitStep::advance(double time, double step) { advance_once(time, step, true); }
+void SplitStep::advance(double time, double step) {
+  if (!any_constraint()) return advance_once(time, step, true);
+  advance_guarded(time, step, EnergyGuard::kMostHalvings);
+}
+
+void SplitStep::advance_guarded(double time, double step, int halvings) {
+  const Snapshot start = snapshot();
+  advance_once(time, step, true);
+  const bool gained = guard_.gained(bodies_, start.motions, touching_, step);
+  if ((gained || any_leaps(start.motions, step)) && halvings > 0) {
+    restore(start);
+    advance_guarded(time, step / 2, halvings - 1);
+    return advance_guarded(time + step / 2, step / 2, halvings - 1);
+  }
+  if (gained) guard_.brake(bodies_, start.motions);
+  guard_.accept();
+}
+
+bool SplitStep::any_leaps(const std::vector<Motion>& before, double step) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = bodies_[i];
+    if (body.wet && body.motion.constrained &&
+        leaps(body, around_, before[i].state, body.motion.state, step))
+      return true;
+  }
+  return false;
+}
+
+SplitStep::Snapshot SplitStep::snapshot() const {
+  Snapshot snapshot;
+  for (const Body& body : bodies_) {
+    snapshot.motions.push_back(body.motion);
+    snapshot.reactions_B.push_back(body.reaction_B);
+    snapshot.accelerations_W.push_back(body.acceleration_W);
+  }
+  return snapshot;
+}
+
+void SplitStep::restore(const Snapshot& snapshot) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].motion = snapshot.motions[i];
+    bodies_[i].reaction_B = snapshot.reactions_B[i];
+    bodies_[i].acceleration_W = snapshot.accelerations_W[i];
+  }
+}
 
 void SplitStep::advance_once(double time, double step, bool may_cut) {
   if (!any_constraint()) return advance_free({}, time, step);
@@ -117,21 +166,26 @@ void SplitStep::advance_island(const std::vector<BodyId>& island, double time, d
   for (std::size_t k = 0; k < island.size(); ++k)
     added.push_back(expected_added_mass(bodies_[index(k)], bodies_[index(k)].motion, step));
   std::vector<Motion> ends(island.size());
-  for (int pass = 0; pass < 2; ++pass) {
+  bool near = false;
+  for (int pass = 1;; ++pass) {
     std::vector<ConstrainedBody> members;
     for (std::size_t k = 0; k < island.size(); ++k)
       members.push_back(make_member(bodies_[index(k)], island[k], around_, middle_[index(k)],
                                     added[k], step, touching_[index(k)]));
     constrained_kick(world_, around_, members, time + step / 2, step);
-    bool same = true;
+    bool same = true, next_is_near = true;
     for (std::size_t k = 0; k < island.size(); ++k) {
       const Body& body = bodies_[index(k)];
       ends[k] = finish(members[k], around_, added[k], step, touching_[index(k)]);
       const Matrix6d found = added_mass(body, around_, ends[k].state, time + step);
-      same = same && same_added_mass(body, found, added[k]);
-      if (pass == 0) added[k] = found;
+      if (same_added_mass(body, found, added[k])) continue;
+      same = false;
+      next_is_near = next_is_near && nearly_met(body, body.motion.added_B, added[k], found);
+      if (!near && pass == kMostIslandPasses) ends[k] = settled(body, around_, ends[k], found);
+      added[k] = found;
     }
-    if (same) break;
+    if (same || near || pass == kMostIslandPasses) break;
+    near = next_is_near;
   }
   for (std::size_t k = 0; k < island.size(); ++k) {
     Body& body = bodies_[index(k)];

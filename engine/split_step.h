@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "engine/body.h"
+#include "engine/energy_guard.h"
 #include "engine/world.h"
 
 /// @file
@@ -13,10 +14,11 @@
 /// velocities change by loads (kick.h) and constraints (constrained_step.h); then each drifts on to
 /// the end. Poses and velocities belong to the same instants, the ends of steps. Bodies without
 /// joints and contacts go through the step each by itself, in pieces of their own (free_step.h);
-/// the others in step with each other. Constraints act on the poses halfway, which are one step
-/// apart: for them the scheme is ODE's own, with the error of a joint taken back in the next step,
-/// and resting contacts rest. In still air free fall is exact and a spin keeps its momentum and
-/// energy.
+/// the others in step with each
+/// other, in halves where still water would give them energy (energy_guard.h). Constraints act on
+/// the poses halfway, which are one step apart: for them the scheme is ODE's own, with the error of
+/// a joint taken back in the next step, and resting contacts rest. In still air free fall is exact
+/// and a spin keeps its momentum and energy.
 
 namespace engine {
 
@@ -43,6 +45,17 @@ class SplitStep {
   void advance_island(const std::vector<BodyId>& island, double time, double step);
   void advance_free(const std::vector<std::vector<BodyId>>& islands, double time, double step);
   void advance_once(double time, double step, bool may_cut);
+  void advance_guarded(double time, double step, int halvings);
+
+  /// What a step changes of the bodies.
+  struct Snapshot {
+    std::vector<Motion> motions;
+    std::vector<Vector6d> reactions_B;
+    std::vector<std::optional<Eigen::Vector3d>> accelerations_W;
+  };
+  bool any_leaps(const std::vector<Motion>& before, double step) const;
+  Snapshot snapshot() const;
+  void restore(const Snapshot& snapshot);
 
   World& world_;
   std::vector<Body>& bodies_;
@@ -54,6 +67,7 @@ class SplitStep {
   double collision_seconds_ = 0;
   std::vector<Motion> middle_;  ///< Halfway through the step, before the kick.
   std::vector<bool> touching_;  ///< Per body: it has contacts in this step.
+  EnergyGuard guard_;           ///< Of bodies under joints.
 };
 
 }  // namespace engine

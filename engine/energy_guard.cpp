@@ -1,0 +1,98 @@
+#include "engine/energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/energy.h"
+
+namespace engine {
+namespace {
+
+struct Energies {
+  double kinetic = 0;
+  double potential = 0;
+};
+
+Energies energies(const std::vector<std::size_t>& members, const std::vector<Body>& bodies,
+                  const std::vector<Motion>* motions, const Surroundings& around) {
+  Energies sum;
+  for (const std::size_t i : members) {
+    const Motion& motion = motions ? (*motions)[i] : bodies[i].motion;
+    sum.kinetic += kinetic_energy(bodies[i], around, motion);
+    sum.potential += potential_energy(bodies[i], around, motion.state);
+  }
+  return sum;
+}
+
+}  // namespace
+
+EnergyGuard::EnergyGuard(const std::vector<std::vector<BodyId>>& groups,
+                         const std::vector<Body>& bodies, const Surroundings& around)
+    : around_(around) {
+  for (const std::vector<BodyId>& ids : groups) {
+    Group group;
+    bool watched = true;
+    for (const BodyId id : ids) {
+      const auto i = static_cast<std::size_t>(id);
+      group.bodies.push_back(i);
+      group.floor += least_energy_scale(bodies[i], around);
+      watched = watched && must_not_gain_energy(bodies[i], around);
+    }
+    if (watched) groups_.push_back(std::move(group));
+  }
+}
+
+bool EnergyGuard::gained(const std::vector<Body>& bodies, const std::vector<Motion>& before,
+                         const std::vector<bool>& touching, double step) {
+  bool any = false;
+  for (Group& group : groups_) {
+    group.excess = 0;
+    group.next = group.range;
+    const auto touches = [&](std::size_t i) { return touching[i]; };
+
+    if (std::any_of(group.bodies.begin(), group.bodies.end(), touches)) {
+      group.next = {};
+      continue;
+    }
+
+    look(group, bodies, before, step);
+    any = any || group.excess > 0;
+  }
+  return any;
+}
+
+void EnergyGuard::look(Group& group, const std::vector<Body>& bodies,
+                       const std::vector<Motion>& before, double step) const {
+  const Energies start = energies(group.bodies, bodies, &before, around_);
+  const Energies end = energies(group.bodies, bodies, nullptr, around_);
+  group.next.extend(start.kinetic + start.potential, start.potential);
+  for (const std::size_t i : group.bodies)
+    group.next.lowest +=
+        work_done(bodies[i], around_, before[i].state, bodies[i].motion.state, step);
+  const double energy = end.kinetic + end.potential;
+  group.kinetic = end.kinetic;
+  group.excess = energy - group.next.lowest - group.next.allowed_gain(group.floor);
+  group.next.extend(std::min(energy, energy - group.excess), end.potential);
+}
+
+void EnergyGuard::brake(std::vector<Body>& bodies, const std::vector<Motion>& before) const {
+  for (const Group& group : groups_) {
+    if (!(group.excess > 0)) continue;
+    const bool enough = group.kinetic > group.excess;
+    const double part = enough ? std::sqrt(1 - group.excess / group.kinetic) : 0;
+    for (const std::size_t i : group.bodies) {
+      Motion& motion = bodies[i].motion;
+      if (!enough) motion = before[i];
+      motion.state = with_velocity(motion.state, part * velocity(motion.state, around_.current()),
+                                   around_.current());
+      motion.kicks.clear();
+      ++bodies[i].cost.braked;
+    }
+  }
+}
+
+void EnergyGuard::accept() {
+  for (Group& group : groups_) group.range = group.next;
+}
+
+}  // namespace engine

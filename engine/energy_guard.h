@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/body.h"
+
+/// @file
+/// Keeps still water from giving energy to bodies that joints hold together.
+///
+/// What free_step.h does for a body by itself, for all of a group at once: joints move energy
+/// between its bodies and take some, but add none. A step after which a group has more than
+/// kEnergyGain of the greatest so far above the lowest so far is taken in halves, and at last its
+/// motion is slowed, which the joints allow: their conditions on the velocities are linear. Groups
+/// that touch something are left to the contacts.
+
+namespace engine {
+
+class EnergyGuard {
+ public:
+  static constexpr int kMostHalvings = 5;
+
+  /// @param groups   Bodies that joints hold together, and alone ones that joints hold.
+  EnergyGuard(const std::vector<std::vector<BodyId>>& groups, const std::vector<Body>& bodies,
+              const Surroundings& around);
+
+  /// True if there is nothing to watch.
+  bool empty() const { return groups_.empty(); }
+
+  /// Looks at the bodies after a step.
+  /// @param before   Their motions at its start.
+  /// @param touching   For each body, if it is in contact.
+  /// @return true if a group has too much energy.
+  /// @param step   Between both [s].
+  bool gained(const std::vector<Body>& bodies, const std::vector<Motion>& before,
+              const std::vector<bool>& touching, double step);
+
+  /// After gained() for the same step: slows the groups that have too much energy; those that have
+  /// more of it than they move with rest where they were before.
+  void brake(std::vector<Body>& bodies, const std::vector<Motion>& before) const;
+
+  /// After gained() for the same step, which stands.
+  void accept();
+
+ private:
+  struct Group {
+    std::vector<std::size_t> bodies;
+    double floor = 0;    ///< Least energy that a gain is measured by [J].
+    EnergyRange range;   ///< Up to the last step that stands.
+    EnergyRange next;    ///< With the step that was looked at.
+    double kinetic = 0;  ///< After it [J].
+    double excess = 0;   ///< After it [J].
+  };
+
+  void look(Group& group, const std::vector<Body>& bodies, const std::vector<Motion>& before,
+            double step) const;
+
+  Surroundings around_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace engine
