@@ -171,6 +171,8 @@ class Run {
     if (code == kInterrupted)
       say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
                       summary_.simulated, scene_.duration, folder_.path().string()));
+    for (const std::string& warning : summary_.warnings)
+      say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
     const engine::Timings& t = summary_.timings;
     say(
         fmt::format("{}: {} steps, {:g} s simulated in {:.2f} s "

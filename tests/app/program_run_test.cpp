@@ -93,6 +93,21 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
                           "steps_at_rest", "motion", "added_mass"));
 }
 
+TEST_F(ProgramRun, WarnsOfAStepThatIsTooLongForTheWaves) {
+  here.write("short.yaml", R"(plimsoll: 1
+duration: 2
+step: 0.25
+water: {surface: {waves: [{amplitude: 0.02, wavelength: 2, heading_deg: 0}]}}
+hydro: {added_mass: none}
+bodies:
+  - {name: raft, box: {size: [4, 3, 1]}, density: 500}
+)");
+  const Outcome outcome = here.run({"run", "short.yaml"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("short.yaml: warning: body 'raft' meets a wave every 1.1"));
+  EXPECT_EQ(here.run({"run", "short.yaml", "--quiet"}).err, "");
+}
+
 TEST_F(ProgramRun, DrawsFramesAndASheetOfThoseTimesBeforeTheEnd) {
   here.write("box.yaml", falling_box("0.6", kPictures));
   const Outcome outcome = here.run({"run", "box.yaml"});

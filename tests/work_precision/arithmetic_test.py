@@ -225,7 +225,14 @@ class Judgement(unittest.TestCase):
         self.assertAlmostEqual(target, 30 / 3840, delta=1e-12)
         self.assertAlmostEqual(seconds, 3840, delta=1e-9)
 
-    def test_runs_that_are_all_better_give_bounds(self):
+    def test_runs_that_are_all_better_are_compared_at_their_own_error(self):
+        good = finding_of({"baseline": lambda rate: 1 / rate, "default": lambda rate: 1e-2 / rate},
+                          {"baseline": lambda rate: rate, "default": lambda rate: rate})
+        ratio = judgement.judge(good, "default").speed_ratio
+        self.assertFalse(ratio.at_least)
+        self.assertAlmostEqual(ratio.value, 1500 / 15, delta=1e-9)
+
+    def test_runs_better_than_the_plain_method_ever_is_give_bounds(self):
         good = finding_of({"baseline": lambda rate: 1 / rate, "default": lambda rate: 1e-3 / rate},
                           {"baseline": lambda rate: rate, "default": lambda rate: rate})
         ratio = judgement.judge(good, "default").speed_ratio

@@ -35,7 +35,7 @@ class Judgement:
     target: float | None  # The error at which both are compared.
     baseline_seconds: float | None  # In which the plain method reaches it.
     error_ratio: Ratio | None  # The plain method's error over this one's at that time.
-    speed_ratio: Ratio | None  # The plain method's time over this one's at that error.
+    speed_ratio: Ratio | None  # The plain method's time over this one's at equal error.
 
 
 @dataclass(frozen=True)
@@ -116,13 +116,14 @@ def target_of(finding: Finding) -> tuple[float, float] | None:
 
 
 def judge(finding: Finding, method: str) -> Judgement:
-    ours, compared = curve_of(finding, method), target_of(finding)
+    ours, plain = curve_of(finding, method), curve_of(finding, "baseline")
+    compared = target_of(finding)
     order = None if method == "tolerance" else order_of(finding, method)
     target, seconds = compared or (None, None)
     both = compared is not None and ours is not None and method != "baseline"
     return Judgement(finding.experiment.name, finding.experiment.smooth, method, order, target,
                      seconds, _error_ratio(ours, target, seconds, finding.floor) if both else None,
-                     _speed_ratio(ours, target, seconds) if both else None)
+                     _speed_ratio(ours, plain, target, seconds) if both else None)
 
 
 def _error_ratio(ours: Curve, target: float, seconds: float, floor: float) -> Ratio | None:
@@ -133,6 +134,13 @@ def _error_ratio(ours: Curve, target: float, seconds: float, floor: float) -> Ra
     return Ratio(target / error, bound or bool(error <= floor))
 
 
-def _speed_ratio(ours: Curve, target: float, seconds: float) -> Ratio | None:
+def _speed_ratio(ours: Curve, plain: Curve, target: float, seconds: float) -> Ratio | None:
+    """At the target; or, where the cheapest run is better already, at that run's error if the plain
+    method gets there."""
     reached = ours.time_of(target)
-    return Ratio(seconds / reached[0], reached[1]) if reached else None
+    if reached is None:
+        return None
+    at_own = plain.time_of(float(ours.error[0])) if reached[1] else None
+    if at_own is not None and not at_own[1]:
+        return Ratio(at_own[0] / reached[0])
+    return Ratio(seconds / reached[0], reached[1])
