@@ -14,12 +14,11 @@ struct Energies {
 };
 
 Energies energies(const std::vector<std::size_t>& members, const std::vector<Body>& bodies,
-                  const std::vector<Motion>* motions, const Surroundings& around) {
+                  const EnergyGuard::MotionOf& motion, const Surroundings& around) {
   Energies sum;
   for (const std::size_t i : members) {
-    const Motion& motion = motions ? (*motions)[i] : bodies[i].motion;
-    sum.kinetic += kinetic_energy(bodies[i], around, motion);
-    sum.potential += potential_energy(bodies[i], around, motion.state);
+    sum.kinetic += kinetic_energy(bodies[i], around, motion(i));
+    sum.potential += potential_energy(bodies[i], around, motion(i).state);
   }
   return sum;
 }
@@ -42,7 +41,7 @@ EnergyGuard::EnergyGuard(const std::vector<std::vector<BodyId>>& groups,
   }
 }
 
-bool EnergyGuard::gained(const std::vector<Body>& bodies, const std::vector<Motion>& before,
+bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before,
                          const std::vector<bool>& touching, double step) {
   bool any = false;
   for (Group& group : groups_) {
@@ -61,28 +60,29 @@ bool EnergyGuard::gained(const std::vector<Body>& bodies, const std::vector<Moti
   return any;
 }
 
-void EnergyGuard::look(Group& group, const std::vector<Body>& bodies,
-                       const std::vector<Motion>& before, double step) const {
-  const Energies start = energies(group.bodies, bodies, &before, around_);
-  const Energies end = energies(group.bodies, bodies, nullptr, around_);
+void EnergyGuard::look(Group& group, const std::vector<Body>& bodies, const MotionOf& before,
+                       double step) const {
+  const Energies start = energies(group.bodies, bodies, before, around_);
+  const auto after = [&](std::size_t i) -> const Motion& { return bodies[i].motion; };
+  const Energies end = energies(group.bodies, bodies, after, around_);
   group.next.extend(start.kinetic + start.potential, start.potential);
   for (const std::size_t i : group.bodies)
     group.next.lowest +=
-        work_done(bodies[i], around_, before[i].state, bodies[i].motion.state, step);
+        work_done(bodies[i], around_, before(i).state, bodies[i].motion.state, step);
   const double energy = end.kinetic + end.potential;
   group.kinetic = end.kinetic;
   group.excess = energy - group.next.lowest - group.next.allowed_gain(group.floor);
   group.next.extend(std::min(energy, energy - group.excess), end.potential);
 }
 
-void EnergyGuard::brake(std::vector<Body>& bodies, const std::vector<Motion>& before) const {
+void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const {
   for (const Group& group : groups_) {
     if (!(group.excess > 0)) continue;
     const bool enough = group.kinetic > group.excess;
     const double part = enough ? std::sqrt(1 - group.excess / group.kinetic) : 0;
     for (const std::size_t i : group.bodies) {
       Motion& motion = bodies[i].motion;
-      if (!enough) motion = before[i];
+      if (!enough) motion = before(i);
       motion.state = with_velocity(motion.state, part * velocity(motion.state, around_.current()),
                                    around_.current());
       motion.kicks.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "engine/body.h"
@@ -17,6 +18,7 @@ namespace engine {
 
 class EnergyGuard {
  public:
+  using MotionOf = std::function<const Motion&(std::size_t body)>;
   static constexpr int kMostHalvings = 5;
 
   /// @param groups   Bodies that joints hold together, and alone ones that joints hold.
@@ -27,16 +29,16 @@ class EnergyGuard {
   bool empty() const { return groups_.empty(); }
 
   /// Looks at the bodies after a step.
-  /// @param before   Their motions at its start.
+  /// @param before   Motion of a body at its start.
   /// @param touching   For each body, if it is in contact.
   /// @return true if a group has too much energy.
   /// @param step   Between both [s].
-  bool gained(const std::vector<Body>& bodies, const std::vector<Motion>& before,
+  bool gained(const std::vector<Body>& bodies, const MotionOf& before,
               const std::vector<bool>& touching, double step);
 
   /// After gained() for the same step: slows the groups that have too much energy; those that have
   /// more of it than they move with rest where they were before.
-  void brake(std::vector<Body>& bodies, const std::vector<Motion>& before) const;
+  void brake(std::vector<Body>& bodies, const MotionOf& before) const;
 
   /// After gained() for the same step, which stands.
   void accept();
@@ -51,7 +53,7 @@ class EnergyGuard {
     double excess = 0;   ///< After it [J].
   };
 
-  void look(Group& group, const std::vector<Body>& bodies, const std::vector<Motion>& before,
+  void look(Group& group, const std::vector<Body>& bodies, const MotionOf& before,
             double step) const;
 
   Surroundings around_;

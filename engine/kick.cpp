@@ -44,6 +44,13 @@ struct Setting {
   Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
     return solve_free(matrix, rhs, body.spec->locked);
   }
+  /// S⁻¹ rhs in the free degrees of freedom.
+  Vector6d accelerated(const Vector6d& rhs) const {
+    if (body.adds || body.locked) return solve(S, rhs);
+    const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+    return stacked(rhs.head<3>() / body.spec->mass,
+                   R_WB * (body.inverse_inertia_B * (R_WB.transpose() * rhs.tail<3>())));
+  }
 };
 
 Setting make_setting(Body& body, const Surroundings& around, const Middle& middle, double time,
@@ -66,7 +73,7 @@ double drag_stiffness(const Setting& s, const Vector6d& u, const Vector6d& after
   if (!(power > 0)) return 0;
   const double energy = u.dot(s.S * u);
   const double growth = std::sqrt(std::max(1.0, after.dot(s.S * after) / energy));
-  return 2 * growth * s.step * D.dot(s.solve(s.S, D)) / power;
+  return 2 * growth * s.step * D.dot(s.accelerated(D)) / power;
 }
 
 /// A bound of (h ω)² for heave, roll and pitch.
@@ -136,7 +143,7 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
   Vector6d expected;
   if (middle.kicks.empty()) {
     Kick kick{.load = s.loads(s.u)};
-    kick.change = s.solve(s.S, s.step * kick.load);
+    kick.change = s.accelerated(s.step * kick.load);
     if (s.body.loads.water.wetted_area == 0) return kick;
     expected = kick.change;
   } else {
@@ -144,7 +151,7 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
                                middle.kicks.expected(s.step / 2));
   }
   Kick kick{.load = s.loads_halfway(expected), .at = s.u + expected / 2};
-  kick.change = s.solve(s.S, s.step * kick.load);
+  kick.change = s.accelerated(s.step * kick.load);
   return kick;
 }
 
@@ -189,7 +196,7 @@ EffectiveLoad effective_load(Body& body, const Surroundings& around, const Middl
   Vector6d at = s.u + expected / 2;
   EffectiveLoad result{.inertia = s.S, .load = s.loads(at)};
   if (!body.wet || body.loads.water.wetted_area == 0) return result;
-  const Vector6d after = s.u + expected + step * s.solve(s.S, result.load);
+  const Vector6d after = s.u + expected + step * s.accelerated(result.load);
   result.implicit =
       drag_stiffness(s, at, after) > kStiffDrag || waterplane_stiffness(s) > kStiffWaterplane;
   if (!result.implicit) return result;

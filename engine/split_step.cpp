@@ -57,56 +57,15 @@ SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings
       jointed_(std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.jointed; })),
       tolerance_(tolerance),
       middle_(bodies.size()),
+      before_(bodies.size()),
       touching_(bodies.size()),
       guard_(world.islands(), bodies, around) {}
 
 void SplitStep::advance(double time, double step) {
-  if (!any_constraint()) return advance_once(time, step, true);
-  advance_guarded(time, step, EnergyGuard::kMostHalvings);
+  advance_once(time, step, true, EnergyGuard::kMostHalvings);
 }
 
-void SplitStep::advance_guarded(double time, double step, int halvings) {
-  const Snapshot start = snapshot();
-  advance_once(time, step, true);
-  const bool gained = guard_.gained(bodies_, start.motions, touching_, step);
-  if ((gained || any_leaps(start.motions, step)) && halvings > 0) {
-    restore(start);
-    advance_guarded(time, step / 2, halvings - 1);
-    return advance_guarded(time + step / 2, step / 2, halvings - 1);
-  }
-  if (gained) guard_.brake(bodies_, start.motions);
-  guard_.accept();
-}
-
-bool SplitStep::any_leaps(const std::vector<Motion>& before, double step) const {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Body& body = bodies_[i];
-    if (body.wet && body.motion.constrained &&
-        leaps(body, around_, before[i].state, body.motion.state, step))
-      return true;
-  }
-  return false;
-}
-
-SplitStep::Snapshot SplitStep::snapshot() const {
-  Snapshot snapshot;
-  for (const Body& body : bodies_) {
-    snapshot.motions.push_back(body.motion);
-    snapshot.reactions_B.push_back(body.reaction_B);
-    snapshot.accelerations_W.push_back(body.acceleration_W);
-  }
-  return snapshot;
-}
-
-void SplitStep::restore(const Snapshot& snapshot) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    bodies_[i].motion = snapshot.motions[i];
-    bodies_[i].reaction_B = snapshot.reactions_B[i];
-    bodies_[i].acceleration_W = snapshot.accelerations_W[i];
-  }
-}
-
-void SplitStep::advance_once(double time, double step, bool may_cut) {
+void SplitStep::advance_once(double time, double step, bool may_cut, int halvings) {
   if (!any_constraint()) return advance_free({}, time, step);
   drift_to_middle(step);
   collide(step);
@@ -114,11 +73,44 @@ void SplitStep::advance_once(double time, double step, bool may_cut) {
   const double piece = may_cut ? longest_piece(islands, step) : step;
   if (piece < step) {
     const auto count = static_cast<int>(std::lround(step / piece));
-    for (int i = 0; i < count; ++i) advance_once(time + i * piece, piece, false);
-    return;
+    for (int i = 0; i < count; ++i) advance_once(time + i * piece, piece, false, halvings);
+  } else if (advance_soundly(islands, time, step, halvings > 0)) {
+    advance_free(islands, time, step);
+  } else {
+    advance_once(time, step / 2, may_cut, halvings - 1);
+    advance_once(time + step / 2, step / 2, may_cut, halvings - 1);
   }
+}
+
+bool SplitStep::advance_soundly(const std::vector<std::vector<BodyId>>& islands, double time,
+                                double step, bool may_halve) {
+  const auto for_members = [&](const auto& f) {
+    for (const std::vector<BodyId>& island : islands)
+      for (const BodyId id : island)
+        f(bodies_[static_cast<std::size_t>(id)], before_[static_cast<std::size_t>(id)]);
+  };
+  for_members([](const Body& body, Before& before) {
+    before = {body.motion, body.reaction_B, body.acceleration_W};
+  });
   advance_constrained(islands, time, step);
-  advance_free(islands, time, step);
+  const auto motion_before = [this](std::size_t i) -> const Motion& { return before_[i].motion; };
+  const bool gained = guard_.gained(bodies_, motion_before, touching_, step);
+  bool leapt = false;
+  for_members([&](const Body& body, const Before& before) {
+    leapt =
+        leapt || (body.wet && leaps(body, around_, before.motion.state, body.motion.state, step));
+  });
+  if (may_halve && (gained || leapt)) {
+    for_members([](Body& body, const Before& before) {
+      body.motion = before.motion;
+      body.reaction_B = before.reaction_B;
+      body.acceleration_W = before.acceleration_W;
+    });
+    return false;
+  }
+  if (gained) guard_.brake(bodies_, motion_before);
+  guard_.accept();
+  return true;
 }
 
 void SplitStep::drift_to_middle(double step) {

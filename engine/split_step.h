@@ -44,18 +44,18 @@ class SplitStep {
                            double step);
   void advance_island(const std::vector<BodyId>& island, double time, double step);
   void advance_free(const std::vector<std::vector<BodyId>>& islands, double time, double step);
-  void advance_once(double time, double step, bool may_cut);
-  void advance_guarded(double time, double step, int halvings);
+  void advance_once(double time, double step, bool may_cut, int halvings);
 
-  /// What a step changes of the bodies.
-  struct Snapshot {
-    std::vector<Motion> motions;
-    std::vector<Vector6d> reactions_B;
-    std::vector<std::optional<Eigen::Vector3d>> accelerations_W;
+  /// Moves the islands. False: they have gained energy or were thrown, and are where they were.
+  bool advance_soundly(const std::vector<std::vector<BodyId>>& islands, double time, double step,
+                       bool may_halve);
+
+  /// What a step changes of a body.
+  struct Before {
+    Motion motion;
+    Vector6d reaction_B;
+    std::optional<Eigen::Vector3d> acceleration_W;
   };
-  bool any_leaps(const std::vector<Motion>& before, double step) const;
-  Snapshot snapshot() const;
-  void restore(const Snapshot& snapshot);
 
   World& world_;
   std::vector<Body>& bodies_;
@@ -66,6 +66,7 @@ class SplitStep {
   double tolerance_;
   double collision_seconds_ = 0;
   std::vector<Motion> middle_;  ///< Halfway through the step, before the kick.
+  std::vector<Before> before_;  ///< Of the members of islands, at the start of the step.
   std::vector<bool> touching_;  ///< Per body: it has contacts in this step.
   EnergyGuard guard_;           ///< Of bodies under joints.
 };
