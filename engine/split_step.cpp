@@ -62,6 +62,7 @@ SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings
       guard_(world.islands(), bodies, around) {}
 
 void SplitStep::advance(double time, double step) {
+  shortest_ = step / kMostPieces;
   advance_once(time, step, true, EnergyGuard::kMostHalvings);
 }
 
@@ -74,7 +75,7 @@ void SplitStep::advance_once(double time, double step, bool may_cut, int halving
   if (piece < step) {
     const auto count = static_cast<int>(std::lround(step / piece));
     for (int i = 0; i < count; ++i) advance_once(time + i * piece, piece, false, halvings);
-  } else if (advance_soundly(islands, time, step, halvings > 0)) {
+  } else if (advance_soundly(islands, time, step, halvings > 0 && step / 2 >= shortest_)) {
     advance_free(islands, time, step);
   } else {
     advance_once(time, step / 2, may_cut, halvings - 1);
