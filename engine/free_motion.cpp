@@ -92,15 +92,6 @@ void advance(const hydro::Cholesky6& S, Momentum& m, double time, int halvings) 
   m.p = 2 * mean - m.p;
 }
 
-/// Rate at which (1) turns velocity and momentum [rad/s].
-double turning_rate(const Matrix6d& S, const Vector6d& u) {
-  const Vector3d P = (S * u).head<3>();
-  const double fastest = std::max(u.head<3>().norm(), P.norm() / S.diagonal().head<3>().minCoeff());
-  const double bent = P.cross(u.head<3>()).norm() > 1e-12 * P.norm() * u.head<3>().norm() ? 1 : 0;
-  const double munk = bent * P.norm() * fastest / S.diagonal().tail<3>().minCoeff();
-  return u.tail<3>().norm() + std::sqrt(munk);
-}
-
 /// Euler's equations for the angular momentum L in B by (2); returns ω̄.
 Vector3d turn_freely(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w, double time) {
   const Vector3d L = inertia * w;
@@ -148,6 +139,14 @@ Eigen::Quaterniond exponential(const Vector3d& turn) {
   const double sinc = half < 1e-4 ? 0.5 * (1 - half * half / 6) : std::sin(half) / (2 * half);
   const Vector3d v = sinc * turn;
   return {std::cos(half), v.x(), v.y(), v.z()};
+}
+
+double turning_rate(const Matrix6d& S, const Vector6d& u) {
+  const Vector3d P = (S * u).head<3>();
+  const double fastest = std::max(u.head<3>().norm(), P.norm() / S.diagonal().head<3>().minCoeff());
+  const double bent = P.cross(u.head<3>()).norm() > 1e-12 * P.norm() * u.head<3>().norm() ? 1 : 0;
+  const double munk = bent * P.norm() * fastest / S.diagonal().tail<3>().minCoeff();
+  return u.tail<3>().norm() + std::sqrt(munk);
 }
 
 hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& state,

@@ -34,6 +34,9 @@ namespace engine {
 /// Largest turn, or change of direction of the momentum, in one application of (2) [rad].
 inline constexpr double kLargestTurn = 0.1;
 
+/// Rate at which (1) turns the velocity u in B and its momentum, with S in B [rad/s].
+double turning_rate(const Matrix6d& S, const Vector6d& u);
+
 /// The state after `time` [s] of motion by (1).
 ///
 /// @param inertia_B   S, symmetric and positive definite.

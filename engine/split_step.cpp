@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/constrained_step.h"
+#include "engine/free_motion.h"
 #include "engine/free_step.h"
 
 namespace engine {
@@ -40,6 +41,19 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   after = drift(*c.body, around, after, step / 2);
   check_state(*c.body, after.state);
   return after;
+}
+
+/// Largest turn of a body in a piece by its own inertia: its joints do not see that [rad].
+constexpr double kLargestHeldTurn = 0.25;
+
+/// Length of equal pieces of a step in which a body turns by no more than kLargestHeldTurn.
+double turn_length(const Body& body, const Surroundings& around, double step, double shortest) {
+  const Motion& motion = body.motion;
+  const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
+  const double rate = turning_rate(body.rigid_B + motion.added_B,
+                                   turned(R_BW, velocity(motion.state, around.current())));
+  const double longest = std::max(shortest, rate > 0 ? kLargestHeldTurn / rate : step);
+  return step / std::max(1.0, std::ceil(step / longest));
 }
 
 /// As kMostPasses: a pass of an island solves its constraints, often many times.
@@ -142,7 +156,8 @@ double SplitStep::longest_piece(const std::vector<std::vector<BodyId>>& islands,
   for (const std::vector<BodyId>& island : islands)
     for (const BodyId id : island) {
       const Body& body = bodies_[static_cast<std::size_t>(id)];
-      piece = std::min(piece, piece_length(body, around_, body.motion, step, step / kMostPieces));
+      piece = std::min({piece, piece_length(body, around_, body.motion, step, shortest_),
+                        turn_length(body, around_, step, shortest_)});
     }
   return piece;
 }
