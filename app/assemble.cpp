@@ -225,6 +225,7 @@ engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, Assembl
                   .angular_velocity = body.angular_velocity};
   if (body.start == Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
   spec.coefficients = assemble_coefficients(body, spec.mesh_B, path, log);
+  spec.summation.wave_tolerance = body.hydro.wave_tolerance;
   for (const AppliedLoadScene& load : body.forces) spec.loads.push_back(applied_load(load, com_M));
   check_motion(spec, path, log);
   return spec;

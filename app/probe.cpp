@@ -40,7 +40,7 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
   hydro::Loads loads;
   if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
     loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
-                                 body.coefficients);
+                                 body.coefficients, body.summation);
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;
   if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);

@@ -35,7 +35,8 @@ const hydro::Loads& water_loads(Body& body, const Surroundings& around,
     ++body.cost.resting;
     return body.water;
   }
-  body.water = hydro::compute_loads(body.hull, state, *around.sea, time, body.spec->coefficients);
+  body.water = hydro::compute_loads(body.hull, state, *around.sea, time, body.spec->coefficients,
+                                   body.spec->summation);
   body.loaded_state = state;
   return body.water;
 }

@@ -179,6 +179,7 @@ void read(MapReader& map, HydroScene& hydro) {
   read_viscous_drag(map, hydro.viscous_drag);
   read_length(map, hydro.viscous_drag);
   read_added_mass(map, hydro.added_mass);
+  map.optional("wave_tolerance", hydro.wave_tolerance, not_negative());
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hydro/coefficients.h"
+#include "hydro/loads.h"
 #include "hydro/spatial.h"
 
 /// @file
@@ -136,6 +137,7 @@ struct AddedMassScene {
 /// The block `hydro`.
 struct HydroScene : hydro::Coefficients {
   AddedMassScene added_mass;
+  double wave_tolerance = hydro::Summation().wave_tolerance;
 };
 
 enum class Collision { automatic, mesh, box, sphere, none };

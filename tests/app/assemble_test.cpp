@@ -72,6 +72,13 @@ TEST(Assemble, DensityAndMassOfTheSameSolidAreTheSameBody) {
   EXPECT_LT((by_mass.inertia_B - expected).norm(), tolerance(1e-12 * expected.norm()));
 }
 
+TEST(Assemble, LoadsAreSummedWithTheTolerancesOfTheBody) {
+  const std::string box = "box: {size: [2, 3, 4]}, density: 500";
+  EXPECT_EQ(body_of(wet_scene(box)).summation.wave_tolerance, 1e-4);
+  EXPECT_EQ(body_of(wet_scene(box + ", hydro: {wave_tolerance: 0.01}")).summation.wave_tolerance,
+            0.01);
+}
+
 TEST(Assemble, InertiaIsTakenAsGiven) {
   const BodySpec body =
       body_of(wet_scene("box: {size: [1, 1, 1]}, mass: 10, inertia: [2, 3, 4, 0.1, 0.2, 0.3]"));

@@ -39,7 +39,7 @@ std::string every_key() {
          "      - {amplitude: 0, wavelength: 1}\n"
          "ground: {z: -10}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
-         " viscous_drag: ittc57, length: 7,"
+         " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3,"
          " added_mass: {model: deep, tolerance: 2e-3}}\n"
          "bodies:\n"
          "  - name: a\n"
@@ -55,7 +55,7 @@ std::string every_key() {
          "    linear_velocity: [7, 8, 9]\n"
          "    angular_velocity: [-1, -2, -3]\n"
          "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5},"
-         " lift: 1, viscous_drag: ittc57, length: 3,"
+         " lift: 1, viscous_drag: ittc57, length: 3, wave_tolerance: 0,"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
@@ -220,6 +220,8 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   EXPECT_EQ(std::tuple(own.buoyancy, own.pressure_drag, own.lift),
             std::tuple(false, hydro::PressureDrag{0.75, 0.5}, 1));
   EXPECT_EQ(own.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 3}));
+  EXPECT_EQ(scene.bodies[0].hydro.wave_tolerance, 0);
+  EXPECT_EQ(scene.bodies[1].hydro.wave_tolerance, 2e-3);
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
   EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
             std::tuple(true, hydro::PressureDrag{0.5, 0.5}, 0));
