@@ -21,7 +21,7 @@
 namespace app {
 
 /// To be raised whenever `hydro::solve_added_mass` gives other numbers: older files are left alone.
-inline constexpr int kAddedMassVersion = 2;
+inline constexpr int kAddedMassVersion = 3;
 
 struct StoredAddedMass {
   std::shared_ptr<const hydro::AddedMassSolution> solution;

@@ -8,7 +8,7 @@ namespace {
 
 /// The part held by the edges that are halved. With less there are more solves, with more the
 /// panels are less well spread.
-constexpr double kHalvedPart = 0.8;
+constexpr double kHalvedPart = 0.75;
 
 /// Edges are equal if what they count for differs by less.
 constexpr double kSame = 1e-6;

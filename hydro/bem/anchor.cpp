@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include "hydro/bem/galerkin.h"
@@ -47,9 +48,8 @@ std::array<double, 6> double_layers(const Element& element, const PotentialMomen
   return layers;
 }
 
-/// What (1/4π) Σ N ∫ 1/r lacks or exceeds of ½ψ + (1/4π) ∫ ψ dΩ at the centroid of a face.
-Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) {
-  const Vector3d x = surface.elements[at].centroid;
+/// Σ N ∫ 1/r less ∫ ψ dΩ over all faces but one whose centroid x is, seen from x.
+Vector6d excess(const Surface& surface, const Potential& psi, const Vector3d& x, std::size_t own) {
   Vector6d sum = Vector6d::Zero();
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const Element& element = surface.elements[f];
@@ -57,17 +57,68 @@ Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) 
     const Vector3d arm = seen.first + seen.single * x;  // ∫ y/r
     Vector6d given;
     given << seen.single * element.normal, arm.cross(element.normal);
-    if (f != at) {  // An element's own double layer is 0 on it.
+    if (f != own) {  // An element's own double layer is 0 on it.
       const std::array<double, 6> layers = double_layers(element, seen, x);
       const std::array<int, 6> rows = functions_of(surface, f);
       for (std::size_t k = 0; k < 6; ++k) given -= layers[k] * psi.row(rows[k]).transpose();
     }
-    sum += given / (4 * std::numbers::pi);
+    sum += given;
   }
+  return sum;
+}
+
+/// What (1/4π) Σ N ∫ 1/r lacks or exceeds of ½ψ + (1/4π) ∫ ψ dΩ at the centroid of a face.
+Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) {
+  Vector6d sum = excess(surface, psi, surface.elements[at].centroid, at) / (4 * std::numbers::pi);
   const std::array<int, 6> rows = functions_of(surface, at);
   for (std::size_t i = 0; i < 3; ++i)
     sum -= psi.row(rows[i]).transpose() / 6 + 2 * psi.row(rows[3 + i]).transpose() / 9;
   return sum;
+}
+
+/// The mean of the residuals over faces of a part: what its potential lacks.
+Vector6d mean_residual(const Surface& surface, const Potential& psi, int part) {
+  const std::vector<std::size_t> samples = samples_of(surface, part);
+  std::vector<Vector6d> residuals(samples.size());
+  parallel_for(samples.size(),
+               [&](std::size_t i) { residuals[i] = residual(surface, psi, samples[i]); });
+  Vector6d mean = Vector6d::Zero();
+  for (const Vector6d& r : residuals) mean += r / static_cast<double>(samples.size());
+  return mean;
+}
+
+/// The centroid of what a part encloses.
+Vector3d centroid_of(const Surface& surface, int part) {
+  double volume = 0;
+  Vector3d moment = Vector3d::Zero();
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    if (surface.part_of_face(f) != part) continue;
+    const Element& element = surface.elements[f];
+    const double cone = element.area * element.normal.dot(element.centroid) / 3;
+    volume += cone;
+    moment += 0.75 * cone * element.centroid;
+  }
+  return moment / volume;
+}
+
+/// True if x is inside a part, outside all others, and clear of the surface.
+bool is_inside(const Surface& surface, const Vector3d& x, int part) {
+  std::vector<double> turns(surface.parts.volume.size());
+  for (std::size_t f = 0; f < surface.face_count(); ++f)
+    turns[static_cast<std::size_t>(surface.part_of_face(f))] +=
+        solid_angle(surface.elements[f], x) / (4 * std::numbers::pi);
+  for (std::size_t k = 0; k < turns.size(); ++k)
+    if (std::abs(turns[k] - (static_cast<int>(k) == part ? 1 : 0)) > 1e-6) return false;
+  return true;
+}
+
+/// The constant that a part's potential lacks. Inside the part (1/4π) Σ N ∫ 1/r is (1/4π) ∫ ψ dΩ:
+/// any point tells, best one away from the surface, and the centroid shares the body's symmetries.
+/// Where it is not inside, as a ring's, points on the surface are asked.
+Vector6d constant_of(const Surface& surface, const Potential& psi, int part) {
+  const Vector3d x = centroid_of(surface, part);
+  if (!is_inside(surface, x, part)) return mean_residual(surface, psi, part);
+  return excess(surface, psi, x, surface.face_count()) / (4 * std::numbers::pi);
 }
 
 }  // namespace
@@ -76,15 +127,10 @@ Potential anchored(const Surface& surface, Potential psi) {
   const Potential given = psi;
   for (std::size_t k = 0; k < surface.parts.volume.size(); ++k) {
     if (surface.parts.volume[k] < 0) continue;
-    const std::vector<std::size_t> samples = samples_of(surface, static_cast<int>(k));
-    std::vector<Vector6d> residuals(samples.size());
-    parallel_for(samples.size(),
-                 [&](std::size_t i) { residuals[i] = residual(surface, given, samples[i]); });
-    Vector6d mean = Vector6d::Zero();
-    for (const Vector6d& r : residuals) mean += r / static_cast<double>(samples.size());
+    const Vector6d constant = constant_of(surface, given, static_cast<int>(k));
     for (Index i = 0; i < surface.vertex_count(); ++i)
       if (surface.parts.of_vertex[static_cast<std::size_t>(i)] == static_cast<int>(k))
-        psi.row(i) += mean.transpose();
+        psi.row(i) += constant.transpose();
   }
   return psi;
 }

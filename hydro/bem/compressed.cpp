@@ -188,10 +188,12 @@ Columns CompressedInteractions::far_potentials(const Columns& charges) const {
   std::vector<Columns> fields = moments;
   for (auto level = tree_.levels.rbegin(); level != tree_.levels.rend(); ++level)
     parallel_for(level->size(), [&](std::size_t i) { gather(charges, (*level)[i], moments); });
+  std::vector<FloatColumns> single(count);
+  parallel_for(count, [&](std::size_t c) { single[c] = moments[c].cast<float>(); });
   parallel_for(count, [&](std::size_t c) {
     for (const int other : tree_.clusters[c].far) {
       const auto from = static_cast<std::size_t>(other);
-      add_interaction(grids_[c], grids_[from], moments[from].data(), width, fields[c].data());
+      add_interaction(grids_[c], grids_[from], single[from], fields[c].data());
     }
   });
   Columns potentials(charges.rows(), charges.cols());
@@ -248,7 +250,7 @@ double CompressedInteractions::bytes() const {
   return static_cast<double>(near_.size()) * (sizeof(double) + sizeof(int)) +
          static_cast<double>(self_.size()) *
              (2 * sizeof(Element) + sizeof(Swirl) + 8.0 * (9 + 3 * 18 * 2)) +
-         nodes * 24 * 8.0 * 2;
+         nodes * 24 * (2.0 * sizeof(double) + sizeof(float));
 }
 
 }  // namespace hydro::bem

@@ -1,9 +1,7 @@
 #include "hydro/bem/galerkin.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "hydro/bem/conjugate_gradients.h"
 #include "hydro/bem/dense.h"
@@ -16,11 +14,13 @@ using Eigen::Vector3d;
 
 constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
 
-/// Residuals are taken down to this part of the right-hand sides. Rotations' added mass is in error
-/// by as much, and by a hundred times it on slivers; with 1e-8 a turned body differs by 1e-9.
+/// Residuals are taken down to this part of what the bubbles' equations without hats have on the
+/// right. Rotations' added mass is in error by as much, and by a hundred times it on slivers; with
+/// 1e-8 a turned body differs by 1e-9.
 constexpr double kResidual = 1e-10;
 
 /// Adds what makes a constant on each part an equation of its own: that the mean of its hats is 0.
+/// @param matrix   Its lower triangle.
 void pin_means(const Surface& surface, Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd areas = areas_of_vertices(surface);
   for (std::size_t k = 0; k < surface.parts.volume.size(); ++k) {
@@ -29,7 +29,9 @@ void pin_means(const Surface& surface, Eigen::MatrixXd& matrix) {
       if (surface.parts.of_vertex[static_cast<std::size_t>(i)] != static_cast<int>(k)) own[i] = 0;
     // Any factor gives the same solution; this one is of the size of the other eigenvalues.
     const double factor = std::pow(own.sum(), -1.5);
-    matrix.topLeftCorner(own.size(), own.size()).noalias() += factor * own * own.transpose();
+    matrix.topLeftCorner(own.size(), own.size())
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(own, factor);
   }
 }
 
@@ -93,30 +95,26 @@ Potential potential_of(const Surface& surface, Potential solution) {
 
 Solution solve_dense(const Surface& surface) {
   DenseEquations equations = dense_equations(surface);
-  Eigen::MatrixXd& matrix = equations.matrix;
   const Potential sides = right_hand_sides(surface, equations.swirl);
-  pin_means(surface, matrix);
-  // The hats' equations are solved exactly, the bubbles have little to do with each other.
-  const Index hats = surface.vertex_count(), bubbles = matrix.rows() - hats;
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix.topLeftCorner(hats, hats));
-  if (cholesky.info() != Eigen::Success)
-    throw std::invalid_argument("the panels are too thin to solve for the added mass");
-  const Eigen::VectorXd diagonal = matrix.diagonal().tail(bubbles);
+  pin_means(surface, equations.matrix);
+  const Index hats = surface.vertex_count(), bubbles = sides.rows() - hats;
+  const Eliminated without_hats(std::move(equations.matrix), hats);
+  const Potential nodal = without_hats.solve(sides.topRows(hats));  // without bubbles
+  Eigen::VectorXd inverse(bubbles);
+  for (Index i = 0; i < bubbles; ++i) inverse[i] = 1 / without_hats.remaining(i, i);
   const Iterated iterated = conjugate_gradients(
-      sides, kResidual, [&](const Potential& x) { return product(matrix, x); },
-      [&](const Potential& r) {
-        Potential result(r.rows(), 6);
-        result.topRows(hats) = cholesky.solve(r.topRows(hats));
-        result.bottomRows(bubbles) = diagonal.cwiseInverse().asDiagonal() * r.bottomRows(bubbles);
-        return result;
-      });
-  Potential gained = iterated.solution;
-  gained.topRows(hats) -= cholesky.solve(sides.topRows(hats));
+      sides.bottomRows(bubbles) - without_hats.forward(nodal), kResidual,
+      [&](const Potential& x) { return without_hats.apply(x); },
+      [&](const Potential& r) { return Potential(inverse.asDiagonal() * r); });
+  Potential gained(sides.rows(), 6);
+  gained << -without_hats.solve(without_hats.backward(iterated.solution)), iterated.solution;
+  Potential psi = gained;
+  psi.topRows(hats) += nodal;
   Solution solution;
-  solution.psi = potential_of(surface, iterated.solution) + kBeyond * gained;
+  solution.psi = potential_of(surface, std::move(psi)) + kBeyond * gained;
   solution.doubt = kBeyond * gained.transpose() * loads_on(surface);
-  solution.unknowns = matrix.rows();
-  solution.bytes = 8 * static_cast<double>(matrix.size() + hats * hats);
+  solution.unknowns = sides.rows();
+  solution.bytes = 8 * static_cast<double>(sides.rows() * sides.rows());
   solution.steps = iterated.steps;
   return solution;
 }

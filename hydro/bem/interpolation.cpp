@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
+#include <utility>
 
 #include "hydro/bem/far_kernel.h"
 
@@ -47,32 +49,55 @@ std::array<double, kOrder> lagrange(double t, int order) {
   return values;
 }
 
+using Floats __attribute__((vector_size(kBlock * sizeof(float)))) = float;
+using Bits __attribute__((vector_size(kBlock * sizeof(float)))) = int;
+
+[[gnu::always_inline]] inline void load(const float* from, Floats& to) {
+  std::memcpy(&to, from, sizeof(to));
+}
+
+/// out[j] = 1/|x − y_j|: a first guess from the bits of r², then Newton's method, whose error falls
+/// from 3e-2 over 2e-3 and 5e-6 to round-off.
+/// @param y   `count` x, y and z, a multiple of kBlock.
 PLIMSOLL_VECTOR_CLONES
-void inverse_distances(const double* x, const double* y, Index count, double* out) {
-  for (Index j = 0; j < count; ++j) {
-    const double dx = x[0] - y[j], dy = x[1] - y[count + j], dz = x[2] - y[2 * count + j];
-    out[j] = 1 / std::sqrt(dx * dx + dy * dy + dz * dz);
+void inverse_distances(const float* x, const float* y, Index count, float* out) {
+  for (Index j = 0; j < count; j += kBlock) {
+    Floats dx, dy, dz;
+    load(y + j, dx);
+    load(y + count + j, dy);
+    load(y + 2 * count + j, dz);
+    dx -= x[0];
+    dy -= x[1];
+    dz -= x[2];
+    const Floats squared = dx * dx + dy * dy + dz * dz;
+    const Floats half = 0.5F * squared;
+    const Bits bits = 0x5f3759df - (reinterpret_cast<Bits>(squared) >> 1);
+    Floats root = reinterpret_cast<Floats>(bits);
+    for (int step = 0; step < 3; ++step) root = root * (1.5F - half * root * root);
+    std::memcpy(out + j, &root, sizeof(root));
   }
 }
 
 /// Rows taken at a time: one after another, each sum would wait for its last addition.
-constexpr Index kRows = 4;
+constexpr Index kRows = 8;
 
 /// sums = factors · moments for kRows rows and kBlock columns of it.
+/// @param stride   Of the factors' rows and of the moments'.
 PLIMSOLL_VECTOR_CLONES
-void multiply_block(const double* factors, const double* moments, Index count, Index stride,
-                    double* sums) {
-  double sum[kRows][kBlock] = {};
+void multiply_block(const float* factors, const float* moments, Index count,
+                    std::pair<Index, Index> stride, float* sums) {
+  const Floats zero = {};
+  Floats sum[kRows] = {zero, zero, zero, zero, zero, zero, zero, zero};
   for (Index j = 0; j < count; ++j) {
-    for (Index row = 0; row < kRows; ++row) {
-      const double factor = factors[row * count + j];
-      for (int k = 0; k < kBlock; ++k) sum[row][k] += factor * moments[j * stride + k];
-    }
+    Floats moment;
+    load(moments + j * stride.second, moment);
+    for (Index row = 0; row < kRows; ++row) sum[row] += factors[row * stride.first + j] * moment;
   }
-  for (Index row = 0; row < kRows; ++row) {
-    for (int k = 0; k < kBlock; ++k) sums[row * kBlock + k] = sum[row][k];
-  }
+  for (Index row = 0; row < kRows; ++row)
+    std::memcpy(sums + row * kBlock, &sum[row], sizeof(Floats));
 }
+
+Index whole_blocks(Index count) { return (count + kBlock - 1) / kBlock * kBlock; }
 
 }  // namespace
 
@@ -87,6 +112,9 @@ Grid::Grid(const Eigen::AlignedBox3d& box) : center_(box.center()), half_(0.5 * 
                              chebyshev(i / (orders_[0] * orders_[1]), orders_[2]));
     nodes_.row(i) = (center_ + half_.cwiseProduct(at)).transpose();
   }
+  offsets_.resize(whole_blocks(count()), 3);
+  for (Index i = 0; i < offsets_.rows(); ++i)
+    offsets_.row(i) = (nodes_.row(std::min(i, count() - 1)) - center_.transpose()).cast<float>();
 }
 
 Eigen::VectorXd Grid::weights_at(const Eigen::Vector3d& x) const {
@@ -109,23 +137,26 @@ Eigen::VectorXd Grid::weights_at(const Eigen::Vector3d& x) const {
   return weights;
 }
 
-void add_interaction(const Grid& at, const Grid& from, const double* moments, Index columns,
-                     double* field) {
-  std::array<double, static_cast<std::size_t>(kRows)* kOrder* kOrder* kOrder> inverse = {};
-  std::array<double, static_cast<std::size_t>(kRows) * kBlock> sums;
+void add_interaction(const Grid& at, const Grid& from, const FloatColumns& moments, double* field) {
+  constexpr auto kMostNodes = static_cast<std::size_t>(kOrder * kOrder * kOrder);
+  std::array<float, static_cast<std::size_t>(kRows) * (kMostNodes + kBlock)> inverse = {};
+  std::array<float, static_cast<std::size_t>(kRows) * kBlock> sums;
+  const Index padded = from.offsets().rows(), columns = moments.cols();
+  const Eigen::RowVector3d apart = (at.center() - from.center()).transpose();
   for (Index first = 0; first < at.count(); first += kRows) {
     const Index rows = std::min(kRows, at.count() - first);
     for (Index row = 0; row < rows; ++row) {
-      const Eigen::Vector3d x = at.nodes().row(first + row);
-      inverse_distances(x.data(), from.nodes().data(), from.count(),
-                        inverse.data() + row * from.count());
+      const Eigen::RowVector3f x =
+          (apart + at.offsets().row(first + row).cast<double>()).cast<float>();
+      inverse_distances(x.data(), from.offsets().data(), padded, inverse.data() + row * padded);
     }
     for (Index block = 0; block < columns; block += kBlock) {
-      multiply_block(inverse.data(), moments + block, from.count(), columns, sums.data());
+      multiply_block(inverse.data(), moments.data() + block, from.count(), {padded, columns},
+                     sums.data());
       for (Index row = 0; row < rows; ++row) {
         for (Index k = 0; k < kBlock; ++k)
           field[(first + row) * columns + block + k] +=
-              sums[static_cast<std::size_t>(row * kBlock + k)];
+              static_cast<double>(sums[static_cast<std::size_t>(row * kBlock + k)]);
       }
     }
   }

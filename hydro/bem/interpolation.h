@@ -13,8 +13,12 @@ namespace hydro::bem {
 /// with 3 by 6e-4.
 inline constexpr int kOrder = 4;
 
-/// Columns are taken by this many at a time, a whole vector register or two.
+/// Columns are taken by this many at a time, a whole vector register.
 inline constexpr int kBlock = 8;
+
+/// Interactions are summed in single precision: 1e-7 of them is lost, where interpolation errs by
+/// 1e-4.
+using FloatColumns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A box with points in it: kOrder along its longest side, along the others as many as make the
 /// same error.
@@ -25,16 +29,19 @@ class Grid {
   const Eigen::MatrixX3d& nodes() const { return nodes_; }  ///< A row a node [m].
   /// Their weights at a point of the box.
   Eigen::VectorXd weights_at(const Eigen::Vector3d& x) const;
+  const Eigen::Vector3d& center() const { return center_; }
+  /// The nodes as seen from the center, filled up with copies of the last to whole blocks.
+  const Eigen::MatrixX3f& offsets() const { return offsets_; }
 
  private:
   Eigen::Vector3d center_, half_;
   std::array<int, 3> orders_;
   Eigen::MatrixX3d nodes_;
+  Eigen::MatrixX3f offsets_;
 };
 
 /// field_i += Σ_j moment_j / |x_i − y_j| for the nodes of two grids.
-/// @param moments, field   Rows of `columns` numbers, a multiple of kBlock.
-void add_interaction(const Grid& at, const Grid& from, const double* moments, Eigen::Index columns,
-                     double* field);
+/// @param moments   Rows of a multiple of kBlock numbers, as those of `field`.
+void add_interaction(const Grid& at, const Grid& from, const FloatColumns& moments, double* field);
 
 }  // namespace hydro::bem

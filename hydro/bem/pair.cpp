@@ -48,24 +48,43 @@ double size(const Corners& c) {
   return std::max({(c[0] - middle).norm(), (c[1] - middle).norm(), (c[2] - middle).norm()});
 }
 
-/// As add_piece, on halves where the second element is nearer than the piece's size.
+/// Edges are of one length, and elements of one size, if they differ by less: which is longer or
+/// larger must not hang on round-off.
+constexpr double kSameLength = 1e-6, kSameArea = 1e-9;
+
+void add_near(const Element& a, const Corners& c, double area, const Element& b, int depth,
+              PairIntegrals& sum);
+
+/// In two at the middle of the longest edge; in four if no edge is longer than all others.
+void add_parts(const Element& a, const Corners& c, double area, const Element& b, int depth,
+               PairIntegrals& sum) {
+  std::array<double, 3> lengths;
+  for (std::size_t e = 0; e < 3; ++e) lengths[e] = (c[(e + 1) % 3] - c[e]).norm();
+  const auto e =
+      static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const Vector3d &start = c[e], &end = c[(e + 1) % 3], &top = c[(e + 2) % 3];
+  const Vector3d half = 0.5 * (start + end);
+  if (lengths[e] > (1 + kSameLength) * std::max(lengths[(e + 1) % 3], lengths[(e + 2) % 3])) {
+    add_near(a, {start, half, top}, area / 2, b, depth + 1, sum);
+    add_near(a, {half, end, top}, area / 2, b, depth + 1, sum);
+    return;
+  }
+  const Vector3d right = 0.5 * (end + top), left = 0.5 * (top + start);
+  add_near(a, {start, half, left}, area / 4, b, depth + 2, sum);
+  add_near(a, {half, end, right}, area / 4, b, depth + 2, sum);
+  add_near(a, {left, right, top}, area / 4, b, depth + 2, sum);
+  add_near(a, {right, left, half}, area / 4, b, depth + 2, sum);
+}
+
+/// As add_piece, in parts where the second element is nearer than the piece's size.
 void add_near(const Element& a, const Corners& c, double area, const Element& b, int depth,
               PairIntegrals& sum) {
   const Vector3d middle = (c[0] + c[1] + c[2]) / 3;
-  if (depth == kDeepest || size(c) <= kClose * distance(b, middle)) {
+  if (depth >= kDeepest || size(c) <= kClose * distance(b, middle)) {
     add_piece(a, c, area, rule_of_degree_5(), b, sum);
-    return;
+  } else {
+    add_parts(a, c, area, b, depth, sum);
   }
-  std::size_t longest = 0;
-  for (std::size_t e = 1; e < 3; ++e)
-    if ((c[(e + 1) % 3] - c[e]).norm() > (1 + 1e-6) * (c[(longest + 1) % 3] - c[longest]).norm())
-      longest = e;
-  const Vector3d& start = c[longest];
-  const Vector3d& end = c[(longest + 1) % 3];
-  const Vector3d& top = c[(longest + 2) % 3];
-  const Vector3d half = 0.5 * (start + end);
-  add_near(a, {start, half, top}, area / 2, b, depth + 1, sum);
-  add_near(a, {half, end, top}, area / 2, b, depth + 1, sum);
 }
 
 /// (4A²/3) Σ ln(s/(s − l))/l over the edges' lengths l, s half their sum (Eibert and Hansen, 1995).
@@ -99,7 +118,7 @@ Corners turned(const Element& a, const std::array<int, 3>& shared, int count) {
 
 }  // namespace
 
-PairIntegrals pair_integrals(const Element& a, const Element& b, const std::array<int, 3>& shared) {
+PairIntegrals integrals_from(const Element& a, const Element& b, const std::array<int, 3>& shared) {
   const auto count = std::count_if(shared.begin(), shared.end(), [](int i) { return i >= 0; });
   if (count == 3) return self(a);
   PairIntegrals sum;
@@ -110,6 +129,19 @@ PairIntegrals pair_integrals(const Element& a, const Element& b, const std::arra
     add_near(a, a.corners, a.area, b, 0, sum);
   }
   return sum;
+}
+
+PairIntegrals pair_integrals(const Element& a, const Element& b, const std::array<int, 3>& shared) {
+  std::array<int, 3> back = {-1, -1, -1};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (shared[i] >= 0) back[static_cast<std::size_t>(shared[i])] = static_cast<int>(i);
+  const bool same = std::count(shared.begin(), shared.end(), -1) == 0;
+  if (same || a.area < (1 - kSameArea) * b.area) return integrals_from(a, b, shared);
+  const PairIntegrals other = turned(integrals_from(b, a, back));
+  if (b.area < (1 - kSameArea) * a.area) return other;
+  const PairIntegrals one = integrals_from(a, b, shared);
+  return {(one.hats + other.hats) / 2, (one.rise + other.rise) / 2,
+          (one.other_rise + other.other_rise) / 2};
 }
 
 }  // namespace hydro::bem

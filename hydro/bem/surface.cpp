@@ -20,9 +20,16 @@ struct Builder {
   std::vector<Vector3i> faces;
   std::vector<int> parent;
 
-  /// Adds a face, split at the middles of its edges (−1: none), the longest of them first.
+  /// Adds a face, split at the middles of its edges (−1: none), the longest of them first. With
+  /// three middles and no longest edge it falls into four alike: none comes first.
   void add(Vector3i face, std::array<int, 3> middles, int from) {
     const std::size_t first = longest_split(face, middles);
+    if (std::count(middles.begin(), middles.end(), -1) == 0 && has_rival(face, first)) {
+      for (int e = 0; e < 3; ++e)
+        add({face[e], at(middles, e), at(middles, e + 2)}, {-1, -1, -1}, from);
+      add({middles[0], middles[1], middles[2]}, {-1, -1, -1}, from);
+      return;
+    }
     if (middles[first] < 0) {
       faces.push_back(face);
       parent.push_back(from);
@@ -35,17 +42,30 @@ struct Builder {
     add({face[1], face[2], m}, {middles[1], -1, -1}, from);
   }
 
+  static int at(const std::array<int, 3>& middles, int e) {
+    return middles[static_cast<std::size_t>(e % 3)];
+  }
+
+  double length(const Vector3i& face, std::size_t e) const {
+    const auto start = static_cast<std::size_t>(face[static_cast<int>(e)]);
+    const auto end = static_cast<std::size_t>(face[static_cast<int>((e + 1) % 3)]);
+    return (vertices[end] - vertices[start]).norm();
+  }
+
+  /// True if another edge of a face is as long as edge e.
+  bool has_rival(const Vector3i& face, std::size_t e) const {
+    return std::max(length(face, (e + 1) % 3), length(face, (e + 2) % 3)) * (1 + kSameLength) >=
+           length(face, e);
+  }
+
   /// The longest of the edges that have a middle; 0 if none has.
   std::size_t longest_split(const Vector3i& face, const std::array<int, 3>& middles) const {
     std::size_t longest = 0;
     double most = 0;
     for (std::size_t e = 0; e < 3; ++e) {
-      const auto start = static_cast<std::size_t>(face[static_cast<int>(e)]);
-      const auto end = static_cast<std::size_t>(face[static_cast<int>((e + 1) % 3)]);
-      const double length = (vertices[end] - vertices[start]).norm();
-      if (middles[e] < 0 || length <= most * (1 + kSameLength)) continue;
+      if (middles[e] < 0 || length(face, e) <= most * (1 + kSameLength)) continue;
       longest = e;
-      most = length;
+      most = length(face, e);
     }
     return longest;
   }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "hydro/bem/galerkin.h"
+#include "hydro/bem/surface.h"
 #include "hydro/mass_properties.h"
 #include "hydro/primitives.h"
 #include "hydro/weld.h"
@@ -18,6 +20,7 @@ using hydro::AddedMassSolution;
 using hydro::Matrix6d;
 using hydro::TriMesh;
 using support::tolerance;
+namespace bem = hydro::bem;
 
 TriMesh centred(const TriMesh& mesh) {
   return hydro::translated(mesh, -hydro::solid_properties(mesh).centroid);
@@ -200,6 +203,71 @@ TEST(AddedMassSolve, OfAnOpenOrInwardMeshIsRefused) {
   EXPECT_THROW(hydro::solve_added_mass(open), std::invalid_argument);
   const TriMesh inward = hydro::flipped(hydro::make_icosphere(1, 1));
   EXPECT_THROW(hydro::solve_added_mass(inward), std::invalid_argument);
+}
+
+TEST(Galerkin, ConvergesOnASphereFasterThanItsPanelsShrink) {
+  std::vector<double> errors;
+  for (const int subdivisions : {1, 2, 3}) {
+    const bem::Surface surface = bem::make_surface(hydro::make_icosphere(1, subdivisions));
+    const bem::Potential psi = bem::solve_dense(surface).psi;
+    double volume = 0;
+    for (const bem::Element& element : surface.elements)
+      volume += element.area * element.centroid.dot(element.normal) / 3;
+    errors.push_back(std::abs(psi.col(0).dot(bem::loads_on(surface).col(0)) / volume - 0.5));
+  }
+  // A polyhedron's added mass is off its ball's by order 3 in the edges.
+  EXPECT_GT(errors[0] / errors[1], 5);
+  EXPECT_GT(errors[1] / errors[2], 5);
+  EXPECT_LT(errors[2], tolerance(1e-4));
+}
+
+TEST(AnchoredPotential, ForgetsTheConstantItWasGiven) {
+  support::Random random(14);
+  // The centroid is inside a box, beside a ring.
+  for (const TriMesh& mesh : {hydro::make_box({3, 2, 1}, 2), support::make_torus(1, 0.3, 12, 8)}) {
+    const bem::Surface surface = bem::make_surface(mesh);
+    const bem::Potential psi = bem::solve_dense(surface).psi;
+    bem::Potential shifted = psi;
+    for (Eigen::Index m = 0; m < 6; ++m)
+      shifted.col(m).head(surface.vertex_count()).array() += random.uniform(-9, 9);
+    // Round-off of some hundred solid angles.
+    EXPECT_LT((bem::anchored(surface, shifted) - bem::anchored(surface, psi)).norm(),
+              tolerance(1e-12) * shifted.norm());
+  }
+}
+
+TEST(AnchoredPotential, VanishesFarAwayWhereverTheBodyIs) {
+  const Vector3d apart(0.3, -0.7, 0.2);
+  const bem::Surface surface =
+      bem::make_surface(hydro::translated(hydro::make_icosphere(1, 2), apart));
+  const bem::Potential psi = bem::anchored(surface, bem::solve_dense(surface).psi);
+  // At opposite vertices ψ of a translation is opposite: what is left is round-off.
+  EXPECT_LT(psi.topLeftCorner(surface.vertex_count(), 3).colwise().mean().norm(), tolerance(1e-13));
+}
+
+TEST(Galerkin, GainsWhatItSaysItLacks) {
+  // On coarse panels the doubt covers what panels halved twice and more change.
+  const bem::Surface coarse = bem::make_surface(hydro::make_box({2, 2, 2}, 4));
+  const bem::Solution solution = bem::solve_dense(coarse);
+  const hydro::Matrix6d matrix = solution.psi.transpose() * bem::loads_on(coarse);
+  EXPECT_NEAR(matrix(0, 0), 5.1073, solution.doubt(0, 0));
+  EXPECT_NEAR(matrix(4, 4), 1.2564, solution.doubt(4, 4));
+}
+
+/// The mesh with all edges halved.
+TriMesh halved(const TriMesh& mesh) {
+  const bem::Edges edges = bem::edges_of(mesh);
+  const std::vector<int> parent(static_cast<std::size_t>(mesh.face_count()));
+  return bem::bisected({mesh, parent}, edges, std::vector<bool>(edges.faces.size(), true)).mesh;
+}
+
+TEST(Split, OfFacesWithoutALongestEdgeIsInFourAlike) {
+  const TriMesh mesh = hydro::make_icosphere(1, 0);
+  const TriMesh finer = halved(mesh);
+  ASSERT_EQ(finer.face_count(), 4 * mesh.face_count());
+  const double length = bem::make_elements(mesh)[0].lengths[0];
+  for (const bem::Element& element : bem::make_elements(finer))
+    for (const double part : element.lengths) EXPECT_NEAR(part, length / 2, tolerance(1e-14));
 }
 
 }  // namespace
