@@ -73,8 +73,9 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
   const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
   Motion next = with_added_mass(middle.motion, added_B, middle.motion.added_B, h);
   // An implicit kick is of another kind: explicit ones do not follow from it.
-  if (kick.implicit) next.kicks.clear();
+  if (kick.implicit || kick.sudden) next.kicks.clear();
   next.kicks.add(turned(R_BW, kick.change) / h, h, body.hull.radius);
+  if (!kick.implicit) next.kicks.set_slope(turned(R_BW, kick.slope));
   next.state = with_velocity(next.state, middle.after + kick.change, around.current());
   check_state(body, next.state);
   next = drift(body, around, next, h / 2);

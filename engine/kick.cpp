@@ -14,6 +14,8 @@ namespace {
 constexpr int kMostNewtonSteps = 30;
 // Of the change of velocity. Newton's method converges quadratically: the error is the square.
 constexpr double kNewtonTolerance = 1e-3;
+// What a change may miss the foretold one by, as a part of the larger.
+constexpr double kForetold = 0.3;
 // Of the pose in equation (1), of the body's radius: oscillations that a piece resolves take less.
 constexpr double kLargestShift = 0.02;
 
@@ -138,20 +140,37 @@ Vector6d dry_change(Body& body, const Surroundings& around, const hydro::BodySta
   return stacked(step / body.spec->mass * load.force, turning);
 }
 
-/// Equation (1).
-Kick explicit_kick(const Setting& s, const Motion& middle) {
-  Vector6d expected;
-  if (middle.kicks.empty()) {
-    Kick kick{.load = s.loads(s.u)};
-    kick.change = s.accelerated(s.step * kick.load);
-    if (s.body.loads.water.wetted_area == 0) return kick;
-    expected = kick.change;
-  } else {
-    expected = s.step * turned(middle.state.orientation.toRotationMatrix(),
-                               middle.kicks.expected(s.step / 2));
-  }
+/// Size of a change of velocity [m/s].
+double size(const Setting& s, const Vector6d& change) {
+  return std::hypot(change.head<3>().norm(), s.body.hull.radius * change.tail<3>().norm());
+}
+
+/// Equation (1) with Δu_0 = `expected`.
+Kick kick_by(const Setting& s, const Vector6d& expected) {
   Kick kick{.load = s.loads_halfway(expected), .at = s.u + expected / 2};
   kick.change = s.accelerated(s.step * kick.load);
+  return kick;
+}
+
+/// Equation (1). A change that was not foretold, as when a load sets in, is what the loads are
+/// taken with once more.
+Kick explicit_kick(const Setting& s, const Motion& middle) {
+  if (!middle.kicks.empty()) {
+    const Vector6d expected = s.step * turned(middle.state.orientation.toRotationMatrix(),
+                                              middle.kicks.expected(s.step / 2));
+    const Kick kick = kick_by(s, expected);
+    const double missed = size(s, kick.change - expected);
+    const double last = s.step * middle.kicks.largest();
+    if (missed <= kForetold * std::max(size(s, kick.change), last)) return kick;
+  }
+  Kick first{.load = s.loads(s.u)};
+  first.change = s.accelerated(s.step * first.load);
+  first.sudden = true;
+  if (s.body.loads.water.wetted_area == 0) return first;
+  Kick kick = kick_by(s, first.change);
+  kick.sudden = true;
+  // From the velocity of the start to that halfway; poses were the same.
+  kick.slope = (kick.change - first.change) / (s.step * s.step / 2);
   return kick;
 }
 

@@ -53,7 +53,9 @@ Middle make_middle(const Body& body, const Surroundings& around, const Motion& m
 struct Kick {
   Vector6d change = Vector6d::Zero();  ///< Δu in W.
   Vector6d load = Vector6d::Zero();    ///< F of (1).
+  Vector6d slope = Vector6d::Zero();   ///< Of Δu/h a second, where a first kick shows it.
   Vector6d at = Vector6d::Zero();      ///< The velocity that it was found with.
+  bool sudden = false;                 ///< Not foretold by the last ones.
   bool implicit = false;               ///< By (2).
 };
 

@@ -21,21 +21,22 @@ void KickHistory::add(const Vector6d& acceleration_B, double piece, double radiu
   age_[0] = piece / 2;
   count_ = std::min(count_ + 1, 3);
   pace_ *= kRemembered;
-  if (count_ < 3) return;
   const auto size = [&](const Vector6d& a) {
     return std::hypot(a.head<3>().norm(), radius * a.tail<3>().norm());
   };
+  largest_ = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+    largest_ = std::max(largest_, size(acceleration_[i]));
+  if (count_ < 3) return;
   const double bend = size(curvature());
-  const double largest =
-      std::max({size(acceleration_[0]), size(acceleration_[1]), size(acceleration_[2])});
   // What the line through the earlier two misses the last by.
-  resolved_ = bend * (age_[1] - age_[0]) * (age_[2] - age_[0]) <= kResolved * largest;
-  if (resolved_ && largest > 0) pace_ = std::max(pace_, std::sqrt(2 * bend / largest));
+  resolved_ = bend * (age_[1] - age_[0]) * (age_[2] - age_[0]) <= kResolved * largest_;
+  if (resolved_ && largest_ > 0) pace_ = std::max(pace_, std::sqrt(2 * bend / largest_));
 }
 
 Vector6d KickHistory::expected(double ahead) const {
   if (count_ == 0) return Vector6d::Zero();
-  if (count_ == 1) return acceleration_[0];
+  if (count_ == 1) return acceleration_[0] + (age_[0] + ahead) * slope_;
   const Vector6d slope = (acceleration_[0] - acceleration_[1]) / (age_[1] - age_[0]);
   return acceleration_[0] + (age_[0] + ahead) * slope;
 }

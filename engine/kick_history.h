@@ -20,9 +20,15 @@ class KickHistory {
   /// @param radius   Of the body: angular accelerations count with it [m].
   void add(const Vector6d& acceleration_B, double piece, double radius);
 
-  /// On the line through the last two, `ahead` [s] after the end of the last piece. With one, that
-  /// one; zero without any.
+  /// With the first one: how it changes a second, as far as that is known.
+  void set_slope(const Vector6d& slope_B) { slope_ = slope_B; }
+
+  /// On the line through the last two, `ahead` [s] after the end of the last piece. With one, by
+  /// the slope that was set; zero without any.
   Vector6d expected(double ahead) const;
+
+  /// The largest of those known, an angular one counting with the radius [m/s^2].
+  double largest() const { return largest_; }
 
   /// True if there are three and the last was foretold to kResolved of the largest.
   bool resolved() const { return resolved_; }
@@ -47,7 +53,9 @@ class KickHistory {
 
   std::array<Vector6d, 3> acceleration_;  ///< The last one first.
   std::array<double, 3> age_ = {};        ///< [s]
+  Vector6d slope_ = Vector6d::Zero();     ///< Of the first one.
   int count_ = 0;
+  double largest_ = 0;
   bool resolved_ = false;
   double pace_ = 0;
 };
