@@ -36,7 +36,7 @@ const hydro::Loads& water_loads(Body& body, const Surroundings& around,
     return body.water;
   }
   body.water = hydro::compute_loads(body.hull, state, *around.sea, time, body.spec->coefficients,
-                                   body.spec->summation);
+                                    body.spec->summation);
   body.loaded_state = state;
   return body.water;
 }

@@ -25,7 +25,8 @@ struct Surroundings {
   Eigen::Vector3d current() const { return sea ? sea->current : Eigen::Vector3d::Zero(); }
 };
 
-/// Part of the greatest energy so far by which a body may come to have more than the lowest so far.
+/// Half the part of the greatest energy so far by which a body may come to have more than the
+/// lowest so far.
 inline constexpr double kEnergyGain = 2.5e-4;
 
 /// Energies that a body has had [J].

@@ -55,7 +55,7 @@ bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before
     }
 
     look(group, bodies, before, step);
-    any = any || group.excess > 0;
+    any = any || group.excess > group.allowed;
   }
   return any;
 }
@@ -71,7 +71,8 @@ void EnergyGuard::look(Group& group, const std::vector<Body>& bodies, const Moti
         work_done(bodies[i], around_, before(i).state, bodies[i].motion.state, step);
   const double energy = end.kinetic + end.potential;
   group.kinetic = end.kinetic;
-  group.excess = energy - group.next.lowest - group.next.allowed_gain(group.floor);
+  group.allowed = group.next.allowed_gain(group.floor);
+  group.excess = energy - group.next.lowest - group.allowed;
   group.next.extend(std::min(energy, energy - group.excess), end.potential);
 }
 
@@ -79,12 +80,15 @@ void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const
   for (const Group& group : groups_) {
     if (!(group.excess > 0)) continue;
     const bool enough = group.kinetic > group.excess;
+    const bool much = group.excess > group.allowed;
+    if (!enough && !much) continue;
     const double part = enough ? std::sqrt(1 - group.excess / group.kinetic) : 0;
     for (const std::size_t i : group.bodies) {
       Motion& motion = bodies[i].motion;
       if (!enough) motion = before(i);
       motion.state = with_velocity(motion.state, part * velocity(motion.state, around_.current()),
                                    around_.current());
+      if (!much) continue;
       motion.kicks.clear();
       ++bodies[i].cost.braked;
     }

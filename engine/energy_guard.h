@@ -9,10 +9,10 @@
 /// Keeps still water from giving energy to bodies that joints hold together.
 ///
 /// What free_step.h does for a body by itself, for all of a group at once: joints move energy
-/// between its bodies and take some, but add none. A step after which a group has more than
-/// kEnergyGain of the greatest so far above the lowest so far is taken in halves, and at last its
-/// motion is slowed, which the joints allow: their conditions on the velocities are linear. Groups
-/// that touch something are left to the contacts.
+/// between its bodies and take some, but add none. A step after which a group has more than the
+/// lowest so far by twice kEnergyGain of the greatest so far is taken in halves; above once that
+/// its motion is slowed, which the joints allow: their conditions on the velocities are linear.
+/// Groups that touch something are left to the contacts.
 
 namespace engine {
 
@@ -31,7 +31,7 @@ class EnergyGuard {
   /// Looks at the bodies after a step.
   /// @param before   Motion of a body at its start.
   /// @param touching   For each body, if it is in contact.
-  /// @return true if a group has too much energy.
+  /// @return true if a group has so much energy that the step is to be taken in halves.
   /// @param step   Between both [s].
   bool gained(const std::vector<Body>& bodies, const MotionOf& before,
               const std::vector<bool>& touching, double step);
@@ -50,7 +50,8 @@ class EnergyGuard {
     EnergyRange range;   ///< Up to the last step that stands.
     EnergyRange next;    ///< With the step that was looked at.
     double kinetic = 0;  ///< After it [J].
-    double excess = 0;   ///< After it [J].
+    double allowed = 0;  ///< Gain for which nothing is done [J].
+    double excess = 0;   ///< Beyond that after it [J].
   };
 
   void look(Group& group, const std::vector<Body>& bodies, const MotionOf& before,

@@ -153,18 +153,21 @@ Piece piece(Body& body, const Surroundings& around, const Motion& motion, double
   return result;
 }
 
-/// `after` slowed until it has `excess` less energy; if it has not that much, at rest where it was
-/// `before`.
-Motion braked(const Body& body, const Surroundings& around, const Motion& before,
-              const Motion& after, double excess) {
-  const double kinetic = kinetic_energy(body, around, after);
-  const bool enough = kinetic > excess;
-  const double part = enough ? std::sqrt(1 - excess / kinetic) : 0;
-  Motion slowed = enough ? after : before;
-  slowed.state = with_velocity(slowed.state, part * velocity(slowed.state, around.current()),
+/// The motion slowed until it has `excess` less of its `kinetic` energy.
+Motion slowed(const Surroundings& around, Motion motion, double kinetic, double excess) {
+  const double part = kinetic > excess ? std::sqrt(1 - excess / kinetic) : 0;
+  motion.state = with_velocity(motion.state, part * velocity(motion.state, around.current()),
                                around.current());
-  slowed.kicks.clear();
-  return slowed;
+  return motion;
+}
+
+/// The same where pieces of no length help; what has not that much energy rests where it was
+/// `before`.
+Motion braked(const Surroundings& around, const Motion& before, const Motion& after, double kinetic,
+              double excess) {
+  Motion motion = slowed(around, kinetic > excess ? after : before, kinetic, excess);
+  motion.kicks.clear();
+  return motion;
 }
 
 /// A piece in which the water gives no more energy than it can, and throws the body nowhere.
@@ -183,13 +186,16 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
   range.extend(potential + kinetic_energy(body, around, motion), potential);
   range.lowest += work_done(body, around, motion.state, whole.motion.state, h);
   const double after = potential_energy(body, around, whole.motion.state);
-  const double energy = after + kinetic_energy(body, around, whole.motion);
-  const double excess =
-      energy - range.lowest - range.allowed_gain(least_energy_scale(body, around));
-  if (excess > 0 && halvings > 0) return in_halves();
-  if (excess > 0) {
+  const double kinetic = kinetic_energy(body, around, whole.motion);
+  const double energy = after + kinetic;
+  const double allowed = range.allowed_gain(least_energy_scale(body, around));
+  const double excess = energy - range.lowest - allowed;
+  if (excess > allowed) {
+    if (halvings > 0) return in_halves();
     ++body.cost.braked;
-    whole.motion = braked(body, around, motion, whole.motion, excess);
+    whole.motion = braked(around, motion, whole.motion, kinetic, excess);
+  } else if (excess > 0 && kinetic > excess) {
+    whole.motion = slowed(around, whole.motion, kinetic, excess);
   }
   range.extend(std::min(energy, energy - excess), after);
   whole.motion.energy = range;

@@ -14,9 +14,9 @@
 /// - in halves, if loads throw the body through the surface by more than kLongestLeap of its
 /// height;
 /// - in which a body that bobs or rocks goes through no more than a quarter of a radian of that;
-/// - in still water, if the energy rises by more than kEnergyGain of the greatest so far above the
-///   lowest so far: in halves, kMostHalvings times, and at the end the motion is slowed by what is
-///   too much.
+/// - in still water, if the energy comes to be more than the lowest so far by twice kEnergyGain of
+///   the greatest so far: in halves, kMostHalvings times, and at the end the motion is slowed by
+///   what is too much. Above once that the motion is slowed without more pieces.
 ///
 /// Equation (1) of kick.h makes pieces of second order, but for loads that hang on the pose alone
 /// of the shape P N P⁻¹ with N of fourth order [R91]. Between two pieces P⁻¹ and P cancel; what is

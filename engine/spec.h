@@ -57,7 +57,7 @@ struct BodySpec {
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
   hydro::BodyState initial;
   hydro::Coefficients coefficients;
-  hydro::Summation summation;  ///< How its loads are summed.
+  hydro::Summation summation;                               ///< How its loads are summed.
   std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
   bool wet = true;  ///< False if the water does nothing to it.
   CollisionShape collision = CollisionShape::mesh;

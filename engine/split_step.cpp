@@ -123,7 +123,7 @@ bool SplitStep::advance_soundly(const std::vector<std::vector<BodyId>>& islands,
     });
     return false;
   }
-  if (gained) guard_.brake(bodies_, motion_before);
+  guard_.brake(bodies_, motion_before);
   guard_.accept();
   return true;
 }
