@@ -78,7 +78,22 @@ double drag_stiffness(const Setting& s, const Vector6d& u, const Vector6d& after
   return 2 * growth * s.step * D.dot(s.accelerated(D)) / power;
 }
 
-/// A bound of (h ω)² for heave, roll and pitch.
+/// Change of the buoyancy with the height, −∂F_z/∂z [N/m].
+double heave_stiffness(const Setting& s, double height) {
+  hydro::Coefficients coefficients{.pressure_drag = {0, 0}, .lift = 0};
+  coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  const auto buoyancy = [&](double rise) {
+    hydro::BodyState state = s.state;
+    state.position.z() += rise;
+    return hydro::compute_loads(s.body.hull, state, *s.around.sea, s.time, coefficients)
+        .buoyancy.force.z();
+  };
+  const double rise = 1e-3 * height;
+  return (buoyancy(-rise) - buoyancy(rise)) / (2 * rise);
+}
+
+/// A bound of (h ω)² for heave, roll and pitch: no radius of gyration of a waterplane is more than
+/// √3 times the body's. Where it may matter the waterplane is that of the loads.
 double waterplane_stiffness(const Setting& s) {
   const Surroundings& around = s.around;
   if (!s.body.spec->coefficients.buoyancy) return 0;
@@ -86,11 +101,11 @@ double waterplane_stiffness(const Setting& s) {
   const double low = lowest_point(s.body.box_B, s.state);
   const double reach = (s.state.orientation.toRotationMatrix().row(2).cwiseAbs() * size).value();
   if (low >= around.highest || low + reach <= around.lowest) return 0;
-  // The area of the waterplane is no more than the widest section of the box, and the square of its
-  // radius of gyration no more than three times the body's.
+  // No waterplane is larger than the widest section of the box.
   const double area = size.prod() / size.minCoeff() * std::sqrt(3.0);
-  const double inertia = s.S.diagonal().head<3>().minCoeff();
-  return 3 * s.step * s.step * around.sea->density * around.sea->gravity * area / inertia;
+  const double factor = 3 * s.step * s.step / s.S.diagonal().head<3>().minCoeff();
+  const double bound = factor * around.sea->density * around.sea->gravity * area;
+  return bound > kStiffWaterplane ? factor * heave_stiffness(s, reach) : bound;
 }
 
 /// θ of equation (2).
