@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hydro/added_mass.h"
+#include "hydro/surface_added_mass.h"
 
 /// @file
 /// Solutions of added mass, kept for later runs in the user's cache folder: a file a mesh and set
@@ -22,6 +24,8 @@ namespace app {
 
 /// To be raised whenever `hydro::solve_added_mass` gives other numbers: older files are left alone.
 inline constexpr int kAddedMassVersion = 3;
+/// The same for `hydro::SurfaceAddedMass`.
+inline constexpr int kSurfaceVersion = 1;
 
 struct StoredAddedMass {
   std::shared_ptr<const hydro::AddedMassSolution> solution;
@@ -45,8 +49,18 @@ class AddedMassStore {
   std::filesystem::path file_of(const hydro::TriMesh& mesh,
                                 const hydro::AddedMassOptions& options) const;
 
+  /// The nodes of `surface` (hydro/surface_added_mass.h) that earlier runs have solved for a mesh
+  /// about its body's centre of mass.
+  std::vector<hydro::SurfaceNode> find_nodes(const hydro::TriMesh& mesh_B) const;
+
+  /// Keeps nodes beside those that are kept already, by this process or another.
+  void keep_nodes(const hydro::TriMesh& mesh_B, const std::vector<hydro::SurfaceNode>& nodes) const;
+
+  /// Where they are kept; empty without a folder.
+  std::filesystem::path nodes_file_of(const hydro::TriMesh& mesh_B) const;
+
  private:
-  std::filesystem::path file_named_after(const std::string& identity) const;
+  std::filesystem::path file_named_after(const std::string& identity, const char* kind) const;
 
   std::optional<std::filesystem::path> folder_;
   std::map<std::string, StoredAddedMass> known_;  ///< By the bytes that a file begins with.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "app/console.h"
@@ -51,6 +52,26 @@ class DeepModels {
   std::vector<Entry> entries_;
 };
 
+/// Models of `surface`, one for all bodies with the same mesh about their centre of mass.
+class SurfaceModels {
+ public:
+  std::shared_ptr<const hydro::SurfaceAddedMass> of(const engine::BodySpec& body,
+                                                    const AddedMassStore& store) {
+    for (const auto& [first, model] : entries_)
+      if (first->mesh_B.vertices == body.mesh_B.vertices &&
+          first->mesh_B.faces == body.mesh_B.faces)
+        return model;
+    auto model =
+        std::make_shared<const hydro::SurfaceAddedMass>(body.mesh_B, store.find_nodes(body.mesh_B));
+    entries_.emplace_back(&body, model);
+    return model;
+  }
+
+ private:
+  std::vector<std::pair<const engine::BodySpec*, std::shared_ptr<const hydro::SurfaceAddedMass>>>
+      entries_;
+};
+
 /// Gives a body the model, and returns what is to be told of it.
 AddedMassReport add_matrix(const AddedMassScene& added_mass, engine::BodySpec& body) {
   const auto model =
@@ -60,8 +81,9 @@ AddedMassReport add_matrix(const AddedMassScene& added_mass, engine::BodySpec& b
 }
 
 /// Told of the body in unbounded fluid, which is one solution; others are found as they are met.
-AddedMassReport add_surface(double density, engine::BodySpec& body) {
-  const auto model = std::make_shared<const hydro::SurfaceAddedMass>(body.mesh_B);
+AddedMassReport add_surface(double density, const AddedMassStore& store, SurfaceModels& models,
+                            engine::BodySpec& body) {
+  const auto model = models.of(body, store);
   body.added_mass = model;
   return {.model = Model::surface,
           .matrix = density * model->under(hydro::WaterPlane{}),
@@ -96,13 +118,14 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
 void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& store, bool quiet) {
   Faults faults;
   DeepModels models;
+  SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     engine::BodySpec& body = assembly.spec.bodies[i];
     const AddedMassScene& added_mass = scene.bodies[i].hydro.added_mass;
     const Model model = model_of(scene.bodies[i], body);
     if (model == Model::matrix) assembly.added_mass[i] = add_matrix(added_mass, body);
     if (model == Model::surface)
-      assembly.added_mass[i] = add_surface(assembly.spec.sea->density, body);
+      assembly.added_mass[i] = add_surface(assembly.spec.sea->density, store, surface_models, body);
     if (model != Model::deep) continue;
     const CenteredMesh& solid = assembly.solids[i];
     try {
@@ -114,6 +137,16 @@ void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& stor
     }
   }
   faults.throw_if_any();
+}
+
+void keep_surface_nodes(const Assembly& assembly, const AddedMassStore& store) {
+  std::set<const hydro::SurfaceAddedMass*> kept;
+  for (std::size_t i = 0; i < assembly.added_mass.size(); ++i) {
+    const auto& report = assembly.added_mass[i];
+    if (!report || !report->surface || report->surface->solves() == 0) continue;
+    if (kept.insert(report->surface.get()).second)
+      store.keep_nodes(assembly.spec.bodies[i].mesh_B, report->surface->nodes());
+  }
 }
 
 }  // namespace app

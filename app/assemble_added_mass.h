@@ -20,4 +20,7 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
 /// @throws InputError for a mesh of which none can be found
 void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& store, bool quiet);
 
+/// Keeps what the models of `surface` have solved in a run.
+void keep_surface_nodes(const Assembly& assembly, const AddedMassStore& store);
+
 }  // namespace app

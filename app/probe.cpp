@@ -63,6 +63,7 @@ int probe(const std::filesystem::path& file, const std::vector<Override>& overri
   Assembly assembly = assemble(scene);
   AddedMassStore store(cache_folder());
   add_added_mass(scene, assembly, store, false);
+  keep_surface_nodes(assembly, store);
   Json bodies = Json::object();
   for (const engine::BodySpec& body : assembly.spec.bodies)
     bodies[body.name] = probe_body(body, assembly.spec.sea);

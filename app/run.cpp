@@ -202,9 +202,9 @@ int thread_count(int wanted) {
 }
 
 /// Finds the bodies' added mass on the threads of the run. @return how long that took [s].
-double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& assembly) {
+double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& assembly,
+                       AddedMassStore& store) {
   const Stopwatch stopwatch;
-  AddedMassStore store(cache_folder());
   tbb::task_arena threads(assembly.spec.threads);
   threads.execute([&] { add_added_mass(scene, assembly, store, options.quiet); });
   return stopwatch.seconds();
@@ -219,10 +219,13 @@ int run(const RunOptions& options) {
   if (!options.quiet)
     for (const std::string& note : assembly.notes)
       say(fmt::format("{}: note: {}", scene.file.string(), note));
-  const double wall_added_mass = find_added_mass(options, scene, assembly);
+  AddedMassStore store(cache_folder());
+  const double wall_added_mass = find_added_mass(options, scene, assembly, store);
   const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   const OutputFolder folder(out);
-  return Run(options, scene, assembly, folder, wall_added_mass).execute();
+  const int code = Run(options, scene, assembly, folder, wall_added_mass).execute();
+  keep_surface_nodes(assembly, store);
+  return code;
 }
 
 }  // namespace app

@@ -135,6 +135,28 @@ TEST_F(StoreOfAddedMass, SaysWhatIsDamagedAndMakesItAnew) {
   }
 }
 
+TEST_F(StoreOfAddedMass, GathersTheNodesOfSeveralRuns) {
+  const auto node = [](int attitude, int draught, double size) {
+    return hydro::SurfaceNode{attitude, draught, size * hydro::Matrix6d::Identity()};
+  };
+  const AddedMassStore store(folder);
+  EXPECT_THAT(store.find_nodes(mesh), IsEmpty());
+  store.keep_nodes(mesh, {node(3, 1, 0.1), node(0, 18, 2)});
+  AddedMassStore(folder).keep_nodes(mesh, {node(3, 2, 0.3), node(3, 1, 0.1)});
+  const std::vector<hydro::SurfaceNode> found = store.find_nodes(mesh);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(std::tuple(found[0].attitude, found[0].draught, found[0].matrix(0, 0)),
+            std::tuple(0, 18, 2));
+  EXPECT_EQ(std::tuple(found[2].attitude, found[2].draught, found[2].matrix(5, 5)),
+            std::tuple(3, 2, 0.3));
+  EXPECT_THAT(store.find_nodes(hydro::make_icosphere(2, 1)), IsEmpty());
+
+  fs::resize_file(store.nodes_file_of(mesh), fs::file_size(store.nodes_file_of(mesh)) - 1);
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(store.find_nodes(mesh), IsEmpty());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("is damaged: its checksum"));
+}
+
 TEST_F(StoreOfAddedMass, DoesNotTakeASoundFileOfAnotherMesh) {
   const TriMesh other = hydro::make_icosphere(2, 1);
   AddedMassStore(folder).keep(mesh, {}, solution);

@@ -71,6 +71,19 @@ TEST_F(ProgramAddedMass, IsSolvedForOnceAndTheSameFromTheStore) {
   EXPECT_NEAR(first["matrix"][2][2], 638, tolerance(60));
 }
 
+TEST_F(ProgramAddedMass, OfASecondRunNearTheSurfaceNeedsNoSolve) {
+  const std::string surface = "bodies[0].hydro.added_mass={model: surface}";
+  const std::vector<std::string> sets = {surface, "bodies[0].position=[0, 0, -0.2]",
+                                         "duration=0.1"};
+  run_box(sets);
+  EXPECT_GT(of_box()["solves"], 0);
+  const std::string track = here.read("o/trajectory.csv");
+  run_box(sets);
+  EXPECT_EQ(of_box()["model"], "surface");
+  EXPECT_EQ(of_box()["solves"], 0);
+  EXPECT_EQ(here.read("o/trajectory.csv"), track);
+}
+
 TEST_F(ProgramAddedMass, IsTheSameForAnyNumberOfThreads) {
   std::vector<json> matrices;
   std::vector<std::string> tracks;

@@ -269,6 +269,7 @@ TEST(SceneKeys, AddedMassIsReadAsOneKey) {
   };
   EXPECT_EQ(read("none").model, Model::none);
   EXPECT_EQ(read("{model: none}").model, Model::none);
+  EXPECT_EQ(read("{model: surface}").model, Model::surface);
   EXPECT_EQ(read("deep").tolerance, 1e-3);
   EXPECT_EQ(read("{}").model, Model::deep);
   EXPECT_EQ(read(zero_matrix()).model, Model::matrix);
