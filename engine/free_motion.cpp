@@ -56,34 +56,34 @@ Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, 
 }
 
 /// True if the momentum p₁ has the energy of p₀, which an exact solution of (2) keeps.
-bool keeps_energy(const hydro::Cholesky6& S, const Vector6d& p0, const Vector6d& p1) {
-  const double before = p0.dot(S.solve(p0));
-  return std::abs(p1.dot(S.solve(p1)) - before) <= kKept * before;
+bool keeps_energy(const Matrix6d& S_inverse, const Vector6d& p0, const Vector6d& p1) {
+  const double before = p0.dot(S_inverse * p0);
+  return std::abs(p1.dot(S_inverse * p1) - before) <= kKept * before;
 }
 
 /// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
 /// no half do, the body moves on as it does, which keeps the energy too.
-void advance(const hydro::Cholesky6& S, Momentum& m, double time, int halvings) {
+void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) {
   Vector6d mean = m.p;
-  Vector6d u = S.solve(mean);
+  Vector6d u = S_inverse * mean;
   double a = half_step(u.tail<3>().norm(), time);
   bool solved = false;
   for (int i = 0; i < kMostIterations && !solved; ++i) {
     const Vector6d next = m.p + a * kirchhoff(mean, u);
     const double change = (next - mean).squaredNorm();
     mean = next;
-    u = S.solve(mean);
+    u = S_inverse * mean;
     a = half_step(u.tail<3>().norm(), time);
     solved = change <= kConverged * kConverged * mean.squaredNorm();
     if (!(u.tail<3>().norm() * time < 1)) break;  // the tangent has a pole
   }
-  if (!solved && !(keeps_energy(S, m.p, 2 * mean - m.p) && u.tail<3>().norm() * time < 1)) {
+  if (!solved && !(keeps_energy(S_inverse, m.p, 2 * mean - m.p) && u.tail<3>().norm() * time < 1)) {
     if (halvings > 0) {
-      advance(S, m, time / 2, halvings - 1);
-      return advance(S, m, time / 2, halvings - 1);
+      advance(S_inverse, m, time / 2, halvings - 1);
+      return advance(S_inverse, m, time / 2, halvings - 1);
     }
     mean = m.p;
-    u = S.solve(mean);
+    u = S_inverse * mean;
     a = 0;
   }
   m.x += m.R * displacement(u, m.p.head<3>(), mean.head<3>(), a, time);
@@ -154,10 +154,10 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& stat
   Momentum m{.R = state.orientation.toRotationMatrix(), .q = state.orientation};
   const Vector6d u_B = turned(m.R.transpose(), velocity(state, current));
   m.p = inertia_B * u_B;
-  const hydro::Cholesky6 S(inertia_B);
+  const Matrix6d S_inverse = hydro::Cholesky6(inertia_B).inverse();
   const int count = pieces(turning_rate(inertia_B, u_B), time);
-  for (int i = 0; i < count; ++i) advance(S, m, time / count, kMostHalvings);
-  hydro::BodyState next = with_velocity(state, turned(m.R, S.solve(m.p)), current);
+  for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostHalvings);
+  hydro::BodyState next = with_velocity(state, turned(m.R, Vector6d(S_inverse * m.p)), current);
   next.position += m.x + time * current;
   next.orientation = m.q;
   return next;

@@ -35,6 +35,11 @@ Vector6d Cholesky6::solve_upper(const Vector6d& x) const {
   return lower_.transpose().triangularView<Eigen::Upper>().solve(x);
 }
 
+Matrix6d Cholesky6::inverse() const {
+  const Matrix6d half = lower_.triangularView<Eigen::Lower>().solve(Matrix6d::Identity());
+  return half.transpose() * half;
+}
+
 Matrix6d Cholesky6::relative(const Matrix6d& X) const {
   const Matrix6d half = lower_.triangularView<Eigen::Lower>().solve(X);
   const Matrix6d both = lower_.triangularView<Eigen::Lower>().solve(Matrix6d(half.transpose()));

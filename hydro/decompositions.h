@@ -33,6 +33,8 @@ class Cholesky6 {
   Vector6d solve_lower(const Vector6d& x) const;
   /// L⁻ᵀ x
   Vector6d solve_upper(const Vector6d& x) const;
+  /// (L Lᵀ)⁻¹, symmetric: dearer than one solution, cheaper than four.
+  Matrix6d inverse() const;
   /// L⁻¹ X L⁻ᵀ of a symmetric matrix: X in the metric of L Lᵀ.
   Matrix6d relative(const Matrix6d& X) const;
 
