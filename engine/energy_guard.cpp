@@ -8,6 +8,9 @@
 namespace engine {
 namespace {
 
+/// A swing that goes through less in a step keeps its energy but for what comes back [rad].
+constexpr double kSmoothSwing = 0.3;
+
 struct Energies {
   double kinetic = 0;
   double potential = 0;
@@ -54,6 +57,11 @@ bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before
       continue;
     }
 
+    const auto smooth = [&](std::size_t i) {
+      const KickHistory& kicks = bodies[i].motion.kicks;
+      return kicks.resolved() && kicks.pace() * step <= kSmoothSwing;
+    };
+    if (std::all_of(group.bodies.begin(), group.bodies.end(), smooth)) continue;
     look(group, bodies, before, step);
     any = any || group.excess > group.allowed;
   }
