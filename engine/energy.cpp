@@ -38,6 +38,10 @@ bool must_not_gain_energy(const Body& body, const Surroundings& around) {
   return body.wet && hydro::is_flat(*around.sea) && around.current().z() == 0;
 }
 
+bool is_driven(const Body& body) {
+  return body.spec->coefficients.lift != 0 || !body.spec->loads.empty();
+}
+
 double work_done(const Body& body, const Surroundings& around, const hydro::BodyState& before,
                  const hydro::BodyState& after, double h) {
   hydro::Wrench load = body.loads.water.lift;

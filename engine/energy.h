@@ -28,6 +28,9 @@ double least_energy_scale(const Body& body, const Surroundings& around);
 /// True if the water stands still: what adds to a body's energy is known.
 bool must_not_gain_energy(const Body& body, const Surroundings& around);
 
+/// True if lift or applied loads can add to it: then no earlier energy bounds the present one.
+bool is_driven(const Body& body);
+
 /// What lift and applied loads, as they were last found, may have added to a body's energy on its
 /// way between two states a time h [s] apart; 0 if they took from it [J].
 double work_done(const Body& body, const Surroundings& around, const hydro::BodyState& before,

@@ -74,9 +74,13 @@ void EnergyGuard::look(Group& group, const std::vector<Body>& bodies, const Moti
   const auto after = [&](std::size_t i) -> const Motion& { return bodies[i].motion; };
   const Energies end = energies(group.bodies, bodies, after, around_);
   group.next.extend(start.kinetic + start.potential, start.potential);
-  for (const std::size_t i : group.bodies)
-    group.next.lowest +=
-        work_done(bodies[i], around_, before(i).state, bodies[i].motion.state, step);
+  const auto driven = [&](std::size_t i) { return is_driven(bodies[i]); };
+  if (std::any_of(group.bodies.begin(), group.bodies.end(), driven)) {
+    group.next.lowest = start.kinetic + start.potential;
+    for (const std::size_t i : group.bodies)
+      group.next.lowest +=
+          work_done(bodies[i], around_, before(i).state, bodies[i].motion.state, step);
+  }
   const double energy = end.kinetic + end.potential;
   group.kinetic = end.kinetic;
   group.allowed = group.next.allowed_gain(group.floor);

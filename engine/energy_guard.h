@@ -12,7 +12,8 @@
 /// between its bodies and take some, but add none. A step after which a group has more than the
 /// lowest so far by twice kEnergyGain of the greatest so far is taken in halves; above once that
 /// its motion is slowed, which the joints allow: their conditions on the velocities are linear.
-/// Groups that touch something are left to the contacts.
+/// Groups that touch something are left to the contacts, and swings that a step resolves to
+/// themselves: their energy swings, too, and comes back.
 
 namespace engine {
 

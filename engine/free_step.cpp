@@ -183,8 +183,10 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
   if (!must_not_gain_energy(body, around)) return whole.motion;
   EnergyRange range = motion.energy;
   const double potential = potential_energy(body, around, motion.state);
-  range.extend(potential + kinetic_energy(body, around, motion), potential);
-  range.lowest += work_done(body, around, motion.state, whole.motion.state, h);
+  const double before = potential + kinetic_energy(body, around, motion);
+  range.extend(before, potential);
+  if (is_driven(body))
+    range.lowest = before + work_done(body, around, motion.state, whole.motion.state, h);
   const double after = potential_energy(body, around, whole.motion.state);
   const double kinetic = kinetic_energy(body, around, whole.motion);
   const double energy = after + kinetic;

@@ -16,7 +16,8 @@
 /// - in which a body that bobs or rocks goes through no more than a quarter of a radian of that;
 /// - in still water, if the energy comes to be more than the lowest so far by twice kEnergyGain of
 ///   the greatest so far: in halves, kMostHalvings times, and at the end the motion is slowed by
-///   what is too much. Above once that the motion is slowed without more pieces.
+///   what is too much. Above once that the motion is slowed without more pieces. Where lift or
+///   applied loads drive the body the energy is compared with that of the piece's start.
 ///
 /// Equation (1) of kick.h makes pieces of second order, but for loads that hang on the pose alone
 /// of the shape P N P⁻¹ with N of fourth order [R91]. Between two pieces P⁻¹ and P cancel; what is
@@ -28,7 +29,7 @@
 /// [R91] Rowlands. A numerical algorithm for Hamiltonian systems. J. Comp. Phys. 97 (1991).
 ///
 /// With a tolerance the pieces are chosen from an estimate of the error: each is done as a whole
-/// and as two halves, whose difference is three times the error of the halves and is taken off it.
+/// and as two halves, whose difference is three times the error of the halves or more.
 
 namespace engine {
 

@@ -79,6 +79,25 @@ TEST(PlainMethod, IsFurtherOffThanTheSplitStepByFar) {
   EXPECT_GT(plain, 10 * split);
 }
 
+TEST(Entry, DoesNotTakeWhatALoadHasGiven) {
+  // Pushed along for 6 s, then it falls into the water at once: suddenly, with all that it gained.
+  for (const double lift : {0.0, 0.01}) {
+    BodySpec body = barge();
+    body.added_mass = nullptr;
+    body.coefficients.pressure_drag = {0, 0};
+    body.coefficients.lift = lift;
+    body.locked = {false, false, false, true, true, true};
+    body.initial.orientation.setIdentity();
+    body.initial.position.z() = 177;  // m: 5.9 s of fall
+    body.loads.push_back({.force = {20000, 0, 0}});
+    const SimulationSpec spec = afloat(body, 1.0 / 15);
+    const Simulation simulation = support::after(spec, 10 * 15);
+    const double gained = 20000 * 10 / body.mass;
+    EXPECT_NEAR(simulation.states()[0].linear_velocity.x(), gained, tolerance(1e-9 * gained))
+        << lift;
+  }
+}
+
 TEST(Entry, AtHighSpeedGainsNoEnergy) {
   for (const double speed : {30.0, 300.0}) {
     BodySpec body = barge();
