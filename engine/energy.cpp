@@ -35,7 +35,10 @@ double least_energy_scale(const Body& body, const Surroundings& around) {
 }
 
 bool must_not_gain_energy(const Body& body, const Surroundings& around) {
-  return body.wet && hydro::is_flat(*around.sea) && around.current().z() == 0;
+  // Energy is that of the motion relative to the water: what is held in a current gets some.
+  const bool drifts = !body.locked && !body.jointed;
+  return body.wet && hydro::is_flat(*around.sea) && around.current().z() == 0 &&
+         (drifts || around.current().isZero(0));
 }
 
 bool is_driven(const Body& body) {

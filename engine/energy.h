@@ -25,7 +25,8 @@ double energy(const Body& body, const Surroundings& around, const Motion& motion
 /// the water in its place times its size [J].
 double least_energy_scale(const Body& body, const Surroundings& around);
 
-/// True if the water stands still: what adds to a body's energy is known.
+/// True if the water stands still, or carries a body along that nothing holds: what adds to its
+/// energy is known.
 bool must_not_gain_energy(const Body& body, const Surroundings& around);
 
 /// True if lift or applied loads can add to it: then no earlier energy bounds the present one.

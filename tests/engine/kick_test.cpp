@@ -228,6 +228,24 @@ TEST(Energy, OfBuoyancyIsTheWorkAgainstIt) {
   }
 }
 
+TEST(Energy, IsBoundedInACurrentOnlyWhereNothingHoldsTheBody) {
+  BodySpec body = support::box_body("box", {2, 1, 0.5}, 300, {0, 0, 0}, 1);
+  body.wet = true;
+  SimulationSpec spec = support::dry_world({body}, 0.01);
+  spec.sea = {.current = {1, 0, 0}};
+  const auto bounded = [&] {
+    return engine::must_not_gain_energy(engine::make_body(spec, 0), engine::surroundings(spec));
+  };
+  EXPECT_TRUE(bounded());
+  spec.bodies[0].locked[0] = true;
+  EXPECT_FALSE(bounded());
+  spec.bodies[0].locked[0] = false;
+  spec.joints = {{.type = engine::JointSpec::Type::hinge, .first = 0, .axis_W = Vector3d::UnitY()}};
+  EXPECT_FALSE(bounded());
+  spec.sea->current.setZero();
+  EXPECT_TRUE(bounded());
+}
+
 TEST(Anderson, EndsOnAnAffineMapAfterAsManyStepsAsItHasDimensions) {
   Eigen::MatrixXd map(3, 3);
   map << 3, 1, 0,  //
