@@ -51,12 +51,10 @@ bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before
     group.excess = 0;
     group.next = group.range;
     const auto touches = [&](std::size_t i) { return touching[i]; };
-
     if (std::any_of(group.bodies.begin(), group.bodies.end(), touches)) {
       group.next = {};
       continue;
     }
-
     const auto smooth = [&](std::size_t i) {
       const KickHistory& kicks = bodies[i].motion.kicks;
       return kicks.resolved() && kicks.pace() * step <= kSmoothSwing;

@@ -26,14 +26,11 @@ class EnergyGuard {
   EnergyGuard(const std::vector<std::vector<BodyId>>& groups, const std::vector<Body>& bodies,
               const Surroundings& around);
 
-  /// True if there is nothing to watch.
-  bool empty() const { return groups_.empty(); }
-
   /// Looks at the bodies after a step.
   /// @param before   Motion of a body at its start.
   /// @param touching   For each body, if it is in contact.
-  /// @return true if a group has so much energy that the step is to be taken in halves.
   /// @param step   Between both [s].
+  /// @return true if a group has so much energy that the step is to be taken in halves.
   bool gained(const std::vector<Body>& bodies, const MotionOf& before,
               const std::vector<bool>& touching, double step);
 

@@ -37,6 +37,7 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   else
     after.kicks.add(turned(R_BW, c.change) / step, step, c.body->hull.radius);
   after.constrained = true;
+  after.energy = {};  // Joints and contacts pass energy on.
   check_state(*c.body, after.state);
   after = drift(*c.body, around, after, step / 2);
   check_state(*c.body, after.state);

@@ -98,6 +98,29 @@ TEST(Entry, DoesNotTakeWhatALoadHasGiven) {
   }
 }
 
+TEST(Impact, GivesABodyAfloatWhatTheOtherLoses) {
+  // No drag: the momentum along the water is kept, by bodies that bob and heel after they have met.
+  std::vector<BodySpec> boxes;
+  for (const double x : {-3.0, 0.0}) {
+    BodySpec box = support::box_body("box", {1, 1, 0.5}, 500, {x, 0, 0.4}, 1);  // above the water
+    box.wet = true;
+    box.coefficients.pressure_drag = {0, 0};
+    box.coefficients.lift = 0;
+    box.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+    box.collision = engine::CollisionShape::mesh;
+    boxes.push_back(box);
+  }
+  boxes[0].initial.linear_velocity = {3, 0, 0};
+  SimulationSpec spec = support::dry_world(boxes, 1.0 / 60);
+  spec.sea.emplace();
+  const Simulation simulation = support::after(spec, 240);
+  const double mean =
+      (simulation.states()[0].linear_velocity.x() + simulation.states()[1].linear_velocity.x()) / 2;
+  // What bobbing seems to gain is trimmed from the whole motion: kEnergyGain of its energy.
+  EXPECT_NEAR(mean, 1.5, tolerance(engine::kEnergyGain * 1.5));
+  EXPECT_GT(simulation.states()[1].linear_velocity.x(), 1);
+}
+
 TEST(Entry, AtHighSpeedGainsNoEnergy) {
   for (const double speed : {30.0, 300.0}) {
     BodySpec body = barge();
