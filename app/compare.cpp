@@ -23,13 +23,13 @@ double angle_between(const BodyState& a, const BodyState& b) {
   return 2 * std::atan2(d.vec().norm(), std::abs(d.w())) * 180 / M_PI;
 }
 
-struct Quantity {
+struct ComparedQuantity {
   const char* name;
   const char* unit;
   double (*difference)(const BodyState&, const BodyState&);
 };
 
-constexpr std::array<Quantity, 4> kQuantities = {{
+constexpr std::array<ComparedQuantity, 4> kQuantities = {{
     {"position", "m",
      [](const BodyState& a, const BodyState& b) { return (a.position - b.position).norm(); }},
     {"orientation_deg", "deg", angle_between},
@@ -73,8 +73,8 @@ Matched match(const BodyTrack& a, const BodyTrack& b) {
   return matched;
 }
 
-Difference compare_quantity(const Quantity& quantity, const BodyTrack& a, const BodyTrack& b,
-                            const Matched& matched, double tolerance) {
+Difference compare_quantity(const ComparedQuantity& quantity, const BodyTrack& a,
+                            const BodyTrack& b, const Matched& matched, double tolerance) {
   Difference d;
   for (const auto& [i, j] : matched.rows) {
     const double difference = quantity.difference(a.states[i], b.states[j]);
@@ -96,11 +96,11 @@ double tolerance_of(const std::map<std::string, double>& tolerances, const char*
 
 void check_quantities(const std::map<std::string, double>& tolerances) {
   std::string known;
-  for (const Quantity& q : kQuantities)
+  for (const ComparedQuantity& q : kQuantities)
     known += fmt::format("{}{}", known.empty() ? "" : ", ", q.name);
   for (const auto& [name, value] : tolerances) {
     bool is_known = false;
-    for (const Quantity& q : kQuantities) is_known |= name == q.name;
+    for (const ComparedQuantity& q : kQuantities) is_known |= name == q.name;
     if (!is_known)
       throw InputError("--tol", fmt::format("unknown quantity {}; there are {}", name, known));
     if (!(value >= 0))
@@ -124,7 +124,7 @@ bool compare_body(const std::string& name, const BodyTrack& a, const BodyTrack& 
                matched.only_a, options.a.string(), matched.only_b, options.b.string());
     same = false;
   }
-  for (const Quantity& quantity : kQuantities) {
+  for (const ComparedQuantity& quantity : kQuantities) {
     const double tolerance = tolerance_of(options.tolerances, quantity.name);
     const Difference d = compare_quantity(quantity, a, b, matched, tolerance);
     fmt::print("{:<16} {:<17} {:>12.4g} {:<6} {:>8.3f} {:>11}  {}\n", name, quantity.name,

@@ -50,7 +50,7 @@ std::vector<std::string_view> split(std::string_view line) {
   throw InputError({{.place = {.file = file, .line = line, .column = 1}, .message = message}});
 }
 
-double number(std::string_view text, const std::filesystem::path& file, int line) {
+double number_in_log(std::string_view text, const std::filesystem::path& file, int line) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
@@ -64,9 +64,10 @@ void read_row(std::string_view text, const std::filesystem::path& file, int line
   const std::vector<std::string_view> fields = split(text);
   if (fields.size() != kFields)
     refuse(file, line, fmt::format("found {} fields, expected {}", fields.size(), kFields));
-  const double time = number(fields[0], file, line);
+  const double time = number_in_log(fields[0], file, line);
   std::array<double, 13> values;
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(fields[i + 2], file, line);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = number_in_log(fields[i + 2], file, line);
   const std::string name(fields[1]);
   const auto [entry, is_new] = trajectory.tracks.try_emplace(name);
   BodyTrack& track = entry->second;

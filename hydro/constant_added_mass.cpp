@@ -8,9 +8,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// No panel is split to edges shorter than this part of the body's radius, as for the loads.
-constexpr double kSmallestPanel = 1.0 / 256;
-
 /// True if the surface rises above a panel somewhere between its corners. Heights above the centre
 /// of mass.
 bool is_wet_between(const Panel& panel, double level, const SurfaceSampler& surface) {

@@ -1,5 +1,7 @@
 #include "hydro/load_jacobian.h"
 
+#include <algorithm>
+
 #include "hydro/clip.h"
 #include "hydro/refine.h"
 #include "hydro/viscous_drag.h"
@@ -9,9 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Panels are split no further than to this part of the body's radius, as the loads are.
-constexpr double kSmallestPanel = 1.0 / 256;
-
 /// What the sum over the panels needs.
 struct Motion {
   const Coefficients& coefficients;
@@ -19,17 +18,21 @@ struct Motion {
   double scale = 1;  ///< Of the pressure drag, by its calibration.
 };
 
-/// Integrand of (2) per ½ρ C_v.
-Matrix6d friction(const Vector3d& r, const Vector3d& n, const Vector3d& v) {
-  const Vector3d v_t = v - v.dot(n) * n;
+/// Adds `weight` times b bᵀ, b being how a force along d at r counts: (d, r × d).
+void add_along(const Vector3d& d, const Vector3d& r, double weight, Matrix6d& sum) {
+  Vector6d b;
+  b << d, r.cross(d);
+  sum.noalias() += weight * b * b.transpose();
+}
+
+/// Adds the integrand of (2) with `weight` for −½ρ C_v: 1 − n nᵀ + t tᵀ = 2 t tᵀ + s sᵀ, s = n × t.
+void add_friction(const Vector3d& r, const Vector3d& n, const Vector3d& v_t, double weight,
+                  Matrix6d& sum) {
   const double speed = v_t.norm();
-  if (speed == 0) return Matrix6d::Zero();
-  const Eigen::Matrix3d along =
-      Eigen::Matrix3d::Identity() - n * n.transpose() + v_t * v_t.transpose() / (speed * speed);
-  Eigen::Matrix<double, 3, 6> B;
-  B << Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i) B.col(3 + i) = Vector3d::Unit(i).cross(r);
-  return speed * B.transpose() * along * B;
+  if (speed == 0) return;
+  const Vector3d t = v_t / speed;
+  add_along(t, r, 2 * speed * weight, sum);
+  add_along(n.cross(t), r, speed * weight, sum);
 }
 
 /// Adds (1), (2) per ρ and (3) per ρ g of a wet panel.
@@ -44,14 +47,13 @@ void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
     const Vector3d r = (panel[i] + panel[(i + 1) % 3]) / 2;
     const Vector3d v = motion.twist.at(r);
     const double v_n = v.dot(n);
-    Vector6d b, c;
-    b << n, r.cross(n);
-    c << 0, 0, 1, r.y(), -r.x(), 0;
     const double C_p = motion.scale * (v_n > 0 ? drag.front : drag.back);
-    sum.drag -= area / 3 * C_p * std::abs(v_n) * b * b.transpose();
-    if (!law.none())
-      sum.drag -= area / 6 * viscous_coefficient(law, (v - v_n * n).norm()) * friction(r, n, v);
-    sum.waterplane += a.z() / 3 * c * c.transpose();
+    add_along(n, r, -area / 3 * C_p * std::abs(v_n), sum.drag);
+    if (!law.none()) {
+      const Vector3d v_t = v - v_n * n;
+      add_friction(r, n, v_t, -area / 6 * viscous_coefficient(law, v_t.norm()), sum.drag);
+    }
+    add_along(Vector3d::UnitZ(), r, a.z() / 3, sum.waterplane);
   }
 }
 
@@ -65,6 +67,9 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
   const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
   const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * hull.radius);
   const double level = sea.level - state.position.z();
+  const SurfaceBounds bounds = surface_bounds(sea);
+  const double always_wet = bounds.lowest - state.position.z();
+  const double always_dry = bounds.highest - state.position.z();
   LoadJacobian sum;
   const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
     const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
@@ -73,6 +78,12 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
   };
   for (const auto& face : hull.mesh_B.faces.colwise()) {
     const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
+    const auto [low, high] = std::minmax({panel[0].z(), panel[1].z(), panel[2].z()});
+    if (low >= always_dry) continue;
+    if (high <= always_wet) {
+      add_panel(motion, panel, sum);
+      continue;
+    }
     const Vector3d elevation(surface.elevation(panel[0]), surface.elevation(panel[1]),
                              surface.elevation(panel[2]));
     for_each_linear_piece(panel, elevation, surface, add_piece);

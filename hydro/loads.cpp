@@ -14,9 +14,6 @@ namespace {
 /// Motion slower than this has no drag: its square would be a denormal number, slow to work with.
 constexpr double kLeastSpeed = 1e-120;
 
-/// No panel is split to edges shorter than this part of the hull's radius.
-constexpr double kSmallestPanel = 1.0 / 256;
-
 /// Volume over area [m]: an error of the elevation that is the same part of it makes an error of
 /// the force that is that part of the buoyancy at most.
 double size_of(const Hull& hull) {

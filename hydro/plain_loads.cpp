@@ -16,9 +16,6 @@ namespace {
 /// on the number of threads.
 constexpr Eigen::Index kFacesAPiece = 1024;
 
-/// No panel is split to edges shorter than this part of the hull's radius.
-constexpr double kSmallestPanel = 1.0 / 256;
-
 /// Everything that the sum over the panels needs, with the vertices in W axes about the centre of
 /// mass.
 struct Immersion {

@@ -116,7 +116,7 @@ Eigen::Vector2d circle_point(int j, int n) {
 }
 
 /// A ring of a surface of revolution about z.
-struct Ring {
+struct RingOfVertices {
   double rho;  ///< Distance from the axis [m].
   double z;    ///< [m]
 };
@@ -138,12 +138,12 @@ Eigen::Matrix3Xi revolution_faces(int rings, int slices) {
 }
 
 /// The closed surface of revolution through `rings`, from the top down, with poles at z = ±z_pole.
-TriMesh revolve(const std::vector<Ring>& rings, double z_pole, int slices) {
+TriMesh revolve(const std::vector<RingOfVertices>& rings, double z_pole, int slices) {
   TriMesh mesh;
   mesh.vertices.resize(3, static_cast<Eigen::Index>(rings.size()) * slices + 2);
   Eigen::Index next = 0;
   mesh.vertices.col(next++) << 0, 0, z_pole;
-  for (const Ring& ring : rings)
+  for (const RingOfVertices& ring : rings)
     for (int j = 0; j < slices; ++j)
       mesh.vertices.col(next++) << ring.rho * circle_point(j, slices), ring.z;
   mesh.vertices.col(next) << 0, 0, -z_pole;
@@ -225,7 +225,7 @@ TriMesh make_ellipsoid(const Eigen::Vector3d& semi_axes, int slices, int stacks)
   require_count(slices, 3, "slices");
   require_count(stacks, 2, "stacks");
   require_triangles(2.0 * slices * (stacks - 1.0));
-  std::vector<Ring> rings;
+  std::vector<RingOfVertices> rings;
   for (int k = 1; k < stacks; ++k) {
     // Measured from the equator, so that the two halves have the same digits.
     const double latitude = M_PI * (stacks - 2 * k) / (2.0 * stacks);
@@ -264,7 +264,7 @@ TriMesh make_cylinder(double radius, double height, int slices, int stacks) {
   require_count(stacks, 1, "stacks");
   const int cap = cylinder_cap_rings(radius, height, slices, stacks);
   require_triangles(2.0 * slices * (stacks + 2.0 * cap - 1));
-  std::vector<Ring> rings;
+  std::vector<RingOfVertices> rings;
   for (int k = 1; k < cap; ++k) rings.push_back({radius * k / cap, height / 2});
   for (int k = 0; k <= stacks; ++k)
     rings.push_back({radius, height * (stacks - 2.0 * k) / (2.0 * stacks)});

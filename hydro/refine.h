@@ -17,6 +17,10 @@
 
 namespace hydro {
 
+/// Loads split no panel to edges shorter than this part of the body's radius [-]. Smaller costs
+/// more in a rough sea, larger loses waves of a few such lengths.
+inline constexpr double kSmallestPanel = 1.0 / 256;
+
 /// The water surface as seen from a body: elevations over points relative to its centre of mass.
 class SurfaceSampler {
  public:

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 
 #include "hydro/parallel.h"
 #include "hydro/wetted_added_mass.h"
@@ -11,6 +10,7 @@ namespace hydro {
 namespace {
 
 using bem::Element;
+using bem::kPerSphere;
 using bem::Potentials;
 using Eigen::Index;
 using Eigen::Matrix3d;
@@ -31,7 +31,7 @@ MotionRow motions(const Vector3d& at, const Vector3d& normal) {
 }
 
 /// What a patch does to points far away.
-struct Moments {
+struct PatchMoments {
   Eigen::Matrix3d area;                      ///< ∫ f_k n dS, a column a function k [m^2].
   std::array<Matrix3d, 3> lever;             ///< ∫ f_k n (y − centre)ᵀ dS [m^3].
   MotionRow source;                          ///< ∫ N dS.
@@ -39,8 +39,8 @@ struct Moments {
   Eigen::Matrix<double, 3, 6> load;          ///< ∫ f_k N dS, a row a function.
 };
 
-Moments moments_of(const Patch& patch) {
-  Moments m{};
+PatchMoments moments_of(const Patch& patch) {
+  PatchMoments m{};
   m.area.setZero();
   for (Matrix3d& lever : m.lever) lever.setZero();
   m.source.setZero();
@@ -69,7 +69,8 @@ struct Seen {
   MotionRow single = MotionRow::Zero();
 };
 
-void add_far(const Patch& patch, const Moments& m, const Vector3d& x, double factor, Seen& seen) {
+void add_far(const Patch& patch, const PatchMoments& m, const Vector3d& x, double factor,
+             Seen& seen) {
   const Vector3d r = patch.centre - x;
   const double squared = r.squaredNorm();
   const double inverse = 1 / std::sqrt(squared);
@@ -101,7 +102,8 @@ void add_near(const Patch& patch, const Vector3d& x, double factor, Seen& seen) 
   }
 }
 
-void add_seen(const Patch& patch, const Moments& m, const Vector3d& x, double factor, Seen& seen) {
+void add_seen(const Patch& patch, const PatchMoments& m, const Vector3d& x, double factor,
+              Seen& seen) {
   if ((patch.centre - x).squaredNorm() > kFar * kFar * patch.radius * patch.radius)
     add_far(patch, m, x, factor, seen);
   else
@@ -114,9 +116,8 @@ struct System {
 };
 
 /// Equation (1) in the mean over patch `i`: its three rows.
-void fill_rows(const std::vector<Patch>& patches, const std::vector<Moments>& moments,
+void fill_rows(const std::vector<Patch>& patches, const std::vector<PatchMoments>& moments,
                const WaterPlane& plane, std::size_t i, System& system) {
-  constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
   const Index row = 3 * static_cast<Index>(i);
   Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
   for (const PatchPoint& point : patches[i].points) {
@@ -138,7 +139,7 @@ void fill_rows(const std::vector<Patch>& patches, const std::vector<Moments>& mo
       system.matrix(row + k + 1, row + k + 1) = 1;
 }
 
-/// Moments count with the root of the wetted area as their lever.
+/// PatchMoments count with the root of the wetted area as their lever.
 double asymmetry(const Matrix6d& matrix, const std::vector<Patch>& patches) {
   double area = 0;
   for (const Patch& patch : patches) area += patch.area;
@@ -154,7 +155,7 @@ double asymmetry(const Matrix6d& matrix, const std::vector<Patch>& patches) {
 SurfaceSolution solve_under(const TriMesh& mesh_B, const WaterPlane& plane, int count) {
   const std::vector<Patch> patches = wetted_patches(mesh_B, plane, count);
   if (patches.empty()) return {};
-  std::vector<Moments> moments;
+  std::vector<PatchMoments> moments;
   for (const Patch& patch : patches) moments.push_back(moments_of(patch));
   const Index unknowns = 3 * static_cast<Index>(patches.size());
   System system{Eigen::MatrixXd::Zero(unknowns, unknowns),

@@ -18,9 +18,6 @@ using Eigen::Vector3d;
 /// Faces in a leaf of the tree. With fewer the boxes cost more than the faces that they spare.
 constexpr int kFacesALeaf = 8;
 
-/// No panel is split to edges shorter than this part of the body's radius, as for the loads.
-constexpr double kSmallestPanel = 1.0 / 256;
-
 Matrix3d cross_matrix(const Vector3d& v) {
   Matrix3d m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include "hydro/bem/galerkin.h"
 #include "hydro/parallel.h"
@@ -69,7 +68,7 @@ Vector6d excess(const Surface& surface, const Potential& psi, const Vector3d& x,
 
 /// What (1/4π) Σ N ∫ 1/r lacks or exceeds of ½ψ + (1/4π) ∫ ψ dΩ at the centroid of a face.
 Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) {
-  Vector6d sum = excess(surface, psi, surface.elements[at].centroid, at) / (4 * std::numbers::pi);
+  Vector6d sum = excess(surface, psi, surface.elements[at].centroid, at) * kPerSphere;
   const std::array<int, 6> rows = functions_of(surface, at);
   for (std::size_t i = 0; i < 3; ++i)
     sum -= psi.row(rows[i]).transpose() / 6 + 2 * psi.row(rows[3 + i]).transpose() / 9;
@@ -106,7 +105,7 @@ bool is_inside(const Surface& surface, const Vector3d& x, int part) {
   std::vector<double> turns(surface.parts.volume.size());
   for (std::size_t f = 0; f < surface.face_count(); ++f)
     turns[static_cast<std::size_t>(surface.part_of_face(f))] +=
-        solid_angle(surface.elements[f], x) / (4 * std::numbers::pi);
+        solid_angle(surface.elements[f], x) * kPerSphere;
   for (std::size_t k = 0; k < turns.size(); ++k)
     if (std::abs(turns[k] - (static_cast<int>(k) == part ? 1 : 0)) > 1e-6) return false;
   return true;
@@ -118,7 +117,7 @@ bool is_inside(const Surface& surface, const Vector3d& x, int part) {
 Vector6d constant_of(const Surface& surface, const Potential& psi, int part) {
   const Vector3d x = centroid_of(surface, part);
   if (!is_inside(surface, x, part)) return mean_residual(surface, psi, part);
-  return excess(surface, psi, x, surface.face_count()) / (4 * std::numbers::pi);
+  return excess(surface, psi, x, surface.face_count()) * kPerSphere;
 }
 
 }  // namespace

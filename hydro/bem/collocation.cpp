@@ -50,7 +50,6 @@ void pin_cavities(const Surface& surface, Eigen::MatrixXd& matrix) {
 Potential collocate(const Surface& surface) {
   const std::vector<Element>& elements = surface.elements;
   const Index count = surface.mesh.face_count();
-  constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
   Potential motion(count, 6);
   for (Index f = 0; f < count; ++f) {
     const Element& element = elements[static_cast<std::size_t>(f)];

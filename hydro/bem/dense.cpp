@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -16,8 +15,6 @@ namespace hydro::bem {
 namespace {
 
 using Eigen::Index;
-
-constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
 
 /// Elements in groups none of which has two at one vertex: the rows of one group's equations can
 /// be added to at the same time, and group by group all are in one order.

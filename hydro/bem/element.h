@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "hydro/mesh.h"
@@ -9,6 +10,13 @@
 /// Flat triangles as boundary elements, and integrals of 1/r over them in closed form.
 
 namespace hydro::bem {
+
+/// 1/(4π): with it 1/r is the potential of a unit source.
+inline constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
+
+/// Edges are of one length if they differ by less [-]: which of them is halved, or named first,
+/// must not hang on round-off, or a turned mesh would be treated in another way.
+inline constexpr double kSameLength = 1e-6;
 
 /// A triangle with what its integrals need. Edge e runs from corner e to corner e + 1.
 struct Element {

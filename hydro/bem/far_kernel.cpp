@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
-using Bits __attribute__((vector_size(kLanes * sizeof(double)))) = long long;
+using LaneBits __attribute__((vector_size(kLanes * sizeof(double)))) = long long;
 
 /// A rule's points, and its weights times the hat functions there.
 template <std::size_t N>
@@ -40,7 +40,7 @@ const HatRule<6>& rule_6() {
 /// 1/√x to round-off: a first guess from the bits of x, then Newton's method four times. It takes
 /// operations only that all processors have eight at a time.
 [[gnu::always_inline]] inline void inverse_root(const Lanes& x, Lanes& root) {
-  const Bits bits = 0x5fe6eb50c7b537a9 - (reinterpret_cast<Bits>(x) >> 1);
+  const LaneBits bits = 0x5fe6eb50c7b537a9 - (reinterpret_cast<LaneBits>(x) >> 1);
   root = reinterpret_cast<Lanes>(bits);
   const Lanes half = 0.5 * x;
   for (int step = 0; step < 4; ++step) root = root * (1.5 - half * root * root);

@@ -1,7 +1,6 @@
 #include "hydro/bem/galerkin.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "hydro/bem/conjugate_gradients.h"
 #include "hydro/bem/dense.h"
@@ -11,8 +10,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
-
-constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
 
 /// Residuals are taken down to this part of what the bubbles' equations without hats have on the
 /// right. Rotations' added mass is in error by as much, and by a hundred times it on slivers; with

@@ -50,7 +50,7 @@ std::array<double, kOrder> lagrange(double t, int order) {
 }
 
 using Floats __attribute__((vector_size(kBlock * sizeof(float)))) = float;
-using Bits __attribute__((vector_size(kBlock * sizeof(float)))) = int;
+using FloatBits __attribute__((vector_size(kBlock * sizeof(float)))) = int;
 
 [[gnu::always_inline]] inline void load(const float* from, Floats& to) {
   std::memcpy(&to, from, sizeof(to));
@@ -71,7 +71,7 @@ void inverse_distances(const float* x, const float* y, Index count, float* out) 
     dz -= x[2];
     const Floats squared = dx * dx + dy * dy + dz * dz;
     const Floats half = 0.5F * squared;
-    const Bits bits = 0x5f3759df - (reinterpret_cast<Bits>(squared) >> 1);
+    const FloatBits bits = 0x5f3759df - (reinterpret_cast<FloatBits>(squared) >> 1);
     Floats root = reinterpret_cast<Floats>(bits);
     for (int step = 0; step < 3; ++step) root = root * (1.5F - half * root * root);
     std::memcpy(out + j, &root, sizeof(root));

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include "hydro/bem/compressed.h"
 #include "hydro/bem/conjugate_gradients.h"
@@ -10,11 +9,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
-
 /// Residuals are taken down to this part of the right-hand sides. For translations the added mass
 /// is in error by its square.
-constexpr double kResidual = 3e-4;
+constexpr double kIterativeResidual = 3e-4;
 
 /// What bubbles gain one by one is at least this part of what they gain together, in which
 /// neighbours help each other: 0.2 to 0.7 on boxes, cylinders, tori and spheres.
@@ -134,7 +131,7 @@ Solution solve_compressed(const Surface& surface) {
   const Eigen::VectorXd diagonal = equations.diagonal();
   const Potential sides = right_hand_sides(surface, interactions.swirl());
   const Iterated iterated = conjugate_gradients(
-      sides.topRows(surface.vertex_count()), kResidual,
+      sides.topRows(surface.vertex_count()), kIterativeResidual,
       [&](const Potential& x) { return equations.apply(x); },
       [&](const Potential& r) { return Potential(diagonal.cwiseInverse().asDiagonal() * r); });
   const Potential residuals =

@@ -48,9 +48,8 @@ double size(const Corners& c) {
   return std::max({(c[0] - middle).norm(), (c[1] - middle).norm(), (c[2] - middle).norm()});
 }
 
-/// Edges are of one length, and elements of one size, if they differ by less: which is longer or
-/// larger must not hang on round-off.
-constexpr double kSameLength = 1e-6, kSameArea = 1e-9;
+/// Elements are of one size if they differ by less: which is larger must not hang on round-off.
+constexpr double kSameArea = 1e-9;
 
 void add_near(const Element& a, const Corners& c, double area, const Element& b, int depth,
               PairIntegrals& sum);

@@ -11,10 +11,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-/// Edges are of one length if they differ by less: which of them is halved must not hang on
-/// round-off, or a turned mesh would be split in another way.
-constexpr double kSameLength = 1e-6;
-
 struct Builder {
   std::vector<Vector3d> vertices;
   std::vector<Vector3i> faces;

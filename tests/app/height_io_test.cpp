@@ -38,8 +38,8 @@ fs::path picture(const std::string& file) {
 }
 
 /// The one fault of reading a file; fails the test if there is none.
-app::Fault fault(const fs::path& file,
-                 const std::optional<std::array<double, 2>>& range = std::nullopt) {
+app::Fault height_fault(const fs::path& file,
+                        const std::optional<std::array<double, 2>>& range = std::nullopt) {
   try {
     app::read_heights(file, range);
   } catch (const app::InputError& error) {
@@ -68,7 +68,7 @@ TEST_F(HeightIo, NumbersReadBackToTheSameDouble) {
 
 TEST_F(HeightIo, AWrongNumberIsRefusedWithLineAndColumn) {
   for (const char* word : {"x", "1.5m", "nan", "inf", "-inf", "1e999", "0x10", "+"}) {
-    const app::Fault f = fault(write("# heights\n1, 2\n3, " + std::string(word) + "\n"));
+    const app::Fault f = height_fault(write("# heights\n1, 2\n3, " + std::string(word) + "\n"));
     EXPECT_EQ(f.place.line, 3) << word;
     EXPECT_EQ(f.place.column, 4) << word;
     EXPECT_THAT(f.message, HasSubstr("found '" + std::string(word) + "', expected a finite"));
@@ -76,22 +76,22 @@ TEST_F(HeightIo, AWrongNumberIsRefusedWithLineAndColumn) {
 }
 
 TEST_F(HeightIo, AMissingNumberIsRefused) {
-  EXPECT_EQ(fault(write("1,,3\n")).place.column, 3);
-  EXPECT_EQ(fault(write(",1\n")).place.column, 1);
-  EXPECT_THAT(fault(write("1,2,\n")).message, HasSubstr("ends with a separator"));
+  EXPECT_EQ(height_fault(write("1,,3\n")).place.column, 3);
+  EXPECT_EQ(height_fault(write(",1\n")).place.column, 1);
+  EXPECT_THAT(height_fault(write("1,2,\n")).message, HasSubstr("ends with a separator"));
 }
 
 TEST_F(HeightIo, RowsOfDifferentLengthAreRefusedWithTheLine) {
-  const app::Fault f = fault(write("1,2,3\n\n4,5\n"));
+  const app::Fault f = height_fault(write("1,2,3\n\n4,5\n"));
   EXPECT_EQ(f.place.line, 3);
   EXPECT_THAT(f.message, HasSubstr("2 numbers, expected 3"));
 }
 
 TEST_F(HeightIo, AFileWithoutHeightsIsRefused) {
-  EXPECT_THAT(fault(write("")).message, HasSubstr("no heights"));
-  EXPECT_THAT(fault(write("# only this\n")).message, HasSubstr("no heights"));
-  EXPECT_THAT(fault("/no/such/file.csv").message, HasSubstr("no such file"));
-  EXPECT_THAT(fault(testing::TempDir()).message, HasSubstr("folder"));
+  EXPECT_THAT(height_fault(write("")).message, HasSubstr("no heights"));
+  EXPECT_THAT(height_fault(write("# only this\n")).message, HasSubstr("no heights"));
+  EXPECT_THAT(height_fault("/no/such/file.csv").message, HasSubstr("no such file"));
+  EXPECT_THAT(height_fault(testing::TempDir()).message, HasSubstr("folder"));
 }
 
 TEST_F(HeightIo, GreyIsLinearBetweenBlackAndWhiteWithTheTopRowFirst) {
@@ -120,14 +120,14 @@ TEST_F(HeightIo, BlackAndWhiteAreExactlyTheEndsOfTheRange) {
 
 TEST_F(HeightIo, PicturesThatAreNotSoundAndGreyAreRefused) {
   const std::array<double, 2> range = {0, 1};
-  EXPECT_THAT(fault(picture("colour.png"), range).message, HasSubstr("expected grey only"));
-  EXPECT_THAT(fault(picture("truncated.png"), range).message, HasSubstr("not a sound PNG"));
-  EXPECT_THAT(fault(picture("huge.png"), range).message, HasSubstr("100 million"));
+  EXPECT_THAT(height_fault(picture("colour.png"), range).message, HasSubstr("expected grey only"));
+  EXPECT_THAT(height_fault(picture("truncated.png"), range).message, HasSubstr("not a sound PNG"));
+  EXPECT_THAT(height_fault(picture("huge.png"), range).message, HasSubstr("100 million"));
 }
 
 TEST_F(HeightIo, ARangeGoesWithAPictureAndWithNothingElse) {
-  EXPECT_THAT(fault(picture("grey16.png")).message, HasSubstr("range: [lo, hi]"));
-  EXPECT_THAT(fault(write("1 2\n"), {{0, 1}}).message, HasSubstr("belongs to a PNG"));
+  EXPECT_THAT(height_fault(picture("grey16.png")).message, HasSubstr("range: [lo, hi]"));
+  EXPECT_THAT(height_fault(write("1 2\n"), {{0, 1}}).message, HasSubstr("belongs to a PNG"));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ void write_binary_stl(std::ostream& out, const TriMesh& mesh) {
 }
 
 /// Message of the InputError that reading the file throws; fails the test if there is none.
-std::string fault(const fs::path& file) {
+std::string mesh_fault(const fs::path& file) {
   try {
     app::read_mesh(file);
   } catch (const app::InputError& error) {
@@ -213,8 +213,8 @@ TEST_F(MeshIo, NodesPlaceThePartsAndAMirroredPartStaysOutward) {
 }
 
 TEST_F(MeshIo, FilesThatHoldNoMeshAreRefusedWithTheReason) {
-  EXPECT_THAT(fault(folder() / "none.obj"), HasSubstr("there is no such file"));
-  EXPECT_THAT(fault(folder()), HasSubstr("is not a file"));
+  EXPECT_THAT(mesh_fault(folder() / "none.obj"), HasSubstr("there is no such file"));
+  EXPECT_THAT(mesh_fault(folder()), HasSubstr("is not a file"));
   const std::pair<const char*, const char*> cases[] = {
       {"empty.obj", "the file is empty"},
       {"no_triangles.obj", "the file holds no triangles"},
@@ -231,7 +231,8 @@ TEST_F(MeshIo, FilesThatHoldNoMeshAreRefusedWithTheReason) {
       {"wrong_index.ply", "out of range"},
       {"not_finite.obj", "is (nan, 0, 0), expected finite coordinates"},
       {"infinite.obj", "is (inf, 0, 0), expected finite coordinates"}};
-  for (const auto& [file, reason] : cases) EXPECT_THAT(fault(bad(file)), HasSubstr(reason)) << file;
+  for (const auto& [file, reason] : cases)
+    EXPECT_THAT(mesh_fault(bad(file)), HasSubstr(reason)) << file;
 }
 
 TEST_F(MeshIo, MeshesThatBoundNoSolidAreReadAndTheCheckNamesTheirFault) {
@@ -257,7 +258,7 @@ TEST_F(MeshIo, RandomBytesAreRefusedWhateverTheyCallThemselves) {
     const fs::path file = write(name, [&](std::ostream& out) {
       for (int i = 0; i < 2000; ++i) out.put(static_cast<char>(random.uniform(-128, 128)));
     });
-    EXPECT_FALSE(fault(file).empty());
+    EXPECT_FALSE(mesh_fault(file).empty());
   }
 }
 

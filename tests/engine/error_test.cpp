@@ -11,9 +11,9 @@ using engine::BodySpec;
 using engine::Simulation;
 using engine::SimulationError;
 using engine::SimulationSpec;
+using support::kStep;
 using testing::HasSubstr;
 
-constexpr double kStep = 0.01;
 constexpr double kHuge = std::numeric_limits<double>::max();
 
 /// Two bodies, the second of which meets its load at 0.5 s.

@@ -13,9 +13,9 @@ using Eigen::Vector3d;
 using engine::BodySpec;
 using engine::Simulation;
 using engine::SimulationSpec;
+using support::kStep;
 using support::tolerance;
 
-constexpr double kStep = 0.01;
 constexpr double kWater = 1000;  // [kg/m^3]
 
 SimulationSpec afloat(BodySpec body, double step = kStep) {

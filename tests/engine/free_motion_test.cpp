@@ -14,9 +14,8 @@ using engine::AppliedLoad;
 using engine::BodySpec;
 using engine::Simulation;
 using engine::SimulationSpec;
+using support::kStep;
 using support::tolerance;
-
-constexpr double kStep = 0.01;
 
 // Round-off of some hundred sums of numbers up to a hundred.
 constexpr double kRoundOff = 1e-11;

@@ -28,7 +28,7 @@ BodySpec barge() {
   return body;
 }
 
-SimulationSpec afloat(const BodySpec& body, double step) {
+SimulationSpec in_water(const BodySpec& body, double step) {
   SimulationSpec spec = support::dry_world({body}, step);
   spec.sea.emplace();
   return spec;
@@ -46,9 +46,9 @@ hydro::BodyState rocked(SimulationSpec spec, double time) {
 
 TEST(SplitStep, OfARockingBargeWithChangingAddedMassIsOfSecondOrder) {
   const BodySpec body = barge();
-  const hydro::BodyState exact = rocked(afloat(body, 1.0 / 3840), 2);
-  const double coarse = distance(rocked(afloat(body, 1.0 / 60), 2), exact);
-  const double fine = distance(rocked(afloat(body, 1.0 / 480), 2), exact);
+  const hydro::BodyState exact = rocked(in_water(body, 1.0 / 3840), 2);
+  const double coarse = distance(rocked(in_water(body, 1.0 / 60), 2), exact);
+  const double fine = distance(rocked(in_water(body, 1.0 / 480), 2), exact);
   // Above the second order's error there is some of the fourth's: the slope is that of the finer.
   EXPECT_GT(std::log2(coarse / fine) / 3, 1.6) << coarse << " and " << fine;
   EXPECT_LT(coarse, tolerance(8e-5));
@@ -56,9 +56,9 @@ TEST(SplitStep, OfARockingBargeWithChangingAddedMassIsOfSecondOrder) {
 
 TEST(Tolerance, BoundsTheErrorOfAFreeBody) {
   const BodySpec body = barge();
-  const hydro::BodyState exact = rocked(afloat(body, 1.0 / 3840), 2);
+  const hydro::BodyState exact = rocked(in_water(body, 1.0 / 3840), 2);
   for (const double wanted : {1e-3, 1e-5}) {
-    SimulationSpec spec = afloat(body, 0.1);
+    SimulationSpec spec = in_water(body, 0.1);
     spec.integrator.tolerance = wanted;
     const Simulation simulation = support::after(spec, 20);
     // The body's radius is 2.5 m; 2 s of a motion that does not amplify errors.
@@ -70,7 +70,7 @@ TEST(Tolerance, BoundsTheErrorOfAFreeBody) {
 TEST(PlainMethod, IsFurtherOffThanTheSplitStepByFar) {
   BodySpec body = barge();
   body.added_mass = nullptr;
-  SimulationSpec spec = afloat(body, 1.0 / 3840);
+  SimulationSpec spec = in_water(body, 1.0 / 3840);
   const hydro::BodyState exact = rocked(spec, 2);
   spec.step = 0.01;
   const double split = distance(rocked(spec, 2), exact);
@@ -90,7 +90,7 @@ TEST(Entry, DoesNotTakeWhatALoadHasGiven) {
     body.initial.orientation.setIdentity();
     body.initial.position.z() = 177;  // m: 5.9 s of fall
     body.loads.push_back({.force = {20000, 0, 0}});
-    const SimulationSpec spec = afloat(body, 1.0 / 15);
+    const SimulationSpec spec = in_water(body, 1.0 / 15);
     const Simulation simulation = support::after(spec, 10 * 15);
     const double gained = 20000 * 10 / body.mass;
     EXPECT_NEAR(simulation.states()[0].linear_velocity.x(), gained, tolerance(1e-9 * gained))
@@ -127,7 +127,7 @@ TEST(Entry, AtHighSpeedGainsNoEnergy) {
     body.initial.position.z() = 20;
     body.initial.linear_velocity = {5, 0, -speed};
     body.initial.angular_velocity = {1, 2, 0};
-    const SimulationSpec spec = afloat(body, 1.0 / 15);
+    const SimulationSpec spec = in_water(body, 1.0 / 15);
     Simulation simulation(spec);
     double top = engine::total_energy(spec, simulation.states());
     const double start = top;
@@ -144,7 +144,7 @@ TEST(Entry, AtHighSpeedGainsNoEnergy) {
 TEST(Warning, SaysOnceThatAStepIsTooLongForTheWavesABodyMeets) {
   BodySpec body = barge();
   body.added_mass = nullptr;
-  SimulationSpec spec = afloat(body, 0.25);
+  SimulationSpec spec = in_water(body, 0.25);
   spec.sea->surface = hydro::WaveSurface{
       {hydro::deep_water_wave(0.02, 2, 0, 0, support::kGravity)}};  // 1.13 s: 4.5 steps
   const Simulation coarse = support::after(spec, 10);

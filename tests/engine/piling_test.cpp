@@ -12,9 +12,8 @@ using engine::BodySpec;
 using engine::CollisionShape;
 using engine::Simulation;
 using engine::SimulationSpec;
+using support::kStep;
 using support::tolerance;
-
-constexpr double kStep = 0.01;
 
 BodySpec crate(const Vector3d& position, CollisionShape shape) {
   BodySpec body = support::box_body("crate", {1, 1, 1}, 300, position);

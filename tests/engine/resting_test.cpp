@@ -15,9 +15,9 @@ using engine::BodySpec;
 using engine::CollisionShape;
 using engine::Simulation;
 using engine::SimulationSpec;
+using support::kStep;
 using support::tolerance;
 
-constexpr double kStep = 0.01;
 // What a body sinks in under its own weight: g τ² with τ = 0.01 s.
 constexpr double kSink = support::kGravity * 1e-4;
 

@@ -11,6 +11,7 @@
 namespace support {
 
 inline constexpr double kGravity = 9.80665;
+inline constexpr double kStep = 0.01;  ///< [s]
 
 /// A uniform box centred on its centre of mass, `divisions` squares along each edge; it collides
 /// with nothing and the water leaves it alone.

@@ -14,8 +14,8 @@ using engine::CollisionShape;
 using engine::JointSpec;
 using engine::SimulationSpec;
 using engine::World;
+using support::kStep;
 
-constexpr double kStep = 0.01;
 constexpr int kBodies = 8;
 
 /// Overlapping boxes of masses up to `ratio` apart, locked at random and joined by joints that hold

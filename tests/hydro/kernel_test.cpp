@@ -9,6 +9,7 @@
 #include "hydro/refine.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
+#include "tests/support/reference_loads.h"
 #include "tests/support/repeats.h"
 #include "tests/support/tolerance.h"
 
@@ -23,10 +24,6 @@ using hydro::Loads;
 using hydro::Sea;
 using hydro::ViscousDrag;
 using hydro::Wrench;
-
-double largest(const Wrench& w) {
-  return std::max(w.force.cwiseAbs().maxCoeff(), w.moment.cwiseAbs().maxCoeff());
-}
 
 /// Hulls of all kinds of panels: few and large, many, slivers, round, thin.
 std::vector<Hull> hulls(support::Random& random) {
@@ -54,7 +51,7 @@ double scale_of(const Loads& loads) {
                    loads.lift.force.norm(), loads.viscous_drag.force.norm()});
 }
 
-void expect_close(const Wrench& a, const Wrench& b, double error, double radius) {
+void expect_near(const Wrench& a, const Wrench& b, double error, double radius) {
   EXPECT_LE((a.force - b.force).norm(), error);
   EXPECT_LE((a.moment - b.moment).norm(), error * std::max(radius, 1.0));
 }
@@ -67,11 +64,11 @@ constexpr double kViscous = 1e-5;
 
 void expect_same(const Loads& a, const Loads& b, double radius) {
   const double error = support::tolerance(kExact) * scale_of(b);
-  expect_close(a.buoyancy, b.buoyancy, error, radius);
-  expect_close(a.pressure_drag, b.pressure_drag, error, radius);
-  expect_close(a.lift, b.lift, error, radius);
-  expect_close(a.viscous_drag, b.viscous_drag,
-               support::tolerance(kViscous) * largest(b.viscous_drag) + error, radius);
+  expect_near(a.buoyancy, b.buoyancy, error, radius);
+  expect_near(a.pressure_drag, b.pressure_drag, error, radius);
+  expect_near(a.lift, b.lift, error, radius);
+  expect_near(a.viscous_drag, b.viscous_drag,
+              support::tolerance(kViscous) * support::largest(b.viscous_drag) + error, radius);
   EXPECT_NEAR(a.wetted_area, b.wetted_area, support::tolerance(1e-12) * radius * radius * 4 * M_PI);
   EXPECT_NEAR(a.displaced_volume, b.displaced_volume,
               support::tolerance(1e-12) * radius * radius * radius * 4);
@@ -109,7 +106,8 @@ TEST(Kernel, AgreesWithThePlainSumForEveryLawOfViscousDrag) {
         const Coefficients coefficients{.viscous_drag = law};
         const Wrench ours = hydro::compute_loads(hull, state, {}, 0, coefficients).viscous_drag;
         const Wrench plain = hydro::plain_loads(hull, state, {}, 0, coefficients).viscous_drag;
-        expect_close(ours, plain, support::tolerance(kViscous) * largest(plain), hull.radius);
+        expect_near(ours, plain, support::tolerance(kViscous) * support::largest(plain),
+                    hull.radius);
       }
     }
   }
@@ -144,8 +142,8 @@ TEST(Kernel, AgreesWithThePlainSumInWaves) {
           // ways are within the tolerance of the splitting.
           const Loads ours = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
           const double error = support::tolerance(hydro::kSagTolerance) * scale_of(plain);
-          expect_close(ours.buoyancy, plain.buoyancy, error, hull.radius);
-          expect_close(ours.pressure_drag, plain.pressure_drag, error, hull.radius);
+          expect_near(ours.buoyancy, plain.buoyancy, error, hull.radius);
+          expect_near(ours.pressure_drag, plain.pressure_drag, error, hull.radius);
           continue;
         }
         expect_same(hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false}), plain,
@@ -171,8 +169,8 @@ TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
         EXPECT_LT((whole.buoyancy.moment - each.buoyancy.moment).norm(),
                   support::tolerance(1e-4) * buoyancy * hull.radius);
         const double error = support::tolerance(kExact) * scale_of(each);
-        expect_close(whole.pressure_drag, each.pressure_drag, error, hull.radius);
-        expect_close(whole.lift, each.lift, error, hull.radius);
+        expect_near(whole.pressure_drag, each.pressure_drag, error, hull.radius);
+        expect_near(whole.lift, each.lift, error, hull.radius);
       }
     }
   }
@@ -182,9 +180,9 @@ TEST(Kernel, HasNoDragAtSpeedsWhoseSquareIsNoProperNumber) {
   const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 2));
   BodyState state{.linear_velocity = {1e-160, 0, 0}};
   const Loads loads = hydro::compute_loads(hull, state, {}, 0, {});
-  EXPECT_EQ(largest(loads.pressure_drag), 0);
-  EXPECT_EQ(largest(loads.viscous_drag), 0);
-  EXPECT_GT(largest(loads.buoyancy), 0);
+  EXPECT_EQ(support::largest(loads.pressure_drag), 0);
+  EXPECT_EQ(support::largest(loads.viscous_drag), 0);
+  EXPECT_GT(support::largest(loads.buoyancy), 0);
 }
 
 TEST(Kernel, LeavesOutFacesWithoutArea) {

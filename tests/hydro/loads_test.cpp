@@ -38,12 +38,8 @@ BodyState state_near_surface(support::Random& random) {
   return state;
 }
 
-double largest(const Wrench& w) {
-  return std::max(w.force.cwiseAbs().maxCoeff(), w.moment.cwiseAbs().maxCoeff());
-}
-
 void expect_close(const Wrench& ours, const Wrench& exact, double relative, double scale) {
-  EXPECT_LT(largest(ours + -1.0 * exact), support::tolerance(relative) * scale);
+  EXPECT_LT(support::largest(ours + -1.0 * exact), support::tolerance(relative) * scale);
 }
 
 void expect_same(const Loads& a, const Loads& b) {
@@ -63,10 +59,11 @@ TEST(Loads, AgreeWithExactIntegrationOnRandomMeshesInRandomPoses) {
     const Coefficients coefficients{.lift = 0.4};
     const Loads ours = hydro::compute_loads(hull, state, sea, 0, coefficients);
     const Loads exact = support::reference_loads(hull.mesh_B, state, sea, coefficients, 24);
-    expect_close(ours.buoyancy, exact.buoyancy, 1e-10, largest(exact.buoyancy));
-    expect_close(ours.pressure_drag, exact.pressure_drag, 1e-10, largest(exact.pressure_drag));
-    expect_close(ours.lift, exact.lift, 1e-10, largest(exact.lift));
-    expect_close(ours.viscous_drag, exact.viscous_drag, 1e-5, largest(exact.viscous_drag));
+    expect_close(ours.buoyancy, exact.buoyancy, 1e-10, support::largest(exact.buoyancy));
+    expect_close(ours.pressure_drag, exact.pressure_drag, 1e-10,
+                 support::largest(exact.pressure_drag));
+    expect_close(ours.lift, exact.lift, 1e-10, support::largest(exact.lift));
+    expect_close(ours.viscous_drag, exact.viscous_drag, 1e-5, support::largest(exact.viscous_drag));
     EXPECT_NEAR(ours.wetted_area, exact.wetted_area, 1e-11);
     EXPECT_NEAR(ours.displaced_volume, exact.displaced_volume, 1e-11);
   }
@@ -121,10 +118,11 @@ TEST(Loads, DoNotChangeWhenTheMeshIsSplit) {
                                             kStillSea, 0, {.lift = 0.3});
   const Loads fine = hydro::compute_loads(hydro::make_hull(hydro::make_box({1, 2, 1.5}, 16)), state,
                                           kStillSea, 0, {.lift = 0.3});
-  expect_close(fine.buoyancy, coarse.buoyancy, 1e-12, largest(coarse.buoyancy));
-  expect_close(fine.pressure_drag, coarse.pressure_drag, 1e-12, largest(coarse.pressure_drag));
-  expect_close(fine.lift, coarse.lift, 1e-12, largest(coarse.lift));
-  expect_close(fine.viscous_drag, coarse.viscous_drag, 1e-5, largest(coarse.viscous_drag));
+  expect_close(fine.buoyancy, coarse.buoyancy, 1e-12, support::largest(coarse.buoyancy));
+  expect_close(fine.pressure_drag, coarse.pressure_drag, 1e-12,
+               support::largest(coarse.pressure_drag));
+  expect_close(fine.lift, coarse.lift, 1e-12, support::largest(coarse.lift));
+  expect_close(fine.viscous_drag, coarse.viscous_drag, 1e-5, support::largest(coarse.viscous_drag));
 }
 
 TEST(Loads, DoNotDependOnTheHorizontalPositionInStillWater) {
@@ -145,10 +143,10 @@ TEST(Loads, OfABodyCarriedByTheCurrentHaveNoDrag) {
   sea.current = state.linear_velocity;
   const Loads loads =
       hydro::compute_loads(centred_hull(support::random_star(random)), state, sea, 0, {});
-  EXPECT_EQ(largest(loads.pressure_drag), 0);
-  EXPECT_EQ(largest(loads.viscous_drag), 0);
-  EXPECT_EQ(largest(loads.lift), 0);
-  EXPECT_GT(largest(loads.buoyancy), 0);
+  EXPECT_EQ(support::largest(loads.pressure_drag), 0);
+  EXPECT_EQ(support::largest(loads.viscous_drag), 0);
+  EXPECT_EQ(support::largest(loads.lift), 0);
+  EXPECT_GT(support::largest(loads.buoyancy), 0);
 }
 
 TEST(Loads, OfDragTakeEnergyOutOfEveryMotion) {
@@ -170,7 +168,7 @@ TEST(Loads, AboveTheHighestWaterAreZero) {
   const Hull hull = hydro::make_hull(hydro::make_box({1, 1, 1}));
   const BodyState state{.position = {0, 0, kStillSea.level + 0.5}, .linear_velocity = {1, 2, 3}};
   const Loads loads = hydro::compute_loads(hull, state, kStillSea, 0, {});
-  EXPECT_EQ(largest(loads.total()), 0);
+  EXPECT_EQ(support::largest(loads.total()), 0);
   EXPECT_EQ(loads.wetted_area, 0);
 }
 
@@ -184,7 +182,7 @@ TEST(Loads, ThatAreSwitchedOffAreZeroAndLeaveTheOthersAsTheyWere) {
                                            .pressure_drag = {0, 0},
                                            .lift = 0,
                                            .viscous_drag = {ViscousDrag::Law::none}});
-  EXPECT_EQ(largest(none.total()), 0);
+  EXPECT_EQ(support::largest(none.total()), 0);
   EXPECT_EQ(none.displaced_volume, all.displaced_volume);
   const Loads drag_only = hydro::compute_loads(
       hull, state, kStillSea, 0,
@@ -246,7 +244,8 @@ TEST(Loads, InShortWavesConvergeToThoseOfAFineMesh) {
                                             state, sea, 1.5, {});
     const double wave = sea.density * sea.gravity * 24 * 0.3;
     expect_close(coarse.buoyancy, fine.buoyancy, 5e-3, wave);
-    expect_close(coarse.pressure_drag, fine.pressure_drag, 5e-3, largest(fine.pressure_drag));
+    expect_close(coarse.pressure_drag, fine.pressure_drag, 5e-3,
+                 support::largest(fine.pressure_drag));
   }
 }
 

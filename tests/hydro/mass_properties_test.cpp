@@ -16,10 +16,10 @@ using hydro::TriMesh;
 using support::Random;
 
 /// Relative round-off of sums over up to some thousand faces.
-constexpr double kRounding = 1e-13;
+constexpr double kIntegralRounding = 1e-13;
 
 void expect_same(const SolidProperties& actual, const SolidProperties& expected, double size,
-                 double relative = kRounding) {
+                 double relative = kIntegralRounding) {
   EXPECT_NEAR(actual.volume / expected.volume, 1, support::tolerance(relative));
   EXPECT_LE((actual.centroid - expected.centroid).norm(), support::tolerance(relative * size));
   EXPECT_LE((actual.inertia - expected.inertia).norm(),
@@ -84,9 +84,9 @@ TEST(MassProperties, AMillionMetresAwayOnlyTheDigitsOfTheCoordinatesAreLost) {
   // notice.
   const SolidProperties actual = solid_properties(there);
   EXPECT_LE((actual.centroid - expected.centroid).norm(), support::tolerance(4e-10));
-  EXPECT_NEAR(actual.volume / expected.volume, 1, support::tolerance(kRounding));
+  EXPECT_NEAR(actual.volume / expected.volume, 1, support::tolerance(kIntegralRounding));
   EXPECT_LE((actual.inertia - expected.inertia).norm(),
-            support::tolerance(kRounding * expected.inertia.norm()));
+            support::tolerance(kIntegralRounding * expected.inertia.norm()));
 }
 
 TEST(MassProperties, TurningTheFacesOverChangesTheSign) {

@@ -15,7 +15,7 @@ using support::united;
 
 Overlaps overlaps(const TriMesh& mesh) { return find_overlaps(mesh, hydro::FaceTree(mesh)); }
 
-TriMesh cube(const Eigen::Vector3d& middle, int divisions = 1) {
+TriMesh centred_cube(const Eigen::Vector3d& middle, int divisions = 1) {
   return translated(hydro::make_box({1, 1, 1}, divisions), middle);
 }
 
@@ -30,7 +30,7 @@ TEST(MeshOverlap, SolidsThatCutEachOtherAreFoundInAnyPose) {
 }
 
 TEST(MeshOverlap, TheFirstPlaceLiesOnBothSolids) {
-  const Overlaps found = overlaps(united(cube({0, 0, 0}), cube({0.3, 0.2, 0.4})));
+  const Overlaps found = overlaps(united(centred_cube({0, 0, 0}), centred_cube({0.3, 0.2, 0.4})));
   ASSERT_GT(found.count, 0);
   // On the skin of a cube the largest distance from its middle along an axis is a half.
   EXPECT_NEAR(found.first.cwiseAbs().maxCoeff(), 0.5, 1e-12);
@@ -38,8 +38,8 @@ TEST(MeshOverlap, TheFirstPlaceLiesOnBothSolids) {
 }
 
 TEST(MeshOverlap, CubesShiftedAlongAnAxisShareTheirSidesPlanes) {
-  EXPECT_GT(overlaps(united(cube({0, 0, 0}), cube({0.5, 0, 0}))).count, 0);
-  EXPECT_GT(overlaps(united(cube({0, 0, 0}, 3), cube({0.5, 0, 0}, 4))).count, 0);
+  EXPECT_GT(overlaps(united(centred_cube({0, 0, 0}), centred_cube({0.5, 0, 0}))).count, 0);
+  EXPECT_GT(overlaps(united(centred_cube({0, 0, 0}, 3), centred_cube({0.5, 0, 0}, 4))).count, 0);
 }
 
 TEST(MeshOverlap, PartsThatTouchDoNotCut) {
@@ -47,7 +47,7 @@ TEST(MeshOverlap, PartsThatTouchDoNotCut) {
   for (const Eigen::Vector3d& middle :
        std::vector<Eigen::Vector3d>{{1, 0, 0}, {1, 0.3, 0.2}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1.5}}) {
     for (const int divisions : {1, 3}) {
-      const TriMesh mesh = united(cube({0, 0, 0}), cube(middle, divisions));
+      const TriMesh mesh = united(centred_cube({0, 0, 0}), centred_cube(middle, divisions));
       EXPECT_EQ(overlaps(mesh).count, 0) << middle.transpose();
       TriMesh posed = transformed(mesh, support::random_pose(random, 1));
       posed.vertices = posed.vertices.cast<float>().cast<double>();

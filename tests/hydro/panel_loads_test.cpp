@@ -21,14 +21,14 @@ using support::Vector3l;
 
 // Closed forms differ from extended quadrature by the rounding of some dozen operations on numbers
 // of the size of the result's terms.
-constexpr double kRounding = 1e-14;
+constexpr double kClosedFormRounding = 1e-14;
 
-struct Case {
+struct MovingPanel {
   Panel panel;
   Vector3d normal;
   Twist motion;
 
-  explicit Case(support::Random& random)
+  explicit MovingPanel(support::Random& random)
       : panel{random.vector(2), random.vector(2), random.vector(2)},
         normal(hydro::area_vector(panel).normalized()),
         motion{random.vector(3), random.vector(2)} {}
@@ -65,7 +65,7 @@ void expect_near(const Wrench& a, const Wrench& b, double tolerance) {
 TEST(PressureLoad, MatchesQuadrature) {
   support::Random random(11);
   for (int i = 0; i < 100; ++i) {
-    const Case c(random);
+    const MovingPanel c(random);
     const Vector3d gradient = random.vector(2);
     const double offset = random.uniform(-3, 3);
     Vector3d pressure;
@@ -74,17 +74,17 @@ TEST(PressureLoad, MatchesQuadrature) {
       return -(offset + gradient.cast<long double>().dot(r)) * c.n();
     };
     expect_near(hydro::pressure_load(c.panel, pressure), quadrature(c.polygon(), traction),
-                kRounding * 100 * c.area());
+                kClosedFormRounding * 100 * c.area());
   }
 }
 
 TEST(PressureLoad, DoesNotDependOnTheOrderOfTheVertices) {
   support::Random random(12);
-  const Case c(random);
+  const MovingPanel c(random);
   const Vector3d p = random.vector(5);
   const Wrench turned =
       hydro::pressure_load({c.panel[1], c.panel[2], c.panel[0]}, {p[1], p[2], p[0]});
-  expect_near(hydro::pressure_load(c.panel, p), turned, kRounding * 100);
+  expect_near(hydro::pressure_load(c.panel, p), turned, kClosedFormRounding * 100);
 }
 
 TEST(PressureLoad, OfAPanelWithoutAreaIsZero) {
@@ -98,7 +98,7 @@ TEST(PressureDragLoad, MatchesQuadratureOnEachSideOfTheCut) {
   support::Random random(13);
   const double k = 3.7;
   for (int i = 0; i < 100; ++i) {
-    const Case c(random);
+    const MovingPanel c(random);
     const Vector3d u = c.normal_speeds();
     Wrench load;
     for (const double sign : {1.0, -1.0})
@@ -111,14 +111,14 @@ TEST(PressureDragLoad, MatchesQuadratureOnEachSideOfTheCut) {
     Wrench expected = quadrature(support::clip(c.polygon(), u_at), traction);
     expected += quadrature(support::clip(c.polygon(), [&](const Vector3l& r) { return -u_at(r); }),
                            traction);
-    expect_near(load, expected, kRounding * 1000 * c.area());
+    expect_near(load, expected, kClosedFormRounding * 1000 * c.area());
   }
 }
 
 TEST(PressureDragLoad, NeverDoesPositiveWork) {
   support::Random random(14);
   for (int i = 0; i < 200; ++i) {
-    const Case c(random);
+    const MovingPanel c(random);
     const Vector3d u = c.normal_speeds();
     for (const double sign : {1.0, -1.0})
       for (const hydro::PanelPart& part : hydro::positive_part(c.panel, sign * u)) {
@@ -131,12 +131,12 @@ TEST(PressureDragLoad, NeverDoesPositiveWork) {
 TEST(LiftLoad, MatchesQuadratureOnASpinningPanel) {
   support::Random random(15);
   for (int i = 0; i < 100; ++i) {
-    const Case c(random);
+    const MovingPanel c(random);
     const auto traction = [&](const Vector3l& r) -> Vector3l {
       return -2.5L * c.v_t(r).squaredNorm() * c.n();
     };
     expect_near(hydro::lift_load(c.panel, c.normal, c.motion, 2.5),
-                quadrature(c.polygon(), traction), kRounding * 1000 * c.area());
+                quadrature(c.polygon(), traction), kClosedFormRounding * 1000 * c.area());
   }
 }
 
@@ -150,7 +150,7 @@ TEST(ViscousCoefficient, FollowsTheTableOfTheThesis) {
 }
 
 /// The viscous load by brute force; its own error is below 1e-7 at 64 splits.
-Wrench brute_viscous(const Case& c, const ViscousDrag& law, double half_density) {
+Wrench brute_viscous(const MovingPanel& c, const ViscousDrag& law, double half_density) {
   const auto traction = [&](const Vector3l& r) -> Vector3l {
     const Vector3l t = c.v_t(r);
     const long double speed = t.norm();
@@ -159,7 +159,7 @@ Wrench brute_viscous(const Case& c, const ViscousDrag& law, double half_density)
   return quadrature(c.polygon(), traction, 64);
 }
 
-void expect_viscous_matches(const Case& c, const ViscousDrag& law) {
+void expect_viscous_matches(const MovingPanel& c, const ViscousDrag& law) {
   const Wrench load = hydro::viscous_drag_load(c.panel, c.normal, c.motion, law, 500);
   double fastest = 0;
   for (int i = 0; i < 3; ++i) {
@@ -185,21 +185,22 @@ TEST(ViscousDragLoad, MatchesBruteForceOnTheIttcLine) {
   support::Random random(20);
   for (const double reynolds_per_speed : {1e4, 1e6}) {
     for (int i = 0; i < support::repeats(20); ++i)
-      expect_viscous_matches(Case(random), {.law = ViscousDrag::Law::ittc57,
-                                            .reynolds_per_speed = reynolds_per_speed});
+      expect_viscous_matches(MovingPanel(random), {.law = ViscousDrag::Law::ittc57,
+                                                   .reynolds_per_speed = reynolds_per_speed});
   }
 }
 
 TEST(ViscousDragLoad, MatchesBruteForceForAConstantCoefficient) {
   support::Random random(16);
   for (int i = 0; i < support::repeats(40); ++i)
-    expect_viscous_matches(Case(random), {.law = ViscousDrag::Law::constant, .coefficient = 0.3});
+    expect_viscous_matches(MovingPanel(random),
+                           {.law = ViscousDrag::Law::constant, .coefficient = 0.3});
 }
 
 TEST(ViscousDragLoad, MatchesBruteForceAcrossTheKinksOfTheThesisLaw) {
   support::Random random(17);
   for (int i = 0; i < support::repeats(40); ++i) {
-    Case c(random);
+    MovingPanel c(random);
     c.motion.linear *= 0.5;
     c.motion.angular *= 0.5;
     expect_viscous_matches(c, {.law = ViscousDrag::Law::thesis});
@@ -209,7 +210,7 @@ TEST(ViscousDragLoad, MatchesBruteForceAcrossTheKinksOfTheThesisLaw) {
 TEST(ViscousDragLoad, MatchesBruteForceWhereTheVelocityPassesThroughZero) {
   support::Random random(18);
   for (int i = 0; i < support::repeats(40); ++i) {
-    Case c(random);
+    MovingPanel c(random);
     const Vector3d inside = 0.2 * c.panel[0] + 0.5 * c.panel[1] + 0.3 * c.panel[2];
     c.motion.linear = -c.motion.angular.cross(inside);
     expect_viscous_matches(c, {.law = ViscousDrag::Law::constant, .coefficient = 1});
@@ -218,7 +219,7 @@ TEST(ViscousDragLoad, MatchesBruteForceWhereTheVelocityPassesThroughZero) {
 
 TEST(ViscousDragLoad, OfAUniformVelocityIsExact) {
   support::Random random(19);
-  Case c(random);
+  MovingPanel c(random);
   c.motion.angular.setZero();
   const Vector3d v_t = c.motion.linear - c.normal * c.normal.dot(c.motion.linear);
   const Wrench load = hydro::viscous_drag_load(

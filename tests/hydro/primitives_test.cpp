@@ -17,12 +17,12 @@ namespace {
 
 using hydro::TriMesh;
 
-struct Case {
+struct Primitive {
   const char* name;
   TriMesh mesh;
 };
 
-std::vector<Case> all_primitives() {
+std::vector<Primitive> all_primitives() {
   return {{"coarse box", hydro::make_box({1, 2, 3})},
           {"box of 4", hydro::make_box({1, 2, 3}, 4)},
           {"box of 7", hydro::make_box({3, 1, 2}, 7)},
@@ -61,7 +61,7 @@ std::set<std::set<Point>> face_positions(const TriMesh& mesh, int axis, double s
 }
 
 TEST(Primitives, EveryEdgeHasItsOppositeOnceSoThatTheSurfaceIsClosedAndOneSided) {
-  for (const Case& c : all_primitives()) {
+  for (const Primitive& c : all_primitives()) {
     const auto edges = directed_edges(c.mesh);
     for (const auto& [edge, count] : edges) {
       EXPECT_EQ(count, 1) << c.name;
@@ -71,7 +71,7 @@ TEST(Primitives, EveryEdgeHasItsOppositeOnceSoThatTheSurfaceIsClosedAndOneSided)
 }
 
 TEST(Primitives, VerticesAreSharedSoThatEulersFormulaHoldsForOneSphere) {
-  for (const Case& c : all_primitives()) {
+  for (const Primitive& c : all_primitives()) {
     EXPECT_EQ(c.mesh.vertex_count() * 2 - c.mesh.face_count(), 4) << c.name;
     std::set<Point> places;
     for (const auto& p : c.mesh.vertices.colwise()) places.insert({p.x(), p.y(), p.z()});
@@ -82,7 +82,7 @@ TEST(Primitives, VerticesAreSharedSoThatEulersFormulaHoldsForOneSphere) {
 }
 
 TEST(Primitives, NormalsPointAwayFromTheCentre) {
-  for (const Case& c : all_primitives())
+  for (const Primitive& c : all_primitives())
     for (Eigen::Index f = 0; f < c.mesh.face_count(); ++f)
       EXPECT_GT(area_vector(c.mesh, f).dot(c.mesh.vertices.col(c.mesh.faces(0, f))), 0)
           << c.name << " face " << f;
@@ -140,11 +140,11 @@ TEST(Primitives, CylinderIsAPrismOnItsPolygon) {
 }
 
 TEST(Primitives, MeshesOfEvenCountsAreTheirOwnMirrorImages) {
-  const std::vector<Case> even = {{"box", hydro::make_box({1, 2, 3}, 4)},
-                                  {"sphere", hydro::make_sphere(2, 12, 8)},
-                                  {"ellipsoid", hydro::make_ellipsoid({1, 2, 3}, 8, 6)},
-                                  {"cylinder", hydro::make_cylinder(1, 2, 16, 6)}};
-  for (const Case& c : even)
+  const std::vector<Primitive> even = {{"box", hydro::make_box({1, 2, 3}, 4)},
+                                       {"sphere", hydro::make_sphere(2, 12, 8)},
+                                       {"ellipsoid", hydro::make_ellipsoid({1, 2, 3}, 8, 6)},
+                                       {"cylinder", hydro::make_cylinder(1, 2, 16, 6)}};
+  for (const Primitive& c : even)
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_EQ(face_positions(c.mesh, axis, -1), face_positions(c.mesh, axis, 1))
           << c.name << " across axis " << axis;

@@ -27,7 +27,7 @@ const ViscousDrag kThesis{.law = ViscousDrag::Law::thesis};
 /// What viscous_drag.h promises of laws with a closed form.
 constexpr double kPromised = 1e-9;
 
-struct Case {
+struct TurningPanel {
   Panel panel;
   Vector3d normal;
   Twist motion;
@@ -35,7 +35,7 @@ struct Case {
 
   /// A random panel that turns at `spin` about a point of its plane, with more motion that leaves
   /// its tangential velocity alone.
-  Case(support::Random& random, const Vector3d& weights, double spin)
+  TurningPanel(support::Random& random, const Vector3d& weights, double spin)
       : panel{random.vector(2), random.vector(2), random.vector(2)},
         normal(hydro::area_vector(panel).normalized()),
         pole(weights[0] * panel[0] + weights[1] * panel[1] + weights[2] * panel[2]) {
@@ -74,7 +74,7 @@ struct Sum {
 /// The traction integrated over the triangle of the pole and an edge, along rays from the pole that
 /// are cut where the law has a kink, so that each piece is a polynomial of the distance. Between
 /// the rays the rule is composite. A triangle that is seen from behind counts negatively.
-void add_fan(const Case& c, int edge, const ViscousDrag& law, Sum& sum) {
+void add_fan(const TurningPanel& c, int edge, const ViscousDrag& law, Sum& sum) {
   const Vector3l pole = c.pole.cast<long double>();
   const Vector3l n = c.normal.cast<long double>();
   const Vector3l a = c.panel[edge].cast<long double>() - pole;
@@ -102,7 +102,7 @@ void add_fan(const Case& c, int edge, const ViscousDrag& law, Sum& sum) {
 }
 
 /// @return  The largest of the errors of force and moment, as parts of the largest possible load.
-double error_of(const Case& c, const ViscousDrag& law) {
+double error_of(const TurningPanel& c, const ViscousDrag& law) {
   Sum expected;
   for (int edge = 0; edge < 3; ++edge) add_fan(c, edge, law, expected);
   const Wrench load = hydro::viscous_drag_load(c.panel, c.normal, c.motion, law, 1);
@@ -120,14 +120,14 @@ const std::array<Vector3d, 6> kPoles = {Vector3d(0.2, 0.5, 0.3), Vector3d(0.5, 0
 TEST(RotaryDrag, MatchesQuadratureAboutThePoleForAConstantCoefficient) {
   support::Random random(30);
   for (const Vector3d& pole : kPoles)
-    EXPECT_LT(error_of(Case(random, pole, -1.7), kConstant), support::tolerance(kPromised));
+    EXPECT_LT(error_of(TurningPanel(random, pole, -1.7), kConstant), support::tolerance(kPromised));
 }
 
 TEST(RotaryDrag, MatchesQuadratureAboutThePoleAcrossTheKinksOfTheThesisLaw) {
   support::Random random(31);
   for (const Vector3d& pole : kPoles) {
     for (const double spin : {0.3, 1.0, -3.0}) {
-      EXPECT_LT(error_of(Case(random, pole, spin), kThesis), support::tolerance(kPromised))
+      EXPECT_LT(error_of(TurningPanel(random, pole, spin), kThesis), support::tolerance(kPromised))
           << "pole " << pole.transpose() << ", spin " << spin;
     }
   }
@@ -137,11 +137,11 @@ TEST(RotaryDrag, HandsOverToTheQuadratureWithoutLosingDigits) {
   support::Random random(32);
   for (double distance = 2; distance < 2000; distance *= 1.7) {
     const Vector3d weights(1.0 / 3 + distance, 1.0 / 3 - distance / 2, 1.0 / 3 - distance / 2);
-    Case c(random, weights, 1);
+    TurningPanel c(random, weights, 1);
     const double slow = 0.9 / c.fastest();  // The panel's fastest point is below the first kink.
     for (const double factor : {slow, 1.3 * slow}) {
-      const Case turned = [&] {
-        Case scaled = c;
+      const TurningPanel turned = [&] {
+        TurningPanel scaled = c;
         scaled.motion.linear *= factor;
         scaled.motion.angular *= factor;
         return scaled;
@@ -153,7 +153,7 @@ TEST(RotaryDrag, HandsOverToTheQuadratureWithoutLosingDigits) {
 }
 
 /// Rounding of some dozen operations, and of the differences of r's powers.
-constexpr double kRounding = 1e-13;
+constexpr double kRotaryRounding = 1e-13;
 
 TEST(RotaryDrag, OfASquareAboutItsMiddleHasTheTorqueOfItsThirdMoment) {
   const double edge = 1.4;
@@ -169,14 +169,14 @@ TEST(RotaryDrag, OfASquareAboutItsMiddleHasTheTorqueOfItsThirdMoment) {
   // ∫ r³ dA over the unit square about its centre.
   const double moment = (7 * std::sqrt(2.0) / 8 + 3.0 / 8 * std::log(1 + std::sqrt(2.0))) / 20;
   const double expected = 500 * 0.3 * spin * spin * std::pow(edge, 5) * moment;
-  EXPECT_NEAR(sum.moment.z(), expected, support::tolerance(kRounding) * expected);
-  EXPECT_LT(sum.force.norm(), support::tolerance(kRounding) * expected);
+  EXPECT_NEAR(sum.moment.z(), expected, support::tolerance(kRotaryRounding) * expected);
+  EXPECT_LT(sum.force.norm(), support::tolerance(kRotaryRounding) * expected);
 }
 
 TEST(RotaryDrag, SplittingAPanelChangesNothing) {
   support::Random random(33);
   for (const Vector3d& pole : kPoles) {
-    const Case c(random, pole, 1.1);
+    const TurningPanel c(random, pole, 1.1);
     const Vector3d inside = 0.2 * c.panel[0] + 0.45 * c.panel[1] + 0.35 * c.panel[2];
     Wrench parts;
     for (int i = 0; i < 3; ++i)
@@ -192,14 +192,14 @@ TEST(RotaryDrag, SplittingAPanelChangesNothing) {
 TEST(RotaryDrag, OpposesTheMotionAndTurnsWithItsSign) {
   support::Random random(34);
   for (const Vector3d& pole : kPoles) {
-    Case c(random, pole, 0.8);
+    TurningPanel c(random, pole, 0.8);
     const Wrench ahead = hydro::viscous_drag_load(c.panel, c.normal, c.motion, kConstant, 500);
     EXPECT_LT(ahead.force.dot(c.motion.linear) + ahead.moment.dot(c.motion.angular), 0);
     c.motion.linear *= -1;
     c.motion.angular *= -1;
     const Wrench astern = hydro::viscous_drag_load(c.panel, c.normal, c.motion, kConstant, 500);
     EXPECT_LT((ahead.force + astern.force).norm(),
-              support::tolerance(kRounding) * ahead.force.norm());
+              support::tolerance(kRotaryRounding) * ahead.force.norm());
   }
 }
 

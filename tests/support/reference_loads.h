@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace support {
 
 using Vector3l = Eigen::Matrix<long double, 3, 1>;
 using Polygon = std::vector<Vector3l>;
+
+/// The largest component of the force or the moment, as numbers [N, N m].
+inline double largest(const hydro::Wrench& w) {
+  return std::max(w.force.cwiseAbs().maxCoeff(), w.moment.cwiseAbs().maxCoeff());
+}
 
 /// The part of a convex polygon where a function linear in space is positive.
 Polygon clip(const Polygon& polygon, const std::function<long double(const Vector3l&)>& f);
