@@ -1,5 +1,7 @@
 #include "engine/added_inertia.h"
 
+#include <algorithm>
+
 #include "engine/locks.h"
 #include "hydro/decompositions.h"
 
@@ -17,6 +19,13 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   return matrix;
 }
 
+/// (1) in the one direction n.
+InertiaChange change_along(const Vector6d& n, const Matrix6d& inertia, const Matrix6d& change,
+                           const Vector6d& u) {
+  const double mu = n.dot(change * n) / n.dot(inertia * n);
+  return {.inertia = (1 + std::max(mu, mu / 2)) * inertia, .velocity = u / (1 + std::max(mu, 0.0))};
+}
+
 }  // namespace
 
 Matrix6d rigid_inertia(const BodySpec& body) {
@@ -26,9 +35,11 @@ Matrix6d rigid_inertia(const BodySpec& body) {
   return inertia;
 }
 
-InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change, const DofMask& locked,
-                             const Vector6d& u) {
+InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
+                             const Freedom& freedom, const Vector6d& u) {
   if (change.isZero(0)) return {.inertia = inertia, .velocity = u};
+  if (freedom.along) return change_along(*freedom.along, inertia, change, u);
+  const DofMask& locked = freedom.locked;
   const hydro::Cholesky6 S(uncoupled(inertia, locked, 1));
   const auto [mu, V] = hydro::eigen_decomposition(S.relative(uncoupled(change, locked, 0)));
   const Matrix6d root = S.lower() * V;
@@ -41,7 +52,12 @@ InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change, co
   return result;
 }
 
-Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const DofMask& locked) {
+Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Freedom& freedom) {
+  if (freedom.along) {
+    const Vector6d& n = *freedom.along;
+    return n.dot(rhs) / n.dot(matrix * n) * n;
+  }
+  const DofMask& locked = freedom.locked;
   if (partly_held(locked)) matrix = uncoupled(matrix, locked, 1);
   for (int i = 0; i < 6; ++i)
     if (locked[static_cast<std::size_t>(i)]) rhs[i] = 0;

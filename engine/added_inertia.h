@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/six.h"
 #include "engine/spec.h"
 
@@ -25,6 +27,12 @@
 
 namespace engine {
 
+/// The ways that a body by itself may go, in the axes of what they are given with.
+struct Freedom {
+  DofMask locked = {};            ///< Not these,
+  std::optional<Vector6d> along;  ///< and this one only: the n of guide.h.
+};
+
 /// M about the centre of mass, body axes.
 Matrix6d rigid_inertia(const BodySpec& body);
 
@@ -36,12 +44,12 @@ struct InertiaChange {
 
 /// @param inertia   M + A at the start of the step.
 /// @param change    ΔA over the step.
-/// @param locked    Degrees of freedom that take no part, in these axes.
-InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change, const DofMask& locked,
-                             const Vector6d& u);
+/// @param freedom   What is not free takes no part.
+InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
+                             const Freedom& freedom, const Vector6d& u);
 
-/// Solves matrix·x = rhs for the free degrees of freedom; x is zero in the locked ones. The matrix
-/// is symmetric and positive definite.
-Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const DofMask& locked);
+/// Solves matrix·x = rhs for what is free; x is zero in the rest. The matrix is symmetric and
+/// positive definite.
+Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Freedom& freedom);
 
 }  // namespace engine

@@ -50,6 +50,15 @@ double part_of_inertia(const Body& body, const Matrix6d& added_B, const Matrix6d
   return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();
 }
 
+/// The initial state with what its joint leaves of its momentum.
+hydro::BodyState put_on_guide(const Body& body) {
+  const hydro::BodyState& state = body.motion.state;
+  const Vector6d u = velocity(state, Eigen::Vector3d::Zero());
+  const Matrix6d S = inertia_W(body, body.motion);
+  const Vector6d along = solve_free(S, S * u, {.along = direction(*body.guide, state)});
+  return with_velocity(state, along, Eigen::Vector3d::Zero());
+}
+
 }  // namespace
 
 Surroundings surroundings(const SimulationSpec& spec) {
@@ -66,19 +75,28 @@ Body make_body(const SimulationSpec& spec, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
   Body body{.spec = &s,
             .box_B = hydro::bounding_box(s.mesh_B),
+            .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
             .rigid_B = rigid_inertia(s),
             .inverse_inertia_B = s.inertia_B.inverse(),
             .wet = spec.sea && feels_water(s),
             .adds = spec.sea && s.added_mass && !immovable(s.locked),
             .movable = !immovable(s.locked),
             .locked = partly_held(s.locked),
-            .jointed = has_joint(spec, static_cast<BodyId>(index))};
+            .jointed = has_joint(spec, static_cast<BodyId>(index)),
+            .guide = find_guide(spec, index)};
   if (body.wet) body.hull = hydro::make_hull(s.mesh_B);
   body.motion.state = without_locked_motion(s.locked, s.initial);
-  if (!body.adds) return body;
-  body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
-  body.motion.has_added = !body.motion.added_B.isZero(0);
+  if (body.adds) {
+    body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
+    body.motion.has_added = !body.motion.added_B.isZero(0);
+  }
+  if (body.guide) body.motion.state = put_on_guide(body);
   return body;
+}
+
+Freedom freedom(const Body& body, const hydro::BodyState& state) {
+  if (body.guide) return {.along = direction(*body.guide, state)};
+  return {.locked = body.spec->locked};
 }
 
 double contact_mass(const Body& body, const Motion& motion) {
@@ -95,7 +113,9 @@ Matrix6d inertia_W(const Body& body, const Motion& motion) {
 Motion drift(const Body& body, const Surroundings& around, const Motion& motion, double time) {
   Motion next = motion;
   const Matrix6d S = body.rigid_B + motion.added_B;
-  if (body.locked)
+  if (body.guide)
+    next.state = slid(*body.guide, motion.state, time);
+  else if (body.locked)
     next.state = held(body.spec->locked, body.spec->initial,
                       drifted(S, body.spec->locked, motion.state, around.current(), time));
   else if (motion.has_added)
@@ -108,6 +128,7 @@ Motion drift(const Body& body, const Surroundings& around, const Motion& motion,
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
   state.position += change.head<3>();
   state.orientation = (exponential(change.tail<3>()) * state.orientation).normalized();
+  if (body.guide) return guided(*body.guide, state);
   return body.locked ? held(body.spec->locked, body.spec->initial, state) : state;
 }
 
@@ -150,7 +171,7 @@ Motion settled(const Body& body, const Surroundings& around, Motion motion,
                const Matrix6d& added_B) {
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Matrix6d change = turned_matrix(R_WB, added_B - motion.added_B);
-  const Vector6d u = inertia_change(inertia_W(body, motion), change, body.spec->locked,
+  const Vector6d u = inertia_change(inertia_W(body, motion), change, freedom(body, motion.state),
                                     velocity(motion.state, around.current()))
                          .velocity;
   motion.state = with_velocity(motion.state, u, around.current());

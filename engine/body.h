@@ -5,7 +5,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/added_inertia.h"
 #include "engine/faults.h"
+#include "engine/guide.h"
 #include "engine/kick_history.h"
 #include "engine/six.h"
 
@@ -76,6 +78,7 @@ struct Body {
   const BodySpec* spec = nullptr;
   hydro::Hull hull;
   Eigen::AlignedBox3d box_B;
+  double radius = 0;                        ///< Of its farthest vertex from the centre of mass [m].
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass, body axes.
   Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
   bool wet = false;      ///< The water has loads on it.
@@ -83,6 +86,7 @@ struct Body {
   bool movable = true;   ///< Not all of it is locked.
   bool locked = false;   ///< Some of it is.
   bool jointed = false;  ///< A joint holds it.
+  std::optional<Guide> guide;
 
   Motion motion;
   BodyLoads loads;  ///< Of the last evaluation.
@@ -99,6 +103,9 @@ Surroundings surroundings(const SimulationSpec& spec);
 
 /// A body at its initial state.
 Body make_body(const SimulationSpec& spec, std::size_t index);
+
+/// The ways that it may go by itself, in W.
+Freedom freedom(const Body& body, const hydro::BodyState& state);
 
 /// What contacts push against: a mass no less than M + A in any direction [kg].
 double contact_mass(const Body& body, const Motion& motion);

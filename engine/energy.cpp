@@ -29,7 +29,7 @@ double energy(const Body& body, const Surroundings& around, const Motion& motion
 }
 
 double least_energy_scale(const Body& body, const Surroundings& around) {
-  const double radius = body.hull.radius;
+  const double radius = body.radius;
   const double water = around.sea ? around.sea->density * std::pow(radius, 3) : 0;
   return 1e-9 * around.gravity * (body.spec->mass + water) * radius;
 }

@@ -32,6 +32,8 @@ EnergyGuard::EnergyGuard(const std::vector<std::vector<BodyId>>& groups,
                          const std::vector<Body>& bodies, const Surroundings& around)
     : around_(around) {
   for (const std::vector<BodyId>& ids : groups) {
+    // On a guide a body keeps to the rule of a free one.
+    if (ids.size() == 1 && bodies[static_cast<std::size_t>(ids.front())].guide) continue;
     Group group;
     bool watched = true;
     for (const BodyId id : ids) {

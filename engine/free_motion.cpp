@@ -124,7 +124,7 @@ Vector6d held_step(const Matrix6d& inertia_B, const DofMask& locked, hydro::Body
     turn = exponential(time * mean.tail<3>());
     const Matrix6d S = turned_matrix((turn * state.orientation).toRotationMatrix(), inertia_B);
     const Vector6d rest = p0 + time * gyration(mean, (p0 + S * u) / 2) - S * u;
-    const Vector6d change = solve_free(S, rest, locked);
+    const Vector6d change = solve_free(S, rest, {.locked = locked});
     u += change;
     if (change.norm() <= 1e-15 * u.norm()) break;
   }

@@ -33,10 +33,17 @@ struct Piece {
 /// True if the kick changes the motion by much more or less than the last ones foretell.
 bool is_sudden(const Body& body, const KickHistory& last, const Kick& kick,
                const Eigen::Matrix3d& R_BW, const Vector6d& u, double h) {
-  const double radius = body.hull.radius;
+  const double radius = body.radius;
   const Vector6d off = turned(R_BW, kick.change) - h * last.expected(h / 2);
   const double jump = std::hypot(off.head<3>().norm(), radius * off.tail<3>().norm());
   return jump > kSuddenLoad * std::hypot(u.head<3>().norm(), radius * u.tail<3>().norm());
+}
+
+bool turns_about(const Body& body) { return body.guide && body.guide->turns; }
+
+/// True if a piece turns a body about its hinge by more than is resolved.
+bool turns_far(const Body& body, const hydro::BodyState& after, double h) {
+  return turns_about(body) && after.angular_velocity.norm() * h > kLargestSwing;
 }
 
 /// How a body has moved relative to what the water surface never leaves.
@@ -74,7 +81,7 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
   Motion next = with_added_mass(middle.motion, added_B, middle.motion.added_B, h);
   // An implicit kick is of another kind: explicit ones do not follow from it.
   if (kick.implicit || kick.sudden) next.kicks.clear();
-  next.kicks.add(turned(R_BW, kick.change) / h, h, body.hull.radius);
+  next.kicks.add(turned(R_BW, kick.change) / h, h, body.radius);
   if (!kick.implicit) next.kicks.set_slope(turned(R_BW, kick.slope));
   next.state = with_velocity(next.state, middle.after + kick.change, around.current());
   check_state(body, next.state);
@@ -91,7 +98,8 @@ struct Offset {
 
 /// (2) of free_step.h by the trend of the last kicks; none if they do not show it.
 std::optional<Offset> find_offset(const Body& body, const Motion& motion, double h) {
-  if (!body.wet || motion.constrained || !motion.kicks.resolved()) return std::nullopt;
+  if (!(body.wet || body.guide) || motion.constrained || !motion.kicks.resolved())
+    return std::nullopt;
   const KickHistory::Trend trend = motion.kicks.trend();
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Eigen::Vector3d spin = motion.state.angular_velocity;
@@ -105,16 +113,17 @@ Motion with_offset(const Body& body, const Surroundings& around, Motion motion,
   motion.state = displaced(body, motion.state, sign * offset.pose);
   const Vector6d u = velocity(motion.state, around.current()) + sign * offset.velocity;
   motion.state = with_velocity(motion.state, u, around.current());
+  if (body.guide) motion.state = guided(*body.guide, motion.state);
   return motion;
 }
 
 /// Drift, kick, drift; again with the added mass of the end where it is not the expected one.
 Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
                  double h) {
-  const DofMask& locked = body.spec->locked;
   const Motion halfway = drift(body, around, motion, h / 2);
+  const Freedom ways = freedom(body, halfway.state);
   Matrix6d added_B = expected_added_mass(body, motion, h);
-  Middle middle = make_middle(body, around, halfway, added_B, locked);
+  Middle middle = make_middle(body, around, halfway, added_B, ways);
   Kick kick = free_kick(body, around, middle, time + h / 2, h);
   Piece result{.motion = finish(body, around, middle, kick, added_B, h)};
   bool close = !body.adds;
@@ -127,14 +136,15 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
     }
     close = nearly_met(body, motion.added_B, added_B, found_B);
     added_B = found_B;
-    middle = make_middle(body, around, halfway, added_B, locked);
+    middle = make_middle(body, around, halfway, added_B, ways);
     kick = free_kick_again(body, around, middle, kick, time + h / 2, h);
     result.motion = finish(body, around, middle, kick, added_B, h);
   }
   const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
   result.sudden =
       kick.implicit ||
-      (body.wet && (crosses(body, around, motion.state, result.motion.state) ||
+      (body.wet && (turns_far(body, result.motion.state, h) ||
+                    crosses(body, around, motion.state, result.motion.state) ||
                     (!result.motion.kicks.resolved() &&
                      is_sudden(body, motion.kicks, kick, R_BW, middle.after + kick.change, h))));
   body.cost.implicit += kick.implicit;
@@ -178,7 +188,8 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
     return sound_piece(body, around, half, time + h / 2, h / 2, halvings - 1);
   };
   Piece whole = piece(body, around, motion, time, h);
-  if (!whole.sudden) return whole.motion;
+  // Of what was halved for its energy each part is looked at.
+  if (!whole.sudden && halvings == kMostHalvings) return whole.motion;
   if (halvings > 0 && leaps(body, around, motion.state, whole.motion.state, h)) return in_halves();
   if (!must_not_gain_energy(body, around)) return whole.motion;
   EnergyRange range = motion.energy;
@@ -208,8 +219,7 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
 double swing_length(const Body& body, const Motion& motion, double rest, double shortest) {
   const Eigen::Vector3d a = motion.kicks.expected(0).head<3>();
   const double swing = motion.kicks.pace() * rest;
-  if (!body.wet || swing <= kLargestSwing ||
-      a.norm() * rest * rest < kSmallestSwing * body.hull.radius)
+  if (!body.wet || swing <= kLargestSwing || a.norm() * rest * rest < kSmallestSwing * body.radius)
     return rest;
   const double longest = std::max(shortest, kLargestSwing / motion.kicks.pace());
   return rest / std::max(1.0, std::ceil(rest / longest));
@@ -278,7 +288,9 @@ double piece_length(const Body& body, const Surroundings& around, const Motion& 
   const hydro::BodyState& state = motion.state;
   const double low = lowest_point(body.box_B, state);
   const double rise = state.linear_velocity.z() * rest;
-  if (std::min(low, low + rise) >= around.highest) return rest;
+  // On a hinge it comes round, wherever it goes.
+  const double round = turns_about(body) ? state.linear_velocity.norm() * rest : 0;
+  if (std::min(low, low + rise) - round >= around.highest) return rest;
   double rate = state.angular_velocity.norm() / kLargestWetTurn;
   const double height =
       state.orientation.toRotationMatrix().row(2).cwiseAbs().dot(body.box_B.sizes());

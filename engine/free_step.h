@@ -3,7 +3,8 @@
 #include "engine/body.h"
 
 /// @file
-/// The step of a body without joints and contacts.
+/// The step of a body that nothing holds, or one joint along a way (guide.h), and that touches
+/// nothing.
 ///
 /// A piece of length h is half a drift, a kick and half a drift (free_motion.h, kick.h), the added
 /// mass taken anew halfway (added_inertia.h): symmetric in time and of second order but for

@@ -26,6 +26,7 @@ struct Setting {
   const hydro::BodyState& state;  ///< Halfway.
   Vector6d u;                     ///< Relative to the water, W, without the loads.
   Matrix6d S;                     ///< M + A in W.
+  Freedom ways;
   double time;
   double step;
 
@@ -38,17 +39,23 @@ struct Setting {
   /// F of equation (1). A change that would take the pose far is of no use for that.
   Vector6d loads_halfway(const Vector6d& change) const {
     const Vector6d shift = step / 12 * change;
-    const double length = shift.head<3>().norm() + body.hull.radius * shift.tail<3>().norm();
+    const double length = shift.head<3>().norm() + body.radius * shift.tail<3>().norm();
     hydro::BodyState halfway = at(u + change / 2);
-    if (length <= kLargestShift * body.hull.radius) halfway = displaced(body, halfway, shift);
-    return stacked(find_loads(body, around, halfway, time));
+    if (length <= kLargestShift * body.radius) halfway = displaced(body, halfway, shift);
+    const Vector6d F = stacked(find_loads(body, around, halfway, time));
+    return body.guide ? brought_back(F, halfway) : F;
+  }
+  /// Loads of another pose on the guide as those of this one that do the same along it.
+  Vector6d brought_back(const Vector6d& F, const hydro::BodyState& from) const {
+    const Vector6d& n = *ways.along;
+    return F + n * (direction(*body.guide, from) - n).dot(F) / n.squaredNorm();
   }
   Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
-    return solve_free(matrix, rhs, body.spec->locked);
+    return solve_free(matrix, rhs, ways);
   }
   /// S⁻¹ rhs in the free degrees of freedom.
   Vector6d accelerated(const Vector6d& rhs) const {
-    if (body.adds || body.locked) return solve(S, rhs);
+    if (body.adds || body.locked || body.guide) return solve(S, rhs);
     const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
     return stacked(rhs.head<3>() / body.spec->mass,
                    R_WB * (body.inverse_inertia_B * (R_WB.transpose() * rhs.tail<3>())));
@@ -62,6 +69,7 @@ Setting make_setting(Body& body, const Surroundings& around, const Middle& middl
           .state = middle.motion.state,
           .u = middle.mean(),
           .S = middle.inertia,
+          .ways = freedom(body, middle.motion.state),
           .time = time,
           .step = step};
 }
@@ -157,7 +165,7 @@ Vector6d dry_change(Body& body, const Surroundings& around, const hydro::BodySta
 
 /// Size of a change of velocity [m/s].
 double size(const Setting& s, const Vector6d& change) {
-  return std::hypot(change.head<3>().norm(), s.body.hull.radius * change.tail<3>().norm());
+  return std::hypot(change.head<3>().norm(), s.body.radius * change.tail<3>().norm());
 }
 
 /// Equation (1) with Δu_0 = `expected`.
@@ -181,7 +189,7 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
   Kick first{.load = s.loads(s.u)};
   first.change = s.accelerated(s.step * first.load);
   first.sudden = true;
-  if (s.body.loads.water.wetted_area == 0) return first;
+  if (s.body.loads.water.wetted_area == 0 && !s.body.guide) return first;
   Kick kick = kick_by(s, first.change);
   kick.sudden = true;
   // From the velocity of the start to that halfway; poses were the same.
@@ -192,13 +200,13 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
 }  // namespace
 
 Middle make_middle(const Body& body, const Surroundings& around, const Motion& motion,
-                   const Matrix6d& added_B, const DofMask& locked) {
+                   const Matrix6d& added_B, const Freedom& freedom) {
   const Vector6d u = velocity(motion.state, around.current());
   if (added_B == motion.added_B)
     return {.motion = motion, .inertia = inertia_W(body, motion), .before = u, .after = u};
   const Matrix6d change =
       turned_matrix(motion.state.orientation.toRotationMatrix(), added_B - motion.added_B);
-  const InertiaChange result = inertia_change(inertia_W(body, motion), change, locked, u);
+  const InertiaChange result = inertia_change(inertia_W(body, motion), change, freedom, u);
   return {.motion = motion, .inertia = result.inertia, .before = u, .after = result.velocity};
 }
 
@@ -206,13 +214,13 @@ Kick free_kick_again(Body& body, const Surroundings& around, const Middle& middl
                      double time, double step) {
   if (last.implicit) return free_kick(body, around, middle, time, step);
   Kick kick = last;
-  kick.change = solve_free(middle.inertia, step * last.load, body.spec->locked);
+  kick.change = solve_free(middle.inertia, step * last.load, freedom(body, middle.motion.state));
   return kick;
 }
 
 Kick free_kick(Body& body, const Surroundings& around, const Middle& middle, double time,
                double step) {
-  if (!body.wet && !body.adds && !body.locked)
+  if (!body.wet && !body.adds && !body.locked && !body.guide)
     return {.change = dry_change(body, around, middle.motion.state, time, step)};
   const Setting s = make_setting(body, around, middle, time, step);
   Kick kick = explicit_kick(s, middle.motion);

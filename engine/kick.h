@@ -46,9 +46,9 @@ struct Middle {
 };
 
 /// @param added_B   The added mass at the end of the step.
-/// @param locked    Degrees of freedom that take no part in its change.
+/// @param freedom   What is not free takes no part in its change.
 Middle make_middle(const Body& body, const Surroundings& around, const Motion& motion,
-                   const Matrix6d& added_B, const DofMask& locked);
+                   const Matrix6d& added_B, const Freedom& freedom);
 
 struct Kick {
   Vector6d change = Vector6d::Zero();  ///< Δu in W.

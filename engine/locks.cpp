@@ -5,14 +5,6 @@
 namespace engine {
 namespace {
 
-/// The part of a turn that is about the unit vector `axis`: the twist of its swing-twist parts.
-Eigen::Quaterniond twist(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis) {
-  const Eigen::Vector3d along = turn.vec().dot(axis) * axis;
-  const Eigen::Quaterniond part(turn.w(), along.x(), along.y(), along.z());
-  // Half a turn about an axis normal to this one has no twist.
-  return part.norm() > 0 ? part.normalized() : Eigen::Quaterniond::Identity();
-}
-
 Eigen::Quaterniond held_orientation(const DofMask& locked, const Eigen::Quaterniond& initial,
                                     const Eigen::Quaterniond& orientation) {
   const auto count = std::count(locked.begin() + 3, locked.end(), true);
@@ -23,6 +15,13 @@ Eigen::Quaterniond held_orientation(const DofMask& locked, const Eigen::Quaterni
 }
 
 }  // namespace
+
+Eigen::Quaterniond twist(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d along = turn.vec().dot(axis) * axis;
+  const Eigen::Quaterniond part(turn.w(), along.x(), along.y(), along.z());
+  // Half a turn about an axis normal to this one has no twist.
+  return part.norm() > 0 ? part.normalized() : Eigen::Quaterniond::Identity();
+}
 
 bool immovable(const DofMask& locked) {
   return std::all_of(locked.begin(), locked.end(), [](bool lock) { return lock; });

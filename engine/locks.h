@@ -19,6 +19,9 @@ bool immovable(const DofMask& locked);
 /// True if at least one is locked.
 bool partly_held(const DofMask& locked);
 
+/// The part of a turn that is about the unit vector `axis`: the twist of its swing and twist.
+Eigen::Quaterniond twist(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis);
+
 /// The state without velocity in locked degrees of freedom.
 hydro::BodyState without_locked_motion(const DofMask& locked, hydro::BodyState state);
 

@@ -39,8 +39,8 @@ struct Skips {
 
 /// How a body's motion was found, in steps and pieces of steps so far.
 struct Path {
-  long free = 0;         ///< Steps by itself.
-  long constrained = 0;  ///< Steps under joints or contacts.
+  long free = 0;         ///< Steps by itself, or along a joint to the world (guide.h).
+  long constrained = 0;  ///< Steps under other joints, or contacts.
   long pieces = 0;       ///< That those steps were cut in.
   long implicit = 0;     ///< Pieces too long for its loads to be taken explicitly (kick.h).
   long iterations = 0;   ///< Solutions of its constraints, one a piece without added mass.

@@ -17,7 +17,7 @@ namespace {
 ConstrainedBody make_member(Body& body, BodyId id, const Surroundings& around, const Motion& middle,
                             const Matrix6d& added_B, double step, bool touching) {
   ConstrainedBody c{
-      .body = &body, .id = id, .middle = make_middle(body, around, middle, added_B, DofMask{})};
+      .body = &body, .id = id, .middle = make_middle(body, around, middle, added_B, Freedom{})};
   // An impact says nothing of the next kick.
   if (middle.constrained && !touching)
     c.expected =
@@ -35,7 +35,7 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   if (touching)
     after.kicks.clear();
   else
-    after.kicks.add(turned(R_BW, c.change) / step, step, c.body->hull.radius);
+    after.kicks.add(turned(R_BW, c.change) / step, step, c.body->radius);
   after.constrained = true;
   after.energy = {};  // Joints and contacts pass energy on.
   check_state(*c.body, after.state);
@@ -69,7 +69,8 @@ SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings
       around_(around),
       for_each_(std::move(for_each)),
       collides_(collides),
-      jointed_(std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.jointed; })),
+      jointed_(std::any_of(bodies.begin(), bodies.end(),
+                           [](const Body& b) { return b.jointed && !b.guide; })),
       tolerance_(tolerance),
       middle_(bodies.size()),
       before_(bodies.size()),
@@ -85,7 +86,7 @@ void SplitStep::advance_once(double time, double step, bool may_cut, int halving
   if (!any_constraint()) return advance_free({}, time, step);
   drift_to_middle(step);
   collide(step);
-  const std::vector<std::vector<BodyId>> islands = world_.islands();
+  const std::vector<std::vector<BodyId>> islands = held_islands();
   const double piece = may_cut ? longest_piece(islands, step) : step;
   if (piece < step) {
     const auto count = static_cast<int>(std::lround(step / piece));
@@ -149,6 +150,16 @@ void SplitStep::collide(double step) {
   world_.collide(step);
   collision_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<std::vector<BodyId>> SplitStep::held_islands() const {
+  std::vector<std::vector<BodyId>> islands = world_.islands();
+  const std::vector<bool> touching = world_.touching();
+  std::erase_if(islands, [&](const std::vector<BodyId>& island) {
+    const auto first = static_cast<std::size_t>(island.front());
+    return island.size() == 1 && bodies_[first].guide && !touching[first];
+  });
+  return islands;
 }
 
 double SplitStep::longest_piece(const std::vector<std::vector<BodyId>>& islands,

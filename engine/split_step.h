@@ -13,12 +13,12 @@
 /// of the step; there contacts are found, added mass is taken anew (added_inertia.h) and the
 /// velocities change by loads (kick.h) and constraints (constrained_step.h); then each drifts on to
 /// the end. Poses and velocities belong to the same instants, the ends of steps. Bodies without
-/// joints and contacts go through the step each by itself, in pieces of their own (free_step.h);
-/// the others in step with each
-/// other, in halves where still water would give them energy (energy_guard.h). Constraints act on
-/// the poses halfway, which are one step apart: for them the scheme is ODE's own, with the error of
-/// a joint taken back in the next step, and resting contacts rest. In still air free fall is exact
-/// and a spin keeps its momentum and energy.
+/// joints and contacts, or with one joint that guides them (guide.h), go through the step each by
+/// itself, in pieces of their own (free_step.h); the others in step with each other, in halves
+/// where still water would give them energy (energy_guard.h). Constraints act on the poses halfway,
+/// which are one step apart: for them the scheme is ODE's own, with the error of a joint taken back
+/// in the next step, and resting contacts rest. In still air free fall is exact and a spin keeps
+/// its momentum and energy.
 
 namespace engine {
 
@@ -39,6 +39,9 @@ class SplitStep {
   bool any_constraint() const { return collides_ || jointed_; }
   void drift_to_middle(double step);
   void collide(double step);
+  /// Groups of bodies that constraints hold to each other or to the world; not a body that only its
+  /// guide does.
+  std::vector<std::vector<BodyId>> held_islands() const;
   double longest_piece(const std::vector<std::vector<BodyId>>& islands, double step) const;
   void advance_constrained(const std::vector<std::vector<BodyId>>& islands, double time,
                            double step);

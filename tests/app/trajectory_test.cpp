@@ -120,7 +120,7 @@ TEST_F(TrajectoryFile, LosesOnlyALastLineThatWasCutOff) {
 TEST_F(TrajectoryFile, MayHaveTheLineEndsOfOtherSystems) {
   std::string text = kHeader + "0,a" + kRow + "1,a" + kRow;
   for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 2))
-    text.insert(i, "\r");
+    text.insert(i, 1, '\r');
   const Trajectory read = read_trajectory(holding(text));
   EXPECT_THAT(read.tracks.at("a").times, ElementsAre(0, 1));
 }

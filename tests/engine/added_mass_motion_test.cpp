@@ -222,7 +222,7 @@ TEST(AddedInertia, LockedDegreesOfFreedomTakeNoPart) {
   const Matrix6d growth = random_inertia(random, 5);
   const engine::DofMask locked = {true, true, false, true, true, true};
   const Vector6d u = Vector6d::Unit(2);
-  const Vector6d v = engine::inertia_change(S, growth, locked, u).velocity;
+  const Vector6d v = engine::inertia_change(S, growth, {.locked = locked}, u).velocity;
   EXPECT_NEAR(v[2], S(2, 2) / (S(2, 2) + growth(2, 2)), tolerance(1e-14));
   EXPECT_NEAR(v.norm(), v[2], tolerance(1e-15));
 }
