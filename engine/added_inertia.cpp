@@ -1,5 +1,7 @@
 #include "engine/added_inertia.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "engine/locks.h"
@@ -19,11 +21,28 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   return matrix;
 }
 
-/// (1) in the one direction n.
-InertiaChange change_along(const Vector6d& n, const Matrix6d& inertia, const Matrix6d& change,
+/// (1) in the ways N that are left: S of its result is that for u = N q', and in the rest as it
+/// was.
+InertiaChange change_along(const Ways& N, const Matrix6d& inertia, const Matrix6d& change,
                            const Vector6d& u) {
-  const double mu = n.dot(change * n) / n.dot(inertia * n);
-  return {.inertia = (1 + std::max(mu, mu / 2)) * inertia, .velocity = u / (1 + std::max(mu, 0.0))};
+  using Reduced = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+  const Reduced S = N.transpose() * inertia * N;
+  const Reduced D = N.transpose() * change * N;
+  const Eigen::LLT<Reduced> root_S(S);
+  const Reduced L = root_S.matrixL();
+  const Reduced half = root_S.matrixL().solve(D);
+  const Reduced relative = root_S.matrixL().solve(half.transpose().eval());
+  const Eigen::SelfAdjointEigenSolver<Reduced> eigen(relative);
+  const auto mu = eigen.eigenvalues().array();
+  const Reduced root = L * eigen.eigenvectors();
+  const Ways conjugate = inertia * N * root_S.solve(root);  // of unit energy, as momenta
+  const auto grown = mu.max(mu / 2);
+  InertiaChange result{.inertia = inertia};
+  for (Eigen::Index k = 0; k < N.cols(); ++k)
+    result.inertia += grown[k] * conjugate.col(k) * conjugate.col(k).transpose();
+  const auto kept = (conjugate.transpose() * u).array() / (1 + mu.max(0.0));
+  result.velocity = N * root_S.solve(root * kept.matrix());
+  return result;
 }
 
 }  // namespace
@@ -38,7 +57,7 @@ Matrix6d rigid_inertia(const BodySpec& body) {
 InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
                              const Freedom& freedom, const Vector6d& u) {
   if (change.isZero(0)) return {.inertia = inertia, .velocity = u};
-  if (freedom.along) return change_along(*freedom.along, inertia, change, u);
+  if (freedom.ways) return change_along(*freedom.ways, inertia, change, u);
   const DofMask& locked = freedom.locked;
   const hydro::Cholesky6 S(uncoupled(inertia, locked, 1));
   const auto [mu, V] = hydro::eigen_decomposition(S.relative(uncoupled(change, locked, 0)));
@@ -53,9 +72,11 @@ InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
 }
 
 Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Freedom& freedom) {
-  if (freedom.along) {
-    const Vector6d& n = *freedom.along;
-    return n.dot(rhs) / n.dot(matrix * n) * n;
+  if (freedom.ways) {
+    const Ways& N = *freedom.ways;
+    if (N.cols() == 1) return N * (N.col(0).dot(rhs) / N.col(0).dot(matrix * N.col(0)));
+    const Eigen::Matrix3d reduced = N.transpose() * matrix * N;
+    return N * reduced.llt().solve(N.transpose() * rhs);
   }
   const DofMask& locked = freedom.locked;
   if (partly_held(locked)) matrix = uncoupled(matrix, locked, 1);

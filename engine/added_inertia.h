@@ -27,10 +27,13 @@
 
 namespace engine {
 
-/// The ways that a body by itself may go, in the axes of what they are given with.
+/// Velocities that are left to a body, one a column.
+using Ways = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 3>;
+
+/// How a body by itself may go, in the axes of what it is given with.
 struct Freedom {
-  DofMask locked = {};            ///< Not these,
-  std::optional<Vector6d> along;  ///< and this one only: the n of guide.h.
+  DofMask locked = {};       ///< Not so,
+  std::optional<Ways> ways;  ///< and only so, where they are given: N of guide.h.
 };
 
 /// M about the centre of mass, body axes.

@@ -55,8 +55,8 @@ hydro::BodyState put_on_guide(const Body& body) {
   const hydro::BodyState& state = body.motion.state;
   const Vector6d u = velocity(state, Eigen::Vector3d::Zero());
   const Matrix6d S = inertia_W(body, body.motion);
-  const Vector6d along = solve_free(S, S * u, {.along = direction(*body.guide, state)});
-  return with_velocity(state, along, Eigen::Vector3d::Zero());
+  const Vector6d left = solve_free(S, S * u, {.ways = ways(*body.guide, state)});
+  return with_velocity(state, left, Eigen::Vector3d::Zero());
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ Body make_body(const SimulationSpec& spec, std::size_t index) {
 }
 
 Freedom freedom(const Body& body, const hydro::BodyState& state) {
-  if (body.guide) return {.along = direction(*body.guide, state)};
+  if (body.guide) return {.ways = ways(*body.guide, state)};
   return {.locked = body.spec->locked};
 }
 
@@ -114,7 +114,7 @@ Motion drift(const Body& body, const Surroundings& around, const Motion& motion,
   Motion next = motion;
   const Matrix6d S = body.rigid_B + motion.added_B;
   if (body.guide)
-    next.state = slid(*body.guide, motion.state, time);
+    next.state = slid(*body.guide, S, motion.state, time);
   else if (body.locked)
     next.state = held(body.spec->locked, body.spec->initial,
                       drifted(S, body.spec->locked, motion.state, around.current(), time));

@@ -104,7 +104,7 @@ Surroundings surroundings(const SimulationSpec& spec);
 /// A body at its initial state.
 Body make_body(const SimulationSpec& spec, std::size_t index);
 
-/// The ways that it may go by itself, in W.
+/// How it may go by itself, in W.
 Freedom freedom(const Body& body, const hydro::BodyState& state);
 
 /// What contacts push against: a mass no less than M + A in any direction [kg].

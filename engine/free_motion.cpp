@@ -93,7 +93,8 @@ void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) 
 }
 
 /// Euler's equations for the angular momentum L in B by (2); returns ω̄.
-Vector3d turn_freely(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w, double time) {
+Vector3d turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w,
+                          double time) {
   const Vector3d L = inertia * w;
   Vector3d mean = L;
   for (int i = 0; i < kMostIterations; ++i) {
@@ -164,10 +165,15 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& stat
 }
 
 hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, double time) {
-  hydro::BodyState next = state;
+  hydro::BodyState next = turned_freely(body.inertia_B, state, time);
   next.position += time * state.linear_velocity;
+  return next;
+}
+
+hydro::BodyState turned_freely(const Matrix3d& inertia, const hydro::BodyState& state,
+                               double time) {
+  hydro::BodyState next = state;
   if (state.angular_velocity.isZero(0)) return next;
-  const Matrix3d& inertia = body.inertia_B;
   const bool round =
       inertia.isDiagonal(0) && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
   if (round) {
@@ -179,7 +185,7 @@ hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, do
   Vector3d w_B = state.orientation.conjugate() * state.angular_velocity;
   const int count = pieces(w_B.norm(), time);
   for (int i = 0; i < count; ++i) {
-    const Vector3d mean = turn_freely(inertia, inverse, w_B, time / count);
+    const Vector3d mean = turn_by_midpoint(inertia, inverse, w_B, time / count);
     next.orientation = (next.orientation * exponential(time / count * mean)).normalized();
   }
   next.angular_velocity = next.orientation * w_B;

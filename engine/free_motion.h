@@ -47,6 +47,11 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& stat
 /// Euler's equations.
 hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, double time);
 
+/// Its orientation and angular velocity after `time` [s] of turning freely, with this moment of
+/// inertia, about its centre of mass or any fixed point.
+hydro::BodyState turned_freely(const Eigen::Matrix3d& inertia_B, const hydro::BodyState& state,
+                               double time);
+
 /// The same with degrees of freedom held: in W axes, with the momenta p = S u and the index f for
 /// those that are free,
 ///

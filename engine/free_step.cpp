@@ -39,7 +39,7 @@ bool is_sudden(const Body& body, const KickHistory& last, const Kick& kick,
   return jump > kSuddenLoad * std::hypot(u.head<3>().norm(), radius * u.tail<3>().norm());
 }
 
-bool turns_about(const Body& body) { return body.guide && body.guide->turns; }
+bool turns_about(const Body& body) { return body.guide && body.guide->turns(); }
 
 /// True if a piece turns a body about its hinge by more than is resolved.
 bool turns_far(const Body& body, const hydro::BodyState& after, double h) {
@@ -121,9 +121,9 @@ Motion with_offset(const Body& body, const Surroundings& around, Motion motion,
 Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
                  double h) {
   const Motion halfway = drift(body, around, motion, h / 2);
-  const Freedom ways = freedom(body, halfway.state);
+  const Freedom left = freedom(body, halfway.state);
   Matrix6d added_B = expected_added_mass(body, motion, h);
-  Middle middle = make_middle(body, around, halfway, added_B, ways);
+  Middle middle = make_middle(body, around, halfway, added_B, left);
   Kick kick = free_kick(body, around, middle, time + h / 2, h);
   Piece result{.motion = finish(body, around, middle, kick, added_B, h)};
   bool close = !body.adds;
@@ -136,7 +136,7 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
     }
     close = nearly_met(body, motion.added_B, added_B, found_B);
     added_B = found_B;
-    middle = make_middle(body, around, halfway, added_B, ways);
+    middle = make_middle(body, around, halfway, added_B, left);
     kick = free_kick_again(body, around, middle, kick, time + h / 2, h);
     result.motion = finish(body, around, middle, kick, added_B, h);
   }

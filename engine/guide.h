@@ -2,42 +2,50 @@
 
 #include <optional>
 
-#include "engine/six.h"
+#include "engine/added_inertia.h"
 #include "engine/spec.h"
 
 /// @file
-/// A joint that leaves a body one way to go: a hinge or a slider to what cannot move.
+/// A joint to what cannot move: a hinge, a slider or a ball joint that a body can follow by itself.
 ///
-/// Its coordinate q is an angle [rad] or a length [m]: the pose is that of the start turned by q
-/// about the axis, or moved by q along it, and the velocity
+/// The velocity about the centre of mass x is u = N q', with the rates q' of the ways that are
+/// left:
 ///
-///     u = n q',   n = (e × (x − p), e) of a hinge along e through p,   n = (e, 0) of a slider. (1)
+///     hinge along e through p    N = (e × (x − p), e)          the angle
+///     slider along e             N = (e, 0)                    the length                      (1)
+///     ball joint at p            N = (−[x − p]×, 1)            the turn about p, in W
 ///
-/// The inertia along n, n·(M + A) n, is constant where A moves with the body, so that without loads
-/// q' is constant: in water at rest, or without A. There a body on a guide takes the step of a free
-/// one (free_step.h) in its one degree of freedom: of second order or better, without a constraint
-/// to solve, and never off its joint.
+/// Where A moves with the body so does Nᵀ (M + A) N. Without loads q' is then constant on a hinge
+/// or slider, and on a ball joint follows Euler's equations of a body with that inertia: in water
+/// at rest, or without A. There a guided body takes the step of a free one (free_step.h) in the
+/// ways left to it: of second order or better, without a constraint to solve, and never off its
+/// joint.
 
 namespace engine {
 
 struct Guide {
-  bool turns = true;  ///< A hinge; false: a slider.
+  JointSpec::Type type = JointSpec::Type::hinge;  ///< Hinge, slider or ball.
   Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< Unit.
-  hydro::BodyState initial;                           ///< q = 0.
+  hydro::BodyState initial;                           ///< On the joint.
+
+  bool turns() const { return type != JointSpec::Type::slider; }
 };
 
-/// The guide of a body that one such joint holds and nothing else does; none if (1) moves on by
-/// itself, as a body with added mass in a current does.
+/// The guide of a body that one such joint holds and nothing else does; none if u moves on by
+/// itself in another way, as that of a body with added mass in a current does.
 std::optional<Guide> find_guide(const SimulationSpec& spec, std::size_t body);
 
-/// n of (1), in W.
-Vector6d direction(const Guide& guide, const hydro::BodyState& state);
+/// N of (1), in W.
+Ways ways(const Guide& guide, const hydro::BodyState& state);
 
-/// The nearest state on the guide, its velocity by q' of a hinge's turning or a slider's motion.
+/// The nearest state on the guide, its velocity by q' of the state's turning or, on a slider,
+/// motion.
 hydro::BodyState guided(const Guide& guide, hydro::BodyState state);
 
 /// The same after `time` [s] of motion without loads.
-hydro::BodyState slid(const Guide& guide, hydro::BodyState state, double time);
+/// @param inertia_B   M + A about the centre of mass, body axes.
+hydro::BodyState slid(const Guide& guide, const Matrix6d& inertia_B, hydro::BodyState state,
+                      double time);
 
 }  // namespace engine

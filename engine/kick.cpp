@@ -26,7 +26,7 @@ struct Setting {
   const hydro::BodyState& state;  ///< Halfway.
   Vector6d u;                     ///< Relative to the water, W, without the loads.
   Matrix6d S;                     ///< M + A in W.
-  Freedom ways;
+  Freedom freedom;
   double time;
   double step;
 
@@ -45,13 +45,15 @@ struct Setting {
     const Vector6d F = stacked(find_loads(body, around, halfway, time));
     return body.guide ? brought_back(F, halfway) : F;
   }
-  /// Loads of another pose on the guide as those of this one that do the same along it.
+  /// Loads of another pose on the guide as those of this one that do the same to its rates.
   Vector6d brought_back(const Vector6d& F, const hydro::BodyState& from) const {
-    const Vector6d& n = *ways.along;
-    return F + n * (direction(*body.guide, from) - n).dot(F) / n.squaredNorm();
+    const Ways& N = *freedom.ways;
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> more =
+        (ways(*body.guide, from) - N).transpose() * F;
+    return F + N * (N.transpose() * N).eval().llt().solve(more);
   }
   Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
-    return solve_free(matrix, rhs, ways);
+    return solve_free(matrix, rhs, freedom);
   }
   /// S⁻¹ rhs in the free degrees of freedom.
   Vector6d accelerated(const Vector6d& rhs) const {
@@ -69,7 +71,7 @@ Setting make_setting(Body& body, const Surroundings& around, const Middle& middl
           .state = middle.motion.state,
           .u = middle.mean(),
           .S = middle.inertia,
-          .ways = freedom(body, middle.motion.state),
+          .freedom = freedom(body, middle.motion.state),
           .time = time,
           .step = step};
 }

@@ -74,17 +74,18 @@ double period_error(double step, Type type) {
 }
 
 // The constraint acts halfway through each step, as in the leapfrog method.
-TEST(Ball, SwingsWithThePeriodOfThePendulumToSecondOrder) {
-  EXPECT_LT(period_error(0.01, Type::ball), tolerance(2e-4));
+TEST(Universal, SwingsWithThePeriodOfThePendulumToSecondOrder) {
+  EXPECT_LT(period_error(0.01, Type::universal), tolerance(2e-4));
   for (const double step : {0.01, 0.005})
-    EXPECT_NEAR(period_error(step, Type::ball) / period_error(step / 2, Type::ball), 4,
+    EXPECT_NEAR(period_error(step, Type::universal) / period_error(step / 2, Type::universal), 4,
                 tolerance(0.2));
 }
 
-// To the world it is a guide (guide.h). What is left is the straight line through two steps by
+// To the world they are guides (guide.h). What is left is the straight line through two steps by
 // which the crossing is found: (ω h)³/60 of the angle.
-TEST(Hinge, SwingsWithThePeriodOfThePendulum) {
+TEST(HingeAndBall, SwingWithThePeriodOfThePendulum) {
   EXPECT_LT(period_error(0.01, Type::hinge), tolerance(1e-6));
+  EXPECT_LT(period_error(0.01, Type::ball), tolerance(1e-6));
 }
 
 /// Largest distance of the rod's end from the pivot over 20 s, relative to the length.
