@@ -41,9 +41,9 @@ bool is_sudden(const Body& body, const KickHistory& last, const Kick& kick,
 
 bool turns_about(const Body& body) { return body.guide && body.guide->turns(); }
 
-/// True if a piece turns a body about its hinge by more than is resolved.
-bool turns_far(const Body& body, const hydro::BodyState& after, double h) {
-  return turns_about(body) && after.angular_velocity.norm() * h > kLargestSwing;
+/// True if a piece turns a body by so much that loads on its way are not those halfway.
+bool turns_far(const hydro::BodyState& after, double h) {
+  return after.angular_velocity.norm() * h > kLargestSwing;
 }
 
 /// How a body has moved relative to what the water surface never leaves.
@@ -143,7 +143,7 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
   const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
   result.sudden =
       kick.implicit ||
-      (body.wet && (turns_far(body, result.motion.state, h) ||
+      (body.wet && (turns_far(result.motion.state, h) ||
                     crosses(body, around, motion.state, result.motion.state) ||
                     (!result.motion.kicks.resolved() &&
                      is_sudden(body, motion.kicks, kick, R_BW, middle.after + kick.change, h))));
