@@ -35,14 +35,21 @@ Vector6d Cholesky6::solve_upper(const Vector6d& x) const {
   return lower_.transpose().triangularView<Eigen::Upper>().solve(x);
 }
 
+// Eigen unrolls the solution for a vector; for a matrix it allocates memory to work by blocks.
+Matrix6d Cholesky6::solve_lower_by_columns(const Matrix6d& X) const {
+  Matrix6d result;
+  for (int i = 0; i < 6; ++i) result.col(i) = solve_lower(Vector6d(X.col(i)));
+  return result;
+}
+
 Matrix6d Cholesky6::inverse() const {
-  const Matrix6d half = lower_.triangularView<Eigen::Lower>().solve(Matrix6d::Identity());
+  const Matrix6d half = solve_lower_by_columns(Matrix6d::Identity());
   return half.transpose() * half;
 }
 
 Matrix6d Cholesky6::relative(const Matrix6d& X) const {
-  const Matrix6d half = lower_.triangularView<Eigen::Lower>().solve(X);
-  const Matrix6d both = lower_.triangularView<Eigen::Lower>().solve(Matrix6d(half.transpose()));
+  const Matrix6d half = solve_lower_by_columns(X);
+  const Matrix6d both = solve_lower_by_columns(half.transpose());
   return (both + both.transpose()) / 2;
 }
 

@@ -39,6 +39,8 @@ class Cholesky6 {
   Matrix6d relative(const Matrix6d& X) const;
 
  private:
+  Matrix6d solve_lower_by_columns(const Matrix6d& X) const;
+
   Matrix6d lower_;
   bool positive_definite_;
 };

@@ -69,6 +69,7 @@ AddedMassSolution moved_origin(AddedMassSolution solution, const Vector3d& p) {
 
 Matrix6d semi_definite_part(const Matrix6d& matrix) {
   const Matrix6d symmetric = 0.5 * (matrix + matrix.transpose());
+  if (Cholesky6(symmetric).positive_definite()) return symmetric;
   const EigenDecomposition6 eigen = eigen_decomposition(symmetric);
   if (eigen.values[0] >= 0) return symmetric;
   const Vector6d kept = eigen.values.cwiseMax(0);
