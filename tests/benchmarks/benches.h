@@ -6,5 +6,9 @@
 namespace bench {
 
 void register_hydro();
+void register_step();
+void register_added_mass();
+void register_mesh();
+void register_frame();
 
 }  // namespace bench

@@ -5,6 +5,10 @@
 /// The project's benchmarks; `tools/benchmark` runs them and draws what they say.
 int main(int argc, char** argv) {
   bench::register_hydro();
+  bench::register_step();
+  bench::register_added_mass();
+  bench::register_mesh();
+  bench::register_frame();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
