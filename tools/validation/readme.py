@@ -7,10 +7,8 @@ import sys
 from pathlib import Path
 
 from case import Case
+from marked import rewrite_marked, table_lines
 from results import format_number
-
-kBegin = "<!-- accuracy:begin -->"
-kEnd = "<!-- accuracy:end -->"
 
 
 def rewrite_readme(readme: Path, results: Path, cases: list[Case]) -> None:
@@ -18,16 +16,10 @@ def rewrite_readme(readme: Path, results: Path, cases: list[Case]) -> None:
         if not path.is_file():
             hint = "" if path == readme else "; run tools/validate first"
             sys.exit(f"{path} is missing{hint}")
-    text = readme.read_text(encoding="utf-8")
-    if text.count(kBegin) != 1 or text.count(kEnd) != 1 or text.index(kBegin) > text.index(kEnd):
-        sys.exit(f"{readme} lacks the marks {kBegin} and {kEnd}, once each and in this order")
-    before, rest = text.split(kBegin)
-    after = rest.split(kEnd)[1]
-    readme.write_text(f"{before}{kBegin}\n{_table(results, cases)}\n{kEnd}{after}",
-                      encoding="utf-8")
+    rewrite_marked(readme, "accuracy", _table(results, cases))
 
 
-def _table(results: Path, cases: list[Case]) -> str:
+def _table(results: Path, cases: list[Case]) -> list[str]:
     """The quantities that stand for their cases."""
     titles = {case.name: case.title for case in cases}
     with open(results, newline="", encoding="utf-8") as file:
@@ -37,18 +29,15 @@ def _table(results: Path, cases: list[Case]) -> str:
                if not case.timed and name not in {row["case"] for row in rows}]
     if missing:
         sys.exit(f"{results} lacks {', '.join(missing)}; run tools/validate without names first")
-    lines = ["| case | quantity | kind | reference | ours | error | tolerance |",
-             "| --- | --- | --- | ---: | ---: | ---: | ---: |"]
-    lines += [_line(row, titles) for row in rows]
-    return "\n".join(lines)
+    header = ("case", "quantity", "kind", "reference", "ours", "error", "tolerance")
+    return table_lines(header, [_words(row, titles) for row in rows], words=3)
 
 
-def _line(row: dict[str, str], titles: dict[str, str]) -> str:
+def _words(row: dict[str, str], titles: dict[str, str]) -> tuple[str, ...]:
     if not row["ours"]:
         sys.exit(f"{row['case']} could not be measured; the table stays as it is")
     unit = "" if row["unit"] == "–" else f" {row['unit']}"
     tolerance = f"{float(row['tolerance']):.2g}" if row["tolerance"] else ""
-    return (f"| {titles[row['case']]} | {row['quantity']} | {row['kind']} "
-            f"| {format_number(float(row['reference']))}{unit} "
-            f"| {format_number(float(row['ours']))}{unit} "
-            f"| {float(row['error']):.1e} | {tolerance} |")
+    return (titles[row["case"]], row["quantity"], row["kind"],
+            f"{format_number(float(row['reference']))}{unit}",
+            f"{format_number(float(row['ours']))}{unit}", f"{float(row['error']):.1e}", tolerance)

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import csv
 import json
-import sys
 from dataclasses import asdict, fields
 from pathlib import Path
 
 from judgement import Judgement, Ratio, judge
+from marked import rewrite_marked, table_lines
 from studies import Finding, Row
 
 kMethods = ("baseline", "default", "tolerance")
-kBegin = "<!-- work-precision:begin -->"
-kEnd = "<!-- work-precision:end -->"
 
 
 def write_results(folder: Path, findings: list[Finding], machine: dict) -> None:
@@ -95,11 +93,4 @@ def print_table(findings: list[Finding]) -> None:
 
 def rewrite_readme(readme: Path, findings: list[Finding]) -> None:
     """The table between its two marks."""
-    text = readme.read_text(encoding="utf-8")
-    if text.count(kBegin) != 1 or text.count(kEnd) != 1 or text.index(kBegin) > text.index(kEnd):
-        sys.exit(f"{readme} lacks the marks {kBegin} and {kEnd}, once each and in this order")
-    before, rest = text.split(kBegin)
-    lines = ["| " + " | ".join(line) + " |" for line in
-             (kHeader, ("---", "---") + ("---:",) * (len(kHeader) - 2), *table(findings))]
-    readme.write_text("\n".join([before + kBegin, *lines, kEnd]) + rest.split(kEnd)[1],
-                      encoding="utf-8")
+    rewrite_marked(readme, "work-precision", table_lines(kHeader, table(findings), words=2))
