@@ -6,7 +6,6 @@ import argparse
 import csv
 import json
 import os
-import platform
 import shutil
 import sys
 import time
@@ -16,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmark import cpu_name, processors
+from machine import this_machine
 from meshes import geodesic_sphere, write_obj
 from plimsoll import Plimsoll
 
@@ -150,9 +149,7 @@ def main() -> int:
         print(f"there is no program {program}; tools/benchmark builds it", file=sys.stderr)
         return 2
     from added_mass_chart import draw
-    machine = {"cpu": cpu_name(), "processors": processors(),
-               "system": f"{platform.system()} {platform.machine()}", "blas": blas_name(),
-               "load_average": os.getloadavg()[0]}
+    machine = {**this_machine(), "blas": blas_name()}
     work = arguments.out / "work"
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)

@@ -10,15 +10,13 @@ import plots
 
 pyplot = plots.pyplot
 
-kStyle = {"svg.fonttype": "path", "font.size": 8, "axes.titlesize": 9, "lines.linewidth": 1.3,
-          "lines.markersize": 4}
 kGuide = "#b9c2ca"
 kDirect = 5000  # Triangles up to which all pairs of panels are stored.
 
 
 def draw(found, machine: dict, folder: Path) -> None:
     """SVG and PNG."""
-    with pyplot.rc_context(kStyle):
+    with pyplot.rc_context(plots.kFigureStyle):
         figure, (left, right) = pyplot.subplots(1, 2, figsize=(8.2, 3.7), layout="constrained")
         for name, curve in _curves(found).items():
             unknowns = [m.unknowns for m in curve]
@@ -34,9 +32,7 @@ def draw(found, machine: dict, folder: Path) -> None:
         left.legend(loc="upper left", fontsize=7)
         figure.suptitle(f"Added mass of a sphere, six motions – {machine['cpu']}, "
                         f"{machine['processors']} processors", fontsize=9, x=0.01, ha="left")
-        figure.savefig(folder / "added_mass.svg", metadata={"Date": None})
-        figure.savefig(folder / "added_mass.png", dpi=160)
-        pyplot.close(figure)
+        plots.save(figure, folder, "added_mass")
 
 
 kQuadratic = "default, quadratic, up to 5,000 triangles"

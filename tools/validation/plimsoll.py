@@ -113,11 +113,11 @@ class Plimsoll:
         return next(iter(json.loads(text)["bodies"].values()))
 
     def run(self, scene: str | Path, name: str,
-            overrides: dict | None = None, threads: int = 1) -> tuple[dict[str, Track], dict]:
+            overrides: dict | None = None) -> tuple[dict[str, Track], dict]:
         """Trajectories by body, and the summary; `name` is the folder of the run."""
         out = self.work / name
         self._call("run", self._scene(scene), "--out", str(out), "--no-render", "--quiet",
-                   "--threads", str(threads), *_set_options(overrides or {}))
+                   "--threads", "1", *_set_options(overrides or {}))
         return _tracks(out / "trajectory.csv"), json.loads((out / "summary.json").read_text())
 
     def run_one(self, scene: str | Path, name: str, overrides: dict | None = None) -> Track:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from pathlib import Path
 
 import matplotlib
 
@@ -23,6 +24,18 @@ pyplot.rcParams.update({
     "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
     "legend.fontsize": 8.5, "lines.linewidth": 1.5, "lines.markersize": 5,
 })
+
+# Of figures that stand on their own, beside the text of a README.
+kFigureStyle = {"svg.fonttype": "path", "font.size": 8, "axes.titlesize": 9,
+                "lines.linewidth": 1.3, "lines.markersize": 4}
+
+
+def save(figure, folder: Path, name: str) -> Path:
+    """As SVG and as PNG; the latter's path."""
+    figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
+    figure.savefig(folder / f"{name}.png", dpi=160)
+    pyplot.close(figure)
+    return folder / f"{name}.png"
 
 
 def draw(plot: Plot) -> str:

@@ -16,8 +16,7 @@ kColor = {"baseline": "#7a858f", "default": "#0b6e99", "tolerance": "#c8553d"}
 kMarker = {"baseline": "s", "default": "o", "tolerance": "^"}
 kName = {"baseline": "plain: loads once a step, ODE's step", "default": "default, fixed step",
          "tolerance": "default, with a tolerance"}
-kStyle = {"svg.fonttype": "path", "font.size": 8, "axes.titlesize": 9, "lines.linewidth": 1.3,
-          "lines.markersize": 3.6}
+kStyle = {**plots.kFigureStyle, "lines.markersize": 3.6}
 kFaint = "#b9c2ca"
 kText = "#37424d"
 
@@ -29,12 +28,8 @@ def draw_all(findings: list[Finding], folder: Path) -> list[Path]:
     with pyplot.rc_context(kStyle):
         for name, draw in figures.items():
             figure = draw(findings)
-            if figure is None:
-                continue
-            figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
-            figure.savefig(folder / f"{name}.png", dpi=160)
-            pyplot.close(figure)
-            written.append(folder / f"{name}.png")
+            if figure is not None:
+                written.append(plots.save(figure, folder, name))
     return written
 
 

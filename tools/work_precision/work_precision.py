@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import shutil
 import sys
 import time
@@ -13,8 +12,8 @@ from pathlib import Path
 kRoot = Path(__file__).resolve().parents[2]
 sys.path.append(str(kRoot / "tools" / "validation"))
 
-from benchmark import cpu_name, processors  # noqa: E402  It lies in the folder added above.
 from experiments import Experiment, kExperiments  # noqa: E402
+from machine import this_machine  # noqa: E402  It lies in the folder added above.
 from measurement import Laboratory  # noqa: E402
 from output import print_table, rewrite_readme, write_results  # noqa: E402
 from plimsoll import Plimsoll  # noqa: E402
@@ -114,9 +113,7 @@ def main() -> int:
         print(f"there is no program {arguments.program}; tools/benchmark builds it",
               file=sys.stderr)
         return 2
-    machine = {"cpu": cpu_name(), "processors": processors(),
-               "system": f"{platform.system()} {platform.machine()}",
-               "load_average": os.getloadavg()[0]}
+    machine = this_machine()
     shutil.rmtree(arguments.out / "work", ignore_errors=True)
     (arguments.out / "work").mkdir(parents=True)
     findings: list[Finding] = []

@@ -8,8 +8,6 @@ from plimsoll import Plimsoll
 kScene = "validation/held_sphere.yaml"
 kCounts = (16, 32, 64, 96, 128)
 kRepeats = 2
-
-
 kStates = {"submerged": -3.0, "half immersed": 0.0}  # Height of the centre [m].
 kStepsTimed = 60
 
@@ -19,14 +17,13 @@ def triangle_count(count: int) -> int:
     return 2 * count * (count - 1)
 
 
-def hydro_time(plimsoll: Plimsoll, count: int, height: float, threads: int = 1,
-               repeats: int = kRepeats) -> float:
+def hydro_time(plimsoll: Plimsoll, count: int, height: float) -> float:
     """Of one simulated second at 60 Hz, the least of some runs [s]."""
     times = []
-    for repeat in range(repeats):
-        _, summary = plimsoll.run(kScene, f"cost_{count}_{height:g}_{threads}_{repeat}", {
+    for repeat in range(kRepeats):
+        _, summary = plimsoll.run(kScene, f"cost_{count}_{height:g}_{repeat}", {
             "bodies[0].sphere.slices": count, "bodies[0].sphere.stacks": count,
-            "bodies[0].position": [0, 0, height]}, threads=threads)
+            "bodies[0].position": [0, 0, height]})
         times.append(summary["wall_seconds"]["hydro"])
     return min(times)
 
