@@ -23,7 +23,7 @@ kFewest, kMost = 1280, 81920  # Triangles between which the README tells the gro
 
 # Loads that the README tells of, and the figure shows: state and what of BM_Hydro.
 kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
-          ("waves", ""): "half immersed, in waves",
+          ("waves", ""): "half immersed, in a wave",
           ("half", "viscous"): "half immersed, with viscous drag",
           ("half", "no_tree"): "half immersed, without the tree",
           ("half", "plain"): "half immersed, plain sum, not vectorised"}
@@ -207,8 +207,8 @@ def load_table(found: Findings) -> list[str]:
     for kind, title in {**kShown, kBare: "bare vectorised loop"}.items():
         curve = found.curve(*kind)
         rows.append((title, time_words(curve[kFewest]), time_words(curve[kMost]),
-                     f"{curve[kMost] / curve[kFewest]:.1f} ×",
-                     f"{curve[kMost] / bare[kMost]:.2f} ×"))
+                     f"{curve[kMost] / curve[kFewest]:.3g} ×",
+                     f"{curve[kMost] / bare[kMost]:.3g} ×"))
     return table_lines(("loads on a sphere", f"{kFewest:,} triangles", f"{kMost:,} triangles",
                         f"growth, {kMost // kFewest} × the triangles",
                         "the latter over the bare loop"), rows, words=1)
@@ -216,7 +216,8 @@ def load_table(found: Findings) -> list[str]:
 
 def step_table(found: Findings) -> list[str]:
     counts = sorted({step.bodies for step in found.steps})
-    cells = {(step.arrangement, step.bodies): f"{step.per_body:.1f} µs" for step in found.steps}
+    cells = {(step.arrangement, step.bodies): time_words(step.per_body * 1e-6)
+             for step in found.steps}
     rows = [(name, *(cells.get((name, count), "–") for count in counts))
             for name in kArrangements.values()]
     return table_lines(("step of 1/60 s, a body, crates afloat",

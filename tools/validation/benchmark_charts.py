@@ -16,7 +16,7 @@ kGuide = "#9aa5ae"
 # Colour, marker and dash of a curve, and its words at its right end.
 kLooks = {("half", "plain"): ("#7a858f", "s", "-", "plain sum"),
           ("half", "no_tree"): ("#c8553d", "D", (0, (4, 2)), "half, without the tree"),
-          ("waves", ""): ("#4c8c4a", "^", "-", "half, in waves"),
+          ("waves", ""): ("#4c8c4a", "^", "-", "half, in a wave"),
           kBare: ("#1d252c", "x", (0, (1, 1.2)), "bare loop"),
           ("half", "viscous"): ("#8a5a9e", "P", "-", "half, with viscous drag"),
           ("half", ""): ("#c8553d", "o", "-", "half immersed"),
