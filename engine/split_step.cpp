@@ -57,6 +57,10 @@ double turn_length(const Body& body, const Surroundings& around, double step, do
   return step / std::max(1.0, std::ceil(step / longest));
 }
 
+/// A step in which loads throw a body through the surface is cut in pieces shorter than the
+/// shortest by other rules by this.
+constexpr double kLeapParts = 16;
+
 /// As kMostPasses: a pass of an island solves its constraints, often many times.
 constexpr int kMostIslandPasses = 2;
 
@@ -117,7 +121,7 @@ bool SplitStep::advance_soundly(const std::vector<std::vector<BodyId>>& islands,
     leapt =
         leapt || (body.wet && leaps(body, around_, before.motion.state, body.motion.state, step));
   });
-  if (may_halve && (gained || leapt)) {
+  if ((may_halve && gained) || (leapt && step / 2 >= shortest_ / kLeapParts)) {
     for_members([](Body& body, const Before& before) {
       body.motion = before.motion;
       body.reaction_B = before.reaction_B;
