@@ -19,6 +19,7 @@ using engine::JointSpec;
 using engine::Simulation;
 using engine::SimulationSpec;
 using hydro::Vector6d;
+using support::distance;
 using support::tolerance;
 using Type = JointSpec::Type;
 
@@ -37,11 +38,6 @@ SimulationSpec in_deep_water(support::Random& random, Type type, double step) {
                   .anchor_W = box.initial.position + random.vector(1),
                   .axis_W = random.vector(1).normalized()}};
   return spec;
-}
-
-double distance(const hydro::BodyState& a, const hydro::BodyState& b) {
-  return std::max((a.position - b.position).norm(),
-                  2 * (a.orientation * b.orientation.conjugate()).vec().norm());
 }
 
 TEST(Guide, MakesAPendulumOfMoreThanSecondOrder) {

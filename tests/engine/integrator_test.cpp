@@ -15,6 +15,7 @@ using engine::BodySpec;
 using engine::Integrator;
 using engine::Simulation;
 using engine::SimulationSpec;
+using support::distance;
 using support::tolerance;
 
 BodySpec barge() {
@@ -32,12 +33,6 @@ SimulationSpec in_water(const BodySpec& body, double step) {
   SimulationSpec spec = support::dry_world({body}, step);
   spec.sea.emplace();
   return spec;
-}
-
-/// Largest distance in place [m] and angle [rad].
-double distance(const hydro::BodyState& a, const hydro::BodyState& b) {
-  return std::max((a.position - b.position).norm(),
-                  2 * (a.orientation * b.orientation.conjugate()).vec().norm());
 }
 
 hydro::BodyState rocked(SimulationSpec spec, double time) {

@@ -1,5 +1,6 @@
 #include "tests/engine/specs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -87,6 +88,11 @@ double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyS
            state.angular_velocity.dot(spin(body, state)) / 2;
   }
   return sum;
+}
+
+double distance(const hydro::BodyState& a, const hydro::BodyState& b) {
+  return std::max((a.position - b.position).norm(),
+                  2 * (a.orientation * b.orientation.conjugate()).vec().norm());
 }
 
 Eigen::Vector3d spin(const engine::BodySpec& body, const hydro::BodyState& state) {

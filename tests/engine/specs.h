@@ -35,6 +35,9 @@ Eigen::Quaterniond lying_on_slope(double angle, double heading);
 /// Kinetic and potential energy of all bodies, the latter from z = 0 [J].
 double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyState>& states);
 
+/// Largest distance of two states in place [m] and angle [rad].
+double distance(const hydro::BodyState& a, const hydro::BodyState& b);
+
 /// Angular momentum about the body's centre of mass, in W [kg m^2/s].
 Eigen::Vector3d spin(const engine::BodySpec& body, const hydro::BodyState& state);
 
