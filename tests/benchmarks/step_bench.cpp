@@ -66,7 +66,7 @@ engine::SimulationSpec world_of(const Crates& crates) {
   return spec;
 }
 
-/// The world a second later, made once.
+/// The world once they have settled, made once.
 const engine::SimulationSpec& settled(const Crates& crates) {
   static std::map<Crates, engine::SimulationSpec> made;
   const auto [entry, is_new] = made.try_emplace(crates);
