@@ -1,7 +1,6 @@
 #include "engine/added_inertia.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "engine/locks.h"
@@ -21,28 +20,41 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   return matrix;
 }
 
-/// (1) in the ways N that are left: S of its result is that for u = N q', and in the rest as it
-/// was.
+/// The basis of (1).
+struct Split {
+  Split(const Matrix6d& inertia, const Matrix6d& change) : S(inertia) {
+    const hydro::EigenDecomposition6 eigen = hydro::eigen_decomposition(S.relative(change));
+    mu = eigen.values;
+    V = eigen.vectors;
+    root = S.lower() * V;
+  }
+  /// What multiplies the inertia in each of its directions.
+  Vector6d factor() const { return 1 + mu.array().max(mu.array() / 2); }
+  Matrix6d inertia() const { return root * factor().asDiagonal() * root.transpose(); }
+  Vector6d velocity(const Vector6d& u) const {
+    const Vector6d kept = (root.transpose() * u).array() / (1 + mu.array().max(0.0));
+    return S.solve_upper(V * kept);
+  }
+
+  hydro::Cholesky6 S;
+  Vector6d mu;    ///< Ascending.
+  Matrix6d V;     ///< Lᵀ x_i, with S = L Lᵀ.
+  Matrix6d root;  ///< The momenta S x_i.
+};
+
+/// (1) in the ways N that are left. The inertia of the result is right for u = N q' alone.
 InertiaChange change_along(const Ways& N, const Matrix6d& inertia, const Matrix6d& change,
                            const Vector6d& u) {
-  using Reduced = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
-  const Reduced S = N.transpose() * inertia * N;
-  const Reduced D = N.transpose() * change * N;
-  const Eigen::LLT<Reduced> root_S(S);
-  const Reduced L = root_S.matrixL();
-  const Reduced half = root_S.matrixL().solve(D);
-  const Reduced relative = root_S.matrixL().solve(half.transpose().eval());
-  const Eigen::SelfAdjointEigenSolver<Reduced> eigen(relative);
-  const auto mu = eigen.eigenvalues().array();
-  const Reduced root = L * eigen.eigenvectors();
-  const Ways conjugate = inertia * N * root_S.solve(root);  // of unit energy, as momenta
-  const auto grown = mu.max(mu / 2);
-  InertiaChange result{.inertia = inertia};
-  for (Eigen::Index k = 0; k < N.cols(); ++k)
-    result.inertia += grown[k] * conjugate.col(k) * conjugate.col(k).transpose();
-  const auto kept = (conjugate.transpose() * u).array() / (1 + mu.max(0.0));
-  result.velocity = N * root_S.solve(root * kept.matrix());
-  return result;
+  // Rates that are not there are added, with a unit of inertia that does not change.
+  Matrix6d all = Matrix6d::Zero();
+  all.leftCols(N.cols()) = N;
+  Matrix6d S = all.transpose() * inertia * all;
+  S.diagonal().tail(6 - N.cols()).setOnes();
+  const Split split(S, all.transpose() * change * all);
+  const Matrix6d conjugate = inertia * all * hydro::Cholesky6(S).inverse();
+  const Matrix6d grown = split.inertia() - S;
+  const Vector6d rates = split.velocity(conjugate.transpose() * u);
+  return {.inertia = inertia + conjugate * grown * conjugate.transpose(), .velocity = all * rates};
 }
 
 }  // namespace
@@ -59,13 +71,8 @@ InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
   if (change.isZero(0)) return {.inertia = inertia, .velocity = u};
   if (freedom.ways) return change_along(*freedom.ways, inertia, change, u);
   const DofMask& locked = freedom.locked;
-  const hydro::Cholesky6 S(uncoupled(inertia, locked, 1));
-  const auto [mu, V] = hydro::eigen_decomposition(S.relative(uncoupled(change, locked, 0)));
-  const Matrix6d root = S.lower() * V;
-  const Vector6d kept = (root.transpose() * u).array() / (1 + mu.array().max(0.0));
-  const Vector6d factor = 1 + mu.array().max(mu.array() / 2);
-  InertiaChange result{.inertia = root * factor.asDiagonal() * root.transpose(),
-                       .velocity = S.solve_upper(V * kept)};
+  const Split split(uncoupled(inertia, locked, 1), uncoupled(change, locked, 0));
+  InertiaChange result{.inertia = split.inertia(), .velocity = split.velocity(u)};
   for (int i = 0; i < 6; ++i)
     if (locked[static_cast<std::size_t>(i)]) result.velocity[i] = u[i];
   return result;

@@ -190,7 +190,8 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
   Piece whole = piece(body, around, motion, time, h);
   // Of what was halved for its energy each part is looked at.
   if (!whole.sudden && halvings == kMostHalvings) return whole.motion;
-  if (halvings > 0 && leaps(body, around, motion.state, whole.motion.state, h)) return in_halves();
+  if (whole.sudden && halvings > 0 && leaps(body, around, motion.state, whole.motion.state, h))
+    return in_halves();
   if (!must_not_gain_energy(body, around)) return whole.motion;
   EnergyRange range = motion.energy;
   const double potential = potential_energy(body, around, motion.state);

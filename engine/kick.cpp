@@ -47,10 +47,11 @@ struct Setting {
   }
   /// Loads of another pose on the guide as those of this one that do the same to its rates.
   Vector6d brought_back(const Vector6d& F, const hydro::BodyState& from) const {
-    const Ways& N = *freedom.ways;
-    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> more =
-        (ways(*body.guide, from) - N).transpose() * F;
-    return F + N * (N.transpose() * N).eval().llt().solve(more);
+    const Ways more = ways(*body.guide, from) - *freedom.ways;  // none on a slider
+    Vector6d result = F;
+    for (Eigen::Index i = 0; i < more.cols(); ++i)
+      result.tail<3>() += more.col(i).dot(F) * freedom.ways->col(i).tail<3>();
+    return result;
   }
   Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
     return solve_free(matrix, rhs, freedom);
