@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "engine/added_inertia.h"
 #include "engine/locks.h"
@@ -14,9 +16,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int kMostIterations = 40;
+constexpr double kSlow = 0.1;    // of the residual, left by one substitution
+constexpr double kMostTurn = 1;  // in one solution of (2) [rad]
 constexpr int kMostPieces = 1024;
 constexpr int kMostHalvings = 6;
 constexpr double kConverged = 1e-15;  // of the momentum
+constexpr double kRoundOff = 1e-12;   // of the momentum, of ill-conditioned inertia at most
 constexpr double kKept = 1e-9;        // of the energy, where that is not reached
 
 /// a of equation (2).
@@ -61,35 +66,69 @@ bool keeps_energy(const Matrix6d& S_inverse, const Vector6d& p0, const Vector6d&
   return std::abs(p1.dot(S_inverse * p1) - before) <= kKept * before;
 }
 
+/// [v]×, the matrix of v × .
+Matrix3d cross_matrix(const Vector3d& v) {
+  Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+/// Derivative of p − p₀ − a (P × ω, L × ω + P × v) by p, with u = S⁻¹ p: that of (2), a held.
+Matrix6d slope(const Matrix6d& S_inverse, const Vector6d& p, const Vector6d& u, double a) {
+  Matrix6d by_u = Matrix6d::Zero(), by_p = Matrix6d::Zero();
+  by_u.topRightCorner<3, 3>() = by_u.bottomLeftCorner<3, 3>() = cross_matrix(p.head<3>());
+  by_u.bottomRightCorner<3, 3>() = cross_matrix(p.tail<3>());
+  by_p.topLeftCorner<3, 3>() = by_p.bottomRightCorner<3, 3>() = -cross_matrix(u.tail<3>());
+  by_p.bottomLeftCorner<3, 3>() = -cross_matrix(u.head<3>());
+  return Matrix6d::Identity() - a * (by_u * S_inverse + by_p);
+}
+
+/// The mean momentum of (2) with its velocity and a.
+struct Mean {
+  Vector6d p = Vector6d::Zero();
+  Vector6d u = Vector6d::Zero();
+  double a = 0;
+};
+
+/// Solves (2) from the momentum p: by repeated substitution while that is quick, by Newton's method
+/// where it is not. Nothing, should neither do.
+std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, double time) {
+  Mean mean{.p = p};
+  std::optional<Eigen::PartialPivLU<Matrix6d>> newton;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    mean.u = S_inverse * mean.p;
+    const double speed = mean.u.tail<3>().norm();
+    if (!(speed * time < kMostTurn)) return std::nullopt;  // the tangent has a pole
+    mean.a = half_step(speed, time);
+    const Vector6d rest = p + mean.a * kirchhoff(mean.p, mean.u) - mean.p;
+    const double size = rest.norm();
+    if (size <= kConverged * mean.p.norm()) return mean;
+    if (size >= last && size <= kRoundOff * mean.p.norm()) break;
+    if (size > kSlow * last) newton.emplace(slope(S_inverse, mean.p, mean.u, mean.a));
+    last = size;
+    mean.p += newton ? newton->solve(rest) : rest;
+  }
+  mean.u = S_inverse * mean.p;
+  if (!keeps_energy(S_inverse, p, 2 * mean.p - p)) return std::nullopt;
+  return mean;
+}
+
 /// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
 /// no half do, the body moves on as it does, which keeps the energy too.
 void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) {
-  Vector6d mean = m.p;
-  Vector6d u = S_inverse * mean;
-  double a = half_step(u.tail<3>().norm(), time);
-  bool solved = false;
-  for (int i = 0; i < kMostIterations && !solved; ++i) {
-    const Vector6d next = m.p + a * kirchhoff(mean, u);
-    const double change = (next - mean).squaredNorm();
-    mean = next;
-    u = S_inverse * mean;
-    a = half_step(u.tail<3>().norm(), time);
-    solved = change <= kConverged * kConverged * mean.squaredNorm();
-    if (!(u.tail<3>().norm() * time < 1)) break;  // the tangent has a pole
-  }
-  if (!solved && !(keeps_energy(S_inverse, m.p, 2 * mean - m.p) && u.tail<3>().norm() * time < 1)) {
+  std::optional<Mean> mean = solve_mean(S_inverse, m.p, time);
+  if (!mean) {
     if (halvings > 0) {
       advance(S_inverse, m, time / 2, halvings - 1);
       return advance(S_inverse, m, time / 2, halvings - 1);
     }
-    mean = m.p;
-    u = S_inverse * mean;
-    a = 0;
+    mean = {.p = m.p, .u = S_inverse * m.p};
   }
-  m.x += m.R * displacement(u, m.p.head<3>(), mean.head<3>(), a, time);
-  m.q = (m.q * exponential(time * u.tail<3>())).normalized();
+  m.x += m.R * displacement(mean->u, m.p.head<3>(), mean->p.head<3>(), mean->a, time);
+  m.q = (m.q * exponential(time * mean->u.tail<3>())).normalized();
   m.R = m.q.toRotationMatrix();
-  m.p = 2 * mean - m.p;
+  m.p = 2 * mean->p - m.p;
 }
 
 /// Euler's equations for the angular momentum L in B by (2); returns ω̄.
