@@ -60,7 +60,8 @@ build() {
   fi
   if ! ninja -C "$folder" -n "$target" | tail -n 1 | grep -q 'no work to do'; then
     say "plimsoll: building ($preset)"
-    ninja -C "$folder" "$target" >&2 || exit 2
+    # One compiler a core: more of them wait for memory and take longer.
+    ninja -C "$folder" -j "$(nproc)" "$target" >&2 || exit 2
   fi
   exec 9>&-
 }

@@ -5,6 +5,7 @@
 #include "engine/world.h"
 #include "tests/engine/specs.h"
 #include "tests/support/random_pose.h"
+#include "tests/support/repeats.h"
 
 namespace {
 
@@ -44,7 +45,7 @@ SimulationSpec tangle(unsigned seed, double ratio) {
 }
 
 TEST(Stress, ContradictoryConstraintsDoNotEndASimulation) {
-  for (unsigned seed = 1; seed <= 30; ++seed) {
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(support::repeats(30)); ++seed) {
     SCOPED_TRACE(seed);
     EXPECT_NO_THROW(support::after(tangle(seed, 1e5), 200));
   }

@@ -236,7 +236,7 @@ TEST(Loads, InShortWavesConvergeToThoseOfAFineMesh) {
   Sea sea = kStillSea;
   sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.2, 3, 0.4, 1, 9.81),
                                     hydro::deep_water_wave(0.1, 2, -1.1, 2, 9.81)}};
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < support::repeats(5); ++i) {
     BodyState state = random.state(1, 1);
     const Loads coarse =
         hydro::compute_loads(hydro::make_hull(hydro::make_box({6, 4, 2})), state, sea, 1.5, {});

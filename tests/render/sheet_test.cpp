@@ -70,7 +70,7 @@ TEST(ContactSheet, HasTheScaleBelowIfThereIsOne) {
 }
 
 TEST(ContactSheet, KeepsManyPicturesEvenlySpacedFromTheFirst) {
-  for (const int count : {1, 5, 24, 25, 26, 47, 48, 49, 100, 1000}) {
+  for (const int count : {1, 5, 24, 25, 26, 47, 48, 49, 100, 250}) {
     const std::vector<double> times = sheet_of(count, 0.5, std::nullopt).times();
     ASSERT_LE(times.size(), static_cast<std::size_t>(ContactSheet::kMostFrames)) << count;
     EXPECT_EQ(times.front(), 0);
