@@ -16,10 +16,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int kMostIterations = 40;
-constexpr double kSlow = 0.1;    // of the residual, left by one substitution
-constexpr double kMostTurn = 1;  // in one solution of (2) [rad]
-constexpr int kMostPieces = 1024;
-constexpr int kMostHalvings = 6;
+constexpr double kSlow = 0.1;             // of the residual, left by one substitution
+constexpr double kLargestSolvedTurn = 1;  // in one solution of (2) [rad]
+constexpr int kMostParts = 1024;
+constexpr int kMostHalves = 6;
 constexpr double kConverged = 1e-15;  // of the momentum
 constexpr double kRoundOff = 1e-12;   // of the momentum, of ill-conditioned inertia at most
 constexpr double kKept = 1e-9;        // of the energy, where that is not reached
@@ -32,8 +32,7 @@ double half_step(double speed, double time) {
 
 /// Number of equal pieces in which no rate [rad/s] turns further than kLargestTurn.
 int pieces(double rate, double time) {
-  return static_cast<int>(
-      std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostPieces));
+  return static_cast<int>(std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostParts));
 }
 
 /// What turns with the body in (2): momentum in B and the attitude.
@@ -99,7 +98,7 @@ std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, dou
   for (int i = 0; i < kMostIterations; ++i) {
     mean.u = S_inverse * mean.p;
     const double speed = mean.u.tail<3>().norm();
-    if (!(speed * time < kMostTurn)) return std::nullopt;  // the tangent has a pole
+    if (!(speed * time < kLargestSolvedTurn)) return std::nullopt;  // the tangent has a pole
     mean.a = half_step(speed, time);
     const Vector6d rest = p + mean.a * kirchhoff(mean.p, mean.u) - mean.p;
     const double size = rest.norm();
@@ -196,7 +195,7 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& stat
   m.p = inertia_B * u_B;
   const Matrix6d S_inverse = hydro::Cholesky6(inertia_B).inverse();
   const int count = pieces(turning_rate(inertia_B, u_B), time);
-  for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostHalvings);
+  for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostHalves);
   hydro::BodyState next = with_velocity(state, turned(m.R, Vector6d(S_inverse * m.p)), current);
   next.position += m.x + time * current;
   next.orientation = m.q;

@@ -6,10 +6,10 @@
 /// The step of a body that nothing holds, or one joint along a way (guide.h), and that touches
 /// nothing.
 ///
-/// A piece of length h is half a drift, a kick and half a drift (free_motion.h, kick.h), the added
-/// mass taken anew halfway (added_inertia.h): symmetric in time and of second order but for
-/// impacts. Each part alone never adds energy, up to the difference between a load's work over the
-/// piece and its value halfway. So a step is cut in pieces
+/// A piece of length h is half a drift, a kick and half a drift (free_motion.h or guide.h; kick.h),
+/// the added mass taken anew halfway (added_inertia.h): symmetric in time and of second order but
+/// for impacts. Each part alone never adds energy, up to the difference between a load's work over
+/// the piece and its value halfway. So a step is cut in pieces
 /// - in which a body that crosses the water surface moves by no more than half its own height, and
 ///   turns by no more than half a radian while it is wet;
 /// - in halves, if loads throw the body through the surface by more than kLongestLeap of its
@@ -17,8 +17,10 @@
 /// - in which a body that bobs or rocks goes through no more than a quarter of a radian of that;
 /// - in still water, if the energy comes to be more than the lowest so far by twice kEnergyGain of
 ///   the greatest so far: in halves, kMostHalvings times, and at the end the motion is slowed by
-///   what is too much. Above once that the motion is slowed without more pieces. Where lift or
-///   applied loads drive the body the energy is compared with that of the piece's start.
+///   what is too much; each half is looked at again. Above once that, or where the body turns round
+///   and round in a piece, the motion is slowed without more pieces. Where lift or applied loads
+///   drive the body the energy is compared with that of the piece's start. Looked at are pieces in
+///   which loads change suddenly or are stiff, and those of a wet body that turns far.
 ///
 /// Equation (1) of kick.h makes pieces of second order, but for loads that hang on the pose alone
 /// of the shape P N P⁻¹ with N of fourth order [R91]. Between two pieces P⁻¹ and P cancel; what is
@@ -40,6 +42,9 @@ inline constexpr int kMostPieces = 64;  ///< By the first rule, in a step.
 /// Length of the first of the equal pieces in which the rest of a step is to be taken [s].
 double piece_length(const Body& body, const Surroundings& around, const Motion& motion, double rest,
                     double shortest);
+
+/// Rate at which a body and its momentum turn by its own inertia and that of the water [rad/s].
+double own_turning_rate(const Body& body, const Surroundings& around, const Motion& motion);
 
 /// True if loads have thrown a body through the water's surface, or from it or to it, by more than
 /// kLongestLeap of its height in a time h [s]: they were not those on its way.

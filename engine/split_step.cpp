@@ -49,10 +49,7 @@ constexpr double kLargestHeldTurn = 0.25;
 
 /// Length of equal pieces of a step in which a body turns by no more than kLargestHeldTurn.
 double turn_length(const Body& body, const Surroundings& around, double step, double shortest) {
-  const Motion& motion = body.motion;
-  const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
-  const double rate = turning_rate(body.rigid_B + motion.added_B,
-                                   turned(R_BW, velocity(motion.state, around.current())));
+  const double rate = own_turning_rate(body, around, body.motion);
   const double longest = std::max(shortest, rate > 0 ? kLargestHeldTurn / rate : step);
   return step / std::max(1.0, std::ceil(step / longest));
 }

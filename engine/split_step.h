@@ -68,7 +68,7 @@ class SplitStep {
   bool jointed_;
   double tolerance_;
   double collision_seconds_ = 0;
-  double shortest_ = 0;         ///< No island is taken in shorter pieces in this step [s].
+  double shortest_ = 0;         ///< Piece that motion or energy ask for [s].
   std::vector<Motion> middle_;  ///< Halfway through the step, before the kick.
   std::vector<Before> before_;  ///< Of the members of islands, at the start of the step.
   std::vector<bool> touching_;  ///< Per body: it has contacts in this step.
