@@ -106,6 +106,7 @@ double box_overlap(dxGeom* first, dxGeom* second) {
 }
 
 bool is_sphere(dxGeom* geom) { return dGeomGetClass(geom) == dSphereClass; }
+bool is_mesh(dxGeom* geom) { return dGeomGetClass(geom) == dTriMeshClass; }
 
 double extent_of(const std::vector<ContactPoint>& points) {
   Eigen::AlignedBox3d box;
@@ -222,7 +223,8 @@ void World::join_contacts(const Pair& pair, double step) {
   const double reach = kReachInSteps * step * approach(all.front().position_W).norm();
   std::vector<ContactPoint> points = without_artefacts(all, reach, boxes);
   if (is_sphere(first) || is_sphere(second)) points = holding_a_sphere(std::move(points));
-  const std::vector<std::size_t> kept = representative(points, kContactsOfPair);
+  const std::size_t most = is_mesh(first) || is_mesh(second) ? kContactsOfPair : kContactsOfFace;
+  const std::vector<std::size_t> kept = representative(points, most);
   if (kept.empty()) return;
   touching_.push_back(pair);
   const ContactStiffness stiffness =

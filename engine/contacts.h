@@ -39,7 +39,8 @@ namespace engine {
 
 inline constexpr double kFriction = 0.5;           ///< µ [-].
 inline constexpr double kShortestContact = 0.01;   ///< Least τ [s].
-inline constexpr std::size_t kContactsOfPair = 8;  ///< A flat face needs 4.
+inline constexpr std::size_t kContactsOfPair = 8;  ///< Of meshes, whose points scatter.
+inline constexpr std::size_t kContactsOfFace = 4;  ///< Of boxes and planes: corners of a flat face.
 
 /// A point where two bodies overlap.
 struct ContactPoint {

@@ -21,8 +21,6 @@ constexpr double kJointErp = 0.8;
 // sinks in under its weight to 1e-6 g h [m].
 constexpr double kComplianceOfLightest = 1e-12;
 constexpr double kComplianceOfHeaviest = 1e-6;
-// Iterations of the solver that takes over when the exact one gives up.
-constexpr int kFallbackIterations = 200;
 
 Eigen::Isometry3d pose(const hydro::BodyState& state) {
   return Eigen::Translation3d(state.position) * state.orientation;
@@ -66,7 +64,6 @@ World::World(double gravity) : gravity_(gravity) {
   dWorldSetGravity(world_.get(), 0, 0, -gravity);
   dWorldSetERP(world_.get(), kJointErp);
   dWorldSetAutoDisableFlag(world_.get(), 0);
-  dWorldSetQuickStepNumIterations(world_.get(), kFallbackIterations);
   space_.reset(dHashSpaceCreate(nullptr));
   // Cells of 1 m to 1 km: body coordinates divided by a cell's size must fit an int.
   dHashSpaceSetLevels(space_.get(), 0, 10);
@@ -218,8 +215,7 @@ void World::advance(double step) {
     ++compromises_;
     set_all_states(before);
     hand_over_loads();
-    dRandSetSeed(1);
-    if (!dWorldQuickStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
+    iterate(kFallbackIterations, step);
   }
   for (Body& body : bodies_) body.load = {};
 }

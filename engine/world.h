@@ -96,6 +96,11 @@ class World {
   std::vector<hydro::BodyState> all_states() const;
   void set_all_states(const std::vector<hydro::BodyState>& states);
 
+  /// Iterations of the solver that takes over when the exact one gives up.
+  static constexpr int kFallbackIterations = 200;
+  /// A step by the iterative solver.
+  void iterate(int count, double step);
+
   bool may_touch(const Pair& pair) const;
   std::vector<Pair> near_pairs() const;
   void join_contacts(const Pair& pair, double step);

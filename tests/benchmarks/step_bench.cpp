@@ -57,6 +57,7 @@ engine::SimulationSpec world_of(const Crates& crates) {
     engine::BodySpec& body = spec.bodies.emplace_back();
     body.name = fmt::format("crate{}", i + 1);
     body.mesh_B = mesh;
+    body.collision = engine::CollisionShape::box;  // As a scene's boxes have it.
     body.mass = density * solid.volume;
     body.inertia_B = density * solid.inertia;
     body.initial.position = place(i, crates);
@@ -109,7 +110,7 @@ void add_step(const Crates& crates, const char* arrangement) {
 void register_step() {
   for (const int bodies : {1, 10, 100, 1000}) add_step({bodies, 1}, "");
   for (const int bodies : {10, 100, 1000}) add_step({bodies, 10}, "/crates");
-  for (const int bodies : {10, 20, 40}) add_step({bodies, bodies}, "/heap");
+  for (const int bodies : {10, 20, 40, 100, 1000}) add_step({bodies, bodies}, "/heap");
 }
 
 }  // namespace bench
