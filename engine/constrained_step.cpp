@@ -22,8 +22,8 @@ constexpr double kNewtonTolerance = 1e-3;
 
 /// Everything of one body that (2) needs. W axes.
 struct Row {
-  Matrix6d S;  ///< Effective inertia.
-  hydro::Cholesky6 S_factor;
+  Matrix6d S = Matrix6d::Identity();  ///< Effective inertia.
+  hydro::Cholesky6 S_factor{S};
   Vector6d load;              ///< F
   Vector6d jump;              ///< Change of velocity by that of the added mass.
   World::Constrained solver;  ///< M_o, state.
@@ -206,12 +206,13 @@ bool settled(const std::vector<ConstrainedBody>& island, const std::vector<Row>&
 
 }  // namespace
 
-void constrained_kick(World& world, const Surroundings& around,
+void constrained_kick(World& world, const Surroundings& around, const ForEach& for_each,
                       std::vector<ConstrainedBody>& island, double time, double step) {
   int solutions = 0;
   for (int i = 0; i < kMostLinearisations && solutions < kMostSolutions; ++i) {
-    std::vector<Row> rows;
-    for (ConstrainedBody& c : island) rows.push_back(make_row(c, around, time, step));
+    std::vector<Row> rows(island.size());
+    call_all(for_each, island.size(),
+             [&](std::size_t k) { rows[k] = make_row(island[k], around, time, step); });
     const Answer answer = solve(world, island, rows, step, solutions);
     const bool done = settled(island, rows, answer);
     for (std::size_t k = 0; k < island.size(); ++k) {

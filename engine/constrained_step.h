@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/for_each.h"
 #include "engine/kick.h"
 #include "engine/world.h"
 
@@ -44,9 +45,10 @@ struct ConstrainedBody {
   Vector6d change = Vector6d::Zero();  ///< By loads and reactions: the result, in W.
 };
 
-/// Solves (1) for one island, its poses and contacts being those that the world has.
+/// Solves (1) for one island, its poses and contacts being those that the world has. Several
+/// islands may be solved for at once.
 /// @param time   Halfway through the step [s].
-void constrained_kick(World& world, const Surroundings& around,
+void constrained_kick(World& world, const Surroundings& around, const ForEach& for_each,
                       std::vector<ConstrainedBody>& island, double time, double step);
 
 }  // namespace engine

@@ -69,6 +69,7 @@ void World::set_contact_inertia(BodyId id, double mass, const Eigen::Vector3d& a
 
 std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Constrained>& bodies,
                                                         double step) {
+  const std::lock_guard lock(*answering_);
   open_ode();
   const auto ready = [&] {
     for (const Constrained& c : bodies) {

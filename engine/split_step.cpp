@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "engine/constrained_step.h"
@@ -178,7 +177,8 @@ double SplitStep::longest_piece(const std::vector<std::vector<BodyId>>& islands,
 void SplitStep::advance_constrained(const std::vector<std::vector<BodyId>>& islands, double time,
                                     double step) {
   touching_ = world_.touching();
-  for (const std::vector<BodyId>& island : islands) advance_island(island, time, step);
+  call_all(for_each_, islands.size(),
+           [&](std::size_t i) { advance_island(islands[i], time, step); });
 }
 
 void SplitStep::advance_island(const std::vector<BodyId>& island, double time, double step) {
@@ -193,7 +193,7 @@ void SplitStep::advance_island(const std::vector<BodyId>& island, double time, d
     for (std::size_t k = 0; k < island.size(); ++k)
       members.push_back(make_member(bodies_[index(k)], island[k], around_, middle_[index(k)],
                                     added[k], step, touching_[index(k)]));
-    constrained_kick(world_, around_, members, time + step / 2, step);
+    constrained_kick(world_, around_, for_each_, members, time + step / 2, step);
     bool same = true, next_is_near = true;
     for (std::size_t k = 0; k < island.size(); ++k) {
       const Body& body = bodies_[index(k)];
@@ -221,22 +221,15 @@ void SplitStep::advance_free(const std::vector<std::vector<BodyId>>& islands, do
   std::vector<bool> held(bodies_.size(), false);
   for (const std::vector<BodyId>& island : islands)
     for (const BodyId id : island) held[static_cast<std::size_t>(id)] = true;
-  std::vector<std::exception_ptr> faults(bodies_.size());
-  for_each_(bodies_.size(), [&](std::size_t i) {
+  call_all(for_each_, bodies_.size(), [&](std::size_t i) {
     Body& body = bodies_[i];
     if (held[i] || !body.movable) return;
-    try {
-      if (body.motion.constrained) body.motion.kicks.clear();
-      body.motion.constrained = false;
-      body.motion = free_step(body, around_, body.motion, time, step, tolerance_);
-      body.reaction_B.setZero();
-      body.acceleration_W.reset();
-    } catch (...) {
-      faults[i] = std::current_exception();
-    }
+    if (body.motion.constrained) body.motion.kicks.clear();
+    body.motion.constrained = false;
+    body.motion = free_step(body, around_, body.motion, time, step, tolerance_);
+    body.reaction_B.setZero();
+    body.acceleration_W.reset();
   });
-  for (const std::exception_ptr& fault : faults)
-    if (fault) std::rethrow_exception(fault);
 }
 
 }  // namespace engine

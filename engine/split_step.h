@@ -1,9 +1,10 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 
 #include "engine/body.h"
 #include "engine/energy_guard.h"
+#include "engine/for_each.h"
 #include "engine/world.h"
 
 /// @file
@@ -21,9 +22,6 @@
 /// its momentum and energy.
 
 namespace engine {
-
-/// Calls f(0) … f(count − 1), in any order, possibly at once.
-using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& f)>;
 
 class SplitStep {
  public:

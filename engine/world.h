@@ -54,7 +54,8 @@ class World {
     hydro::Wrench load;  ///< In W.
   };
   /// The velocities in W, linear and angular, that these bodies have after `step` [s] under their
-  /// loads, joints, locks and contacts. Nothing moves.
+  /// loads, joints, locks and contacts. Nothing moves. May be called by several threads: one after
+  /// the other is answered.
   std::vector<hydro::Twist> constrained_velocities(const std::vector<Constrained>& bodies,
                                                    double step);
   /// Groups of bodies that joints or the last contacts hold to each other, to the ground or to what
@@ -121,6 +122,7 @@ class World {
   long compromises_ = 0;
   double deepest_contact_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
+  std::unique_ptr<std::mutex> answering_ = std::make_unique<std::mutex>();
   WorldHandle world_;
   SpaceHandle space_;
   JointGroupHandle contacts_;

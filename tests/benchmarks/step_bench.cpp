@@ -16,10 +16,6 @@
 /// BM_Step/BODIES/heap, all in one heap. Each crate has 192 triangles, the default coefficients,
 /// half the density of the water, and rocks. The half second of motion that is measured begins two
 /// seconds after the start; `held` is the share of the bodies' steps that contacts had a part in.
-///
-/// A heap is solved for as a whole and directly, and one of twice as many crates takes about six
-/// times as long: it is kept small.
-
 namespace bench {
 namespace {
 

@@ -75,6 +75,31 @@ TEST(Determinism, DoesNotDependOnTheThreadThatSteps) {
   EXPECT_TRUE(same_bits(simulation, support::after(busy_world(), 300)));
 }
 
+/// A heap of crates, enough for the iterative solver, and three pairs by themselves, afloat.
+SimulationSpec heaps() {
+  SimulationSpec spec = support::dry_world({}, 1.0 / 60);
+  spec.sea.emplace();
+  for (int i = 0; i < 42; ++i) {
+    const int layer = i % 3, row = i / 3 % 3, column = i / 9;
+    const double apart = column == 4 ? 10 : 0;
+    BodySpec body =
+        support::box_body("crate", {1, 1, 1}, 300 + 10 * i,
+                          {0.99 * column + apart, (apart / 5 + 0.99) * row, 0.99 * layer});
+    body.collision = engine::CollisionShape::box;
+    body.wet = true;
+    spec.bodies.push_back(body);
+  }
+  return spec;
+}
+
+TEST(Determinism, HeapsDoNotDependOnTheNumberOfThreads) {
+  SimulationSpec spec = heaps();
+  const Simulation one = support::after(spec, 120);
+  spec.threads = 2;
+  EXPECT_TRUE(same_bits(one, support::after(spec, 120)));
+  for (std::size_t i = 0; i < one.paths().size(); ++i) EXPECT_GT(one.paths()[i].constrained, 0);
+}
+
 TEST(Simulations, ManyInOneProcessComeAndGo) {
   for (int i = 0; i < 200; ++i) EXPECT_EQ(support::after(busy_world(), 2).steps(), 2);
 }
