@@ -32,7 +32,7 @@ void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia) {
 bool is_heap(const std::vector<dxBody*>& bodies) {
   int contacts = 0;
   for (dxBody* body : bodies)
-    for (int i = 0; i < dBodyGetNumJoints(body); ++i) {
+    for (int i = 0, count = dBodyGetNumJoints(body); i < count; ++i) {
       dxJoint* joint = dBodyGetJoint(body, i);
       if (dJointGetType(joint) != dJointTypeContact) return false;
       // One between two bodies is met from either.
