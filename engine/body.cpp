@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "engine/added_inertia.h"
 #include "engine/applied_load.h"
@@ -9,6 +10,7 @@
 #include "engine/locks.h"
 #include "engine/wetness.h"
 #include "hydro/decompositions.h"
+#include "hydro/mass_properties.h"
 
 namespace engine {
 namespace {
@@ -85,6 +87,8 @@ Body make_body(const SimulationSpec& spec, std::size_t index) {
             .jointed = has_joint(spec, static_cast<BodyId>(index)),
             .guide = find_guide(spec, index)};
   if (body.wet) body.hull = hydro::make_hull(s.mesh_B);
+  if (spec.sea)
+    body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);
   body.motion.state = without_locked_motion(s.locked, s.initial);
   if (body.adds) {
     body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
@@ -104,6 +108,10 @@ double contact_mass(const Body& body, const Motion& motion) {
   if (!motion.has_added) return own;
   const Eigen::Matrix3d added = motion.added_B.topLeftCorner<3, 3>();
   return own + hydro::eigenvalues(added)[2];
+}
+
+double contact_fall(const Body& body, const Motion& motion) {
+  return std::min(1.0, (body.spec->mass + body.displacement) / contact_mass(body, motion));
 }
 
 Matrix6d inertia_W(const Body& body, const Motion& motion) {

@@ -79,6 +79,7 @@ struct Body {
   hydro::Hull hull;
   Eigen::AlignedBox3d box_B;
   double radius = 0;                        ///< Of its farthest vertex from the centre of mass [m].
+  double displacement = 0;                  ///< Mass of the water that it can displace [kg].
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass, body axes.
   Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
   bool wet = false;      ///< The water has loads on it.
@@ -109,6 +110,10 @@ Freedom freedom(const Body& body, const hydro::BodyState& state);
 
 /// What contacts push against: a mass no less than M + A in any direction [kg].
 double contact_mass(const Body& body, const Motion& motion);
+
+/// What its weight and the water's lift can speed that mass up with, as a part of gravity; at most
+/// 1.
+double contact_fall(const Body& body, const Motion& motion);
 
 /// M + A in W.
 Matrix6d inertia_W(const Body& body, const Motion& motion);

@@ -61,9 +61,11 @@ void World::only_constrain() {
   }
 }
 
-void World::set_contact_inertia(BodyId id, double mass, const Eigen::Vector3d& acceleration) {
+void World::set_contact_inertia(BodyId id, double mass, double fall,
+                                const Eigen::Vector3d& acceleration) {
   Body& body = bodies_.at(static_cast<std::size_t>(id));
   body.contact_mass = mass;
+  body.contact_fall = fall;
   body.acceleration = acceleration;
 }
 

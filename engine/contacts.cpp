@@ -229,9 +229,10 @@ void World::join_contacts(const Pair& pair, double step) {
   touching_.push_back(pair);
   const ContactStiffness stiffness =
       contact_stiffness(unit_ * contact_mass(pair), kept.size(), step);
+  const double fall = contact_fall(pair);
   for (const std::size_t i : kept) {
     deepest_contact_ = std::max(deepest_contact_, points[i].depth);
-    const double erp = limited_erp(stiffness.erp, points[i].depth, gravity_, step);
+    const double erp = limited_erp(stiffness.erp, points[i].depth / fall, gravity_, step);
     const dContact contact =
         contact_joint(points[i], stiffness, erp, approach(points[i].position_W));
     dxJoint* joint = dJointCreateContact(world_.get(), contacts_.get(), &contact);
@@ -245,6 +246,14 @@ double World::contact_mass(const Pair& pair) const {
     if (handle_of(id)) mass = std::max(mass, bodies_[static_cast<std::size_t>(id)].contact_mass);
   }
   return mass;
+}
+
+double World::contact_fall(const Pair& pair) const {
+  double fall = 0;
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (handle_of(id)) fall = std::max(fall, bodies_[static_cast<std::size_t>(id)].contact_fall);
+  }
+  return fall;
 }
 
 Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d& point_W,

@@ -22,7 +22,9 @@
 ///
 ///     √(2 g depth)                                                                        (4)
 ///
-/// so that it gains no more energy than by a fall through the overlap. With the lighter mass
+/// so that it gains no more energy than by a fall through the overlap; g is that of what contacts
+/// push against, with the weight of the body and of the water in its place: less than gravity where
+/// the body moves much water. With the lighter mass
 /// instead of the heavier a body would sink deep into a lighter one; as it is, the light body's
 /// contact is overdamped, with the same ERP.
 ///

@@ -139,7 +139,7 @@ void SplitStep::drift_to_middle(double step) {
     const auto id = static_cast<BodyId>(i);
     world_.set_state(id, middle_[i].state);
     world_.set_contact_inertia(
-        id, contact_mass(body, body.motion),
+        id, contact_mass(body, body.motion), contact_fall(body, body.motion),
         body.acceleration_W.value_or(-around_.gravity * Eigen::Vector3d::UnitZ()));
   }
 }

@@ -65,9 +65,11 @@ class World {
   double deepest_contact() const { return deepest_contact_; }
   /// Per body: it is in one of the last contacts.
   std::vector<bool> touching() const;
-  /// What the contacts of a body are told of it: how much it resists them [kg], and how it would
-  /// speed up without them, in W [m/s^2].
-  void set_contact_inertia(BodyId body, double mass, const Eigen::Vector3d& acceleration);
+  /// What the contacts of a body are told of it: how much it resists them [kg], what part of
+  /// gravity its weight and the water's lift can speed that up with, and how it would speed up
+  /// without contacts, in W [m/s^2].
+  void set_contact_inertia(BodyId body, double mass, double fall,
+                           const Eigen::Vector3d& acceleration);
 
  private:
   struct Body {
@@ -75,6 +77,7 @@ class World {
     dxGeom* geom = nullptr;    ///< None if it passes through everything.
     double mass = 0;           ///< Its own.
     double contact_mass = 0;   ///< What contacts push against.
+    double contact_fall = 1;   ///< What that falls with, as a part of gravity.
     hydro::BodyState initial;
     hydro::Wrench load;                           ///< For the next advance.
     std::optional<Eigen::Vector3d> acceleration;  ///< Without contacts; none: by load and gravity.
@@ -106,6 +109,7 @@ class World {
   std::vector<Pair> near_pairs() const;
   void join_contacts(const Pair& pair, double step);
   double contact_mass(const Pair& pair) const;
+  double contact_fall(const Pair& pair) const;
   Eigen::Vector3d velocity_without_contact(BodyId body, const Eigen::Vector3d& point_W,
                                            double step) const;
 
