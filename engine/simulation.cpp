@@ -43,9 +43,10 @@ World make_world(const SimulationSpec& spec) {
   }
   World world(spec.gravity);
   for (const BodySpec& body : spec.bodies) world.add_body(body);
+  // Before the joints: some keep the compliance that the world has when they are made.
+  if (spec.integrator.method == Integrator::Method::split) world.only_constrain();
   for (const JointSpec& joint : spec.joints) world.add_joint(joint);
   world.add_ground(spec.ground);
-  if (spec.integrator.method == Integrator::Method::split) world.only_constrain();
   return world;
 }
 

@@ -214,6 +214,23 @@ TEST(Joints, ThatHoldTheSameMotionTwiceCanBeSolved) {
   EXPECT_LT(anchor_drift(spec), tolerance(1e-4));
 }
 
+TEST(Joints, HoldBodiesOfAMillimetre) {
+  constexpr double kSize = 1e-3;  // [m]
+  for (const Type type : {Type::ball, Type::fixed}) {
+    std::vector<BodySpec> bodies;
+    for (int i = 0; i < 2; ++i)
+      bodies.push_back(
+          support::box_body("box", Vector3d::Constant(kSize), 1, {0, 0, -2 * kSize * i}));
+    SimulationSpec spec = support::dry_world(bodies, 0.001);
+    spec.joints = {{.name = "upper", .type = type, .first = 0, .anchor_W = {0, 0, kSize}},
+                   {.name = "lower", .first = 0, .second = 1, .anchor_W = {0, 0, -kSize}}};
+    spec.joints[1].type = type;
+    const Simulation hanging = support::after(spec, 1000);
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(hanging.states()[i].position.z(), bodies[i].initial.position.z(), 0.01 * kSize);
+  }
+}
+
 TEST(Joints, KeepBodiesFromColliding) {
   BodySpec left = support::box_body("left", {1, 1, 1}, 100, {0, 0, 0});
   BodySpec right = support::box_body("right", {1, 1, 1}, 100, {0.5, 0, 0});
