@@ -57,6 +57,9 @@ double turn_length(const Body& body, const Surroundings& around, double step, do
 /// shortest by other rules by this.
 constexpr double kLeapParts = 16;
 
+/// Of a step, what its pieces may miss of it.
+constexpr double kRoundOff = 1e-12;
+
 /// As kMostPasses: a pass of an island solves its constraints, often many times.
 constexpr int kMostIslandPasses = 2;
 
@@ -79,24 +82,38 @@ SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings
 
 void SplitStep::advance(double time, double step) {
   shortest_ = step / kMostPieces;
-  advance_once(time, step, true, EnergyGuard::kMostHalvings);
+  if (any_constraint())
+    advance_in_pieces(time, step, EnergyGuard::kMostHalvings);
+  else
+    advance_free({}, time, step);
 }
 
-void SplitStep::advance_once(double time, double step, bool may_cut, int halvings) {
-  if (!any_constraint()) return advance_free({}, time, step);
+void SplitStep::advance_in_pieces(double time, double step, int halvings) {
+  double done = 0;
+  std::vector<std::vector<BodyId>> islands = find_islands(step);
+  double piece = longest_piece(islands, step);
+  if (piece < step) islands = find_islands(piece);
+  while (true) {
+    const double now = time + done;
+    if (advance_soundly(islands, now, piece, halvings > 0 && piece / 2 >= shortest_)) {
+      advance_free(islands, now, piece);
+    } else {
+      advance_in_pieces(now, piece / 2, halvings - 1);
+      advance_in_pieces(now + piece / 2, piece / 2, halvings - 1);
+    }
+    const double rest = step - done - piece;
+    if (rest <= kRoundOff * step) return;
+    done += piece;
+    // An impact slows a body, a joint may make it spin: what is left is cut anew.
+    piece = longest_piece(islands, rest);
+    islands = find_islands(piece);
+  }
+}
+
+std::vector<std::vector<BodyId>> SplitStep::find_islands(double step) {
   drift_to_middle(step);
   collide(step);
-  const std::vector<std::vector<BodyId>> islands = held_islands();
-  const double piece = may_cut ? longest_piece(islands, step) : step;
-  if (piece < step) {
-    const auto count = static_cast<int>(std::lround(step / piece));
-    for (int i = 0; i < count; ++i) advance_once(time + i * piece, piece, false, halvings);
-  } else if (advance_soundly(islands, time, step, halvings > 0 && step / 2 >= shortest_)) {
-    advance_free(islands, time, step);
-  } else {
-    advance_once(time, step / 2, may_cut, halvings - 1);
-    advance_once(time + step / 2, step / 2, may_cut, halvings - 1);
-  }
+  return held_islands();
 }
 
 bool SplitStep::advance_soundly(const std::vector<std::vector<BodyId>>& islands, double time,

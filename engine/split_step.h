@@ -37,6 +37,8 @@ class SplitStep {
   bool any_constraint() const { return collides_ || jointed_; }
   void drift_to_middle(double step);
   void collide(double step);
+  /// Where bodies drift to the middle of a step: what touches or is joined there.
+  std::vector<std::vector<BodyId>> find_islands(double step);
   /// Groups of bodies that constraints hold to each other or to the world; not a body that only its
   /// guide does.
   std::vector<std::vector<BodyId>> held_islands() const;
@@ -45,7 +47,7 @@ class SplitStep {
                            double step);
   void advance_island(const std::vector<BodyId>& island, double time, double step);
   void advance_free(const std::vector<std::vector<BodyId>>& islands, double time, double step);
-  void advance_once(double time, double step, bool may_cut, int halvings);
+  void advance_in_pieces(double time, double step, int halvings);
 
   /// Moves the islands. False: they have gained energy or were thrown, and are where they were.
   bool advance_soundly(const std::vector<std::vector<BodyId>>& islands, double time, double step,
