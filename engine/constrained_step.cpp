@@ -14,7 +14,7 @@ constexpr int kMostIterations = 40;
 constexpr int kMostLinearisations = 6;
 constexpr int kFullSteps = 3;  // of Newton's method; later ones are halved
 // Solutions of an island's constraints in a kick after which loads are not linearised again.
-constexpr int kMostSolutions = 50;
+constexpr int kMostSolutions = 20;
 constexpr std::size_t kDepth = 12;
 // Of the change of velocity by reactions, in the metric of M_o.
 constexpr double kTolerance = 1e-9;
@@ -218,6 +218,7 @@ void constrained_kick(World& world, const Surroundings& around, const ForEach& f
     for (std::size_t k = 0; k < island.size(); ++k) {
       ConstrainedBody& c = island[k];
       c.change = answer.changes[k];
+      c.implicit = rows[k].implicit;
       // Where Newton's method goes to and fro, the middle is nearer.
       c.expected = i < kFullSteps ? c.change : Vector6d((c.expected + c.change) / 2);
       const Eigen::Matrix3d R_BW = c.middle.motion.state.orientation.conjugate().toRotationMatrix();

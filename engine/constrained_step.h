@@ -43,6 +43,7 @@ struct ConstrainedBody {
   /// Change of velocity by loads and reactions to linearise about, in W.
   Vector6d expected = Vector6d::Zero();
   Vector6d change = Vector6d::Zero();  ///< By loads and reactions: the result, in W.
+  bool implicit = false;               ///< Its loads were taken implicitly.
 };
 
 /// Solves (1) for one island, its poses and contacts being those that the world has. Several

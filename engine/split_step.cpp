@@ -31,7 +31,8 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   const Eigen::Matrix3d R_BW = middle.state.orientation.conjugate().toRotationMatrix();
   Motion after = with_added_mass(middle, added_B, middle.added_B, step);
   after.state = with_velocity(middle.state, c.middle.after + c.change, around.current());
-  if (touching)
+  // As in a free step, the next kick does not follow from an implicit one.
+  if (touching || c.implicit)
     after.kicks.clear();
   else
     after.kicks.add(turned(R_BW, c.change) / step, step, c.body->radius);
@@ -204,12 +205,15 @@ void SplitStep::advance_island(const std::vector<BodyId>& island, double time, d
   for (std::size_t k = 0; k < island.size(); ++k)
     added.push_back(expected_added_mass(bodies_[index(k)], bodies_[index(k)].motion, step));
   std::vector<Motion> ends(island.size());
+  std::vector<ConstrainedBody> last;
   bool near = false;
   for (int pass = 1;; ++pass) {
     std::vector<ConstrainedBody> members;
-    for (std::size_t k = 0; k < island.size(); ++k)
+    for (std::size_t k = 0; k < island.size(); ++k) {
       members.push_back(make_member(bodies_[index(k)], island[k], around_, middle_[index(k)],
                                     added[k], step, touching_[index(k)]));
+      if (!last.empty()) members[k].expected = last[k].change;
+    }
     constrained_kick(world_, around_, for_each_, members, time + step / 2, step);
     bool same = true, next_is_near = true;
     for (std::size_t k = 0; k < island.size(); ++k) {
@@ -224,6 +228,7 @@ void SplitStep::advance_island(const std::vector<BodyId>& island, double time, d
     }
     if (same || near || pass == kMostIslandPasses) break;
     near = next_is_near;
+    last = std::move(members);
   }
   for (std::size_t k = 0; k < island.size(); ++k) {
     Body& body = bodies_[index(k)];
