@@ -11,6 +11,16 @@ namespace {
 /// A swing that goes through less in a step keeps its energy but for what comes back [rad].
 constexpr double kSmoothSwing = 0.3;
 
+/// What joints may come to have given a group, of the energy of its motion, where water adds to it.
+constexpr double kJointGain = 0.1;
+
+/// ½ u·(M + A) u with the velocity in W [J].
+double absolute_energy(const Body& body, const Motion& motion) {
+  const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
+  const Vector6d u = turned(R_BW, velocity(motion.state, Eigen::Vector3d::Zero()));
+  return u.dot((body.rigid_B + motion.added_B) * u) / 2;
+}
+
 struct Energies {
   double kinetic = 0;
   double potential = 0;
@@ -35,26 +45,28 @@ EnergyGuard::EnergyGuard(const std::vector<std::vector<BodyId>>& groups,
     // On a guide a body keeps to the rule of a free one.
     if (ids.size() == 1 && bodies[static_cast<std::size_t>(ids.front())].guide) continue;
     Group group;
-    bool watched = true;
     for (const BodyId id : ids) {
       const auto i = static_cast<std::size_t>(id);
       group.bodies.push_back(i);
       group.floor += least_energy_scale(bodies[i], around);
-      watched = watched && must_not_gain_energy(bodies[i], around);
+      group.in_still_water = group.in_still_water && must_not_gain_energy(bodies[i], around);
     }
-    if (watched) groups_.push_back(std::move(group));
+    groups_.push_back(std::move(group));
   }
 }
 
 bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before,
-                         const std::vector<bool>& touching, double step) {
+                         const std::vector<bool>& touching, const std::vector<double>& work,
+                         double step) {
   bool any = false;
   for (Group& group : groups_) {
     group.excess = 0;
     group.next = group.range;
+    group.next_given = group.given;
     const auto touches = [&](std::size_t i) { return touching[i]; };
     if (std::any_of(group.bodies.begin(), group.bodies.end(), touches)) {
       group.next = {};
+      group.next_given = 0;
       continue;
     }
     const auto smooth = [&](std::size_t i) {
@@ -62,7 +74,10 @@ bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before
       return kicks.resolved() && kicks.pace() * step <= kSmoothSwing;
     };
     if (std::all_of(group.bodies.begin(), group.bodies.end(), smooth)) continue;
-    look(group, bodies, before, step);
+    if (group.in_still_water)
+      look(group, bodies, before, step);
+    else
+      look_at_joints(group, bodies, before, work);
     any = any || group.excess > group.allowed;
   }
   return any;
@@ -88,6 +103,26 @@ void EnergyGuard::look(Group& group, const std::vector<Body>& bodies, const Moti
   group.next.extend(std::min(energy, energy - group.excess), end.potential);
 }
 
+void EnergyGuard::look_at_joints(Group& group, const std::vector<Body>& bodies,
+                                 const MotionOf& before, const std::vector<double>& work) const {
+  double start = 0, end = 0, gain = 0;
+  for (const std::size_t i : group.bodies) {
+    start += absolute_energy(bodies[i], before(i));
+    end += absolute_energy(bodies[i], bodies[i].motion);
+    gain += work[i];
+  }
+  // Of what joints add, drag may take all at once; what loads take of the motion later they take of
+  // the gains in it, too.
+  if (gain > 0) gain = std::min(gain, std::max(0.0, end - start));
+  const double sound = std::max(0.0, end - gain);
+  const double left = start > 0 ? std::min(1.0, sound / start) : 1;
+  group.next_given = std::max(0.0, left * group.given + gain);
+  group.kinetic = end;
+  group.allowed = kJointGain * std::max({start, sound, group.floor});
+  group.excess = group.next_given - group.allowed;
+  if (group.excess > 0) group.next_given -= std::min(group.excess, end);
+}
+
 void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const {
   for (const Group& group : groups_) {
     if (!(group.excess > 0)) continue;
@@ -98,8 +133,9 @@ void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const
     for (const std::size_t i : group.bodies) {
       Motion& motion = bodies[i].motion;
       if (!enough) motion = before(i);
-      motion.state = with_velocity(motion.state, part * velocity(motion.state, around_.current()),
-                                   around_.current());
+      // Still water has no current where joints hold a body.
+      const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+      motion.state = with_velocity(motion.state, part * velocity(motion.state, still), still);
       if (!much) continue;
       motion.kicks.clear();
       ++bodies[i].cost.braked;
@@ -108,7 +144,10 @@ void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const
 }
 
 void EnergyGuard::accept() {
-  for (Group& group : groups_) group.range = group.next;
+  for (Group& group : groups_) {
+    group.range = group.next;
+    group.given = group.next_given;
+  }
 }
 
 }  // namespace engine

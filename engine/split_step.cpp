@@ -44,6 +44,14 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   return after;
 }
 
+/// Work of the reactions on a member over the step [J].
+double reaction_work(const ConstrainedBody& c, const Surroundings& around, double step) {
+  const Eigen::Matrix3d R_WB = c.middle.motion.state.orientation.toRotationMatrix();
+  const Vector6d mean = c.middle.after + c.change / 2;
+  const Vector6d u = mean + stacked(around.current(), Eigen::Vector3d::Zero());
+  return step * turned(R_WB, c.body->reaction_B).dot(u);
+}
+
 /// Largest turn of a body in a piece by its own inertia: its joints do not see that [rad].
 constexpr double kLargestHeldTurn = 0.25;
 
@@ -79,6 +87,7 @@ SplitStep::SplitStep(World& world, std::vector<Body>& bodies, const Surroundings
       middle_(bodies.size()),
       before_(bodies.size()),
       touching_(bodies.size()),
+      work_(bodies.size()),
       guard_(world.islands(), bodies, around) {}
 
 void SplitStep::advance(double time, double step) {
@@ -129,7 +138,7 @@ bool SplitStep::advance_soundly(const std::vector<std::vector<BodyId>>& islands,
   });
   advance_constrained(islands, time, step);
   const auto motion_before = [this](std::size_t i) -> const Motion& { return before_[i].motion; };
-  const bool gained = guard_.gained(bodies_, motion_before, touching_, step);
+  const bool gained = guard_.gained(bodies_, motion_before, touching_, work_, step);
   bool leapt = false;
   for_members([&](const Body& body, const Before& before) {
     leapt =
@@ -219,6 +228,7 @@ void SplitStep::advance_island(const std::vector<BodyId>& island, double time, d
     for (std::size_t k = 0; k < island.size(); ++k) {
       const Body& body = bodies_[index(k)];
       ends[k] = finish(members[k], around_, added[k], step, touching_[index(k)]);
+      work_[index(k)] = reaction_work(members[k], around_, step);
       const Matrix6d found = added_mass(body, around_, ends[k].state, time + step);
       if (same_added_mass(body, found, added[k])) continue;
       same = false;

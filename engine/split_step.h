@@ -72,6 +72,7 @@ class SplitStep {
   std::vector<Motion> middle_;  ///< Halfway through the step, before the kick.
   std::vector<Before> before_;  ///< Of the members of islands, at the start of the step.
   std::vector<bool> touching_;  ///< Per body: it has contacts in this step.
+  std::vector<double> work_;    ///< Per body: of its reactions in this step [J].
   EnergyGuard guard_;           ///< Of bodies under joints.
 };
 
