@@ -24,8 +24,6 @@ constexpr double kSuddenLoad = 0.01;
 // The same for the motion through the water surface in a piece, as a part of the body's height.
 constexpr double kSuddenCrossing = 0.1;
 constexpr double kSmallestPart = 1.0 / 4096;  // of a step, with a tolerance
-// In a piece whose halves tell more of its energy [rad].
-constexpr double kFollowedTurn = 8;
 
 struct Piece {
   Motion motion;
@@ -207,8 +205,7 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
   const double allowed = range.allowed_gain(least_energy_scale(body, around));
   const double excess = energy - range.lowest - allowed;
   if (excess > allowed) {
-    const bool followed = own_turning_rate(body, around, motion) * h < kFollowedTurn;
-    if (halvings > 0 && followed) return in_halves();
+    if (halvings > 0 && can_be_followed(body, around, motion, h)) return in_halves();
     ++body.cost.braked;
     whole.motion = braked(around, motion, whole.motion, kinetic, excess);
   } else if (excess > 0 && kinetic > excess) {
@@ -308,6 +305,10 @@ double own_turning_rate(const Body& body, const Surroundings& around, const Moti
   const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
   return turning_rate(body.rigid_B + motion.added_B,
                       turned(R_BW, velocity(motion.state, around.current())));
+}
+
+bool can_be_followed(const Body& body, const Surroundings& around, const Motion& motion, double h) {
+  return own_turning_rate(body, around, motion) * h < kFollowedTurn;
 }
 
 bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState& before,

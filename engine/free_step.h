@@ -46,6 +46,11 @@ double piece_length(const Body& body, const Surroundings& around, const Motion& 
 /// Rate at which a body and its momentum turn by its own inertia and that of the water [rad/s].
 double own_turning_rate(const Body& body, const Surroundings& around, const Motion& motion);
 
+/// False if a body turns round and round in a piece of length h: halves of it would tell no more of
+/// its energy.
+bool can_be_followed(const Body& body, const Surroundings& around, const Motion& motion, double h);
+inline constexpr double kFollowedTurn = 8;  ///< [rad]
+
 /// True if loads have thrown a body through the water's surface, or from it or to it, by more than
 /// kLongestLeap of its height in a time h [s]: they were not those on its way.
 bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState& before,

@@ -139,12 +139,13 @@ bool SplitStep::advance_soundly(const std::vector<std::vector<BodyId>>& islands,
   advance_constrained(islands, time, step);
   const auto motion_before = [this](std::size_t i) -> const Motion& { return before_[i].motion; };
   const bool gained = guard_.gained(bodies_, motion_before, touching_, work_, step);
-  bool leapt = false;
+  bool leapt = false, followed = true;
   for_members([&](const Body& body, const Before& before) {
+    followed = followed && can_be_followed(body, around_, before.motion, step);
     leapt =
         leapt || (body.wet && leaps(body, around_, before.motion.state, body.motion.state, step));
   });
-  if ((may_halve && gained) || (leapt && step / 2 >= shortest_ / kLeapParts)) {
+  if ((may_halve && gained && followed) || (leapt && step / 2 >= shortest_ / kLeapParts)) {
     for_members([](Body& body, const Before& before) {
       body.motion = before.motion;
       body.reaction_B = before.reaction_B;
