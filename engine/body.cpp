@@ -95,6 +95,9 @@ Body make_body(const SimulationSpec& spec, std::size_t index) {
     body.motion.has_added = !body.motion.added_B.isZero(0);
   }
   if (body.guide) body.motion.state = put_on_guide(body);
+  if (spec.books)
+    body.motion.ledger = {.added_energy_at_start =
+                              added_kinetic_energy(body, surroundings(spec), body.motion)};
   return body;
 }
 
@@ -130,6 +133,7 @@ Motion drift(const Body& body, const Surroundings& around, const Motion& motion,
     next.state = drifted(S, motion.state, around.current(), time);
   else
     next.state = drifted(*body.spec, motion.state, time);
+  if (next.ledger) book_drift(body, around, motion, time, next);
   return next;
 }
 
@@ -175,8 +179,9 @@ bool nearly_met(const Body& body, const Matrix6d& start_B, const Matrix6d& taken
   return off * std::max(off, change) <= kUnmetInertia;
 }
 
-Motion settled(const Body& body, const Surroundings& around, Motion motion,
+Motion settled(const Body& body, const Surroundings& around, const Motion& before,
                const Matrix6d& added_B) {
+  Motion motion = before;
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Matrix6d change = turned_matrix(R_WB, added_B - motion.added_B);
   const Vector6d u = inertia_change(inertia_W(body, motion), change, freedom(body, motion.state),
@@ -186,6 +191,7 @@ Motion settled(const Body& body, const Surroundings& around, Motion motion,
   motion.added_B = added_B;
   motion.added_rate_B.setZero();
   motion.has_added = !added_B.isZero(0);
+  if (motion.ledger) book_added_mass(body, around, before, motion);
   return motion;
 }
 

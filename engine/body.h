@@ -9,6 +9,7 @@
 #include "engine/faults.h"
 #include "engine/guide.h"
 #include "engine/kick_history.h"
+#include "engine/ledger.h"
 #include "engine/six.h"
 
 /// @file
@@ -57,6 +58,7 @@ struct Motion {
   EnergyRange energy;                        ///< Where still water must not give any.
   bool constrained = false;                  ///< The last kick was under joints or contacts.
   bool has_added = false;                    ///< False: A is zero.
+  std::optional<Ledger> ledger;              ///< Where the scene asks for a log of forces.
 };
 
 /// What a body has cost.
@@ -146,7 +148,7 @@ bool nearly_met(const Body& body, const Matrix6d& start_B, const Matrix6d& taken
                 const Matrix6d& found_B);
 /// The motion with the added mass of its pose where passes have not met that, as when a body comes
 /// to the water: what it gains shares the momentum (added_inertia.h).
-Motion settled(const Body& body, const Surroundings& around, Motion motion,
+Motion settled(const Body& body, const Surroundings& around, const Motion& before,
                const Matrix6d& added_B);
 
 /// All loads on the body in a state, its weight included.

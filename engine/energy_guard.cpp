@@ -133,9 +133,11 @@ void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const
     for (const std::size_t i : group.bodies) {
       Motion& motion = bodies[i].motion;
       if (!enough) motion = before(i);
+      const Motion fast = motion;
       // Still water has no current where joints hold a body.
       const Eigen::Vector3d still = Eigen::Vector3d::Zero();
       motion.state = with_velocity(motion.state, part * velocity(motion.state, still), still);
+      if (motion.ledger) book_brake(bodies[i], around_, fast, motion);
       if (!much) continue;
       motion.kicks.clear();
       ++bodies[i].cost.braked;

@@ -85,6 +85,9 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
   if (!kick.implicit) next.kicks.set_slope(turned(R_BW, kick.slope));
   next.state = with_velocity(next.state, middle.after + kick.change, around.current());
   check_state(body, next.state);
+  if (next.ledger)
+    book_kick(body, around, middle, {.change = kick.change, .step = h, .implicit = kick.implicit},
+              next);
   next = drift(body, around, next, h / 2);
   check_state(body, next.state);
   return next;
@@ -164,18 +167,21 @@ Piece piece(Body& body, const Surroundings& around, const Motion& motion, double
 }
 
 /// The motion slowed until it has `excess` less of its `kinetic` energy.
-Motion slowed(const Surroundings& around, Motion motion, double kinetic, double excess) {
+Motion slowed(const Body& body, const Surroundings& around, const Motion& motion, double kinetic,
+              double excess) {
   const double part = kinetic > excess ? std::sqrt(1 - excess / kinetic) : 0;
-  motion.state = with_velocity(motion.state, part * velocity(motion.state, around.current()),
-                               around.current());
-  return motion;
+  Motion slow = motion;
+  slow.state = with_velocity(motion.state, part * velocity(motion.state, around.current()),
+                             around.current());
+  if (slow.ledger) book_brake(body, around, motion, slow);
+  return slow;
 }
 
 /// The same where pieces of no length help; what has not that much energy rests where it was
 /// `before`.
-Motion braked(const Surroundings& around, const Motion& before, const Motion& after, double kinetic,
-              double excess) {
-  Motion motion = slowed(around, kinetic > excess ? after : before, kinetic, excess);
+Motion braked(const Body& body, const Surroundings& around, const Motion& before,
+              const Motion& after, double kinetic, double excess) {
+  Motion motion = slowed(body, around, kinetic > excess ? after : before, kinetic, excess);
   motion.kicks.clear();
   return motion;
 }
@@ -207,9 +213,9 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
   if (excess > allowed) {
     if (halvings > 0 && can_be_followed(body, around, motion, h)) return in_halves();
     ++body.cost.braked;
-    whole.motion = braked(around, motion, whole.motion, kinetic, excess);
+    whole.motion = braked(body, around, motion, whole.motion, kinetic, excess);
   } else if (excess > 0 && kinetic > excess) {
-    whole.motion = slowed(around, whole.motion, kinetic, excess);
+    whole.motion = slowed(body, around, whole.motion, kinetic, excess);
   }
   range.extend(std::min(energy, energy - excess), after);
   whole.motion.energy = range;

@@ -23,6 +23,7 @@ void ode_step(World& world, std::vector<Body>& bodies, const Surroundings& aroun
       apply_loads(world, bodies[i], static_cast<BodyId>(i), around, time, step);
   if (collides) world.collide(step);
   world.advance(step);
+  const std::vector<bool> touching = world.touching();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     Body& body = bodies[i];
     const auto id = static_cast<BodyId>(i);
@@ -30,7 +31,10 @@ void ode_step(World& world, std::vector<Body>& bodies, const Surroundings& aroun
     if (body.locked) next = held(body.spec->locked, body.spec->initial, next);
     check_state(body, next);
     if (body.locked) world.set_state(id, next);
+    const Motion before = body.motion;
     body.motion.state = next;
+    if (body.motion.ledger)
+      book_ode_step(body, before, step, body.jointed || body.locked || touching[i], body.motion);
     ++body.cost.constrained_steps;
     ++body.cost.substeps;
   }

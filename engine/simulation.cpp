@@ -59,6 +59,7 @@ struct Simulation::Impl {
   explicit Impl(SimulationSpec description);
 
   void step();
+  std::vector<BodyForces> forces();
 
   double time() const { return static_cast<double>(steps) * spec.step; }
   std::size_t count() const { return spec.bodies.size(); }
@@ -127,6 +128,9 @@ void Simulation::Impl::step() {
 }
 
 void Simulation::Impl::advance() {
+  if (spec.books)
+    for (Body& body : bodies)
+      body.motion.ledger->added_impulse = body.motion.ledger->constraint_impulse = Vector6d::Zero();
   const double loads_before = load_seconds();
   const double collisions_before = split->collision_seconds();
   double wall = 0;
@@ -151,6 +155,17 @@ void Simulation::Impl::accept_states() {
   next.reserve(count());
   for (const Body& body : bodies) next.push_back(body.motion.state);
   states = std::move(next);
+}
+
+std::vector<BodyForces> Simulation::Impl::forces() {
+  if (!spec.books) throw std::logic_error("the simulation keeps no books of forces");
+  std::vector<BodyForces> forces(count());
+  threads.execute([&] {
+    hydro::parallel_for(count(), [&](std::size_t i) {
+      forces[i] = forces_on(bodies[i], around, time(), spec.step);
+    });
+  });
+  return forces;
 }
 
 void Simulation::Impl::warn() {
@@ -209,6 +224,7 @@ const SimulationSpec& Simulation::spec() const { return impl_->spec; }
 double Simulation::time() const { return impl_->time(); }
 long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
+std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
 const Skips& Simulation::skips() const { return impl_->skips; }
 const std::vector<Path>& Simulation::paths() const { return impl_->paths; }

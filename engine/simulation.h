@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/force_log.h"
 #include "engine/spec.h"
 
 namespace engine {
@@ -62,6 +63,9 @@ class Simulation {
   double time() const;  ///< steps()·step [s].
   long steps() const;
   const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
+  /// What acts on each body in its present state, and the works so far.
+  /// @throws std::logic_error unless the specification asks for books.
+  std::vector<BodyForces> forces() const;
   const Timings& timings() const;
   const Skips& skips() const;
   const std::vector<Path>& paths() const;  ///< Per body.

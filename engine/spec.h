@@ -107,7 +107,8 @@ struct SimulationSpec {
   Ground ground;
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
-  int threads = 1;  ///< At most this many; results do not depend on it.
+  int threads = 1;     ///< At most this many; results do not depend on it.
+  bool books = false;  ///< Impulses and works are kept, for Simulation::forces.
 };
 
 }  // namespace engine

@@ -39,6 +39,12 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
   after.constrained = true;
   after.energy = {};  // Joints and contacts pass energy on.
   check_state(*c.body, after.state);
+  if (after.ledger) {
+    const Vector6d reaction = turned(R_BW.transpose(), c.body->reaction_B);
+    book_kick(*c.body, around, c.middle,
+              {.change = c.change, .step = step, .implicit = c.implicit, .reaction = &reaction},
+              after);
+  }
   after = drift(*c.body, around, after, step / 2);
   check_state(*c.body, after.state);
   return after;
