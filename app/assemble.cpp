@@ -269,6 +269,7 @@ Assembly assemble(const Scene& scene) {
   engine::SimulationSpec& spec = assembly.spec;
   spec.step = scene.step;
   spec.gravity = scene.gravity;
+  spec.books = scene.log_forces;
   spec.integrator = {.method = static_cast<engine::Integrator::Method>(scene.integrator.method),
                      .tolerance = scene.integrator.tolerance.value_or(0)};
   if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);

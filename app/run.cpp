@@ -4,11 +4,13 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "app/assemble_added_mass.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/force_writer.h"
 #include "app/interrupt.h"
 #include "app/output_folder.h"
 #include "app/pictures.h"
@@ -38,6 +40,15 @@ std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
   return names;
 }
 
+/// Of a scene that asks for the forces; what an earlier run left of them goes in any case.
+std::optional<ForceWriter> make_force_writer(const Scene& scene, const Assembly& assembly,
+                                             const OutputFolder& folder) {
+  const std::filesystem::path file = folder.path() / "forces.csv";
+  if (scene.log_forces) return ForceWriter(file, body_names(assembly.spec));
+  std::filesystem::remove(file);
+  return std::nullopt;
+}
+
 /// One run: the simulation and what is kept of it.
 class Run {
  public:
@@ -51,6 +62,7 @@ class Run {
         progress_(options.quiet),
         simulation_(assembly.spec),
         writer_(folder.path() / "trajectory.csv", body_names(assembly.spec)),
+        force_writer_(make_force_writer(scene, assembly, folder)),
         log_due_(scene.log_every.value_or(0)),
         shot_due_(scene.render ? scene.render->every : 0) {}
 
@@ -123,6 +135,7 @@ class Run {
     if (log_due_.due(time)) {
       const Stopwatch stopwatch;
       writer_.add(time, simulation_.states());
+      if (force_writer_) force_writer_->add(time, simulation_.forces());
       summary_.wall_log += stopwatch.seconds();
     }
     if (wants_pictures() && is_frame_time(time, scene_.duration) && shot_due_.due(time))
@@ -191,6 +204,7 @@ class Run {
   InterruptGuard interrupt_;
   engine::Simulation simulation_;
   TrajectoryWriter writer_;
+  std::optional<ForceWriter> force_writer_;
   Schedule log_due_;
   Schedule shot_due_;
   std::vector<Shot> shots_;

@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <string_view>
 
 #include "app/faults.h"
-#include "app/output_folder.h"
 
 namespace app {
 namespace {
@@ -87,10 +84,7 @@ void read_row(std::string_view text, const std::filesystem::path& file, int line
 
 TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& file,
                                    std::vector<std::string> names)
-    : path_(file), names_(std::move(names)), file_(std::fopen(file.c_str(), "w")) {
-  if (!file_) throw InputError(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
-  fmt::print(file_.get(), "{}\n", kHeader);
-}
+    : names_(std::move(names)), file_(file, kHeader) {}
 
 void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& states) {
   fmt::memory_buffer rows;
@@ -99,10 +93,7 @@ void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& sta
     for (const double n : numbers(states[i])) fmt::format_to(std::back_inserter(rows), ",{}", n);
     rows.push_back('\n');
   }
-  const std::size_t written = std::fwrite(rows.data(), 1, rows.size(), file_.get());
-  if (written != rows.size() || std::fflush(file_.get()) != 0)
-    throw OutputError(
-        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+  file_.add(rows);
 }
 
 Trajectory read_trajectory(const std::filesystem::path& file) {

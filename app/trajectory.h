@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/row_file.h"
 #include "hydro/spatial.h"
 
 /// @file
@@ -25,12 +24,8 @@ class TrajectoryWriter {
   void add(double time, const std::vector<hydro::BodyState>& states);
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::filesystem::path path_;
   std::vector<std::string> names_;
-  std::unique_ptr<std::FILE, Close> file_;
+  RowFile file_;
 };
 
 /// The states of one body over time.

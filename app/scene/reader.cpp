@@ -16,14 +16,16 @@ namespace {
 const char* const kVersion = "1";
 const char* const kVersionExpected = "1, the version of the scene format";
 
-/// How often the state is logged.
+/// How often the state is logged, and whether the forces are.
 struct LogBlock {
   std::optional<double> every;
+  bool forces = false;
 };
 
 void read(MapReader& map, LogBlock& log) {
   map.optional("every", log.every, not_negative("s"));
   if (log.every == 0.0) log.every.reset();
+  map.optional("forces", log.forces, TruthRule{});
 }
 
 /// Faults for names that stand before in the list. `list` is `bodies` or `joints`.
@@ -173,6 +175,7 @@ void read(MapReader& map, Scene& scene) {
   LogBlock log;
   map.block("log", log);
   scene.log_every = log.every;
+  scene.log_forces = log.forces;
   map.block("render", scene.render);
 
   name_nameless_joints(scene.joints);

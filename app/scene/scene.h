@@ -210,6 +210,7 @@ struct Scene {
   std::vector<BodyScene> bodies;
   std::vector<JointScene> joints;
   std::optional<double> log_every;  ///< [s]; none: every step.
+  bool log_forces = false;
   std::optional<RenderScene> render;
 
   /// Where the value of each key stands, by key path (`bodies[1].mesh.file`); the whole under the
