@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -25,8 +26,8 @@ using testing::StartsWith;
 class ProgramFailures : public testing::Test {
  protected:
   /// Starts a run that would take hours and waits until it has logged some rows.
-  pid_t start_long_run() {
-    here.write("long.yaml", falling_box("1e+7"));
+  pid_t start_long_run(const std::string& more = "") {
+    here.write("long.yaml", falling_box("1e+7", more));
     const pid_t process = here.start({"run", "long.yaml", "--out", "o"});
     const fs::path log = here / "o/trajectory.csv";
     EXPECT_TRUE(support::wait_until([&] {
@@ -139,6 +140,23 @@ TEST_F(ProgramFailures, AKilledRunLeavesEveryRowItHadLogged) {
   EXPECT_GE(fs::file_size(here / "o/trajectory.csv"), logged);
   EXPECT_GT(expect_whole_log(), 50u);
   EXPECT_FALSE(fs::exists(here / "o/summary.json"));
+}
+
+/// Numbers of fields of a CSV file's whole lines.
+std::vector<std::ptrdiff_t> widths_of(const std::string& csv) {
+  std::vector<std::ptrdiff_t> widths;
+  for (const std::string& line : support::lines_of(csv.substr(0, csv.rfind('\n') + 1)))
+    widths.push_back(1 + std::count(line.begin(), line.end(), ','));
+  return widths;
+}
+
+TEST_F(ProgramFailures, AKilledRunLeavesTheForcesOfEveryRowButTheLast) {
+  const pid_t process = start_long_run("log: {forces: true}\n");
+  ::kill(process, SIGKILL);
+  here.finish(process);
+  const std::vector<std::ptrdiff_t> widths = widths_of(here.read("o/forces.csv"));
+  EXPECT_GE(widths.size(), expect_whole_log());  // with the header
+  EXPECT_THAT(widths, testing::Each(64));
 }
 
 TEST_F(ProgramFailures, ASecondRunDoesNotMixItsFilesWithThoseOfTheFirst) {

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "app/force_writer.h"
 #include "app/trajectory.h"
 #include "tests/app/program.h"
 
@@ -194,6 +197,94 @@ TEST_F(ProgramRun, RepeatsItselfToTheByteWithAnyNumberOfThreads) {
   EXPECT_EQ(here.read("2/trajectory.csv"), once);
   EXPECT_EQ(here.read("5/trajectory.csv"), once);
   EXPECT_EQ(here.read("again/trajectory.csv"), once);
+}
+
+/// Numbers of a body's rows by the name of their column; the times are there as `time`.
+std::map<std::string, std::vector<double>> columns_of(const std::string& log,
+                                                      const std::string& body) {
+  std::map<std::string, std::vector<double>> columns;
+  std::vector<std::string> names;
+  for (const std::string& line : lines_of(log)) {
+    std::vector<std::string> fields;
+    std::stringstream row(line);
+    for (std::string field; std::getline(row, field, ',');) fields.push_back(field);
+    if (names.empty()) {
+      names = fields;
+      continue;
+    }
+    EXPECT_EQ(fields.size(), names.size());
+    if (fields.size() != names.size() || fields[1] != body) continue;
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (i != 1) columns[names[i]].push_back(std::stod(fields[i]));
+  }
+  return columns;
+}
+
+TEST_F(ProgramRun, WritesTheForcesBesideTheTrajectory) {
+  here.write("box.yaml", falling_box("0.5"));
+  here.run({"run", "box.yaml", "--out", "bare"});
+  const Outcome outcome = here.run({"run", "box.yaml", "--set", "log.forces=true"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(here.read("out/box/trajectory.csv"), here.read("bare/trajectory.csv"));
+  const std::string log = here.read("out/box/forces.csv");
+  EXPECT_EQ(lines_of(log).front(), app::force_header());
+  auto column = columns_of(log, "box");
+  const app::BodyTrack track =
+      app::read_trajectory(here / "out/box/trajectory.csv").tracks.at("box");
+  EXPECT_EQ(column["time"], track.times);
+  EXPECT_EQ(column.size(), 63u);
+  // It has fallen into the water, and what the weight gave is in the motion and the water.
+  EXPECT_EQ(column["buoyancy_fz"].front(), 0);
+  EXPECT_GT(column["buoyancy_fz"].back(), 0);
+  const double fallen = track.states.front().position.z() - track.states.back().position.z();
+  EXPECT_NEAR(column["work_weight"].back(), -column["weight_fz"].back() * fallen,
+              1e-3 * column["work_weight"].back());
+  double works = 0;
+  for (const auto& [name, values] : column)
+    if (name.starts_with("work_")) works += values.back();
+  EXPECT_NEAR(column["kinetic_energy"].back(), works, 1e-3 * works);
+}
+
+TEST_F(ProgramRun, LogsForcesAsProbeFindsThem) {
+  here.write("box.yaml", falling_box("0", "log: {forces: true}\n"));
+  const std::vector<std::string> under = {"--set", "bodies[box].position=[0, 0, -0.3]", "--set",
+                                          "bodies[box].linear_velocity=[1, 0, -2]"};
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.end(), under.begin(), under.end());
+    return here.run(words);
+  };
+  const json probe = json::parse(with({"probe", "box.yaml"}).out)["bodies"]["box"];
+  with({"run", "box.yaml"});
+  auto column = columns_of(here.read("out/box/forces.csv"), "box");
+  for (const std::string load : {"buoyancy", "pressure_drag", "viscous_drag", "lift"})
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(column[load + "_f" + "xyz"[i]].at(0), probe[load]["force"][i]) << load;
+      EXPECT_EQ(column[load + "_t" + "xyz"[i]].at(0), probe[load]["torque"][i]) << load;
+    }
+  EXPECT_EQ(column["wetted_area"].at(0), probe["wetted_area"]);
+  EXPECT_EQ(column["displaced_volume"].at(0), probe["displaced_volume"]);
+}
+
+TEST_F(ProgramRun, LeavesNoForcesOfAnEarlierRun) {
+  here.write("box.yaml", falling_box("0.2"));
+  here.run({"run", "box.yaml", "--set", "log.forces=true"});
+  EXPECT_THAT(files_in(here / "out/box"),
+              ElementsAre("forces.csv", "summary.json", "trajectory.csv"));
+  here.run({"run", "box.yaml"});
+  EXPECT_THAT(files_in(here / "out/box"), ElementsAre("summary.json", "trajectory.csv"));
+}
+
+TEST_F(ProgramRun, LogsTheSameForcesWithAnyNumberOfThreads) {
+  here.write("busy.yaml", busy_scene());
+  for (const std::string threads : {"1", "2", "5"})
+    ASSERT_EQ(here.run({"run", "busy.yaml", "--threads", threads, "--out", threads, "--set",
+                        "log.forces=true"})
+                  .code,
+              0);
+  const std::string once = here.read("1/forces.csv");
+  EXPECT_GT(once.size(), 10'000u);
+  EXPECT_EQ(here.read("2/forces.csv"), once);
+  EXPECT_EQ(here.read("5/forces.csv"), once);
 }
 
 TEST_F(ProgramRun, TakesKeysFromTheCommandLine) {

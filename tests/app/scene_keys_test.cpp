@@ -78,7 +78,7 @@ std::string every_key() {
          "  - {name: j, type: universal, bodies: [a, b], anchor: [1, 2, 3], axis: [0, 2, 0],"
          " axis2: [3, 0, 0]}\n"
          "  - {type: slider, bodies: [c, world], axis: [1, 0, 0]}\n"
-         "log: {every: 0.5}\n"
+         "log: {every: 0.5, forces: true}\n"
          "render:\n"
          "  size: [320, 16]\n"
          "  every: 0.25\n"
@@ -113,6 +113,7 @@ TEST(SceneKeys, TopLevelIsRead) {
   EXPECT_EQ(scene.step, 2.5e-3);
   EXPECT_EQ(scene.gravity, 1.62);
   EXPECT_EQ(scene.log_every, 0.5);
+  EXPECT_TRUE(scene.log_forces);
   EXPECT_EQ(std::get<app::PlaneGroundScene>(scene.ground).z, -10);
 }
 
@@ -337,6 +338,7 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(scene.ground));
   EXPECT_TRUE(scene.bodies.empty());
   EXPECT_FALSE(scene.log_every.has_value());
+  EXPECT_FALSE(scene.log_forces);
   EXPECT_FALSE(scene.render.has_value());
   const app::Scene wet = read_scene_text(support::kSmallScene, {"water={}", "log.every=0"});
   EXPECT_EQ(wet.water->density, 1000);
