@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "hydro/buoyancy_energy.h"
+#include "hydro/constant_added_mass.h"
 #include "tests/engine/specs.h"
 #include "tests/support/tolerance.h"
 
@@ -129,21 +130,21 @@ class DraftAddedMass final : public hydro::AddedMassModel {
 };
 
 /// A raft let go above its equilibrium, with drag and, if asked for, added mass.
-SimulationSpec bob(double step, bool adds) {
+SimulationSpec bobbing_raft(double step, bool adds) {
   BodySpec raft = with_drag(box_body("raft", {4, 3, 1}, kSeaDensity / 2, {0, 0, 0.3}, 2), 1);
   if (adds) raft.added_mass = std::make_shared<DraftAddedMass>();
   return in_sea(raft, step);
 }
 
 /// Largest fault of equations (1) and (2) of the log over a bob's way, as a part of the work done.
-struct Faults {
+struct BudgetFaults {
   double first = 0;
   double second = 0;
   double buoyancy = 0;  ///< Of its work against hydro::buoyancy_energy.
 };
 
-Faults faults_of_bob(double step, bool adds) {
-  const SimulationSpec spec = bob(step, adds);
+BudgetFaults faults_of_bob(double step, bool adds) {
+  const SimulationSpec spec = bobbing_raft(step, adds);
   Simulation simulation(spec);
   const hydro::Hull hull = hydro::make_hull(spec.bodies[0].mesh_B);
   const auto stored = [&] {
@@ -151,7 +152,7 @@ Faults faults_of_bob(double step, bool adds) {
   };
   const double stored_at_start = stored();
   const BodyForces start = simulation.forces()[0];
-  Faults faults;
+  BudgetFaults faults;
   const double scale = spec.bodies[0].mass * kGravity * 0.3;
   for (long i = 0; i < support::steps_in(6, step); ++i) {
     simulation.step();
@@ -168,8 +169,8 @@ Faults faults_of_bob(double step, bool adds) {
 
 TEST(ForceLog, TheBudgetOfABobClosesToTheOrderOfTheStep) {
   for (const bool adds : {false, true}) {
-    const Faults coarse = faults_of_bob(0.02, adds);
-    const Faults fine = faults_of_bob(0.01, adds);
+    const BudgetFaults coarse = faults_of_bob(0.02, adds);
+    const BudgetFaults fine = faults_of_bob(0.01, adds);
     // The bob has ω = 4.4 rad/s or less: in a step of 0.01 s (hω)² is 2e-3, and the offset of the
     // states a 24th of it of the acceleration.
     EXPECT_LT(fine.first, tolerance(1e-4));
@@ -181,7 +182,7 @@ TEST(ForceLog, TheBudgetOfABobClosesToTheOrderOfTheStep) {
 }
 
 TEST(ForceLog, AddedMassIsWhatIsMissingOfTheOtherLoads) {
-  const SimulationSpec spec = bob(kStep, true);
+  const SimulationSpec spec = bobbing_raft(kStep, true);
   Simulation simulation = support::after(spec, 20);
   const auto loads = [&] {
     const BodyForces forces = simulation.forces()[0];
@@ -202,7 +203,7 @@ TEST(ForceLog, AddedMassIsWhatIsMissingOfTheOtherLoads) {
 
 /// Two rafts, hinged to each other, let go above the water.
 SimulationSpec hinged_rafts(double speed) {
-  SimulationSpec spec = bob(kStep, true);
+  SimulationSpec spec = bobbing_raft(kStep, true);
   spec.bodies.push_back(spec.bodies[0]);
   spec.bodies[1].name = "other";
   spec.bodies[1].initial.position.x() = 4;
@@ -234,6 +235,50 @@ TEST(ForceLog, AHingePassesOnWhatItTakes) {
       EXPECT_NEAR(gained, forces[i].works.sum(), tolerance(1e-9 * most)) << speed;
     }
   }
+}
+
+/// A weightless box deep in a current, with nothing but an added mass of its own in each direction.
+SimulationSpec in_current() {
+  BodySpec box = box_body("box", {1, 2, 3}, 500, {0, 0, -50});
+  box.coefficients.buoyancy = false;
+  box = with_drag(box, 0);
+  box.initial.linear_velocity = {2, 1, -1};
+  hydro::Matrix6d added = hydro::Matrix6d::Zero();
+  added.diagonal() << 6000, 3000, 1000, 500, 700, 200;
+  box.added_mass = std::make_shared<hydro::ConstantAddedMass>(box.mesh_B, added);
+  SimulationSpec spec = in_sea(box);
+  spec.gravity = 0;
+  spec.sea->current = {0.5, -1, 0};
+  return spec;
+}
+
+TEST(ForceLog, OfABodyWithoutOtherLoadsTheAddedMassIsAllThatTurnsIt) {
+  SimulationSpec spec = in_current();
+  spec.bodies[0].initial.angular_velocity = {0.5, 1, 2};
+  Simulation simulation = support::after(spec, 100);
+  const hydro::BodyState before = simulation.states()[0];
+  simulation.step();
+  const hydro::BodyState after = simulation.states()[0];
+  const BodyForces end = simulation.forces()[0];
+  const Vector3d pull =
+      spec.bodies[0].mass * (after.linear_velocity - before.linear_velocity) / kStep;
+  const Vector3d turn =
+      (support::spin(spec.bodies[0], after) - support::spin(spec.bodies[0], before)) / kStep;
+  EXPECT_GT(pull.norm(), 1);
+  EXPECT_LT((end.added_mass.force - pull).norm(), tolerance(1e-8 * pull.norm()));
+  EXPECT_LT((end.added_mass.moment - turn).norm(), tolerance(1e-8 * turn.norm()));
+  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9 * end.kinetic_energy));
+  EXPECT_EQ(end.works.sum(), end.works.added_mass);
+}
+
+TEST(ForceLog, LocksHoldAgainstTheMunkMoment) {
+  SimulationSpec spec = in_current();
+  spec.bodies[0].locked = {false, false, false, true, true, true};
+  const BodyForces end = forces_after(spec, 1);
+  const Vector3d through = Vector3d(2, 1, -1) - spec.sea->current;
+  const Vector3d munk = -through.cross(Vector3d(6000, 3000, 1000).cwiseProduct(through));
+  EXPECT_LT((end.added_mass.moment - munk).norm(), tolerance(1e-9 * munk.norm()));
+  EXPECT_LT((end.constraint.moment + munk).norm(), tolerance(1e-9 * munk.norm()));
 }
 
 TEST(ForceLog, ABrakesWorkIsBooked) {
@@ -330,7 +375,7 @@ TEST(ForceLog, AppliedLoadsAreThemselves) {
 }
 
 TEST(ForceLog, OdesOwnStepIsBookedToo) {
-  SimulationSpec spec = bob(kStep, false);
+  SimulationSpec spec = bobbing_raft(kStep, false);
   spec.integrator.method = engine::Integrator::Method::ode;
   const BodyForces end = forces_after(spec, 2);
   EXPECT_GT(std::abs(end.works.buoyancy), 1);
@@ -338,7 +383,7 @@ TEST(ForceLog, OdesOwnStepIsBookedToo) {
 }
 
 TEST(ForceLog, DoesNotChangeTheMotion) {
-  SimulationSpec spec = bob(kStep, true);
+  SimulationSpec spec = bobbing_raft(kStep, true);
   const Simulation booked = support::after(spec, 200);
   booked.forces();
   spec.books = false;
