@@ -92,6 +92,11 @@ void add_run(CLI::App& program, Arguments& a) {
 }
 
 void add_others(CLI::App& program, Arguments& a) {
+  CLI::App* starter = program.add_subcommand("new", "Write a commented scene to start from");
+  starter->add_option("name", a.scene, "Its name, with or without .yaml")
+      ->type_name("NAME")
+      ->required();
+
   CLI::App* check =
       program.add_subcommand("check", "Validate scenes and their meshes; run nothing");
   check->add_option("scenes", a.scenes, "Scene files")->type_name("FILE")->required();
@@ -195,6 +200,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   a.run.overrides = a.render.overrides = a.addedmass.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
+  if (program.got_subcommand("new")) return new_scene(a.scene);
   if (program.got_subcommand("check")) return check(a.scenes, overrides);
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
   if (program.got_subcommand("compare")) return compare(a.compare);

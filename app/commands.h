@@ -35,6 +35,10 @@ struct RunOptions {
 };
 int run(const RunOptions& options);
 
+/// Writes a scene to start from, with comments. @param name   With or without `.yaml`; a file of
+/// that name is left alone.
+int new_scene(const std::filesystem::path& name);
+
 int check(const std::vector<std::filesystem::path>& scenes, const std::vector<Override>& overrides);
 
 int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);

@@ -23,6 +23,57 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
+class ProgramNew : public testing::Test {
+ protected:
+  Workplace here;
+};
+
+/// The scene with what is commented out in it switched on, but for what needs a file of the user's.
+std::string with_all_keys(const std::string& scene) {
+  std::string all;
+  for (const std::string& line : lines_of(scene)) {
+    const std::size_t mark = line.find_first_not_of(' ');
+    const bool key = mark != std::string::npos && line.compare(mark, 2, "# ") == 0 &&
+                     line.find(": ", mark) < line.find(". ", mark) &&
+                     line.find("mesh:") == std::string::npos;
+    const bool list = line == "# joints:" || line.starts_with("#   - ");
+    all += key || list ? line.substr(0, mark) + line.substr(mark + 2) : line;
+    all += '\n';
+  }
+  return all;
+}
+
+TEST_F(ProgramNew, WritesASceneThatRuns) {
+  const Outcome made = here.run({"new", "my \"first\" buoy"});
+  EXPECT_EQ(made.code, 0);
+  EXPECT_THAT(made.out, StartsWith("my \"first\" buoy.yaml: "));
+  const Outcome ran = here.run({"run", "my \"first\" buoy.yaml", "--set", "duration=0.1",
+                                "--no-render", "--set", "hydro.added_mass=none", "--out", "out"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(fs::exists(here / "out/trajectory.csv"));
+}
+
+TEST_F(ProgramNew, ShowsKeysThatAreRight) {
+  here.run({"new", "a.yaml"});
+  const std::string all = with_all_keys(here.read("a.yaml"));
+  EXPECT_THAT(all, HasSubstr("\nground: {"));
+  EXPECT_THAT(all, HasSubstr("\njoints:\n  - {type: ball"));
+  EXPECT_THAT(all, HasSubstr("\n    lock: ["));
+  here.write("all.yaml", all);
+  const Outcome outcome = here.run({"check", "all.yaml"});
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("2 bodies"));
+  EXPECT_THAT(outcome.out, HasSubstr("1 joint"));
+}
+
+TEST_F(ProgramNew, LeavesAFileThatIsThereAlone) {
+  here.write("a.yaml", "mine\n");
+  const Outcome outcome = here.run({"new", "a"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, StartsWith("a.yaml: is there already, and is left as it is\n"));
+  EXPECT_EQ(here.read("a.yaml"), "mine\n");
+}
+
 class ProgramCheck : public testing::Test {
  protected:
   Workplace here;
