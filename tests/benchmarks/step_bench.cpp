@@ -105,8 +105,10 @@ void add_step(const Crates& crates, const char* arrangement) {
 
 void register_step() {
   for (const int bodies : {1, 10, 100, 1000}) add_step({bodies, 1}, "");
-  for (const int bodies : {10, 100, 1000}) add_step({bodies, 10}, "/crates");
-  for (const int bodies : {10, 20, 40, 100, 1000}) add_step({bodies, bodies}, "/heap");
+  for (const int bodies : {10, 100, 1000}) {
+    add_step({bodies, 10}, "/crates");
+    add_step({bodies, bodies}, "/heap");
+  }
 }
 
 }  // namespace bench
