@@ -54,10 +54,10 @@ class ProgramFailures : public testing::Test {
 TEST_F(ProgramFailures, WrongUsageIsCodeTwoAndSaysWhatIsRight) {
   const Outcome nothing = here.run({});
   EXPECT_EQ(nothing.code, 2);
-  EXPECT_THAT(nothing.err, StartsWith("found nothing, expected a command: run, check, "));
+  EXPECT_THAT(nothing.err, StartsWith("found nothing, expected a command: run, new, check, "));
   const Outcome command = here.run({"fly", "x.yaml"});
   EXPECT_EQ(command.code, 2);
-  EXPECT_THAT(command.err, StartsWith("found fly, expected a command: run, check, "));
+  EXPECT_THAT(command.err, StartsWith("found fly, expected a command: run, new, check, "));
   here.write("box.yaml", falling_box("1"));
   const Outcome option = here.run({"run", "box.yaml", "--nope"});
   EXPECT_EQ(option.code, 2);
