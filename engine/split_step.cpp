@@ -73,7 +73,7 @@ double turn_length(const Body& body, const Surroundings& around, double step, do
 constexpr double kLeapParts = 16;
 
 /// Of a step, what its pieces may miss of it.
-constexpr double kRoundOff = 1e-12;
+constexpr double kMissedPart = 1e-12;
 
 /// As kMostPasses: a pass of an island solves its constraints, often many times.
 constexpr int kMostIslandPasses = 2;
@@ -118,7 +118,7 @@ void SplitStep::advance_in_pieces(double time, double step, int halvings) {
       advance_in_pieces(now + piece / 2, piece / 2, halvings - 1);
     }
     const double rest = step - done - piece;
-    if (rest <= kRoundOff * step) return;
+    if (rest <= kMissedPart * step) return;
     done += piece;
     // An impact slows a body, a joint may make it spin: what is left is cut anew.
     piece = longest_piece(islands, rest);
