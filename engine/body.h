@@ -99,6 +99,8 @@ struct Body {
   Vector6d reaction_B = Vector6d::Zero();  ///< Of the last constraints, body axes.
   /// Of the centre of mass without constraints, in W, when it was last under them [m/s^2].
   std::optional<Eigen::Vector3d> acceleration_W;
+  /// Longest piece that its last impact leaves [s].
+  double after_impact = std::numeric_limits<double>::infinity();
   Cost cost;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "engine/world.h"
 
@@ -41,12 +40,6 @@ bool is_heap(const std::vector<dxBody*>& bodies) {
   return contacts > 2 * kMostDirectContacts;
 }
 
-/// The smallest index that leads to i.
-std::size_t root(std::vector<std::size_t>& leader, std::size_t i) {
-  while (leader[i] != i) i = leader[i] = leader[leader[i]];
-  return i;
-}
-
 }  // namespace
 
 void World::only_constrain() {
@@ -61,12 +54,8 @@ void World::only_constrain() {
   }
 }
 
-void World::set_contact_inertia(BodyId id, double mass, double fall,
-                                const Eigen::Vector3d& acceleration) {
-  Body& body = bodies_.at(static_cast<std::size_t>(id));
-  body.contact_mass = mass;
-  body.contact_fall = fall;
-  body.acceleration = acceleration;
+void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
+  bodies_.at(static_cast<std::size_t>(id)).inertia = inertia;
 }
 
 std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Constrained>& bodies,
@@ -113,35 +102,6 @@ void World::iterate(int count, double step) {
   dWorldSetQuickStepNumIterations(world_.get(), count);
   dRandSetSeed(1);  // It takes the constraints in random order.
   if (!dWorldQuickStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
-}
-
-std::vector<bool> World::touching() const {
-  std::vector<bool> touches(bodies_.size(), false);
-  for (const Pair& pair : touching_)
-    for (const BodyId id : {pair.first, pair.second})
-      if (id != kWorld) touches[static_cast<std::size_t>(id)] = true;
-  return touches;
-}
-
-std::vector<std::vector<BodyId>> World::islands() const {
-  std::vector<std::size_t> leader(bodies_.size());
-  std::iota(leader.begin(), leader.end(), std::size_t{0});
-  std::vector<bool> held(bodies_.size(), false);
-  for (const std::vector<Pair>* pairs : {&joints_, &touching_}) {
-    for (const Pair& pair : *pairs) {
-      for (const BodyId id : {pair.first, pair.second})
-        if (handle_of(id)) held[static_cast<std::size_t>(id)] = true;
-      if (!handle_of(pair.first) || !handle_of(pair.second)) continue;
-      const auto a = root(leader, static_cast<std::size_t>(pair.first));
-      const auto b = root(leader, static_cast<std::size_t>(pair.second));
-      leader[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  std::vector<std::vector<BodyId>> members(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (held[i]) members[root(leader, i)].push_back(static_cast<BodyId>(i));
-  std::erase_if(members, [](const std::vector<BodyId>& island) { return island.empty(); });
-  return members;
 }
 
 }  // namespace engine

@@ -12,8 +12,19 @@
 /// can move, so that overlap decays within a few τ and does not bounce. With the time step h the
 /// constraint solver is given, for each of n points,
 ///
-///     ERP = h k / (h k + c) = h / (h + 2 τ)                                               (1)
-///     CFM = 1 / (h k + c)   = n τ² / (m (h + 2 τ))                                        (2)
+///     ERP = h k / (α h k + w c)  = h / (α h + 2 w τ)                                      (1)
+///     CFM = 1 / (α h k + w c)    = n τ² / (m (α h + 2 w τ))                               (2)
+///     speed = −(1 − w) c v⁻ CFM/n = −2 (1 − w) τ v⁻ / (α h + 2 w τ)
+///
+/// that is the force k d − α h k v⁺ − c ((1 − w) v⁻ + w v⁺), where d is the depth and v⁻, v⁺ the
+/// speeds at which the point parts before and after the kick. With α = w = 1 it is that of the end
+/// of the step, of first order and without any bound on h. Where d is the depth halfway through a
+/// step that is shorter than τ, the split step takes the weights
+///
+///     α = h/τ,    w = max(h/τ, 1/(1 − exp(−z)) − 1/z),    z = (c/n) h/µ,                  (5)
+///
+/// of second order: w tends to ½. µ is the mass that the point resists a push with. A damper on it
+/// alone, which at a corner is far stiffer than on the whole body, is then solved exactly.
 ///
 /// A body that carries its own weight sinks in by g τ². The time τ = max(h, 0.01 s) makes that 1
 /// mm, whatever the body's size; it does not follow the step below 0.01 s, so that the motion
@@ -41,6 +52,7 @@ namespace engine {
 
 inline constexpr double kFriction = 0.5;           ///< µ [-].
 inline constexpr double kShortestContact = 0.01;   ///< Least τ [s].
+inline constexpr double kLeastGravity = 1;         ///< In (4), where there is none [m/s^2].
 inline constexpr std::size_t kContactsOfPair = 8;  ///< Of meshes, whose points scatter.
 inline constexpr std::size_t kContactsOfFace = 4;  ///< Of boxes and planes: corners of a flat face.
 
@@ -76,13 +88,23 @@ std::vector<ContactPoint> holding_a_sphere(std::vector<ContactPoint> points);
 /// farthest from those taken, in place and direction. Equal ones go by order.
 std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most);
 
+/// The weights of (5).
+struct ContactWeights {
+  double spring = 1;  ///< α
+  double damper = 1;  ///< w
+};
+/// @param lightness   m/µ
+ContactWeights halfway_weights(std::size_t points, double step, double lightness);
+
 /// What the constraint solver is told about one point: equations (1) to (3).
 struct ContactStiffness {
-  double erp = 0;   ///< [-]
-  double cfm = 0;   ///< [m/(N s)]
-  double slip = 0;  ///< [m/(N s)]
+  double erp = 0;    ///< [-]
+  double cfm = 0;    ///< [m/(N s)]
+  double speed = 0;  ///< For v⁻ = −1 [-]
+  double slip = 0;   ///< [m/(N s)]
 };
-ContactStiffness contact_stiffness(double mass, std::size_t points, double step);
+ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
+                                   const ContactWeights& weights = {});
 
 /// The ERP of (1), or what makes the speed ERP·depth/h that of (4) if that is less.
 double limited_erp(double erp, double depth, double gravity, double step);

@@ -26,8 +26,9 @@ struct Energies {
   double potential = 0;
 };
 
+template <class MotionOf>
 Energies energies(const std::vector<std::size_t>& members, const std::vector<Body>& bodies,
-                  const EnergyGuard::MotionOf& motion, const Surroundings& around) {
+                  const MotionOf& motion, const Surroundings& around) {
   Energies sum;
   for (const std::size_t i : members) {
     sum.kinetic += kinetic_energy(bodies[i], around, motion(i));
@@ -38,118 +39,100 @@ Energies energies(const std::vector<std::size_t>& members, const std::vector<Bod
 
 }  // namespace
 
-EnergyGuard::EnergyGuard(const std::vector<std::vector<BodyId>>& groups,
-                         const std::vector<Body>& bodies, const Surroundings& around)
+EnergyGuard::EnergyGuard(const std::vector<BodyId>& group, const std::vector<Body>& bodies,
+                         const Surroundings& around)
     : around_(around) {
-  for (const std::vector<BodyId>& ids : groups) {
-    // On a guide a body keeps to the rule of a free one.
-    if (ids.size() == 1 && bodies[static_cast<std::size_t>(ids.front())].guide) continue;
-    Group group;
-    for (const BodyId id : ids) {
-      const auto i = static_cast<std::size_t>(id);
-      group.bodies.push_back(i);
-      group.floor += least_energy_scale(bodies[i], around);
-      group.in_still_water = group.in_still_water && must_not_gain_energy(bodies[i], around);
-    }
-    groups_.push_back(std::move(group));
+  for (const BodyId id : group) {
+    const auto i = static_cast<std::size_t>(id);
+    bodies_.push_back(i);
+    floor_ += least_energy_scale(bodies[i], around);
+    in_still_water_ = in_still_water_ && must_not_gain_energy(bodies[i], around);
   }
 }
 
-bool EnergyGuard::gained(const std::vector<Body>& bodies, const MotionOf& before,
-                         const std::vector<bool>& touching, const std::vector<double>& work,
-                         double step) {
-  bool any = false;
-  for (Group& group : groups_) {
-    group.excess = 0;
-    group.next = group.range;
-    group.next_given = group.given;
-    const auto touches = [&](std::size_t i) { return touching[i]; };
-    if (std::any_of(group.bodies.begin(), group.bodies.end(), touches)) {
-      group.next = {};
-      group.next_given = 0;
-      continue;
-    }
-    const auto smooth = [&](std::size_t i) {
-      const KickHistory& kicks = bodies[i].motion.kicks;
-      return kicks.resolved() && kicks.pace() * step <= kSmoothSwing;
-    };
-    if (std::all_of(group.bodies.begin(), group.bodies.end(), smooth)) continue;
-    if (group.in_still_water)
-      look(group, bodies, before, step);
-    else
-      look_at_joints(group, bodies, before, work);
-    any = any || group.excess > group.allowed;
+bool EnergyGuard::gained(const std::vector<Body>& bodies, const PassageOf& passage, double step) {
+  excess_ = 0;
+  next_ = range_;
+  next_given_ = given_;
+  const auto touches = [&](std::size_t i) { return passage(i).touching; };
+  if (std::any_of(bodies_.begin(), bodies_.end(), touches)) {
+    next_ = {};
+    next_given_ = 0;
+    return false;
   }
-  return any;
+  const auto smooth = [&](std::size_t i) {
+    const KickHistory& kicks = bodies[i].motion.kicks;
+    return kicks.resolved() && kicks.pace() * step <= kSmoothSwing;
+  };
+  if (std::all_of(bodies_.begin(), bodies_.end(), smooth)) return false;
+  if (in_still_water_)
+    look(bodies, passage, step);
+  else
+    look_at_joints(bodies, passage);
+  return excess_ > allowed_;
 }
 
-void EnergyGuard::look(Group& group, const std::vector<Body>& bodies, const MotionOf& before,
-                       double step) const {
-  const Energies start = energies(group.bodies, bodies, before, around_);
+void EnergyGuard::look(const std::vector<Body>& bodies, const PassageOf& passage, double step) {
+  const auto before = [&](std::size_t i) -> const Motion& { return passage(i).before; };
   const auto after = [&](std::size_t i) -> const Motion& { return bodies[i].motion; };
-  const Energies end = energies(group.bodies, bodies, after, around_);
-  group.next.extend(start.kinetic + start.potential, start.potential);
+  const Energies start = energies(bodies_, bodies, before, around_);
+  const Energies end = energies(bodies_, bodies, after, around_);
+  next_.extend(start.kinetic + start.potential, start.potential);
   const auto driven = [&](std::size_t i) { return is_driven(bodies[i]); };
-  if (std::any_of(group.bodies.begin(), group.bodies.end(), driven)) {
-    group.next.lowest = start.kinetic + start.potential;
-    for (const std::size_t i : group.bodies)
-      group.next.lowest +=
-          work_done(bodies[i], around_, before(i).state, bodies[i].motion.state, step);
+  if (std::any_of(bodies_.begin(), bodies_.end(), driven)) {
+    next_.lowest = start.kinetic + start.potential;
+    for (const std::size_t i : bodies_)
+      next_.lowest += work_done(bodies[i], around_, before(i).state, after(i).state, step);
   }
   const double energy = end.kinetic + end.potential;
-  group.kinetic = end.kinetic;
-  group.allowed = group.next.allowed_gain(group.floor);
-  group.excess = energy - group.next.lowest - group.allowed;
-  group.next.extend(std::min(energy, energy - group.excess), end.potential);
+  kinetic_ = end.kinetic;
+  allowed_ = next_.allowed_gain(floor_);
+  excess_ = energy - next_.lowest - allowed_;
+  next_.extend(std::min(energy, energy - excess_), end.potential);
 }
 
-void EnergyGuard::look_at_joints(Group& group, const std::vector<Body>& bodies,
-                                 const MotionOf& before, const std::vector<double>& work) const {
+void EnergyGuard::look_at_joints(const std::vector<Body>& bodies, const PassageOf& passage) {
   double start = 0, end = 0, gain = 0;
-  for (const std::size_t i : group.bodies) {
-    start += absolute_energy(bodies[i], before(i));
+  for (const std::size_t i : bodies_) {
+    start += absolute_energy(bodies[i], passage(i).before);
     end += absolute_energy(bodies[i], bodies[i].motion);
-    gain += work[i];
+    gain += passage(i).work;
   }
   // Of what joints add, drag may take all at once; what loads take of the motion later they take of
   // the gains in it, too.
   if (gain > 0) gain = std::min(gain, std::max(0.0, end - start));
   const double sound = std::max(0.0, end - gain);
   const double left = start > 0 ? std::min(1.0, sound / start) : 1;
-  group.next_given = std::max(0.0, left * group.given + gain);
-  group.kinetic = end;
-  group.allowed = kJointGain * std::max({start, sound, group.floor});
-  group.excess = group.next_given - group.allowed;
-  if (group.excess > 0) group.next_given -= std::min(group.excess, end);
+  next_given_ = std::max(0.0, left * given_ + gain);
+  kinetic_ = end;
+  allowed_ = kJointGain * std::max({start, sound, floor_});
+  excess_ = next_given_ - allowed_;
+  if (excess_ > 0) next_given_ -= std::min(excess_, end);
 }
 
-void EnergyGuard::brake(std::vector<Body>& bodies, const MotionOf& before) const {
-  for (const Group& group : groups_) {
-    if (!(group.excess > 0)) continue;
-    const bool enough = group.kinetic > group.excess;
-    const bool much = group.excess > group.allowed;
-    if (!enough && !much) continue;
-    const double part = enough ? std::sqrt(1 - group.excess / group.kinetic) : 0;
-    for (const std::size_t i : group.bodies) {
-      Motion& motion = bodies[i].motion;
-      if (!enough) motion = before(i);
-      const Motion fast = motion;
-      // Still water has no current where joints hold a body.
-      const Eigen::Vector3d still = Eigen::Vector3d::Zero();
-      motion.state = with_velocity(motion.state, part * velocity(motion.state, still), still);
-      if (motion.ledger) book_brake(bodies[i], around_, fast, motion);
-      if (!much) continue;
-      motion.kicks.clear();
-      ++bodies[i].cost.braked;
-    }
+void EnergyGuard::brake(std::vector<Body>& bodies, const PassageOf& passage) const {
+  if (!(excess_ > 0)) return;
+  const bool enough = kinetic_ > excess_;
+  const bool much = excess_ > allowed_;
+  if (!enough && !much) return;
+  const double part = enough ? std::sqrt(1 - excess_ / kinetic_) : 0;
+  for (const std::size_t i : bodies_) {
+    Motion& motion = bodies[i].motion;
+    if (!enough) motion = passage(i).before;
+    const Motion fast = motion;
+    // Still water has no current where joints hold a body.
+    const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+    motion.state = with_velocity(motion.state, part * velocity(motion.state, still), still);
+    if (motion.ledger) book_brake(bodies[i], around_, fast, motion);
+    if (!much) continue;
+    motion.kicks.clear();
+    ++bodies[i].cost.braked;
   }
 }
 
 void EnergyGuard::accept() {
-  for (Group& group : groups_) {
-    group.range = group.next;
-    group.given = group.next_given;
-  }
+  range_ = next_;
+  given_ = next_given_;
 }
 
 }  // namespace engine

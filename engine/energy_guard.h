@@ -24,52 +24,50 @@
 
 namespace engine {
 
+/// What a step of a body under constraints is judged by.
+struct Passage {
+  Motion before;          ///< At its start.
+  bool touching = false;  ///< The body is in contact.
+  double work = 0;        ///< Of the reactions on it in the step [J].
+};
+
 class EnergyGuard {
  public:
-  using MotionOf = std::function<const Motion&(std::size_t body)>;
+  using PassageOf = std::function<const Passage&(std::size_t body)>;
   static constexpr int kMostHalvings = 5;
 
-  /// @param groups   Bodies that joints hold together, and alone ones that joints hold.
-  EnergyGuard(const std::vector<std::vector<BodyId>>& groups, const std::vector<Body>& bodies,
+  /// @param group   Bodies that joints hold together, or one that joints hold.
+  EnergyGuard(const std::vector<BodyId>& group, const std::vector<Body>& bodies,
               const Surroundings& around);
 
-  /// Looks at the bodies after a step.
-  /// @param before   Motion of a body at its start.
-  /// @param touching   For each body, if it is in contact.
-  /// @param work   Of the reactions on each body in the step [J].
-  /// @param step   Between both [s].
-  /// @return true if a group has so much energy that the step is to be taken in halves.
-  bool gained(const std::vector<Body>& bodies, const MotionOf& before,
-              const std::vector<bool>& touching, const std::vector<double>& work, double step);
+  BodyId first() const { return static_cast<BodyId>(bodies_.front()); }
 
-  /// After gained() for the same step: slows the groups that have too much energy; those that have
-  /// more of it than they move with rest where they were before.
-  void brake(std::vector<Body>& bodies, const MotionOf& before) const;
+  /// Looks at the bodies after a step [s].
+  /// @return true if they have so much energy that the step is to be taken in halves.
+  bool gained(const std::vector<Body>& bodies, const PassageOf& passage, double step);
+
+  /// After gained() for the same step: slows the group if it has too much energy; if it has more of
+  /// it than it moves with, it rests where it was before.
+  void brake(std::vector<Body>& bodies, const PassageOf& passage) const;
 
   /// After gained() for the same step, which stands.
   void accept();
 
  private:
-  struct Group {
-    std::vector<std::size_t> bodies;
-    bool in_still_water = true;
-    double floor = 0;       ///< Least energy that a gain is measured by [J].
-    EnergyRange range;      ///< Up to the last step that stands.
-    EnergyRange next;       ///< With the step that was looked at.
-    double given = 0;       ///< By its joints up to the last step that stands [J].
-    double next_given = 0;  ///< And in the step that was looked at.
-    double kinetic = 0;     ///< After it [J].
-    double allowed = 0;     ///< Gain for which nothing is done [J].
-    double excess = 0;      ///< Beyond that after it [J].
-  };
-
-  void look(Group& group, const std::vector<Body>& bodies, const MotionOf& before,
-            double step) const;
-  void look_at_joints(Group& group, const std::vector<Body>& bodies, const MotionOf& before,
-                      const std::vector<double>& work) const;
+  void look(const std::vector<Body>& bodies, const PassageOf& passage, double step);
+  void look_at_joints(const std::vector<Body>& bodies, const PassageOf& passage);
 
   Surroundings around_;
-  std::vector<Group> groups_;
+  std::vector<std::size_t> bodies_;
+  bool in_still_water_ = true;
+  double floor_ = 0;       ///< Least energy that a gain is measured by [J].
+  EnergyRange range_;      ///< Up to the last step that stands.
+  EnergyRange next_;       ///< With the step that was looked at.
+  double given_ = 0;       ///< By its joints up to the last step that stands [J].
+  double next_given_ = 0;  ///< And in the step that was looked at.
+  double kinetic_ = 0;     ///< After it [J].
+  double allowed_ = 0;     ///< Gain for which nothing is done [J].
+  double excess_ = 0;      ///< Beyond that after it [J].
 };
 
 }  // namespace engine

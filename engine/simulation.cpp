@@ -106,8 +106,12 @@ Simulation::Impl::Impl(SimulationSpec description)
   const ForEach for_each = [this](std::size_t n, const std::function<void(std::size_t)>& f) {
     threads.execute([&] { hydro::parallel_for(n, f); });
   };
-  split = std::make_unique<SplitStep>(world, bodies, around, for_each, !skips.collision,
-                                      spec.integrator.tolerance);
+  split = std::make_unique<SplitStep>(Stepping{.world = world,
+                                               .bodies = bodies,
+                                               .around = around,
+                                               .for_each = for_each,
+                                               .collides = !skips.collision,
+                                               .tolerance = spec.integrator.tolerance});
 }
 
 void Simulation::Impl::step() {
@@ -132,7 +136,7 @@ void Simulation::Impl::advance() {
     for (Body& body : bodies)
       body.motion.ledger->added_impulse = body.motion.ledger->constraint_impulse = Vector6d::Zero();
   const double loads_before = load_seconds();
-  const double collisions_before = split->collision_seconds();
+  const double collisions_before = world.collision_seconds();
   double wall = 0;
   {
     const Stopwatch stopwatch(wall);
@@ -142,7 +146,7 @@ void Simulation::Impl::advance() {
       ode_step(world, bodies, around, time(), spec.step, !skips.collision);
   }
   // Loads of several bodies are found at once: what they take of the step is an average.
-  const double collision = split->collision_seconds() - collisions_before;
+  const double collision = world.collision_seconds() - collisions_before;
   const double loads =
       std::min(wall - collision, (load_seconds() - loads_before) / std::max(1, spec.threads));
   timings.collision += collision;

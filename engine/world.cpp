@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "engine/body_check.h"
@@ -67,20 +68,22 @@ World::World(double gravity) : gravity_(gravity) {
   space_.reset(dHashSpaceCreate(nullptr));
   // Cells of 1 m to 1 km: body coordinates divided by a cell's size must fit an int.
   dHashSpaceSetLevels(space_.get(), 0, 10);
-  contacts_.reset(dJointGroupCreate(0));
+  contacts_ = no_contacts();
 }
 
 BodyId World::add_body(const BodySpec& spec) {
   check_body(spec);
   Body body{.mass = spec.mass,
-            .contact_mass = spec.mass,
             .initial = without_locked_motion(spec.locked, spec.initial),
             .load = {},
-            .acceleration = {}};
+            .inertia = {}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
   const Shape shape = create_shape(spec);
   body.geom = shape.geom;
-  if (body.geom) place_geom(body, shape);
+  if (body.geom) {
+    place_geom(body, shape);
+    body.shape_B = shape.box_B;
+  }
   const auto id = static_cast<BodyId>(bodies_.size());
   if (body.geom) dGeomSetData(body.geom, tag(id));
   bodies_.push_back(body);
@@ -109,13 +112,20 @@ void World::soften_joints(const BodySpec& spec) {
 
 World::Shape World::create_shape(const BodySpec& spec) {
   if (spec.collision == CollisionShape::none) return {};
-  if (spec.collision == CollisionShape::mesh) return {.geom = create_trimesh(spec.mesh_B)};
   const Eigen::AlignedBox3d box = hydro::bounding_box(spec.mesh_B);
+  if (spec.collision == CollisionShape::mesh)
+    return {.geom = create_trimesh(spec.mesh_B), .box_B = box};
+  const Eigen::Vector3d center = box.center();
   const Eigen::Vector3d size = box.sizes();
-  dxGeom* geom = spec.collision == CollisionShape::box
-                     ? dCreateBox(space_.get(), size.x(), size.y(), size.z())
-                     : dCreateSphere(space_.get(), furthest_from(box.center(), spec.mesh_B));
-  return {.geom = geom, .center_B = box.center()};
+  if (spec.collision == CollisionShape::box)
+    return {.geom = dCreateBox(space_.get(), size.x(), size.y(), size.z()),
+            .center_B = center,
+            .box_B = box};
+  const double radius = furthest_from(center, spec.mesh_B);
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(radius);
+  return {.geom = dCreateSphere(space_.get(), radius),
+          .center_B = center,
+          .box_B = {center - half, center + half}};
 }
 
 dxGeom* World::create_trimesh(const hydro::TriMesh& mesh) {
@@ -176,6 +186,17 @@ bool World::can_collide() const {
   const auto moves = [](const Body& body) { return body.geom && body.handle; };
   const auto things = std::count_if(bodies_.begin(), bodies_.end(), collides) + (ground_ ? 1 : 0);
   return things > 1 && std::any_of(bodies_.begin(), bodies_.end(), moves);
+}
+
+const Eigen::AlignedBox3d& World::shape_box(BodyId body) const {
+  return bodies_.at(static_cast<std::size_t>(body)).shape_B;
+}
+
+Eigen::AlignedBox3d World::ground_box() const {
+  if (!ground_) return {};
+  std::array<dReal, 6> box{};
+  dGeomGetAABB(ground_, box.data());
+  return {Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5])};
 }
 
 dxBody* World::handle_of(BodyId id) const {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contacts.h"
+#include "engine/groups.h"
 #include "engine/ode_handles.h"
 #include "engine/spec.h"
 
@@ -14,7 +16,9 @@ namespace engine {
 ///
 /// Bodies come first, then joints and ground. It is used in one of two ways. By itself a step is:
 /// apply loads, collide, advance. As the solver of joints and contacts alone (`only_constrain`) it
-/// is: set states, collide, then ask `constrained_velocities`.
+/// is: collide some bodies, then ask for their `constrained_velocities`; groups of bodies that have
+/// nothing to do with each other may be asked for by several threads, one after the other is
+/// answered.
 /// Every call may throw OdeFault; after one out of `advance` or `constrained_velocities`, the world
 /// is only fit to be destroyed.
 class World {
@@ -38,6 +42,10 @@ class World {
   void apply(BodyId body, const hydro::Wrench& load);
   /// Finds the contacts that hold during the next advance over `step` [s].
   void collide(double step);
+  /// Per body: it is in one of them.
+  std::vector<bool> touching() const;
+  /// Greatest depth of them [m].
+  double deepest_contact() const { return contacts_.deepest; }
   /// Moves the bodies over `step` [s] under loads, gravity, joints and contacts; uses up the loads.
   void advance(double step);
   /// Steps in which constraints contradicted each other and were each met in part.
@@ -53,40 +61,69 @@ class World {
     Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();
     hydro::Wrench load;  ///< In W.
   };
+  /// Contacts of some bodies. They hold until they are found anew or destroyed.
+  struct Contacts {
+    JointGroupHandle joints;
+    std::vector<Pair> pairs;  ///< That touch, of which one at least can move; ascending.
+    double deepest = 0;       ///< Greatest depth [m].
+  };
+  Contacts no_contacts() const;
+  void release(Contacts& contacts);
+
+  /// What contacts are told of a body.
+  struct Inertia {
+    double mass = 0;  ///< That resists them [kg].
+    double fall = 1;  ///< What part of gravity weight and lift can speed that up with.
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< Without contacts, in W [m/s^2].
+    hydro::Matrix6d matrix_B = hydro::Matrix6d::Identity();  ///< M + A about the centre of mass.
+  };
+  /// A body where contacts are looked for.
+  struct Placed {
+    BodyId body = 0;
+    hydro::BodyState state;
+    Inertia inertia;
+  };
+  /// Finds which of these pairs touch, in ascending order, with these bodies so placed and all
+  /// others where they were, and joins them for a step [s].
+  void collide(Contacts& contacts, const std::vector<Placed>& bodies,
+               const std::vector<Pair>& pairs, double step);
+  /// For how long two bodies, so placed, have run into each other: of each point where they touch
+  /// and close faster than `slow` [m/s], its depth over that speed [s].
+  std::vector<double> closing_times(const std::vector<Placed>& bodies, const Pair& pair,
+                                    double slow);
+  /// Wall time in the two former [s].
+  double collision_seconds() const { return collision_seconds_; }
+
   /// The velocities in W, linear and angular, that these bodies have after `step` [s] under their
-  /// loads, joints, locks and contacts. Nothing moves. May be called by several threads: one after
-  /// the other is answered.
+  /// loads, joints, locks and contacts. Nothing moves.
   std::vector<hydro::Twist> constrained_velocities(const std::vector<Constrained>& bodies,
                                                    double step);
-  /// Groups of bodies that joints or the last contacts hold to each other, to the ground or to what
-  /// cannot move; each ascending, in the order of their first body.
-  std::vector<std::vector<BodyId>> islands() const;
-  /// Greatest depth of the last contacts [m].
-  double deepest_contact() const { return deepest_contact_; }
-  /// Per body: it is in one of the last contacts.
-  std::vector<bool> touching() const;
-  /// What the contacts of a body are told of it: how much it resists them [kg], what part of
-  /// gravity its weight and the water's lift can speed that up with, and how it would speed up
-  /// without contacts, in W [m/s^2].
-  void set_contact_inertia(BodyId body, double mass, double fall,
-                           const Eigen::Vector3d& acceleration);
+
+  /// Pairs of bodies and kWorld that joints hold together, of which one at least can move.
+  const std::vector<Pair>& joints() const { return joints_; }
+  /// False for two that cannot move or that a joint lets pass through each other.
+  bool may_touch(const Pair& pair) const;
+  /// Box around what a body collides with, in its frame; empty if it passes through everything.
+  const Eigen::AlignedBox3d& shape_box(BodyId body) const;
+  /// The same of the ground, in W.
+  Eigen::AlignedBox3d ground_box() const;
+  void set_contact_inertia(BodyId body, const Inertia& inertia);
 
  private:
   struct Body {
-    dxBody* handle = nullptr;  ///< None if immovable: what it meets is then part of the world.
-    dxGeom* geom = nullptr;    ///< None if it passes through everything.
-    double mass = 0;           ///< Its own.
-    double contact_mass = 0;   ///< What contacts push against.
-    double contact_fall = 1;   ///< What that falls with, as a part of gravity.
+    dxBody* handle = nullptr;     ///< None if immovable: what it meets is then part of the world.
+    dxGeom* geom = nullptr;       ///< None if it passes through everything.
+    Eigen::AlignedBox3d shape_B;  ///< Around that.
+    double mass = 0;              ///< Its own.
     hydro::BodyState initial;
-    hydro::Wrench load;                           ///< For the next advance.
-    std::optional<Eigen::Vector3d> acceleration;  ///< Without contacts; none: by load and gravity.
+    hydro::Wrench load;              ///< For the next advance.
+    std::optional<Inertia> inertia;  ///< None: what its mass and loads make of it.
   };
   struct Shape {
     dxGeom* geom = nullptr;
-    Eigen::Vector3d center_B = Eigen::Vector3d::Zero();
+    Eigen::Vector3d center_B = Eigen::Vector3d::Zero();  ///< Of a box or sphere.
+    Eigen::AlignedBox3d box_B;
   };
-  using Pair = std::pair<BodyId, BodyId>;  ///< Ascending; kWorld is the ground.
 
   void soften_joints(const BodySpec& spec);
   dxBody* create_body(const BodySpec& spec);
@@ -105,11 +142,20 @@ class World {
   /// A step by the iterative solver.
   void iterate(int count, double step);
 
-  bool may_touch(const Pair& pair) const;
   std::vector<Pair> near_pairs() const;
-  void join_contacts(const Pair& pair, double step);
+  void place_bodies(const std::vector<Placed>& bodies);
+  void join(Contacts& contacts, const std::vector<Pair>& pairs, double step);
+  std::vector<ContactPoint> touching_points(const Pair& pair, double step) const;
+  void join_contacts(Contacts& contacts, const Pair& pair, double step);
+  /// Velocity of the first relative to the second where they touch, as it would be after a step
+  /// without contacts.
+  Eigen::Vector3d approach(const Pair& pair, const Eigen::Vector3d& point_W, double step) const;
+  /// Greatest mass of the two, of what can move.
   double contact_mass(const Pair& pair) const;
   double contact_fall(const Pair& pair) const;
+  /// The weights of a contact of that mass and so many points.
+  ContactWeights weights(const Pair& pair, const ContactPoint& point, std::size_t points,
+                         double mass, double step) const;
   Eigen::Vector3d velocity_without_contact(BodyId body, const Eigen::Vector3d& point_W,
                                            double step) const;
 
@@ -124,16 +170,15 @@ class World {
   double heaviest_ = 0;                                        ///< Largest mass or moment.
   double unit_ = 1;  ///< What masses, moments and loads are multiplied with for the solver.
   long compromises_ = 0;
-  double deepest_contact_ = 0;
+  double collision_seconds_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
   std::unique_ptr<std::mutex> answering_ = std::make_unique<std::mutex>();
   WorldHandle world_;
   SpaceHandle space_;
-  JointGroupHandle contacts_;
+  Contacts contacts_;
   std::vector<Body> bodies_;
-  std::vector<Pair> jointed_;   ///< Sorted.
-  std::vector<Pair> joints_;    ///< With kWorld, of which one at least can move.
-  std::vector<Pair> touching_;  ///< Of which one at least can move.
+  std::vector<Pair> jointed_;  ///< Sorted.
+  std::vector<Pair> joints_;
   dxGeom* ground_ = nullptr;
 };
 

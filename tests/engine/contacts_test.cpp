@@ -142,4 +142,71 @@ TEST(ContactStiffnesses, SoftenWithLongSteps) {
   EXPECT_NEAR(stiffness.erp / (step * stiffness.cfm), 1 / (step * step), tolerance(1e-10));
 }
 
+TEST(ContactWeights, AreThoseOfTheEndInLongStepsAndOfTheMiddleInShortOnes) {
+  const engine::ContactWeights coarse = engine::halfway_weights(1, 0.02, 3);
+  EXPECT_EQ(coarse.spring, 1);
+  EXPECT_EQ(coarse.damper, 1);
+  const engine::ContactWeights fine = engine::halfway_weights(1, 1e-7, 3);
+  EXPECT_NEAR(fine.spring, 0, tolerance(1e-4));
+  EXPECT_NEAR(fine.damper, 0.5, tolerance(1e-4));
+  double last = 0.5;
+  for (double step = 1e-7; step < 0.01; step *= 1.1) {
+    const double weight = engine::halfway_weights(1, step, 3).damper;
+    EXPECT_GE(weight, last) << step;
+    EXPECT_LE(weight, 1) << step;
+    last = weight;
+  }
+}
+
+/// Depth of a mass that runs at 1 m/s into a contact, a time later [m], with half a drift, a kick
+/// and half a drift in each step.
+double depth_after(double time, int steps, double mass, double resisting) {
+  const double step = time / steps;
+  double depth = 0, speed = -1;  // positive: parting
+  for (int i = 0; i < steps; ++i) {
+    depth -= step / 2 * speed;
+    const auto contact = engine::contact_stiffness(
+        mass, 1, step, engine::halfway_weights(1, step, mass / resisting));
+    // v⁺ + CFM f = ERP d/h + speed, f = µ (v⁺ − v⁻)/h
+    const double target = contact.erp * depth / step - contact.speed * speed;
+    const double ratio = contact.cfm * resisting / step;
+    speed = (target + ratio * speed) / (1 + ratio);
+    depth -= step / 2 * speed;
+  }
+  return depth;
+}
+
+TEST(ContactWeights, MakeTheMotionOfASpringAndDamperOfSecondOrder) {
+  const double tau = 0.01, time = 0.004;
+  // µ d'' + 2 m/τ d' + m/τ² d = 0, overdamped for µ < m: two decays.
+  for (const double lightness : {1.5, 6.0}) {
+    const double rate = lightness / tau;
+    const double root = std::sqrt(rate * rate - lightness / (tau * tau));
+    const double exact =
+        (std::exp((root - rate) * time) - std::exp(-(root + rate) * time)) / (2 * root);
+    const double coarse = depth_after(time, 20, 600, 600 / lightness) - exact;
+    const double fine = depth_after(time, 40, 600, 600 / lightness) - exact;
+    EXPECT_LT(std::abs(fine), 2e-3 * exact);
+    EXPECT_GT(std::log2(coarse / fine), 1.9);
+  }
+}
+
+TEST(ContactWeights, LetNothingBounceInAnyStep) {
+  for (const double step : {1e-4, 1e-3, 3e-3, 9.9e-3, 0.02, 0.1})
+    for (const double lightness : {1.0, 2.0, 6.0, 40.0}) {
+      double depth = 0, speed = -1;
+      const auto contact =
+          engine::contact_stiffness(1, 1, step, engine::halfway_weights(1, step, lightness));
+      for (int i = 0; i < 100 && depth >= 0; ++i) {
+        depth -= step / 2 * speed;
+        const double target = contact.erp * depth / step - contact.speed * speed;
+        const double ratio = contact.cfm / lightness / step;
+        speed = std::max(speed, (target + ratio * speed) / (1 + ratio));
+        depth -= step / 2 * speed;
+      }
+      // Critical damping leaves what overlap is left at the slower of two decays.
+      EXPECT_LT(speed, 0.2) << step << ' ' << lightness;
+    }
+}
+
 }  // namespace

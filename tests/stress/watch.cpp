@@ -50,8 +50,7 @@ double Watch::overlap_energy(const std::vector<engine::Motion>& motions) {
     if (!bodies_[i].movable) continue;
     const auto id = static_cast<engine::BodyId>(i);
     world_.set_state(id, motions[i].state);
-    world_.set_contact_inertia(id, engine::contact_mass(bodies_[i], motions[i]), 1,
-                               Eigen::Vector3d::Zero());
+    world_.set_contact_inertia(id, {.mass = engine::contact_mass(bodies_[i], motions[i])});
   }
   world_.collide(scenario_.spec.step);
   return weight_ * static_cast<double>(bodies_.size()) * world_.deepest_contact();

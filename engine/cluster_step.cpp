@@ -1,0 +1,272 @@
+#include "engine/cluster_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/free_motion.h"
+#include "engine/free_step.h"
+
+namespace engine {
+namespace {
+
+/// A member of an island whose added mass is `added_B` at the end of the step.
+ConstrainedBody make_held(Body& body, BodyId id, const Surroundings& around, const Motion& middle,
+                          const Matrix6d& added_B, double step, bool touching) {
+  ConstrainedBody c{
+      .body = &body, .id = id, .middle = make_middle(body, around, middle, added_B, Freedom{})};
+  // An impact says nothing of the next kick.
+  if (middle.constrained && !touching)
+    c.expected =
+        step * turned(middle.state.orientation.toRotationMatrix(), middle.kicks.expected(step / 2));
+  return c;
+}
+
+/// The motion of a member at the end of the step.
+Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix6d& added_B,
+              double step, bool touching) {
+  const Motion& middle = c.middle.motion;
+  const Eigen::Matrix3d R_BW = middle.state.orientation.conjugate().toRotationMatrix();
+  Motion after = with_added_mass(middle, added_B, middle.added_B, step);
+  after.state = with_velocity(middle.state, c.middle.after + c.change, around.current());
+  // As in a free step, the next kick does not follow from an implicit one.
+  if (touching || c.implicit)
+    after.kicks.clear();
+  else
+    after.kicks.add(turned(R_BW, c.change) / step, step, c.body->radius);
+  after.constrained = true;
+  after.energy = {};  // Joints and contacts pass energy on.
+  check_state(*c.body, after.state);
+  if (after.ledger) {
+    const Vector6d reaction = turned(R_BW.transpose(), c.body->reaction_B);
+    book_kick(*c.body, around, c.middle,
+              {.change = c.change, .step = step, .implicit = c.implicit, .reaction = &reaction},
+              after);
+  }
+  after = drift(*c.body, around, after, step / 2);
+  check_state(*c.body, after.state);
+  return after;
+}
+
+/// Work of the reactions on a member over the step [J].
+double reaction_work(const ConstrainedBody& c, const Surroundings& around, double step) {
+  const Eigen::Matrix3d R_WB = c.middle.motion.state.orientation.toRotationMatrix();
+  const Vector6d mean = c.middle.after + c.change / 2;
+  const Vector6d u = mean + stacked(around.current(), Eigen::Vector3d::Zero());
+  return step * turned(R_WB, c.body->reaction_B).dot(u);
+}
+
+/// Largest turn of a body in a piece by its own inertia: its joints do not see that [rad].
+constexpr double kLargestHeldTurn = 0.25;
+
+/// Length of equal pieces of a step in which a body turns by no more than kLargestHeldTurn.
+double turn_length(const Body& body, const Surroundings& around, double step, double shortest) {
+  const double rate = own_turning_rate(body, around, body.motion);
+  const double longest = std::max(shortest, rate > 0 ? kLargestHeldTurn / rate : step);
+  return step / std::max(1.0, std::ceil(step / longest));
+}
+
+/// A step in which loads throw a body through the surface is cut in pieces shorter than the
+/// shortest by other rules by this.
+constexpr double kLeapParts = 16;
+
+/// Of a step, what its pieces may miss of it.
+constexpr double kMissedPart = 1e-12;
+
+/// As kMostPasses: a pass of an island solves its constraints, often many times.
+constexpr int kMostIslandPasses = 2;
+
+}  // namespace
+
+void step_alone(const Stepping& stepping, Body& body, double time, double step) {
+  if (body.motion.constrained) body.motion.kicks.clear();
+  body.motion.constrained = false;
+  body.motion = free_step(body, stepping.around, body.motion, time, step, stepping.tolerance);
+  body.reaction_B.setZero();
+  body.acceleration_W.reset();
+}
+
+ClusterStep::ClusterStep(const Stepping& stepping, const Cluster& cluster,
+                         std::vector<EnergyGuard*> guards, const std::vector<Pair>& met,
+                         double step)
+    : stepping_(stepping),
+      cluster_(cluster),
+      guards_(std::move(guards)),
+      step_(step),
+      shortest_(step / kMostPieces),
+      impacts_(stepping.world, stepping.bodies, stepping.around, cluster, met, step),
+      contacts_(stepping.world.no_contacts()),
+      members_(cluster.bodies.size()) {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].id = cluster.bodies[i];
+    members_[i].body = &stepping.bodies[static_cast<std::size_t>(members_[i].id)];
+  }
+}
+
+ClusterStep::~ClusterStep() { stepping_.world.release(contacts_); }
+
+ClusterStep::Member& ClusterStep::member(BodyId id) {
+  const auto place = std::lower_bound(cluster_.bodies.begin(), cluster_.bodies.end(), id);
+  return members_[static_cast<std::size_t>(place - cluster_.bodies.begin())];
+}
+
+void ClusterStep::advance_in_pieces(double time, double length, int halvings) {
+  double done = 0;
+  while (true) {
+    const double now = time + done;
+    const double piece = begin_piece(length - done);
+    if (advance_soundly(now, piece, halvings > 0 && piece / 2 >= shortest_)) {
+      advance_others(now, piece);
+      impacts_.accept(contacts_.pairs);
+    } else {
+      advance_in_pieces(now, piece / 2, halvings - 1);
+      advance_in_pieces(now + piece / 2, piece / 2, halvings - 1);
+    }
+    done += piece;
+    // An impact slows a body, a joint may make it spin: what is left is cut anew.
+    if (length - done <= kMissedPart * step_) return;
+  }
+}
+
+double ClusterStep::begin_piece(double rest) {
+  double piece = std::min(rest, impacts_.longest_piece());
+  meet_halfway(piece);
+  const auto take = [&](double shorter) {
+    if (shorter >= piece) return;
+    piece = shorter;
+    meet_halfway(piece);
+  };
+  take(longest_piece(piece));
+  if (const auto next = impacts_.next(piece, contacts_.pairs)) take(*next);
+  return piece;
+}
+
+void ClusterStep::meet_halfway(double piece) {
+  std::vector<World::Placed> bodies;
+  for (Member& m : members_) {
+    m.middle = drift(*m.body, stepping_.around, m.body->motion, piece / 2);
+    check_state(*m.body, m.middle.state);
+    m.passage.touching = false;
+    bodies.push_back(placed(m.id, *m.body, stepping_.around, m.middle.state));
+  }
+  std::vector<Pair> pairs = cluster_.joints;
+  if (stepping_.collides) {
+    stepping_.world.collide(contacts_, bodies, cluster_.near, piece);
+    pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
+    for (const Pair& pair : contacts_.pairs)
+      for (const BodyId id : {pair.first, pair.second})
+        if (id != kWorld && stepping_.bodies[static_cast<std::size_t>(id)].movable)
+          member(id).passage.touching = true;
+  }
+  islands_ = groups(cluster_.bodies, pairs);
+  std::erase_if(islands_, [&](const std::vector<BodyId>& island) {
+    const Member& first = member(island.front());
+    return island.size() == 1 && first.body->guide && !first.passage.touching;
+  });
+}
+
+double ClusterStep::longest_piece(double rest) {
+  double piece = rest;
+  for (const std::vector<BodyId>& island : islands_)
+    for (const BodyId id : island) {
+      const Body& body = *member(id).body;
+      piece = std::min({piece, piece_length(body, stepping_.around, body.motion, rest, shortest_),
+                        turn_length(body, stepping_.around, rest, shortest_)});
+    }
+  return piece;
+}
+
+bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
+  const auto for_held = [&](const auto& f) {
+    for (const std::vector<BodyId>& island : islands_)
+      for (const BodyId id : island) f(member(id));
+  };
+  for_held([](Member& m) {
+    m.passage.before = m.body->motion;
+    m.reaction_before_B = m.body->reaction_B;
+    m.acceleration_before_W = m.body->acceleration_W;
+  });
+  call_all(stepping_.for_each, islands_.size(),
+           [&](std::size_t i) { advance_island(islands_[i], time, piece); });
+  const auto passage = [this](std::size_t i) -> const Passage& {
+    return member(static_cast<BodyId>(i)).passage;
+  };
+  bool gained = false, leapt = false, followed = true;
+  for (EnergyGuard* guard : guards_)
+    gained = guard->gained(stepping_.bodies, passage, piece) || gained;
+  for_held([&](const Member& m) {
+    const hydro::BodyState& before = m.passage.before.state;
+    followed = followed && can_be_followed(*m.body, stepping_.around, m.passage.before, piece);
+    leapt = leapt ||
+            (m.body->wet && leaps(*m.body, stepping_.around, before, m.body->motion.state, piece));
+  });
+  if ((may_halve && gained && followed) || (leapt && piece / 2 >= shortest_ / kLeapParts)) {
+    for_held([](Member& m) {
+      m.body->motion = m.passage.before;
+      m.body->reaction_B = m.reaction_before_B;
+      m.body->acceleration_W = m.acceleration_before_W;
+    });
+    return false;
+  }
+  for (EnergyGuard* guard : guards_) {
+    guard->brake(stepping_.bodies, passage);
+    guard->accept();
+  }
+  return true;
+}
+
+void ClusterStep::advance_island(const std::vector<BodyId>& island, double time, double piece) {
+  std::vector<Member*> all;
+  std::vector<Matrix6d> added;
+  for (const BodyId id : island) {
+    all.push_back(&member(id));
+    added.push_back(expected_added_mass(*all.back()->body, all.back()->body->motion, piece));
+  }
+  std::vector<Motion> ends(island.size());
+  std::vector<ConstrainedBody> last;
+  bool near = false;
+  for (int pass = 1;; ++pass) {
+    std::vector<ConstrainedBody> held;
+    for (std::size_t k = 0; k < island.size(); ++k) {
+      held.push_back(make_held(*all[k]->body, island[k], stepping_.around, all[k]->middle, added[k],
+                               piece, all[k]->passage.touching));
+      if (!last.empty()) held[k].expected = last[k].change;
+    }
+    constrained_kick(stepping_.world, stepping_.around, stepping_.for_each, held, time + piece / 2,
+                     piece);
+    bool same = true, next_is_near = true;
+    for (std::size_t k = 0; k < island.size(); ++k) {
+      const Body& body = *all[k]->body;
+      ends[k] = finish(held[k], stepping_.around, added[k], piece, all[k]->passage.touching);
+      all[k]->passage.work = reaction_work(held[k], stepping_.around, piece);
+      const Matrix6d found = added_mass(body, stepping_.around, ends[k].state, time + piece);
+      if (same_added_mass(body, found, added[k])) continue;
+      same = false;
+      next_is_near = next_is_near && nearly_met(body, body.motion.added_B, added[k], found);
+      if (!near && pass == kMostIslandPasses)
+        ends[k] = settled(body, stepping_.around, ends[k], found);
+      added[k] = found;
+    }
+    if (same || near || pass == kMostIslandPasses) break;
+    near = next_is_near;
+    last = std::move(held);
+  }
+  for (std::size_t k = 0; k < island.size(); ++k) {
+    Body& body = *all[k]->body;
+    body.motion = ends[k];
+    ++body.cost.constrained_steps;
+    ++body.cost.substeps;
+  }
+}
+
+void ClusterStep::advance_others(double time, double piece) {
+  std::vector<bool> held(members_.size(), false);
+  for (const std::vector<BodyId>& island : islands_)
+    for (const BodyId id : island)
+      held[static_cast<std::size_t>(&member(id) - members_.data())] = true;
+  call_all(stepping_.for_each, members_.size(), [&](std::size_t i) {
+    if (!held[i]) step_alone(stepping_, *members_[i].body, time, piece);
+  });
+}
+
+}  // namespace engine

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/body.h"
+#include "engine/constrained_step.h"
+#include "engine/energy_guard.h"
+#include "engine/for_each.h"
+#include "engine/impacts.h"
+#include "engine/world.h"
+
+/// @file
+/// A step of bodies that may have to do with each other, in pieces of their own.
+///
+/// In a piece all drift to its middle, where contacts are found. Those that joints or contacts hold
+/// are kicked together, island by island; the others take the piece as a free step.
+
+namespace engine {
+
+/// What all steps have in common.
+struct Stepping {
+  World& world;
+  std::vector<Body>& bodies;
+  const Surroundings& around;
+  ForEach for_each;
+  bool collides = true;  ///< False: nothing can touch.
+  double tolerance = 0;  ///< Of free steps.
+};
+
+/// A step of a body that nothing holds.
+void step_alone(const Stepping& stepping, Body& body, double time, double step);
+
+class ClusterStep {
+ public:
+  /// All must outlive it.
+  /// @param guards   Of the groups of bodies that its joints hold together.
+  /// @param met   Pairs in contact, ascending.
+  ClusterStep(const Stepping& stepping, const Cluster& cluster, std::vector<EnergyGuard*> guards,
+              const std::vector<Pair>& met, double step);
+  ~ClusterStep();
+  ClusterStep(const ClusterStep&) = delete;
+  ClusterStep& operator=(const ClusterStep&) = delete;
+
+  /// @throws MotionFault, OdeFault
+  void advance(double time) { advance_in_pieces(time, step_, EnergyGuard::kMostHalvings); }
+
+  /// Pairs in contact, ascending.
+  const std::vector<Pair>& met() const { return impacts_.met(); }
+
+ private:
+  using Islands = std::vector<std::vector<BodyId>>;
+
+  /// What a step changes of a body.
+  struct Member {
+    BodyId id = 0;
+    Body* body = nullptr;
+    Motion middle;  ///< Halfway through the piece, before the kick.
+    Passage passage;
+    Vector6d reaction_before_B = Vector6d::Zero();
+    std::optional<Eigen::Vector3d> acceleration_before_W;
+  };
+
+  Member& member(BodyId id);
+  void advance_in_pieces(double time, double length, int halvings);
+  /// The length of the next piece of what is left of a step, found halfway through it.
+  double begin_piece(double rest);
+  /// Drifts to the middle of a piece, finds contacts there and the islands that they make.
+  void meet_halfway(double piece);
+  double longest_piece(double rest);
+  /// Moves the islands. False: they have gained energy or were thrown, and are where they were.
+  bool advance_soundly(double time, double piece, bool may_halve);
+  void advance_island(const std::vector<BodyId>& island, double time, double piece);
+  void advance_others(double time, double piece);
+
+  const Stepping& stepping_;
+  const Cluster& cluster_;
+  std::vector<EnergyGuard*> guards_;
+  double step_;
+  double shortest_;  ///< Piece that motion or energy ask for [s].
+  Impacts impacts_;
+  World::Contacts contacts_;
+  std::vector<Member> members_;
+  Islands islands_;  ///< Of the next piece.
+};
+
+}  // namespace engine

@@ -1,0 +1,281 @@
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "engine/six.h"
+#include "engine/world.h"
+#include "hydro/decompositions.h"
+
+namespace engine {
+namespace {
+
+// ODE counts the contacts of one pair in 16 bits.
+constexpr std::size_t kMostPoints = 0xffff;
+constexpr std::size_t kUsualPoints = 256;
+// Steps in which an overlap can have come about before it is told from an artefact. Fewer would let
+// a fast edge through a wall that it meets where it also touches the ground.
+constexpr double kReachInSteps = 3;
+
+/// All overlaps of two geometries.
+std::vector<dContactGeom> overlaps(dxGeom* first, dxGeom* second) {
+  std::vector<dContactGeom> points;
+  std::size_t room = kUsualPoints;
+  while (true) {
+    points.resize(room);
+    const int found =
+        dCollide(first, second, static_cast<int>(room), points.data(), sizeof(dContactGeom));
+    if (static_cast<std::size_t>(found) < room || room == kMostPoints) {
+      points.resize(static_cast<std::size_t>(found));
+      return points;
+    }
+    room = std::min(8 * room, kMostPoints);
+  }
+}
+
+/// The points in ODE's words, without those whose normal is not a direction: two triangles that
+/// touch in a point can give one.
+std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overlaps) {
+  std::vector<ContactPoint> points;
+  points.reserve(overlaps.size());
+  for (const dContactGeom& overlap : overlaps) {
+    const ContactPoint point{.position_W = vector_from_ode(overlap.pos),
+                             .normal_W = vector_from_ode(overlap.normal),
+                             .depth = overlap.depth};
+    const bool sound = point.position_W.allFinite() && std::isfinite(point.depth) &&
+                       std::abs(point.normal_W.norm() - 1) < 1e-6;
+    if (sound) points.push_back(point);
+  }
+  return points;
+}
+
+dContact contact_joint(const ContactPoint& point, const ContactStiffness& stiffness,
+                       const Eigen::Vector3d& velocity) {
+  dContact contact{};
+  Eigen::Map<Eigen::Vector3d>(contact.geom.pos) = point.position_W;
+  Eigen::Map<Eigen::Vector3d>(contact.geom.normal) = point.normal_W;
+  contact.geom.depth = point.depth;
+  contact.surface.mode = dContactSoftERP | dContactSoftCFM | dContactMotionN | dContactSlip1 |
+                         dContactSlip2 | dContactApprox1;
+  contact.surface.mu = kFriction;
+  contact.surface.soft_erp = stiffness.erp;
+  contact.surface.soft_cfm = stiffness.cfm;
+  contact.surface.motionN = stiffness.speed;
+  contact.surface.slip1 = contact.surface.slip2 = stiffness.slip;
+
+  const Eigen::Vector3d sliding = velocity - velocity.dot(point.normal_W) * point.normal_W;
+  if (sliding.norm() > 1e-9 * velocity.norm()) {
+    contact.surface.mode |= dContactFDir1;
+    Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding.normalized();
+  }
+  return contact;
+}
+
+/// Least overlap along a world axis of the boxes around two solids [m].
+double box_overlap(dxGeom* first, dxGeom* second) {
+  std::array<dReal, 6> a{}, b{};
+  dGeomGetAABB(first, a.data());
+  dGeomGetAABB(second, b.data());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t low = 0; low < 6; low += 2)
+    least = std::min(least, std::min(a[low + 1], b[low + 1]) - std::max(a[low], b[low]));
+  return least;
+}
+
+bool is_sphere(dxGeom* geom) { return dGeomGetClass(geom) == dSphereClass; }
+bool is_mesh(dxGeom* geom) { return dGeomGetClass(geom) == dTriMeshClass; }
+
+void note_near_pair(void* pairs, dxGeom* first, dxGeom* second) {
+  const auto id = [](dxGeom* geom) {
+    return static_cast<BodyId>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));
+  };
+  static_cast<std::vector<std::pair<BodyId, BodyId>>*>(pairs)->push_back(
+      std::minmax(id(first), id(second)));
+}
+
+/// Adds the wall time of its scope to a sum [s].
+class CollisionClock {
+ public:
+  explicit CollisionClock(double& sum) : sum_(sum) {}
+  ~CollisionClock() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  CollisionClock(const CollisionClock&) = delete;
+  CollisionClock& operator=(const CollisionClock&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& sum_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+World::Contacts World::no_contacts() const {
+  return {.joints = JointGroupHandle(dJointGroupCreate(0)), .pairs = {}};
+}
+
+void World::release(Contacts& contacts) {
+  const std::lock_guard lock(*answering_);
+  contacts.joints.reset();
+  contacts.pairs.clear();
+}
+
+void World::collide(double step) {
+  open_ode();
+  join(contacts_, near_pairs(), step);
+}
+
+void World::collide(Contacts& contacts, const std::vector<Placed>& bodies,
+                    const std::vector<Pair>& pairs, double step) {
+  const std::lock_guard lock(*answering_);
+  const CollisionClock clock(collision_seconds_);
+  open_ode();
+  place_bodies(bodies);
+  join(contacts, pairs, step);
+}
+
+std::vector<double> World::closing_times(const std::vector<Placed>& bodies, const Pair& pair,
+                                         double slow) {
+  const std::lock_guard lock(*answering_);
+  const CollisionClock clock(collision_seconds_);
+  open_ode();
+  place_bodies(bodies);
+  std::vector<double> times;
+  for (const ContactPoint& point : touching_points(pair, 0)) {
+    const double speed = -point.normal_W.dot(approach(pair, point.position_W, 0));
+    if (speed > slow) times.push_back(point.depth / speed);
+  }
+  return times;
+}
+
+void World::place_bodies(const std::vector<Placed>& bodies) {
+  for (const Placed& placed : bodies) {
+    set_state(placed.body, placed.state);
+    set_contact_inertia(placed.body, placed.inertia);
+  }
+}
+
+void World::join(Contacts& contacts, const std::vector<Pair>& pairs, double step) {
+  dJointGroupEmpty(contacts.joints.get());
+  contacts.pairs.clear();
+  contacts.deepest = 0;
+  for (const Pair& pair : pairs) join_contacts(contacts, pair, step);
+}
+
+std::vector<bool> World::touching() const {
+  std::vector<bool> touches(bodies_.size(), false);
+  for (const Pair& pair : contacts_.pairs)
+    for (const BodyId id : {pair.first, pair.second})
+      if (id != kWorld) touches[static_cast<std::size_t>(id)] = true;
+  return touches;
+}
+
+std::vector<Pair> World::near_pairs() const {
+  std::vector<Pair> pairs;
+  dSpaceCollide(space_.get(), &pairs, note_near_pair);
+  std::erase_if(pairs, [this](const Pair& pair) { return !may_touch(pair); });
+  // The order in which the space finds them depends on what was found before.
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+bool World::may_touch(const Pair& pair) const {
+  const bool moves = handle_of(pair.first) || handle_of(pair.second);
+  return moves && !std::binary_search(jointed_.begin(), jointed_.end(), pair);
+}
+
+std::vector<ContactPoint> World::touching_points(const Pair& pair, double step) const {
+  dxGeom* first = geom_of(pair.first);
+  dxGeom* second = geom_of(pair.second);
+  // Ground is a sheet: its box says nothing of how deep a body lies in it.
+  const double boxes = box_overlap(first, second);
+  if (boxes < 0) return {};
+  const std::vector<ContactPoint> all = contact_points(overlaps(first, second));
+  if (all.empty()) return {};
+  const double reach = kReachInSteps * step * approach(pair, all.front().position_W, step).norm();
+  std::vector<ContactPoint> points = without_artefacts(
+      all, reach, pair.first == kWorld ? std::numeric_limits<double>::infinity() : boxes);
+  if (is_sphere(first) || is_sphere(second)) points = holding_a_sphere(std::move(points));
+  const std::size_t most = is_mesh(first) || is_mesh(second) ? kContactsOfPair : kContactsOfFace;
+  std::vector<ContactPoint> kept;
+  for (const std::size_t i : representative(points, most)) kept.push_back(points[i]);
+  return kept;
+}
+
+Eigen::Vector3d World::approach(const Pair& pair, const Eigen::Vector3d& point_W,
+                                double step) const {
+  return velocity_without_contact(pair.first, point_W, step) -
+         velocity_without_contact(pair.second, point_W, step);
+}
+
+void World::join_contacts(Contacts& contacts, const Pair& pair, double step) {
+  const std::vector<ContactPoint> points = touching_points(pair, step);
+  if (points.empty()) return;
+  contacts.pairs.push_back(pair);
+  const double mass = contact_mass(pair);
+  const double fall = contact_fall(pair);
+  for (const ContactPoint& point : points) {
+    contacts.deepest = std::max(contacts.deepest, point.depth);
+    ContactStiffness stiffness = contact_stiffness(unit_ * mass, points.size(), step,
+                                                   weights(pair, point, points.size(), mass, step));
+    stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
+    stiffness.speed *= -point.normal_W.dot(approach(pair, point.position_W, 0));
+    const dContact contact =
+        contact_joint(point, stiffness, approach(pair, point.position_W, step));
+    dxJoint* joint = dJointCreateContact(world_.get(), contacts.joints.get(), &contact);
+    dJointAttach(joint, handle_of(pair.first), handle_of(pair.second));
+  }
+}
+
+ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::size_t points,
+                              double mass, double step) const {
+  if (step >= kShortestContact) return {};
+  double lightness = 0;
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (!handle_of(id)) continue;
+    const Body& body = bodies_[static_cast<std::size_t>(id)];
+    if (!body.inertia) return {};
+    const hydro::BodyState now = state(id);
+    hydro::Vector6d push;
+    push << point.normal_W, (point.position_W - now.position).cross(point.normal_W);
+    push = turned(now.orientation.conjugate().toRotationMatrix(), push);
+    lightness += mass * push.dot(hydro::Cholesky6(body.inertia->matrix_B).solve(push));
+  }
+  return halfway_weights(points, step, lightness);
+}
+
+double World::contact_mass(const Pair& pair) const {
+  double mass = 0;
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (!handle_of(id)) continue;
+    const Body& body = bodies_[static_cast<std::size_t>(id)];
+    mass = std::max(mass, body.inertia ? body.inertia->mass : body.mass);
+  }
+  return mass;
+}
+
+double World::contact_fall(const Pair& pair) const {
+  double fall = 0;
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (!handle_of(id)) continue;
+    const auto& inertia = bodies_[static_cast<std::size_t>(id)].inertia;
+    fall = std::max(fall, inertia ? inertia->fall : 1);
+  }
+  return fall;
+}
+
+Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d& point_W,
+                                                double step) const {
+  if (!handle_of(id)) return Eigen::Vector3d::Zero();
+  const Body& body = bodies_[static_cast<std::size_t>(id)];
+  const hydro::BodyState now = state(id);
+  const Eigen::Vector3d acceleration =
+      body.inertia ? body.inertia->acceleration
+                   : body.load.force / body.mass - gravity_ * Eigen::Vector3d::UnitZ();
+  return now.linear_velocity + now.angular_velocity.cross(point_W - now.position) +
+         step * acceleration;
+}
+
+}  // namespace engine

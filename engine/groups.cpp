@@ -1,0 +1,77 @@
+#include "engine/groups.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace engine {
+namespace {
+
+/// The smallest index that leads to i.
+std::size_t root(std::vector<std::size_t>& leader, std::size_t i) {
+  while (leader[i] != i) i = leader[i] = leader[leader[i]];
+  return i;
+}
+
+}  // namespace
+
+std::vector<std::vector<BodyId>> groups(const std::vector<BodyId>& bodies,
+                                        const std::vector<Pair>& pairs) {
+  std::vector<std::size_t> leader(bodies.size());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  std::vector<bool> held(bodies.size(), false);
+  const auto place_of = [&](BodyId id) -> std::optional<std::size_t> {
+    const auto place = std::lower_bound(bodies.begin(), bodies.end(), id);
+    if (place == bodies.end() || *place != id) return std::nullopt;
+    return static_cast<std::size_t>(place - bodies.begin());
+  };
+  for (const auto& [first, second] : pairs) {
+    const auto a = place_of(first), b = place_of(second);
+    if (a) held[*a] = true;
+    if (b) held[*b] = true;
+    if (!a || !b) continue;
+    const std::size_t i = root(leader, *a), j = root(leader, *b);
+    leader[std::max(i, j)] = std::min(i, j);
+  }
+  std::vector<std::vector<BodyId>> members(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (held[i]) members[root(leader, i)].push_back(bodies[i]);
+  std::erase_if(members, [](const std::vector<BodyId>& group) { return group.empty(); });
+  return members;
+}
+
+Eigen::AlignedBox3d swept_box(const Eigen::AlignedBox3d& shape_B, const hydro::BodyState& state,
+                              double gravity, double step) {
+  if (shape_B.isEmpty()) return shape_B;
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d half = shape_B.sizes() / 2;
+  const double radius = shape_B.center().norm() + half.norm();
+  // A chord is no longer than its arc, nor than the diameter.
+  const double turned = radius * std::min(2.0, state.angular_velocity.norm() * step);
+  const Eigen::Vector3d moved = step * state.linear_velocity;
+  const Eigen::Vector3d extent =
+      R_WB.cwiseAbs() * half + Eigen::Vector3d::Constant(turned + gravity * step * step);
+  const Eigen::Vector3d center = state.position + R_WB * shape_B.center();
+  return {center + moved.cwiseMin(0) - extent, center + moved.cwiseMax(0) + extent};
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> overlapping(
+    const std::vector<Eigen::AlignedBox3d>& boxes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!boxes[i].isEmpty()) order.push_back(i);
+  const auto left = [&](std::size_t i) { return boxes[i].min().x(); };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(left(a), a) < std::pair(left(b), b);
+  });
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Eigen::AlignedBox3d& box = boxes[order[i]];
+    for (std::size_t j = i + 1; j < order.size() && left(order[j]) <= box.max().x(); ++j)
+      if (box.intersects(boxes[order[j]])) pairs.emplace_back(std::minmax(order[i], order[j]));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace engine

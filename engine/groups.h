@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <utility>
+#include <vector>
+
+#include "engine/spec.h"
+
+/// @file
+/// Which bodies have to do with each other.
+
+namespace engine {
+
+using Pair = std::pair<BodyId, BodyId>;  ///< Ascending; kWorld, the ground or the world, is first.
+
+/// The two in the order of a Pair.
+inline Pair pair_of(BodyId a, BodyId b) { return a < b ? Pair(a, b) : Pair(b, a); }
+
+/// Groups of bodies that pairs hold together, each ascending, in the order of their first body. A
+/// body of no pair is in no group. What is not one of `bodies`, the ground say, holds those paired
+/// with it but does not hold them together.
+/// @param bodies   Ascending.
+std::vector<std::vector<BodyId>> groups(const std::vector<BodyId>& bodies,
+                                        const std::vector<Pair>& pairs);
+
+/// Box around a body's shape wherever it is in the next `step` [s] by its own motion, if nothing
+/// speeds it up by more than twice gravity [m/s^2]. Empty for an empty shape.
+/// @param shape_B   Box around the shape in the body's frame.
+Eigen::AlignedBox3d swept_box(const Eigen::AlignedBox3d& shape_B, const hydro::BodyState& state,
+                              double gravity, double step);
+
+/// Pairs of boxes that overlap, as indices of them, ascending. Empty boxes overlap nothing.
+std::vector<std::pair<std::size_t, std::size_t>> overlapping(
+    const std::vector<Eigen::AlignedBox3d>& boxes);
+
+}  // namespace engine

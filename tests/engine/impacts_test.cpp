@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/specs.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::BodySpec;
+using engine::CollisionShape;
+using engine::Simulation;
+using engine::SimulationSpec;
+using support::tolerance;
+
+BodySpec colliding(BodySpec body, CollisionShape shape, const Vector3d& velocity) {
+  body.collision = shape;
+  body.initial.linear_velocity = velocity;
+  return body;
+}
+
+/// Without gravity: a crate that drifts at 1 m/s into one that lies skew in its way.
+SimulationSpec collision(double gap, double step) {
+  BodySpec other = colliding(support::box_body("other", {1, 1, 0.5}, 500, Vector3d::Zero()),
+                             CollisionShape::box, Vector3d::Zero());
+  other.initial.orientation = Eigen::AngleAxisd(0.4, Vector3d::UnitZ());
+  SimulationSpec spec = support::dry_world(
+      {colliding(support::box_body("mover", {1, 1, 0.5}, 400, {-1.2 - gap, 0.1, 0.05}),
+                 CollisionShape::box, Vector3d::UnitX()),
+       other},
+      step);
+  spec.gravity = 0;
+  return spec;
+}
+
+/// Largest distance of the bodies' centres after 2 s from those in another run [m].
+double distance(const SimulationSpec& first, const SimulationSpec& second) {
+  const auto end = [](const SimulationSpec& spec) {
+    return support::after(spec, support::steps_in(2, spec.step)).states();
+  };
+  const std::vector<hydro::BodyState> a = end(first), b = end(second);
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, (a[i].position - b[i].position).norm());
+  return largest;
+}
+
+// The bodies part at some 0.3 m/s. Were the onset of the contact only known to a step, they would
+// be off by centimetres.
+TEST(Collision, HardlyDependsOnTheStepNorOnWhereInItBodiesMeet) {
+  for (const double gap : {0.2, 0.205, 0.21, 0.2133}) {
+    const SimulationSpec fine = collision(gap, 1.0 / 3840);
+    EXPECT_LT(distance(collision(gap, 1.0 / 60), fine), tolerance(6e-3)) << gap;
+    EXPECT_LT(distance(collision(gap, 1.0 / 240), fine), tolerance(4e-3)) << gap;
+  }
+}
+
+TEST(Collision, KeepsMomentum) {
+  const SimulationSpec spec = collision(0.2, 1.0 / 60);
+  const auto momentum = [&](const std::vector<hydro::BodyState>& states) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = 0; i < states.size(); ++i)
+      sum += spec.bodies[i].mass * states[i].linear_velocity;
+    return sum;
+  };
+  const Simulation simulation = support::after(spec, 120);
+  const Vector3d before = momentum({spec.bodies[0].initial, spec.bodies[1].initial});
+  EXPECT_LT((momentum(simulation.states()) - before).norm(), tolerance(1e-9 * before.norm()));
+  EXPECT_LT(simulation.states()[0].linear_velocity.x(), 0.9);
+}
+
+TEST(Collision, IsCutIntoFewPiecesAndNothingElseIs) {
+  SimulationSpec spec = collision(0.2, 1.0 / 60);
+  BodySpec far = spec.bodies[0];
+  far.name = "far";
+  far.initial.position.y() = 10;
+  spec.bodies.push_back(far);
+  const Simulation simulation = support::after(spec, 120);
+  EXPECT_EQ(simulation.paths()[2].pieces, 120);
+  EXPECT_GT(simulation.paths()[0].pieces, 130);
+  EXPECT_LT(simulation.paths()[0].pieces, 200);
+}
+
+// A ball falls on the ground in a vacuum: it is there after √(2 h/g), not a step later.
+TEST(Collision, BeginsWhenTheGroundIsReached) {
+  for (const double height : {1.0, 1.05, 1.1, 1.13}) {
+    SimulationSpec spec =
+        support::dry_world({colliding(support::sphere_body("ball", 0.2, 500, {0, 0, 0.2 + height}),
+                                      CollisionShape::sphere, Vector3d::Zero())},
+                           1.0 / 30);
+    spec.ground = engine::PlaneGround{0};
+    Simulation simulation(spec);
+    const double fall = std::sqrt(2 * height / support::kGravity);
+    double deepest = 0;
+    while (simulation.time() < fall + 0.1) {
+      simulation.step();
+      deepest = std::max(deepest, 0.2 - simulation.states()[0].position.z());
+    }
+    // A damper c = 2 m/τ lets it in by no more than v τ/2; a step would by v/30 = 0.15 m.
+    EXPECT_LT(deepest, tolerance(support::kGravity * fall * 0.01 / 2)) << height;
+    EXPECT_LT(simulation.states()[0].linear_velocity.norm(), tolerance(0.1)) << height;
+  }
+}
+
+TEST(Collision, OfSlowBodiesIsNotLookedFor) {
+  SimulationSpec spec = collision(0.2, 1.0 / 60);
+  spec.bodies[0].initial.linear_velocity *= 0.009;
+  spec.bodies[0].initial.position.x() += 0.22;
+  const Simulation simulation = support::after(spec, 240);
+  EXPECT_EQ(simulation.paths()[0].pieces, 240);
+}
+
+}  // namespace
