@@ -23,6 +23,7 @@ constexpr int kMostHalves = 6;
 constexpr double kConverged = 1e-15;  // of the momentum
 constexpr double kRoundOff = 1e-12;   // of the momentum, of ill-conditioned inertia at most
 constexpr double kKept = 1e-9;        // of the energy, where that is not reached
+constexpr double kHeldKept = 1e-3;    // of the free energy in (5), in a step of (4)
 
 /// a of equation (2).
 double half_step(double speed, double time) {
@@ -151,24 +152,76 @@ Vector6d gyration(const Vector6d& u, const Vector6d& p) {
   return stacked(Vector3d::Zero(), -u.head<3>().cross(p.head<3>()));
 }
 
-/// One midpoint step of (4): the velocity at its end.
-Vector6d held_step(const Matrix6d& inertia_B, const DofMask& locked, hydro::BodyState& state,
-                   const Vector6d& u0, double time) {
-  const Matrix3d R0 = state.orientation.toRotationMatrix();
-  const Vector6d p0 = turned_matrix(R0, inertia_B) * u0;
-  Vector6d u = u0;
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-  for (int i = 0; i < kMostIterations; ++i) {
-    const Vector6d mean = (u0 + u) / 2;
-    turn = exponential(time * mean.tail<3>());
-    const Matrix6d S = turned_matrix((turn * state.orientation).toRotationMatrix(), inertia_B);
-    const Vector6d rest = p0 + time * gyration(mean, (p0 + S * u) / 2) - S * u;
-    const Vector6d change = solve_free(S, rest, {.locked = locked});
-    u += change;
-    if (change.norm() <= 1e-15 * u.norm()) break;
+/// A body some of whose degrees of freedom are held.
+struct HeldBody {
+  const Matrix6d& inertia_B;
+  const DofMask& locked;
+
+  Matrix6d inertia(const Eigen::Quaterniond& q) const {
+    return turned_matrix(q.toRotationMatrix(), inertia_B);
   }
-  state.orientation = (turn * state.orientation).normalized();
-  return u;
+};
+
+/// How it moves, in W.
+struct HeldMotion {
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+  Vector6d u = Vector6d::Zero();  ///< Relative to the water.
+};
+
+/// One midpoint step of (4) by repeated substitution; nothing where that leads nowhere.
+std::optional<HeldMotion> solve_held(const HeldBody& body, const HeldMotion& start, double time) {
+  const Vector6d p0 = body.inertia(start.q) * start.u;
+  HeldMotion end = start;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    const Vector6d mean = (start.u + end.u) / 2;
+    end.q = (exponential(time * mean.tail<3>()) * start.q).normalized();
+    const Matrix6d S = body.inertia(end.q);
+    const Vector6d rest = p0 + time * gyration(mean, (p0 + S * end.u) / 2) - S * end.u;
+    const Vector6d change = solve_free(S, rest, {.locked = body.locked});
+    end.u += change;
+    const double size = change.norm();
+    if (size <= kConverged * end.u.norm()) return end;
+    if (size >= last && size <= kRoundOff * end.u.norm()) return end;
+    if (!std::isfinite(size)) break;
+    last = size;
+  }
+  return std::nullopt;
+}
+
+/// The energy of the motion that is free, and that of what is held: (5).
+struct HeldEnergy {
+  double free = 0;
+  double held = 0;
+};
+
+HeldEnergy held_energy(const HeldBody& body, const HeldMotion& motion) {
+  Vector6d free = motion.u, held = motion.u;
+  for (int i = 0; i < 6; ++i) (body.locked[static_cast<std::size_t>(i)] ? free : held)[i] = 0;
+  const Matrix6d S = body.inertia(motion.q);
+  return {.free = free.dot(S * free) / 2, .held = held.dot(S * held) / 2};
+}
+
+/// True if (5) is kept well enough.
+bool keeps_energy(const HeldBody& body, const HeldMotion& before, const HeldMotion& after) {
+  const HeldEnergy first = held_energy(body, before), last = held_energy(body, after);
+  const double change = (last.free - last.held) - (first.free - first.held);
+  return std::abs(change) <=
+         kHeldKept * std::max(first.free, last.free) + kRoundOff * std::max(first.held, last.held);
+}
+
+/// A step of (4) and how far it goes relative to the water; in halves where one cannot be solved or
+/// does not keep (5). Should no half do, the body goes on as it does without turning, which does.
+Vector3d advance_held(const HeldBody& body, HeldMotion& motion, double time, int halvings) {
+  const std::optional<HeldMotion> end = solve_held(body, motion, time);
+  if (!end || !keeps_energy(body, motion, *end)) {
+    if (halvings == 0) return time * motion.u.head<3>();
+    const Vector3d first = advance_held(body, motion, time / 2, halvings - 1);
+    return first + advance_held(body, motion, time / 2, halvings - 1);
+  }
+  const Vector3d way = time * (motion.u + end->u).head<3>() / 2;
+  motion = *end;
+  return way;
 }
 
 }  // namespace
@@ -237,14 +290,21 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
     next.position += time * state.linear_velocity;
     return next;
   }
-  Vector6d u = velocity(state, current);
-  const int count = pieces(turning_rate(inertia_B, u), time);
-  for (int i = 0; i < count; ++i) {
-    const Vector6d before = u;
-    u = held_step(inertia_B, locked, next, before, time / count);
-    next.position += time / count * ((before + u).head<3>() / 2 + current);
+  const HeldBody body{.inertia_B = inertia_B, .locked = locked};
+  HeldMotion motion{.q = state.orientation, .u = velocity(state, current)};
+  // What is held can make the body turn ever faster: each piece is chosen by the motion it starts
+  // with.
+  const double shortest = time / kMostParts;
+  double rest = time;
+  while (rest > 0) {
+    const Matrix3d R_BW = motion.q.conjugate().toRotationMatrix();
+    const int count = pieces(turning_rate(inertia_B, turned(R_BW, motion.u)), rest);
+    const double piece = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
+    next.position += advance_held(body, motion, piece, kMostHalves) + piece * current;
+    rest = count == 1 ? 0 : rest - piece;
   }
-  return with_velocity(next, u, current);
+  next.orientation = motion.q;
+  return with_velocity(next, motion.u, current);
 }
 
 }  // namespace engine

@@ -57,7 +57,13 @@ hydro::BodyState turned_freely(const Eigen::Matrix3d& inertia_B, const hydro::Bo
 ///
 ///     p_f' = (0, −v × P)_f,    u constant in the others,                                    (4)
 ///
-/// by the midpoint rule. Without a free rotation the velocity stays as it is.
+/// by the midpoint rule. Without a free rotation the velocity stays as it is. What holds the others
+/// does work on them; kept is, with the index c for these,
+///
+///     ½ u_f·S u_f − ½ u_c·S u_c,                                                            (5)
+///
+/// by the midpoint rule to its order. Steps that do not keep it are halved, so that no motion runs
+/// away here either.
 hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
                          const hydro::BodyState& state, const Eigen::Vector3d& current,
                          double time);

@@ -166,6 +166,32 @@ TEST(FreeMotion, KeepsEnergyWhereItsEquationCannotBeSolved) {
   }
 }
 
+// A body nearly without mass of its own, held in a current, turns ever faster as it comes across.
+TEST(FreeMotion, WithHeldDegreesOfFreedomKeepsTheEnergyThatTheyLeave) {
+  Vector6d inertia;
+  inertia << 0.01, 0.05, 0.3, 1e-9, 8e-10, 1.2e-9;
+  const Matrix6d S = diagonal(inertia);
+  const Vector3d current(1.5, -0.5, 0);
+  support::Random random(11);
+  for (const double time : {1e-5, 1e-3, 1.0 / 60}) {
+    const hydro::BodyState state{.orientation = random.rotation(),
+                                 .angular_velocity = {60, -20, 0}};
+    const auto energy = [&](const hydro::BodyState& s) {
+      const Matrix6d S_W = engine::turned_matrix(s.orientation.toRotationMatrix(), S);
+      Vector6d free = engine::velocity(s, current), held = free;
+      for (const int i : {0, 1, 5}) free[i] = 0;
+      for (const int i : {2, 3, 4}) held[i] = 0;
+      return (free.dot(S_W * free) - held.dot(S_W * held)) / 2;
+    };
+    const engine::DofMask locked = {true, true, false, false, false, true};
+    const hydro::BodyState end = engine::drifted(S, locked, state, current, time);
+    // A part of the most that the held motion can give.
+    const double most = 0.3 * current.squaredNorm() / 2;
+    EXPECT_NEAR(energy(end), energy(state), tolerance(0.01 * most)) << time;
+    EXPECT_EQ(end.linear_velocity.head<2>(), Vector3d::Zero().head<2>());
+  }
+}
+
 // The matrix given here comes and goes as a whole: no pass over a step can foresee it.
 TEST(AddedMass, ThatABodyMeetsWithTheWaterSharesItsMomentumAtOnce) {
   BodySpec body = support::box_body("cube", {1, 1, 1}, 300, {0, 0, 0.9});
