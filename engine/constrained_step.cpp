@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "engine/anderson.h"
 #include "engine/kick.h"
@@ -16,6 +18,11 @@ constexpr int kFullSteps = 3;  // of Newton's method; later ones are halved
 // Solutions of an island's constraints in a kick after which loads are not linearised again.
 constexpr int kMostSolutions = 20;
 constexpr std::size_t kDepth = 12;
+// Solutions that come no nearer than this part of the least miss before, after which M_o is chosen
+// anew.
+constexpr int kMostIdle = 12;
+constexpr double kNearer = 0.8;
+constexpr int kPlainAfterFailure = 1;  // iterations before the next that is accelerated
 // Of the change of velocity by reactions, in the metric of M_o.
 constexpr double kTolerance = 1e-9;
 constexpr double kNewtonTolerance = 1e-3;
@@ -135,25 +142,50 @@ double motion_size(const std::vector<Row>& rows, double step) {
 }
 
 struct Iteration {
-  Answer answer;
+  Answer answer;  ///< The one that was nearest to what it was asked with.
   int count = 0;
   bool converged = false;
 };
 
-/// r ← R from `start`, accelerated if `depth` > 0.
+/// r ← R from `start`, accelerated. Ends without success where it gets no nearer.
+///
+/// @param contracts   The plain iteration does. It then takes the place of an acceleration that has
+///   led farther away, as across the limit of a contact, where what was learnt does not hold.
 Iteration iterate(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& start,
-                  double step, std::size_t depth) {
+                  double step, bool contracts) {
   const double size = motion_size(rows, step);
-  Eigen::VectorXd x = scaled(rows, start, step);
-  Anderson anderson(depth);
+  Eigen::VectorXd x = scaled(rows, start, step), last_x, last_image;
+  Anderson anderson(kDepth);
   Iteration iteration;
+  double least = std::numeric_limits<double>::infinity();
+  double last = least;
+  int idle = 0, plain = 0;
+  bool accelerated = false;
   while (true) {
-    iteration.answer = ask(world, rows, unscaled(rows, x, step), step);
+    Answer answer = ask(world, rows, unscaled(rows, x, step), step);
     ++iteration.count;
-    const Eigen::VectorXd image = scaled(rows, iteration.answer.reactions, step);
-    iteration.converged = (image - x).norm() <= kTolerance * (size + image.norm());
-    if (iteration.converged || iteration.count == kMostIterations) return iteration;
-    x = depth > 0 ? anderson.next(x, image) : image;
+    const Eigen::VectorXd image = scaled(rows, answer.reactions, step);
+    const double missed = (image - x).norm();
+    iteration.converged = missed <= kTolerance * (size + image.norm());
+    idle = missed < kNearer * least ? 0 : idle + 1;
+    if (missed < least || iteration.count == 1) iteration.answer = std::move(answer);
+    least = std::min(least, missed);
+    const bool gives_up = iteration.count == kMostIterations || (!contracts && idle > kMostIdle);
+    if (iteration.converged || gives_up) return iteration;
+    if (contracts && accelerated && missed >= last) {
+      anderson = Anderson(kDepth);
+      x = anderson.next(last_x, last_image);
+      plain = kPlainAfterFailure;
+      accelerated = false;
+      continue;
+    }
+    last = missed;
+    last_x = x;
+    last_image = image;
+    const Eigen::VectorXd next = anderson.next(x, image);
+    accelerated = plain == 0;
+    x = accelerated ? next : image;
+    plain = std::max(0, plain - 1);
   }
 }
 
@@ -174,12 +206,12 @@ Answer solve(World& world, std::vector<ConstrainedBody>& island, std::vector<Row
     ++solutions;
     return ask(world, rows, start, step);
   }
-  Iteration iteration = iterate(world, rows, start, step, kDepth);
+  Iteration iteration = iterate(world, rows, start, step, false);
   int count = iteration.count;
   if (!iteration.converged) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!rows[i].plain) choose_solver_mass(island[i], rows[i], contraction_factor(rows[i]));
-    iteration = iterate(world, rows, iteration.answer.reactions, step, 0);
+    iteration = iterate(world, rows, iteration.answer.reactions, step, true);
     count += iteration.count;
   }
   solutions += count;

@@ -27,7 +27,9 @@
 /// <= 2S. M_o is therefore taken near S, its translational part the geometric mean of those of S,
 /// and the iteration is accelerated (anderson.h): without inequalities it then ends after at most
 /// as many steps as there are reactions, whatever the ratio of S to M_o. Reactions of the step
-/// before are where it starts. Should it not end, M_o is made small enough for plain contraction.
+/// before are where it starts. Should it come no nearer, as when contacts open and close from one
+/// answer to the next, M_o is made small enough for plain contraction, which then takes the place
+/// of every acceleration that fails.
 /// Bodies with S of ODE's form need one solution; only islands with another body iterate.
 ///
 /// Nothing here depends on a lagged acceleration: at the fixed point the step is that of the exact
