@@ -37,7 +37,7 @@ const hydro::Loads& water_loads(Body& body, const Surroundings& around,
     ++body.cost.resting;
     return body.water;
   }
-  body.water = hydro::compute_loads(body.hull, state, *around.sea, time, body.spec->coefficients,
+  body.water = hydro::compute_loads(*body.hull, state, *around.sea, time, body.spec->coefficients,
                                     body.spec->summation);
   body.loaded_state = state;
   return body.water;
@@ -61,6 +61,34 @@ hydro::BodyState put_on_guide(const Body& body) {
   return with_velocity(state, left, Eigen::Vector3d::Zero());
 }
 
+/// All of it but its hull.
+Body make_dry_body(const SimulationSpec& spec, std::size_t index) {
+  const BodySpec& s = spec.bodies[index];
+  Body body{.spec = &s,
+            .box_B = hydro::bounding_box(s.mesh_B),
+            .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
+            .rigid_B = rigid_inertia(s),
+            .inverse_inertia_B = s.inertia_B.inverse(),
+            .wet = spec.sea && feels_water(s),
+            .adds = spec.sea && s.added_mass && !immovable(s.locked),
+            .movable = !immovable(s.locked),
+            .locked = partly_held(s.locked),
+            .jointed = has_joint(spec, static_cast<BodyId>(index)),
+            .guide = find_guide(spec, index)};
+  if (spec.sea)
+    body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);
+  body.motion.state = without_locked_motion(s.locked, s.initial);
+  if (body.adds) {
+    body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
+    body.motion.has_added = !body.motion.added_B.isZero(0);
+  }
+  if (body.guide) body.motion.state = put_on_guide(body);
+  if (spec.books)
+    body.motion.ledger = {.added_energy_at_start =
+                              added_kinetic_energy(body, surroundings(spec), body.motion)};
+  return body;
+}
+
 }  // namespace
 
 Surroundings surroundings(const SimulationSpec& spec) {
@@ -74,31 +102,26 @@ Surroundings surroundings(const SimulationSpec& spec) {
 }
 
 Body make_body(const SimulationSpec& spec, std::size_t index) {
-  const BodySpec& s = spec.bodies[index];
-  Body body{.spec = &s,
-            .box_B = hydro::bounding_box(s.mesh_B),
-            .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
-            .rigid_B = rigid_inertia(s),
-            .inverse_inertia_B = s.inertia_B.inverse(),
-            .wet = spec.sea && feels_water(s),
-            .adds = spec.sea && s.added_mass && !immovable(s.locked),
-            .movable = !immovable(s.locked),
-            .locked = partly_held(s.locked),
-            .jointed = has_joint(spec, static_cast<BodyId>(index)),
-            .guide = find_guide(spec, index)};
-  if (body.wet) body.hull = hydro::make_hull(s.mesh_B);
-  if (spec.sea)
-    body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);
-  body.motion.state = without_locked_motion(s.locked, s.initial);
-  if (body.adds) {
-    body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
-    body.motion.has_added = !body.motion.added_B.isZero(0);
-  }
-  if (body.guide) body.motion.state = put_on_guide(body);
-  if (spec.books)
-    body.motion.ledger = {.added_energy_at_start =
-                              added_kinetic_energy(body, surroundings(spec), body.motion)};
+  Body body = make_dry_body(spec, index);
+  if (body.wet) body.hull = std::make_shared<hydro::Hull>(hydro::make_hull(body.spec->mesh_B));
   return body;
+}
+
+std::vector<Body> make_bodies(const SimulationSpec& spec) {
+  std::vector<Body> bodies;
+  std::vector<std::shared_ptr<const hydro::Hull>> hulls;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+    Body& body = bodies.emplace_back(make_dry_body(spec, i));
+    if (!body.wet) continue;
+    const auto same = std::find_if(hulls.begin(), hulls.end(), [&](const auto& hull) {
+      return hydro::same_mesh(hull->mesh_B, body.spec->mesh_B);
+    });
+    body.hull = same != hulls.end()
+                    ? *same
+                    : std::make_shared<hydro::Hull>(hydro::make_hull(body.spec->mesh_B));
+    if (same == hulls.end()) hulls.push_back(body.hull);
+  }
+  return bodies;
 }
 
 Freedom freedom(const Body& body, const hydro::BodyState& state) {

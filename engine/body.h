@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "engine/added_inertia.h"
 #include "engine/faults.h"
@@ -78,7 +80,7 @@ struct Cost {
 
 struct Body {
   const BodySpec* spec = nullptr;
-  hydro::Hull hull;
+  std::shared_ptr<const hydro::Hull> hull;  ///< None if not wet; one for all of the same mesh.
   Eigen::AlignedBox3d box_B;
   double radius = 0;                        ///< Of its farthest vertex from the centre of mass [m].
   double displacement = 0;                  ///< Mass of the water that it can displace [kg].
@@ -108,6 +110,8 @@ Surroundings surroundings(const SimulationSpec& spec);
 
 /// A body at its initial state.
 Body make_body(const SimulationSpec& spec, std::size_t index);
+/// All of them: those of the same mesh share its hull.
+std::vector<Body> make_bodies(const SimulationSpec& spec);
 
 /// How it may go by itself, in W.
 Freedom freedom(const Body& body, const hydro::BodyState& state);

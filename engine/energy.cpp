@@ -21,7 +21,7 @@ double potential_energy(const Body& body, const Surroundings& around,
   const double weight = body.spec->mass * around.gravity * height;
   const bool lifted = body.wet && body.spec->coefficients.buoyancy &&
                       lowest_point(body.box_B, state) < around.highest;
-  return lifted ? weight + hydro::buoyancy_energy(body.hull, state, *around.sea) : weight;
+  return lifted ? weight + hydro::buoyancy_energy(*body.hull, state, *around.sea) : weight;
 }
 
 double energy(const Body& body, const Surroundings& around, const Motion& motion) {

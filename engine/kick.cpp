@@ -96,7 +96,7 @@ double heave_stiffness(const Setting& s, double height) {
   const auto buoyancy = [&](double rise) {
     hydro::BodyState state = s.state;
     state.position.z() += rise;
-    return hydro::compute_loads(s.body.hull, state, *s.around.sea, s.time, coefficients)
+    return hydro::compute_loads(*s.body.hull, state, *s.around.sea, s.time, coefficients)
         .buoyancy.force.z();
   };
   const double rise = 1e-3 * height;
@@ -131,7 +131,7 @@ double largest_stiffness(const Setting& s, const Matrix6d& J) {
 }
 
 hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {
-  return hydro::load_jacobian(s.body.hull, s.at(relative), *s.around.sea, s.time,
+  return hydro::load_jacobian(*s.body.hull, s.at(relative), *s.around.sea, s.time,
                               s.body.spec->coefficients);
 }
 

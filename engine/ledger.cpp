@@ -162,7 +162,7 @@ BodyForces forces_on(const Body& body, const Surroundings& around, double time, 
   for (const AppliedLoad& load : body.spec->loads) forces.applied += wrench(load, state, time);
   forces.weight.force.z() = -body.spec->mass * around.gravity;
   if (body.wet && lowest_point(body.box_B, state) < around.highest)
-    forces.water = hydro::compute_loads(body.hull, state, *around.sea, time,
+    forces.water = hydro::compute_loads(*body.hull, state, *around.sea, time,
                                         body.spec->coefficients, body.spec->summation);
   forces.added_mass = to_wrench(ledger.added_impulse / step);
   forces.constraint = to_wrench(ledger.constraint_impulse / step);

@@ -92,11 +92,9 @@ Simulation::Impl::Impl(SimulationSpec description)
     : spec(std::move(description)),
       world(make_world(spec)),
       threads(std::max(1, spec.threads)),
-      around(surroundings(spec)) {
-  for (std::size_t i = 0; i < count(); ++i) {
-    bodies.push_back(make_body(spec, i));
-    states.push_back(bodies.back().motion.state);
-  }
+      around(surroundings(spec)),
+      bodies(make_bodies(spec)) {
+  for (const Body& body : bodies) states.push_back(body.motion.state);
   skips.collision = !world.can_collide();
   skips.water = std::none_of(bodies.begin(), bodies.end(),
                              [](const Body& body) { return body.wet || body.adds; });

@@ -129,6 +129,12 @@ World::Shape World::create_shape(const BodySpec& spec) {
 }
 
 dxGeom* World::create_trimesh(const hydro::TriMesh& mesh) {
+  return dCreateTriMesh(space_.get(), mesh_data(mesh), nullptr, nullptr, nullptr);
+}
+
+dxTriMeshData* World::mesh_data(const hydro::TriMesh& mesh) {
+  for (const auto& known : meshes_)
+    if (hydro::same_mesh(known->mesh, mesh)) return known->data.get();
   auto kept = std::make_unique<CollisionMesh>();
   kept->mesh = mesh;
   kept->data.reset(dGeomTriMeshDataCreate());
@@ -136,9 +142,8 @@ dxGeom* World::create_trimesh(const hydro::TriMesh& mesh) {
   dGeomTriMeshDataBuildDouble(kept->data.get(), kept->mesh.vertices.data(), 3 * sizeof(double),
                               static_cast<int>(mesh.vertex_count()), kept->mesh.faces.data(),
                               static_cast<int>(mesh.faces.size()), 3 * sizeof(dTriIndex));
-  dxGeom* geom = dCreateTriMesh(space_.get(), kept->data.get(), nullptr, nullptr, nullptr);
   meshes_.push_back(std::move(kept));
-  return geom;
+  return meshes_.back()->data.get();
 }
 
 void World::place_geom(Body& body, const Shape& shape) {

@@ -129,6 +129,8 @@ class World {
   dxBody* create_body(const BodySpec& spec);
   Shape create_shape(const BodySpec& spec);
   dxGeom* create_trimesh(const hydro::TriMesh& mesh);
+  /// One for all that have the same mesh.
+  dxTriMeshData* mesh_data(const hydro::TriMesh& mesh);
   void place_geom(Body& body, const Shape& shape);
   void add_lock_motors(dxBody* body, const BodySpec& spec);
   dxBody* handle_of(BodyId body) const;

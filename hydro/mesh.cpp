@@ -2,6 +2,11 @@
 
 namespace hydro {
 
+bool same_mesh(const TriMesh& a, const TriMesh& b) {
+  return a.vertex_count() == b.vertex_count() && a.face_count() == b.face_count() &&
+         a.vertices == b.vertices && a.faces == b.faces;
+}
+
 TriMesh translated(TriMesh mesh, const Eigen::Vector3d& offset) {
   mesh.vertices.colwise() += offset;
   return mesh;

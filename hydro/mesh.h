@@ -15,6 +15,9 @@ struct TriMesh {
   Eigen::Index face_count() const { return faces.cols(); }
 };
 
+/// True if the two have the same vertices and faces, in the same order.
+bool same_mesh(const TriMesh& a, const TriMesh& b);
+
 /// The mesh moved by `offset` [m].
 TriMesh translated(TriMesh mesh, const Eigen::Vector3d& offset);
 
