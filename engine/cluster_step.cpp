@@ -129,7 +129,8 @@ void ClusterStep::advance_in_pieces(double time, double length, int halvings) {
 }
 
 double ClusterStep::begin_piece(double rest) {
-  double piece = std::min(rest, impacts_.longest_piece());
+  // What the last piece held together is likely to be so still.
+  double piece = std::min(longest_piece(rest), impacts_.longest_piece());
   meet_halfway(piece);
   const auto take = [&](double shorter) {
     if (shorter >= piece) return;

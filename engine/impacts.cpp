@@ -58,7 +58,7 @@ double Impacts::longest_piece() const {
 }
 
 std::optional<double> Impacts::next(double piece, const std::vector<Pair>& touching) {
-  if (touching.size() > kMostPairs) return std::nullopt;
+  if (touching.size() > kMostPairs || count_ == kMostImpacts) return std::nullopt;
   std::vector<std::pair<double, Pair>> onsets;
   for (const Pair& pair : cluster_.near) {
     if (!may_meet_fast(pair)) continue;
@@ -66,6 +66,7 @@ std::optional<double> Impacts::next(double piece, const std::vector<Pair>& touch
     if (time) onsets.emplace_back(*time, pair);
   }
   if (onsets.empty()) return std::nullopt;
+  ++count_;
   const double first = std::min_element(onsets.begin(), onsets.end())->first;
   for (const auto& [time, pair] : onsets) {
     if (time > first + begun_) continue;

@@ -23,7 +23,8 @@
 /// pieces an impact, whatever the step, of the bodies near enough to have to do with it.
 ///
 /// Where more than kMostPairs pairs of bodies touch each other, what a body does depends on all
-/// their contacts more than on the time of one: heaps take whole steps.
+/// their contacts more than on the time of one: heaps take whole steps. And no step of a cluster is
+/// cut for more than kMostImpacts, so that bodies which rattle cannot make it stall.
 
 namespace engine {
 
@@ -43,6 +44,7 @@ class Impacts {
   static constexpr double kFirstPiece = 1.0 / 32;
   static constexpr double kGrowth = 1.2;
   static constexpr std::size_t kMostPairs = 16;
+  static constexpr int kMostImpacts = 4;
 
   /// All must outlive it.
   /// @param met   Pairs that were in contact at the end of the last step, ascending.
@@ -78,6 +80,7 @@ class Impacts {
   double begun_;        ///< An impact nearer to the start of a piece has begun with it [s].
   double step_;
   double slow_;             ///< Speed of (1) [m/s].
+  int count_ = 0;           ///< Of impacts in this step.
   std::vector<Pair> met_;   ///< Ascending.
   std::vector<Pair> meet_;  ///< At the end of the next piece or at its start.
 };

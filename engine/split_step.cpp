@@ -58,23 +58,32 @@ std::vector<Pair> SplitStep::near_pairs(double step) const {
 }
 
 std::vector<Cluster> SplitStep::clusters(double step) const {
+  const auto body = [&](BodyId id) -> const Body& {
+    return stepping_.bodies[static_cast<std::size_t>(id)];
+  };
+  const auto guided = [&](BodyId id) { return id != kWorld && body(id).guide; };
+  const auto movable = [&](BodyId id) { return id != kWorld && body(id).movable; };
   const std::vector<Pair>& joints = stepping_.world.joints();
   const std::vector<Pair> near = near_pairs(step);
-  std::vector<Pair> pairs = joints;
-  pairs.insert(pairs.end(), near.begin(), near.end());
+  // What a joint guides goes by itself where nothing is near.
+  std::vector<Pair> holding = near;
+  for (const Pair& pair : joints)
+    if (!guided(pair.first) && !guided(pair.second)) holding.push_back(pair);
   std::vector<Cluster> clusters;
-  std::vector<std::size_t> cluster_of(stepping_.bodies.size());
-  for (std::vector<BodyId>& group : groups(movable_, pairs)) {
-    for (const BodyId id : group) cluster_of[static_cast<std::size_t>(id)] = clusters.size();
+  std::vector<Cluster*> home(stepping_.bodies.size(), nullptr);
+  std::vector<std::vector<BodyId>> held = groups(movable_, holding);
+  clusters.reserve(held.size());
+  for (std::vector<BodyId>& group : held) {
     clusters.push_back({.bodies = std::move(group), .joints = {}, .near = {}});
+    for (const BodyId id : clusters.back().bodies)
+      home[static_cast<std::size_t>(id)] = &clusters.back();
   }
-  const auto home = [&](const Pair& pair) -> Cluster& {
-    const bool first =
-        pair.first != kWorld && stepping_.bodies[static_cast<std::size_t>(pair.first)].movable;
-    return clusters[cluster_of[static_cast<std::size_t>(first ? pair.first : pair.second)]];
+  const auto home_of = [&](const Pair& pair) {
+    return home[static_cast<std::size_t>(movable(pair.first) ? pair.first : pair.second)];
   };
-  for (const Pair& pair : joints) home(pair).joints.push_back(pair);
-  for (const Pair& pair : near) home(pair).near.push_back(pair);
+  for (const Pair& pair : joints)
+    if (Cluster* cluster = home_of(pair)) cluster->joints.push_back(pair);
+  for (const Pair& pair : near) home_of(pair)->near.push_back(pair);
   return clusters;
 }
 
