@@ -1,0 +1,33 @@
+# cmake --install: the program with what it reads, and the two libraries as a package for CMake.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS plimsoll RUNTIME)
+install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll
+  PATTERN pictures EXCLUDE)
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(TARGETS plimsoll_hydro plimsoll_engine EXPORT plimsoll)
+install(DIRECTORY hydro engine DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plimsoll
+  FILES_MATCHING PATTERN *.h)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plimsoll)
+install(EXPORT plimsoll NAMESPACE plimsoll:: FILE plimsoll-targets.cmake DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/plimsoll-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES cmake/plimsoll-config.cmake ${PROJECT_BINARY_DIR}/plimsoll-config-version.cmake
+  DESTINATION ${package})
+
+# cpack --config build/CPackConfig.cmake: a Debian package of all that.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "Plimsoll's maintainers <maintainers@plimsoll.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "maritime sandbox: bodies of any shape in water")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Pictures need them; they are loaded by name.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
+# What a project that uses the libraries builds with.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libhwy-dev, libode-dev, libtbb-dev")
+set(CPACK_STRIP_FILES ON)
+include(CPack)

@@ -1,0 +1,48 @@
+# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P try_install.cmake
+
+function(run)
+  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE code
+    OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}: ${code}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect what text pattern)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "${what}: no \"${pattern}\" in\n${text}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+file(RENAME ${WORK}/first ${WORK}/moved)
+
+# The program, with a scene and its mesh, and pictures by the shaders beside it.
+set(share ${WORK}/moved/share/plimsoll)
+run(${WORK}/moved/bin/plimsoll run ${share}/scenes/teapot_drop.yaml --out ${WORK}/teapot
+  --set duration=0.3)
+foreach(file IN ITEMS trajectory.csv summary.json sheet.png)
+  if(NOT EXISTS ${WORK}/teapot/${file})
+    message(FATAL_ERROR "the installed program wrote no ${file}:\n${output}")
+  endif()
+endforeach()
+# Shaders are read at run time: without those that were installed it falls back on the sources.
+file(RENAME ${share}/shaders ${share}/shaders-away)
+file(WRITE ${share}/shaders/none "")
+execute_process(COMMAND ${WORK}/moved/bin/plimsoll run ${share}/scenes/teapot_drop.yaml
+  --out ${WORK}/blind --set duration=0.1 RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE output)
+if(code EQUAL 0)
+  message(FATAL_ERROR "the installed program does not read the installed shaders")
+endif()
+expect("without shaders" "${output}" "share/plimsoll/shaders")
+
+# The libraries, in a project of somebody else.
+run(${CMAKE_COMMAND} -S ${SOURCE}/examples/crate -B ${WORK}/crate -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_PREFIX_PATH=${WORK}/moved)
+run(${CMAKE_COMMAND} --build ${WORK}/crate)
+run(${WORK}/crate/crate)
+expect("the example" "${output}" "draught 0\\.(19[89]|20[0-2]) m, by Archimedes 0\\.200 m")
