@@ -16,7 +16,7 @@ constexpr int kMostIterations = 40;
 constexpr int kMostLinearisations = 6;
 constexpr int kFullSteps = 3;  // of Newton's method; later ones are halved
 // Solutions of an island's constraints in a kick after which loads are not linearised again.
-constexpr int kMostSolutions = 20;
+constexpr int kMostSolutions = 12;
 constexpr std::size_t kDepth = 12;
 // Solutions that come no nearer than this part of the least miss before, after which M_o is chosen
 // anew.
