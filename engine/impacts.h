@@ -43,7 +43,7 @@ class Impacts {
  public:
   static constexpr double kFirstPiece = 1.0 / 32;
   static constexpr double kGrowth = 1.2;
-  static constexpr std::size_t kMostPairs = 16;
+  static constexpr std::size_t kMostPairs = 4;
   static constexpr int kMostImpacts = 4;
 
   /// All must outlive it.
