@@ -147,7 +147,7 @@ void ClusterStep::meet_halfway(double piece) {
   for (Member& m : members_) {
     m.middle = drift(*m.body, stepping_.around, m.body->motion, piece / 2);
     check_state(*m.body, m.middle.state);
-    m.passage.touching = false;
+    m.held.touching = false;
     bodies.push_back(placed(m.id, *m.body, stepping_.around, m.middle.state));
   }
   std::vector<Pair> pairs = cluster_.joints;
@@ -157,12 +157,12 @@ void ClusterStep::meet_halfway(double piece) {
     for (const Pair& pair : contacts_.pairs)
       for (const BodyId id : {pair.first, pair.second})
         if (id != kWorld && stepping_.bodies[static_cast<std::size_t>(id)].movable)
-          member(id).passage.touching = true;
+          member(id).held.touching = true;
   }
   islands_ = groups(cluster_.bodies, pairs);
   std::erase_if(islands_, [&](const std::vector<BodyId>& island) {
     const Member& first = member(island.front());
-    return island.size() == 1 && first.body->guide && !first.passage.touching;
+    return island.size() == 1 && first.body->guide && !first.held.touching;
   });
 }
 
@@ -183,34 +183,34 @@ bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
       for (const BodyId id : island) f(member(id));
   };
   for_held([](Member& m) {
-    m.passage.before = m.body->motion;
+    m.held.before = m.body->motion;
     m.reaction_before_B = m.body->reaction_B;
     m.acceleration_before_W = m.body->acceleration_W;
   });
   call_all(stepping_.for_each, islands_.size(),
            [&](std::size_t i) { advance_island(islands_[i], time, piece); });
-  const auto passage = [this](std::size_t i) -> const Passage& {
-    return member(static_cast<BodyId>(i)).passage;
+  const auto held = [this](std::size_t i) -> const HeldStep& {
+    return member(static_cast<BodyId>(i)).held;
   };
   bool gained = false, leapt = false, followed = true;
   for (EnergyGuard* guard : guards_)
-    gained = guard->gained(stepping_.bodies, passage, piece) || gained;
+    gained = guard->gained(stepping_.bodies, held, piece) || gained;
   for_held([&](const Member& m) {
-    const hydro::BodyState& before = m.passage.before.state;
-    followed = followed && can_be_followed(*m.body, stepping_.around, m.passage.before, piece);
+    const hydro::BodyState& before = m.held.before.state;
+    followed = followed && can_be_followed(*m.body, stepping_.around, m.held.before, piece);
     leapt = leapt ||
             (m.body->wet && leaps(*m.body, stepping_.around, before, m.body->motion.state, piece));
   });
   if ((may_halve && gained && followed) || (leapt && piece / 2 >= shortest_ / kLeapParts)) {
     for_held([](Member& m) {
-      m.body->motion = m.passage.before;
+      m.body->motion = m.held.before;
       m.body->reaction_B = m.reaction_before_B;
       m.body->acceleration_W = m.acceleration_before_W;
     });
     return false;
   }
   for (EnergyGuard* guard : guards_) {
-    guard->brake(stepping_.bodies, passage);
+    guard->brake(stepping_.bodies, held);
     guard->accept();
   }
   return true;
@@ -227,19 +227,19 @@ void ClusterStep::advance_island(const std::vector<BodyId>& island, double time,
   std::vector<ConstrainedBody> last;
   bool near = false;
   for (int pass = 1;; ++pass) {
-    std::vector<ConstrainedBody> held;
+    std::vector<ConstrainedBody> constrained;
     for (std::size_t k = 0; k < island.size(); ++k) {
-      held.push_back(make_held(*all[k]->body, island[k], stepping_.around, all[k]->middle, added[k],
-                               piece, all[k]->passage.touching));
-      if (!last.empty()) held[k].expected = last[k].change;
+      constrained.push_back(make_held(*all[k]->body, island[k], stepping_.around, all[k]->middle,
+                                      added[k], piece, all[k]->held.touching));
+      if (!last.empty()) constrained[k].expected = last[k].change;
     }
-    constrained_kick(stepping_.world, stepping_.around, stepping_.for_each, held, time + piece / 2,
-                     piece);
+    constrained_kick(stepping_.world, stepping_.around, stepping_.for_each, constrained,
+                     time + piece / 2, piece);
     bool same = true, next_is_near = true;
     for (std::size_t k = 0; k < island.size(); ++k) {
       const Body& body = *all[k]->body;
-      ends[k] = finish(held[k], stepping_.around, added[k], piece, all[k]->passage.touching);
-      all[k]->passage.work = reaction_work(held[k], stepping_.around, piece);
+      ends[k] = finish(constrained[k], stepping_.around, added[k], piece, all[k]->held.touching);
+      all[k]->held.work = reaction_work(constrained[k], stepping_.around, piece);
       const Matrix6d found = added_mass(body, stepping_.around, ends[k].state, time + piece);
       if (same_added_mass(body, found, added[k])) continue;
       same = false;
@@ -250,7 +250,7 @@ void ClusterStep::advance_island(const std::vector<BodyId>& island, double time,
     }
     if (same || near || pass == kMostIslandPasses) break;
     near = next_is_near;
-    last = std::move(held);
+    last = std::move(constrained);
   }
   for (std::size_t k = 0; k < island.size(); ++k) {
     Body& body = *all[k]->body;

@@ -56,7 +56,7 @@ class ClusterStep {
     BodyId id = 0;
     Body* body = nullptr;
     Motion middle;  ///< Halfway through the piece, before the kick.
-    Passage passage;
+    HeldStep held;
     Vector6d reaction_before_B = Vector6d::Zero();
     std::optional<Eigen::Vector3d> acceleration_before_W;
   };

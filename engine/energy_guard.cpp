@@ -50,11 +50,11 @@ EnergyGuard::EnergyGuard(const std::vector<BodyId>& group, const std::vector<Bod
   }
 }
 
-bool EnergyGuard::gained(const std::vector<Body>& bodies, const PassageOf& passage, double step) {
+bool EnergyGuard::gained(const std::vector<Body>& bodies, const HeldStepOf& held, double step) {
   excess_ = 0;
   next_ = range_;
   next_given_ = given_;
-  const auto touches = [&](std::size_t i) { return passage(i).touching; };
+  const auto touches = [&](std::size_t i) { return held(i).touching; };
   if (std::any_of(bodies_.begin(), bodies_.end(), touches)) {
     next_ = {};
     next_given_ = 0;
@@ -66,14 +66,14 @@ bool EnergyGuard::gained(const std::vector<Body>& bodies, const PassageOf& passa
   };
   if (std::all_of(bodies_.begin(), bodies_.end(), smooth)) return false;
   if (in_still_water_)
-    look(bodies, passage, step);
+    look(bodies, held, step);
   else
-    look_at_joints(bodies, passage);
+    look_at_joints(bodies, held);
   return excess_ > allowed_;
 }
 
-void EnergyGuard::look(const std::vector<Body>& bodies, const PassageOf& passage, double step) {
-  const auto before = [&](std::size_t i) -> const Motion& { return passage(i).before; };
+void EnergyGuard::look(const std::vector<Body>& bodies, const HeldStepOf& held, double step) {
+  const auto before = [&](std::size_t i) -> const Motion& { return held(i).before; };
   const auto after = [&](std::size_t i) -> const Motion& { return bodies[i].motion; };
   const Energies start = energies(bodies_, bodies, before, around_);
   const Energies end = energies(bodies_, bodies, after, around_);
@@ -91,12 +91,12 @@ void EnergyGuard::look(const std::vector<Body>& bodies, const PassageOf& passage
   next_.extend(std::min(energy, energy - excess_), end.potential);
 }
 
-void EnergyGuard::look_at_joints(const std::vector<Body>& bodies, const PassageOf& passage) {
+void EnergyGuard::look_at_joints(const std::vector<Body>& bodies, const HeldStepOf& held) {
   double start = 0, end = 0, gain = 0;
   for (const std::size_t i : bodies_) {
-    start += absolute_energy(bodies[i], passage(i).before);
+    start += absolute_energy(bodies[i], held(i).before);
     end += absolute_energy(bodies[i], bodies[i].motion);
-    gain += passage(i).work;
+    gain += held(i).work;
   }
   // Of what joints add, drag may take all at once; what loads take of the motion later they take of
   // the gains in it, too.
@@ -110,7 +110,7 @@ void EnergyGuard::look_at_joints(const std::vector<Body>& bodies, const PassageO
   if (excess_ > 0) next_given_ -= std::min(excess_, end);
 }
 
-void EnergyGuard::brake(std::vector<Body>& bodies, const PassageOf& passage) const {
+void EnergyGuard::brake(std::vector<Body>& bodies, const HeldStepOf& held) const {
   if (!(excess_ > 0)) return;
   const bool enough = kinetic_ > excess_;
   const bool much = excess_ > allowed_;
@@ -118,7 +118,7 @@ void EnergyGuard::brake(std::vector<Body>& bodies, const PassageOf& passage) con
   const double part = enough ? std::sqrt(1 - excess_ / kinetic_) : 0;
   for (const std::size_t i : bodies_) {
     Motion& motion = bodies[i].motion;
-    if (!enough) motion = passage(i).before;
+    if (!enough) motion = held(i).before;
     const Motion fast = motion;
     // Still water has no current where joints hold a body.
     const Eigen::Vector3d still = Eigen::Vector3d::Zero();

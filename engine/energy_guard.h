@@ -25,7 +25,7 @@
 namespace engine {
 
 /// What a step of a body under constraints is judged by.
-struct Passage {
+struct HeldStep {
   Motion before;          ///< At its start.
   bool touching = false;  ///< The body is in contact.
   double work = 0;        ///< Of the reactions on it in the step [J].
@@ -33,7 +33,7 @@ struct Passage {
 
 class EnergyGuard {
  public:
-  using PassageOf = std::function<const Passage&(std::size_t body)>;
+  using HeldStepOf = std::function<const HeldStep&(std::size_t body)>;
   static constexpr int kMostHalvings = 5;
 
   /// @param group   Bodies that joints hold together, or one that joints hold.
@@ -44,18 +44,18 @@ class EnergyGuard {
 
   /// Looks at the bodies after a step [s].
   /// @return true if they have so much energy that the step is to be taken in halves.
-  bool gained(const std::vector<Body>& bodies, const PassageOf& passage, double step);
+  bool gained(const std::vector<Body>& bodies, const HeldStepOf& held, double step);
 
   /// After gained() for the same step: slows the group if it has too much energy; if it has more of
   /// it than it moves with, it rests where it was before.
-  void brake(std::vector<Body>& bodies, const PassageOf& passage) const;
+  void brake(std::vector<Body>& bodies, const HeldStepOf& held) const;
 
   /// After gained() for the same step, which stands.
   void accept();
 
  private:
-  void look(const std::vector<Body>& bodies, const PassageOf& passage, double step);
-  void look_at_joints(const std::vector<Body>& bodies, const PassageOf& passage);
+  void look(const std::vector<Body>& bodies, const HeldStepOf& held, double step);
+  void look_at_joints(const std::vector<Body>& bodies, const HeldStepOf& held);
 
   Surroundings around_;
   std::vector<std::size_t> bodies_;
