@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "engine/six.h"
+#include "engine/stopwatch.h"
 #include "engine/world.h"
 #include "hydro/decompositions.h"
 
@@ -96,20 +96,6 @@ void note_near_pair(void* pairs, dxGeom* first, dxGeom* second) {
       std::minmax(id(first), id(second)));
 }
 
-/// Adds the wall time of its scope to a sum [s].
-class CollisionClock {
- public:
-  explicit CollisionClock(double& sum) : sum_(sum) {}
-  ~CollisionClock() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  CollisionClock(const CollisionClock&) = delete;
-  CollisionClock& operator=(const CollisionClock&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& sum_;
-  Clock::time_point start_ = Clock::now();
-};
-
 }  // namespace
 
 World::Contacts World::no_contacts() const {
@@ -130,7 +116,7 @@ void World::collide(double step) {
 void World::collide(Contacts& contacts, const std::vector<Placed>& bodies,
                     const std::vector<Pair>& pairs, double step) {
   const std::lock_guard lock(*answering_);
-  const CollisionClock clock(collision_seconds_);
+  const Stopwatch stopwatch(collision_seconds_);
   open_ode();
   place_bodies(bodies);
   join(contacts, pairs, step);
@@ -139,7 +125,7 @@ void World::collide(Contacts& contacts, const std::vector<Placed>& bodies,
 std::vector<double> World::closing_times(const std::vector<Placed>& bodies, const Pair& pair,
                                          double slow) {
   const std::lock_guard lock(*answering_);
-  const CollisionClock clock(collision_seconds_);
+  const Stopwatch stopwatch(collision_seconds_);
   open_ode();
   place_bodies(bodies);
   std::vector<double> times;

@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -12,25 +11,12 @@
 #include "engine/encounter.h"
 #include "engine/ode_step.h"
 #include "engine/split_step.h"
+#include "engine/stopwatch.h"
 #include "engine/world.h"
 #include "hydro/parallel.h"
 
 namespace engine {
 namespace {
-
-/// Adds the wall time of its scope to a sum [s].
-class Stopwatch {
- public:
-  explicit Stopwatch(double& sum) : sum_(sum) {}
-  ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& sum_;
-  Clock::time_point start_ = Clock::now();
-};
 
 std::string message(double time, const std::string& body, const std::string& what) {
   if (body.empty()) return fmt::format("at t = {:g} s: {}", time, what);
