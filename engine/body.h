@@ -113,6 +113,11 @@ Body make_body(const SimulationSpec& spec, std::size_t index);
 /// All of them: those of the same mesh share its hull.
 std::vector<Body> make_bodies(const SimulationSpec& spec);
 
+/// True for a body that can move; not for kWorld.
+inline bool moves(const std::vector<Body>& bodies, BodyId id) {
+  return id != kWorld && bodies[static_cast<std::size_t>(id)].movable;
+}
+
 /// How it may go by itself, in W.
 Freedom freedom(const Body& body, const hydro::BodyState& state);
 

@@ -10,6 +10,18 @@
 namespace engine {
 namespace {
 
+/// A body where contacts are looked for.
+World::Placed placed(BodyId id, const Body& body, const Surroundings& around,
+                     const hydro::BodyState& state) {
+  return {.body = id,
+          .state = state,
+          .inertia = {.mass = contact_mass(body, body.motion),
+                      .fall = contact_fall(body, body.motion),
+                      .acceleration =
+                          body.acceleration_W.value_or(-around.gravity * Eigen::Vector3d::UnitZ()),
+                      .matrix_B = body.rigid_B + body.motion.added_B}};
+}
+
 /// A member of an island whose added mass is `added_B` at the end of the step.
 ConstrainedBody make_held(Body& body, BodyId id, const Surroundings& around, const Motion& middle,
                           const Matrix6d& added_B, double step, bool touching) {
@@ -148,7 +160,8 @@ void ClusterStep::meet_halfway(double piece) {
     m.middle = drift(*m.body, stepping_.around, m.body->motion, piece / 2);
     check_state(*m.body, m.middle.state);
     m.held.touching = false;
-    bodies.push_back(placed(m.id, *m.body, stepping_.around, m.middle.state));
+    if (stepping_.collides)
+      bodies.push_back(placed(m.id, *m.body, stepping_.around, m.middle.state));
   }
   std::vector<Pair> pairs = cluster_.joints;
   if (stepping_.collides) {
@@ -156,8 +169,7 @@ void ClusterStep::meet_halfway(double piece) {
     pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
     for (const Pair& pair : contacts_.pairs)
       for (const BodyId id : {pair.first, pair.second})
-        if (id != kWorld && stepping_.bodies[static_cast<std::size_t>(id)].movable)
-          member(id).held.touching = true;
+        if (moves(stepping_.bodies, id)) member(id).held.touching = true;
   }
   islands_ = groups(cluster_.bodies, pairs);
   std::erase_if(islands_, [&](const std::vector<BodyId>& island) {

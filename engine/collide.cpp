@@ -92,8 +92,7 @@ void note_near_pair(void* pairs, dxGeom* first, dxGeom* second) {
   const auto id = [](dxGeom* geom) {
     return static_cast<BodyId>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));
   };
-  static_cast<std::vector<std::pair<BodyId, BodyId>>*>(pairs)->push_back(
-      std::minmax(id(first), id(second)));
+  static_cast<std::vector<Pair>*>(pairs)->push_back(std::minmax(id(first), id(second)));
 }
 
 }  // namespace
@@ -118,29 +117,25 @@ void World::collide(Contacts& contacts, const std::vector<Placed>& bodies,
   const std::lock_guard lock(*answering_);
   const Stopwatch stopwatch(collision_seconds_);
   open_ode();
-  place_bodies(bodies);
+  for (const Placed& placed : bodies) {
+    set_state(placed.body, placed.state);
+    set_contact_inertia(placed.body, placed.inertia);
+  }
   join(contacts, pairs, step);
 }
 
-std::vector<double> World::closing_times(const std::vector<Placed>& bodies, const Pair& pair,
-                                         double slow) {
+std::vector<double> World::closing_times(
+    const std::vector<std::pair<BodyId, hydro::BodyState>>& places, const Pair& pair, double slow) {
   const std::lock_guard lock(*answering_);
   const Stopwatch stopwatch(collision_seconds_);
   open_ode();
-  place_bodies(bodies);
+  for (const auto& [body, state] : places) set_state(body, state);
   std::vector<double> times;
   for (const ContactPoint& point : touching_points(pair, 0)) {
     const double speed = -point.normal_W.dot(approach(pair, point.position_W, 0));
     if (speed > slow) times.push_back(point.depth / speed);
   }
   return times;
-}
-
-void World::place_bodies(const std::vector<Placed>& bodies) {
-  for (const Placed& placed : bodies) {
-    set_state(placed.body, placed.state);
-    set_contact_inertia(placed.body, placed.inertia);
-  }
 }
 
 void World::join(Contacts& contacts, const std::vector<Pair>& pairs, double step) {

@@ -13,9 +13,6 @@ namespace engine {
 
 using Pair = std::pair<BodyId, BodyId>;  ///< Ascending; kWorld, the ground or the world, is first.
 
-/// The two in the order of a Pair.
-inline Pair pair_of(BodyId a, BodyId b) { return a < b ? Pair(a, b) : Pair(b, a); }
-
 /// Groups of bodies that pairs hold together, each ascending, in the order of their first body. A
 /// body of no pair is in no group. What is not one of `bodies`, the ground say, holds those paired
 /// with it but does not hold them together.

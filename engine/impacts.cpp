@@ -26,17 +26,6 @@ bool contains(const std::vector<Pair>& pairs, const Pair& pair) {
 
 }  // namespace
 
-World::Placed placed(BodyId id, const Body& body, const Surroundings& around,
-                     const hydro::BodyState& state) {
-  return {.body = id,
-          .state = state,
-          .inertia = {.mass = contact_mass(body, body.motion),
-                      .fall = contact_fall(body, body.motion),
-                      .acceleration =
-                          body.acceleration_W.value_or(-around.gravity * Eigen::Vector3d::UnitZ()),
-                      .matrix_B = body.rigid_B + body.motion.added_B}};
-}
-
 Impacts::Impacts(World& world, std::vector<Body>& bodies, const Surroundings& around,
                  const Cluster& cluster, const std::vector<Pair>& met, double step)
     : world_(world),
@@ -72,7 +61,7 @@ std::optional<double> Impacts::next(double piece, const std::vector<Pair>& touch
     if (time > first + begun_) continue;
     meet_.push_back(pair);
     for (const BodyId id : {pair.first, pair.second})
-      if (moves(id)) body(id).after_impact = first_piece_;
+      if (moves(bodies_, id)) body(id).after_impact = first_piece_;
   }
   return first > begun_ ? first : std::min(piece, first_piece_);
 }
@@ -92,7 +81,7 @@ bool Impacts::may_meet_fast(const Pair& pair) const {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   double turning = 0;
   for (const BodyId id : {pair.first, pair.second}) {
-    if (!moves(id)) continue;
+    if (!moves(bodies_, id)) continue;
     const hydro::BodyState& state = body(id).motion.state;
     velocity = state.linear_velocity - velocity;
     turning += body(id).radius * state.angular_velocity.norm();
@@ -104,12 +93,11 @@ std::optional<double> Impacts::onset(const Pair& pair, double time) const {
   const bool met = contains(met_, pair);
   std::optional<double> found;
   for (int i = 0; i < kMostLooks; ++i) {
-    std::vector<World::Placed> two;
+    std::vector<std::pair<BodyId, hydro::BodyState>> places;
     for (const BodyId id : {pair.first, pair.second})
-      if (moves(id))
-        two.push_back(placed(id, body(id), around_, expected_state(body(id), around_, time)));
+      if (moves(bodies_, id)) places.emplace_back(id, expected_state(body(id), around_, time));
     std::optional<double> earliest;
-    for (const double since : world_.closing_times(two, pair, slow_)) {
+    for (const double since : world_.closing_times(places, pair, slow_)) {
       const double start = time - since;
       if (met && start < begun_) continue;  // known
       earliest = std::max(0.0, std::min(start, earliest.value_or(start)));

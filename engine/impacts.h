@@ -35,10 +35,6 @@ struct Cluster {
   std::vector<Pair> near;      ///< That may touch; ascending.
 };
 
-/// A body where contacts are looked for.
-World::Placed placed(BodyId id, const Body& body, const Surroundings& around,
-                     const hydro::BodyState& state);
-
 class Impacts {
  public:
   static constexpr double kFirstPiece = 1.0 / 32;
@@ -68,7 +64,6 @@ class Impacts {
  private:
   Body& body(BodyId id) { return bodies_[static_cast<std::size_t>(id)]; }
   const Body& body(BodyId id) const { return bodies_[static_cast<std::size_t>(id)]; }
-  bool moves(BodyId id) const { return id != kWorld && body(id).movable; }
   bool may_meet_fast(const Pair& pair) const;
   std::optional<double> onset(const Pair& pair, double time) const;
 

@@ -58,11 +58,9 @@ std::vector<Pair> SplitStep::near_pairs(double step) const {
 }
 
 std::vector<Cluster> SplitStep::clusters(double step) const {
-  const auto body = [&](BodyId id) -> const Body& {
-    return stepping_.bodies[static_cast<std::size_t>(id)];
+  const auto guided = [this](BodyId id) {
+    return id != kWorld && stepping_.bodies[static_cast<std::size_t>(id)].guide;
   };
-  const auto guided = [&](BodyId id) { return id != kWorld && body(id).guide; };
-  const auto movable = [&](BodyId id) { return id != kWorld && body(id).movable; };
   const std::vector<Pair>& joints = stepping_.world.joints();
   const std::vector<Pair> near = near_pairs(step);
   // What a joint guides goes by itself where nothing is near.
@@ -70,6 +68,7 @@ std::vector<Cluster> SplitStep::clusters(double step) const {
   for (const Pair& pair : joints)
     if (!guided(pair.first) && !guided(pair.second)) holding.push_back(pair);
   std::vector<Cluster> clusters;
+  if (holding.empty()) return clusters;
   std::vector<Cluster*> home(stepping_.bodies.size(), nullptr);
   std::vector<std::vector<BodyId>> held = groups(movable_, holding);
   clusters.reserve(held.size());
@@ -79,7 +78,8 @@ std::vector<Cluster> SplitStep::clusters(double step) const {
       home[static_cast<std::size_t>(id)] = &clusters.back();
   }
   const auto home_of = [&](const Pair& pair) {
-    return home[static_cast<std::size_t>(movable(pair.first) ? pair.first : pair.second)];
+    return home[static_cast<std::size_t>(moves(stepping_.bodies, pair.first) ? pair.first
+                                                                             : pair.second)];
   };
   for (const Pair& pair : joints)
     if (Cluster* cluster = home_of(pair)) cluster->joints.push_back(pair);

@@ -89,8 +89,8 @@ class World {
                const std::vector<Pair>& pairs, double step);
   /// For how long two bodies, so placed, have run into each other: of each point where they touch
   /// and close faster than `slow` [m/s], its depth over that speed [s].
-  std::vector<double> closing_times(const std::vector<Placed>& bodies, const Pair& pair,
-                                    double slow);
+  std::vector<double> closing_times(const std::vector<std::pair<BodyId, hydro::BodyState>>& places,
+                                    const Pair& pair, double slow);
   /// Wall time in the two former [s].
   double collision_seconds() const { return collision_seconds_; }
 
@@ -145,7 +145,6 @@ class World {
   void iterate(int count, double step);
 
   std::vector<Pair> near_pairs() const;
-  void place_bodies(const std::vector<Placed>& bodies);
   void join(Contacts& contacts, const std::vector<Pair>& pairs, double step);
   std::vector<ContactPoint> touching_points(const Pair& pair, double step) const;
   void join_contacts(Contacts& contacts, const Pair& pair, double step);

@@ -316,23 +316,26 @@ TEST(ForceLog, LocksHoldWithoutWork) {
   EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9));
 }
 
-TEST(ForceLog, TheGroundCarriesABodyThatLiesOnIt) {
-  BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 0.5});
+/// A dry box of half a tonne whose lower face is so high above the ground [m].
+SimulationSpec box_above_ground(double height) {
+  BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 0.5 + height});
   box.collision = engine::CollisionShape::box;
   SimulationSpec spec = with_books(support::dry_world({box}, kStep));
   spec.ground = engine::PlaneGround{0};
+  return spec;
+}
+
+TEST(ForceLog, TheGroundCarriesABodyThatLiesOnIt) {
+  const SimulationSpec spec = box_above_ground(0);
   const BodyForces forces = forces_after(spec, 3);
-  const double weight = box.mass * kGravity;
+  const double weight = spec.bodies[0].mass * kGravity;
   EXPECT_LT(off(forces.constraint, {0, 0, weight}), tolerance(1e-3 * weight));
 }
 
 TEST(ForceLog, AnImpactOnTheGroundTakesWhatTheWeightHasGiven) {
-  BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 2.5});
-  box.collision = engine::CollisionShape::box;
-  SimulationSpec spec = with_books(support::dry_world({box}, kStep));
-  spec.ground = engine::PlaneGround{0};
+  const SimulationSpec spec = box_above_ground(2);
   const BodyForces end = forces_after(spec, 4);
-  const double fall = box.mass * kGravity * 2;
+  const double fall = spec.bodies[0].mass * kGravity * 2;
   EXPECT_NEAR(end.works.weight, fall, tolerance(0.01 * fall));
   EXPECT_NEAR(end.works.constraint, -fall, tolerance(0.01 * fall));
   EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9 * fall));
