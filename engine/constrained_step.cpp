@@ -12,7 +12,10 @@
 namespace engine {
 namespace {
 
-constexpr int kMostIterations = 40;
+// Solutions for one linearisation, and how many of them are left for plain contraction. Between
+// answers across the limit of a contact more of them do not get nearer.
+constexpr int kMostIterations = 24;
+constexpr int kContractions = 8;
 constexpr int kMostLinearisations = 6;
 constexpr int kFullSteps = 3;  // of Newton's method; later ones are halved
 // Solutions of an island's constraints in a kick after which loads are not linearised again.
@@ -149,10 +152,11 @@ struct Iteration {
 
 /// r ← R from `start`, accelerated. Ends without success where it gets no nearer.
 ///
+/// @param most        Solutions at most.
 /// @param contracts   The plain iteration does. It then takes the place of an acceleration that has
 ///   led farther away, as across the limit of a contact, where what was learnt does not hold.
 Iteration iterate(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& start,
-                  double step, bool contracts) {
+                  double step, int most, bool contracts) {
   const double size = motion_size(rows, step);
   Eigen::VectorXd x = scaled(rows, start, step), last_x, last_image;
   Anderson anderson(kDepth);
@@ -170,7 +174,7 @@ Iteration iterate(World& world, std::vector<Row>& rows, const std::vector<Vector
     idle = missed < kNearer * least ? 0 : idle + 1;
     if (missed < least || iteration.count == 1) iteration.answer = std::move(answer);
     least = std::min(least, missed);
-    const bool gives_up = iteration.count == kMostIterations || (!contracts && idle > kMostIdle);
+    const bool gives_up = iteration.count == most || (!contracts && idle > kMostIdle);
     if (iteration.converged || gives_up) return iteration;
     if (contracts && accelerated && missed >= last) {
       anderson = Anderson(kDepth);
@@ -206,12 +210,13 @@ Answer solve(World& world, std::vector<ConstrainedBody>& island, std::vector<Row
     ++solutions;
     return ask(world, rows, start, step);
   }
-  Iteration iteration = iterate(world, rows, start, step, false);
+  Iteration iteration = iterate(world, rows, start, step, kMostIterations - kContractions, false);
   int count = iteration.count;
   if (!iteration.converged) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!rows[i].plain) choose_solver_mass(island[i], rows[i], contraction_factor(rows[i]));
-    iteration = iterate(world, rows, iteration.answer.reactions, step, true);
+    iteration =
+        iterate(world, rows, iteration.answer.reactions, step, kMostIterations - count, true);
     count += iteration.count;
   }
   solutions += count;

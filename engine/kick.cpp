@@ -14,6 +14,7 @@ namespace {
 constexpr int kMostNewtonSteps = 30;
 // Of the change of velocity. Newton's method converges quadratically: the error is the square.
 constexpr double kNewtonTolerance = 1e-3;
+constexpr double kNewtonFloor = 1e-12;  // of the velocity: in balance a change is round-off
 // What a change may miss the foretold one by, as a part of the larger.
 constexpr double kForetold = 0.3;
 // Of the pose in equation (1), of the body's radius: oscillations that a piece resolves take less.
@@ -135,8 +136,17 @@ hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {
                               s.body.spec->coefficients);
 }
 
-/// Equation (2) by Newton's method from `change`.
-Vector6d implicit_change(const Setting& s, Vector6d change) {
+struct Solution {
+  Vector6d change;
+  bool converged = false;
+};
+
+/// Equation (2) by Newton's method from rest: an explicit change can be off by orders of magnitude.
+/// The Jacobian is that of the drag, as lift takes no energy and is weak as a rule.
+/// @param with_lift   If false, lift is left out.
+Solution implicit_change(const Setting& s, bool with_lift) {
+  Vector6d change = Vector6d::Zero();
+  const double least = kNewtonFloor * kNewtonFloor * s.u.dot(s.S * s.u);
   double part = 0.5;
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     Vector6d at = s.u + part * change;
@@ -144,14 +154,22 @@ Vector6d implicit_change(const Setting& s, Vector6d change) {
     part = std::max(part, theta(largest_stiffness(s, J.drag)));
     at = s.u + part * change;
     const Matrix6d S = s.S - s.step * s.step / 4 * J.waterplane;
-    const Vector6d residual = s.step * s.loads(at) - S * change;
-    const Vector6d correction = s.solve(S - s.step * part * J.drag, residual);
+    Vector6d F = s.loads(at);
+    if (!with_lift) F -= stacked(s.body.loads.water.lift);
+    const Vector6d correction = s.solve(S - s.step * part * J.drag, s.step * F - S * change);
     change += correction;
-    if (correction.dot(S * correction) <=
-        kNewtonTolerance * kNewtonTolerance * change.dot(S * change))
-      break;
+    const double size = change.dot(S * change);
+    if (correction.dot(S * correction) <= kNewtonTolerance * kNewtonTolerance * size + least)
+      return {.change = change, .converged = true};
   }
-  return change;
+  return {.change = change, .converged = false};
+}
+
+/// Equation (2). Lift that would turn the motion farther in the step than can be followed is left
+/// out: from iterations that do not converge with it a body could take any speed.
+Vector6d implicit_change(const Setting& s) {
+  const Solution whole = implicit_change(s, true);
+  return whole.converged ? whole.change : implicit_change(s, false).change;
 }
 
 /// Δu of a body that the water leaves alone.
@@ -230,8 +248,7 @@ Kick free_kick(Body& body, const Surroundings& around, const Middle& middle, dou
   if (!body.wet || body.loads.water.wetted_area == 0) return kick;
   kick.implicit = drag_stiffness(s, kick.at, s.u + kick.change) > kStiffDrag ||
                   waterplane_stiffness(s) > kStiffWaterplane;
-  // Newton's method comes from rest: an explicit change can be off by orders of magnitude.
-  if (kick.implicit) kick.change = implicit_change(s, Vector6d::Zero());
+  if (kick.implicit) kick.change = implicit_change(s);
   return kick;
 }
 

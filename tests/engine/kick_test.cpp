@@ -65,6 +65,27 @@ TEST(StiffDrag, NeverAddsEnergyHoweverLightTheBody) {
   }
 }
 
+TEST(StiffDrag, LiftThatIsStrongerThanItBendsTheWayAndAddsNoEnergy) {
+  support::Random random(11);
+  for (const double density : {1e-4, 1e-2, 1.0})
+    for (int i = 0; i < 20; ++i) {
+      BodySpec box = dragged_box({1, 0.7, 0.05}, density);
+      box.coefficients.lift = 10;
+      box.initial = random.state(1, 20);
+      const SimulationSpec spec = in_still_water(box);
+      engine::Body body = engine::make_body(spec, 0);
+      const engine::Surroundings around = engine::surroundings(spec);
+      const engine::Middle middle =
+          engine::make_middle(body, around, body.motion, body.motion.added_B, engine::Freedom{});
+      const engine::Kick kick = engine::free_kick(body, around, middle, 0, kFrame);
+      ASSERT_TRUE(kick.implicit);
+      const auto energy = [&](const Vector6d& u) { return u.dot(middle.inertia * u) / 2; };
+      // Newton's method ends within 1e-3 of the change, whose energy is four times that before.
+      EXPECT_LE(energy(middle.after + kick.change), (1 + 4e-3) * energy(middle.after))
+          << density << ", " << i;
+    }
+}
+
 TEST(StiffDrag, ABodyMuchLighterThanWaterRisesAtItsTerminalVelocity) {
   for (const double density : {0.01, 1.0, 20.0, 80.0}) {
     BodySpec cube = dragged_box({0.1, 0.1, 0.1}, density);
