@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/error_control.h"
 #include "engine/free_motion.h"
 #include "engine/free_step.h"
 
@@ -122,6 +123,69 @@ ClusterStep::Member& ClusterStep::member(BodyId id) {
   return members_[static_cast<std::size_t>(place - cluster_.bodies.begin())];
 }
 
+void ClusterStep::advance(double time) {
+  if (stepping_.tolerance > 0)
+    advance_within_tolerance(time);
+  else
+    advance_in_pieces(time, step_, EnergyGuard::kMostHalvings);
+}
+
+void ClusterStep::advance_within_tolerance(double time) {
+  double done = 0;
+  double piece = step_;
+  while (true) {
+    piece = begin_piece(std::min(piece, step_ - done));
+    const double error = islands_.empty() ? 0 : try_piece(time + done, piece);
+    if (error <= 1 || piece <= shortest_) {
+      // An impact in it was what its end was chosen for, and is looked for again.
+      for (const double start : {done, done + piece / 2})
+        advance_in_pieces(time + start, piece / 2, EnergyGuard::kMostHalvings);
+      done += piece;
+      if (step_ - done <= kMissedPart * step_) return;
+    }
+    piece = std::max(length_for_error(piece, error), shortest_);
+  }
+}
+
+double ClusterStep::try_piece(double time, double piece) {
+  struct Start {
+    Motion motion;
+    Vector6d reaction_B;
+    std::optional<Eigen::Vector3d> acceleration_W;
+  };
+  std::vector<Start> starts;
+  for (const Member& m : members_)
+    starts.push_back({m.body->motion, m.body->reaction_B, m.body->acceleration_W});
+  const auto restart = [&] {
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      Body& body = *members_[i].body;
+      body.motion = starts[i].motion;
+      body.reaction_B = starts[i].reaction_B;
+      body.acceleration_W = starts[i].acceleration_W;
+    }
+  };
+  const auto run = [&](double start, double length) {
+    advance_islands(start, length);
+    advance_others(start, length);
+  };
+  const std::vector<bool> held = held_members();
+  run(time, piece);
+  std::vector<Motion> whole;
+  for (const Member& m : members_) whole.push_back(m.body->motion);
+  restart();
+  for (const double start : {time, time + piece / 2}) {
+    meet_halfway(piece / 2);
+    run(start, piece / 2);
+  }
+  double error = 0;
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    if (held[i] && !members_[i].held.touching)
+      error = std::max(error, estimated_error(*members_[i].body, whole[i], members_[i].body->motion,
+                                              piece, stepping_.tolerance));
+  restart();
+  return error;
+}
+
 void ClusterStep::advance_in_pieces(double time, double length, int halvings) {
   double done = 0;
   while (true) {
@@ -199,8 +263,7 @@ bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
     m.reaction_before_B = m.body->reaction_B;
     m.acceleration_before_W = m.body->acceleration_W;
   });
-  call_all(stepping_.for_each, islands_.size(),
-           [&](std::size_t i) { advance_island(islands_[i], time, piece); });
+  advance_islands(time, piece);
   const auto held = [this](std::size_t i) -> const HeldStep& {
     return member(static_cast<BodyId>(i)).held;
   };
@@ -226,6 +289,11 @@ bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
     guard->accept();
   }
   return true;
+}
+
+void ClusterStep::advance_islands(double time, double piece) {
+  call_all(stepping_.for_each, islands_.size(),
+           [&](std::size_t i) { advance_island(islands_[i], time, piece); });
 }
 
 void ClusterStep::advance_island(const std::vector<BodyId>& island, double time, double piece) {
@@ -272,11 +340,16 @@ void ClusterStep::advance_island(const std::vector<BodyId>& island, double time,
   }
 }
 
-void ClusterStep::advance_others(double time, double piece) {
+std::vector<bool> ClusterStep::held_members() {
   std::vector<bool> held(members_.size(), false);
   for (const std::vector<BodyId>& island : islands_)
     for (const BodyId id : island)
       held[static_cast<std::size_t>(&member(id) - members_.data())] = true;
+  return held;
+}
+
+void ClusterStep::advance_others(double time, double piece) {
+  const std::vector<bool> held = held_members();
   call_all(stepping_.for_each, members_.size(), [&](std::size_t i) {
     if (!held[i]) step_alone(stepping_, *members_[i].body, time, piece);
   });

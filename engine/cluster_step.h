@@ -25,7 +25,7 @@ struct Stepping {
   const Surroundings& around;
   ForEach for_each;
   bool collides = true;  ///< False: nothing can touch.
-  double tolerance = 0;  ///< Of free steps.
+  double tolerance = 0;  ///< As free_step takes it.
 };
 
 /// A step of a body that nothing holds.
@@ -43,7 +43,7 @@ class ClusterStep {
   ClusterStep& operator=(const ClusterStep&) = delete;
 
   /// @throws MotionFault, OdeFault
-  void advance(double time) { advance_in_pieces(time, step_, EnergyGuard::kMostHalvings); }
+  void advance(double time);
 
   /// Pairs in contact, ascending.
   const std::vector<Pair>& met() const { return impacts_.met(); }
@@ -62,12 +62,20 @@ class ClusterStep {
   };
 
   Member& member(BodyId id);
+  /// Of each: it is in an island.
+  std::vector<bool> held_members();
+  /// In pieces whose error is estimated.
+  void advance_within_tolerance(double time);
+  /// Tries a piece, begun, as a whole and as two halves. Moves nothing.
+  /// @return the largest estimated error of a member.
+  double try_piece(double time, double piece);
   void advance_in_pieces(double time, double length, int halvings);
   /// The length of the next piece of what is left of a step, found halfway through it.
   double begin_piece(double rest);
   /// Drifts to the middle of a piece, finds contacts there and the islands that they make.
   void meet_halfway(double piece);
   double longest_piece(double rest);
+  void advance_islands(double time, double piece);
   /// Moves the islands. False: they have gained energy or were thrown, and are where they were.
   bool advance_soundly(double time, double piece, bool may_halve);
   void advance_island(const std::vector<BodyId>& island, double time, double piece);

@@ -5,6 +5,7 @@
 
 #include "engine/added_inertia.h"
 #include "engine/energy.h"
+#include "engine/error_control.h"
 #include "engine/free_motion.h"
 #include "engine/kick.h"
 #include "engine/wetness.h"
@@ -23,6 +24,7 @@ constexpr double kSmallestSwing = 1e-6;
 constexpr double kSuddenLoad = 0.01;
 // The same for the motion through the water surface in a piece, as a part of the body's height.
 constexpr double kSuddenCrossing = 0.1;
+constexpr double kStartingPart = 1.0 / 8;     // of the step
 constexpr double kSmallestPart = 1.0 / 4096;  // of a step, with a tolerance
 
 struct Piece {
@@ -99,10 +101,14 @@ struct Offset {
   Vector6d velocity;
 };
 
+/// True if the kicks of the body come to show a trend.
+bool shows_trend(const Body& body, const Motion& motion) {
+  return (body.wet || body.guide) && !motion.constrained;
+}
+
 /// (2) of free_step.h by the trend of the last kicks; none if they do not show it.
 std::optional<Offset> find_offset(const Body& body, const Motion& motion, double h) {
-  if (!(body.wet || body.guide) || motion.constrained || !motion.kicks.resolved())
-    return std::nullopt;
+  if (!shows_trend(body, motion) || !motion.kicks.resolved()) return std::nullopt;
   const KickHistory::Trend trend = motion.kicks.trend();
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Eigen::Vector3d spin = motion.state.angular_velocity;
@@ -239,26 +245,21 @@ double next_length(const Body& body, const Surroundings& around, const Motion& m
                   swing_length(body, motion, rest, kShortestSwing * step));
 }
 
-/// One step in pieces cut by the motion.
+/// One step in pieces cut by the motion. The first ones of a motion, which are of lower order until
+/// their kicks show a trend, are short.
 Motion cut_step(Body& body, const Surroundings& around, Motion motion, double time, double step) {
+  const bool starts = motion.kicks.empty() && shows_trend(body, motion) &&
+                      (body.guide || lowest_point(body.box_B, motion.state) < around.highest);
   double done = 0;
-  while (done < step) {
+  for (int i = 0; done < step; ++i) {
     const double rest = step - done;
-    const double h = next_length(body, around, motion, rest, step);
+    double h = next_length(body, around, motion, rest, step);
+    if (starts && i < KickHistory::kTrend) h = std::min(h, kStartingPart * step);
     motion = sound_piece(body, around, motion, time + done, h, kMostHalvings);
     if (h >= rest) break;
     done += h;
   }
   return motion;
-}
-
-/// Difference of two motions after the same time h, as a part of the tolerance's measure.
-double distance(const Body& body, const Motion& a, const Motion& b, double h) {
-  const double radius = std::max(body.box_B.sizes().norm() / 2, 1e-9);
-  const Eigen::Vector3d turn = (a.state.orientation * b.state.orientation.conjugate()).vec();
-  return std::max({(a.state.position - b.state.position).norm() / radius, 2 * turn.norm(),
-                   h * (a.state.linear_velocity - b.state.linear_velocity).norm() / radius,
-                   h * (a.state.angular_velocity - b.state.angular_velocity).norm()});
 }
 
 /// One step in pieces whose error is estimated.
@@ -272,7 +273,7 @@ Motion controlled_step(Body& body, const Surroundings& around, Motion motion, do
     const Motion coarse = piece(body, around, motion, time + done, h).motion;
     const Motion half = sound_piece(body, around, motion, time + done, h / 2, kMostHalvings);
     const Motion fine = sound_piece(body, around, half, time + done + h / 2, h / 2, kMostHalvings);
-    const double error = distance(body, coarse, fine, h) / 3 / (tolerance * h);
+    const double error = estimated_error(body, coarse, fine, h, tolerance);
     const bool shortest = h <= step * kSmallestPart;
     if (error <= 1 || shortest) {
       const bool all = h >= step - done;
@@ -280,9 +281,7 @@ Motion controlled_step(Body& body, const Surroundings& around, Motion motion, do
       if (all) break;
       done += h;
     }
-    // The estimate is of the third order in h, a second's share of it of the second.
-    h *= std::clamp(0.9 / std::sqrt(std::max(error, 1e-12)), 0.25, 4.0);
-    h = std::max(h, step * kSmallestPart);
+    h = std::max(length_for_error(h, error), step * kSmallestPart);
   }
   return motion;
 }

@@ -31,8 +31,7 @@
 ///
 /// [R91] Rowlands. A numerical algorithm for Hamiltonian systems. J. Comp. Phys. 97 (1991).
 ///
-/// With a tolerance the pieces are chosen from an estimate of the error: each is done as a whole
-/// and as two halves, whose difference is three times the error of the halves or more.
+/// With a tolerance the pieces are chosen from an estimate of the error (error_control.h).
 
 namespace engine {
 

@@ -19,7 +19,7 @@ void KickHistory::add(const Vector6d& acceleration_B, double piece, double radiu
   }
   acceleration_[0] = acceleration_B;
   age_[0] = piece / 2;
-  count_ = std::min(count_ + 1, 3);
+  count_ = std::min(count_ + 1, kTrend);
   pace_ *= kRemembered;
   const auto size = [&](const Vector6d& a) {
     return std::hypot(a.head<3>().norm(), radius * a.tail<3>().norm());
@@ -27,7 +27,7 @@ void KickHistory::add(const Vector6d& acceleration_B, double piece, double radiu
   largest_ = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
     largest_ = std::max(largest_, size(acceleration_[i]));
-  if (count_ < 3) return;
+  if (count_ < kTrend) return;
   const double bend = size(curvature());
   // What the line through the earlier two misses the last by.
   resolved_ = bend * (age_[1] - age_[0]) * (age_[2] - age_[0]) <= kResolved * largest_;

@@ -13,6 +13,8 @@ namespace engine {
 /// piece.
 class KickHistory {
  public:
+  static constexpr int kTrend = 3;  ///< Kicks that show a trend.
+
   bool empty() const { return count_ == 0; }
   void clear() { *this = {}; }
 

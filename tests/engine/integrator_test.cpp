@@ -62,6 +62,53 @@ TEST(Tolerance, BoundsTheErrorOfAFreeBody) {
   }
 }
 
+/// Two barges that a hinge joins end to end, rocking.
+SimulationSpec hinged_barges(double step) {
+  std::vector<BodySpec> both(2, barge());
+  both[1].name = "other";
+  for (BodySpec& body : both) body.initial.orientation.setIdentity();
+  both[0].initial.position = {-2.1, 0, 0.3};
+  both[1].initial.position = {2.1, 0, 0.3};
+  SimulationSpec spec = support::dry_world(both, step);
+  spec.sea.emplace();
+  spec.joints = {{.name = "hinge",
+                  .type = engine::JointSpec::Type::hinge,
+                  .first = 0,
+                  .second = 1,
+                  .anchor_W = {0, 0, 0.3},
+                  .axis_W = Vector3d::UnitY()}};
+  spec.bodies[0].initial.linear_velocity.z() = 0.5;
+  spec.bodies[0].initial.angular_velocity.y() = -0.5 / 2.1;
+  return spec;
+}
+
+TEST(Tolerance, BoundsTheErrorOfBodiesUnderJoints) {
+  const std::vector<hydro::BodyState> exact =
+      support::after(hinged_barges(1.0 / 3840), 2 * 3840).states();
+  for (const double wanted : {1e-3, 1e-4}) {
+    SimulationSpec spec = hinged_barges(0.1);
+    spec.integrator.tolerance = wanted;
+    const Simulation simulation = support::after(spec, 20);
+    double error = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+      error = std::max(error, distance(simulation.states()[i], exact[i]));
+    EXPECT_LT(error, tolerance(2.5 * 2 * wanted)) << wanted;
+  }
+}
+
+TEST(SplitStep, OfABodyThatStartsToSwingOnAHingeIsOfFourthOrder) {
+  const auto swung = [](double step) {
+    BodySpec plate = support::box_body("plate", {0.2, 1, 1.5}, 2500, {-0.65, 0, -0.375});
+    SimulationSpec spec = support::dry_world({plate}, step);
+    spec.joints = {{.name = "hinge", .first = 0, .axis_W = Vector3d::UnitY()}};
+    return support::after(spec, support::steps_in(1, step)).states()[0];
+  };
+  const hydro::BodyState exact = swung(1.0 / 3840);
+  const double coarse = distance(swung(1.0 / 60), exact);
+  const double fine = distance(swung(1.0 / 480), exact);
+  EXPECT_GT(std::log2(coarse / fine) / 3, 3.7) << coarse << " and " << fine;
+}
+
 TEST(PlainMethod, IsFurtherOffThanTheSplitStepByFar) {
   BodySpec body = barge();
   body.added_mass = nullptr;

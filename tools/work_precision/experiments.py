@@ -111,7 +111,7 @@ kExperiments = (
     Experiment("settling_cube", "Cube settling corner-up", "benchmark/settling_cube.yaml",
                True, 2.0, boxes((1, 3, 5, 10, 20, 41)), 1, mesh_kind="cut"),
     Experiment("barge_in_waves", "Barge in waves", "benchmark/barge_in_waves.yaml", True, 5.0,
-               boxes((1, 3, 6, 12, 24, 41)), 2, mesh_kind="cut"),
+               boxes((1, 3, 6, 12, 24, 41)), 4, mesh_kind="cut"),
     Experiment("hinged_plate", "Hinged plate",
                "benchmark/hinged_plate.yaml", True, 1.5, (Mesh(12, {}),), 0,
                keys={"hydro.added_mass": "none"},
