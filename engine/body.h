@@ -58,6 +58,7 @@ struct Motion {
   Matrix6d added_rate_B = Matrix6d::Zero();  ///< Its change a second in the last step.
   KickHistory kicks;                         ///< Empty if they say nothing about the next one.
   EnergyRange energy;                        ///< Where still water must not give any.
+  bool begun = false;                        ///< There has been a kick.
   bool constrained = false;                  ///< The last kick was under joints or contacts.
   bool has_added = false;                    ///< False: A is zero.
   std::optional<Ledger> ledger;              ///< Where the scene asks for a log of forces.

@@ -47,6 +47,7 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
     after.kicks.clear();
   else
     after.kicks.add(turned(R_BW, c.change) / step, step, c.body->radius);
+  after.begun = true;
   after.constrained = true;
   after.energy = {};  // Joints and contacts pass energy on.
   check_state(*c.body, after.state);
@@ -91,10 +92,11 @@ constexpr int kMostIslandPasses = 2;
 
 }  // namespace
 
-void step_alone(const Stepping& stepping, Body& body, double time, double step) {
+void step_alone(const Stepping& stepping, Body& body, double time, double step, double whole) {
   if (body.motion.constrained) body.motion.kicks.clear();
   body.motion.constrained = false;
-  body.motion = free_step(body, stepping.around, body.motion, time, step, stepping.tolerance);
+  body.motion = free_step(body, stepping.around, body.motion, time, step, kShortestHalf * whole,
+                          stepping.tolerance);
   body.reaction_B.setZero();
   body.acceleration_W.reset();
 }
@@ -351,7 +353,7 @@ std::vector<bool> ClusterStep::held_members() {
 void ClusterStep::advance_others(double time, double piece) {
   const std::vector<bool> held = held_members();
   call_all(stepping_.for_each, members_.size(), [&](std::size_t i) {
-    if (!held[i]) step_alone(stepping_, *members_[i].body, time, piece);
+    if (!held[i]) step_alone(stepping_, *members_[i].body, time, piece, step_);
   });
 }
 

@@ -28,8 +28,8 @@ struct Stepping {
   double tolerance = 0;  ///< As free_step takes it.
 };
 
-/// A step of a body that nothing holds.
-void step_alone(const Stepping& stepping, Body& body, double time, double step);
+/// A step of a body that nothing holds, or a part of a whole step [s].
+void step_alone(const Stepping& stepping, Body& body, double time, double step, double whole);
 
 class ClusterStep {
  public:

@@ -81,6 +81,7 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
               const Matrix6d& added_B, double h) {
   const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
   Motion next = with_added_mass(middle.motion, added_B, middle.motion.added_B, h);
+  next.begun = true;
   // An implicit kick is of another kind: explicit ones do not follow from it.
   if (kick.implicit || kick.sudden) next.kicks.clear();
   next.kicks.add(turned(R_BW, kick.change) / h, h, body.radius);
@@ -193,16 +194,19 @@ Motion braked(const Body& body, const Surroundings& around, const Motion& before
 }
 
 /// A piece in which the water gives no more energy than it can, and throws the body nowhere.
+/// @param shortest   That it may be halved to [s].
+/// @param half       It was halved.
 Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
-                   double h, int halvings) {
+                   double h, double shortest, bool half = false) {
+  const bool divisible = h / 2 >= shortest;
   const auto in_halves = [&] {
-    const Motion half = sound_piece(body, around, motion, time, h / 2, halvings - 1);
-    return sound_piece(body, around, half, time + h / 2, h / 2, halvings - 1);
+    const Motion middle = sound_piece(body, around, motion, time, h / 2, shortest, true);
+    return sound_piece(body, around, middle, time + h / 2, h / 2, shortest, true);
   };
   Piece whole = piece(body, around, motion, time, h);
   // Of what was halved for its energy each part is looked at.
-  if (!whole.sudden && halvings == kMostHalvings) return whole.motion;
-  if (whole.sudden && halvings > 0 && leaps(body, around, motion.state, whole.motion.state, h))
+  if (!whole.sudden && !half) return whole.motion;
+  if (whole.sudden && divisible && leaps(body, around, motion.state, whole.motion.state, h))
     return in_halves();
   if (!must_not_gain_energy(body, around)) return whole.motion;
   EnergyRange range = motion.energy;
@@ -217,7 +221,7 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
   const double allowed = range.allowed_gain(least_energy_scale(body, around));
   const double excess = energy - range.lowest - allowed;
   if (excess > allowed) {
-    if (halvings > 0 && can_be_followed(body, around, motion, h)) return in_halves();
+    if (divisible && can_be_followed(body, around, motion, h)) return in_halves();
     ++body.cost.braked;
     whole.motion = braked(body, around, motion, whole.motion, kinetic, excess);
   } else if (excess > 0 && kinetic > excess) {
@@ -245,9 +249,10 @@ double next_length(const Body& body, const Surroundings& around, const Motion& m
                   swing_length(body, motion, rest, kShortestSwing * step));
 }
 
-/// One step in pieces cut by the motion. The first ones of a motion, which are of lower order until
+/// One step in pieces cut by the motion. The first ones of all, which are of lower order until
 /// their kicks show a trend, are short.
-Motion cut_step(Body& body, const Surroundings& around, Motion motion, double time, double step) {
+Motion cut_step(Body& body, const Surroundings& around, Motion motion, double time, double step,
+                double shortest) {
   const bool starts = motion.kicks.empty() && shows_trend(body, motion) &&
                       (body.guide || lowest_point(body.box_B, motion.state) < around.highest);
   double done = 0;
@@ -255,7 +260,7 @@ Motion cut_step(Body& body, const Surroundings& around, Motion motion, double ti
     const double rest = step - done;
     double h = next_length(body, around, motion, rest, step);
     if (starts && i < KickHistory::kTrend) h = std::min(h, kStartingPart * step);
-    motion = sound_piece(body, around, motion, time + done, h, kMostHalvings);
+    motion = sound_piece(body, around, motion, time + done, h, shortest);
     if (h >= rest) break;
     done += h;
   }
@@ -264,18 +269,17 @@ Motion cut_step(Body& body, const Surroundings& around, Motion motion, double ti
 
 /// One step in pieces whose error is estimated.
 Motion controlled_step(Body& body, const Surroundings& around, Motion motion, double time,
-                       double step, double tolerance) {
+                       double step, double shortest, double tolerance) {
   double done = 0;
   double h = step;
   while (done < step) {
     h = next_length(body, around, motion, std::min(h, step - done), step);
     // Both must be cut by the tolerance alone, or they could be the same pieces.
     const Motion coarse = piece(body, around, motion, time + done, h).motion;
-    const Motion half = sound_piece(body, around, motion, time + done, h / 2, kMostHalvings);
-    const Motion fine = sound_piece(body, around, half, time + done + h / 2, h / 2, kMostHalvings);
+    const Motion half = sound_piece(body, around, motion, time + done, h / 2, shortest);
+    const Motion fine = sound_piece(body, around, half, time + done + h / 2, h / 2, shortest);
     const double error = estimated_error(body, coarse, fine, h, tolerance);
-    const bool shortest = h <= step * kSmallestPart;
-    if (error <= 1 || shortest) {
+    if (error <= 1 || h <= step * kSmallestPart) {
       const bool all = h >= step - done;
       motion = fine;
       if (all) break;
@@ -324,10 +328,10 @@ bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState&
 }
 
 Motion free_step(Body& body, const Surroundings& around, const Motion& motion, double time,
-                 double step, double tolerance) {
+                 double step, double shortest, double tolerance) {
   ++body.cost.free_steps;
-  return tolerance > 0 ? controlled_step(body, around, motion, time, step, tolerance)
-                       : cut_step(body, around, motion, time, step);
+  return tolerance > 0 ? controlled_step(body, around, motion, time, step, shortest, tolerance)
+                       : cut_step(body, around, motion, time, step, shortest);
 }
 
 }  // namespace engine

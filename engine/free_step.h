@@ -16,7 +16,7 @@
 /// height;
 /// - in which a body that bobs or rocks goes through no more than a quarter of a radian of that;
 /// - in still water, if the energy comes to be more than the lowest so far by twice kEnergyGain of
-///   the greatest so far: in halves, kMostHalvings times, and at the end the motion is slowed by
+///   the greatest so far: in halves, down to kShortestHalf, and at the end the motion is slowed by
 ///   what is too much; each half is looked at again. Above once that, or where the body turns round
 ///   and round in a piece, the motion is slowed without more pieces. Where lift or applied loads
 ///   drive the body the energy is compared with that of the piece's start. Looked at are pieces in
@@ -35,8 +35,8 @@
 
 namespace engine {
 
-inline constexpr int kMostHalvings = 8;
-inline constexpr int kMostPieces = 64;  ///< By the first rule, in a step.
+inline constexpr double kShortestHalf = 1.0 / 256;  ///< Of a step.
+inline constexpr int kMostPieces = 64;              ///< By the first rule, in a step.
 
 /// Length of the first of the equal pieces in which the rest of a step is to be taken [s].
 double piece_length(const Body& body, const Surroundings& around, const Motion& motion, double rest,
@@ -56,10 +56,11 @@ bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState&
            const hydro::BodyState& after, double h);
 inline constexpr double kLongestLeap = 2;
 
-/// The motion after a step of a body by itself.
+/// The motion after a step of a body by itself, or a part of one.
+/// @param shortest    What the energy may cut it to [s].
 /// @param tolerance   Largest error of the pose in a second, as a part of the body's radius and in
 ///                    rad; 0: pieces are cut by the rules above alone.
 Motion free_step(Body& body, const Surroundings& around, const Motion& motion, double time,
-                 double step, double tolerance);
+                 double step, double shortest, double tolerance);
 
 }  // namespace engine

@@ -136,6 +136,13 @@ hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {
                               s.body.spec->coefficients);
 }
 
+/// S − ¼h²K, or S where K is no stiffness: where waves are too steep to be followed by panels, more
+/// water may seem to lie on top of a body than below it.
+Matrix6d with_waterplane(const Setting& s, const Matrix6d& K) {
+  const Matrix6d less = s.step * s.step / 4 * K;
+  return hydro::Cholesky6(s.S / 2 - less).positive_definite() ? Matrix6d(s.S - less) : s.S;
+}
+
 struct Solution {
   Vector6d change;
   bool converged = false;
@@ -153,7 +160,7 @@ Solution implicit_change(const Setting& s, bool with_lift) {
     const hydro::LoadJacobian J = jacobian(s, at);
     part = std::max(part, theta(largest_stiffness(s, J.drag)));
     at = s.u + part * change;
-    const Matrix6d S = s.S - s.step * s.step / 4 * J.waterplane;
+    const Matrix6d S = with_waterplane(s, J.waterplane);
     Vector6d F = s.loads(at);
     if (!with_lift) F -= stacked(s.body.loads.water.lift);
     const Vector6d correction = s.solve(S - s.step * part * J.drag, s.step * F - S * change);
@@ -266,7 +273,7 @@ EffectiveLoad effective_load(Body& body, const Surroundings& around, const Middl
   result.theta = theta(largest_stiffness(s, J.drag));
   at = s.u + result.theta * expected;
   J = jacobian(s, at);
-  result.inertia = s.S - step * result.theta * J.drag - step * step / 4 * J.waterplane;
+  result.inertia = with_waterplane(s, J.waterplane) - step * result.theta * J.drag;
   result.load = s.loads(at) - result.theta * J.drag * expected;
   return result;
 }

@@ -26,7 +26,7 @@ void SplitStep::advance(double time, double step) {
   call_all(stepping_.for_each, groups.size() + free.size(), [&](std::size_t i) {
     if (i >= groups.size()) {
       Body& body = stepping_.bodies[static_cast<std::size_t>(free[i - groups.size()])];
-      return step_alone(stepping_, body, time, step);
+      return step_alone(stepping_, body, time, step, step);
     }
     ClusterStep cluster(stepping_, groups[i], guards_of(groups[i]), met_, step);
     cluster.advance(time);

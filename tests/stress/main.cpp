@@ -23,7 +23,7 @@ struct Options {
   std::vector<std::string> filters;
   std::string part;
   std::string out;
-  std::string known;
+  std::string also;
   std::string program;
   int jobs = 2;
   bool subset = false, list = false, trace = false, fresh = false;
@@ -40,9 +40,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--jobs", options.jobs, "Runs at a time")->check(CLI::Range(1, 256));
   app.add_option("--out", options.out, "Folder of stress.csv; what it holds is not run again")
       ->take_last();
-  app.add_option(
-      "--known", options.known,
-      "File of runs that are known to fail: they are told, and any other failure counts");
+  app.add_option("--also", options.also, "File of more runs by their names, one a line");
   app.add_flag("--fresh", options.fresh, "With --out: forgets what it holds");
 }
 
@@ -52,10 +50,22 @@ bool chosen(const RunName& run, const Options& options) {
                      [&](const std::string& text) { return name.find(text) != std::string::npos; });
 }
 
-std::vector<RunName> chosen_runs(const Options& options) {
+/// The runs that a file lists, one a line; lines that start with # are comments.
+std::vector<RunName> listed_runs(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw std::invalid_argument("cannot read " + file.string());
   std::vector<RunName> runs;
-  for (const RunName& run : options.subset ? stress::subset() : stress::whole_matrix())
-    if (chosen(run, options)) runs.push_back(run);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty() && line[0] != '#') runs.push_back(stress::parse_run(line));
+  return runs;
+}
+
+std::vector<RunName> chosen_runs(const Options& options) {
+  std::vector<RunName> runs = options.subset ? stress::subset() : stress::whole_matrix();
+  if (!options.also.empty())
+    for (const RunName& run : listed_runs(options.also))
+      if (std::find(runs.begin(), runs.end(), run) == runs.end()) runs.push_back(run);
+  std::erase_if(runs, [&](const RunName& run) { return !chosen(run, options); });
   if (options.part.empty()) return runs;
   std::size_t first = 0, count = 0;
   char slash = 0;
@@ -112,29 +122,6 @@ std::vector<Result> do_runs(const std::vector<RunName>& runs, const Options& opt
   return results;
 }
 
-/// The runs that a file lists, one a line; lines that start with # are comments.
-std::vector<RunName> listed_runs(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw std::invalid_argument("cannot read " + file.string());
-  std::vector<RunName> runs;
-  for (std::string line; std::getline(stream, line);)
-    if (!line.empty() && line[0] != '#') runs.push_back(stress::parse_run(line));
-  return runs;
-}
-
-/// Moves the results of runs that are known to fail out of `results` and says what became of them.
-/// They are at the edge of what is computed: another compiler's roundings may let them pass.
-void set_known_aside(const std::vector<RunName>& known, std::vector<Result>& results) {
-  const auto is_known = [&](const Result& result) {
-    return std::find(known.begin(), known.end(), result.run) != known.end();
-  };
-  for (const Result& result : results)
-    if (is_known(result))
-      fmt::print("known to fail: {}\n  {}\n", result.run.text(),
-                 result.outcome.fault.empty() ? "passes here" : result.outcome.fault);
-  std::erase_if(results, is_known);
-}
-
 int do_many(const Options& options) {
   const std::vector<RunName> runs = chosen_runs(options);
   if (runs.empty()) throw std::invalid_argument("no run has such a name");
@@ -142,8 +129,7 @@ int do_many(const Options& options) {
     for (const RunName& run : runs) fmt::print("{}\n", run.text());
     return 0;
   }
-  std::vector<Result> results = do_runs(runs, options);
-  if (!options.known.empty()) set_known_aside(listed_runs(options.known), results);
+  const std::vector<Result> results = do_runs(runs, options);
   const std::string failed = stress::failures(results, options.program);
   fmt::print("{}\n{}", stress::table(results), failed);
   return failed.empty() ? 0 : 1;
