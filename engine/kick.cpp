@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/added_inertia.h"
 #include "engine/wetness.h"
@@ -144,7 +145,7 @@ Matrix6d with_waterplane(const Setting& s, const Matrix6d& K) {
 }
 
 struct Solution {
-  Vector6d change;
+  Vector6d change;  ///< Or where it was nearest, which the first one, linearised, is at least.
   bool converged = false;
 };
 
@@ -152,9 +153,9 @@ struct Solution {
 /// The Jacobian is that of the drag, as lift takes no energy and is weak as a rule.
 /// @param with_lift   If false, lift is left out.
 Solution implicit_change(const Setting& s, bool with_lift) {
-  Vector6d change = Vector6d::Zero();
-  const double least = kNewtonFloor * kNewtonFloor * s.u.dot(s.S * s.u);
-  double part = 0.5;
+  Vector6d change = Vector6d::Zero(), nearest = change;
+  const double floor = kNewtonFloor * kNewtonFloor * s.u.dot(s.S * s.u);
+  double part = 0.5, least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     Vector6d at = s.u + part * change;
     const hydro::LoadJacobian J = jacobian(s, at);
@@ -165,11 +166,14 @@ Solution implicit_change(const Setting& s, bool with_lift) {
     if (!with_lift) F -= stacked(s.body.loads.water.lift);
     const Vector6d correction = s.solve(S - s.step * part * J.drag, s.step * F - S * change);
     change += correction;
+    const double missed = correction.dot(S * correction);
     const double size = change.dot(S * change);
-    if (correction.dot(S * correction) <= kNewtonTolerance * kNewtonTolerance * size + least)
+    if (missed <= kNewtonTolerance * kNewtonTolerance * size + floor)
       return {.change = change, .converged = true};
+    if (missed < least) nearest = change;
+    least = std::min(least, missed);
   }
-  return {.change = change, .converged = false};
+  return {.change = nearest};
 }
 
 /// Equation (2). Lift that would turn the motion farther in the step than can be followed is left

@@ -85,28 +85,8 @@ bool bent_over(const Surface& surface, const Leaf& leaf, int lane) {
          surface.sampler.bends_between(panel[2], panel[0]);
 }
 
-namespace {
-
-/// A wave changes by |k·d| of its amplitude at most over a step d.
-ElevationRange waves_over(const WaveField& waves, const double* centre, const double* half) {
-  double middle = 0, reach = 0;
-  for (int i = 0; i < waves.count; ++i) {
-    double phase = waves.row[4][i], turn = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      phase += waves.row[1 + axis][i] * centre[axis];
-      turn += std::abs(waves.row[1 + axis][i]) * half[axis];
-    }
-    middle += waves.row[0][i] * std::cos(phase);
-    reach += std::abs(waves.row[0][i]) * std::min(turn, 2.0);
-  }
-  return {middle - reach, middle + reach};
-}
-
-}  // namespace
-
-ElevationRange elevation_over(const Surface& surface, const double* centre, const double* half) {
+ElevationRange grid_over(const Surface& surface, const double* centre, const double* half) {
   const ElevationRange all = {surface.lowest, surface.highest};
-  if (!surface.is_grid()) return waves_over(surface.waves, centre, half);
   const GridField& grid = surface.grid;
   double u = grid.u0, v = grid.v0, du = 0, dv = 0;
   for (int axis = 0; axis < 3; ++axis) {

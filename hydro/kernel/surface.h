@@ -74,11 +74,12 @@ FaceCorners corners_of(const Leaf& leaf, int lane, const double (&depth)[3]);
 /// True if the surface bends over a face by more than the tolerance.
 bool bent_over(const Surface& surface, const Leaf& leaf, int lane);
 
-/// Bounds of the elevation over a box of a body; those of all the sea where it is large [m].
+/// Bounds of the elevation over a box of a body [m].
 struct ElevationRange {
   double low, high;
 };
-ElevationRange elevation_over(const Surface& surface, const double* centre, const double* half);
+/// Of a grid; those of all the sea where the box is large.
+ElevationRange grid_over(const Surface& surface, const double* centre, const double* half);
 
 /// Cuts a face into pieces over which the surface is linear and visits those that may be wet.
 using VisitPiece = void (*)(void* context, const FlatPiece& piece);

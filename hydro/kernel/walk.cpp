@@ -38,27 +38,16 @@ inline bool without_viscous_drag(const Node& node, const Immersion& in) {
 }
 
 /// Sets the rows of the depth to the waves' Taylor series about the middle of a branch, up to
-/// second order, if what is left out is small enough: a third of |k·d|³/2 for each wave at most.
+/// second order, if what is left out is small enough. That is |k·d|³/6 of an amplitude at most, and
+/// on the mean over a plane patch not more than a quarter of what it is at its ends.
 inline bool set_local_waves(const Node& node, const Immersion& in, double (&depth)[kNormal]) {
   const WaveField& waves = in.surface->waves;
   const double* c = node.centre;
   const double size = std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
                                 node.half[2] * node.half[2]);
-  if (waves.third * size * size * size > 6 * in.wave_error) return false;
-  double value = 0, g[3] = {},
-         h[6] = {};  // ξ, its gradient and its second derivatives, in body axes.
-  for (int i = 0; i < waves.count; ++i) {
-    const double k[3] = {waves.row[1][i], waves.row[2][i], waves.row[3][i]};
-    const double phase = k[0] * c[0] + k[1] * c[1] + k[2] * c[2] + waves.row[4][i];
-    const double cosine = waves.row[0][i] * std::cos(phase);
-    const double sine = waves.row[0][i] * std::sin(phase);
-    value += cosine;
-    for (int a = 0; a < 3; ++a) {
-      g[a] -= sine * k[a];
-      h[a] -= cosine * k[a] * k[a];
-      h[3 + a] -= cosine * k[a] * k[(a + 1) % 3];
-    }
-  }
+  if (waves.third * size * size * size / 24 > in.wave_error) return false;
+  double value, g[3], h[6];  // ξ, its gradient and its second derivatives, in body axes.
+  expand_waves(waves, c, value, g, h);
   // From powers of r − c to powers of r.
   const double hc[3] = {h[0] * c[0] + h[3] * c[1] + h[5] * c[2],
                         h[3] * c[0] + h[1] * c[1] + h[4] * c[2],
@@ -90,7 +79,8 @@ HWY_INLINE bool take_whole(Work& work, Factors& factors, const Node& node) {
   if (!of_one_sign(node, in, drag)) return false;
   if (in.surface) {
     const bool curved = in.surface->is_grid() || !set_local_waves(node, in, factors.depth);
-    if (curved && in.surface->bends) return false;
+    // Smaller branches may not be; of a grid all are.
+    if (curved && (in.surface->bends || !(node.leaf() || in.surface->is_grid()))) return false;
     if (curved) {
       for (double& factor : factors.depth) factor = 0;
       for (int leaf = node.first; leaf < node.last; ++leaf) add_buoyancy_of_leaf(work, leaf);
@@ -114,7 +104,9 @@ HWY_INLINE Wetness wetness(const Node& node, const Immersion& in) {
   if (in.surface && depth.high + in.surface->highest <= 0) return Wetness::dry;
   if (in.surface && depth.low + in.surface->lowest >= 0) return Wetness::wet;
   if (in.surface) {
-    const ElevationRange elevation = elevation_over(*in.surface, node.centre, node.half);
+    const ElevationRange elevation = in.surface->is_grid()
+                                         ? grid_over(*in.surface, node.centre, node.half)
+                                         : waves_over(in.surface->waves, node.centre, node.half);
     depth = {depth.low + elevation.low, depth.high + elevation.high};
   }
   if (depth.high <= 0) return Wetness::dry;
@@ -159,16 +151,10 @@ void sum_branch_here(const Panels& panels, const Tree& tree, const Immersion& in
 }
 
 double wave_elevation_here(const WaveField& waves, const double* r) {
-  const D d;
-  const auto row = [&](int which, int i) HWY_ATTR { return hn::LoadU(d, waves.row[which] + i); };
   V sum = zero();
-  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(d))) {
-    const V phase =
-        hn::MulAdd(row(1, i), all(r[0]),
-                   hn::MulAdd(row(2, i), all(r[1]), hn::MulAdd(row(3, i), all(r[2]), row(4, i))));
-    sum = hn::MulAdd(row(0, i), hn::Cos(d, phase), sum);
-  }
-  return hn::GetLane(hn::SumOfLanes(d, sum));
+  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D())))
+    sum = hn::MulAdd(row(waves, 0, i), hn::Cos(D(), phases(waves, r, i)), sum);
+  return total(sum);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE

@@ -30,6 +30,59 @@ HWY_INLINE V waves_at(const WaveField& waves, const V3& r) {
   return sum;
 }
 
+// The same at one place, several waves at once.
+
+HWY_INLINE V row(const WaveField& waves, int which, int from) {
+  return hn::LoadU(D(), waves.row[which] + from);
+}
+
+HWY_INLINE V phases(const WaveField& waves, const double* r, int from) {
+  return hn::MulAdd(row(waves, 1, from), all(r[0]),
+                    hn::MulAdd(row(waves, 2, from), all(r[1]),
+                               hn::MulAdd(row(waves, 3, from), all(r[2]), row(waves, 4, from))));
+}
+
+HWY_INLINE double total(V v) { return hn::GetLane(hn::SumOfLanes(D(), v)); }
+
+/// A wave changes by |k·d| of its amplitude at most over a step d.
+HWY_NOINLINE ElevationRange waves_over(const WaveField& waves, const double* centre,
+                                       const double* half) {
+  V middle = zero(), reach = zero();
+  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D()))) {
+    const V amplitude = row(waves, 0, i);
+    V turn = zero();
+    for (int axis = 0; axis < 3; ++axis)
+      turn = hn::MulAdd(hn::Abs(row(waves, 1 + axis, i)), all(half[axis]), turn);
+    middle = hn::MulAdd(amplitude, hn::Cos(D(), phases(waves, centre, i)), middle);
+    reach = hn::MulAdd(hn::Abs(amplitude), hn::Min(turn, all(2)), reach);
+  }
+  const double mean = total(middle), most = total(reach);
+  return {mean - most, mean + most};
+}
+
+/// The elevation at c, its gradient and its second derivatives xx, yy, zz, xy, yz, zx in body axes.
+HWY_NOINLINE void expand_waves(const WaveField& waves, const double* c, double& value,
+                               double (&g)[3], double (&h)[6]) {
+  V elevation = zero(), slope[3], bend[6];
+  for (V& v : slope) v = zero();
+  for (V& v : bend) v = zero();
+  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D()))) {
+    const V phase = phases(waves, c, i);
+    const V cosine = row(waves, 0, i) * hn::Cos(D(), phase);
+    const V sine = row(waves, 0, i) * hn::Sin(D(), phase);
+    const V k[3] = {row(waves, 1, i), row(waves, 2, i), row(waves, 3, i)};
+    elevation = elevation + cosine;
+    for (int a = 0; a < 3; ++a) {
+      slope[a] = slope[a] - sine * k[a];
+      bend[a] = bend[a] - cosine * k[a] * k[a];
+      bend[3 + a] = bend[3 + a] - cosine * k[a] * k[(a + 1) % 3];
+    }
+  }
+  value = total(elevation);
+  for (int a = 0; a < 3; ++a) g[a] = total(slope[a]);
+  for (int a = 0; a < 6; ++a) h[a] = total(bend[a]);
+}
+
 /// The first grid line of a cell and the place in it; beyond the grid that of its edge.
 struct CellPlace {
   V line, part;
