@@ -120,6 +120,18 @@ ClusterStep::ClusterStep(const Stepping& stepping, const Cluster& cluster,
 
 ClusterStep::~ClusterStep() { stepping_.world.release(contacts_); }
 
+void ClusterStep::Member::begin() {
+  held.before = body->motion;
+  reaction_before_B = body->reaction_B;
+  acceleration_before_W = body->acceleration_W;
+}
+
+void ClusterStep::Member::go_back() const {
+  body->motion = held.before;
+  body->reaction_B = reaction_before_B;
+  body->acceleration_W = acceleration_before_W;
+}
+
 ClusterStep::Member& ClusterStep::member(BodyId id) {
   const auto place = std::lower_bound(cluster_.bodies.begin(), cluster_.bodies.end(), id);
   return members_[static_cast<std::size_t>(place - cluster_.bodies.begin())];
@@ -136,10 +148,9 @@ void ClusterStep::advance_within_tolerance(double time) {
   double done = 0;
   double piece = step_;
   while (true) {
-    piece = begin_piece(std::min(piece, step_ - done));
+    piece = fit_piece(std::min(piece, step_ - done));
     const double error = islands_.empty() ? 0 : try_piece(time + done, piece);
     if (error <= 1 || piece <= shortest_) {
-      // An impact in it was what its end was chosen for, and is looked for again.
       for (const double start : {done, done + piece / 2})
         advance_in_pieces(time + start, piece / 2, EnergyGuard::kMostHalvings);
       done += piece;
@@ -150,21 +161,9 @@ void ClusterStep::advance_within_tolerance(double time) {
 }
 
 double ClusterStep::try_piece(double time, double piece) {
-  struct Start {
-    Motion motion;
-    Vector6d reaction_B;
-    std::optional<Eigen::Vector3d> acceleration_W;
-  };
-  std::vector<Start> starts;
-  for (const Member& m : members_)
-    starts.push_back({m.body->motion, m.body->reaction_B, m.body->acceleration_W});
-  const auto restart = [&] {
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-      Body& body = *members_[i].body;
-      body.motion = starts[i].motion;
-      body.reaction_B = starts[i].reaction_B;
-      body.acceleration_W = starts[i].acceleration_W;
-    }
+  for (Member& m : members_) m.begin();
+  const auto restart = [this] {
+    for (Member& m : members_) m.go_back();
   };
   const auto run = [&](double start, double length) {
     advance_islands(start, length);
@@ -206,18 +205,22 @@ void ClusterStep::advance_in_pieces(double time, double length, int halvings) {
   }
 }
 
-double ClusterStep::begin_piece(double rest) {
+double ClusterStep::fit_piece(double rest) {
   // What the last piece held together is likely to be so still.
-  double piece = std::min(longest_piece(rest), impacts_.longest_piece());
+  const double piece = std::min(longest_piece(rest), impacts_.longest_piece());
   meet_halfway(piece);
-  const auto take = [&](double shorter) {
-    if (shorter >= piece) return;
-    piece = shorter;
-    meet_halfway(piece);
-  };
-  take(longest_piece(piece));
-  if (const auto next = impacts_.next(piece, contacts_.pairs)) take(*next);
-  return piece;
+  return shortened(piece, longest_piece(piece));
+}
+
+double ClusterStep::begin_piece(double rest) {
+  const double piece = fit_piece(rest);
+  return shortened(piece, impacts_.next(piece, contacts_.pairs).value_or(piece));
+}
+
+double ClusterStep::shortened(double piece, double longest) {
+  if (longest >= piece) return piece;
+  meet_halfway(longest);
+  return longest;
 }
 
 void ClusterStep::meet_halfway(double piece) {
@@ -260,11 +263,7 @@ bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
     for (const std::vector<BodyId>& island : islands_)
       for (const BodyId id : island) f(member(id));
   };
-  for_held([](Member& m) {
-    m.held.before = m.body->motion;
-    m.reaction_before_B = m.body->reaction_B;
-    m.acceleration_before_W = m.body->acceleration_W;
-  });
+  for_held([](Member& m) { m.begin(); });
   advance_islands(time, piece);
   const auto held = [this](std::size_t i) -> const HeldStep& {
     return member(static_cast<BodyId>(i)).held;
@@ -279,11 +278,7 @@ bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
             (m.body->wet && leaps(*m.body, stepping_.around, before, m.body->motion.state, piece));
   });
   if ((may_halve && gained && followed) || (leapt && piece / 2 >= shortest_ / kLeapParts)) {
-    for_held([](Member& m) {
-      m.body->motion = m.held.before;
-      m.body->reaction_B = m.reaction_before_B;
-      m.body->acceleration_W = m.acceleration_before_W;
-    });
+    for_held([](Member& m) { m.go_back(); });
     return false;
   }
   for (EnergyGuard* guard : guards_) {

@@ -59,6 +59,10 @@ class ClusterStep {
     HeldStep held;
     Vector6d reaction_before_B = Vector6d::Zero();
     std::optional<Eigen::Vector3d> acceleration_before_W;
+
+    /// Remembers where it is; goes back there.
+    void begin();
+    void go_back() const;
   };
 
   Member& member(BodyId id);
@@ -66,12 +70,17 @@ class ClusterStep {
   std::vector<bool> held_members();
   /// In pieces whose error is estimated.
   void advance_within_tolerance(double time);
-  /// Tries a piece, begun, as a whole and as two halves. Moves nothing.
+  /// Tries a piece that fits as a whole and as two halves. Moves nothing.
   /// @return the largest estimated error of a member.
   double try_piece(double time, double piece);
   void advance_in_pieces(double time, double length, int halvings);
-  /// The length of the next piece of what is left of a step, found halfway through it.
+  /// The length of a piece of what is left of a step by all but impacts in it, found halfway
+  /// through it.
+  double fit_piece(double rest);
+  /// The same of the next piece, which ends where an impact begins.
   double begin_piece(double rest);
+  /// The piece, or the longest that it may be, halfway through which bodies then are.
+  double shortened(double piece, double longest);
   /// Drifts to the middle of a piece, finds contacts there and the islands that they make.
   void meet_halfway(double piece);
   double longest_piece(double rest);

@@ -14,11 +14,9 @@ constexpr double kSmoothSwing = 0.3;
 /// What joints may come to have given a group, of the energy of its motion, where water adds to it.
 constexpr double kJointGain = 0.1;
 
-/// ½ u·(M + A) u with the velocity in W [J].
+/// Of the motion in W, whatever the water does [J].
 double absolute_energy(const Body& body, const Motion& motion) {
-  const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
-  const Vector6d u = turned(R_BW, velocity(motion.state, Eigen::Vector3d::Zero()));
-  return u.dot((body.rigid_B + motion.added_B) * u) / 2;
+  return kinetic_energy(body, Surroundings{}, motion);
 }
 
 struct Energies {
