@@ -110,15 +110,12 @@ ClusterStep::ClusterStep(const Stepping& stepping, const Cluster& cluster,
       step_(step),
       shortest_(step / kMostPieces),
       impacts_(stepping.world, stepping.bodies, stepping.around, cluster, met, step),
-      contacts_(stepping.world.no_contacts()),
       members_(cluster.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].id = cluster.bodies[i];
     members_[i].body = &stepping.bodies[static_cast<std::size_t>(members_[i].id)];
   }
 }
-
-ClusterStep::~ClusterStep() { stepping_.world.release(contacts_); }
 
 void ClusterStep::Member::begin() {
   held.before = body->motion;
@@ -232,25 +229,35 @@ void ClusterStep::meet_halfway(double piece) {
     if (stepping_.collides)
       bodies.push_back(placed(m.id, *m.body, stepping_.around, m.middle.state));
   }
+  if (stepping_.collides) contacts_ = stepping_.world.collide(bodies, cluster_.near, piece);
+  for (const Pair& pair : contacts_.pairs)
+    for (const BodyId id : {pair.first, pair.second})
+      if (moves(stepping_.bodies, id)) member(id).held.touching = true;
+  find_islands();
+}
+
+void ClusterStep::find_islands() {
   std::vector<Pair> pairs = cluster_.joints;
-  if (stepping_.collides) {
-    stepping_.world.collide(contacts_, bodies, cluster_.near, piece);
-    pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
-    for (const Pair& pair : contacts_.pairs)
-      for (const BodyId id : {pair.first, pair.second})
-        if (moves(stepping_.bodies, id)) member(id).held.touching = true;
+  pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
+  islands_.clear();
+  for (Member& m : members_) m.island = kNone;
+  for (std::vector<BodyId>& bodies : groups(cluster_.bodies, pairs)) {
+    const Member& first = member(bodies.front());
+    if (bodies.size() == 1 && first.body->guide && !first.held.touching) continue;
+    for (const BodyId id : bodies) member(id).island = islands_.size();
+    islands_.push_back({.bodies = std::move(bodies), .contacts = {}});
   }
-  islands_ = groups(cluster_.bodies, pairs);
-  std::erase_if(islands_, [&](const std::vector<BodyId>& island) {
-    const Member& first = member(island.front());
-    return island.size() == 1 && first.body->guide && !first.held.touching;
-  });
+  for (const Contact& contact : contacts_.points) {
+    const auto& [first, second] = contact.pair;
+    islands_[member(moves(stepping_.bodies, first) ? first : second).island].contacts.push_back(
+        contact);
+  }
 }
 
 double ClusterStep::longest_piece(double rest) {
   double piece = rest;
-  for (const std::vector<BodyId>& island : islands_)
-    for (const BodyId id : island) {
+  for (const Island& island : islands_)
+    for (const BodyId id : island.bodies) {
       const Body& body = *member(id).body;
       piece = std::min({piece, piece_length(body, stepping_.around, body.motion, rest, shortest_),
                         turn_length(body, stepping_.around, rest, shortest_)});
@@ -260,8 +267,8 @@ double ClusterStep::longest_piece(double rest) {
 
 bool ClusterStep::advance_soundly(double time, double piece, bool may_halve) {
   const auto for_held = [&](const auto& f) {
-    for (const std::vector<BodyId>& island : islands_)
-      for (const BodyId id : island) f(member(id));
+    for (const Island& island : islands_)
+      for (const BodyId id : island.bodies) f(member(id));
   };
   for_held([](Member& m) { m.begin(); });
   advance_islands(time, piece);
@@ -293,27 +300,27 @@ void ClusterStep::advance_islands(double time, double piece) {
            [&](std::size_t i) { advance_island(islands_[i], time, piece); });
 }
 
-void ClusterStep::advance_island(const std::vector<BodyId>& island, double time, double piece) {
+void ClusterStep::advance_island(const Island& island, double time, double piece) {
   std::vector<Member*> all;
   std::vector<Matrix6d> added;
-  for (const BodyId id : island) {
+  for (const BodyId id : island.bodies) {
     all.push_back(&member(id));
     added.push_back(expected_added_mass(*all.back()->body, all.back()->body->motion, piece));
   }
-  std::vector<Motion> ends(island.size());
+  std::vector<Motion> ends(all.size());
   std::vector<ConstrainedBody> last;
   bool near = false;
   for (int pass = 1;; ++pass) {
     std::vector<ConstrainedBody> constrained;
-    for (std::size_t k = 0; k < island.size(); ++k) {
-      constrained.push_back(make_held(*all[k]->body, island[k], stepping_.around, all[k]->middle,
-                                      added[k], piece, all[k]->held.touching));
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      constrained.push_back(make_held(*all[k]->body, island.bodies[k], stepping_.around,
+                                      all[k]->middle, added[k], piece, all[k]->held.touching));
       if (!last.empty()) constrained[k].expected = last[k].change;
     }
     constrained_kick(stepping_.world, stepping_.around, stepping_.for_each, constrained,
-                     time + piece / 2, piece);
+                     island.contacts, time + piece / 2, piece);
     bool same = true, next_is_near = true;
-    for (std::size_t k = 0; k < island.size(); ++k) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
       const Body& body = *all[k]->body;
       ends[k] = finish(constrained[k], stepping_.around, added[k], piece, all[k]->held.touching);
       all[k]->held.work = reaction_work(constrained[k], stepping_.around, piece);
@@ -329,7 +336,7 @@ void ClusterStep::advance_island(const std::vector<BodyId>& island, double time,
     near = next_is_near;
     last = std::move(constrained);
   }
-  for (std::size_t k = 0; k < island.size(); ++k) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
     Body& body = *all[k]->body;
     body.motion = ends[k];
     ++body.cost.constrained_steps;
@@ -337,11 +344,9 @@ void ClusterStep::advance_island(const std::vector<BodyId>& island, double time,
   }
 }
 
-std::vector<bool> ClusterStep::held_members() {
-  std::vector<bool> held(members_.size(), false);
-  for (const std::vector<BodyId>& island : islands_)
-    for (const BodyId id : island)
-      held[static_cast<std::size_t>(&member(id) - members_.data())] = true;
+std::vector<bool> ClusterStep::held_members() const {
+  std::vector<bool> held;
+  for (const Member& m : members_) held.push_back(m.island != kNone);
   return held;
 }
 

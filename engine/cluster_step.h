@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,6 @@ class ClusterStep {
   /// @param met   Pairs in contact, ascending.
   ClusterStep(const Stepping& stepping, const Cluster& cluster, std::vector<EnergyGuard*> guards,
               const std::vector<Pair>& met, double step);
-  ~ClusterStep();
   ClusterStep(const ClusterStep&) = delete;
   ClusterStep& operator=(const ClusterStep&) = delete;
 
@@ -49,13 +49,20 @@ class ClusterStep {
   const std::vector<Pair>& met() const { return impacts_.met(); }
 
  private:
-  using Islands = std::vector<std::vector<BodyId>>;
+  /// What joints and contacts hold together.
+  struct Island {
+    std::vector<BodyId> bodies;  ///< Ascending.
+    std::vector<Contact> contacts;
+  };
+
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   /// What a step changes of a body.
   struct Member {
     BodyId id = 0;
     Body* body = nullptr;
-    Motion middle;  ///< Halfway through the piece, before the kick.
+    std::size_t island = kNone;  ///< Of the piece.
+    Motion middle;               ///< Halfway through the piece, before the kick.
     HeldStep held;
     Vector6d reaction_before_B = Vector6d::Zero();
     std::optional<Eigen::Vector3d> acceleration_before_W;
@@ -67,7 +74,7 @@ class ClusterStep {
 
   Member& member(BodyId id);
   /// Of each: it is in an island.
-  std::vector<bool> held_members();
+  std::vector<bool> held_members() const;
   /// In pieces whose error is estimated.
   void advance_within_tolerance(double time);
   /// Tries a piece that fits as a whole and as two halves. Moves nothing.
@@ -83,11 +90,12 @@ class ClusterStep {
   double shortened(double piece, double longest);
   /// Drifts to the middle of a piece, finds contacts there and the islands that they make.
   void meet_halfway(double piece);
+  void find_islands();
   double longest_piece(double rest);
   void advance_islands(double time, double piece);
   /// Moves the islands. False: they have gained energy or were thrown, and are where they were.
   bool advance_soundly(double time, double piece, bool may_halve);
-  void advance_island(const std::vector<BodyId>& island, double time, double piece);
+  void advance_island(const Island& island, double time, double piece);
   void advance_others(double time, double piece);
 
   const Stepping& stepping_;
@@ -98,7 +106,7 @@ class ClusterStep {
   Impacts impacts_;
   World::Contacts contacts_;
   std::vector<Member> members_;
-  Islands islands_;  ///< Of the next piece.
+  std::vector<Island> islands_;  ///< Of the next piece.
 };
 
 }  // namespace engine

@@ -52,28 +52,6 @@ std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overla
   return points;
 }
 
-dContact contact_joint(const ContactPoint& point, const ContactStiffness& stiffness,
-                       const Eigen::Vector3d& velocity) {
-  dContact contact{};
-  Eigen::Map<Eigen::Vector3d>(contact.geom.pos) = point.position_W;
-  Eigen::Map<Eigen::Vector3d>(contact.geom.normal) = point.normal_W;
-  contact.geom.depth = point.depth;
-  contact.surface.mode = dContactSoftERP | dContactSoftCFM | dContactMotionN | dContactSlip1 |
-                         dContactSlip2 | dContactApprox1;
-  contact.surface.mu = kFriction;
-  contact.surface.soft_erp = stiffness.erp;
-  contact.surface.soft_cfm = stiffness.cfm;
-  contact.surface.motionN = stiffness.speed;
-  contact.surface.slip1 = contact.surface.slip2 = stiffness.slip;
-
-  const Eigen::Vector3d sliding = velocity - velocity.dot(point.normal_W) * point.normal_W;
-  if (sliding.norm() > 1e-9 * velocity.norm()) {
-    contact.surface.mode |= dContactFDir1;
-    Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding.normalized();
-  }
-  return contact;
-}
-
 /// Least overlap along a world axis of the boxes around two solids [m].
 double box_overlap(dxGeom* first, dxGeom* second) {
   std::array<dReal, 6> a{}, b{};
@@ -97,23 +75,26 @@ void note_near_pair(void* pairs, dxGeom* first, dxGeom* second) {
 
 }  // namespace
 
-World::Contacts World::no_contacts() const {
-  return {.joints = JointGroupHandle(dJointGroupCreate(0)), .pairs = {}};
-}
-
-void World::release(Contacts& contacts) {
-  const std::lock_guard lock(*answering_);
-  contacts.joints.reset();
-  contacts.pairs.clear();
+void World::join(const Contact& contact) {
+  add_contact(world_.get(), contact_joints_.get(), contact, handle_of(contact.pair.first),
+              handle_of(contact.pair.second));
 }
 
 void World::collide(double step) {
   open_ode();
-  join(contacts_, near_pairs(), step);
+  dJointGroupEmpty(contact_joints_.get());
+  contacts_ = contacts_of(near_pairs(), step);
+  for (const Contact& contact : contacts_.points) join(contact);
 }
 
-void World::collide(Contacts& contacts, const std::vector<Placed>& bodies,
-                    const std::vector<Pair>& pairs, double step) {
+double World::deepest_contact() const {
+  double deepest = 0;
+  for (const Contact& contact : contacts_.points) deepest = std::max(deepest, contact.point.depth);
+  return deepest;
+}
+
+World::Contacts World::collide(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs,
+                               double step) {
   const std::lock_guard lock(*answering_);
   const Stopwatch stopwatch(collision_seconds_);
   open_ode();
@@ -121,7 +102,7 @@ void World::collide(Contacts& contacts, const std::vector<Placed>& bodies,
     set_state(placed.body, placed.state);
     set_contact_inertia(placed.body, placed.inertia);
   }
-  join(contacts, pairs, step);
+  return contacts_of(pairs, step);
 }
 
 std::vector<double> World::closing_times(
@@ -138,11 +119,10 @@ std::vector<double> World::closing_times(
   return times;
 }
 
-void World::join(Contacts& contacts, const std::vector<Pair>& pairs, double step) {
-  dJointGroupEmpty(contacts.joints.get());
-  contacts.pairs.clear();
-  contacts.deepest = 0;
-  for (const Pair& pair : pairs) join_contacts(contacts, pair, step);
+World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) const {
+  Contacts contacts;
+  for (const Pair& pair : pairs) add_contacts(contacts, pair, step);
+  return contacts;
 }
 
 std::vector<bool> World::touching() const {
@@ -191,22 +171,21 @@ Eigen::Vector3d World::approach(const Pair& pair, const Eigen::Vector3d& point_W
          velocity_without_contact(pair.second, point_W, step);
 }
 
-void World::join_contacts(Contacts& contacts, const Pair& pair, double step) {
+void World::add_contacts(Contacts& contacts, const Pair& pair, double step) const {
   const std::vector<ContactPoint> points = touching_points(pair, step);
   if (points.empty()) return;
   contacts.pairs.push_back(pair);
   const double mass = contact_mass(pair);
   const double fall = contact_fall(pair);
   for (const ContactPoint& point : points) {
-    contacts.deepest = std::max(contacts.deepest, point.depth);
     ContactStiffness stiffness = contact_stiffness(unit_ * mass, points.size(), step,
                                                    weights(pair, point, points.size(), mass, step));
     stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
     stiffness.speed *= -point.normal_W.dot(approach(pair, point.position_W, 0));
-    const dContact contact =
-        contact_joint(point, stiffness, approach(pair, point.position_W, step));
-    dxJoint* joint = dJointCreateContact(world_.get(), contacts.joints.get(), &contact);
-    dJointAttach(joint, handle_of(pair.first), handle_of(pair.second));
+    contacts.points.push_back({.pair = pair,
+                               .point = point,
+                               .stiffness = stiffness,
+                               .sliding_W = approach(pair, point.position_W, step)});
   }
 }
 

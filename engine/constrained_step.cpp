@@ -34,9 +34,9 @@ constexpr double kNewtonTolerance = 1e-3;
 struct Row {
   Matrix6d S = Matrix6d::Identity();  ///< Effective inertia.
   hydro::Cholesky6 S_factor{S};
-  Vector6d load;              ///< F
-  Vector6d jump;              ///< Change of velocity by that of the added mass.
-  World::Constrained solver;  ///< M_o, state.
+  Vector6d load;      ///< F
+  Vector6d jump;      ///< Change of velocity by that of the added mass.
+  SolverBody solver;  ///< M_o, state.
   Matrix6d M_o = Matrix6d::Identity();
   hydro::Cholesky6 root{M_o};  ///< Of M_o.
   bool implicit = false;
@@ -83,14 +83,25 @@ double contraction_factor(const Row& row) {
   return std::min(1.0, hydro::eigenvalues(row.root.relative(row.S))[0]);
 }
 
+/// The constraints of an island.
+struct Solver {
+  World& world;
+  const std::vector<Contact>& contacts;
+
+  std::vector<hydro::Twist> velocities(const std::vector<SolverBody>& bodies, double step) const {
+    return world.constrained_velocities(bodies, contacts, step);
+  }
+};
+
 /// One answer of the solver to the reactions r: the changes of velocity, and R.
 struct Answer {
   std::vector<Vector6d> changes;
   std::vector<Vector6d> reactions;
 };
 
-Answer ask(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& r, double step) {
-  std::vector<World::Constrained> bodies;
+Answer ask(const Solver& solver, std::vector<Row>& rows, const std::vector<Vector6d>& r,
+           double step) {
+  std::vector<SolverBody> bodies;
   std::vector<Vector6d> loads;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Row& row = rows[i];
@@ -99,7 +110,7 @@ Answer ask(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& r,
     row.solver.load = to_wrench(loads.back());
     bodies.push_back(row.solver);
   }
-  const std::vector<hydro::Twist> after = world.constrained_velocities(bodies, step);
+  const std::vector<hydro::Twist> after = solver.velocities(bodies, step);
   Answer answer;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const hydro::BodyState& before = rows[i].solver.state;
@@ -155,7 +166,7 @@ struct Iteration {
 /// @param most        Solutions at most.
 /// @param contracts   The plain iteration does. It then takes the place of an acceleration that has
 ///   led farther away, as across the limit of a contact, where what was learnt does not hold.
-Iteration iterate(World& world, std::vector<Row>& rows, const std::vector<Vector6d>& start,
+Iteration iterate(const Solver& solver, std::vector<Row>& rows, const std::vector<Vector6d>& start,
                   double step, int most, bool contracts) {
   const double size = motion_size(rows, step);
   Eigen::VectorXd x = scaled(rows, start, step), last_x, last_image;
@@ -166,7 +177,7 @@ Iteration iterate(World& world, std::vector<Row>& rows, const std::vector<Vector
   int idle = 0, plain = 0;
   bool accelerated = false;
   while (true) {
-    Answer answer = ask(world, rows, unscaled(rows, x, step), step);
+    Answer answer = ask(solver, rows, unscaled(rows, x, step), step);
     ++iteration.count;
     const Eigen::VectorXd image = scaled(rows, answer.reactions, step);
     const double missed = (image - x).norm();
@@ -202,21 +213,21 @@ std::vector<Vector6d> last_reactions(const std::vector<ConstrainedBody>& island)
 }
 
 /// (1) for the loads of the rows. Adds to `solutions` how often it asked the solver.
-Answer solve(World& world, std::vector<ConstrainedBody>& island, std::vector<Row>& rows,
+Answer solve(const Solver& solver, std::vector<ConstrainedBody>& island, std::vector<Row>& rows,
              double step, int& solutions) {
   std::vector<Vector6d> start = last_reactions(island);
   if (std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plain; })) {
     for (const ConstrainedBody& c : island) ++c.body->cost.iterations;
     ++solutions;
-    return ask(world, rows, start, step);
+    return ask(solver, rows, start, step);
   }
-  Iteration iteration = iterate(world, rows, start, step, kMostIterations - kContractions, false);
+  Iteration iteration = iterate(solver, rows, start, step, kMostIterations - kContractions, false);
   int count = iteration.count;
   if (!iteration.converged) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!rows[i].plain) choose_solver_mass(island[i], rows[i], contraction_factor(rows[i]));
     iteration =
-        iterate(world, rows, iteration.answer.reactions, step, kMostIterations - count, true);
+        iterate(solver, rows, iteration.answer.reactions, step, kMostIterations - count, true);
     count += iteration.count;
   }
   solutions += count;
@@ -244,13 +255,15 @@ bool settled(const std::vector<ConstrainedBody>& island, const std::vector<Row>&
 }  // namespace
 
 void constrained_kick(World& world, const Surroundings& around, const ForEach& for_each,
-                      std::vector<ConstrainedBody>& island, double time, double step) {
+                      std::vector<ConstrainedBody>& island, const std::vector<Contact>& contacts,
+                      double time, double step) {
+  const Solver solver{.world = world, .contacts = contacts};
   int solutions = 0;
   for (int i = 0; i < kMostLinearisations && solutions < kMostSolutions; ++i) {
     std::vector<Row> rows(island.size());
     call_all(for_each, island.size(),
              [&](std::size_t k) { rows[k] = make_row(island[k], around, time, step); });
-    const Answer answer = solve(world, island, rows, step, solutions);
+    const Answer answer = solve(solver, island, rows, step, solutions);
     const bool done = settled(island, rows, answer);
     for (std::size_t k = 0; k < island.size(); ++k) {
       ConstrainedBody& c = island[k];

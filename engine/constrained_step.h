@@ -48,10 +48,10 @@ struct ConstrainedBody {
   bool implicit = false;               ///< Its loads were taken implicitly.
 };
 
-/// Solves (1) for one island, its poses and contacts being those that the world has. Several
-/// islands may be solved for at once.
+/// Solves (1) for one island, whose bodies ascend. Several islands may be solved for at once.
 /// @param time   Halfway through the step [s].
 void constrained_kick(World& world, const Surroundings& around, const ForEach& for_each,
-                      std::vector<ConstrainedBody>& island, double time, double step);
+                      std::vector<ConstrainedBody>& island, const std::vector<Contact>& contacts,
+                      double time, double step);
 
 }  // namespace engine

@@ -13,33 +13,6 @@ namespace {
 // bodies a thousand million times as heavy.
 constexpr double kLeastMass = 1e-6;
 
-// The direct solver's time grows with the third power of the number of contact points, that of the
-// iterative one in proportion; from about so many the latter is the quicker one.
-constexpr int kMostDirectContacts = 32;
-// A tower of twenty crates stands as with the direct solver; ten times as many change nothing.
-constexpr int kHeapIterations = 50;
-
-void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia) {
-  dMass parameters;
-  dMassSetParameters(&parameters, mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2),
-                     inertia(0, 1), inertia(0, 2), inertia(1, 2));
-  dBodySetMass(body, &parameters);
-}
-
-/// True if nothing but contacts holds these bodies, and so many that they are to be solved for by
-/// iteration. Contacts give way, so that it settles soon; joints do not.
-bool is_heap(const std::vector<dxBody*>& bodies) {
-  int contacts = 0;
-  for (dxBody* body : bodies)
-    for (int i = 0, count = dBodyGetNumJoints(body); i < count; ++i) {
-      dxJoint* joint = dBodyGetJoint(body, i);
-      if (dJointGetType(joint) != dJointTypeContact) return false;
-      // One between two bodies is met from either.
-      contacts += dJointGetBody(joint, 0) && dJointGetBody(joint, 1) ? 1 : 2;
-    }
-  return contacts > 2 * kMostDirectContacts;
-}
-
 }  // namespace
 
 void World::only_constrain() {
@@ -58,50 +31,45 @@ void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
   bodies_.at(static_cast<std::size_t>(id)).inertia = inertia;
 }
 
-std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Constrained>& bodies,
+std::vector<hydro::Twist> World::constrained_velocities(const std::vector<SolverBody>& bodies,
+                                                        const std::vector<Contact>& contacts,
                                                         double step) {
+  const auto is_held = [this](const SolverBody& b) {
+    return bodies_.at(static_cast<std::size_t>(b.body)).held;
+  };
+  if (std::any_of(bodies.begin(), bodies.end(), is_held))
+    return held_velocities(bodies, contacts, step);
+  const SolverWorlds::Settings settings{
+      .erp = dWorldGetERP(world_.get()), .cfm = dWorldGetCFM(world_.get()), .unit = unit_};
+  return apart_.velocities(settings, bodies, contacts, step);
+}
+
+std::vector<hydro::Twist> World::held_velocities(const std::vector<SolverBody>& bodies,
+                                                 const std::vector<Contact>& contacts,
+                                                 double step) {
   const std::lock_guard lock(*answering_);
   open_ode();
   const auto ready = [&] {
-    for (const Constrained& c : bodies) {
-      dxBody* body = handle_of(c.body);
-      const Eigen::Vector3d force = unit_ * c.load.force;
-      const Eigen::Vector3d moment = unit_ * c.load.moment;
-      set_state(c.body, c.state);
-      set_mass(body, unit_ * c.mass, unit_ * c.inertia_B);
-      dBodySetForce(body, force.x(), force.y(), force.z());
-      dBodySetTorque(body, moment.x(), moment.y(), moment.z());
-      dBodyEnable(body);
-    }
+    for (const SolverBody& b : bodies) hand_over(handle_of(b.body), b, unit_);
   };
   ready();
+  for (const Contact& contact : contacts) join(contact);
   take_ode_warning();
-  std::vector<dxBody*> handles;
-  for (const Constrained& c : bodies) handles.push_back(handle_of(c.body));
-  if (is_heap(handles)) {
-    iterate(kHeapIterations, step);
-  } else {
-    if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
-    if (!take_ode_warning().empty()) {
-      ++compromises_;
-      ready();
-      iterate(kFallbackIterations, step);
-    }
+  if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
+  if (!take_ode_warning().empty()) {
+    ++compromises_;
+    ready();
+    step_by_iteration(world_.get(), kFallbackIterations, step);
   }
+  dJointGroupEmpty(contact_joints_.get());
   std::vector<hydro::Twist> velocities;
-  for (const Constrained& c : bodies) {
-    const hydro::BodyState after = state(c.body);
+  for (const SolverBody& b : bodies) {
+    const hydro::BodyState after = state(b.body);
     velocities.push_back({after.linear_velocity, after.angular_velocity});
-    set_state(c.body, c.state);
-    dBodyDisable(handle_of(c.body));
+    set_state(b.body, b.state);
+    dBodyDisable(handle_of(b.body));
   }
   return velocities;
-}
-
-void World::iterate(int count, double step) {
-  dWorldSetQuickStepNumIterations(world_.get(), count);
-  dRandSetSeed(1);  // It takes the constraints in random order.
-  if (!dWorldQuickStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
 }
 
 }  // namespace engine

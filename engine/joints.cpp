@@ -69,6 +69,8 @@ void World::add_joint(const JointSpec& spec) {
   // Two immovable bodies keep any joint by themselves.
   if (!handle_of(spec.first) && !handle_of(spec.second)) return;
   joints_.push_back(pair);
+  for (const BodyId id : {spec.first, spec.second})
+    if (id != kWorld) bodies_[static_cast<std::size_t>(id)].held = true;
   dxJoint* joint = create(world_.get(), spec.type);
   dJointAttach(joint, handle_of(spec.first), handle_of(spec.second));
   align(joint, spec);

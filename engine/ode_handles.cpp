@@ -62,6 +62,9 @@ std::string take_ode_warning() { return std::exchange(last_warning, {}); }
 void WorldDeleter::operator()(dxWorld* world) const { dWorldDestroy(world); }
 void SpaceDeleter::operator()(dxSpace* space) const { dSpaceDestroy(space); }
 void JointGroupDeleter::operator()(dxJointGroup* group) const { dJointGroupDestroy(group); }
+void ThreadingDeleter::operator()(dxThreadingImplementation* threading) const {
+  dThreadingFreeImplementation(threading);
+}
 void TriMeshDataDeleter::operator()(dxTriMeshData* data) const { dGeomTriMeshDataDestroy(data); }
 
 std::array<double, 12> to_ode(const Eigen::Matrix3d& m) {

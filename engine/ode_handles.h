@@ -18,6 +18,7 @@ struct dxGeom;
 struct dxJoint;
 struct dxJointGroup;
 struct dxTriMeshData;
+struct dxThreadingImplementation;
 
 namespace engine {
 
@@ -48,6 +49,9 @@ struct SpaceDeleter {
 struct JointGroupDeleter {
   void operator()(dxJointGroup* group) const;
 };
+struct ThreadingDeleter {
+  void operator()(dxThreadingImplementation* threading) const;
+};
 struct TriMeshDataDeleter {
   void operator()(dxTriMeshData* data) const;
 };
@@ -58,6 +62,8 @@ using WorldHandle = std::unique_ptr<dxWorld, WorldDeleter>;
 using SpaceHandle = std::unique_ptr<dxSpace, SpaceDeleter>;
 /// Frees its joints; must go before their world.
 using JointGroupHandle = std::unique_ptr<dxJointGroup, JointGroupDeleter>;
+/// Must go after the worlds that use it.
+using ThreadingHandle = std::unique_ptr<dxThreadingImplementation, ThreadingDeleter>;
 using TriMeshDataHandle = std::unique_ptr<dxTriMeshData, TriMeshDataDeleter>;
 
 /// ODE's dMatrix3: 3 rows of 4, the last of each row unused.

@@ -68,7 +68,7 @@ World::World(double gravity) : gravity_(gravity) {
   space_.reset(dHashSpaceCreate(nullptr));
   // Cells of 1 m to 1 km: body coordinates divided by a cell's size must fit an int.
   dHashSpaceSetLevels(space_.get(), 0, 10);
-  contacts_ = no_contacts();
+  contact_joints_.reset(dJointGroupCreate(0));
 }
 
 BodyId World::add_body(const BodySpec& spec) {
@@ -78,6 +78,7 @@ BodyId World::add_body(const BodySpec& spec) {
             .load = {},
             .inertia = {}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
+  body.held = partly_held(spec.locked);
   const Shape shape = create_shape(spec);
   body.geom = shape.geom;
   if (body.geom) {
@@ -241,7 +242,7 @@ void World::advance(double step) {
     ++compromises_;
     set_all_states(before);
     hand_over_loads();
-    iterate(kFallbackIterations, step);
+    step_by_iteration(world_.get(), kFallbackIterations, step);
   }
   for (Body& body : bodies_) body.load = {};
 }

@@ -8,6 +8,7 @@
 #include "engine/contacts.h"
 #include "engine/groups.h"
 #include "engine/ode_handles.h"
+#include "engine/solver_world.h"
 #include "engine/spec.h"
 
 namespace engine {
@@ -17,8 +18,7 @@ namespace engine {
 /// Bodies come first, then joints and ground. It is used in one of two ways. By itself a step is:
 /// apply loads, collide, advance. As the solver of joints and contacts alone (`only_constrain`) it
 /// is: collide some bodies, then ask for their `constrained_velocities`; groups of bodies that have
-/// nothing to do with each other may be asked for by several threads, one after the other is
-/// answered.
+/// nothing to do with each other may be asked for by several threads.
 /// Every call may throw OdeFault; after one out of `advance` or `constrained_velocities`, the world
 /// is only fit to be destroyed.
 class World {
@@ -45,30 +45,19 @@ class World {
   /// Per body: it is in one of them.
   std::vector<bool> touching() const;
   /// Greatest depth of them [m].
-  double deepest_contact() const { return contacts_.deepest; }
+  double deepest_contact() const;
   /// Moves the bodies over `step` [s] under loads, gravity, joints and contacts; uses up the loads.
   void advance(double step);
   /// Steps in which constraints contradicted each other and were each met in part.
-  long compromises() const { return compromises_; }
+  long compromises() const { return compromises_ + apart_.compromises(); }
 
   /// From now on bodies move only where they are set: no gravity, no motion of their own.
   void only_constrain();
-  /// A body as the constraint solver is to take it, moment and velocities about the centre of mass.
-  struct Constrained {
-    BodyId body = 0;
-    hydro::BodyState state;
-    double mass = 0;
-    Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();
-    hydro::Wrench load;  ///< In W.
-  };
-  /// Contacts of some bodies. They hold until they are found anew or destroyed.
+  /// Contacts of some bodies.
   struct Contacts {
-    JointGroupHandle joints;
+    std::vector<Contact> points;
     std::vector<Pair> pairs;  ///< That touch, of which one at least can move; ascending.
-    double deepest = 0;       ///< Greatest depth [m].
   };
-  Contacts no_contacts() const;
-  void release(Contacts& contacts);
 
   /// What contacts are told of a body.
   struct Inertia {
@@ -84,9 +73,8 @@ class World {
     Inertia inertia;
   };
   /// Finds which of these pairs touch, in ascending order, with these bodies so placed and all
-  /// others where they were, and joins them for a step [s].
-  void collide(Contacts& contacts, const std::vector<Placed>& bodies,
-               const std::vector<Pair>& pairs, double step);
+  /// others where they were, and how they are to be joined for a step [s].
+  Contacts collide(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs, double step);
   /// For how long two bodies, so placed, have run into each other: of each point where they touch
   /// and close faster than `slow` [m/s], its depth over that speed [s].
   std::vector<double> closing_times(const std::vector<std::pair<BodyId, hydro::BodyState>>& places,
@@ -95,8 +83,10 @@ class World {
   double collision_seconds() const { return collision_seconds_; }
 
   /// The velocities in W, linear and angular, that these bodies have after `step` [s] under their
-  /// loads, joints, locks and contacts. Nothing moves.
-  std::vector<hydro::Twist> constrained_velocities(const std::vector<Constrained>& bodies,
+  /// loads, joints, locks and these contacts. Nothing moves.
+  /// @param bodies   Ascending.
+  std::vector<hydro::Twist> constrained_velocities(const std::vector<SolverBody>& bodies,
+                                                   const std::vector<Contact>& contacts,
                                                    double step);
 
   /// Pairs of bodies and kWorld that joints hold together, of which one at least can move.
@@ -115,6 +105,7 @@ class World {
     dxGeom* geom = nullptr;       ///< None if it passes through everything.
     Eigen::AlignedBox3d shape_B;  ///< Around that.
     double mass = 0;              ///< Its own.
+    bool held = false;            ///< By joints or locks.
     hydro::BodyState initial;
     hydro::Wrench load;              ///< For the next advance.
     std::optional<Inertia> inertia;  ///< None: what its mass and loads make of it.
@@ -139,15 +130,15 @@ class World {
   std::vector<hydro::BodyState> all_states() const;
   void set_all_states(const std::vector<hydro::BodyState>& states);
 
-  /// Iterations of the solver that takes over when the exact one gives up.
-  static constexpr int kFallbackIterations = 200;
-  /// A step by the iterative solver.
-  void iterate(int count, double step);
+  /// The same where joints or locks hold some of them; for one thread at a time.
+  std::vector<hydro::Twist> held_velocities(const std::vector<SolverBody>& bodies,
+                                            const std::vector<Contact>& contacts, double step);
+  void join(const Contact& contact);
 
   std::vector<Pair> near_pairs() const;
-  void join(Contacts& contacts, const std::vector<Pair>& pairs, double step);
+  Contacts contacts_of(const std::vector<Pair>& pairs, double step) const;
   std::vector<ContactPoint> touching_points(const Pair& pair, double step) const;
-  void join_contacts(Contacts& contacts, const Pair& pair, double step);
+  void add_contacts(Contacts& contacts, const Pair& pair, double step) const;
   /// Velocity of the first relative to the second where they touch, as it would be after a step
   /// without contacts.
   Eigen::Vector3d approach(const Pair& pair, const Eigen::Vector3d& point_W, double step) const;
@@ -176,7 +167,9 @@ class World {
   std::unique_ptr<std::mutex> answering_ = std::make_unique<std::mutex>();
   WorldHandle world_;
   SpaceHandle space_;
-  Contacts contacts_;
+  JointGroupHandle contact_joints_;  ///< Of the step that is being taken.
+  Contacts contacts_;                ///< The same, where the world steps by itself.
+  SolverWorlds apart_;
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Sorted.
   std::vector<Pair> joints_;

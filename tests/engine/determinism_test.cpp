@@ -100,6 +100,24 @@ TEST(Determinism, HeapsDoNotDependOnTheNumberOfThreads) {
   for (std::size_t i = 0; i < one.paths().size(); ++i) EXPECT_GT(one.paths()[i].constrained, 0);
 }
 
+TEST(Determinism, ContactsDoNotDependOnBodiesFarAway) {
+  SimulationSpec many = heaps();
+  // The compliance of constraints follows the lightest and the heaviest body of all.
+  for (BodySpec& body : many.bodies) {
+    body.mass = many.bodies.back().mass;
+    body.inertia_B = many.bodies.back().inertia_B;
+  }
+  SimulationSpec stack = many;
+  stack.bodies.assign(many.bodies.end() - 3, many.bodies.end());
+  const Simulation together = support::after(many, 120), alone = support::after(stack, 120);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_GT(alone.paths()[i].constrained, 60);
+    const hydro::BodyState& far = together.states()[many.bodies.size() - 3 + i];
+    EXPECT_EQ(alone.states()[i].position, far.position);
+    EXPECT_EQ(alone.states()[i].orientation.coeffs(), far.orientation.coeffs());
+  }
+}
+
 TEST(Simulations, ManyInOneProcessComeAndGo) {
   for (int i = 0; i < 200; ++i) EXPECT_EQ(support::after(busy_world(), 2).steps(), 2);
 }

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "engine/contacts.h"
+#include "engine/groups.h"
+#include "engine/ode_handles.h"
+#include "engine/spec.h"
+#include "hydro/spatial.h"
+
+/// @file
+/// Bodies that only contacts hold, in ODE worlds of their own.
+///
+/// A step of ODE's walks over all bodies and joints of its world, be they awake or not: islands of
+/// a few bodies each, solved one after the other in the world of all bodies, would take a time that
+/// grows with the square of their number. Here each is solved in a world with room for little more
+/// than its own, several at once on several threads.
+
+namespace engine {
+
+/// A body as the constraint solver is to take it, moment and velocities about the centre of mass.
+struct SolverBody {
+  BodyId body = 0;
+  hydro::BodyState state;
+  double mass = 0;
+  Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();
+  hydro::Wrench load;  ///< In W.
+};
+
+/// A point of a contact as the constraint solver is to take it.
+struct Contact {
+  Pair pair;
+  ContactPoint point;
+  ContactStiffness stiffness;
+  Eigen::Vector3d sliding_W = Eigen::Vector3d::Zero();  ///< As it would be without it [m/s].
+};
+
+/// Joins two bodies by a contact; none for what does not move.
+void add_contact(dxWorld* world, dxJointGroup* group, const Contact& contact, dxBody* first,
+                 dxBody* second);
+
+/// Hands an ODE body over to the solver, masses, moments and loads multiplied with `unit`.
+void hand_over(dxBody* body, const SolverBody& as, double unit);
+
+/// A step of an ODE world by the iterative solver, which takes constraints in a random order that
+/// is always the same. Of several threads one after the other is answered.
+/// @throws OdeFault
+void step_by_iteration(dxWorld* world, int iterations, double step);
+
+/// Iterations of that where the exact solver gives up.
+inline constexpr int kFallbackIterations = 200;
+
+class SolverWorlds {
+ public:
+  struct Settings {
+    double erp = 0;   ///< Of the worlds, for rows that have none of their own [-].
+    double cfm = 0;   ///< The same [m/(N s)].
+    double unit = 1;  ///< What masses, moments and loads are multiplied with.
+  };
+  SolverWorlds();
+  ~SolverWorlds();
+  SolverWorlds(SolverWorlds&&) noexcept;
+
+  /// The velocities in W, linear and angular, that these bodies have after `step` [s] under their
+  /// loads and contacts, of which each is with one of them at least. May be called from several
+  /// threads at once. What a contact is with beyond them does not move.
+  /// @param bodies   Ascending.
+  /// @throws OdeFault
+  std::vector<hydro::Twist> velocities(const Settings& settings,
+                                       const std::vector<SolverBody>& bodies,
+                                       const std::vector<Contact>& contacts, double step);
+
+  /// Steps in which constraints contradicted each other and were each met in part.
+  long compromises() const;
+
+ private:
+  class Room;
+  class Rooms;
+  std::unique_ptr<Rooms> rooms_;
+};
+
+}  // namespace engine
