@@ -141,23 +141,32 @@ double contact_fall(const Body& body, const Motion& motion) {
 }
 
 Matrix6d inertia_W(const Body& body, const Motion& motion) {
-  return turned_matrix(motion.state.orientation.toRotationMatrix(), body.rigid_B + motion.added_B);
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  if (motion.has_added) return turned_matrix(R_WB, body.rigid_B + motion.added_B);
+  Matrix6d inertia = body.rigid_B;
+  inertia.bottomRightCorner<3, 3>() = R_WB * body.spec->inertia_B * R_WB.transpose();
+  return inertia;
 }
 
-Motion drift(const Body& body, const Surroundings& around, const Motion& motion, double time) {
-  Motion next = motion;
+hydro::BodyState state_after_drift(const Body& body, const Surroundings& around,
+                                   const Motion& motion, double time) {
+  if (!body.guide && !body.locked && !motion.has_added)
+    return drifted(*body.spec, motion.state, time);
   const Matrix6d S = body.rigid_B + motion.added_B;
-  if (body.guide)
-    next.state = slid(*body.guide, S, motion.state, time);
-  else if (body.locked)
-    next.state = held(body.spec->locked, body.spec->initial,
-                      drifted(S, body.spec->locked, motion.state, around.current(), time));
-  else if (motion.has_added)
-    next.state = drifted(S, motion.state, around.current(), time);
-  else
-    next.state = drifted(*body.spec, motion.state, time);
-  if (next.ledger) book_drift(body, around, motion, time, next);
-  return next;
+  if (body.guide) return slid(*body.guide, S, motion.state, time);
+  if (!body.locked) return drifted(S, motion.state, around.current(), time);
+  return held(body.spec->locked, body.spec->initial,
+              drifted(S, body.spec->locked, motion.state, around.current(), time));
+}
+
+void drift(const Body& body, const Surroundings& around, Motion& motion, double time) {
+  if (!motion.ledger) {
+    motion.state = state_after_drift(body, around, motion, time);
+    return;
+  }
+  const Motion before = motion;
+  motion.state = state_after_drift(body, around, motion, time);
+  book_drift(body, around, before, time, motion);
 }
 
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
@@ -173,12 +182,10 @@ Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::B
                    : Matrix6d(Matrix6d::Zero());
 }
 
-Motion with_added_mass(Motion motion, const Matrix6d& added_B, const Matrix6d& before_B,
-                       double step) {
+void set_added_mass(Motion& motion, const Matrix6d& added_B, double step) {
+  motion.added_rate_B = (added_B - motion.added_B) / step;
   motion.added_B = added_B;
-  motion.added_rate_B = (added_B - before_B) / step;
   motion.has_added = !added_B.isZero(0);
-  return motion;
 }
 
 Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step) {

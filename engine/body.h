@@ -133,7 +133,11 @@ double contact_fall(const Body& body, const Motion& motion);
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 
 /// Where added mass and loads leave the body after `time` [s] without loads.
-Motion drift(const Body& body, const Surroundings& around, const Motion& motion, double time);
+hydro::BodyState state_after_drift(const Body& body, const Surroundings& around,
+                                   const Motion& motion, double time);
+
+/// Moves on to there.
+void drift(const Body& body, const Surroundings& around, Motion& motion, double time);
 
 /// The state moved on by (Δx, Δθ) in W, its velocity as it was.
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change);
@@ -142,9 +146,8 @@ hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vecto
 Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::BodyState& state,
                     double time);
 
-/// The motion with the added mass `added_B` after a step.
-Motion with_added_mass(Motion motion, const Matrix6d& added_B, const Matrix6d& before_B,
-                       double step);
+/// Gives the motion the added mass `added_B` after a step.
+void set_added_mass(Motion& motion, const Matrix6d& added_B, double step);
 
 /// A as it will be after the step: as it changed in the last one.
 Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step);

@@ -38,9 +38,10 @@ ConstrainedBody make_held(Body& body, BodyId id, const Surroundings& around, con
 /// The motion of a member at the end of the step.
 Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix6d& added_B,
               double step, bool touching) {
-  const Motion& middle = c.middle.motion;
+  const Motion& middle = *c.middle.motion;
   const Eigen::Matrix3d R_BW = middle.state.orientation.conjugate().toRotationMatrix();
-  Motion after = with_added_mass(middle, added_B, middle.added_B, step);
+  Motion after = middle;
+  if (c.body->adds) set_added_mass(after, added_B, step);
   after.state = with_velocity(middle.state, c.middle.after + c.change, around.current());
   // As in a free step, the next kick does not follow from an implicit one.
   if (touching || c.implicit)
@@ -57,14 +58,14 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
               {.change = c.change, .step = step, .implicit = c.implicit, .reaction = &reaction},
               after);
   }
-  after = drift(*c.body, around, after, step / 2);
+  drift(*c.body, around, after, step / 2);
   check_state(*c.body, after.state);
   return after;
 }
 
 /// Work of the reactions on a member over the step [J].
 double reaction_work(const ConstrainedBody& c, const Surroundings& around, double step) {
-  const Eigen::Matrix3d R_WB = c.middle.motion.state.orientation.toRotationMatrix();
+  const Eigen::Matrix3d R_WB = c.middle.motion->state.orientation.toRotationMatrix();
   const Vector6d mean = c.middle.after + c.change / 2;
   const Vector6d u = mean + stacked(around.current(), Eigen::Vector3d::Zero());
   return step * turned(R_WB, c.body->reaction_B).dot(u);
@@ -95,8 +96,7 @@ constexpr int kMostIslandPasses = 2;
 void step_alone(const Stepping& stepping, Body& body, double time, double step, double whole) {
   if (body.motion.constrained) body.motion.kicks.clear();
   body.motion.constrained = false;
-  body.motion = free_step(body, stepping.around, body.motion, time, step, kShortestHalf * whole,
-                          stepping.tolerance);
+  free_step(body, stepping.around, time, step, kShortestHalf * whole, stepping.tolerance);
   body.reaction_B.setZero();
   body.acceleration_W.reset();
 }
@@ -223,7 +223,8 @@ double ClusterStep::shortened(double piece, double longest) {
 void ClusterStep::meet_halfway(double piece) {
   std::vector<World::Placed> bodies;
   for (Member& m : members_) {
-    m.middle = drift(*m.body, stepping_.around, m.body->motion, piece / 2);
+    m.middle = m.body->motion;
+    drift(*m.body, stepping_.around, m.middle, piece / 2);
     check_state(*m.body, m.middle.state);
     m.held.touching = false;
     if (stepping_.collides)

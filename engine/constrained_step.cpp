@@ -47,7 +47,7 @@ Eigen::Matrix3d symmetric(const Eigen::Matrix3d& m) { return (m + m.transpose())
 
 /// M_o: `factor` times the nearest that ODE can take.
 void choose_solver_mass(const ConstrainedBody& c, Row& row, double factor) {
-  const Eigen::Matrix3d R_WB = c.middle.motion.state.orientation.toRotationMatrix();
+  const Eigen::Matrix3d R_WB = c.middle.motion->state.orientation.toRotationMatrix();
   const bool own = !c.body->adds && !row.implicit;
   const Matrix6d S_B = own ? c.body->rigid_B : turned_matrix(R_WB.transpose(), row.S);
   const Eigen::Matrix3d translation = S_B.topLeftCorner<3, 3>();
@@ -69,12 +69,12 @@ Row make_row(ConstrainedBody& c, const Surroundings& around, double time, double
           .S_factor = hydro::Cholesky6(effective.inertia),
           .load = effective.load + effective.inertia * jump / step,
           .jump = jump,
-          .solver = {.body = c.id, .state = c.middle.motion.state},
+          .solver = {.body = c.id, .state = c.middle.motion->state},
           .implicit = effective.implicit};
   choose_solver_mass(c, row, 1);
-  const Vector6d unheld = velocity(c.middle.motion.state, Eigen::Vector3d::Zero()) +
+  const Vector6d unheld = velocity(c.middle.motion->state, Eigen::Vector3d::Zero()) +
                           step * row.S_factor.solve(row.load);
-  check_state(*c.body, with_velocity(c.middle.motion.state, unheld, Eigen::Vector3d::Zero()));
+  check_state(*c.body, with_velocity(c.middle.motion->state, unheld, Eigen::Vector3d::Zero()));
   return row;
 }
 
@@ -208,7 +208,7 @@ std::vector<Vector6d> last_reactions(const std::vector<ConstrainedBody>& island)
   std::vector<Vector6d> reactions;
   for (const ConstrainedBody& c : island)
     reactions.push_back(
-        turned(c.middle.motion.state.orientation.toRotationMatrix(), c.body->reaction_B));
+        turned(c.middle.motion->state.orientation.toRotationMatrix(), c.body->reaction_B));
   return reactions;
 }
 
@@ -271,7 +271,8 @@ void constrained_kick(World& world, const Surroundings& around, const ForEach& f
       c.implicit = rows[k].implicit;
       // Where Newton's method goes to and fro, the middle is nearer.
       c.expected = i < kFullSteps ? c.change : Vector6d((c.expected + c.change) / 2);
-      const Eigen::Matrix3d R_BW = c.middle.motion.state.orientation.conjugate().toRotationMatrix();
+      const Eigen::Matrix3d R_BW =
+          c.middle.motion->state.orientation.conjugate().toRotationMatrix();
       c.body->reaction_B = turned(R_BW, answer.reactions[k]);
       c.body->acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();
       if (done) c.body->cost.implicit += rows[k].implicit;

@@ -37,8 +37,8 @@ bool is_sudden(const Body& body, const KickHistory& last, const Kick& kick,
                const Eigen::Matrix3d& R_BW, const Vector6d& u, double h) {
   const double radius = body.radius;
   const Vector6d off = turned(R_BW, kick.change) - h * last.expected(h / 2);
-  const double jump = std::hypot(off.head<3>().norm(), radius * off.tail<3>().norm());
-  return jump > kSuddenLoad * std::hypot(u.head<3>().norm(), radius * u.tail<3>().norm());
+  const double jump = size(off, radius);
+  return jump > kSuddenLoad * size(u, radius);
 }
 
 bool turns_about(const Body& body) { return body.guide && body.guide->turns(); }
@@ -79,8 +79,9 @@ bool crosses(const Body& body, const Surroundings& around, const hydro::BodyStat
 /// The second half of a piece, with the added mass of its end.
 Motion finish(const Body& body, const Surroundings& around, const Middle& middle, const Kick& kick,
               const Matrix6d& added_B, double h) {
-  const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
-  Motion next = with_added_mass(middle.motion, added_B, middle.motion.added_B, h);
+  const Eigen::Matrix3d R_BW = middle.motion->state.orientation.conjugate().toRotationMatrix();
+  Motion next = *middle.motion;
+  if (body.adds) set_added_mass(next, added_B, h);
   next.begun = true;
   // An implicit kick is of another kind: explicit ones do not follow from it.
   if (kick.implicit || kick.sudden) next.kicks.clear();
@@ -91,7 +92,7 @@ Motion finish(const Body& body, const Surroundings& around, const Middle& middle
   if (next.ledger)
     book_kick(body, around, middle, {.change = kick.change, .step = h, .implicit = kick.implicit},
               next);
-  next = drift(body, around, next, h / 2);
+  drift(body, around, next, h / 2);
   check_state(body, next.state);
   return next;
 }
@@ -118,19 +119,19 @@ std::optional<Offset> find_offset(const Body& body, const Motion& motion, double
   return Offset{h * h / 24 * a, -h * h / 24 * (turned(R_WB, trend.slope) + turning)};
 }
 
-Motion with_offset(const Body& body, const Surroundings& around, Motion motion,
-                   const Offset& offset, double sign) {
+void add_offset(const Body& body, const Surroundings& around, const Offset& offset, double sign,
+                Motion& motion) {
   motion.state = displaced(body, motion.state, sign * offset.pose);
   const Vector6d u = velocity(motion.state, around.current()) + sign * offset.velocity;
   motion.state = with_velocity(motion.state, u, around.current());
   if (body.guide) motion.state = guided(*body.guide, motion.state);
-  return motion;
 }
 
 /// Drift, kick, drift; again with the added mass of the end where it is not the expected one.
 Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
                  double h) {
-  const Motion halfway = drift(body, around, motion, h / 2);
+  Motion halfway = motion;
+  drift(body, around, halfway, h / 2);
   const Freedom left = freedom(body, halfway.state);
   Matrix6d added_B = expected_added_mass(body, motion, h);
   Middle middle = make_middle(body, around, halfway, added_B, left);
@@ -150,7 +151,7 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
     kick = free_kick_again(body, around, middle, kick, time + h / 2, h);
     result.motion = finish(body, around, middle, kick, added_B, h);
   }
-  const Eigen::Matrix3d R_BW = middle.motion.state.orientation.conjugate().toRotationMatrix();
+  const Eigen::Matrix3d R_BW = middle.motion->state.orientation.conjugate().toRotationMatrix();
   result.sudden =
       kick.implicit ||
       (body.wet && (turns_far(result.motion.state, h) ||
@@ -167,9 +168,11 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
 Piece piece(Body& body, const Surroundings& around, const Motion& motion, double time, double h) {
   const std::optional<Offset> before = find_offset(body, motion, h);
   if (!before) return bare_piece(body, around, motion, time, h);
-  Piece result = bare_piece(body, around, with_offset(body, around, motion, *before, 1), time, h);
+  Motion unseen = motion;
+  add_offset(body, around, *before, 1, unseen);
+  Piece result = bare_piece(body, around, unseen, time, h);
   const Offset after = find_offset(body, result.motion, h).value_or(*before);
-  result.motion = with_offset(body, around, result.motion, after, -1);
+  add_offset(body, around, after, -1, result.motion);
   return result;
 }
 
@@ -196,19 +199,25 @@ Motion braked(const Body& body, const Surroundings& around, const Motion& before
 /// A piece in which the water gives no more energy than it can, and throws the body nowhere.
 /// @param shortest   That it may be halved to [s].
 /// @param half       It was halved.
-Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion, double time,
-                   double h, double shortest, bool half = false) {
+void sound_piece(Body& body, const Surroundings& around, Motion& motion, double time, double h,
+                 double shortest, bool half = false) {
   const bool divisible = h / 2 >= shortest;
   const auto in_halves = [&] {
-    const Motion middle = sound_piece(body, around, motion, time, h / 2, shortest, true);
-    return sound_piece(body, around, middle, time + h / 2, h / 2, shortest, true);
+    sound_piece(body, around, motion, time, h / 2, shortest, true);
+    sound_piece(body, around, motion, time + h / 2, h / 2, shortest, true);
   };
   Piece whole = piece(body, around, motion, time, h);
   // Of what was halved for its energy each part is looked at.
-  if (!whole.sudden && !half) return whole.motion;
+  if (!whole.sudden && !half) {
+    motion = whole.motion;
+    return;
+  }
   if (whole.sudden && divisible && leaps(body, around, motion.state, whole.motion.state, h))
     return in_halves();
-  if (!must_not_gain_energy(body, around)) return whole.motion;
+  if (!must_not_gain_energy(body, around)) {
+    motion = whole.motion;
+    return;
+  }
   EnergyRange range = motion.energy;
   const double potential = potential_energy(body, around, motion.state);
   const double before = potential + kinetic_energy(body, around, motion);
@@ -228,8 +237,8 @@ Motion sound_piece(Body& body, const Surroundings& around, const Motion& motion,
     whole.motion = slowed(body, around, whole.motion, kinetic, excess);
   }
   range.extend(std::min(energy, energy - excess), after);
-  whole.motion.energy = range;
-  return whole.motion;
+  motion = whole.motion;
+  motion.energy = range;
 }
 
 /// Length of the first of the equal pieces in which the rest of a step resolves the body's swing.
@@ -251,8 +260,8 @@ double next_length(const Body& body, const Surroundings& around, const Motion& m
 
 /// One step in pieces cut by the motion. The first ones of all, which are of lower order until
 /// their kicks show a trend, are short.
-Motion cut_step(Body& body, const Surroundings& around, Motion motion, double time, double step,
-                double shortest) {
+void cut_step(Body& body, const Surroundings& around, Motion& motion, double time, double step,
+              double shortest) {
   const bool starts = motion.kicks.empty() && shows_trend(body, motion) &&
                       (body.guide || lowest_point(body.box_B, motion.state) < around.highest);
   double done = 0;
@@ -260,24 +269,24 @@ Motion cut_step(Body& body, const Surroundings& around, Motion motion, double ti
     const double rest = step - done;
     double h = next_length(body, around, motion, rest, step);
     if (starts && i < KickHistory::kTrend) h = std::min(h, kStartingPart * step);
-    motion = sound_piece(body, around, motion, time + done, h, shortest);
+    sound_piece(body, around, motion, time + done, h, shortest);
     if (h >= rest) break;
     done += h;
   }
-  return motion;
 }
 
 /// One step in pieces whose error is estimated.
-Motion controlled_step(Body& body, const Surroundings& around, Motion motion, double time,
-                       double step, double shortest, double tolerance) {
+void controlled_step(Body& body, const Surroundings& around, Motion& motion, double time,
+                     double step, double shortest, double tolerance) {
   double done = 0;
   double h = step;
   while (done < step) {
     h = next_length(body, around, motion, std::min(h, step - done), step);
     // Both must be cut by the tolerance alone, or they could be the same pieces.
     const Motion coarse = piece(body, around, motion, time + done, h).motion;
-    const Motion half = sound_piece(body, around, motion, time + done, h / 2, shortest);
-    const Motion fine = sound_piece(body, around, half, time + done + h / 2, h / 2, shortest);
+    Motion fine = motion;
+    sound_piece(body, around, fine, time + done, h / 2, shortest);
+    sound_piece(body, around, fine, time + done + h / 2, h / 2, shortest);
     const double error = estimated_error(body, coarse, fine, h, tolerance);
     if (error <= 1 || h <= step * kSmallestPart) {
       const bool all = h >= step - done;
@@ -287,7 +296,6 @@ Motion controlled_step(Body& body, const Surroundings& around, Motion motion, do
     }
     h = std::max(length_for_error(h, error), step * kSmallestPart);
   }
-  return motion;
 }
 
 }  // namespace
@@ -327,11 +335,13 @@ bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState&
   return p.meets && std::min(std::abs(p.rise), std::abs(thrown)) > kLongestLeap * p.height;
 }
 
-Motion free_step(Body& body, const Surroundings& around, const Motion& motion, double time,
-                 double step, double shortest, double tolerance) {
+void free_step(Body& body, const Surroundings& around, double time, double step, double shortest,
+               double tolerance) {
   ++body.cost.free_steps;
-  return tolerance > 0 ? controlled_step(body, around, motion, time, step, shortest, tolerance)
-                       : cut_step(body, around, motion, time, step, shortest);
+  if (tolerance > 0)
+    controlled_step(body, around, body.motion, time, step, shortest, tolerance);
+  else
+    cut_step(body, around, body.motion, time, step, shortest);
 }
 
 }  // namespace engine

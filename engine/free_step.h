@@ -56,11 +56,11 @@ bool leaps(const Body& body, const Surroundings& around, const hydro::BodyState&
            const hydro::BodyState& after, double h);
 inline constexpr double kLongestLeap = 2;
 
-/// The motion after a step of a body by itself, or a part of one.
+/// Takes a step of a body by itself, or a part of one.
 /// @param shortest    What the energy may cut it to [s].
 /// @param tolerance   Largest error of the pose in a second, as a part of the body's radius and in
 ///                    rad; 0: pieces are cut by the rules above alone.
-Motion free_step(Body& body, const Surroundings& around, const Motion& motion, double time,
-                 double step, double shortest, double tolerance);
+void free_step(Body& body, const Surroundings& around, double time, double step, double shortest,
+               double tolerance);
 
 }  // namespace engine

@@ -14,7 +14,7 @@ constexpr double kBegun = 1.0 / 8;
 
 /// Where a body gets to by its last accelerations.
 hydro::BodyState expected_state(const Body& body, const Surroundings& around, double time) {
-  hydro::BodyState state = drift(body, around, body.motion, time).state;
+  hydro::BodyState state = state_after_drift(body, around, body.motion, time);
   const Vector6d acceleration_B = body.motion.kicks.expected(time / 2);
   state.position += time * time / 2 * (state.orientation * acceleration_B.head<3>());
   return state;

@@ -27,7 +27,7 @@ struct Setting {
   const Surroundings& around;
   const hydro::BodyState& state;  ///< Halfway.
   Vector6d u;                     ///< Relative to the water, W, without the loads.
-  Matrix6d S;                     ///< M + A in W.
+  const Matrix6d& S;              ///< M + A in W.
   Freedom freedom;
   double time;
   double step;
@@ -71,10 +71,10 @@ Setting make_setting(Body& body, const Surroundings& around, const Middle& middl
                      double step) {
   return {.body = body,
           .around = around,
-          .state = middle.motion.state,
+          .state = middle.motion->state,
           .u = middle.mean(),
           .S = middle.inertia,
-          .freedom = freedom(body, middle.motion.state),
+          .freedom = freedom(body, middle.motion->state),
           .time = time,
           .step = step};
 }
@@ -195,11 +195,6 @@ Vector6d dry_change(Body& body, const Surroundings& around, const hydro::BodySta
   return stacked(step / body.spec->mass * load.force, turning);
 }
 
-/// Size of a change of velocity [m/s].
-double size(const Setting& s, const Vector6d& change) {
-  return std::hypot(change.head<3>().norm(), s.body.radius * change.tail<3>().norm());
-}
-
 /// Equation (1) with Δu_0 = `expected`.
 Kick kick_by(const Setting& s, const Vector6d& expected) {
   Kick kick{.load = s.loads_halfway(expected), .at = s.u + expected / 2};
@@ -214,9 +209,10 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
     const Vector6d expected = s.step * turned(middle.state.orientation.toRotationMatrix(),
                                               middle.kicks.expected(s.step / 2));
     const Kick kick = kick_by(s, expected);
-    const double missed = size(s, kick.change - expected);
+    const double radius = s.body.radius;
+    const double missed = size(Vector6d(kick.change - expected), radius);
     const double last = s.step * middle.kicks.largest();
-    if (missed <= kForetold * std::max(size(s, kick.change), last)) return kick;
+    if (missed <= kForetold * std::max(size(kick.change, radius), last)) return kick;
   }
   Kick first{.load = s.loads(s.u)};
   first.change = s.accelerated(s.step * first.load);
@@ -235,27 +231,27 @@ Middle make_middle(const Body& body, const Surroundings& around, const Motion& m
                    const Matrix6d& added_B, const Freedom& freedom) {
   const Vector6d u = velocity(motion.state, around.current());
   if (added_B == motion.added_B)
-    return {.motion = motion, .inertia = inertia_W(body, motion), .before = u, .after = u};
+    return {.motion = &motion, .inertia = inertia_W(body, motion), .before = u, .after = u};
   const Matrix6d change =
       turned_matrix(motion.state.orientation.toRotationMatrix(), added_B - motion.added_B);
   const InertiaChange result = inertia_change(inertia_W(body, motion), change, freedom, u);
-  return {.motion = motion, .inertia = result.inertia, .before = u, .after = result.velocity};
+  return {.motion = &motion, .inertia = result.inertia, .before = u, .after = result.velocity};
 }
 
 Kick free_kick_again(Body& body, const Surroundings& around, const Middle& middle, const Kick& last,
                      double time, double step) {
   if (last.implicit) return free_kick(body, around, middle, time, step);
   Kick kick = last;
-  kick.change = solve_free(middle.inertia, step * last.load, freedom(body, middle.motion.state));
+  kick.change = solve_free(middle.inertia, step * last.load, freedom(body, middle.motion->state));
   return kick;
 }
 
 Kick free_kick(Body& body, const Surroundings& around, const Middle& middle, double time,
                double step) {
   if (!body.wet && !body.adds && !body.locked && !body.guide)
-    return {.change = dry_change(body, around, middle.motion.state, time, step)};
+    return {.change = dry_change(body, around, middle.motion->state, time, step)};
   const Setting s = make_setting(body, around, middle, time, step);
-  Kick kick = explicit_kick(s, middle.motion);
+  Kick kick = explicit_kick(s, *middle.motion);
   if (!body.wet || body.loads.water.wetted_area == 0) return kick;
   kick.implicit = drag_stiffness(s, kick.at, s.u + kick.change) > kStiffDrag ||
                   waterplane_stiffness(s) > kStiffWaterplane;

@@ -37,10 +37,10 @@ inline constexpr double kStiffWaterplane = 0.5;
 
 /// A body halfway through a step, before the loads have acted.
 struct Middle {
-  Motion motion;     ///< As it drifted there, with the added mass of the step's start.
-  Matrix6d inertia;  ///< S in W, of equation (1) in added_inertia.h.
-  Vector6d before;   ///< u in W, relative to the water.
-  Vector6d after;    ///< u⁺ without loads.
+  const Motion* motion = nullptr;  ///< As it drifted there, with the added mass of the start.
+  Matrix6d inertia;                ///< S in W, of equation (1) in added_inertia.h.
+  Vector6d before;                 ///< u in W, relative to the water.
+  Vector6d after;                  ///< u⁺ without loads.
 
   Vector6d mean() const { return (before + after) / 2; }
 };

@@ -21,14 +21,11 @@ void KickHistory::add(const Vector6d& acceleration_B, double piece, double radiu
   age_[0] = piece / 2;
   count_ = std::min(count_ + 1, kTrend);
   pace_ *= kRemembered;
-  const auto size = [&](const Vector6d& a) {
-    return std::hypot(a.head<3>().norm(), radius * a.tail<3>().norm());
-  };
   largest_ = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
-    largest_ = std::max(largest_, size(acceleration_[i]));
+    largest_ = std::max(largest_, size(acceleration_[i], radius));
   if (count_ < kTrend) return;
-  const double bend = size(curvature());
+  const double bend = size(curvature(), radius);
   // What the line through the earlier two misses the last by.
   resolved_ = bend * (age_[1] - age_[0]) * (age_[2] - age_[0]) <= kResolved * largest_;
   if (resolved_ && largest_ > 0) pace_ = std::max(pace_, std::sqrt(2 * bend / largest_));

@@ -102,7 +102,7 @@ void book_kick(const Body& body, const Surroundings& around, const Middle& middl
     ledger.works.constraint += rest.dot(w);
   if (!body.adds) return;
   ledger.works.added_mass += half_square(inertia_W(body, after), u) -
-                             half_square(inertia_W(body, middle.motion), middle.before) -
+                             half_square(inertia_W(body, *middle.motion), middle.before) -
                              impulse.dot(mean);
   add_added_impulse(around, own_momentum(body, after, u - middle.before) - impulse, ledger);
 }

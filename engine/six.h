@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "hydro/spatial.h"
 
 /// @file
@@ -28,6 +30,11 @@ inline Matrix6d turned_matrix(const Eigen::Matrix3d& R_AB, const Matrix6d& matri
     for (const int j : {0, 3})
       result.block<3, 3>(i, j) = R_AB * matrix.block<3, 3>(i, j) * R_AB.transpose();
   return result;
+}
+
+/// Of a velocity or acceleration, its angular part counting with the radius [m].
+inline double size(const Vector6d& six, double radius) {
+  return std::sqrt(six.head<3>().squaredNorm() + radius * radius * six.tail<3>().squaredNorm());
 }
 
 /// Velocity of a state relative to water that moves with `current`, in W.
