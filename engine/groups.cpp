@@ -57,18 +57,16 @@ Eigen::AlignedBox3d swept_box(const Eigen::AlignedBox3d& shape_B, const hydro::B
 
 std::vector<std::pair<std::size_t, std::size_t>> overlapping(
     const std::vector<Eigen::AlignedBox3d>& boxes) {
-  std::vector<std::size_t> order;
+  std::vector<std::pair<double, std::size_t>> order;  // By their left ends.
+  order.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (!boxes[i].isEmpty()) order.push_back(i);
-  const auto left = [&](std::size_t i) { return boxes[i].min().x(); };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(left(a), a) < std::pair(left(b), b);
-  });
+    if (!boxes[i].isEmpty()) order.emplace_back(boxes[i].min().x(), i);
+  std::sort(order.begin(), order.end());
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Eigen::AlignedBox3d& box = boxes[order[i]];
-    for (std::size_t j = i + 1; j < order.size() && left(order[j]) <= box.max().x(); ++j)
-      if (box.intersects(boxes[order[j]])) pairs.emplace_back(std::minmax(order[i], order[j]));
+  for (auto a = order.begin(); a != order.end(); ++a) {
+    const Eigen::AlignedBox3d& box = boxes[a->second];
+    for (auto b = a + 1; b != order.end() && b->first <= box.max().x(); ++b)
+      if (box.intersects(boxes[b->second])) pairs.emplace_back(std::minmax(a->second, b->second));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
