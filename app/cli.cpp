@@ -85,7 +85,8 @@ void add_run(CLI::App& program, Arguments& a) {
       "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
   command
       ->add_option("--threads", a.run.threads,
-                   "Threads, 1 to 256; results do not depend on it [all cores]")
+                   "Threads, 1 to 256, from 2 on with one more for files; results do not depend on "
+                   "it [all cores]")
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
   command->add_flag("--quiet", a.run.quiet, "No progress and no report");

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
+#include "app/background.h"
 #include "app/program_files.h"
 #include "app/render/overlay.h"
 #include "app/render/png.h"
@@ -15,6 +17,9 @@
 
 namespace app {
 namespace {
+
+/// Pictures that may wait to be labelled and written; each takes width · height · 3 bytes.
+constexpr std::size_t kMostWaiting = 2;
 
 /// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
 double highest_pressure(const engine::BodySpec& body, const hydro::BodyState& state,
@@ -125,14 +130,20 @@ PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
   if (assembly.spec.sea) shown = scale;
   render::ContactSheet sheet(shown);
   PictureReport report{.device = renderer.device(), .pressure_max = scale.max};
+  Background finishing(assembly.spec.threads, kMostWaiting);
   for (const Shot& shot : shots) {
+    const std::filesystem::path file = frames / fmt::format("frame_{:04}.png", report.frames++);
     render::Image image = renderer.draw(shot.states, shot.time);
-    sheet.add(image, shot.time);
-    render::add_overlay(image, shown, shot.time);
-    render::write_png(image, frames / fmt::format("frame_{:04}.png", report.frames++));
+    finishing.put([&sheet, &shown, time = shot.time, file, image = std::move(image)]() mutable {
+      sheet.add(image, time);
+      render::add_overlay(image, shown, time);
+      render::write_png(image, file);
+    });
     if (!progress(report.frames, static_cast<int>(shots.size()))) break;
   }
-  if (report.frames > 0) render::write_png(sheet.image(), folder / "sheet.png");
+  if (report.frames > 0)
+    finishing.put([&] { render::write_png(sheet.image(), folder / "sheet.png"); });
+  finishing.finish();
   return report;
 }
 

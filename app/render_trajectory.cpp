@@ -11,6 +11,7 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/schedule.h"
+#include "app/thread_count.h"
 #include "app/trajectory.h"
 
 namespace app {
@@ -68,7 +69,8 @@ std::vector<Shot> choose_shots(const Trajectory& trajectory, std::size_t rows, c
 int render_trajectory(const RenderOptions& options) {
   Scene scene = read_scene(options.scene, options.overrides);
   if (!scene.render) scene.render.emplace();
-  const Assembly assembly = assemble(scene);
+  Assembly assembly = assemble(scene);
+  assembly.spec.threads = thread_count(0);
   const Trajectory trajectory = read_trajectory(options.trajectory);
   check_same_bodies(trajectory, assembly.spec, options.trajectory);
   const std::vector<Shot> shots =

@@ -1,13 +1,15 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <filesystem>
 #include <optional>
-#include <thread>
+#include <utility>
 
 #include "app/assemble_added_mass.h"
+#include "app/background.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/force_writer.h"
@@ -17,6 +19,7 @@
 #include "app/progress.h"
 #include "app/schedule.h"
 #include "app/summary.h"
+#include "app/thread_count.h"
 #include "app/trajectory.h"
 #include "engine/simulation.h"
 
@@ -49,6 +52,13 @@ std::optional<ForceWriter> make_force_writer(const Scene& scene, const Assembly&
   return std::nullopt;
 }
 
+/// Times that may wait to be logged. A row with its forces takes less than a kilobyte, so that a
+/// megabyte holds them unless there are very many bodies.
+std::size_t most_waiting(std::size_t bodies) {
+  constexpr std::size_t kRows = 1024;
+  return std::max<std::size_t>(2, kRows / std::max<std::size_t>(1, bodies));
+}
+
 /// One run: the simulation and what is kept of it.
 class Run {
  public:
@@ -64,7 +74,8 @@ class Run {
         writer_(folder.path() / "trajectory.csv", body_names(assembly.spec)),
         force_writer_(make_force_writer(scene, assembly, folder)),
         log_due_(scene.log_every.value_or(0)),
-        shot_due_(scene.render ? scene.render->every : 0) {}
+        shot_due_(scene.render ? scene.render->every : 0),
+        logging_(assembly.spec.threads, most_waiting(assembly.spec.bodies.size())) {}
 
   int execute() {
     remove_earlier_results();
@@ -91,18 +102,9 @@ class Run {
 
   /// Steps to the end, logging. Returns the exit code so far.
   int simulate() {
-    const long steps = step_count(scene_.duration, scene_.step);
     int code = kDone;
     try {
-      keep();
-      while (simulation_.steps() < steps && !interrupt_.interrupted()) {
-        simulation_.step();
-        keep();
-        if (progress_.due()) show_progress();
-      }
-      if (simulation_.steps() < steps) code = interrupted();
-    } catch (const engine::SimulationError& error) {
-      code = failed(kCannotGoOn, error.what());
+      code = step_to_end();
     } catch (const OutputError& error) {
       code = failed(kWrongInput, error.what());
     }
@@ -113,6 +115,25 @@ class Run {
     summary_.paths = simulation_.paths();
     summary_.warnings = simulation_.warnings();
     return code;
+  }
+
+  /// Returns the exit code so far. @throws OutputError if a row cannot be written, also where a
+  /// later step could not be taken.
+  int step_to_end() {
+    const long steps = step_count(scene_.duration, scene_.step);
+    try {
+      keep();
+      while (simulation_.steps() < steps && !interrupt_.interrupted()) {
+        simulation_.step();
+        keep();
+        if (progress_.due()) show_progress();
+      }
+    } catch (const engine::SimulationError& error) {
+      finish_log();
+      return failed(kCannotGoOn, error.what());
+    }
+    finish_log();
+    return simulation_.steps() < steps ? interrupted() : kDone;
   }
 
   int interrupted() {
@@ -134,12 +155,28 @@ class Run {
     const double time = simulation_.time();
     if (log_due_.due(time)) {
       const Stopwatch stopwatch;
-      writer_.add(time, simulation_.states());
-      if (force_writer_) force_writer_->add(time, simulation_.forces());
+      log(time);
       summary_.wall_log += stopwatch.seconds();
     }
     if (wants_pictures() && is_frame_time(time, scene_.duration) && shot_due_.due(time))
       shots_.push_back({time, simulation_.states()});
+  }
+
+  /// Hands over a row a body.
+  void log(double time) {
+    std::vector<engine::BodyForces> forces;
+    if (force_writer_) forces = simulation_.forces();
+    logging_.put([this, time, states = simulation_.states(), forces = std::move(forces)] {
+      writer_.add(time, states);
+      if (force_writer_) force_writer_->add(time, forces);
+    });
+  }
+
+  /// Waits until all that was logged is in the files.
+  void finish_log() {
+    const Stopwatch stopwatch;
+    logging_.finish();
+    summary_.wall_log += stopwatch.seconds();
   }
 
   void show_progress() {
@@ -208,12 +245,8 @@ class Run {
   Schedule log_due_;
   Schedule shot_due_;
   std::vector<Shot> shots_;
+  Background logging_;  ///< Last: it works on the writers.
 };
-
-int thread_count(int wanted) {
-  if (wanted > 0) return wanted;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 /// Finds the bodies' added mass on the threads of the run. @return how long that took [s].
 double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& assembly,

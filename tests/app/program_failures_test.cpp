@@ -23,12 +23,16 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
+/// Without a thread that writes files, and with one.
+constexpr const char* kThreads[] = {"1", "2"};
+
 class ProgramFailures : public testing::Test {
  protected:
   /// Starts a run that would take hours and waits until it has logged some rows.
-  pid_t start_long_run(const std::string& more = "") {
+  pid_t start_long_run(const std::string& more = "", const std::string& threads = "2") {
     here.write("long.yaml", falling_box("1e+7", more));
-    const pid_t process = here.start({"run", "long.yaml", "--out", "o"});
+    fs::remove_all(here / "o");  // another run's log would be taken for this one's
+    const pid_t process = here.start({"run", "long.yaml", "--out", "o", "--threads", threads});
     const fs::path log = here / "o/trajectory.csv";
     EXPECT_TRUE(support::wait_until([&] {
       std::error_code error;
@@ -106,13 +110,29 @@ TEST_F(ProgramFailures, AFolderThatCannotBeMadeIsNamed) {
 TEST_F(ProgramFailures, ABodyThatExplodesIsNamedAndItsPastIsKept) {
   const std::string push = "bodies[0].forces=[{force: [1e+30, 0, 0], start: 0.5}]";
   here.write("box.yaml", falling_box("1"));
-  const Outcome outcome = here.run({"run", "box.yaml", "--out", "o", "--quiet", "--set", push});
-  EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, StartsWith("error: body 'box' at t = 0.5 s: "));
-  EXPECT_EQ(expect_whole_log(), 51u);
-  EXPECT_EQ(summary()["ended"], "failed");
-  EXPECT_EQ("error: " + std::string(summary()["error"]) + "\n", outcome.err);
-  EXPECT_EQ(summary()["steps"], 50);
+  for (const std::string threads : kThreads) {
+    const Outcome outcome =
+        here.run({"run", "box.yaml", "--out", "o", "--quiet", "--threads", threads, "--set", push});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, StartsWith("error: body 'box' at t = 0.5 s: "));
+    EXPECT_EQ(expect_whole_log(), 51u);
+    EXPECT_EQ(summary()["ended"], "failed");
+    EXPECT_EQ("error: " + std::string(summary()["error"]) + "\n", outcome.err);
+    EXPECT_EQ(summary()["steps"], 50);
+  }
+}
+
+TEST_F(ProgramFailures, ALogThatCannotBeWrittenComesBeforeALaterExplosion) {
+  const std::string push = "bodies[0].forces=[{force: [1e+30, 0, 0], start: 0.02}]";
+  here.write("box.yaml", falling_box("1"));
+  fs::create_directories(here / "o");
+  fs::create_symlink("/dev/full", here / "o/trajectory.csv");
+  for (const std::string threads : kThreads) {
+    const Outcome outcome =
+        here.run({"run", "box.yaml", "--out", "o", "--threads", threads, "--set", push});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, StartsWith("error: o/trajectory.csv: cannot be written: "));
+  }
 }
 
 TEST_F(ProgramFailures, AnExplosionIsDrawnUpToThere) {
@@ -123,13 +143,15 @@ TEST_F(ProgramFailures, AnExplosionIsDrawnUpToThere) {
 }
 
 TEST_F(ProgramFailures, CtrlCKeepsWhatWasDone) {
-  const pid_t process = start_long_run();
-  ::kill(process, SIGINT);
-  const Outcome outcome = here.finish(process);
-  EXPECT_EQ(outcome.code, 130);
-  EXPECT_THAT(outcome.err, StartsWith("interrupted at "));
-  EXPECT_EQ(summary()["ended"], "interrupted");
-  EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>() + 1);
+  for (const std::string threads : kThreads) {
+    const pid_t process = start_long_run("", threads);
+    ::kill(process, SIGINT);
+    const Outcome outcome = here.finish(process);
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_THAT(outcome.err, StartsWith("interrupted at "));
+    EXPECT_EQ(summary()["ended"], "interrupted");
+    EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>() + 1);
+  }
 }
 
 TEST_F(ProgramFailures, AKilledRunLeavesEveryRowItHadLogged) {
@@ -173,24 +195,51 @@ TEST_F(ProgramFailures, ASecondRunDoesNotMixItsFilesWithThoseOfTheFirst) {
 
 TEST_F(ProgramFailures, AFullDiskIsToldAtTheFirstRowLost) {
   here.write("box.yaml", falling_box("1"));
-  fs::create_directories(here / "o");
-  fs::create_symlink("/dev/full", here / "o/trajectory.csv");
-  const Outcome outcome = here.run({"run", "box.yaml", "--out", "o"});
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              StartsWith("error: o/trajectory.csv: cannot be written: No space left on device"));
+  for (const std::string log : {"trajectory.csv", "forces.csv"})
+    for (const std::string threads : kThreads) {
+      fs::remove_all(here / "o");
+      fs::create_directories(here / "o");
+      fs::create_symlink("/dev/full", here / "o" / log);
+      const Outcome outcome = here.run(
+          {"run", "box.yaml", "--out", "o", "--threads", threads, "--set", "log.forces=true"});
+      EXPECT_EQ(outcome.code, 2);
+      EXPECT_THAT(outcome.err,
+                  StartsWith("error: o/" + log + ": cannot be written: No space left on device\n"));
+      EXPECT_EQ(summary()["ended"], "failed");
+    }
 }
 
 // A limit on the size of files stands for a disk that fills up: both make a write come short.
 TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
-  here.write("box.yaml", falling_box("10"));
-  const Outcome outcome =
-      here.shell("trap '' XFSZ; ulimit -f 16; exec $PLIMSOLL run box.yaml --out o");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              StartsWith("error: o/trajectory.csv: cannot be written: File too large"));
-  EXPECT_EQ(summary()["ended"], "failed");
-  EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>());
+  here.write("box.yaml", falling_box("100"));
+  for (const std::string threads : kThreads) {
+    const Outcome outcome = here.shell(
+        "trap '' XFSZ; ulimit -f 16; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err,
+                StartsWith("error: o/trajectory.csv: cannot be written: File too large"));
+    EXPECT_EQ(summary()["ended"], "failed");
+    const auto steps = summary()["steps"].get<std::size_t>();
+    const std::size_t rows = expect_whole_log();
+    EXPECT_GE(rows, threads == "1" ? steps : 10);
+    EXPECT_LE(rows, steps);
+    EXPECT_LT(steps, 10'000u);  // it is told long before the end
+  }
+}
+
+TEST_F(ProgramFailures, APictureThatCannotBeWrittenIsTheLast) {
+  here.write("box.yaml", falling_box("0.2", "render: {size: [640, 480], every: 0.02}\n"));
+  for (const std::string threads : kThreads) {
+    const Outcome outcome = here.shell(
+        "trap '' XFSZ; ulimit -f 32; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err,
+                StartsWith("error: o/frames/frame_0000.png: cannot write the picture: "));
+    EXPECT_EQ(summary()["skipped"]["pictures"], "they could not be drawn");
+    EXPECT_FALSE(fs::exists(here / "o/frames/frame_0001.png"));
+    EXPECT_FALSE(fs::exists(here / "o/sheet.png"));
+    EXPECT_EQ(expect_whole_log(), 21u);
+  }
 }
 
 TEST_F(ProgramFailures, OutputThatCannotBeWrittenIsTold) {

@@ -130,6 +130,28 @@ TEST_F(ProgramRun, DrawsMorePicturesThanASheetHolds) {
   EXPECT_EQ(files_in(here / "out/box/frames").size(), 60u);
 }
 
+/// The pictures of a folder, frames and sheet, by their names.
+std::map<std::string, std::string> pictures_in(const Workplace& here, const fs::path& folder) {
+  std::map<std::string, std::string> pictures = {{"sheet.png", here.read(folder / "sheet.png")}};
+  for (const std::string& frame : files_in(here / folder / "frames"))
+    pictures[frame] = here.read(folder / "frames" / frame);
+  return pictures;
+}
+
+TEST_F(ProgramRun, DrawsTheSamePicturesWithAnyNumberOfThreads) {
+  here.write("box.yaml", falling_box("0.6", "render: {size: [160, 120], every: 0.02}\n"));
+  for (const std::string threads : {"1", "2"})
+    ASSERT_EQ(here.run({"run", "box.yaml", "--threads", threads, "--out", threads}).code, 0);
+  const Outcome later =
+      here.run({"render", "1/trajectory.csv", "--scene", "box.yaml", "--out", "later"});
+  EXPECT_EQ(later.code, 0) << later.err;
+  const std::map<std::string, std::string> once = pictures_in(here, "1");
+  EXPECT_EQ(once.size(), 31u);
+  for (const auto& [name, bytes] : once) EXPECT_GT(bytes.size(), 1000u) << name;
+  EXPECT_TRUE(pictures_in(here, "2") == once);
+  EXPECT_TRUE(pictures_in(here, "later") == once);
+}
+
 TEST_F(ProgramRun, DrawsNothingUnlessAsked) {
   here.write("box.yaml", falling_box("0.2", kPictures));
   here.write("bare.yaml", falling_box("0.2"));
