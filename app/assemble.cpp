@@ -271,7 +271,8 @@ Assembly assemble(const Scene& scene) {
   spec.gravity = scene.gravity;
   spec.books = scene.log_forces;
   spec.integrator = {.method = static_cast<engine::Integrator::Method>(scene.integrator.method),
-                     .tolerance = scene.integrator.tolerance.value_or(0)};
+                     .tolerance = scene.integrator.tolerance.value_or(0),
+                     .sleep = scene.integrator.sleep};
   if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
   spec.ground = assemble_ground(scene.ground, log);
   check_ground(spec.ground, log);

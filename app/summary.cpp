@@ -66,6 +66,7 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"loads_not_computed", unused_loads(body)},
           {"steps_above_water", summary.skips.dry_steps[i]},
           {"steps_at_rest", summary.skips.resting_steps[i]},
+          {"steps_asleep", summary.skips.asleep_steps[i]},
           {"motion", path_summary(summary.paths[i])},
           {"added_mass", to_json(summary.assembly.added_mass[i])}};
 }

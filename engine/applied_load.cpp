@@ -25,4 +25,9 @@ hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, dou
   return std::sin(2 * std::numbers::pi * load.sine->frequency * time + load.sine->phase) * whole;
 }
 
+bool changes_after(const AppliedLoad& load, double time) {
+  const bool varies = load.sine || std::isfinite(load.end);
+  return load.start > time || (varies && load.end > time);
+}
+
 }  // namespace engine

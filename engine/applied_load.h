@@ -8,4 +8,7 @@ namespace engine {
 /// outside [start, end).
 hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, double time);
 
+/// True if it still changes after that time, in the axes that it is given in.
+bool changes_after(const AppliedLoad& load, double time);
+
 }  // namespace engine

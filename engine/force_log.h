@@ -32,7 +32,8 @@ struct Works {
   double applied = 0;     ///< By the forces of the scene.
   double weight = 0;      ///< Of the body's own mass.
   double constraint = 0;  ///< By contacts, joints and locks.
-  double brake = 0;       ///< Motion taken so that still water gives no energy (free_step.h).
+  double brake = 0;  ///< Motion taken so that still water gives no energy (free_step.h), or to put
+                     ///< the body to sleep (sleep.h).
 
   double sum() const {
     return buoyancy + pressure_drag + viscous_drag + lift + added_mass + applied + weight +
@@ -46,7 +47,8 @@ struct BodyForces {
   hydro::Wrench applied;
   hydro::Wrench weight;
   // These two change the velocity at once as bodies meet: they are means over the last step, zero
-  // before the first one. Of a body that cannot move the constraint is what balances the others.
+  // before the first one. Of a body that cannot move, or sleeps, the constraint is what balances
+  // the others.
   hydro::Wrench added_mass;  ///< Of a body that brakes, the brake's impulse is in none.
   hydro::Wrench constraint;  ///< Contacts, joints and locks together.
 

@@ -154,7 +154,8 @@ void book_ode_step(const Body& body, const Motion& before, double step, bool hel
   ledger.works.constraint += rest.dot(w);
 }
 
-BodyForces forces_on(const Body& body, const Surroundings& around, double time, double step) {
+BodyForces forces_on(const Body& body, const Surroundings& around, double time, double step,
+                     bool asleep) {
   const Motion& motion = body.motion;
   const hydro::BodyState& state = motion.state;
   const Ledger& ledger = *motion.ledger;
@@ -166,7 +167,7 @@ BodyForces forces_on(const Body& body, const Surroundings& around, double time, 
                                         body.spec->coefficients, body.spec->summation);
   forces.added_mass = to_wrench(ledger.added_impulse / step);
   forces.constraint = to_wrench(ledger.constraint_impulse / step);
-  if (!body.movable)
+  if (!body.movable || asleep)
     forces.constraint = -1.0 * (forces.weight + forces.applied + forces.water.total());
   forces.kinetic_energy = own_kinetic_energy(body, motion);
   forces.added_kinetic_energy = added_kinetic_energy(body, around, motion);

@@ -47,7 +47,9 @@ void book_brake(const Body& body, const Surroundings& around, const Motion& befo
 void book_ode_step(const Body& body, const Motion& before, double step, bool held, Motion& after);
 
 /// What acts on a body that keeps a ledger. `step` [s] is the length of the last step.
-BodyForces forces_on(const Body& body, const Surroundings& around, double time, double step);
+/// @param asleep   It is held where it is (sleep.h).
+BodyForces forces_on(const Body& body, const Surroundings& around, double time, double step,
+                     bool asleep);
 
 /// E_A [J]
 double added_kinetic_energy(const Body& body, const Surroundings& around, const Motion& motion);

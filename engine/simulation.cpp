@@ -86,6 +86,7 @@ Simulation::Impl::Impl(SimulationSpec description)
                              [](const Body& body) { return body.wet || body.adds; });
   skips.dry_steps.assign(count(), 0);
   skips.resting_steps.assign(count(), 0);
+  skips.asleep_steps.assign(count(), 0);
   paths.resize(count());
   const ForEach for_each = [this](std::size_t n, const std::function<void(std::size_t)>& f) {
     threads.execute([&] { hydro::parallel_for(n, f); });
@@ -95,7 +96,8 @@ Simulation::Impl::Impl(SimulationSpec description)
                                                .around = around,
                                                .for_each = for_each,
                                                .collides = !skips.collision,
-                                               .tolerance = spec.integrator.tolerance});
+                                               .tolerance = spec.integrator.tolerance},
+                                      spec.integrator.sleep);
 }
 
 void Simulation::Impl::step() {
@@ -150,7 +152,8 @@ std::vector<BodyForces> Simulation::Impl::forces() {
   std::vector<BodyForces> forces(count());
   threads.execute([&] {
     hydro::parallel_for(count(), [&](std::size_t i) {
-      forces[i] = forces_on(bodies[i], around, time(), spec.step);
+      forces[i] = forces_on(bodies[i], around, time(), spec.step,
+                            split->sleep().asleep(static_cast<BodyId>(i)));
     });
   });
   return forces;
@@ -170,6 +173,7 @@ void Simulation::Impl::note_costs() {
     const Cost& cost = bodies[i].cost;
     skips.dry_steps[i] = cost.dry;
     skips.resting_steps[i] = cost.resting;
+    skips.asleep_steps[i] = split->sleep().steps(static_cast<BodyId>(i));
     paths[i] = {.free = cost.free_steps,
                 .constrained = cost.constrained_steps,
                 .pieces = cost.substeps,

@@ -36,6 +36,7 @@ struct Skips {
   std::vector<long> dry_steps;      ///< Per body: load evaluations above the highest water.
   std::vector<long> resting_steps;  ///< Per body: evaluations that took over the last load, since
                                     ///< neither the body nor the water had moved.
+  std::vector<long> asleep_steps;   ///< Per body: steps that it slept through (sleep.h).
 };
 
 /// How a body's motion was found, in steps and pieces of steps so far.

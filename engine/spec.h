@@ -97,6 +97,8 @@ struct Integrator {
   /// Largest error of a free body's pose in a second, as a part of its radius and in rad, by which
   /// steps are cut; 0: they are not cut for it.
   double tolerance = 0;
+  /// Bodies whose points are all slower than this fall asleep (sleep.h); 0: none. Of `split` [m/s].
+  double sleep = 0;
 };
 
 struct SimulationSpec {

@@ -5,7 +5,9 @@
 
 namespace engine {
 
-SplitStep::SplitStep(Stepping stepping) : stepping_(std::move(stepping)) {
+SplitStep::SplitStep(Stepping stepping, double sleep)
+    : stepping_(std::move(stepping)),
+      sleep_(stepping_.world, stepping_.bodies, stepping_.around, sleep) {
   const std::vector<Body>& bodies = stepping_.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].movable) movable_.push_back(static_cast<BodyId>(i));
@@ -18,10 +20,7 @@ SplitStep::SplitStep(Stepping stepping) : stepping_(std::move(stepping)) {
 
 void SplitStep::advance(double time, double step) {
   const std::vector<Cluster> groups = clusters(step);
-  std::vector<bool> is_alone = alone(groups);
-  std::vector<BodyId> free;
-  for (const BodyId id : movable_)
-    if (is_alone[static_cast<std::size_t>(id)]) free.push_back(id);
+  const std::vector<BodyId> free = free_bodies(groups);
   std::vector<std::vector<Pair>> met(groups.size());
   call_all(stepping_.for_each, groups.size() + free.size(), [&](std::size_t i) {
     if (i >= groups.size()) {
@@ -32,20 +31,31 @@ void SplitStep::advance(double time, double step) {
     cluster.advance(time);
     met[i] = cluster.met();
   });
-  met_.clear();
+  std::erase_if(met_, [this](const Pair& pair) { return !sleep_.asleep(pair); });
   for (const std::vector<Pair>& pairs : met) met_.insert(met_.end(), pairs.begin(), pairs.end());
   std::sort(met_.begin(), met_.end());
+  settle(groups, free, time + step, step);
 }
 
-std::vector<Pair> SplitStep::near_pairs(double step) const {
+std::vector<Eigen::AlignedBox3d> SplitStep::swept_boxes(double step) {
+  const std::vector<Body>& bodies = stepping_.bodies;
+  std::vector<Eigen::AlignedBox3d> boxes(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto id = static_cast<BodyId>(i);
+    if (!sleep_.asleep(id))
+      boxes[i] = swept_box(stepping_.world.shape_box(id), bodies[i].motion.state,
+                           stepping_.around.gravity, step);
+  }
+  sleep_.wake(boxes);
+  return boxes;
+}
+
+std::vector<Pair> SplitStep::near_pairs(double step) {
   if (!stepping_.collides) return {};
   const World& world = stepping_.world;
   const std::vector<Body>& bodies = stepping_.bodies;
   // Of the bodies and, last, the ground.
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    boxes.push_back(swept_box(world.shape_box(static_cast<BodyId>(i)), bodies[i].motion.state,
-                              stepping_.around.gravity, step));
+  std::vector<Eigen::AlignedBox3d> boxes = swept_boxes(step);
   boxes.push_back(world.ground_box());
   std::vector<Pair> pairs;
   for (const auto& [first, second] : overlapping(boxes)) {
@@ -57,7 +67,7 @@ std::vector<Pair> SplitStep::near_pairs(double step) const {
   return pairs;
 }
 
-std::vector<Cluster> SplitStep::clusters(double step) const {
+std::vector<Cluster> SplitStep::clusters(double step) {
   const auto guided = [this](BodyId id) {
     return id != kWorld && stepping_.bodies[static_cast<std::size_t>(id)].guide;
   };
@@ -66,7 +76,8 @@ std::vector<Cluster> SplitStep::clusters(double step) const {
   // What a joint guides goes by itself where nothing is near.
   std::vector<Pair> holding = near;
   for (const Pair& pair : joints)
-    if (!guided(pair.first) && !guided(pair.second)) holding.push_back(pair);
+    if (!guided(pair.first) && !guided(pair.second) && !sleep_.asleep(pair))
+      holding.push_back(pair);
   std::vector<Cluster> clusters;
   if (holding.empty()) return clusters;
   std::vector<Cluster*> home(stepping_.bodies.size(), nullptr);
@@ -96,11 +107,22 @@ std::vector<EnergyGuard*> SplitStep::guards_of(const Cluster& cluster) {
   return guards;
 }
 
-std::vector<bool> SplitStep::alone(const std::vector<Cluster>& clusters) const {
+std::vector<BodyId> SplitStep::free_bodies(const std::vector<Cluster>& clusters) const {
   std::vector<bool> alone(stepping_.bodies.size(), true);
   for (const Cluster& cluster : clusters)
     for (const BodyId id : cluster.bodies) alone[static_cast<std::size_t>(id)] = false;
-  return alone;
+  std::vector<BodyId> free;
+  for (const BodyId id : movable_)
+    if (alone[static_cast<std::size_t>(id)] && !sleep_.asleep(id)) free.push_back(id);
+  return free;
+}
+
+void SplitStep::settle(const std::vector<Cluster>& clusters, const std::vector<BodyId>& free,
+                       double time, double step) {
+  std::vector<Sleep::Island> islands;
+  for (const Cluster& cluster : clusters) islands.push_back(cluster.bodies);
+  for (const BodyId id : free) islands.push_back({id});
+  sleep_.settle(islands, time, step);
 }
 
 }  // namespace engine

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/cluster_step.h"
+#include "engine/sleep.h"
 
 /// @file
 /// A step of all bodies: half a drift, a kick, half a drift.
@@ -14,32 +15,41 @@
 /// joints and contacts, or with one joint that guides them (guide.h), go through the step each by
 /// itself, in pieces of their own (free_step.h); those that joints hold together or that come near
 /// each other in step with one another (cluster_step.h), in pieces where bodies run into each other
-/// (impacts.h) and in halves where still water would give them energy (energy_guard.h). Constraints
-/// act on the poses halfway, which are one step apart: for them the scheme is ODE's own, with the
-/// error of a joint taken back in the next step, and resting contacts rest. In still air free fall
-/// is exact and a spin keeps its momentum and energy.
+/// (impacts.h) and in halves where still water would give them energy (energy_guard.h). Those that
+/// rest may be left out (sleep.h). Constraints act on the poses halfway, which are one step apart:
+/// for them the scheme is ODE's own, with the error of a joint taken back in the next step, and
+/// resting contacts rest. In still air free fall is exact and a spin keeps its momentum and energy.
 
 namespace engine {
 
 class SplitStep {
  public:
   /// What it refers to must outlive it.
-  explicit SplitStep(Stepping stepping);
+  /// @param sleep   As Integrator::sleep [m/s].
+  SplitStep(Stepping stepping, double sleep);
 
   /// @throws MotionFault, OdeFault
   void advance(double time, double step);
 
+  const Sleep& sleep() const { return sleep_; }
+
  private:
+  /// Per body, empty for those asleep; those that others come near to are woken.
+  std::vector<Eigen::AlignedBox3d> swept_boxes(double step);
   /// Pairs that may touch each other in a step.
-  std::vector<Pair> near_pairs(double step) const;
-  std::vector<Cluster> clusters(double step) const;
+  std::vector<Pair> near_pairs(double step);
+  std::vector<Cluster> clusters(double step);
   std::vector<EnergyGuard*> guards_of(const Cluster& cluster);
-  std::vector<bool> alone(const std::vector<Cluster>& clusters) const;
+  /// Bodies that are awake and in no cluster.
+  std::vector<BodyId> free_bodies(const std::vector<Cluster>& clusters) const;
+  void settle(const std::vector<Cluster>& clusters, const std::vector<BodyId>& free, double time,
+              double step);
 
   Stepping stepping_;
   std::vector<BodyId> movable_;      ///< Ascending.
   std::vector<EnergyGuard> guards_;  ///< Of bodies under joints, in the order of their first one.
   std::vector<Pair> met_;            ///< In contact, ascending.
+  Sleep sleep_;
 };
 
 }  // namespace engine

@@ -157,6 +157,9 @@ void read(MapReader& map, IntegratorScene& integrator) {
   map.optional("tolerance", integrator.tolerance, positive("1/s"));
   if (integrator.method == Method::ode && integrator.tolerance)
     map.fault("tolerance", "method ode takes whole steps only; expected method split with it");
+  map.optional("sleep", integrator.sleep, not_negative("m/s"));
+  if (integrator.method == Method::ode && integrator.sleep > 0)
+    map.fault("sleep", "method ode moves every body in every step; expected method split with it");
 }
 
 void read(MapReader& map, Scene& scene) {

@@ -196,6 +196,7 @@ struct IntegratorScene {
   enum class Method { split, ode };
   Method method = Method::split;
   std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
+  double sleep = 0;                 ///< [m/s]; 0: nothing falls asleep.
 };
 
 struct Scene {

@@ -93,7 +93,7 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
   EXPECT_THAT(keys(summary["bodies"]["box"]),
               ElementsAre("triangles", "mass", "loads_not_computed", "steps_above_water",
-                          "steps_at_rest", "motion", "added_mass"));
+                          "steps_at_rest", "steps_asleep", "motion", "added_mass"));
 }
 
 TEST_F(ProgramRun, WarnsOfAStepThatIsTooLongForTheWaves) {

@@ -27,7 +27,7 @@ std::string every_key() {
          "duration: 010\n"
          "step: +2.5e-3\n"
          "gravity: 1.62\n"
-         "integrator: {method: split, tolerance: 0.5}\n"
+         "integrator: {method: split, tolerance: 0.5, sleep: 2e-3}\n"
          "water:\n"
          "  density: 1025\n"
          "  viscosity: 1.2e-6\n"
@@ -112,6 +112,8 @@ TEST(SceneKeys, TopLevelIsRead) {
   EXPECT_EQ(scene.duration, 10);  // 010 is decimal
   EXPECT_EQ(scene.step, 2.5e-3);
   EXPECT_EQ(scene.gravity, 1.62);
+  EXPECT_EQ(scene.integrator.tolerance, 0.5);
+  EXPECT_EQ(scene.integrator.sleep, 2e-3);
   EXPECT_EQ(scene.log_every, 0.5);
   EXPECT_TRUE(scene.log_forces);
   EXPECT_EQ(std::get<app::PlaneGroundScene>(scene.ground).z, -10);
@@ -334,6 +336,8 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   const app::Scene scene = read_scene_text("plimsoll: 1\nduration: 0\n");
   EXPECT_EQ(scene.step, 1.0 / 60);
   EXPECT_EQ(scene.gravity, 9.80665);
+  EXPECT_FALSE(scene.integrator.tolerance.has_value());
+  EXPECT_EQ(scene.integrator.sleep, 0);
   EXPECT_FALSE(scene.water.has_value());
   EXPECT_TRUE(std::holds_alternative<std::monostate>(scene.ground));
   EXPECT_TRUE(scene.bodies.empty());

@@ -29,7 +29,8 @@ kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
           ("half", "plain"): "half immersed, plain sum, not vectorised"}
 kBare = ("", "bare")
 # Arrangements of BM_Step, by the end of its name.
-kArrangements = {"": "apart", "crates": "in heaps of ten", "heap": "in one heap"}
+kArrangements = {"": "apart", "crates": "in heaps of ten", "heap": "in one heap",
+                 "asleep": "apart, all but one asleep"}
 kFixed = ("real_time", "iterations:")  # What Google Benchmark adds to names.
 
 
