@@ -76,7 +76,6 @@ void Sleep::wake(std::vector<Eigen::AlignedBox3d>& boxes) {
 }
 
 void Sleep::settle(const std::vector<Island>& islands, double time, double step) {
-  if (!(limit_ > 0)) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (island_[i])
       ++steps_[i];

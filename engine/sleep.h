@@ -34,6 +34,8 @@ class Sleep {
   /// @param limit   As Integrator::sleep [m/s].
   Sleep(const World& world, std::vector<Body>& bodies, const Surroundings& around, double limit);
 
+  /// False: nothing ever falls asleep.
+  bool possible() const { return limit_ > 0; }
   bool asleep(BodyId id) const {
     return id != kWorld && island_[static_cast<std::size_t>(id)] != nullptr;
   }

@@ -119,6 +119,7 @@ std::vector<BodyId> SplitStep::free_bodies(const std::vector<Cluster>& clusters)
 
 void SplitStep::settle(const std::vector<Cluster>& clusters, const std::vector<BodyId>& free,
                        double time, double step) {
+  if (!sleep_.possible()) return;
   std::vector<Sleep::Island> islands;
   for (const Cluster& cluster : clusters) islands.push_back(cluster.bodies);
   for (const BodyId id : free) islands.push_back({id});

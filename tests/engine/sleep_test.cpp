@@ -25,12 +25,12 @@ using engine::SimulationSpec;
 using support::kGravity;
 using support::tolerance;
 
-constexpr double kLimit = 1e-3;  // [m/s]
-constexpr double kStep = 1.0 / 60;
+constexpr double kLimit = 1e-3;      // [m/s]
+constexpr double kFrame = 1.0 / 60;  // [s]
 
-SimulationSpec afloat(std::vector<BodySpec> bodies) {
+SimulationSpec on_still_water(std::vector<BodySpec> bodies) {
   for (BodySpec& body : bodies) body.wet = true;
-  SimulationSpec spec = support::dry_world(std::move(bodies), kStep);
+  SimulationSpec spec = support::dry_world(std::move(bodies), kFrame);
   spec.sea = hydro::Sea{.gravity = kGravity};
   return spec;
 }
@@ -53,7 +53,7 @@ SimulationSpec with_sleep(SimulationSpec spec, double limit = kLimit) {
   return spec;
 }
 
-Simulation after(SimulationSpec spec, double time) {
+Simulation run_for(SimulationSpec spec, double time) {
   const double step = spec.step;
   return support::after(std::move(spec), support::steps_in(time, step));
 }
@@ -73,22 +73,22 @@ bool same(const Simulation& a, const Simulation& b) {
 }
 
 TEST(Sleep, ABodyAtRestAfloatSleepsAfterHalfAPeriodOfItsSlowestSwing) {
-  Simulation simulation(with_sleep(afloat({raft("raft", kRaft, 0)})));
+  Simulation simulation(with_sleep(on_still_water({raft("raft", kRaft, 0)})));
   const double wait = still_time(kRaftRadius);
   while (simulation.skips().asleep_steps[0] == 0 && simulation.time() < 2 * wait) simulation.step();
   // It is laid down at the end of a step and the next one is the first without it.
-  EXPECT_NEAR(simulation.time(), wait, 2.01 * kStep);
+  EXPECT_NEAR(simulation.time(), wait, 2.01 * kFrame);
   EXPECT_TRUE(at_rest(simulation.states()[0]));
 }
 
 /// Drag of the square of the speed alone brings a raft that bobs by 0.1 m below this in 20 s.
 constexpr double kSlowBob = 0.1;
 
-SimulationSpec bobbing_raft() { return afloat({raft("raft", kRaft, 0, 0.1)}); }
+SimulationSpec bobbing() { return on_still_water({raft("raft", kRaft, 0, 0.1)}); }
 
 TEST(Sleep, ABobbingRaftStopsWithinTheSwingOfItsLimit) {
-  const Simulation sleeping = after(with_sleep(bobbing_raft(), kSlowBob), 60);
-  const Simulation awake = after(bobbing_raft(), 60);
+  const Simulation sleeping = run_for(with_sleep(bobbing(), kSlowBob), 60);
+  const Simulation awake = run_for(bobbing(), 60);
   ASSERT_GT(sleeping.skips().asleep_steps[0], 1000);
   EXPECT_GT(awake.states()[0].linear_velocity.norm(), 0.1 * kSlowBob);
   const double swing = kSlowBob / std::sqrt(kGravity / kDraft);
@@ -97,7 +97,7 @@ TEST(Sleep, ABobbingRaftStopsWithinTheSwingOfItsLimit) {
 }
 
 TEST(Sleep, ASleeperStaysWhereItIsAndFallingAsleepOnlyTakesEnergy) {
-  const SimulationSpec spec = with_sleep(bobbing_raft(), kSlowBob);
+  const SimulationSpec spec = with_sleep(bobbing(), kSlowBob);
   Simulation simulation(spec);
   double before = 0;
   while (simulation.steps() == 0 || !at_rest(simulation.states()[0])) {
@@ -123,27 +123,27 @@ TEST(Sleep, WhatIsFasterThanTheLimitOrTurnsStaysAwake) {
   drifter.initial.linear_velocity.x() = 1.01 * kLimit;
   // Its rim moves at the limit.
   spinner.initial.angular_velocity.z() = 1.01 * kLimit / kRaftRadius;
-  const SimulationSpec spec = afloat({drifter, spinner});
-  const Simulation simulation = after(with_sleep(spec), 20);
+  const SimulationSpec spec = on_still_water({drifter, spinner});
+  const Simulation simulation = run_for(with_sleep(spec), 20);
   EXPECT_EQ(simulation.skips().asleep_steps, (std::vector<long>{0, 0}));
-  EXPECT_TRUE(same(simulation, after(spec, 20)));
-  const Simulation with_more = after(with_sleep(spec, 1.02 * kLimit), 20);
+  EXPECT_TRUE(same(simulation, run_for(spec, 20)));
+  const Simulation with_more = run_for(with_sleep(spec, 1.02 * kLimit), 20);
   EXPECT_GT(with_more.skips().asleep_steps[0], 0);
   EXPECT_GT(with_more.skips().asleep_steps[1], 0);
 }
 
 TEST(Sleep, NothingSleepsInWavesOrWithoutGravityOrWhenItDriftsWithACurrent) {
-  SimulationSpec waves = afloat({raft("raft", kRaft, 0)});
+  SimulationSpec waves = on_still_water({raft("raft", kRaft, 0)});
   waves.sea->surface = hydro::WaveSurface{{hydro::deep_water_wave(0, 10, 0, 0, kGravity)}};
-  SimulationSpec current = afloat({raft("raft", kRaft, 0)});
+  SimulationSpec current = on_still_water({raft("raft", kRaft, 0)});
   current.sea->current.x() = 0.1;
   current.bodies[0].initial.linear_velocity.x() = 0.1;
-  SimulationSpec weightless = support::dry_world({raft("raft", kRaft, 0)}, kStep);
+  SimulationSpec weightless = support::dry_world({raft("raft", kRaft, 0)}, kFrame);
   weightless.gravity = 0;
   for (const SimulationSpec& spec : {waves, current, weightless}) {
-    const Simulation simulation = after(with_sleep(spec), 20);
+    const Simulation simulation = run_for(with_sleep(spec), 20);
     EXPECT_EQ(simulation.skips().asleep_steps[0], 0);
-    EXPECT_TRUE(same(simulation, after(spec, 20)));
+    EXPECT_TRUE(same(simulation, run_for(spec, 20)));
   }
 }
 
@@ -152,19 +152,19 @@ TEST(Sleep, ALoadThatIsStillToChangeKeepsABodyAwake) {
   const auto pushed = [&](const engine::AppliedLoad& load) {
     BodySpec body = raft("raft", kRaft, 0);
     body.loads = {load};
-    return afloat({body});
+    return on_still_water({body});
   };
   const Vector3d push(100, 0, 0);
   const double late = 2 * wait;
   for (const SimulationSpec& spec :
        {pushed({.force = push, .start = late}), pushed({.force = 0 * push, .end = late}),
         pushed({.force = 0 * push, .sine = engine::AppliedLoad::Sine{.frequency = 1}})}) {
-    EXPECT_TRUE(same(after(with_sleep(spec), 1.2 * late), after(spec, 1.2 * late)));
+    EXPECT_TRUE(same(run_for(with_sleep(spec), 1.2 * late), run_for(spec, 1.2 * late)));
   }
   // After the last change it sleeps like another.
   const SimulationSpec ends = pushed({.force = 0 * push, .end = late});
-  EXPECT_EQ(after(with_sleep(ends), late + 0.9 * wait).skips().asleep_steps[0], 0);
-  EXPECT_GT(after(with_sleep(ends), late + 1.1 * wait).skips().asleep_steps[0], 0);
+  EXPECT_EQ(run_for(with_sleep(ends), late + 0.9 * wait).skips().asleep_steps[0], 0);
+  EXPECT_GT(run_for(with_sleep(ends), late + 1.1 * wait).skips().asleep_steps[0], 0);
 }
 
 /// A raft and a crate that is held up over it for 12 s.
@@ -173,7 +173,7 @@ SimulationSpec crate_over_raft() {
   BodySpec crate = support::box_body("crate", {1, 1, 1}, 300, {0.3, 0.2, 2}, 2);
   crate.loads = {{.force = {0, 0, crate.mass * kGravity}, .end = 12}};
   below.collision = crate.collision = CollisionShape::box;
-  return afloat({below, crate});
+  return on_still_water({below, crate});
 }
 
 /// It falls onto the raft, which sleeps or does not.
@@ -188,12 +188,12 @@ void expect_to_wake(const SimulationSpec& spec) {
       apart = std::max(apart, support::distance(simulation.states()[i], awake.states()[i]));
     if (simulation.time() < 12) slept = simulation.skips().asleep_steps[0];
   }
-  EXPECT_NEAR(static_cast<double>(slept) * kStep, 12 - still_time(kRaftRadius), 3 * kStep);
+  EXPECT_NEAR(static_cast<double>(slept) * kFrame, 12 - still_time(kRaftRadius), 3 * kFrame);
   EXPECT_GT(awake.paths()[0].constrained, 0);
   EXPECT_GT(simulation.states()[0].linear_velocity.norm(), 0.1 * kLimit);
   // It falls by 1 m until it is near.
-  EXPECT_NEAR(static_cast<double>(simulation.skips().asleep_steps[0] - slept) * kStep,
-              std::sqrt(2 / kGravity), 3 * kStep);
+  EXPECT_NEAR(static_cast<double>(simulation.skips().asleep_steps[0] - slept) * kFrame,
+              std::sqrt(2 / kGravity), 3 * kFrame);
   // The raft lies where it floats but for round-off, which the impact and the swings after it make
   // no more than a million times as large.
   EXPECT_LT(apart, tolerance(1e-9));
@@ -204,6 +204,26 @@ TEST(Sleep, AFallingBoxWakesTheRaftThatItLandsOn) {
   SimulationSpec accurate = crate_over_raft();
   accurate.integrator.tolerance = 1e-3;
   expect_to_wake(accurate);
+}
+
+TEST(Sleep, WhatARaftStillBobbedByIsAllThatAnImpactOnASleeperDiffersBy) {
+  SimulationSpec spec = crate_over_raft();
+  constexpr double kBob = 0.01;  // [m]
+  spec.bodies[0].initial.position.z() = kBob;
+  Simulation simulation(with_sleep(spec, kSlowBob)), awake(spec);
+  double before = 0, apart = 0;
+  while (simulation.time() < 16) {
+    simulation.step();
+    awake.step();
+    double& most = simulation.time() < 12 ? before : apart;
+    for (std::size_t i = 0; i < 2; ++i)
+      most = std::max(most, support::distance(simulation.states()[i], awake.states()[i]));
+  }
+  EXPECT_GT(simulation.skips().asleep_steps[0], 200);
+  EXPECT_GT(before, 0.5 * kBob);
+  EXPECT_LT(before, tolerance(2 * kBob));
+  // The impact makes no more of it: the raft is pushed down from where it is, and stable.
+  EXPECT_LT(apart, tolerance(2 * kBob));
 }
 
 TEST(Sleep, AFallingBoxWakesARaftOnAGuide) {
@@ -218,8 +238,8 @@ TEST(Sleep, AFallingBoxWakesARaftOnAGuide) {
 
 /// Three rafts on hinges, and one apart.
 SimulationSpec chain() {
-  SimulationSpec spec = afloat({raft("a", {2, 2, 1}, 0), raft("b", {2, 2, 1}, 2.5),
-                                raft("c", {2, 2, 1}, 5), raft("d", {2, 2, 1}, 30)});
+  SimulationSpec spec = on_still_water({raft("a", {2, 2, 1}, 0), raft("b", {2, 2, 1}, 2.5),
+                                        raft("c", {2, 2, 1}, 5), raft("d", {2, 2, 1}, 30)});
   for (const int i : {0, 1})
     spec.joints.push_back({.name = "hinge",
                            .type = JointSpec::Type::hinge,
@@ -251,23 +271,23 @@ TEST(Sleep, AChainSleepsAndWakesAsOne) {
   EXPECT_EQ(woken[1], woken[0]);
   EXPECT_EQ(woken[2], woken[0]);
   // The crate fell onto the last of the three; the one apart sleeps on.
-  EXPECT_LT(woken[0] - before[0], support::steps_in(1, kStep));
-  EXPECT_EQ(woken[3] - before[3], support::steps_in(3, kStep));
+  EXPECT_LT(woken[0] - before[0], support::steps_in(1, kFrame));
+  EXPECT_EQ(woken[3] - before[3], support::steps_in(3, kFrame));
   EXPECT_GT(simulation.states()[0].linear_velocity.norm(), 0);
 }
 
 TEST(Sleep, OneThatMovesKeepsItsIslandAwake) {
   SimulationSpec spec = chain();
   spec.bodies[2].loads = {{.torque = {0, 1e-3, 0}, .sine = engine::AppliedLoad::Sine{1, 0}}};
-  const Simulation simulation = after(with_sleep(spec), 30);
+  const Simulation simulation = run_for(with_sleep(spec), 30);
   EXPECT_EQ(simulation.skips().asleep_steps[0], 0);
   EXPECT_EQ(simulation.skips().asleep_steps[2], 0);
   EXPECT_GT(simulation.skips().asleep_steps[3], 0);
 }
 
-/// Crates in two heaps on the ground, one of them under water, each three high.
-SimulationSpec heaps() {
-  SimulationSpec spec = support::dry_world({}, kStep);
+/// Crates in two heaps on the ground, three high.
+SimulationSpec two_heaps() {
+  SimulationSpec spec = support::dry_world({}, kFrame);
   spec.ground = engine::PlaneGround{-1};
   for (int i = 0; i < 12; ++i) {
     const int layer = i % 3, column = i / 3 % 2, heap = i / 6;
@@ -279,8 +299,8 @@ SimulationSpec heaps() {
 }
 
 TEST(Sleep, AHeapDoesNotWakeItselfAndDoesNotDrift) {
-  const SimulationSpec spec = with_sleep(heaps(), 0.01);
-  Simulation simulation = after(spec, 20);
+  const SimulationSpec spec = with_sleep(two_heaps(), 0.01);
+  Simulation simulation = run_for(spec, 20);
   for (const long steps : simulation.skips().asleep_steps) ASSERT_GT(steps, 0);
   const std::vector<hydro::BodyState> then = simulation.states();
   for (int i = 0; i < 600; ++i) simulation.step();
@@ -289,8 +309,8 @@ TEST(Sleep, AHeapDoesNotWakeItselfAndDoesNotDrift) {
 }
 
 /// The heaps with a crate that falls on the first one at 20 s.
-SimulationSpec heaps_hit() {
-  SimulationSpec spec = heaps();
+SimulationSpec struck_heap() {
+  SimulationSpec spec = two_heaps();
   BodySpec crate = support::box_body("crate", {1, 1, 1}, 500, {0.3, 0.1, 4});
   crate.collision = CollisionShape::box;
   crate.loads = {{.force = {0, 0, crate.mass * kGravity}, .end = 20}};
@@ -299,7 +319,7 @@ SimulationSpec heaps_hit() {
 }
 
 TEST(Sleep, AHeapThatIsHitWakesAndTheOtherSleepsOn) {
-  Simulation simulation = after(heaps_hit(), 20);
+  Simulation simulation = run_for(struck_heap(), 20);
   const std::vector<long> before = simulation.skips().asleep_steps;
   for (int i = 0; i < 120; ++i) simulation.step();
   for (std::size_t i = 0; i < 12; ++i) {
@@ -313,16 +333,16 @@ TEST(Sleep, AHeapThatIsHitWakesAndTheOtherSleepsOn) {
 }
 
 TEST(Sleep, DoesNotDependOnTheNumberOfThreads) {
-  SimulationSpec spec = heaps_hit();
-  const Simulation one = after(spec, 22);
+  SimulationSpec spec = struck_heap();
+  const Simulation one = run_for(spec, 22);
   spec.threads = 2;
-  const Simulation two = after(spec, 22);
+  const Simulation two = run_for(spec, 22);
   EXPECT_TRUE(same(one, two));
   EXPECT_EQ(one.skips().asleep_steps, two.skips().asleep_steps);
 }
 
 TEST(Sleep, TheBooksHaveWhatFallingAsleepTookAndWhatHoldsTheSleeper) {
-  SimulationSpec spec = with_sleep(bobbing_raft(), kSlowBob);
+  SimulationSpec spec = with_sleep(bobbing(), kSlowBob);
   spec.books = true;
   BodySpec& body = spec.bodies[0];
   const double added = body.mass / 2;
@@ -345,7 +365,7 @@ TEST(Sleep, TheBooksHaveWhatFallingAsleepTookAndWhatHoldsTheSleeper) {
   EXPECT_EQ(end.kinetic_energy + end.added_kinetic_energy, 0);
   EXPECT_EQ(end.works.sum(), laid_down.works.sum());
   // The velocity that was dropped was off the moved one by (2) of free_step.h.
-  const double offset = kStep * kStep / 24 * kGravity / kDraft;
+  const double offset = kFrame * kFrame / 24 * kGravity / kDraft;
   EXPECT_LT(std::abs(end.kinetic_energy - start - end.works.sum()),
             tolerance(2 * offset * (body.mass + added) / 2 * kSlowBob * kSlowBob));
   const hydro::Wrench sum = end.water.total() + end.weight + end.applied + end.constraint;
