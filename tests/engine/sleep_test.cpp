@@ -25,12 +25,12 @@ using engine::SimulationSpec;
 using support::kGravity;
 using support::tolerance;
 
-constexpr double kLimit = 1e-3;      // [m/s]
-constexpr double kFrame = 1.0 / 60;  // [s]
+constexpr double kLimit = 1e-3;          // [m/s]
+constexpr double kFrameTime = 1.0 / 60;  // [s]
 
 SimulationSpec on_still_water(std::vector<BodySpec> bodies) {
   for (BodySpec& body : bodies) body.wet = true;
-  SimulationSpec spec = support::dry_world(std::move(bodies), kFrame);
+  SimulationSpec spec = support::dry_world(std::move(bodies), kFrameTime);
   spec.sea = hydro::Sea{.gravity = kGravity};
   return spec;
 }
@@ -77,7 +77,7 @@ TEST(Sleep, ABodyAtRestAfloatSleepsAfterHalfAPeriodOfItsSlowestSwing) {
   const double wait = still_time(kRaftRadius);
   while (simulation.skips().asleep_steps[0] == 0 && simulation.time() < 2 * wait) simulation.step();
   // It is laid down at the end of a step and the next one is the first without it.
-  EXPECT_NEAR(simulation.time(), wait, 2.01 * kFrame);
+  EXPECT_NEAR(simulation.time(), wait, 2.01 * kFrameTime);
   EXPECT_TRUE(at_rest(simulation.states()[0]));
 }
 
@@ -138,7 +138,7 @@ TEST(Sleep, NothingSleepsInWavesOrWithoutGravityOrWhenItDriftsWithACurrent) {
   SimulationSpec current = on_still_water({raft("raft", kRaft, 0)});
   current.sea->current.x() = 0.1;
   current.bodies[0].initial.linear_velocity.x() = 0.1;
-  SimulationSpec weightless = support::dry_world({raft("raft", kRaft, 0)}, kFrame);
+  SimulationSpec weightless = support::dry_world({raft("raft", kRaft, 0)}, kFrameTime);
   weightless.gravity = 0;
   for (const SimulationSpec& spec : {waves, current, weightless}) {
     const Simulation simulation = run_for(with_sleep(spec), 20);
@@ -188,12 +188,13 @@ void expect_to_wake(const SimulationSpec& spec) {
       apart = std::max(apart, support::distance(simulation.states()[i], awake.states()[i]));
     if (simulation.time() < 12) slept = simulation.skips().asleep_steps[0];
   }
-  EXPECT_NEAR(static_cast<double>(slept) * kFrame, 12 - still_time(kRaftRadius), 3 * kFrame);
+  EXPECT_NEAR(static_cast<double>(slept) * kFrameTime, 12 - still_time(kRaftRadius),
+              3 * kFrameTime);
   EXPECT_GT(awake.paths()[0].constrained, 0);
   EXPECT_GT(simulation.states()[0].linear_velocity.norm(), 0.1 * kLimit);
   // It falls by 1 m until it is near.
-  EXPECT_NEAR(static_cast<double>(simulation.skips().asleep_steps[0] - slept) * kFrame,
-              std::sqrt(2 / kGravity), 3 * kFrame);
+  EXPECT_NEAR(static_cast<double>(simulation.skips().asleep_steps[0] - slept) * kFrameTime,
+              std::sqrt(2 / kGravity), 3 * kFrameTime);
   // The raft lies where it floats but for round-off, which the impact and the swings after it make
   // no more than a million times as large.
   EXPECT_LT(apart, tolerance(1e-9));
@@ -271,8 +272,8 @@ TEST(Sleep, AChainSleepsAndWakesAsOne) {
   EXPECT_EQ(woken[1], woken[0]);
   EXPECT_EQ(woken[2], woken[0]);
   // The crate fell onto the last of the three; the one apart sleeps on.
-  EXPECT_LT(woken[0] - before[0], support::steps_in(1, kFrame));
-  EXPECT_EQ(woken[3] - before[3], support::steps_in(3, kFrame));
+  EXPECT_LT(woken[0] - before[0], support::steps_in(1, kFrameTime));
+  EXPECT_EQ(woken[3] - before[3], support::steps_in(3, kFrameTime));
   EXPECT_GT(simulation.states()[0].linear_velocity.norm(), 0);
 }
 
@@ -287,7 +288,7 @@ TEST(Sleep, OneThatMovesKeepsItsIslandAwake) {
 
 /// Crates in two heaps on the ground, three high.
 SimulationSpec two_heaps() {
-  SimulationSpec spec = support::dry_world({}, kFrame);
+  SimulationSpec spec = support::dry_world({}, kFrameTime);
   spec.ground = engine::PlaneGround{-1};
   for (int i = 0; i < 12; ++i) {
     const int layer = i % 3, column = i / 3 % 2, heap = i / 6;
@@ -365,7 +366,7 @@ TEST(Sleep, TheBooksHaveWhatFallingAsleepTookAndWhatHoldsTheSleeper) {
   EXPECT_EQ(end.kinetic_energy + end.added_kinetic_energy, 0);
   EXPECT_EQ(end.works.sum(), laid_down.works.sum());
   // The velocity that was dropped was off the moved one by (2) of free_step.h.
-  const double offset = kFrame * kFrame / 24 * kGravity / kDraft;
+  const double offset = kFrameTime * kFrameTime / 24 * kGravity / kDraft;
   EXPECT_LT(std::abs(end.kinetic_energy - start - end.works.sum()),
             tolerance(2 * offset * (body.mass + added) / 2 * kSlowBob * kSlowBob));
   const hydro::Wrench sum = end.water.total() + end.weight + end.applied + end.constraint;
