@@ -108,16 +108,6 @@ void add_others(CLI::App& program, Arguments& a) {
   probe->add_option("scene", a.scene, "Scene file")->type_name("FILE")->required();
   add_sets(probe, a);
 
-  CLI::App* compare = program.add_subcommand("compare", "Compare two trajectories body by body");
-  compare->add_option("a", a.compare.a, "Trajectory (CSV)")->type_name("FILE")->required();
-  compare->add_option("b", a.compare.b, "Trajectory (CSV)")->type_name("FILE")->required();
-  compare
-      ->add_option("--tol", a.tolerances,
-                   "Tolerances: position, orientation_deg, linear_velocity, angular_velocity; only "
-                   "those named are judged [all: 1e-9]")
-      ->type_name("QUANTITY=NUMBER,...")
-      ->delimiter(',');
-
   CLI::App* render = program.add_subcommand("render", "Draw pictures of a trajectory");
   render->add_option("trajectory", a.render.trajectory, "Trajectory (CSV)")
       ->type_name("FILE")
@@ -130,6 +120,27 @@ void add_others(CLI::App& program, Arguments& a) {
       ->required();
   add_sets(render, a);
   render->add_flag("--quiet", a.render.quiet, "No progress and no report");
+}
+
+void add_compare(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand("compare", "Compare two trajectories body by body");
+  const char* what = "Trajectory (CSV), or the folder of a run";
+  command->add_option("a", a.compare.a, what)->type_name("A")->required();
+  command->add_option("b", a.compare.b, what)->type_name("B")->required();
+  command
+      ->add_option("--tol", a.tolerances,
+                   "Tolerances: position, orientation_deg, linear_velocity, angular_velocity; only "
+                   "those named are judged [all: 1e-9]")
+      ->type_name("QUANTITY=NUMBER,...")
+      ->delimiter(',');
+  command
+      ->add_option("--tolerances", a.compare.tolerance_file,
+                   "The same from a YAML file [tolerances.yaml in A or B]")
+      ->type_name("FILE")
+      ->excludes("--tol");
+  command->add_flag("--json", a.compare.json, "Print JSON");
+  command->add_option("--junit", a.compare.junit, "Write a JUnit report, for CI servers")
+      ->type_name("FILE");
 }
 
 void add_hydrostatics(CLI::App& program, Arguments& a) {
@@ -220,6 +231,7 @@ int command_line(int argc, char** argv) {
   Arguments arguments;
   add_run(program, arguments);
   add_others(program, arguments);
+  add_compare(program, arguments);
   add_hydrostatics(program, arguments);
   add_addedmass(program, arguments);
   try {

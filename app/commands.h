@@ -43,11 +43,16 @@ int check(const std::vector<std::filesystem::path>& scenes, const std::vector<Ov
 
 int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);
 
+/// Two trajectories, each a CSV or the folder of a run.
 struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
-  /// By quantity (`position`, …); only those named are judged. Empty: all, to 1e-9.
+  /// By quantity (`position`, …); only those named are judged. Empty: those of a file.
   std::map<std::string, double> tolerances;
+  /// Of tolerances. Empty: tolerances.yaml in the folder of `a` or of `b`, or else all to 1e-9.
+  std::filesystem::path tolerance_file;
+  bool json = false;            ///< Print JSON, no table.
+  std::filesystem::path junit;  ///< Report for a CI server; empty: none.
 };
 int compare(const CompareOptions& options);
 

@@ -223,7 +223,54 @@ TEST_F(ProgramCompare, ABodyOrTimesThatOnlyOneHasAreADifference) {
   EXPECT_THAT(body.out, HasSubstr("only in b.csv"));
   const Outcome times = compare({"0,p,0", "1,p,0", "2,p,0"}, {"0,p,0", "2,p,0", "3,p,0", "4,p,0"});
   EXPECT_EQ(times.code, 1);
-  EXPECT_THAT(times.out, HasSubstr("2 times in both, 1 only in a.csv, 2 only in b.csv"));
+  EXPECT_THAT(times.out, HasSubstr("2 times compared, 0 rows only in a.csv, 2 only in b.csv"));
+}
+
+TEST_F(ProgramCompare, InterpolatesWhereTheTimesDiffer) {
+  const Outcome outcome = compare({"0,p,0", "1,p,2", "2,p,4"}, {"0,p,0", "0.5,p,0.9", "2,p,4"},
+                                  {"--tol", "position=0.4"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("interpolated at 1 of 3 times"));
+}
+
+TEST_F(ProgramCompare, TakesFoldersAndTheTolerancesBesideTheGoldenRun) {
+  compare({"0,p,0", "0,q,0"}, {"0,p,0.5", "0,q,2"});
+  for (const std::string run : {"a", "b"}) {
+    std::filesystem::create_directory(here / run);
+    here.write(run + "/trajectory.csv", here.read(run + ".csv"));
+  }
+  EXPECT_EQ(here.run({"compare", "a", "b"}).code, 1);
+  here.write("a/tolerances.yaml", "position: 1\nbodies: {q: {position: 3}}\n");
+  EXPECT_EQ(here.run({"compare", "a", "b"}).code, 0);
+  EXPECT_EQ(here.run({"compare", "b", "a"}).code, 0);
+  EXPECT_EQ(here.run({"compare", "a", "b.csv", "--tol", "position=0.1"}).code, 1);
+  here.write("close.yaml", "position: 0.1\n");
+  EXPECT_EQ(here.run({"compare", "a", "b", "--tolerances", "close.yaml"}).code, 1);
+}
+
+TEST_F(ProgramCompare, NamesEveryFaultOfAToleranceFile) {
+  here.write("t.yaml", "positon: 1\norientation_deg: -1\nbodies: {q: 3, p: {speed: 1}}\n");
+  const Outcome outcome = compare({"0,p,0"}, {"0,p,0"}, {"--tolerances", "t.yaml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("t.yaml:1:1: positon: unknown key; did you mean position?"));
+  EXPECT_THAT(outcome.err, HasSubstr("t.yaml:2:18: orientation_deg: found -1, expected"));
+  EXPECT_THAT(outcome.err, HasSubstr("t.yaml:3:13: bodies.q: found 3, expected a map of tol"));
+  EXPECT_THAT(outcome.err, HasSubstr("bodies.p.speed: unknown key"));
+}
+
+TEST_F(ProgramCompare, TellsMachinesInJsonAndJunit) {
+  const Outcome outcome = compare({"0,p,0", "1,p,0"}, {"0,p,0", "1,p,0.5"},
+                                  {"--tol", "position=0.1", "--json", "--junit", "r.xml"});
+  EXPECT_EQ(outcome.code, 1);
+  const json told = json::parse(outcome.out);
+  EXPECT_EQ(told["same"], false);
+  EXPECT_EQ(told["bodies"]["p"]["position"]["largest"], 0.5);
+  EXPECT_EQ(told["bodies"]["p"]["position"]["first_beyond"], 1);
+  EXPECT_TRUE(told["bodies"]["p"]["linear_velocity"]["tolerance"].is_null());
+  const std::string report = here.read("r.xml");
+  EXPECT_THAT(report, HasSubstr("tests=\"2\" failures=\"1\""));
+  EXPECT_THAT(report, HasSubstr("<testcase classname=\"p\" name=\"times\"/>"));
+  EXPECT_THAT(report, HasSubstr("differs by up to 0.5 m at 1 s, tolerance 0.1"));
 }
 
 TEST_F(ProgramCompare, WrongInputIsCodeTwo) {
