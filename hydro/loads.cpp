@@ -1,5 +1,6 @@
 #include "hydro/loads.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -7,6 +8,7 @@
 #include "hydro/kernel/surface.h"
 #include "hydro/kernel/walk.h"
 #include "hydro/parallel.h"
+#include "hydro/viscous_drag.h"
 
 namespace hydro {
 namespace {
@@ -37,8 +39,15 @@ void set(double (&to)[3], const Eigen::Vector3d& v) {
   for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
 }
 
+/// The largest C_v v² up to a speed [m^2/s^2].
+double most_traction(const ViscousDrag& law, double fastest) {
+  // That of the thesis, 0.2 v² − 0.1 v³ from 1 m/s on, is largest at 4/3 m/s; others grow.
+  const double at = law.law == ViscousDrag::Law::thesis ? std::min(fastest, 4.0 / 3) : fastest;
+  return viscous_coefficient(law, at) * at * at;
+}
+
 void set_motion(const Hull& hull, const Twist& motion_B, double density,
-                const Coefficients& coefficients, kernel::Immersion& in) {
+                const Coefficients& coefficients, double tolerance, kernel::Immersion& in) {
   set(in.linear, motion_B.linear);
   set(in.angular, motion_B.angular);
   in.moving = motion_B.linear.norm() + hull.radius * motion_B.angular.norm() > kLeastSpeed;
@@ -46,7 +55,11 @@ void set_motion(const Hull& hull, const Twist& motion_B, double density,
   in.drag_front = in.half_density * coefficients.pressure_drag.front;
   in.drag_back = in.half_density * coefficients.pressure_drag.back;
   in.lift = in.half_density * coefficients.lift;
-  if (!coefficients.viscous_drag.none()) in.viscous = &coefficients.viscous_drag;
+  in.radius = hull.radius;
+  if (coefficients.viscous_drag.none()) return;
+  in.viscous = &coefficients.viscous_drag;
+  const double fastest = motion_B.linear.norm() + hull.radius * motion_B.angular.norm();
+  in.viscous_error = tolerance * most_traction(coefficients.viscous_drag, fastest);
 }
 
 Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) {
@@ -129,7 +142,7 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
   set_motion(hull,
              {R_WB.transpose() * (state.linear_velocity - sea.current),
               R_WB.transpose() * state.angular_velocity},
-             sea.density, coefficients, in);
+             sea.density, coefficients, how.wave_tolerance, in);
   std::optional<kernel::Surface> surface;
   if (!is_flat(sea)) {
     surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "hydro/kernel/clusters.h"
 #include "hydro/kernel/immersion.h"
 #include "hydro/kernel/panels.h"
 
@@ -15,7 +16,8 @@
 ///     ∫ |v_t|² J_a dS  =  ∫ |v|² J_a dS − (2), with ∫ J_a {1, x, …, xx, xy, …, zz} dS      (3)
 ///
 /// So a branch that is wet all over and whose faces all move into the water, or all out of it, is
-/// one product of 31 numbers with each component: exact on flat water, to round-off.
+/// one product of 31 numbers with each component: exact on flat water, to round-off. Viscous drag
+/// has no such moments; its branches have points, `clusters.h`.
 
 namespace hydro::kernel {
 
@@ -42,8 +44,9 @@ struct alignas(64) Node {
 };
 
 struct Tree {
-  std::vector<Node> nodes;  ///< A branch follows its root, first child first.
-  int chunk_leaves = 0;     ///< Branches of up to so many leaves are one piece of work.
+  std::vector<Node> nodes;        ///< A branch follows its root, first child first.
+  std::vector<Cluster> clusters;  ///< Of the nodes; none in a small tree.
+  int chunk_leaves = 0;           ///< Branches of up to so many leaves are one piece of work.
 };
 
 /// Pieces of work that a tree is cut into, at most.

@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
+#include "hydro/kernel/clusters-inl.h"
 #include "hydro/kernel/faces-inl.h"
 #include "hydro/kernel/tree-inl.h"
 #include "hydro/kernel/waves-inl.h"
@@ -72,9 +73,32 @@ HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag)
   return normal.low >= 0 || normal.high <= 0;
 }
 
+/// Adds the viscous drag of a node that is wet all over if it is none, or its points give it.
+HWY_INLINE bool add_viscous_whole(Work& work, const Tree& tree, int node) {
+  const auto i = static_cast<std::size_t>(node);
+  if (without_viscous_drag(tree.nodes[i], work.in)) return true;
+  return work.in.viscous_error > 0 && !tree.clusters.empty() &&
+         add_cluster(tree.clusters[i], work.in, work.sums);
+}
+
+/// Adds the viscous drag of a branch that is wet all over.
+HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch) {
+  const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
+  for (int i = branch; i < end;) {
+    const Node& node = tree.nodes[static_cast<std::size_t>(i)];
+    if (add_viscous_whole(work, tree, i)) {
+      i = node.next;
+    } else {
+      if (node.leaf()) add_viscous_of_leaf(work, node.first);
+      ++i;
+    }
+  }
+}
+
 /// Takes a wet branch whole if it can be.
-HWY_INLINE bool take_whole(Work& work, Factors& factors, const Node& node) {
+HWY_INLINE bool take_whole(Work& work, Factors& factors, const Tree& tree, int branch) {
   const Immersion& in = work.in;
+  const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
   double drag;
   if (!of_one_sign(node, in, drag)) return false;
   if (in.surface) {
@@ -90,8 +114,7 @@ HWY_INLINE bool take_whole(Work& work, Factors& factors, const Node& node) {
   } else {
     add_branch(node, factors, in, drag, work.sums);
   }
-  if (in.moving && !without_viscous_drag(node, in))
-    for (int leaf = node.first; leaf < node.last; ++leaf) add_viscous_of_leaf(work, leaf);
+  if (in.moving && in.viscous) add_viscous_of_branch(work, tree, branch);
   return true;
 }
 
@@ -123,13 +146,16 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
     const Wetness wet = asks ? wetness(here, in) : Wetness::mixed;
     if (wet == Wetness::dry) {
       node = here.next;
-    } else if (in.branches && wet == Wetness::wet && take_whole(work, factors, here)) {
+    } else if (in.branches && wet == Wetness::wet && take_whole(work, factors, tree, node)) {
       node = here.next;
     } else if (chunks && here.last - here.first <= tree.chunk_leaves) {
       chunks->node[static_cast<std::size_t>(chunks->count++)] = node;
       node = here.next;
     } else {
-      const Known known = {.wet = wet == Wetness::wet};
+      Known known = {.wet = wet == Wetness::wet};
+      const bool uncut = known.wet && !(in.surface && in.surface->bends);
+      if (here.leaf() && in.branches && in.moving && uncut)
+        known.viscous = add_viscous_whole(work, tree, node);
       if (here.leaf())
         in.surface ? add_leaf_in_waves(work, here.first, known) : add_leaf(work, here.first, known);
       ++node;
