@@ -89,6 +89,16 @@ Body make_dry_body(const SimulationSpec& spec, std::size_t index) {
   return body;
 }
 
+bool uses_clusters(const Body& body) {
+  const BodySpec& spec = *body.spec;
+  return !spec.coefficients.viscous_drag.none() && spec.summation.branches &&
+         spec.summation.wave_tolerance > 0;
+}
+
+std::shared_ptr<const hydro::Hull> make_hull_of(const Body& body) {
+  return std::make_shared<hydro::Hull>(hydro::make_hull(body.spec->mesh_B, uses_clusters(body)));
+}
+
 }  // namespace
 
 Surroundings surroundings(const SimulationSpec& spec) {
@@ -103,23 +113,22 @@ Surroundings surroundings(const SimulationSpec& spec) {
 
 Body make_body(const SimulationSpec& spec, std::size_t index) {
   Body body = make_dry_body(spec, index);
-  if (body.wet) body.hull = std::make_shared<hydro::Hull>(hydro::make_hull(body.spec->mesh_B));
+  if (body.wet) body.hull = make_hull_of(body);
   return body;
 }
 
 std::vector<Body> make_bodies(const SimulationSpec& spec) {
   std::vector<Body> bodies;
-  std::vector<std::shared_ptr<const hydro::Hull>> hulls;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
-    Body& body = bodies.emplace_back(make_dry_body(spec, i));
-    if (!body.wet) continue;
-    const auto same = std::find_if(hulls.begin(), hulls.end(), [&](const auto& hull) {
-      return hydro::same_mesh(hull->mesh_B, body.spec->mesh_B);
-    });
-    body.hull = same != hulls.end()
-                    ? *same
-                    : std::make_shared<hydro::Hull>(hydro::make_hull(body.spec->mesh_B));
-    if (same == hulls.end()) hulls.push_back(body.hull);
+    Body body = make_dry_body(spec, i);
+    if (body.wet) {
+      const auto same = std::find_if(bodies.begin(), bodies.end(), [&](const Body& other) {
+        return other.hull && uses_clusters(other) == uses_clusters(body) &&
+               hydro::same_mesh(other.hull->mesh_B, body.spec->mesh_B);
+      });
+      body.hull = same != bodies.end() ? same->hull : make_hull_of(body);
+    }
+    bodies.push_back(std::move(body));
   }
   return bodies;
 }

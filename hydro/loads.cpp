@@ -109,12 +109,13 @@ Loads& Loads::operator+=(const Loads& other) {
   return *this;
 }
 
-Hull make_hull(TriMesh mesh_B) {
+Hull make_hull(TriMesh mesh_B, bool clusters) {
   Hull hull{.mesh_B = std::move(mesh_B)};
   if (hull.mesh_B.vertex_count() > 0)
     hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
   hull.panels = kernel::make_panels(hull.mesh_B);
   hull.tree = kernel::make_tree(hull.panels);
+  if (clusters) hull.tree.clusters = kernel::make_clusters(hull.panels, hull.tree.nodes);
   return hull;
 }
 

@@ -21,7 +21,9 @@ struct Hull {
 };
 
 /// Builds a hull from a closed mesh in B.
-Hull make_hull(TriMesh mesh_B);
+/// @param clusters   With what gives the viscous drag of large hulls sooner (kernel/clusters.h),
+///                   which takes some 8 µs a triangle to make.
+Hull make_hull(TriMesh mesh_B, bool clusters = true);
 
 /// Loads by kind, moments about the centre of mass, in W; the sum is what the water does.
 struct Loads {

@@ -140,7 +140,6 @@ Tree make_tree(const Panels& panels) {
   build(panels, 0, leaves, tree.nodes);
   // Halving ends at more than half of this, so there are fewer than kMostChunks.
   tree.chunk_leaves = std::max(16, (2 * leaves + kMostChunks - 1) / kMostChunks);
-  tree.clusters = make_clusters(panels, tree.nodes);
   return tree;
 }
 
