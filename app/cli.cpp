@@ -57,6 +57,7 @@ struct Arguments {
   RunOptions run;
   CompareOptions compare;
   RenderOptions render;
+  ReportOptions report;
   HydrostaticsOptions hydrostatics;
   AddedMassCommand addedmass;
   std::vector<double> center_of_mass;
@@ -143,6 +144,16 @@ void add_compare(CLI::App& program, Arguments& a) {
       ->type_name("FILE");
 }
 
+void add_report(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "report", "Write a run as one page for a browser: DIR/report.html (plots, 3-D replay)");
+  command->add_option("folder", a.report.folder, "Folder of a run")->type_name("DIR")->required();
+  command
+      ->add_option("--scene", a.report.scene,
+                   "Where its scene lies now, with the meshes [where it was run]")
+      ->type_name("SCENE");
+}
+
 void add_hydrostatics(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand(
       "hydrostatics", "How a mesh or a scene's bodies float at rest, and what rights them");
@@ -217,6 +228,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
+  if (program.got_subcommand("report")) return report(a.report);
   if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
   return render_trajectory(a.render);
 }
@@ -232,6 +244,7 @@ int command_line(int argc, char** argv) {
   add_run(program, arguments);
   add_others(program, arguments);
   add_compare(program, arguments);
+  add_report(program, arguments);
   add_hydrostatics(program, arguments);
   add_addedmass(program, arguments);
   try {

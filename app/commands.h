@@ -65,6 +65,16 @@ struct RenderOptions {
 };
 int render_trajectory(const RenderOptions& options);
 
+/// In the folder of the run that it shows.
+inline constexpr const char* kReportFile = "report.html";
+
+struct ReportOptions {
+  std::filesystem::path folder;  ///< Of a run.
+  std::filesystem::path scene;   ///< Where the scene lies now; empty: where it was run.
+};
+/// Writes FOLDER/report.html: the run in one page that needs no other file.
+int report(const ReportOptions& options);
+
 /// The floating position, stability and curve of righting arms of a mesh or of a scene's bodies.
 struct HydrostaticsOptions {
   std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, otherwise a mesh.

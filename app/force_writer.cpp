@@ -53,11 +53,13 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
 
 }  // namespace
 
-std::string force_header() {
+std::vector<std::string> force_columns() {
   std::vector<std::string> columns;
   row_of({}, &columns);
-  return fmt::format("time,body,{}", fmt::join(columns, ","));
+  return columns;
 }
+
+std::string force_header() { return fmt::format("time,body,{}", fmt::join(force_columns(), ",")); }
 
 ForceWriter::ForceWriter(const std::filesystem::path& file, std::vector<std::string> names)
     : names_(std::move(names)), file_(file, force_header()) {}

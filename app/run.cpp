@@ -68,7 +68,10 @@ class Run {
         scene_(scene),
         assembly_(assembly),
         folder_(folder),
-        summary_{.scene = scene, .assembly = assembly, .wall_added_mass = wall_added_mass},
+        summary_{.scene = scene,
+                 .assembly = assembly,
+                 .overrides = options.overrides,
+                 .wall_added_mass = wall_added_mass},
         progress_(options.quiet),
         simulation_(assembly.spec),
         writer_(folder.path() / "trajectory.csv", body_names(assembly.spec)),
@@ -98,6 +101,7 @@ class Run {
   void remove_earlier_results() const {
     std::filesystem::remove(summary_file());
     remove_pictures(folder_.path());
+    std::filesystem::remove(folder_.path() / kReportFile);
   }
 
   /// Steps to the end, logging. Returns the exit code so far.

@@ -71,6 +71,15 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"added_mass", to_json(summary.assembly.added_mass[i])}};
 }
 
+/// All that the scene can be read again from, wherever the program is started then.
+Json source_of(const RunSummary& s) {
+  Json overrides = Json::array();
+  for (const Override& o : s.overrides) overrides.push_back(o.key_path + "=" + o.value);
+  return {{"file", std::filesystem::absolute(s.scene.file).lexically_normal().string()},
+          {"overrides", overrides},
+          {"text", s.scene.text}};
+}
+
 Json to_json(const RunSummary& s) {
   Json bodies = Json::object();
   const engine::SimulationSpec& spec = s.assembly.spec;
@@ -105,6 +114,7 @@ Json to_json(const RunSummary& s) {
     json["pictures"] = {{"device", s.pictures->device},
                         {"frames", s.pictures->frames},
                         {"pressure_max", s.pictures->pressure_max}};
+  json["source"] = source_of(s);
   return json;
 }
 

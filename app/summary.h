@@ -6,6 +6,7 @@
 
 #include "app/assemble.h"
 #include "app/pictures.h"
+#include "app/scene/reader.h"
 #include "engine/simulation.h"
 
 namespace app {
@@ -14,8 +15,9 @@ namespace app {
 struct RunSummary {
   const Scene& scene;
   const Assembly& assembly;
-  std::string ended = "completed";  ///< Or `interrupted`, `failed`.
-  std::string error;                ///< Of a failed run.
+  const std::vector<Override>& overrides;  ///< Of the scene's keys.
+  std::string ended = "completed";         ///< Or `interrupted`, `failed`.
+  std::string error;                       ///< Of a failed run.
   long steps = 0;
   double simulated = 0;  ///< [s]
   engine::Timings timings;

@@ -5,6 +5,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS plimsoll RUNTIME)
 install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll
   PATTERN pictures EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/report/page.html
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll/report OPTIONAL)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(TARGETS plimsoll_hydro plimsoll_engine EXPORT plimsoll)

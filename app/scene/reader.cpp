@@ -135,8 +135,9 @@ void check_version(const YamlNode& root, Reading& reading) {
   reading.faults.throw_if_any();
 }
 
-YamlNode read_tree(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  YamlNode root = parse_yaml(read_text(file), file);
+YamlNode read_tree(const std::string& text, const std::filesystem::path& file,
+                   const std::vector<Override>& overrides) {
+  YamlNode root = parse_yaml(text, file);
   if (root.is(YamlNode::Kind::null)) throw InputError(file, "found no keys, expected a scene");
   if (!root.is(YamlNode::Kind::map))
     throw InputError({Fault{{file, root.mark.line, root.mark.column},
@@ -189,7 +190,12 @@ void read(MapReader& map, Scene& scene) {
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  const YamlNode root = read_tree(file, overrides);
+  return parse_scene(read_text(file), file, overrides);
+}
+
+Scene parse_scene(std::string text, const std::filesystem::path& file,
+                  const std::vector<Override>& overrides) {
+  const YamlNode root = read_tree(text, file, overrides);
   Reading reading;
   reading.file = file;
   collect_places(root, "", reading);
@@ -203,6 +209,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
   reading.faults.throw_if_any();
 
   scene.file = file;
+  scene.text = std::move(text);
   scene.places = std::move(reading.places);
   return scene;
 }

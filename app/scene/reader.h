@@ -22,6 +22,11 @@ Override parse_override(const std::string& argument);
 /// @throws InputError with every fault found, in the order of the file; those of overrides first.
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
+/// The same of a text. @param file   Named in faults; files that the scene names are relative to
+/// its folder.
+Scene parse_scene(std::string text, const std::filesystem::path& file,
+                  const std::vector<Override>& overrides);
+
 /// One key that a scene may have, as its reader describes it.
 struct KeyDescription {
   std::string path;      ///< `bodies[].mass`

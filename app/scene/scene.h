@@ -214,6 +214,8 @@ struct Scene {
   bool log_forces = false;
   std::optional<RenderScene> render;
 
+  std::string text;  ///< The file as it was read, without what the command line put over it.
+
   /// Where the value of each key stands, by key path (`bodies[1].mesh.file`); the whole under the
   /// empty path. For faults found later: see `Faults::add`.
   std::map<std::string, Place> places;

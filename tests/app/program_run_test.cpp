@@ -77,9 +77,10 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   here.write("box.yaml", falling_box("0.5"));
   here.run({"run", "box.yaml"});
   const auto summary = nlohmann::ordered_json::parse(here.read("out/box/summary.json"));
-  EXPECT_THAT(keys(summary), ElementsAre("version", "scene", "title", "ended", "steps",
-                                         "simulated_seconds", "real_time_factor", "threads",
-                                         "warnings", "wall_seconds", "skipped", "bodies"));
+  EXPECT_THAT(keys(summary),
+              ElementsAre("version", "scene", "title", "ended", "steps", "simulated_seconds",
+                          "real_time_factor", "threads", "warnings", "wall_seconds", "skipped",
+                          "bodies", "source"));
   EXPECT_EQ(summary["scene"], "box.yaml");
   EXPECT_EQ(summary["title"], "Falling box");
   EXPECT_EQ(summary["ended"], "completed");

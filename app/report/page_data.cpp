@@ -1,0 +1,54 @@
+#include "app/report/page_data.h"
+
+#include "app/report/packing.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The place that the replay's single-precision numbers are relative to: where the first body
+/// starts, at the water's level.
+Eigen::Vector3d replay_origin(const RunFolder& run) {
+  Eigen::Vector3d origin = run.assembly.spec.bodies.empty()
+                               ? Eigen::Vector3d::Zero()
+                               : run.assembly.spec.bodies[0].initial.position;
+  if (run.assembly.spec.sea) origin.z() = run.assembly.spec.sea->level;
+  return origin;
+}
+
+Json page_camera(const Scene& scene) {
+  if (!scene.render) return nullptr;
+  const CameraScene& c = scene.render->camera;
+  return {{"from", {c.from.x(), c.from.y(), c.from.z()}},
+          {"to", {c.to.x(), c.to.y(), c.to.z()}},
+          {"field_of_view", c.field_of_view}};
+}
+
+}  // namespace
+
+Json page_data(const RunFolder& run, const PageLimits& limits) {
+  const Shapes shapes = find_shapes(run.assembly.spec.bodies, limits.faces);
+  const Eigen::Vector3d origin = replay_origin(run);
+  Json summary = run.summary;
+  if (summary.is_object()) summary.erase("source");
+  return {
+      {"program", PLIMSOLL_VERSION},
+      {"title", run.scene.title},
+      {"summary", summary},
+      {"scene",
+       {{"file", run.scene.file.string()}, {"text", run.scene.text}, {"overrides", run.overrides}}},
+      {"gravity", run.scene.gravity},
+      {"rows", run.rows},
+      {"origin", {origin.x(), origin.y(), origin.z()}},
+      {"bodies", page_bodies(run, shapes)},
+      {"shapes", page_shapes(shapes)},
+      {"water", page_water(run.assembly.spec)},
+      {"ground", page_ground(run.assembly.spec.ground, limits)},
+      {"camera", page_camera(run.scene)},
+      {"poses", page_poses(run, origin, limits)},
+      {"series", page_series(run, limits)},
+      {"frames", page_frames(run, limits)}};
+}
+
+}  // namespace app

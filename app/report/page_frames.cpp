@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "app/faults.h"
+#include "app/report/packing.h"
+#include "app/report/page_data.h"
+#include "app/schedule.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// frame_0000.png and on, as many as there are without a gap.
+std::vector<fs::path> frame_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (;;) {
+    const fs::path file = folder / "frames" / fmt::format("frame_{:04}.png", files.size());
+    if (!fs::is_regular_file(file)) return files;
+    files.push_back(file);
+  }
+}
+
+/// When the pictures of a run were due [s].
+std::vector<double> frame_times(const Scene& scene, std::size_t count) {
+  std::vector<double> times;
+  Schedule due(scene.render->every);
+  const long steps = step_count(scene.duration, scene.step);
+  for (long i = 0; i <= steps && times.size() < count; ++i) {
+    const double time = static_cast<double>(i) * scene.step;
+    if (is_frame_time(time, scene.duration) && due.due(time)) times.push_back(time);
+  }
+  return times;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file, "cannot be read; expected a picture");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+Json page_frames(const RunFolder& run, const PageLimits& limits) {
+  const std::vector<fs::path> files = frame_files(run.path);
+  if (files.empty() || !run.scene.render) return nullptr;
+  const std::vector<double> times = frame_times(run.scene, files.size());
+  const std::size_t count = std::min(files.size(), times.size());
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < count; ++i) bytes += fs::file_size(files[i]);
+  const std::size_t stride = std::max<std::size_t>((bytes + limits.frames - 1) / limits.frames, 1);
+  Json shown_times = Json::array();
+  Json images = Json::array();
+  for (std::size_t i = 0; i < count; i += stride) {
+    shown_times.push_back(times[i]);
+    images.push_back(base64(bytes_of(files[i])));
+  }
+  return {{"times", shown_times}, {"images", images}, {"of", count}};
+}
+
+}  // namespace app

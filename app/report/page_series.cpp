@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "app/force_writer.h"
+#include "app/report/packing.h"
+#include "app/report/page_data.h"
+#include "app/report/thinning.h"
+#include "hydro/equilibrium.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Columns = std::vector<std::vector<double>>;
+
+constexpr std::size_t kPoseNumbers = 7;  ///< Position and quaternion.
+constexpr std::size_t kMotionColumns = 12;
+constexpr std::size_t kLeastRows = 16;  ///< Fewer say nothing about a motion.
+
+const std::vector<std::string>& motion_columns() {
+  static const std::vector<std::string> names = {"x",  "y",  "z",  "roll", "pitch", "yaw",
+                                                 "vx", "vy", "vz", "wx",   "wy",    "wz"};
+  return names;
+}
+
+/// Angles without the jumps by a whole turn [deg].
+void unwrap(std::vector<double>& degrees) {
+  constexpr double kTurn = 360;
+  for (std::size_t i = 1; i < degrees.size(); ++i)
+    degrees[i] -= kTurn * std::round((degrees[i] - degrees[i - 1]) / kTurn);
+}
+
+/// The columns of motion_columns().
+Columns motion_of(const BodyTrack& track, std::size_t rows) {
+  Columns columns(kMotionColumns, std::vector<double>(rows));
+  const auto put = [&](std::size_t first, std::size_t row, const Eigen::Vector3d& v) {
+    for (std::size_t k = 0; k < 3; ++k) columns[first + k][row] = v[static_cast<int>(k)];
+  };
+  for (std::size_t i = 0; i < rows; ++i) {
+    const hydro::BodyState& s = track.states[i];
+    put(0, i, s.position);
+    put(3, i, hydro::euler_angles(s.orientation) * (180 / std::numbers::pi));
+    put(6, i, s.linear_velocity);
+    put(9, i, s.angular_velocity);
+  }
+  for (std::size_t k = 3; k < 6; ++k) unwrap(columns[k]);
+  return columns;
+}
+
+bool varies(const std::vector<double>& column) {
+  return std::any_of(column.begin(), column.end(), [&](double v) { return v != column.front(); });
+}
+
+/// Everything that is plotted of a body, column by column.
+using EachColumn = std::function<void(const std::vector<double>& column)>;
+void each_column(const RunFolder& run, const std::string& body, const EachColumn& visit) {
+  for (const std::vector<double>& column : motion_of(run.trajectory.tracks.at(body), run.rows))
+    visit(column);
+  if (!run.forces) return;
+  for (std::vector<double> column : run.forces->at(body).columns) {
+    column.resize(run.rows);
+    visit(column);
+  }
+}
+
+}  // namespace
+
+Json page_poses(const RunFolder& run, const Eigen::Vector3d& origin, const PageLimits& limits) {
+  const std::size_t bodies = std::max<std::size_t>(run.scene.bodies.size(), 1);
+  const std::vector<std::size_t> kept =
+      spread_rows(run.rows, std::max(kLeastRows, limits.poses / (kPoseNumbers * bodies)));
+  std::vector<double> times;
+  for (const std::size_t row : kept)
+    times.push_back(run.trajectory.tracks.begin()->second.times[row]);
+  Json tracks = Json::array();
+  for (const BodyScene& body : run.scene.bodies) {
+    std::vector<float> numbers;
+    for (const std::size_t row : kept) {
+      const hydro::BodyState& s = run.trajectory.tracks.at(body.name).states[row];
+      const Eigen::Vector3f p = (s.position - origin).cast<float>();
+      const Eigen::Quaternionf q = s.orientation.cast<float>();
+      numbers.insert(numbers.end(), {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()});
+    }
+    tracks.push_back(packed<float>(numbers));
+  }
+  return {{"times", packed<double>(times)}, {"bodies", tracks}};
+}
+
+Json page_series(const RunFolder& run, const PageLimits& limits) {
+  std::size_t varying = 1;
+  for (const BodyScene& body : run.scene.bodies)
+    each_column(run, body.name, [&](const std::vector<double>& c) { varying += varies(c); });
+  const Thinning thinning(run.rows, std::max(kLeastRows, limits.series / varying));
+  std::vector<std::string> names = motion_columns();
+  if (run.forces) {
+    const std::vector<std::string> forces = force_columns();
+    names.insert(names.end(), forces.begin(), forces.end());
+  }
+  Json tracks = Json::array();
+  for (const BodyScene& body : run.scene.bodies) {
+    tracks.push_back(Json::array());
+    each_column(run, body.name, [&](const std::vector<double>& column) {
+      tracks.back().push_back(packed_column(thinning.values(column)));
+    });
+  }
+  const std::vector<double>& times = run.trajectory.tracks.begin()->second.times;
+  return {{"columns", names},
+          {"forces", run.forces.has_value()},
+          {"thinned", thinning.thins()},
+          {"times", packed<double>(thinning.times(times))},
+          {"bodies", tracks}};
+}
+
+}  // namespace app

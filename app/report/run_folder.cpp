@@ -1,0 +1,113 @@
+#include "app/report/run_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/faults.h"
+#include "app/scene/reader.h"
+#include "app/trajectory_match.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Null if there is none.
+Json read_summary(const fs::path& file) {
+  if (!fs::exists(file)) return nullptr;
+  std::ifstream stream(file);
+  Json summary = Json::parse(stream, nullptr, false);
+  if (!summary.is_object())
+    throw InputError(file, "is no summary that plimsoll run has written: not JSON, or cut off");
+  return summary;
+}
+
+/// Where the scene was read from, its text and what the command line put over it.
+struct Source {
+  fs::path file;
+  std::string text;
+  std::vector<std::string> overrides;
+};
+
+std::optional<Source> source_in(const Json& summary, const fs::path& file) {
+  if (!summary.is_object() || !summary.contains("source")) return std::nullopt;
+  try {
+    const Json& source = summary["source"];
+    return Source{source.at("file").get<std::string>(), source.at("text").get<std::string>(),
+                  source.at("overrides").get<std::vector<std::string>>()};
+  } catch (const Json::exception&) {
+    throw InputError(file,
+                     "source: expected file, text and overrides, as plimsoll run writes them");
+  }
+}
+
+/// Reads the scene as it was run and the meshes it names.
+void read_scene_of_run(const fs::path& moved_to, RunFolder& run) {
+  const fs::path summary = run.path / "summary.json";
+  const std::optional<Source> source = source_in(run.summary, summary);
+  if (!source && moved_to.empty())
+    throw InputError(summary, run.summary.is_null()
+                                  ? "is missing: the run was stopped; name its scene with --scene"
+                                  : "does not tell its scene; name it with --scene");
+  if (!source) {
+    run.scene = read_scene(moved_to);
+    run.assembly = assemble(run.scene);
+    return;
+  }
+  run.overrides = source->overrides;
+  std::vector<Override> overrides;
+  for (const std::string& o : run.overrides) overrides.push_back(parse_override(o));
+  const fs::path file = moved_to.empty() ? source->file : moved_to;
+  if (!moved_to.empty() && !fs::exists(moved_to))
+    throw InputError(moved_to, "there is no such file");
+  run.scene = parse_scene(source->text, file, overrides);
+  try {
+    run.assembly = assemble(run.scene);
+  } catch (const InputError&) {
+    if (fs::exists(file)) throw;
+    throw InputError(summary, fmt::format("the scene {} and what it names are no longer there; say "
+                                          "with --scene where the scene lies now",
+                                          file.string()));
+  }
+}
+
+/// Forces of as many rows as the trajectory has, at its times.
+void check_forces(const ForceLog& forces, const fs::path& file, RunFolder& run) {
+  for (const auto& [name, track] : run.trajectory.tracks) {
+    const auto found = forces.find(name);
+    if (found == forces.end()) throw InputError(file, fmt::format("has no rows of body {}", name));
+    const std::vector<double>& times = found->second.times;
+    run.rows = std::min(run.rows, times.size());
+    for (std::size_t i = 0; i < run.rows; ++i)
+      if (times[i] != track.times[i])
+        throw InputError(file,
+                         fmt::format("row {} of body {} is of {} s and that of trajectory.csv "
+                                     "of {} s; expected both of one run",
+                                     i + 1, name, times[i], track.times[i]));
+  }
+}
+
+}  // namespace
+
+RunFolder read_run(const fs::path& folder, const fs::path& scene) {
+  if (!fs::is_directory(folder))
+    throw InputError(folder, "there is no such folder; expected one that plimsoll run has written");
+  RunFolder run{.path = folder};
+  const fs::path log = folder / "trajectory.csv";
+  run.trajectory = read_trajectory(log);
+  run.rows = common_rows(run.trajectory, log);
+  run.summary = read_summary(folder / "summary.json");
+  read_scene_of_run(scene, run);
+  check_same_bodies(run.trajectory, run.assembly.spec, log);
+  const fs::path forces = folder / "forces.csv";
+  if (fs::exists(forces)) {
+    run.forces = read_forces(forces);
+    check_forces(*run.forces, forces, run);
+  }
+  return run;
+}
+
+}  // namespace app

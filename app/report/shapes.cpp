@@ -1,0 +1,86 @@
+#include "app/report/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace app {
+namespace {
+
+/// A shape is told from others with no fewer faces than this [-].
+constexpr Eigen::Index kLeastFaces = 64;
+
+/// How much wider cells become until few enough faces are left [-].
+constexpr double kWiden = 1.25;
+
+double area(const hydro::TriMesh& mesh) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < mesh.face_count(); ++i) sum += hydro::area_vector(mesh, i).norm();
+  return sum;
+}
+
+/// The mesh with the vertices of each cell of a grid in one.
+hydro::TriMesh clustered(const hydro::TriMesh& mesh, double cell) {
+  std::map<std::array<double, 3>, int> cells;
+  std::vector<int> cluster;
+  std::vector<Eigen::Vector4d> sums;  // of the vertices, and their number
+  for (const auto& v : mesh.vertices.colwise()) {
+    const std::array<double, 3> key = {std::floor(v.x() / cell), std::floor(v.y() / cell),
+                                       std::floor(v.z() / cell)};
+    const auto [entry, is_new] = cells.try_emplace(key, static_cast<int>(sums.size()));
+    if (is_new) sums.emplace_back(Eigen::Vector4d::Zero());
+    sums[static_cast<std::size_t>(entry->second)] += Eigen::Vector4d(v.x(), v.y(), v.z(), 1);
+    cluster.push_back(entry->second);
+  }
+  hydro::TriMesh coarse;
+  coarse.vertices.resize(3, static_cast<Eigen::Index>(sums.size()));
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    coarse.vertices.col(static_cast<Eigen::Index>(i)) = sums[i].head<3>() / sums[i].w();
+  coarse.faces.resize(3, mesh.face_count());
+  Eigen::Index count = 0;
+  for (const auto& face : mesh.faces.colwise()) {
+    const Eigen::Vector3i f(cluster[static_cast<std::size_t>(face[0])],
+                            cluster[static_cast<std::size_t>(face[1])],
+                            cluster[static_cast<std::size_t>(face[2])]);
+    if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0]) coarse.faces.col(count++) = f;
+  }
+  coarse.faces.conservativeResize(3, count);
+  return coarse;
+}
+
+}  // namespace
+
+hydro::TriMesh coarsened(const hydro::TriMesh& mesh, Eigen::Index most_faces) {
+  if (mesh.face_count() <= most_faces) return mesh;
+  // Two triangles to a square of the grid.
+  double cell = std::sqrt(2 * area(mesh) / static_cast<double>(most_faces));
+  hydro::TriMesh coarse = clustered(mesh, cell);
+  while (coarse.face_count() > most_faces) coarse = clustered(mesh, cell *= kWiden);
+  return coarse;
+}
+
+Shapes find_shapes(const std::vector<engine::BodySpec>& bodies, Eigen::Index most_faces) {
+  Shapes found;
+  std::vector<const hydro::TriMesh*> meshes;
+  Eigen::Index faces = 0;
+  for (const engine::BodySpec& body : bodies) {
+    const auto same = std::find_if(meshes.begin(), meshes.end(), [&](const hydro::TriMesh* mesh) {
+      return hydro::same_mesh(*mesh, body.mesh_B);
+    });
+    found.of_body.push_back(static_cast<std::size_t>(same - meshes.begin()));
+    if (same != meshes.end()) continue;
+    meshes.push_back(&body.mesh_B);
+    faces += body.mesh_B.face_count();
+  }
+  const double share = std::min(
+      1.0, static_cast<double>(most_faces) / static_cast<double>(std::max<Eigen::Index>(faces, 1)));
+  for (const hydro::TriMesh* mesh : meshes) {
+    const double own = share * static_cast<double>(mesh->face_count());
+    found.shapes.push_back({coarsened(*mesh, std::max(kLeastFaces, static_cast<Eigen::Index>(own))),
+                            mesh->face_count()});
+  }
+  return found;
+}
+
+}  // namespace app

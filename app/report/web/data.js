@@ -1,0 +1,46 @@
+// The run as the program has written it into the page (page_data.h).
+
+const bytes = (base64) => {
+  const text = atob(base64);
+  const array = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) array[i] = text.charCodeAt(i);
+  return array.buffer;
+};
+
+export const floats = (base64) => new Float32Array(bytes(base64));
+export const doubles = (base64) => new Float64Array(bytes(base64));
+export const integers = (base64) => new Uint32Array(bytes(base64));
+
+export const readRun = () => {
+  const run = JSON.parse(document.getElementById("data").textContent);
+  run.poses.times = doubles(run.poses.times);
+  run.poses.tracks = run.poses.bodies.map(floats);
+  run.series.times = doubles(run.series.times);
+  if (run.water?.components) run.water.components = doubles(run.water.components);
+  if (run.water?.heights) run.water.heights = floats(run.water.heights);
+  return run;
+};
+
+const column = (packed, count) => {
+  if (typeof packed === "number") return new Float64Array(count).fill(packed);
+  return Float64Array.from(floats(packed.data), (difference) => packed.base + difference);
+};
+
+// The plotted columns of one body by their names.
+export const seriesOf = (run, body) => {
+  const columns = {};
+  run.series.columns.forEach((name, i) => {
+    columns[name] = column(run.series.bodies[body][i], run.series.times.length);
+  });
+  return columns;
+};
+
+// Index of the last of ascending times that is not after t; 0 if all are.
+export const rowAt = (times, t) => {
+  let low = 0, high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (times[middle] <= t) low = middle; else high = middle - 1;
+  }
+  return low;
+};

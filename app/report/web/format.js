@@ -1,0 +1,21 @@
+// Numbers and elements as the page writes them.
+
+const DIGITS = 5;
+
+// Five significant digits, with a true minus sign.
+export const number = (value, digits = DIGITS) => {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  const text = size !== 0 && (size < 1e-3 || size >= 1e6)
+    ? value.toExponential(digits - 2)
+    : Number(value.toPrecision(digits)).toString();
+  return text.replace("-", "−");
+};
+
+export const grouped = (count) => count.toLocaleString("en-US").replaceAll(",", "\u202f");
+
+export const element = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};

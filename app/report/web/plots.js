@@ -1,0 +1,179 @@
+// Plots of the selected body over time, with one cursor and one zoom for all.
+import uPlot from "uplot";
+import {rowAt, seriesOf} from "./data.js";
+import {element, number} from "./format.js";
+import {chartsOf} from "./charts.js";
+
+const HEIGHT = 190;           // px
+const WIDEST_LEGEND_TIME = 6; // digits of the time in the legend
+const MOST_DOTS = 40;         // rows in sight up to which each is marked
+
+const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
+
+// Of [N], [N m] and [J]: the prefix by which the largest number is written shortly.
+const scaleOf = (chart) => {
+  if (!chart.prefixed) return [1, chart.unit];
+  let largest = 0;
+  for (const line of chart.lines)
+    for (const value of line.values) largest = Math.max(largest, Math.abs(value));
+  const [factor, letter] = prefixes.find(([size]) => largest >= size) ?? [1, ""];
+  return [factor, letter + chart.unit];
+};
+
+// Bounds of y that do not blow up what is constant but for rounding.
+const bounds = (_plot, low, high) => {
+  if (low === null) return [-1, 1];
+  const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high), 1e-3);
+  if (high - low < least) {
+    const middle = (low + high) / 2, half = Math.max(Math.abs(middle) * 0.1, 1e-3);
+    return [middle - half, middle + half];
+  }
+  return uPlot.rangeNum(low, high, 0.08, true);
+};
+
+export class Plots {
+  constructor(run, clock, host) {
+    this.run = run;
+    this.clock = clock;
+    this.host = host;
+    this.zoom = null;     // [from, to], null: the whole run
+    this.hidden = new Set();  // labels of lines that are switched off
+    this.cards = [];
+    this.onZoom = () => {};
+    this.sync = uPlot.sync("time");
+    this.watcher = new IntersectionObserver((entries) => {
+      for (const entry of entries) {
+        const card = entry.target.card;
+        card.inSight = entry.isIntersecting;
+        if (card.inSight && !card.plot) this.draw(card);
+        if (card.inSight) this.mark(card);
+      }
+    }, {rootMargin: "300px"});
+    new ResizeObserver(() => this.fit()).observe(host);
+    clock.onChange(() => this.markAll());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
+  }
+
+  show(body) {
+    for (const card of this.cards) { card.plot?.destroy(); this.watcher.unobserve(card.node); }
+    this.cards = [];
+    this.host.replaceChildren();
+    const columns = seriesOf(this.run, body);
+    for (const group of chartsOf(this.run, body, columns)) {
+      const grid = element("div", {className: "charts"});
+      this.host.append(element("details", {open: true, className: "group"},
+                               element("summary", {textContent: group.title}), grid));
+      for (const chart of group.charts) this.addCard(chart, grid);
+    }
+  }
+
+  addCard(chart, grid) {
+    const [factor, unit] = scaleOf(chart);
+    const node = element("figure", {className: "chart"},
+      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`));
+    if (chart.note) node.append(element("p", {className: "note", textContent: chart.note}));
+    const card = {chart, factor, node, inSight: false};
+    card.data = [this.run.series.times,
+                 ...chart.lines.map((line) => line.values.map((value) => value / factor))];
+    node.card = card;
+    this.cards.push(card);
+    grid.append(node);
+    this.watcher.observe(node);
+  }
+
+  draw(card) {
+    const style = getComputedStyle(document.documentElement);
+    const ink = style.getPropertyValue("--dim").trim(), rule = style.getPropertyValue("--rule").trim();
+    const axis = {stroke: ink, grid: {stroke: rule, width: 1}, ticks: {show: false},
+                  font: "11px system-ui, sans-serif"};
+    const times = this.run.series.times;
+    const value = (_plot, v) => number(v);
+    card.plot = new uPlot({
+      width: this.widthOf(card), height: HEIGHT,
+      cursor: {sync: {key: this.sync.key, setSeries: false}, drag: {x: true, y: false, dist: 4},
+               points: {size: 6}, y: false},
+      legend: {live: true},
+      scales: {x: {time: false, range: (_plot, low, high) => [low, high]}, y: {range: bounds}},
+      axes: [{...axis, size: 26, gap: 2, values: (_plot, ticks) => ticks.map((t) => `${number(t)} s`)},
+             {...axis, size: 52, gap: 4, values: (_plot, ticks) => ticks.map((v) => number(v))}],
+      series: [{label: "t", value: (_plot, t) => t === null ? "–" : `${number(t, WIDEST_LEGEND_TIME)} s`},
+               ...card.chart.lines.map((line) => ({
+                 label: line.label,
+                 stroke: style.getPropertyValue(line.color).trim(),
+                 width: line.width ?? 1.5,
+                 dash: line.dash,
+                 show: !this.hidden.has(line.label),
+                 points: {show: (plot, _i, from, to) => to - from <= MOST_DOTS && plot.width > 0, size: 4},
+                 value}))],
+      hooks: {
+        setScale: [(plot, key) => { if (key === "x") this.follow(plot); }],
+        setSeries: [(plot, i, options) => {
+          if (options.show === undefined || i === null || i === 0) return;
+          const label = plot.series[i].label;
+          if (options.show) this.hidden.delete(label); else this.hidden.add(label);
+        }],
+      },
+    }, card.data, card.node);
+    card.now = element("div", {className: "now"});
+    card.plot.over.append(card.now);
+    card.plot.over.addEventListener("mousemove", (event) => {
+      if (!this.clock.playing && event.buttons === 0)
+        this.clock.seek(card.plot.posToVal(event.offsetX, "x"));
+    });
+    card.plot.over.addEventListener("mouseleave", () => this.markAll());
+    const [from, to] = this.zoom ?? [times[0], times[times.length - 1]];
+    if (this.zoom) { this.quiet = true; card.plot.setScale("x", {min: from, max: to}); this.quiet = false; }
+  }
+
+  // The zoom of one plot becomes that of all.
+  follow(plot) {
+    if (this.quiet) return;
+    const {min, max} = plot.scales.x;
+    const times = this.run.series.times;
+    const whole = min <= times[0] && max >= times[times.length - 1];
+    if (this.zoom === null && whole) return;
+    this.setZoom(whole ? null : [min, max], plot);
+  }
+
+  setZoom(zoom, except) {
+    this.zoom = zoom;
+    const times = this.run.series.times;
+    const [min, max] = zoom ?? [times[0], times[times.length - 1]];
+    this.quiet = true;
+    for (const {plot} of this.cards) if (plot && plot !== except) plot.setScale("x", {min, max});
+    queueMicrotask(() => { this.quiet = false; this.markAll(); });
+    this.onZoom(zoom);
+  }
+
+  markAll() {
+    for (const card of this.cards) if (card.inSight && card.plot) this.mark(card);
+  }
+
+  // The time of the replay: a line, and the values there in the legend.
+  mark(card) {
+    const {plot} = card;
+    const x = plot.valToPos(this.clock.time, "x");
+    const inside = x >= 0 && x <= plot.over.clientWidth;
+    card.now.style.display = inside ? "" : "none";
+    card.now.style.transform = `translateX(${x}px)`;
+    if (!plot.over.matches(":hover")) plot.setLegend({idx: rowAt(this.run.series.times, this.clock.time + 1e-9)}, false);
+  }
+
+  widthOf(card) { return Math.max(card.node.clientWidth - 16, 160); }
+
+  fit() {
+    for (const card of this.cards)
+      if (card.plot && card.plot.width !== this.widthOf(card)) {
+        card.plot.setSize({width: this.widthOf(card), height: HEIGHT});
+        this.mark(card);
+      }
+  }
+
+  redraw() {
+    for (const card of this.cards) {
+      card.plot?.destroy();
+      card.plot = null;
+      if (card.inSight) { this.draw(card); this.mark(card); }
+    }
+  }
+}

@@ -1,0 +1,290 @@
+// The bodies and the water in three dimensions, at the clock's time.
+import * as THREE from "three";
+import {OrbitControls} from "three/addons/controls/OrbitControls.js";
+import {toCreasedNormals} from "three/addons/utils/BufferGeometryUtils.js";
+import {floats, integers, rowAt} from "./data.js";
+import {Water} from "./water.js";
+
+const CREASE = 40 * Math.PI / 180;  // edges that turn by more stay sharp, as in the pictures
+const POSE = 7;                     // numbers a row: position, quaternion x y z w
+const SAMPLES = 200;                // rows from which the extent of the motion is taken
+const CLICK = 4;                    // px that the mouse may move in a click
+const FIELD_OF_VIEW = 35;           // degrees, of a scene without a camera
+
+const geometryOf = (mesh) => {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(floats(mesh.vertices), 3));
+  geometry.setIndex(new THREE.BufferAttribute(integers(mesh.triangles), 1));
+  const creased = toCreasedNormals(geometry, CREASE);
+  creased.computeBoundingSphere();
+  return creased;
+};
+
+export class Replay {
+  constructor(run, clock, canvas, look) {
+    this.run = run;
+    this.clock = clock;
+    this.canvas = canvas;
+    this.origin = run.origin;
+    this.selected = 0;
+    this.following = false;
+    this.onSelect = () => {};
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.scene = new THREE.Scene();
+    this.addLights();
+    this.addBodies();
+    this.measure();
+    this.addGround(look);
+    if (run.water) {
+      this.water = new Water(run.water, this.half, look);
+      this.scene.add(this.water.group);
+    }
+    this.addMarks(look);
+    this.addCamera();
+    clock.onChange(() => this.wake());
+    new ResizeObserver(() => this.fit()).observe(canvas.parentElement);
+    this.fit();
+  }
+
+  addLights() {
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x6b7a8a, 1.9));
+    const sun = new THREE.DirectionalLight(0xffffff, 2.2);
+    sun.position.set(-0.4, -0.6, 1);
+    this.scene.add(sun);
+  }
+
+  // Bodies of one shape are drawn at once.
+  addBodies() {
+    const {bodies, shapes} = this.run;
+    this.radius = [];
+    this.places = [];  // per body: its mesh and its index there
+    const members = shapes.map(() => []);
+    bodies.forEach((body, i) => members[body.shape].push(i));
+    this.meshes = members.map((list, shape) => {
+      const geometry = geometryOf(shapes[shape]);
+      const mesh = new THREE.InstancedMesh(
+        geometry, new THREE.MeshStandardMaterial({roughness: 0.62, metalness: 0.05}), list.length);
+      mesh.frustumCulled = false;
+      const {center, radius} = geometry.boundingSphere;
+      list.forEach((body, k) => {
+        mesh.setColorAt(k, new THREE.Color().setRGB(...bodies[body].color, THREE.SRGBColorSpace));
+        this.places[body] = {mesh, index: k};
+        this.radius[body] = center.length() + radius;
+      });
+      mesh.bodies = list;
+      this.scene.add(mesh);
+      return mesh;
+    });
+  }
+
+  rows() { return this.run.poses.times.length; }
+
+  // Position and orientation of a body at a time, between the two rows around it.
+  pose(body, time, position, orientation) {
+    const {times, tracks} = this.run.poses;
+    const row = Math.min(rowAt(times, time), Math.max(times.length - 2, 0));
+    const next = Math.min(row + 1, times.length - 1);
+    const part = next === row ? 0
+      : Math.min(Math.max((time - times[row]) / (times[next] - times[row]), 0), 1);
+    const a = tracks[body], i = POSE * row, j = POSE * next;
+    position.set(a[i], a[i + 1], a[i + 2]).lerp(this.spare.set(a[j], a[j + 1], a[j + 2]), part);
+    orientation.set(a[i + 3], a[i + 4], a[i + 5], a[i + 6])
+      .slerp(this.turn.set(a[j + 3], a[j + 4], a[j + 5], a[j + 6]), part);
+  }
+  spare = new THREE.Vector3();
+  turn = new THREE.Quaternion();
+
+  // The middle of all bodies in a row, and how far they reach from it.
+  extent(row) {
+    const {tracks} = this.run.poses;
+    const box = new THREE.Box3();
+    tracks.forEach((track, body) => {
+      const p = new THREE.Vector3().fromArray(track, POSE * row);
+      box.expandByPoint(p.clone().addScalar(this.radius[body]));
+      box.expandByPoint(p.addScalar(-this.radius[body]));
+    });
+    const size = box.getSize(new THREE.Vector3());
+    return {middle: box.getCenter(new THREE.Vector3()), reach: Math.hypot(size.x, size.y) / 2, box};
+  }
+
+  // How large the shown part of the world is, and whether it must go with the bodies.
+  measure() {
+    const rows = this.rows(), stride = Math.max(1, Math.floor(rows / SAMPLES));
+    let reach = 0, drift = 0;
+    const all = new THREE.Box3();
+    const first = this.extent(0);
+    for (let row = 0; row < rows; row += stride) {
+      const {middle, reach: r, box} = this.extent(row);
+      reach = Math.max(reach, r);
+      drift = Math.max(drift, Math.hypot(middle.x - first.middle.x, middle.y - first.middle.y));
+      all.union(box);
+    }
+    this.first = first;
+    this.lowest = all.min.z;
+    const {camera} = this.run;
+    const view = camera ? Math.hypot(...camera.from.map((c, i) => c - camera.to[i])) : 0;
+    this.half = Math.max(2.2 * reach, 0.9 * view, 1.3 * Math.min(drift, 3 * reach) + reach);
+    this.drifts = drift > 0.6 * this.half;
+    this.following = this.drifts;
+  }
+
+  addGround(look) {
+    const {ground} = this.run;
+    if (!ground) return;
+    const material = new THREE.MeshStandardMaterial({color: look.ground, roughness: 1, side: THREE.DoubleSide});
+    if (ground.mesh) {
+      const mesh = new THREE.Mesh(geometryOf(ground.mesh), material);
+      mesh.position.set(...ground.origin.map((c, i) => c - this.origin[i]));
+      this.scene.add(mesh);
+      return;
+    }
+    this.ground = new THREE.Group();
+    const disc = new THREE.Mesh(new THREE.CircleGeometry(this.half, 64), material);
+    const grid = new THREE.PolarGridHelper(this.half, 12, 8, 64, look.groundLine, look.groundLine);
+    grid.rotation.x = Math.PI / 2;
+    grid.position.z = 2e-3 * this.half;
+    grid.material.transparent = true;
+    grid.material.opacity = 0.35;
+    this.ground.add(disc, grid);
+    this.ground.position.z = ground.z - this.origin[2];
+    this.scene.add(this.ground);
+  }
+
+  // Axes and path of the selected body.
+  addMarks(look) {
+    this.axes = new THREE.AxesHelper(1);
+    this.axes.material.depthTest = false;
+    this.axes.renderOrder = 4;
+    this.path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({
+      color: look.path, transparent: true, opacity: 0.9, depthTest: false}));
+    this.path.renderOrder = 3;
+    this.path.frustumCulled = false;
+    this.scene.add(this.axes, this.path);
+  }
+
+  addCamera() {
+    this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 1, 10);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener("change", () => this.wake());
+    let down;
+    this.canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
+    this.canvas.addEventListener("pointerup", (event) => {
+      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK) this.pick(event);
+    });
+    this.look("scene");
+  }
+
+  // A place of the world as the replay has it.
+  local(p) { return new THREE.Vector3(...p.map((c, i) => c - this.origin[i])); }
+
+  // Puts the camera where the scene has it, or above, or to a side of the bodies.
+  look(view) {
+    const {camera} = this.run;
+    const target = this.first.middle.clone();
+    const size = 1.3 * Math.max(this.first.reach, this.first.box.getSize(new THREE.Vector3()).z / 2);
+    const away = size / Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180);
+    const directions = {top: [0, -1e-3, 1], side: [0, -1, 0.02], front: [1, 0, 0.02], scene: [0.55, -0.75, 0.35]};
+    let from = new THREE.Vector3(...directions[view]).normalize().multiplyScalar(away).add(target);
+    this.camera.fov = FIELD_OF_VIEW;
+    if (view === "scene" && camera) {
+      from = this.local(camera.from);
+      target.copy(this.local(camera.to));
+      this.camera.fov = camera.field_of_view * 180 / Math.PI;
+    }
+    const offset = this.following && this.at ? this.at.clone().sub(this.anchorAtStart()) : new THREE.Vector3();
+    this.camera.position.copy(from).add(offset);
+    this.controls.target.copy(target).add(offset);
+    const distance = from.distanceTo(target);
+    this.camera.near = distance / 200;
+    this.camera.far = distance * 20 + 10 * this.half;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.wake();
+  }
+
+  follow(on) { this.following = on; this.at = null; this.wake(); }
+
+  select(body) {
+    this.selected = body;
+    const track = this.run.poses.tracks[body];
+    const points = new Float32Array(3 * this.rows());
+    for (let row = 0; row < this.rows(); ++row)
+      points.set(track.subarray(POSE * row, POSE * row + 3), 3 * row);
+    this.path.geometry.dispose();
+    this.path.geometry = new THREE.BufferGeometry();
+    this.path.geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+    this.axes.scale.setScalar(1.25 * this.radius[body]);
+    this.at = null;
+    this.wake();
+  }
+
+  pick(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2(2 * (event.clientX - box.left) / box.width - 1,
+                                        1 - 2 * (event.clientY - box.top) / box.height), this.camera);
+    const [hit] = ray.intersectObjects(this.meshes, false);
+    if (hit) this.onSelect(hit.object.bodies[hit.instanceId]);
+  }
+
+  fit() {
+    const {clientWidth, clientHeight} = this.canvas.parentElement;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.wake();
+  }
+
+  // Draws once before the browser shows its next picture.
+  wake() {
+    if (this.awake) return;
+    this.awake = true;
+    requestAnimationFrame(() => { this.awake = false; this.draw(); });
+  }
+
+  anchorAtStart() {
+    const place = new THREE.Vector3();
+    this.pose(this.selected, this.clock.start, place, new THREE.Quaternion());
+    return place;
+  }
+
+  // Moves the camera with the selected body, but not up and down with the waves.
+  carryCamera(place) {
+    if (this.following) {
+      const moved = this.at ? place.clone().sub(this.at) : new THREE.Vector3();
+      moved.z = 0;
+      this.camera.position.add(moved);
+      this.controls.target.add(moved);
+    }
+    this.at = place.clone();
+  }
+
+  draw() {
+    const {time} = this.clock;
+    const position = new THREE.Vector3(), orientation = new THREE.Quaternion();
+    const matrix = new THREE.Matrix4(), one = new THREE.Vector3(1, 1, 1);
+    const middle = new THREE.Vector3();
+    this.places.forEach(({mesh, index}, body) => {
+      this.pose(body, time, position, orientation);
+      middle.addScaledVector(position, 1 / this.places.length);
+      mesh.setMatrixAt(index, matrix.compose(position, orientation, one));
+      if (body === this.selected) {
+        this.axes.position.copy(position);
+        this.axes.quaternion.copy(orientation);
+      }
+    });
+    for (const mesh of this.meshes) {
+      mesh.instanceMatrix.needsUpdate = true;
+      mesh.boundingSphere = null;  // found anew when a click asks for it
+    }
+    this.carryCamera(this.axes.position);
+    const shown = this.drifts ? middle : this.first.middle;
+    this.water?.update(time, shown.x + this.origin[0], shown.y + this.origin[1], this.origin);
+    if (this.ground) this.ground.position.set(shown.x, shown.y, this.ground.position.z);
+    this.path.geometry.setDrawRange(0, rowAt(this.run.poses.times, time) + 1);
+    this.renderer.render(this.scene, this.camera);
+  }
+}

@@ -1,0 +1,150 @@
+// The page of a run: everything on it shows the time of one clock and one selected body.
+import "./style.css";
+import {Clock} from "./clock.js";
+import {readRun} from "./data.js";
+import {showDetails, showHead} from "./facts.js";
+import {element, grouped, number} from "./format.js";
+import {Plots} from "./plots.js";
+import {Replay} from "./replay.js";
+import {Strip} from "./strip.js";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50];
+const SLIDER_STEPS = 10000;
+const KEY_STEPS = 200;  // a key moves the time by this part of the run
+
+const at = (id) => document.getElementById(id);
+const button = (text, title, onclick) => element("button", {type: "button", textContent: text, title, onclick});
+
+const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const look = () => ({water: color("--water"), waterLine: color("--water-line"), ground: color("--ground"),
+                     groundLine: color("--ground-line"), path: color("--c2")});
+
+const makeReplay = (run, clock) => {
+  try {
+    return new Replay(run, clock, at("replay"), look());
+  } catch (error) {
+    at("replay").hidden = true;
+    at("hint").hidden = true;
+    at("view").append(element("p", {className: "notice", textContent:
+      `The 3-D replay needs WebGL, which this browser does not give (${error.message}).`}));
+    return null;
+  }
+};
+
+const makeTransport = (clock) => {
+  const play = button("▶", "Play or pause (space)", () => clock.play(!clock.playing));
+  play.id = "play";
+  const slider = element("input", {type: "range", id: "time", min: 0, max: SLIDER_STEPS, value: 0,
+                                   ariaLabel: "Time"});
+  slider.addEventListener("input", () => {
+    clock.play(false);
+    clock.seek(clock.start + (clock.end - clock.start) * slider.value / SLIDER_STEPS);
+  });
+  const shown = element("output", {id: "clock"});
+  const speed = element("select", {title: "Speed of the replay"}, ...SPEEDS.map((s) =>
+    element("option", {value: s, textContent: `${s} ×`, selected: s === clock.speed})));
+  speed.addEventListener("change", () => { clock.speed = Number(speed.value); });
+  at("transport").append(play, slider, shown, speed);
+  const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(clock.end - clock.start, 1e-9))) + 1);
+  const update = () => {
+    play.textContent = clock.playing ? "⏸" : "▶";
+    slider.value = SLIDER_STEPS * (clock.time - clock.start) / Math.max(clock.end - clock.start, 1e-12);
+    shown.textContent = `${clock.time.toFixed(Math.min(digits, 6))} / ${number(clock.end)} s`;
+  };
+  clock.onChange(update);
+  update();
+  document.addEventListener("keydown", (event) => {
+    if (event.target.matches("input, select, textarea, button")) return;
+    const step = (clock.end - clock.start) / KEY_STEPS;
+    const moves = {ArrowLeft: -step, ArrowRight: step, Home: -Infinity, End: Infinity};
+    if (event.key === " ") clock.play(!clock.playing);
+    else if (event.key in moves) clock.seek(clock.time + moves[event.key]);
+    else return;
+    event.preventDefault();
+  });
+};
+
+// Which of the two is seen, and from where.
+const makeViews = (run, replay) => {
+  const tabs = [];
+  const show = (picture, tab) => {
+    at("picture").hidden = !picture;
+    at("replay").style.visibility = picture ? "hidden" : "";
+    at("hint").hidden = picture;
+    for (const other of tabs) other.classList.toggle("on", other === tab);
+  };
+  const addTab = (text, title, action) => {
+    const tab = button(text, title, () => { action(); });
+    tabs.push(tab);
+    at("views").append(tab);
+    return tab;
+  };
+  if (replay) {
+    const views = [["3-D", "scene", run.camera ? "From the scene's camera" : "All bodies"],
+                   ["Side", "side", "From −y"], ["Front", "front", "From +x"], ["Top", "top", "From above"]];
+    for (const [text, view, title] of views) {
+      const tab = addTab(text, title, () => { show(false, tab); replay.look(view); });
+    }
+  }
+  if (run.frames) {
+    const tab = addTab("Pictures", "The pictures of the run", () => show(true, tab));
+    if (!replay) show(true, tab);
+  }
+  tabs[0]?.classList.add("on");
+};
+
+const makeToggles = (replay) => {
+  const toggle = (text, on, change) => {
+    const box = element("input", {type: "checkbox", checked: on, onchange: () => change(box.checked)});
+    at("toggles").append(element("label", {}, box, text));
+  };
+  toggle("follow", replay.following, (on) => replay.follow(on));
+  if (replay.water) toggle("water", true, (on) => { replay.water.group.visible = on; replay.wake(); });
+  toggle("path", true, (on) => { replay.path.visible = on; replay.wake(); });
+  toggle("axes", true, (on) => { replay.axes.visible = on; replay.wake(); });
+};
+
+// The body whose plots are shown. @return the function that selects one.
+const makeChooser = (run, plots, replay) => {
+  const list = element("select", {id: "body", title: "Body"}, ...run.bodies.map((body, i) =>
+    element("option", {value: i, textContent: body.name})));
+  const swatch = element("i", {className: "swatch"});
+  const select = (body) => {
+    list.value = body;
+    swatch.style.background = `rgb(${run.bodies[body].color.map((c) => Math.round(255 * c)).join()})`;
+    plots.show(body);
+    replay?.select(body);
+    at("readout").textContent = run.bodies[body].name;
+  };
+  const step = (by) => () => select((Number(list.value) + by + run.bodies.length) % run.bodies.length);
+  list.addEventListener("change", () => select(Number(list.value)));
+  const reset = button("Whole run", "Reset the zoom (double click in a plot)", () => plots.setZoom(null));
+  reset.id = "reset";
+  reset.disabled = true;
+  const hint = element("span", {className: "dim"});
+  plots.onZoom = (zoom) => {
+    reset.disabled = zoom === null;
+    hint.textContent = zoom ? `${number(zoom[0], 4)} … ${number(zoom[1], 4)} s` : "drag in a plot to zoom · click a name to hide its line";
+  };
+  plots.onZoom(null);
+  at("chooser").append(swatch, list);
+  if (run.bodies.length > 1)
+    at("chooser").append(button("‹", "Previous body", step(-1)), button("›", "Next body", step(1)),
+                         element("span", {className: "dim", textContent: `of ${grouped(run.bodies.length)}`}));
+  at("chooser").append(element("span", {className: "grow"}), hint, reset);
+  return select;
+};
+
+const run = readRun();
+const times = run.poses.times;
+const clock = new Clock(times[0], times[times.length - 1]);
+showHead(run, at("head"));
+const replay = run.bodies.length > 0 ? makeReplay(run, clock) : null;
+makeTransport(clock);
+if (run.frames) new Strip(run.frames, clock, at("strip"), at("picture"));
+makeViews(run, replay);
+if (replay) makeToggles(replay);
+const select = makeChooser(run, new Plots(run, clock, at("charts")), replay);
+if (replay) replay.onSelect = select;
+showDetails(run, at("details"), select);
+select(0);

@@ -1,0 +1,13 @@
+# The page of `plimsoll report`, bundled by npm's esbuild into build/report/page.html. The program
+# does without it: where npm is missing, or has nowhere to download from, the build says so and goes
+# on, and `plimsoll report` says what is missing.
+set(web ${PROJECT_SOURCE_DIR}/app/report/web)
+file(GLOB web_sources CONFIGURE_DEPENDS ${web}/*.js ${web}/*.mjs ${web}/*.css ${web}/*.html
+  ${web}/package.json ${web}/package-lock.json ${web}/.npmrc)
+set(page ${PROJECT_BINARY_DIR}/report/page.html)
+add_custom_command(OUTPUT ${page}
+  COMMAND ${CMAKE_COMMAND} -DWEB=${web} -DWORK=${PROJECT_BINARY_DIR}/report_web -DPAGE=${page}
+    -P ${PROJECT_SOURCE_DIR}/cmake/bundle_report.cmake
+  DEPENDS ${web_sources} ${PROJECT_SOURCE_DIR}/cmake/bundle_report.cmake
+  COMMENT "Bundling the report's page" VERBATIM)
+add_custom_target(report_page ALL DEPENDS ${page})

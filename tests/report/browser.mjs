@@ -1,0 +1,36 @@
+// A browser without a window, and what goes wrong in it.
+import puppeteer from "puppeteer-core";
+
+// Pictures are made by the processor: what is tested does not depend on a graphics card.
+const SWITCHES = ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
+                  "--enable-unsafe-swiftshader", "--hide-scrollbars"];
+
+// Opens a file with the network cut off. `faults` gathers errors of the page and whatever it asks
+// for beyond itself.
+export const open = async (program, file, {width = 1400, height = 900, dark = false} = {}) => {
+  const browser = await puppeteer.launch({executablePath: program, headless: true, args: SWITCHES});
+  const page = await browser.newPage();
+  const faults = [];
+  page.on("console", (message) => {
+    if (message.type() === "error") faults.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => faults.push(`exception: ${error.stack ?? error.message ?? error}`));
+  const url = `file://${encodeURI(file)}`;
+  page.on("request", (request) => {
+    if (request.url() !== url && !/^(data|blob):/.test(request.url()))
+      faults.push(`request: ${request.url()}`);
+  });
+  await page.setViewport({width, height});
+  await page.setOfflineMode(true);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: dark ? "dark" : "light"}]);
+  await page.goto(url, {waitUntil: "load"});
+  return {browser, page, faults};
+};
+
+// Waits until the page has drawn what it was told to.
+export const settle = (page) =>
+  page.evaluate(() => new Promise((done) => {
+    let frames = 4;
+    const wait = () => (--frames === 0 ? done() : requestAnimationFrame(wait));
+    requestAnimationFrame(wait);
+  }));
