@@ -12,6 +12,16 @@ export const number = (value, digits = DIGITS) => {
   return text.replace("-", "−");
 };
 
+// Decimals that show five digits of a number of this size, so that those of one plot line up.
+export const decimalsOf = (size) =>
+  size > 0 ? Math.min(Math.max(DIGITS - 1 - Math.floor(Math.log10(size)), 0), 12) : 0;
+
+export const fixed = (value, decimals) => {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
+};
+
 export const grouped = (count) => count.toLocaleString("en-US").replaceAll(",", "\u202f");
 
 export const element = (tag, properties = {}, ...children) => {

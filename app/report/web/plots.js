@@ -1,21 +1,25 @@
 // Plots of the selected body over time, with one cursor and one zoom for all.
 import uPlot from "uplot";
 import {rowAt, seriesOf} from "./data.js";
-import {element, number} from "./format.js";
+import {decimalsOf, element, fixed, number} from "./format.js";
 import {chartsOf} from "./charts.js";
 
-const HEIGHT = 190;           // px
-const WIDEST_LEGEND_TIME = 6; // digits of the time in the legend
-const MOST_DOTS = 40;         // rows in sight up to which each is marked
+const HEIGHT = 190;    // px
+const MOST_DOTS = 40;  // rows in sight up to which each is marked
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
+
+const largestOf = (chart) => {
+  let largest = 0;
+  for (const line of chart.lines)
+    for (const value of line.values) largest = Math.max(largest, Math.abs(value));
+  return largest;
+};
 
 // Of [N], [N m] and [J]: the prefix by which the largest number is written shortly.
 const scaleOf = (chart) => {
   if (!chart.prefixed) return [1, chart.unit];
-  let largest = 0;
-  for (const line of chart.lines)
-    for (const value of line.values) largest = Math.max(largest, Math.abs(value));
+  const largest = largestOf(chart);
   const [factor, letter] = prefixes.find(([size]) => largest >= size) ?? [1, ""];
   return [factor, letter + chart.unit];
 };
@@ -51,6 +55,9 @@ export class Plots {
     }, {rootMargin: "300px"});
     new ResizeObserver(() => this.fit()).observe(host);
     clock.onChange(() => this.markAll());
+    addEventListener("beforeprint", () => {
+      for (const card of this.cards) { if (!card.plot) this.draw(card); this.mark(card); }
+    });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
   }
 
@@ -69,10 +76,11 @@ export class Plots {
 
   addCard(chart, grid) {
     const [factor, unit] = scaleOf(chart);
+    const when = element("span");
     const node = element("figure", {className: "chart"},
-      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`));
-    if (chart.note) node.append(element("p", {className: "note", textContent: chart.note}));
-    const card = {chart, factor, node, inSight: false};
+      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when));
+    const decimals = decimalsOf(largestOf(chart) / factor);
+    const card = {chart, decimals, node, when, inSight: false};
     card.data = [this.run.series.times,
                  ...chart.lines.map((line) => line.values.map((value) => value / factor))];
     node.card = card;
@@ -87,16 +95,17 @@ export class Plots {
     const axis = {stroke: ink, grid: {stroke: rule, width: 1}, ticks: {show: false},
                   font: "11px system-ui, sans-serif"};
     const times = this.run.series.times;
-    const value = (_plot, v) => number(v);
+    const value = (_plot, v) => fixed(v, card.decimals);
     card.plot = new uPlot({
-      width: this.widthOf(card), height: HEIGHT,
+      width: this.widthOf(card), height: HEIGHT, pxAlign: false,
+      padding: [8, 16, 0, 0],
       cursor: {sync: {key: this.sync.key, setSeries: false}, drag: {x: true, y: false, dist: 4},
                points: {size: 6}, y: false},
       legend: {live: true},
-      scales: {x: {time: false, range: (_plot, low, high) => [low, high]}, y: {range: bounds}},
+      scales: {x: {time: false, range: (_plot, low, high) => low === high ? [low - 0.5, high + 0.5] : [low, high]}, y: {range: bounds}},
       axes: [{...axis, size: 26, gap: 2, values: (_plot, ticks) => ticks.map((t) => `${number(t)} s`)},
              {...axis, size: 52, gap: 4, values: (_plot, ticks) => ticks.map((v) => number(v))}],
-      series: [{label: "t", value: (_plot, t) => t === null ? "–" : `${number(t, WIDEST_LEGEND_TIME)} s`},
+      series: [{label: "time"},
                ...card.chart.lines.map((line) => ({
                  label: line.label,
                  stroke: style.getPropertyValue(line.color).trim(),
@@ -107,6 +116,10 @@ export class Plots {
                  value}))],
       hooks: {
         setScale: [(plot, key) => { if (key === "x") this.follow(plot); }],
+        setLegend: [(plot) => {
+          const t = times[plot.legend.idx ?? -1];
+          card.when.textContent = t === undefined ? "" : `at ${number(t, 6)} s`;
+        }],
         setSeries: [(plot, i, options) => {
           if (options.show === undefined || i === null || i === 0) return;
           const label = plot.series[i].label;
@@ -156,7 +169,9 @@ export class Plots {
     const inside = x >= 0 && x <= plot.over.clientWidth;
     card.now.style.display = inside ? "" : "none";
     card.now.style.transform = `translateX(${x}px)`;
-    if (!plot.over.matches(":hover")) plot.setLegend({idx: rowAt(this.run.series.times, this.clock.time + 1e-9)}, false);
+    if (plot.over.matches(":hover")) return;
+    plot.setLegend({idx: rowAt(this.run.series.times, this.clock.time + 1e-9)}, false);
+    card.when.textContent = "";
   }
 
   widthOf(card) { return Math.max(card.node.clientWidth - 16, 160); }

@@ -3,12 +3,13 @@ import * as THREE from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {toCreasedNormals} from "three/addons/utils/BufferGeometryUtils.js";
 import {floats, integers, rowAt} from "./data.js";
-import {Water} from "./water.js";
+import {Surface} from "./surface.js";
 
 const CREASE = 40 * Math.PI / 180;  // edges that turn by more stay sharp, as in the pictures
 const POSE = 7;                     // numbers a row: position, quaternion x y z w
 const SAMPLES = 200;                // rows from which the extent of the motion is taken
 const CLICK = 4;                    // px that the mouse may move in a click
+const WIDTH_TO_HEIGHT = 4 / 3;      // of a picture
 const FIELD_OF_VIEW = 35;           // degrees, of a scene without a camera
 
 const geometryOf = (mesh) => {
@@ -21,10 +22,11 @@ const geometryOf = (mesh) => {
 };
 
 export class Replay {
-  constructor(run, clock, canvas, look) {
+  constructor(run, clock, canvas, label, look) {
     this.run = run;
     this.clock = clock;
     this.canvas = canvas;
+    this.label = label;
     this.origin = run.origin;
     this.selected = 0;
     this.following = false;
@@ -37,7 +39,8 @@ export class Replay {
     this.measure();
     this.addGround(look);
     if (run.water) {
-      this.water = new Water(run.water, this.half, look);
+      this.water = new Surface(run.water, this.half,
+                               {color: look.water, line: look.waterLine, opacity: 0.66, order: 1});
       this.scene.add(this.water.group);
     }
     this.addMarks(look);
@@ -124,8 +127,8 @@ export class Replay {
     this.lowest = all.min.z;
     const {camera} = this.run;
     const view = camera ? Math.hypot(...camera.from.map((c, i) => c - camera.to[i])) : 0;
-    this.half = Math.max(2.2 * reach, 0.9 * view, 1.3 * Math.min(drift, 3 * reach) + reach);
-    this.drifts = drift > 0.6 * this.half;
+    this.half = Math.max(3.5 * reach, 0.9 * view);
+    this.drifts = drift > 1.2 * reach;
     this.following = this.drifts;
   }
 
@@ -139,16 +142,10 @@ export class Replay {
       this.scene.add(mesh);
       return;
     }
-    this.ground = new THREE.Group();
-    const disc = new THREE.Mesh(new THREE.CircleGeometry(this.half, 64), material);
-    const grid = new THREE.PolarGridHelper(this.half, 12, 8, 64, look.groundLine, look.groundLine);
-    grid.rotation.x = Math.PI / 2;
-    grid.position.z = 2e-3 * this.half;
-    grid.material.transparent = true;
-    grid.material.opacity = 0.35;
-    this.ground.add(disc, grid);
-    this.ground.position.z = ground.z - this.origin[2];
-    this.scene.add(this.ground);
+    const floor = {kind: "flat", level: ground.z};
+    const looks = {color: look.ground, line: look.groundLine, opacity: 1, order: -2};
+    this.ground = new Surface(floor, this.half, looks);
+    this.scene.add(this.ground.group);
   }
 
   // Axes and path of the selected body.
@@ -183,15 +180,15 @@ export class Replay {
   look(view) {
     const {camera} = this.run;
     const target = this.first.middle.clone();
-    const size = 1.3 * Math.max(this.first.reach, this.first.box.getSize(new THREE.Vector3()).z / 2);
+    const size = 1.15 * Math.max(this.first.reach, this.first.box.getSize(new THREE.Vector3()).z / 2);
     const away = size / Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180);
     const directions = {top: [0, -1e-3, 1], side: [0, -1, 0.02], front: [1, 0, 0.02], scene: [0.55, -0.75, 0.35]};
     let from = new THREE.Vector3(...directions[view]).normalize().multiplyScalar(away).add(target);
-    this.camera.fov = FIELD_OF_VIEW;
+    this.fieldOfView = FIELD_OF_VIEW * Math.PI / 180;
     if (view === "scene" && camera) {
       from = this.local(camera.from);
       target.copy(this.local(camera.to));
-      this.camera.fov = camera.field_of_view * 180 / Math.PI;
+      this.fieldOfView = camera.field_of_view;
     }
     const offset = this.following && this.at ? this.at.clone().sub(this.anchorAtStart()) : new THREE.Vector3();
     this.camera.position.copy(from).add(offset);
@@ -199,9 +196,16 @@ export class Replay {
     const distance = from.distanceTo(target);
     this.camera.near = distance / 200;
     this.camera.far = distance * 20 + 10 * this.half;
-    this.camera.updateProjectionMatrix();
+    this.frame();
     this.controls.update();
     this.wake();
+  }
+
+  // In a canvas that is narrower than a picture of 4:3 just as much is seen from side to side.
+  frame() {
+    const half = Math.tan(this.fieldOfView / 2) * Math.max(1, WIDTH_TO_HEIGHT / this.camera.aspect);
+    this.camera.fov = 2 * Math.atan(half) * 180 / Math.PI;
+    this.camera.updateProjectionMatrix();
   }
 
   follow(on) { this.following = on; this.at = null; this.wake(); }
@@ -234,7 +238,7 @@ export class Replay {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
+    this.frame();
     this.wake();
   }
 
@@ -282,9 +286,19 @@ export class Replay {
     }
     this.carryCamera(this.axes.position);
     const shown = this.drifts ? middle : this.first.middle;
-    this.water?.update(time, shown.x + this.origin[0], shown.y + this.origin[1], this.origin);
-    if (this.ground) this.ground.position.set(shown.x, shown.y, this.ground.position.z);
+    for (const surface of [this.water, this.ground])
+      surface?.update(time, shown.x + this.origin[0], shown.y + this.origin[1], this.origin);
     this.path.geometry.setDrawRange(0, rowAt(this.run.poses.times, time) + 1);
     this.renderer.render(this.scene, this.camera);
+    this.placeLabel();
+  }
+
+  // The name stands beside the selected body.
+  placeLabel() {
+    const {clientWidth, clientHeight} = this.canvas;
+    const p = this.axes.position.clone().project(this.camera);
+    const x = (1 + p.x) / 2 * clientWidth + 8, y = (1 - p.y) / 2 * clientHeight + 8;
+    const inside = Math.abs(p.x) < 1 && Math.abs(p.y) < 1 && p.z < 1;
+    this.label.style.transform = inside ? `translate(${x}px, ${y}px)` : "translate(8px, 8px)";
   }
 }

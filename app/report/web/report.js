@@ -17,14 +17,14 @@ const button = (text, title, onclick) => element("button", {type: "button", text
 
 const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const look = () => ({water: color("--water"), waterLine: color("--water-line"), ground: color("--ground"),
-                     groundLine: color("--ground-line"), path: color("--c2")});
+                     groundLine: color("--ground-line"), path: color("--ink")});
 
 const makeReplay = (run, clock) => {
   try {
-    return new Replay(run, clock, at("replay"), look());
+    return new Replay(run, clock, at("replay"), at("label"), look());
   } catch (error) {
     at("replay").hidden = true;
-    at("hint").hidden = true;
+    at("hint").hidden = at("label").hidden = true;
     at("view").append(element("p", {className: "notice", textContent:
       `The 3-D replay needs WebGL, which this browser does not give (${error.message}).`}));
     return null;
@@ -45,7 +45,7 @@ const makeTransport = (clock) => {
     element("option", {value: s, textContent: `${s} ×`, selected: s === clock.speed})));
   speed.addEventListener("change", () => { clock.speed = Number(speed.value); });
   at("transport").append(play, slider, shown, speed);
-  const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(clock.end - clock.start, 1e-9))) + 1);
+  const digits = Math.max(1, 2 - Math.floor(Math.log10(Math.max(clock.end - clock.start, 1e-9))) + 1);
   const update = () => {
     play.textContent = clock.playing ? "⏸" : "▶";
     slider.value = SLIDER_STEPS * (clock.time - clock.start) / Math.max(clock.end - clock.start, 1e-12);
@@ -70,7 +70,7 @@ const makeViews = (run, replay) => {
   const show = (picture, tab) => {
     at("picture").hidden = !picture;
     at("replay").style.visibility = picture ? "hidden" : "";
-    at("hint").hidden = picture;
+    at("hint").hidden = at("label").hidden = picture;
     for (const other of tabs) other.classList.toggle("on", other === tab);
   };
   const addTab = (text, title, action) => {
@@ -114,7 +114,7 @@ const makeChooser = (run, plots, replay) => {
     swatch.style.background = `rgb(${run.bodies[body].color.map((c) => Math.round(255 * c)).join()})`;
     plots.show(body);
     replay?.select(body);
-    at("readout").textContent = run.bodies[body].name;
+    at("label").textContent = run.bodies[body].name;
   };
   const step = (by) => () => select((Number(list.value) + by + run.bodies.length) % run.bodies.length);
   list.addEventListener("change", () => select(Number(list.value)));

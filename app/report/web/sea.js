@@ -1,6 +1,7 @@
 // Height of the water's surface above its level on a square grid, as hydro/sea.h has it.
 
-const COMPONENT = 5;  // amplitude, kx, ky, omega, phase
+const COMPONENT = 5;       // amplitude, kx, ky, omega, phase
+const LEAST_CELLS = 2.5;   // to a wave that the grid can show
 
 // A sum of waves: the phases along x and along y are found once for a place of the grid, so that a
 // time costs two multiplications a wave and point.
@@ -15,21 +16,25 @@ class Waves {
 
   place(x0, y0, cell) {
     const {cosX, sinX, cosY, sinY} = this.along;
-    for (let w = 0; w < this.number; ++w)
+    this.shown = [];
+    for (let w = 0; w < this.number; ++w) {
+      const [, kx, ky] = this.components.subarray(COMPONENT * w, COMPONENT * (w + 1));
+      if (Math.hypot(kx, ky) * cell * LEAST_CELLS > 2 * Math.PI) continue;
+      this.shown.push(w);
       for (let i = 0; i < this.count; ++i) {
-        const x = this.components[COMPONENT * w + 1] * (x0 + i * cell);
-        const y = this.components[COMPONENT * w + 2] * (y0 + i * cell);
+        const x = kx * (x0 + i * cell), y = ky * (y0 + i * cell);
         const k = w * this.count + i;
         cosX[k] = Math.cos(x); sinX[k] = Math.sin(x);
         cosY[k] = Math.cos(y); sinY[k] = Math.sin(y);
       }
+    }
   }
 
   heights(time, out) {
     const {cosX, sinX, cosY, sinY} = this.along;
     const n = this.count;
     out.fill(0);
-    for (let w = 0; w < this.number; ++w) {
+    for (const w of this.shown) {
       const [a, , , omega, phase] = this.components.subarray(COMPONENT * w, COMPONENT * (w + 1));
       const c0 = a * Math.cos(phase - omega * time), s0 = a * Math.sin(phase - omega * time);
       for (let j = 0; j < n; ++j) {

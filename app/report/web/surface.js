@@ -1,4 +1,4 @@
-// The water's surface as a square that fades out at its rim.
+// The water's surface, or a level ground, as a square that fades out at its rim.
 import * as THREE from "three";
 import {makeSea} from "./sea.js";
 
@@ -11,7 +11,8 @@ const fade = (u, v) => {
   return Math.min(1, Math.max(0, (1 - r) / 0.3));
 };
 
-export class Water {
+export class Surface {
+  // look: {color, line, opacity, order of drawing}
   constructor(water, half, look) {
     this.half = half;
     this.level = water.level;
@@ -29,12 +30,12 @@ export class Water {
     this.lines.setAttribute("color", this.colors(1));
     this.lines.setIndex(this.segments());
     const surface = new THREE.Mesh(this.geometry, new THREE.MeshPhongMaterial({
-      color: look.water, specular: 0x99bbcc, shininess: 70, vertexColors: true, transparent: true,
-      opacity: 0.66, depthWrite: false, side: THREE.DoubleSide}));
+      color: look.color, specular: 0x99bbcc, shininess: 70, vertexColors: true, transparent: true,
+      opacity: look.opacity, depthWrite: false, side: THREE.DoubleSide}));
     const grid = new THREE.LineSegments(this.lines, new THREE.LineBasicMaterial({
-      color: look.waterLine, vertexColors: true, transparent: true, opacity: 0.28, depthWrite: false}));
-    surface.renderOrder = 1;
-    grid.renderOrder = 2;
+      color: look.line, vertexColors: true, transparent: true, opacity: 0.28, depthWrite: false}));
+    surface.renderOrder = look.order;
+    grid.renderOrder = look.order + 1;
     surface.frustumCulled = grid.frustumCulled = false;
     this.group = new THREE.Group();
     this.group.add(surface, grid);
