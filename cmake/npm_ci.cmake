@@ -14,7 +14,8 @@ function(npm_ci folder result)
     return()
   endif()
   execute_process(
-    COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --loglevel=error
+    COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --fetch-retries=1
+      --fetch-retry-mintimeout=1000 --loglevel=error
     WORKING_DIRECTORY ${folder} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(NOT code EQUAL 0)
     set(${result} "npm cannot install its packages:\n${said}" PARENT_SCOPE)

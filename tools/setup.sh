@@ -11,6 +11,14 @@ packages=(
   fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
 )
 
+# What only the report's page and its test need: npm to bundle it, a browser to open it. Ubuntu has no
+# package of chromium that runs by itself; the test is skipped without one. A node and npm from
+# elsewhere will do.
+report_packages=()
+command -v npm > /dev/null || report_packages+=(nodejs npm)
+test_packages=()
+if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
+
 say() { printf '%s\n' "$*" >&2; }
 
 # install_missing PACKAGE...: by the system's package manager, after saying which.

@@ -63,8 +63,8 @@ void read_scene_of_run(const fs::path& moved_to, RunFolder& run) {
   const fs::path file = moved_to.empty() ? source->file : moved_to;
   if (!moved_to.empty() && !fs::exists(moved_to))
     throw InputError(moved_to, "there is no such file");
-  run.scene = parse_scene(source->text, file, overrides);
   try {
+    run.scene = parse_scene(source->text, file, overrides);
     run.assembly = assemble(run.scene);
   } catch (const InputError&) {
     if (fs::exists(file)) throw;

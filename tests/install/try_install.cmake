@@ -30,6 +30,13 @@ foreach(file IN ITEMS trajectory.csv summary.json sheet.png)
     message(FATAL_ERROR "the installed program wrote no ${file}:\n${output}")
   endif()
 endforeach()
+# The report's page comes with it where it was built.
+if(EXISTS ${BUILD}/report/page.html)
+  run(${WORK}/moved/bin/plimsoll report ${WORK}/teapot)
+  if(NOT EXISTS ${share}/report/page.html OR NOT EXISTS ${WORK}/teapot/report.html)
+    message(FATAL_ERROR "the installed program wrote no report.html:\n${output}")
+  endif()
+endif()
 # Shaders are read at run time: without those that were installed it falls back on the sources.
 file(RENAME ${share}/shaders ${share}/shaders-away)
 file(WRITE ${share}/shaders/none "")

@@ -23,7 +23,7 @@ const wallTime = (wall) => {
     const share = 100 * time / wall.total;
     const text = `${label} ${seconds(time)} (${share.toFixed(share < 10 ? 1 : 0)} %)`;
     const piece = element("i", {title: text});
-    piece.style.cssText = `flex-grow:${time};background:var(${color})`;
+    piece.style.cssText = `flex-grow:${share};background:var(${color})`;
     bar.append(piece);
     const dot = element("i", {className: "dot"});
     dot.style.background = `var(${color})`;
@@ -56,7 +56,7 @@ export const showHead = (run, host) => {
            s.threads === 1 ? "1 thread" : `${s.threads} threads`));
   }
   tiles.append(
-    tile("Logged", `${grouped(run.rows)} rows`, run.rows === 1 ? "the initial state" : "of each body"),
+    tile("Logged", run.rows === 1 ? "1 row" : `${grouped(run.rows)} rows`, run.rows === 1 ? "the initial state" : "of each body"),
     tile("Bodies", grouped(run.bodies.length), `${grouped(triangles)} triangles`),
     tile("Water", ...waterText(run.water)));
   if (s) tiles.append(wallTime(s.wall_seconds));

@@ -29,7 +29,7 @@ const bounds = (_plot, low, high) => {
   if (low === null) return [-1, 1];
   const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high), 1e-3);
   if (high - low < least) {
-    const middle = (low + high) / 2, half = Math.max(Math.abs(middle) * 0.1, 1e-3);
+    const middle = (low + high) / 2, half = Math.abs(middle) * 0.1 || 1;
     return [middle - half, middle + half];
   }
   return uPlot.rangeNum(low, high, 0.08, true);
@@ -50,13 +50,13 @@ export class Plots {
         const card = entry.target.card;
         card.inSight = entry.isIntersecting;
         if (card.inSight && !card.plot) this.draw(card);
-        if (card.inSight) this.mark(card);
+        else if (card.inSight) this.mark(card);
       }
     }, {rootMargin: "300px"});
     new ResizeObserver(() => this.fit()).observe(host);
     clock.onChange(() => this.markAll());
     addEventListener("beforeprint", () => {
-      for (const card of this.cards) { if (!card.plot) this.draw(card); this.mark(card); }
+      for (const card of this.cards) if (!card.plot) this.draw(card);
     });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
   }
@@ -115,6 +115,7 @@ export class Plots {
                  points: {show: (plot, _i, from, to) => to - from <= MOST_DOTS && plot.width > 0, size: 4},
                  value}))],
       hooks: {
+        ready: [(plot) => { card.plot = plot; this.begin(card); }],
         setScale: [(plot, key) => { if (key === "x") this.follow(plot); }],
         setLegend: [(plot) => {
           const t = times[plot.legend.idx ?? -1];
@@ -127,15 +128,23 @@ export class Plots {
         }],
       },
     }, card.data, card.node);
+  }
+
+  // What a plot has beyond uPlot's own, once it is drawn.
+  begin(card) {
+    const {plot} = card;
     card.now = element("div", {className: "now"});
-    card.plot.over.append(card.now);
-    card.plot.over.addEventListener("mousemove", (event) => {
-      if (!this.clock.playing && event.buttons === 0)
-        this.clock.seek(card.plot.posToVal(event.offsetX, "x"));
+    plot.over.append(card.now);
+    plot.over.addEventListener("mousemove", (event) => {
+      if (!this.clock.playing && event.buttons === 0) this.clock.seek(plot.posToVal(event.offsetX, "x"));
     });
-    card.plot.over.addEventListener("mouseleave", () => this.markAll());
-    const [from, to] = this.zoom ?? [times[0], times[times.length - 1]];
-    if (this.zoom) { this.quiet = true; card.plot.setScale("x", {min: from, max: to}); this.quiet = false; }
+    plot.over.addEventListener("mouseleave", () => this.markAll());
+    if (this.zoom) {
+      this.quiet = true;
+      plot.setScale("x", {min: this.zoom[0], max: this.zoom[1]});
+      queueMicrotask(() => { this.quiet = false; });
+    }
+    this.mark(card);
   }
 
   // The zoom of one plot becomes that of all.
@@ -165,6 +174,7 @@ export class Plots {
   // The time of the replay: a line, and the values there in the legend.
   mark(card) {
     const {plot} = card;
+    if (!card.now) return;
     const x = plot.valToPos(this.clock.time, "x");
     const inside = x >= 0 && x <= plot.over.clientWidth;
     card.now.style.display = inside ? "" : "none";
@@ -187,8 +197,8 @@ export class Plots {
   redraw() {
     for (const card of this.cards) {
       card.plot?.destroy();
-      card.plot = null;
-      if (card.inSight) { this.draw(card); this.mark(card); }
+      card.plot = card.now = null;
+      if (card.inSight) this.draw(card);
     }
   }
 }
