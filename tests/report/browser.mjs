@@ -1,4 +1,6 @@
 // A browser without a window, and what goes wrong in it.
+import {resolve} from "node:path";
+import {pathToFileURL} from "node:url";
 import puppeteer from "puppeteer-core";
 
 // Pictures are made by the processor: what is tested does not depend on a graphics card.
@@ -15,7 +17,7 @@ export const open = async (program, file, {width = 1400, height = 900, dark = fa
     if (message.type() === "error") faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`exception: ${error.stack ?? error.message ?? error}`));
-  const url = `file://${encodeURI(file)}`;
+  const url = pathToFileURL(resolve(file)).href;
   page.on("request", (request) => {
     if (request.url() !== url && !/^(data|blob):/.test(request.url()))
       faults.push(`request: ${request.url()}`);

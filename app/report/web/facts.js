@@ -64,7 +64,8 @@ export const showHead = (run, host) => {
     element("div", {className: "title"},
       element("h1", {textContent: name}),
       element("span", {className: `state ${state}`, textContent: state}),
-      element("span", {className: "origin", textContent: `${run.scene.file} · Plimsoll ${s?.version ?? run.program}`})),
+      element("span", {className: "origin", title: run.scene.file,
+        textContent: `${s?.scene ?? run.scene.file} · Plimsoll ${s?.version ?? run.program}`})),
     tiles);
   for (const text of [s?.error && `Error: ${s.error}`, ...(s?.warnings ?? []).map((w) => `Warning: ${w}`)])
     if (text) host.append(element("p", {className: "notice", textContent: text}));

@@ -5,6 +5,7 @@ import {decimalsOf, element, fixed, number} from "./format.js";
 import {chartsOf} from "./charts.js";
 
 const HEIGHT = 190;    // px
+const FEW_LINES = 3;   // whose legend fits in one line
 const MOST_DOTS = 40;  // rows in sight up to which each is marked
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
@@ -77,7 +78,7 @@ export class Plots {
   addCard(chart, grid) {
     const [factor, unit] = scaleOf(chart);
     const when = element("span");
-    const node = element("figure", {className: "chart"},
+    const node = element("figure", {className: chart.lines.length > FEW_LINES ? "chart many" : "chart"},
       element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when));
     const decimals = decimalsOf(largestOf(chart) / factor);
     const card = {chart, decimals, node, when, inSight: false};
