@@ -37,7 +37,8 @@ const checkPlots = async () => {
     const title = await chart.$eval("b", (b) => b.textContent);
     const pixels = await chart.$("canvas") ? await coloredPixels(chart) : 0;
     expect(`plot ${title}: ${pixels} coloured pixels, expected lines`, pixels > LINE);
-    const values = await chart.$$eval(".u-series:not(:first-child) .u-value", (cells) => cells.map((c) => c.textContent));
+    const values = await chart.$$eval(".u-series:not(:first-child) .u-value",
+                                      (cells) => cells.map((cell) => cell.textContent));
     expect(`plot ${title}: values ${values}`, values.length > 0 && values.every((v) => /\d/.test(v)));
   }
   await page.evaluate(() => scrollTo(0, 0));

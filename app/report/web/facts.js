@@ -56,7 +56,8 @@ export const showHead = (run, host) => {
            s.threads === 1 ? "1 thread" : `${s.threads} threads`));
   }
   tiles.append(
-    tile("Logged", run.rows === 1 ? "1 row" : `${grouped(run.rows)} rows`, run.rows === 1 ? "the initial state" : "of each body"),
+    run.rows === 1 ? tile("Logged", "1 row", "the initial state")
+      : tile("Logged", `${grouped(run.rows)} rows`, "of each body"),
     tile("Bodies", grouped(run.bodies.length), `${grouped(triangles)} triangles`),
     tile("Water", ...waterText(run.water)));
   if (s) tiles.append(wallTime(s.wall_seconds));
@@ -83,7 +84,8 @@ const limits = (run) => {
     notes.push(`${run.frames.images.length} of ${run.frames.of} pictures are shown.`);
   const coarse = run.shapes.filter((shape) => shape.faces < shape.of_faces);
   if (coarse.length > 0)
-    notes.push(`${coarse.length === 1 ? "One mesh is" : `${coarse.length} meshes are`} coarser in the replay than in the run.`);
+    notes.push((coarse.length === 1 ? "One mesh is" : `${coarse.length} meshes are`) +
+               " coarser in the replay than in the run.");
   return notes;
 };
 
@@ -104,7 +106,8 @@ const list = (title, notes) => notes.length === 0 ? "" :
           element("ul", {}, ...notes.map((note) => element("li", {textContent: note}))));
 
 const bodyTable = (run, select) => {
-  const head = ["body", "mass [kg]", "triangles", "steps free", "constrained", "pieces", "above water", "at rest", "loads left out"];
+  const head = ["body", "mass [kg]", "triangles", "steps free", "constrained", "pieces", "above water",
+                "at rest", "loads left out"];
   const table = element("table", {}, element("tr", {}, ...head.map((t) => element("th", {textContent: t}))));
   run.bodies.slice(0, MOST_BODIES).forEach((body, i) => {
     const s = run.summary?.bodies?.[body.name];
@@ -117,7 +120,8 @@ const bodyTable = (run, select) => {
     table.append(row);
   });
   const more = run.bodies.length > MOST_BODIES
-    ? element("p", {className: "note", textContent: `The first ${MOST_BODIES} of ${grouped(run.bodies.length)} bodies.`}) : "";
+    ? element("p", {className: "note",
+                    textContent: `The first ${MOST_BODIES} of ${grouped(run.bodies.length)} bodies.`}) : "";
   return element("div", {className: "card scroll"}, element("h2", {textContent: "Bodies"}), table, more);
 };
 

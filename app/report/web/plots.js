@@ -36,6 +36,9 @@ const bounds = (_plot, low, high) => {
   return uPlot.rangeNum(low, high, 0.08, true);
 };
 
+// The time axis; that of a single row has a length all the same.
+const span = (_plot, from, to) => from === to ? [from - 0.5, to + 0.5] : [from, to];
+
 export class Plots {
   constructor(run, clock, host) {
     this.run = run;
@@ -103,7 +106,7 @@ export class Plots {
       cursor: {sync: {key: this.sync.key, setSeries: false}, drag: {x: true, y: false, dist: 4},
                points: {size: 6}, y: false},
       legend: {live: true},
-      scales: {x: {time: false, range: (_plot, low, high) => low === high ? [low - 0.5, high + 0.5] : [low, high]}, y: {range: bounds}},
+      scales: {x: {time: false, range: span}, y: {range: bounds}},
       axes: [{...axis, size: 26, gap: 2, values: (_plot, ticks) => ticks.map((t) => `${number(t)} s`)},
              {...axis, size: 52, gap: 4, values: (_plot, ticks) => ticks.map((v) => number(v))}],
       series: [{label: "time"},

@@ -122,9 +122,12 @@ const makeChooser = (run, plots, replay) => {
   reset.id = "reset";
   reset.disabled = true;
   const hint = element("span", {className: "dim"});
+  const usage = run.series.thinned
+    ? `${grouped(run.series.times.length)} of ${grouped(run.rows)} rows: least and largest of each interval`
+    : "drag in a plot to zoom · click a name to hide its line";
   plots.onZoom = (zoom) => {
     reset.disabled = zoom === null;
-    hint.textContent = zoom ? `${number(zoom[0], 4)} … ${number(zoom[1], 4)} s` : "drag in a plot to zoom · click a name to hide its line";
+    hint.textContent = zoom ? `${number(zoom[0], 4)} … ${number(zoom[1], 4)} s` : usage;
   };
   plots.onZoom(null);
   at("chooser").append(swatch, list);
