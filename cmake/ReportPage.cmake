@@ -2,8 +2,25 @@
 # does without it: where npm is missing, or has nowhere to download from, the build says so and goes
 # on, and `plimsoll report` says what is missing.
 set(web ${PROJECT_SOURCE_DIR}/app/report/web)
-file(GLOB web_sources CONFIGURE_DEPENDS ${web}/*.js ${web}/*.mjs ${web}/*.css ${web}/*.html
-  ${web}/package.json ${web}/package-lock.json ${web}/.npmrc)
+set(web_sources
+  .npmrc
+  bundle.mjs
+  charts.js
+  clock.js
+  data.js
+  facts.js
+  format.js
+  package-lock.json
+  package.json
+  page.html
+  plots.js
+  replay.js
+  report.js
+  sea.js
+  strip.js
+  style.css
+  surface.js)
+list(TRANSFORM web_sources PREPEND ${web}/)
 set(page ${PROJECT_BINARY_DIR}/report/page.html)
 add_custom_command(OUTPUT ${page}
   COMMAND ${CMAKE_COMMAND} -DWEB=${web} -DWORK=${PROJECT_BINARY_DIR}/report_web -DPAGE=${page}
