@@ -13,7 +13,19 @@ const seek = async (part) => {
   await settle(page);
 };
 const clock = () => page.$eval("#clock", (output) => parseFloat(output.textContent));
-const replayPixels = async () => (await (await page.$("#view")).screenshot()).toString("base64");
+
+// What the replay looks like once it is drawn: a browser that is short of time may be late with it.
+const replayPixels = async () => {
+  const view = await page.$("#view");
+  const shot = async () => Buffer.from(await view.screenshot()).toString("base64");
+  let before, now = await shot();
+  do {
+    before = now;
+    await settle(page);
+    now = await shot();
+  } while (now !== before);
+  return now;
+};
 
 // Pixels of a plot's canvas in a colour: lines have one, axes and grid are nearly grey.
 const GREY = 60;  // of 255, between the largest and the least of red, green and blue

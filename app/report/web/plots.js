@@ -10,6 +10,17 @@ const MOST_DOTS = 40;  // rows in sight up to which each is marked
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
 
+// How far the line that changes most does so.
+const spreadOf = (chart) => {
+  let spread = 0;
+  for (const {values} of chart.lines) {
+    let low = Infinity, high = -Infinity;
+    for (const value of values) { low = Math.min(low, value); high = Math.max(high, value); }
+    spread = Math.max(spread, high - low);
+  }
+  return spread;
+};
+
 const largestOf = (chart) => {
   let largest = 0;
   for (const line of chart.lines)
@@ -83,7 +94,7 @@ export class Plots {
     const when = element("span");
     const node = element("figure", {className: chart.lines.length > FEW_LINES ? "chart many" : "chart"},
       element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when));
-    const decimals = decimalsOf(largestOf(chart) / factor);
+    const decimals = decimalsOf((spreadOf(chart) || largestOf(chart)) / factor);
     const card = {chart, decimals, node, when, inSight: false};
     card.data = [this.run.series.times,
                  ...chart.lines.map((line) => line.values.map((value) => value / factor))];

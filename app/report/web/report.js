@@ -138,6 +138,11 @@ const makeChooser = (run, plots, replay) => {
   return select;
 };
 
+// A column that does not change is a number.
+const POSE_COLUMNS = 6;
+const firstThatMoves = (run) => Math.max(0, run.series.bodies.findIndex((columns) =>
+  columns.slice(0, POSE_COLUMNS).some((column) => typeof column !== "number")));
+
 const run = readRun();
 const times = run.poses.times;
 const clock = new Clock(times[0], times[times.length - 1]);
@@ -150,4 +155,4 @@ if (replay) makeToggles(replay);
 const select = makeChooser(run, new Plots(run, clock, at("charts")), replay);
 if (replay) replay.onSelect = select;
 showDetails(run, at("details"), select);
-select(0);
+select(firstThatMoves(run));
