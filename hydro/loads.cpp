@@ -72,7 +72,7 @@ Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) 
 /// From how many leaves on several threads share a body: below they take longer to wake than to
 /// work. With whole branches and no viscous drag few leaves are looked into.
 int shared_from(const kernel::Immersion& in) {
-  return in.branches && !in.surface && !(in.moving && in.viscous) ? 4096 : 128;
+  return in.branches && !in.surface && !(in.moving && in.viscous) ? 8192 : 256;
 }
 
 /// The sum over all faces. Chunks are added in their order, whichever thread made them.

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 /// A hull of fewer leaves has no clusters: there a leaf is too large for the bound to be below a
 /// tolerance of 1e-4, and to look costs up to a tenth more.
-constexpr int kFewestLeaves = 128;
+constexpr int kFewestLeaves = 256;
 
 /// θ: the size that δ has over a branch at the edge of being taken, as a part of the velocity. A
 /// product of k features then counts in the kernel as much as its term of equation (1).

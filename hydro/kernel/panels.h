@@ -6,7 +6,7 @@
 #include "hydro/mesh.h"
 
 /// @file
-/// The faces of a hull as the kernel reads them: in leaves of 64 neighbours, numbers of one kind
+/// The faces of a hull as the kernel reads them: in leaves of 32 neighbours, numbers of one kind
 /// side by side.
 ///
 /// A face is kept as its centroid c, its unit normal n, a unit vector e_1 in its plane and, with
@@ -25,7 +25,7 @@
 namespace hydro::kernel {
 
 /// Faces of a leaf: a multiple of the lanes of every vector unit.
-inline constexpr int kLeafFaces = 64;
+inline constexpr int kLeafFaces = 32;
 
 /// Faces in body axes about the centre of mass [m, m^2]. A leaf that is not full repeats its last
 /// face with no area.
