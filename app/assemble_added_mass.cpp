@@ -9,6 +9,7 @@
 
 #include "app/console.h"
 #include "app/faults.h"
+#include "app/file_lock.h"
 #include "app/progress.h"
 #include "hydro/constant_added_mass.h"
 #include "hydro/surface_added_mass.h"
@@ -106,6 +107,11 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
                                   bool quiet) {
   if (auto stored = store.find(mesh, options)) return *stored;
   ProgressLine progress(quiet);
+  std::filesystem::path lock_file = store.file_of(mesh, options);
+  if (!lock_file.empty()) lock_file += ".lock";
+  const FileLock lock(lock_file);  // of the processes that want it one solves, the others wait
+  if (lock.waited())
+    if (auto stored = store.find(mesh, options)) return *stored;
   progress.show(fmt::format("added mass of {}: solving for {} triangles, once for this mesh", name,
                             mesh.face_count()));
   hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/faults.h"
+#include "app/sweep.h"
 
 namespace app {
 namespace {
@@ -60,6 +61,7 @@ struct Arguments {
   ReportOptions report;
   HydrostaticsOptions hydrostatics;
   AddedMassCommand addedmass;
+  SweepOptions sweep;
   std::vector<double> center_of_mass;
   std::string heels = "0:60:5";
   std::vector<std::filesystem::path> scenes;
@@ -223,6 +225,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   a.run.overrides = a.render.overrides = a.addedmass.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
+  if (program.got_subcommand("sweep")) return sweep(a.sweep);
   if (program.got_subcommand("new")) return new_scene(a.scene);
   if (program.got_subcommand("check")) return check(a.scenes, overrides);
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
@@ -242,6 +245,7 @@ int command_line(int argc, char** argv) {
   program.require_subcommand(1);
   Arguments arguments;
   add_run(program, arguments);
+  add_sweep(program, arguments.sweep);
   add_others(program, arguments);
   add_compare(program, arguments);
   add_report(program, arguments);

@@ -13,14 +13,15 @@
 
 namespace app {
 
-OutputFolder::OutputFolder(const std::filesystem::path& path) : path_(path) {
+OutputFolder::OutputFolder(const std::filesystem::path& path, Use use) : path_(path) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error) throw InputError(path_, fmt::format("cannot be made: {}", error.message()));
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) throw InputError(path_, fmt::format("cannot be opened: {}", std::strerror(errno)));
   // File systems that know no locks get none.
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+  if (::flock(lock_, (use == Use::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 &&
+      errno == EWOULDBLOCK) {
     ::close(lock_);
     throw InputError(path_, "another run is writing to this folder; name another with --out");
   }

@@ -15,8 +15,13 @@ class OutputError : public std::runtime_error {
 /// mix their files.
 class OutputFolder {
  public:
+  enum class Use {
+    alone,
+    shared  ///< With others that say so, too: they keep apart what they write by themselves.
+  };
+
   /// Makes the folder and holds it. @throws InputError if it cannot be made or is in use.
-  explicit OutputFolder(const std::filesystem::path& path);
+  explicit OutputFolder(const std::filesystem::path& path, Use use = Use::alone);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
