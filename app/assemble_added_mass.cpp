@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include "app/console.h"
 #include "app/faults.h"
@@ -100,17 +102,23 @@ AddedMassReport add_deep(const CenteredMesh& solid, const StoredAddedMass& store
       .model = Model::deep, .matrix = density * model->whole(), .stored = stored, .surface = {}};
 }
 
+bool is_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return !file.empty() && std::filesystem::exists(file, ignored);
+}
+
 }  // namespace
 
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
                                   const hydro::AddedMassOptions& options, AddedMassStore& store,
                                   bool quiet) {
+  const std::filesystem::path file = store.file_of(mesh, options);
+  const bool had_file = is_there(file);
   if (auto stored = store.find(mesh, options)) return *stored;
   ProgressLine progress(quiet);
-  std::filesystem::path lock_file = store.file_of(mesh, options);
-  if (!lock_file.empty()) lock_file += ".lock";
-  const FileLock lock(lock_file);  // of the processes that want it one solves, the others wait
-  if (lock.waited())
+  // Of the processes that look for it one solves, and the others wait.
+  const FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
+  if (lock.waited() || is_there(file) != had_file)
     if (auto stored = store.find(mesh, options)) return *stored;
   progress.show(fmt::format("added mass of {}: solving for {} triangles, once for this mesh", name,
                             mesh.face_count()));

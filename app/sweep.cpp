@@ -33,11 +33,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Between two looks at the keyboard's interrupt, the clock and what other ranks have done.
+/// Between two looks at the keyboard's interrupt and the clock.
 constexpr milliseconds kGlance(50);
-/// Between two writings of the table: it is written whole, so that each takes as long as there are
-/// runs.
+/// Between two writings of the table.
 constexpr milliseconds kTableInterval(1000);
+/// The table is written whole, and other ranks' folders are looked at one by one: the more runs,
+/// the longer each time takes. This bounds the part of the time that is spent on it.
+constexpr int kRestsPerLook = 20;
 
 /// Whether a run is not to be done again.
 bool ended_by_itself(const RunOutcome& outcome) {
@@ -85,7 +87,7 @@ class Sweep {
       if (guard_.interrupted()) stop();
       while (!waiting_.empty() && going_.size() < jobs_) start_next();
       if (const auto ended = children_.wait(kGlance)) finish(*ended);
-      if (Clock::now() - table_written_ >= kTableInterval) write_table();
+      if (Clock::now() >= table_due_) write_table();
       if (progress_.due()) show_progress();
     }
     write_table();
@@ -94,31 +96,49 @@ class Sweep {
 
   /// Waits for the runs of other ranks.
   void wait_for_others() {
-    while (!guard_.interrupted() && look_at_others() > 0) std::this_thread::sleep_for(kGlance);
-    write_table();
-  }
-
-  /// Takes up what others have done. Returns how many runs have no outcome yet.
-  std::size_t look_at_others() {
-    std::size_t missing = 0;
-    for (std::size_t run = 0; run < outcomes_.size(); ++run) {
-      if (!outcomes_[run]) outcomes_[run] = read_outcome(folder_.outcome_file(run));
-      if (!outcomes_[run]) ++missing;
+    for (std::size_t missing = 1; missing > 0 && !guard_.interrupted();) {
+      if (Clock::now() >= table_due_) write_table();
+      const Clock::time_point start = Clock::now();
+      look_at_others();
+      const Clock::duration rest = kRestsPerLook * (Clock::now() - start);
+      missing = missing_runs();
+      if (progress_.due()) progress_.show(fmt::format("{} runs of other ranks to go", missing));
+      if (missing > 0) std::this_thread::sleep_for(std::max<Clock::duration>(kGlance, rest));
     }
-    return missing;
+    write_table();
+    progress_.clear();
   }
 
+  /// Writes the outcomes that are known here, and those that others have left meanwhile if `others`
+  /// do runs, too.
   void write_table() {
-    table_written_ = Clock::now();
     if (!bodies_) return;
+    const Clock::time_point start = Clock::now();
+    if (others_) look_at_others();
     write_whole(folder_.table_file(),
                 table_of(plan_.parameters, plan_.points, *bodies_, outcomes_));
+    const Clock::duration time = Clock::now() - start;
+    table_due_ = start + std::max<Clock::duration>(kTableInterval, kRestsPerLook * time);
   }
+
+  /// From now on the runs that are not done here are done by others.
+  void expect_others() { others_ = true; }
 
   bool interrupted() const { return guard_.interrupted() || run_interrupted_; }
   const std::vector<std::optional<RunOutcome>>& outcomes() const { return outcomes_; }
 
  private:
+  void look_at_others() {
+    for (std::size_t run = 0; run < outcomes_.size(); ++run)
+      if (!outcomes_[run]) outcomes_[run] = read_outcome(folder_.outcome_file(run));
+  }
+
+  std::size_t missing_runs() const {
+    return static_cast<std::size_t>(
+        std::count_if(outcomes_.begin(), outcomes_.end(),
+                      [](const std::optional<RunOutcome>& outcome) { return !outcome; }));
+  }
+
   void start_next() {
     const std::size_t run = waiting_.front();
     waiting_.pop_front();
@@ -134,7 +154,7 @@ class Sweep {
 
   void finish(const EndedProcess& ended) {
     const auto found = going_.find(ended.process);
-    if (found == going_.end()) return;  // a child that this process had before it became us
+    if (found == going_.end()) return;  // of whoever replaced himself by this program
     const Going& going = found->second;
     // What was interrupted is done anew another time, whoever interrupted it.
     const bool by_signal = ended.code > EndedProcess::kSignalBase && guard_.interrupted();
@@ -181,7 +201,8 @@ class Sweep {
   bool stopped_ = false;
   bool run_interrupted_ = false;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point table_written_ = start_;
+  Clock::time_point table_due_ = start_;
+  bool others_ = false;
   ProgressLine progress_;
   InterruptGuard guard_;
   ChildProcesses children_;
@@ -221,7 +242,7 @@ int report(const SweepOptions& options, const SweepPlan& plan,
                       run_name(first_failed), outcomes[first_failed]->message));
     say(fmt::format("{}: {}{} of {} runs are done{}", options.out.string(),
                     interrupted ? "interrupted; " : "", done, plan.points.size(),
-                    all ? "" : "; the same command goes on from here"));
+                    all ? "; the table is sweep.csv" : "; the same command goes on from here"));
   }
   if (interrupted) return kInterrupted;
   return all && failed == 0 ? kDone : kCannotGoOn;
@@ -248,6 +269,7 @@ int do_part(const SweepOptions& options, const SweepPlan& plan, const SweepFolde
   std::optional<std::vector<std::string>> bodies;
   if (first) bodies = std::move(survey.bodies);
   Sweep part(plan, folder, std::move(runs), jobs, std::move(bodies), options.quiet || !first);
+  if (!alone) part.expect_others();
   part.resume(alone);
   part.execute();
   if (!first) return part.interrupted() ? kInterrupted : kDone;
@@ -258,7 +280,7 @@ int do_part(const SweepOptions& options, const SweepPlan& plan, const SweepFolde
 int gather(const SweepOptions& options, const SweepPlan& plan, const SweepFolder& folder,
            SweepSurvey survey) {
   Sweep done(plan, folder, {}, 1, std::move(survey.bodies), options.quiet);
-  done.look_at_others();
+  done.expect_others();
   done.write_table();
   return report(options, plan, done.outcomes(), false);
 }

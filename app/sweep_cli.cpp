@@ -53,6 +53,7 @@ void add_sweep(CLI::App& program, SweepOptions& o) {
   CLI::Option* slurm = command->add_flag(
       "--slurm", o.slurm, "Run nothing; write DIR/sweep.sbatch, an array of jobs (-j at a time)");
   CLI::Option* only = command->add_option("--only", o.only, "Do this run, from 0, and no table")
+                          ->check(CLI::Range(std::size_t{0}, kMostRuns - 1).description(""))
                           ->type_name("INDEX");
   CLI::Option* gather =
       command->add_flag("--gather", o.gather, "Run nothing; write the table of what was done");

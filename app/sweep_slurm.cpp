@@ -9,14 +9,14 @@
 namespace app {
 namespace {
 
-/// `$1` the folder to start in, `$2` the command but its last words, `$3` the array, `$4` names.
+/// What stands in single braces is filled in.
 constexpr const char* kScript = R"(#!/bin/bash
 # The {runs} runs of a sweep as an array of jobs for Slurm, made by plimsoll sweep --slurm. To hand it
 # in, with a job after it that writes the table:
 #     bash {script}
 # What the cluster wants besides (account, partition) goes below or into SBATCH_ACCOUNT and the like.
-# If it allows fewer tasks in an array ({runs} here; scontrol show config | grep MaxArraySize), hand in
-# parts of it: sbatch --array=0-999 {script}
+# If it allows no such numbers in an array (scontrol show config | grep MaxArraySize), hand in parts:
+#     sbatch --array=0-999 {script}; SWEEP_FIRST=1000 sbatch --array=0-999 {script}
 #SBATCH --job-name={name}
 #SBATCH --array={array}
 #SBATCH --ntasks=1
@@ -29,7 +29,7 @@ if [[ -z ${{SLURM_ARRAY_TASK_ID:-}} ]]; then
   exec sbatch --dependency="afterany:${{job%%;*}}" --job-name={name}-table --ntasks=1 \
     --output={log} --wrap="${{sweep[*]@Q}} --gather"
 fi
-exec "${{sweep[@]}}" --only "$SLURM_ARRAY_TASK_ID"
+exec "${{sweep[@]}}" --only $((SLURM_ARRAY_TASK_ID + ${{SWEEP_FIRST:-0}}))
 )";
 
 /// Letters of a word that a shell takes as they are.
