@@ -117,6 +117,7 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
   if (auto stored = store.find(mesh, options)) return *stored;
   ProgressLine progress(quiet);
   // Of the processes that look for it one solves, and the others wait.
+  progress.show(fmt::format("added mass of {}: another process solves for it", name));
   const FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
   if (lock.waited() || is_there(file) != had_file)
     if (auto stored = store.find(mesh, options)) return *stored;

@@ -7,8 +7,9 @@
 
 namespace app {
 
-/// The solution of a mesh from the store, or else found now and kept there. On a terminal it is
-/// said what takes the time, unless quiet.
+/// The solution of a mesh from the store, or else found now and kept there. Of several processes
+/// that look for it at once one solves, and the others wait. On a terminal it is said what takes
+/// the time, unless quiet.
 /// @param name   Of the body, for what is said.
 /// @throws std::invalid_argument if the mesh encloses nothing
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,

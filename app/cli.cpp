@@ -245,12 +245,12 @@ int command_line(int argc, char** argv) {
   program.require_subcommand(1);
   Arguments arguments;
   add_run(program, arguments);
-  add_sweep(program, arguments.sweep);
   add_others(program, arguments);
   add_compare(program, arguments);
   add_report(program, arguments);
   add_hydrostatics(program, arguments);
   add_addedmass(program, arguments);
+  add_sweep(program, arguments.sweep);
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);

@@ -73,10 +73,13 @@ class Sweep {
     const auto is_done = [&](std::size_t run) {
       auto outcome = read_outcome(folder_.outcome_file(run));
       if (!outcome || (retry && !ended_by_itself(*outcome))) return false;
+      if (outcome->code != kDone) ++failed_;
       outcomes_[run] = std::move(outcome);
       return true;
     };
+    const std::size_t all = waiting_.size();
     waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_done), waiting_.end());
+    done_before_ = all - waiting_.size();
     to_do_ = waiting_.size();
   }
 
@@ -180,7 +183,8 @@ class Sweep {
 
   void show_progress() {
     const double wall = seconds_since(start_);
-    std::string line = fmt::format("{}: {} of {} runs", plan_.scene.stem().string(), done_, to_do_);
+    std::string line = fmt::format("{}: {} of {} runs", plan_.scene.stem().string(),
+                                   done_before_ + done_, done_before_ + to_do_);
     if (failed_ > 0) line += fmt::format(", {} failed", failed_);
     if (done_ > 0)
       line += fmt::format(", {:.0f} s left",
@@ -195,6 +199,7 @@ class Sweep {
   std::vector<std::optional<RunOutcome>> outcomes_;  ///< Per run of the sweep.
   std::deque<std::size_t> waiting_;
   std::map<pid_t, Going> going_;
+  std::size_t done_before_ = 0;
   std::size_t to_do_ = 0;
   std::size_t done_ = 0;
   std::size_t failed_ = 0;

@@ -83,7 +83,8 @@ RunFolder::~RunFolder() {
   if (messages_ >= 0) ::close(messages_);
 }
 
-SweepFolder::SweepFolder(const fs::path& path, OutputFolder::Use use) : folder_(path, use) {}
+SweepFolder::SweepFolder(const fs::path& path, OutputFolder::Use use)
+    : folder_(path, use), alone_(use == OutputFolder::Use::alone) {}
 
 fs::path SweepFolder::run_folder(std::size_t run) const { return path() / "runs" / run_name(run); }
 
@@ -114,7 +115,8 @@ bool SweepFolder::holds(const SweepIdentity& identity) const {
 
 void SweepFolder::begin(const SweepIdentity& identity, const std::set<fs::path>& files) const {
   std::error_code error;
-  if (!fs::exists(manifest_file()) && !fs::is_empty(path() / "runs", error) && !error)
+  // Shared, the runs may be those of another process that has begun the same sweep.
+  if (alone_ && !fs::is_empty(path() / "runs", error) && !error)
     throw InputError(path() / "runs", "holds what no sweep has written; name another --out");
   Json manifest = {
       {"scene", identity.scene.string()}, {"sweep", to_json(identity)}, {"files", Json::object()}};

@@ -53,7 +53,8 @@ class SweepFolder {
   bool holds(const SweepIdentity& identity) const;
 
   /// Says that it holds this sweep from now on. @param files   Those that the scenes name.
-  /// @throws InputError if there are runs of no sweep, which may be someone else's
+  /// @throws InputError if there are runs of no sweep, which may be someone else's, and no other
+  ///     process can have begun it meanwhile
   void begin(const SweepIdentity& identity, const std::set<std::filesystem::path>& files) const;
 
   const std::filesystem::path& path() const { return folder_.path(); }
@@ -66,6 +67,7 @@ class SweepFolder {
   std::filesystem::path manifest_file() const { return path() / "sweep.json"; }
 
   OutputFolder folder_;
+  bool alone_;
 };
 
 }  // namespace app
