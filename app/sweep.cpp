@@ -241,13 +241,15 @@ int report(const SweepOptions& options, const SweepPlan& plan,
     if (outcomes[run]->code != kDone && failed++ == 0) first_failed = run;
   }
   const bool all = done == plan.points.size();
+  const char* rest = all              ? "; the table is sweep.csv"
+                     : options.gather ? "; the table sweep.csv has their rows"
+                                      : "; the same command goes on from here";
   if (!options.quiet) {
     if (failed > 0)
       say(fmt::format("{} run{} failed, the first of them {}: {}", failed, failed == 1 ? "" : "s",
                       run_name(first_failed), outcomes[first_failed]->message));
     say(fmt::format("{}: {}{} of {} runs are done{}", options.out.string(),
-                    interrupted ? "interrupted; " : "", done, plan.points.size(),
-                    all ? "; the table is sweep.csv" : "; the same command goes on from here"));
+                    interrupted ? "interrupted; " : "", done, plan.points.size(), rest));
   }
   if (interrupted) return kInterrupted;
   return all && failed == 0 ? kDone : kCannotGoOn;

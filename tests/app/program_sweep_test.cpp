@@ -140,7 +140,9 @@ TEST_F(ProgramSweep, DoesWhatIsNotDoneAndNothingElse) {
   fs::remove(here / "o/sweep.csv");
   std::ofstream(run_file("o", "0000", "messages.txt")) << "kept";
   std::ofstream(run_file("o", "0001", "messages.txt")) << "done anew";
-  EXPECT_EQ(sweep("o", kGrid).code, 0);
+  const Outcome again = sweep("o", kGrid + std::vector<std::string>{"--quiet"});
+  EXPECT_EQ(again.code, 0);
+  EXPECT_EQ(again.err, "");
   EXPECT_EQ(table("o"), whole);
   EXPECT_EQ(here.read("o/runs/0000/messages.txt"), "kept");
   EXPECT_THAT(here.read("o/runs/0001/messages.txt"), HasSubstr("20 steps"));
@@ -305,7 +307,7 @@ TEST_F(ProgramSweep, PartsAndGatherMakeTheSameTable) {
     EXPECT_EQ(sweep("parts", kGrid + std::vector<std::string>{"--only", run}).code, 0);
   const Outcome early = sweep("parts", kGrid + std::vector<std::string>{"--gather"});
   EXPECT_EQ(early.code, 3);
-  EXPECT_THAT(early.err, StartsWith("parts: 3 of 4 runs are done; "));
+  EXPECT_THAT(early.err, StartsWith("parts: 3 of 4 runs are done; the table sweep.csv has"));
   EXPECT_EQ(sweep("parts", kGrid + std::vector<std::string>{"--only", "1"}).code, 0);
   EXPECT_EQ(sweep("parts", kGrid + std::vector<std::string>{"--gather"}).code, 0);
   EXPECT_EQ(table("parts"), table("whole"));

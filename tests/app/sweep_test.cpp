@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <set>
 #include <thread>
@@ -13,6 +14,7 @@
 #include "app/sweep_outcome.h"
 #include "app/sweep_parameters.h"
 #include "app/sweep_slurm.h"
+#include "app/sweep_survey.h"
 
 /// What a sweep is made of, without running anything.
 
@@ -210,6 +212,45 @@ TEST(SweepOutcome, TheTableHasARowARunThatIsDone) {
   EXPECT_THAT(table,
               HasSubstr(",b.tilt_max_deg,message\n0000,\"[1, 2]\",2,,0.250,,,,,,,,,,,,,,,,,"
                         ",,,,\"no \"\"size\"\" at all\"\n0002,\"[3, 4]\",0,2,1.000,1,2,3.5,"));
+}
+
+/// A sweep of a box beside a body that is varied.
+class Survey : public testing::Test {
+ protected:
+  Survey() {
+    std::ofstream(file)
+        << "plimsoll: 1\nduration: 1\nwater: {}\nbodies:\n"
+           "  - {name: a, box: {size: [1, 1, 1]}, density: 500}\n"
+           "  - {name: b, sphere: {radius: 1}, density: 500, position: [5, 0, 0]}\n";
+  }
+  ~Survey() override { fs::remove(file); }
+
+  app::SweepSurvey of(const std::vector<std::string>& varied) const {
+    app::SweepPlan plan = {.scene = file, .overrides = {}, .parameters = {}, .points = {}};
+    for (const std::string& one : varied) plan.parameters.push_back(parse_sweep_parameter(one));
+    plan.points = app::grid(plan.parameters);
+    return app::survey(plan);
+  }
+
+  const fs::path file = fs::path(testing::TempDir()) / "plimsoll_survey.yaml";
+};
+
+TEST_F(Survey, PutsTheFirstRunOfEachMeshFirst) {
+  const std::string density = "bodies[1].density=100,200,300";
+  EXPECT_THAT(of({density}).order, ElementsAre(0, 1, 2));
+  EXPECT_THAT(of({"bodies[1].sphere.radius=1,2", density}).order, ElementsAre(0, 3, 1, 2, 4, 5));
+  EXPECT_THAT(of({density, "bodies[1].sphere.radius=1,2"}).order, ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(of({"bodies[1].hydro.added_mass=none,deep", density}).order,
+              ElementsAre(0, 3, 1, 2, 4, 5));
+}
+
+TEST_F(Survey, HasTheBodiesOfAllRuns) {
+  EXPECT_THAT(of({"bodies[b].name=b,c"}).bodies, ElementsAre("a", "b", "c"));
+}
+
+TEST_F(Survey, RefusesAValueThatIsWrongInAllRunsButNoCombination) {
+  EXPECT_NO_THROW(of({"integrator.method=split,ode", "integrator.sleep=0,0.1"}));
+  EXPECT_THROW(of({"integrator.method=split,euler", "integrator.sleep=0,0.1"}), app::InputError);
 }
 
 TEST(SlurmScript, QuotesWhatAShellWouldTakeApart) {
