@@ -14,6 +14,8 @@
 namespace app {
 namespace {
 
+const char* const kTrajectory = "Trajectory (CSV or HDF5), or the folder of a run";
+
 std::vector<Override> parse_overrides(const std::vector<std::string>& arguments) {
   std::vector<Override> overrides;
   for (const std::string& argument : arguments) overrides.push_back(parse_override(argument));
@@ -33,6 +35,12 @@ std::map<std::string, double> parse_tolerances(const std::vector<std::string>& a
     tolerances[argument.substr(0, equals)] = number;
   }
   return tolerances;
+}
+
+LogFormat parse_format(const std::string& word) {
+  if (word == "csv") return LogFormat::csv;
+  if (word == "hdf5") return LogFormat::hdf5;
+  throw InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
 }
 
 /// `0:60:5` → 0, 5 … 60, in radians.
@@ -84,6 +92,11 @@ void add_run(CLI::App& program, Arguments& a) {
   command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE")->required();
   command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]")->type_name("DIR");
   add_sets(command, a);
+  command
+      ->add_option_function<std::string>(
+          "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
+          "Of the log: csv, or hdf5 for large runs [csv]")
+      ->type_name("FORMAT");
   command->add_flag_callback(
       "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
   command
@@ -112,9 +125,7 @@ void add_others(CLI::App& program, Arguments& a) {
   add_sets(probe, a);
 
   CLI::App* render = program.add_subcommand("render", "Draw pictures of a trajectory");
-  render->add_option("trajectory", a.render.trajectory, "Trajectory (CSV)")
-      ->type_name("FILE")
-      ->required();
+  render->add_option("trajectory", a.render.trajectory, kTrajectory)->type_name("FILE")->required();
   render->add_option("--scene", a.render.scene, "The scene that it is of")
       ->type_name("SCENE")
       ->required();
@@ -127,9 +138,8 @@ void add_others(CLI::App& program, Arguments& a) {
 
 void add_compare(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("compare", "Compare two trajectories body by body");
-  const char* what = "Trajectory (CSV), or the folder of a run";
-  command->add_option("a", a.compare.a, what)->type_name("A")->required();
-  command->add_option("b", a.compare.b, what)->type_name("B")->required();
+  command->add_option("a", a.compare.a, kTrajectory)->type_name("A")->required();
+  command->add_option("b", a.compare.b, kTrajectory)->type_name("B")->required();
   command
       ->add_option("--tol", a.tolerances,
                    "Tolerances: position, orientation_deg, linear_velocity, angular_velocity; only "

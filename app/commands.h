@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/log.h"
 #include "app/scene/reader.h"
 #include "hydro/added_mass.h"
 
@@ -29,6 +30,7 @@ struct RunOptions {
   std::filesystem::path scene;
   std::filesystem::path out;  ///< Empty: out/<scene file's stem>.
   std::vector<Override> overrides;
+  LogFormat format = LogFormat::csv;
   bool render = true;
   int threads = 0;  ///< 0: as many as the machine has.
   bool quiet = false;
@@ -43,7 +45,7 @@ int check(const std::vector<std::filesystem::path>& scenes, const std::vector<Ov
 
 int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);
 
-/// Two trajectories, each a CSV or the folder of a run.
+/// Two trajectories, each a file or the folder of a run.
 struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;

@@ -13,12 +13,7 @@
 namespace app {
 namespace {
 
-const char* const kTrajectoryOfRun = "trajectory.csv";
 const char* const kTolerancesOfRun = "tolerances.yaml";
-
-std::filesystem::path trajectory_of(const std::filesystem::path& given) {
-  return std::filesystem::is_directory(given) ? given / kTrajectoryOfRun : given;
-}
 
 void check_quantities(const std::map<std::string, double>& tolerances) {
   std::vector<std::string> known;

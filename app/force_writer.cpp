@@ -59,6 +59,8 @@ std::vector<std::string> force_columns() {
   return columns;
 }
 
+std::vector<double> force_row(const engine::BodyForces& forces) { return row_of(forces, nullptr); }
+
 std::string force_header() { return fmt::format("time,body,{}", fmt::join(force_columns(), ",")); }
 
 ForceWriter::ForceWriter(const std::filesystem::path& file, std::vector<std::string> names)
@@ -68,7 +70,7 @@ void ForceWriter::add(double time, const std::vector<engine::BodyForces>& forces
   fmt::memory_buffer rows;
   for (std::size_t i = 0; i < forces.size(); ++i)
     fmt::format_to(std::back_inserter(rows), "{},{},{}\n", time, names_[i],
-                   fmt::join(row_of(forces[i], nullptr), ","));
+                   fmt::join(force_row(forces[i]), ","));
   file_.add(rows);
 }
 

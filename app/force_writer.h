@@ -24,6 +24,10 @@ std::vector<std::string> force_columns();
 /// The header line.
 std::string force_header();
 
+/// The columns but time and body, and their numbers of one body at one time.
+std::vector<std::string> force_columns();
+std::vector<double> force_row(const engine::BodyForces& forces);
+
 /// Writes forces while they are found. What was added is in the file when `add` returns.
 class ForceWriter {
  public:

@@ -41,10 +41,10 @@ int render_trajectory(const RenderOptions& options) {
   if (!scene.render) scene.render.emplace();
   Assembly assembly = assemble(scene);
   assembly.spec.threads = thread_count(0);
-  const Trajectory trajectory = read_trajectory(options.trajectory);
-  check_same_bodies(trajectory, assembly.spec, options.trajectory);
-  const std::vector<Shot> shots =
-      choose_shots(trajectory, common_rows(trajectory, options.trajectory), scene);
+  const std::filesystem::path file = trajectory_of(options.trajectory);
+  const Trajectory trajectory = read_trajectory(file);
+  check_same_bodies(trajectory, assembly.spec, file);
+  const std::vector<Shot> shots = choose_shots(trajectory, common_rows(trajectory, file), scene);
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;
   ProgressLine progress(options.quiet);

@@ -5,22 +5,23 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "app/assemble_added_mass.h"
 #include "app/background.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/force_writer.h"
+#include "app/faults.h"
+#include "app/hdf5_file.h"
 #include "app/interrupt.h"
+#include "app/log.h"
 #include "app/output_folder.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/schedule.h"
 #include "app/summary.h"
 #include "app/thread_count.h"
-#include "app/trajectory.h"
 #include "engine/simulation.h"
 
 namespace app {
@@ -43,13 +44,11 @@ std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
   return names;
 }
 
-/// Of a scene that asks for the forces; what an earlier run left of them goes in any case.
-std::optional<ForceWriter> make_force_writer(const Scene& scene, const Assembly& assembly,
-                                             const OutputFolder& folder) {
-  const std::filesystem::path file = folder.path() / "forces.csv";
-  if (scene.log_forces) return ForceWriter(file, body_names(assembly.spec));
-  std::filesystem::remove(file);
-  return std::nullopt;
+LogSubject log_subject(const Scene& scene, const Assembly& assembly) {
+  return {.bodies = body_names(assembly.spec),
+          .forces = scene.log_forces,
+          .scene = scene.file.string(),
+          .title = scene.title};
 }
 
 /// Times that may wait to be logged. A row with its forces takes less than a kilobyte, so that a
@@ -74,8 +73,7 @@ class Run {
                  .wall_added_mass = wall_added_mass},
         progress_(options.quiet),
         simulation_(assembly.spec),
-        writer_(folder.path() / "trajectory.csv", body_names(assembly.spec)),
-        force_writer_(make_force_writer(scene, assembly, folder)),
+        log_(make_log(options.format, log_subject(scene, assembly), folder.path())),
         log_due_(scene.log_every.value_or(0)),
         shot_due_(scene.render ? scene.render->every : 0),
         logging_(assembly.spec.threads, most_waiting(assembly.spec.bodies.size())) {}
@@ -169,16 +167,16 @@ class Run {
   /// Hands over a row a body.
   void log(double time) {
     std::vector<engine::BodyForces> forces;
-    if (force_writer_) forces = simulation_.forces();
+    if (scene_.log_forces) forces = simulation_.forces();
     logging_.put([this, time, states = simulation_.states(), forces = std::move(forces)] {
-      writer_.add(time, states);
-      if (force_writer_) force_writer_->add(time, forces);
+      log_->add(time, states, forces);
     });
   }
 
   /// Waits until all that was logged is in the files.
   void finish_log() {
     const Stopwatch stopwatch;
+    logging_.put([this] { log_->finish(); });
     logging_.finish();
     summary_.wall_log += stopwatch.seconds();
   }
@@ -244,12 +242,11 @@ class Run {
   ProgressLine progress_;
   InterruptGuard interrupt_;
   engine::Simulation simulation_;
-  TrajectoryWriter writer_;
-  std::optional<ForceWriter> force_writer_;
+  std::unique_ptr<Log> log_;
   Schedule log_due_;
   Schedule shot_due_;
   std::vector<Shot> shots_;
-  Background logging_;  ///< Last: it works on the writers.
+  Background logging_;  ///< Last: it works on the log.
 };
 
 /// Finds the bodies' added mass on the threads of the run. @return how long that took [s].
@@ -264,6 +261,9 @@ double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& 
 }  // namespace
 
 int run(const RunOptions& options) {
+  const std::string no_hdf5 = why_no_hdf5();
+  if (options.format == LogFormat::hdf5 && !no_hdf5.empty())
+    throw InputError("--format hdf5", no_hdf5);
   const Scene scene = read_scene(options.scene, options.overrides);
   Assembly assembly = assemble(scene);
   assembly.spec.threads = thread_count(options.threads);

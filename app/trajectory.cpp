@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "app/faults.h"
+#include "app/hdf5_log.h"
+#include "app/log.h"
 #include "app/log_rows.h"
 
 namespace app {
@@ -15,16 +17,7 @@ namespace {
 constexpr std::string_view kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 constexpr double kUnitTolerance = 0.01;  ///< Of quaternions that others wrote with few digits.
 
-std::array<double, 13> numbers(const hydro::BodyState& s) {
-  const Eigen::Vector3d& p = s.position;
-  const Eigen::Quaterniond& q = s.orientation;
-  const Eigen::Vector3d& v = s.linear_velocity;
-  const Eigen::Vector3d& w = s.angular_velocity;
-  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z(),
-          v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
-}
-
-hydro::BodyState state(const std::array<double, 13>& n) {
+hydro::BodyState state(const StateRow& n) {
   return {.position = {n[0], n[1], n[2]},
           .orientation = Eigen::Quaterniond(n[3], n[4], n[5], n[6]),
           .linear_velocity = {n[7], n[8], n[9]},
@@ -34,25 +27,44 @@ hydro::BodyState state(const std::array<double, 13>& n) {
 /// One row; a body's times must ascend.
 void read_row(std::string_view text, const std::filesystem::path& file, int line,
               Trajectory& trajectory) {
-  std::array<double, 13> values;
+  StateRow values;
   const LogRow row = read_log_row(text, file, line, values);
-  const double time = row.time;
   const std::string name(row.body);
   const auto [entry, is_new] = trajectory.tracks.try_emplace(name);
-  BodyTrack& track = entry->second;
   if (is_new) trajectory.names.push_back(name);
-  if (!track.times.empty() && time <= track.times.back())
-    refuse_row(
-        file, line,
-        fmt::format("time {} of body {} does not come after {}", time, name, track.times.back()));
-  track.times.push_back(time);
-  track.states.push_back(state(values));
-  const double norm = track.states.back().orientation.norm();
-  if (!(std::abs(norm - 1) < kUnitTolerance))
-    refuse_row(file, line, fmt::format("the quaternion has length {:g}, expected 1", norm));
+  const std::string fault = add_row(name, row.time, values, entry->second);
+  if (!fault.empty()) refuse_row(file, line, fault);
+}
+
+/// CSV.
+Trajectory read_rows(const std::filesystem::path& file) {
+  Trajectory trajectory;
+  const auto read = [&](std::string_view row, int line) { read_row(row, file, line, trajectory); };
+  read_log(file, kHeader, "a trajectory", read);
+  return trajectory;
 }
 
 }  // namespace
+
+StateRow row_of(const hydro::BodyState& s) {
+  const Eigen::Vector3d& p = s.position;
+  const Eigen::Quaterniond& q = s.orientation;
+  const Eigen::Vector3d& v = s.linear_velocity;
+  const Eigen::Vector3d& w = s.angular_velocity;
+  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z(),
+          v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
+}
+
+std::string add_row(const std::string& name, double time, const StateRow& row, BodyTrack& track) {
+  if (!track.times.empty() && time <= track.times.back())
+    return fmt::format("time {} of body {} does not come after {}", time, name, track.times.back());
+  track.times.push_back(time);
+  track.states.push_back(state(row));
+  const double norm = track.states.back().orientation.norm();
+  if (!(std::abs(norm - 1) < kUnitTolerance))
+    return fmt::format("the quaternion has length {:g}, expected 1", norm);
+  return "";
+}
 
 TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& file,
                                    std::vector<std::string> names)
@@ -62,16 +74,20 @@ void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& sta
   fmt::memory_buffer rows;
   for (std::size_t i = 0; i < states.size(); ++i) {
     fmt::format_to(std::back_inserter(rows), "{},{}", time, names_[i]);
-    for (const double n : numbers(states[i])) fmt::format_to(std::back_inserter(rows), ",{}", n);
+    for (const double n : row_of(states[i])) fmt::format_to(std::back_inserter(rows), ",{}", n);
     rows.push_back('\n');
   }
   file_.add(rows);
 }
 
+std::filesystem::path trajectory_of(const std::filesystem::path& given) {
+  if (!std::filesystem::is_directory(given)) return given;
+  const bool hdf5 = std::filesystem::exists(given / kHdf5Log);
+  return given / (hdf5 ? kHdf5Log : kTrajectoryLog);
+}
+
 Trajectory read_trajectory(const std::filesystem::path& file) {
-  Trajectory trajectory;
-  const auto read = [&](std::string_view row, int line) { read_row(row, file, line, trajectory); };
-  read_log(file, kHeader, "a trajectory", read);
+  Trajectory trajectory = is_hdf5(file) ? read_hdf5_log(file) : read_rows(file);
   if (trajectory.names.empty()) throw InputError(file, "has no rows");
   return trajectory;
 }

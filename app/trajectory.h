@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -10,8 +11,13 @@
 
 /// @file
 /// Trajectories as CSV: `time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz`, one row a body a time.
+/// They are read as HDF5 too (hdf5_log.h).
 
 namespace app {
+
+/// The numbers of a state in the order of the columns, x to wz.
+using StateRow = std::array<double, 13>;
+StateRow row_of(const hydro::BodyState& state);
 
 /// Writes a trajectory while it is made. What was added is in the file when `add` returns.
 class TrajectoryWriter {
@@ -40,8 +46,14 @@ struct Trajectory {
   std::map<std::string, BodyTrack> tracks;
 };
 
-/// Reads a trajectory; quaternions must be of unit length to 1 %. A last line that was cut off is
-/// left out.
+/// Adds a row to those of a body. @return what is wrong with it, empty if nothing is: times must
+/// ascend, quaternions be of unit length to 1 %.
+std::string add_row(const std::string& name, double time, const StateRow& row, BodyTrack& track);
+
+/// The trajectory in the folder of a run; what is no folder, as it is given.
+std::filesystem::path trajectory_of(const std::filesystem::path& given);
+
+/// Reads a trajectory, CSV or HDF5. A last line that was cut off is left out.
 /// @throws InputError with the line at fault.
 Trajectory read_trajectory(const std::filesystem::path& file);
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/force_log.h"
+#include "hydro/spatial.h"
+
+/// @file
+/// What a run writes of its motion, and of the forces where the scene asks for them.
+
+namespace app {
+
+enum class LogFormat {
+  csv,  ///< trajectory.csv and forces.csv: every row is in the file once it is added.
+  hdf5  ///< run.h5: smaller, and faster to read, where there are many rows.
+};
+
+/// Names in the folder of a run.
+inline const char* const kTrajectoryLog = "trajectory.csv";
+inline const char* const kForceLog = "forces.csv";
+inline const char* const kHdf5Log = "run.h5";
+
+/// What a log is of.
+struct LogSubject {
+  std::vector<std::string> bodies;  ///< Names.
+  bool forces = false;              ///< Logged as well.
+  std::string scene;                ///< The scene's file.
+  std::string title;
+};
+
+/// Takes rows while a run goes on, all from one thread.
+class Log {
+ public:
+  virtual ~Log() = default;
+
+  /// A row of each body in the order of the names. @param forces   Of every body, or else none.
+  /// @throws OutputError if it cannot be written, most often since the disk is full
+  virtual void add(double time, const std::vector<hydro::BodyState>& states,
+                   const std::vector<engine::BodyForces>& forces) = 0;
+
+  /// No more rows come: all are in the file when it returns. @throws OutputError
+  virtual void finish() = 0;
+};
+
+/// The log of a run in its folder, where nothing stays of an earlier one in either format.
+/// @throws InputError if it cannot be written
+std::unique_ptr<Log> make_log(LogFormat format, const LogSubject& subject,
+                              const std::filesystem::path& folder);
+
+}  // namespace app
