@@ -76,6 +76,7 @@ struct Arguments {
   std::filesystem::path scene;
   std::vector<std::string> sets;
   std::vector<std::string> tolerances;
+  bool markdown = false;
 };
 
 void add_sets(CLI::App* command, Arguments& arguments) {
@@ -208,6 +209,11 @@ void add_addedmass(CLI::App& program, Arguments& a) {
   command->add_flag("--json", o.json, "As JSON");
 }
 
+void add_schema(CLI::App& program, Arguments& a) {
+  program.add_subcommand("schema", "Print the JSON Schema of scenes, for editors")
+      ->add_flag("--markdown", a.markdown, "The tables of keys of scenes/README.md instead");
+}
+
 int run_hydrostatics(Arguments& a, const std::vector<Override>& overrides) {
   const std::vector<double>& com = a.center_of_mass;
   a.hydrostatics.overrides = overrides;
@@ -242,6 +248,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
   if (program.got_subcommand("report")) return report(a.report);
+  if (program.got_subcommand("schema")) return schema(a.markdown);
   if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
   return render_trajectory(a.render);
 }
@@ -261,6 +268,7 @@ int command_line(int argc, char** argv) {
   add_hydrostatics(program, arguments);
   add_addedmass(program, arguments);
   add_sweep(program, arguments.sweep);
+  add_schema(program, arguments);
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);

@@ -41,6 +41,10 @@ int run(const RunOptions& options);
 /// that name is left alone.
 int new_scene(const std::filesystem::path& name);
 
+/// Prints the scene format for editors, as a JSON Schema. @param markdown   The tables of keys of
+/// scenes/README.md instead.
+int schema(bool markdown);
+
 int check(const std::vector<std::filesystem::path>& scenes, const std::vector<Override>& overrides);
 
 int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);

@@ -117,7 +117,7 @@ std::string advice(const UnknownKey& unknown, const std::vector<KeyDescription>&
 
 void add_unknown_keys(Reading& reading) {
   if (reading.unknown_keys.empty()) return;
-  const std::vector<KeyDescription> catalogue = scene_keys();
+  const std::vector<KeyDescription> catalogue = scene_catalogue().keys;
   for (const UnknownKey& unknown : reading.unknown_keys) {
     const std::string dot = unknown.block_path.empty() ? "" : ".";
     reading.faults.add({unknown.place, unknown.block_path + dot + unknown.key,
@@ -156,6 +156,7 @@ void read(MapReader& map, IntegratorScene& integrator) {
   map.optional("method", integrator.method,
                ChoiceRule<Method>{{{"split", Method::split}, {"ode", Method::ode}}});
   map.optional("tolerance", integrator.tolerance, positive("1/s"));
+  map.note_condition("method", "ode", {}, {"tolerance"});
   if (integrator.method == Method::ode && integrator.tolerance)
     map.fault("tolerance", "method ode takes whole steps only; expected method split with it");
   map.optional("sleep", integrator.sleep, not_negative("m/s"));
@@ -164,7 +165,8 @@ void read(MapReader& map, IntegratorScene& integrator) {
 }
 
 void read(MapReader& map, Scene& scene) {
-  map.find("plimsoll", kVersionExpected, "required");
+  map.find("plimsoll", kVersionExpected, "required",
+           {{.kind = ValueShape::Kind::whole, .lo = 1, .hi = 1}});
   map.optional("title", scene.title, TextRule{});
   map.required("duration", scene.duration, not_negative("s"));
   map.optional("step", scene.step, positive("s"));
@@ -214,7 +216,7 @@ Scene parse_scene(std::string text, const std::filesystem::path& file,
   return scene;
 }
 
-std::vector<KeyDescription> scene_keys() {
+KeyCatalogue scene_catalogue() {
   Reading reading;
   MapReader map(nullptr, "", reading);
   Scene scene;

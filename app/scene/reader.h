@@ -27,14 +27,4 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
 Scene parse_scene(std::string text, const std::filesystem::path& file,
                   const std::vector<Override>& overrides);
 
-/// One key that a scene may have, as its reader describes it.
-struct KeyDescription {
-  std::string path;      ///< `bodies[].mass`
-  std::string expected;  ///< Type, range and unit: `a positive number [kg]`.
-  std::string fallback;  ///< What holds without the key; `required` if it must be given.
-};
-
-/// Every key of the scene format, blocks before what stands in them.
-std::vector<KeyDescription> scene_keys();
-
 }  // namespace app

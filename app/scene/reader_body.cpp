@@ -67,6 +67,8 @@ void read_mass(MapReader& map, BodyScene& body) {
   map.optional("mass", body.mass, positive("kg"));
   map.optional("center_of_mass", body.center_of_mass, number("m"));
   read_inertia(map, body.inertia);
+  map.note_condition("center_of_mass", "", {"mass"}, {});
+  map.note_condition("inertia", "", {"mass"}, {});
   if (!map.has("density") || map.has("mass")) return;
   for (const char* key : {"center_of_mass", "inertia"})
     if (map.has(key)) map.fault(key, "follows from density and the mesh; to give it, give mass");
@@ -100,7 +102,11 @@ void read_lock(const Value& value, std::array<bool, 6>& locked) {
 
 void read_locks(MapReader& map, std::array<bool, 6>& locked) {
   const std::string expected = "a list of x, y, z, roll, pitch and yaw, or all";
-  const auto value = map.find("lock", expected, "[]");
+  ValueShape list = list_shape(words_shape(kFreedoms), 0);
+  list.distinct = true;
+  ValueShape one = words_shape(kFreedoms);
+  one.words.push_back("all");
+  const auto value = map.find("lock", expected, "[]", {list, one});
   if (!value) return;
   if (value->node.is(YamlNode::Kind::scalar)) return read_lock(*value, locked);
   if (!value->node.is(YamlNode::Kind::list)) {
@@ -132,6 +138,8 @@ void read_axis_angle(MapReader& map, Eigen::Quaterniond& orientation) {
   std::optional<double> angle;
   map.optional("axis", axis, number());
   map.optional("angle_deg", angle, degrees());
+  map.note_condition("axis", "", {"angle_deg"}, {});
+  map.note_condition("angle_deg", "", {"axis"}, {});
   if (map.has("axis") && !map.has("angle_deg"))
     map.fault("angle_deg", "missing, expected the angle about the axis [deg]");
   if (map.has("angle_deg") && !map.has("axis"))

@@ -9,10 +9,18 @@ namespace {
 
 using Law = hydro::ViscousDrag::Law;
 
+/// A coefficient, or `false`, or something else.
+std::vector<ValueShape> coefficient_or(const std::vector<ValueShape>& others) {
+  std::vector<ValueShape> shapes = {shape(not_negative(), false, 0),
+                                    {.kind = ValueShape::Kind::off}};
+  shapes.insert(shapes.end(), others.begin(), others.end());
+  return shapes;
+}
+
 /// A coefficient, or `false` to switch its load off.
 void read_coefficient(MapReader& map, const std::string& key, double& coefficient) {
   const std::string expected = "a number >= 0, or false";
-  const auto value = map.find(key, expected, number_text(coefficient));
+  const auto value = map.find(key, expected, number_text(coefficient), coefficient_or({}));
   if (!value) return;
   if (value->node.is_word("false"))
     coefficient = 0;
@@ -28,7 +36,8 @@ std::string drag_text(const hydro::PressureDrag& drag) {
 /// One C_p, `false`, or one for each side.
 void read_pressure_drag(MapReader& map, hydro::PressureDrag& drag) {
   const std::string expected = "a number >= 0, false, or {front, back}";
-  const auto value = map.find_unless_block("pressure_drag", expected, drag_text(drag), drag);
+  const auto value =
+      map.find_unless_block("pressure_drag", expected, drag_text(drag), drag, coefficient_or({}));
   if (!value) return;
   double coefficient = 0;
   if (value->node.is_word("false"))
@@ -53,7 +62,8 @@ std::string law_text(const hydro::ViscousDrag& drag) {
 
 void read_viscous_drag(MapReader& map, hydro::ViscousDrag& drag) {
   const std::string expected = "a number >= 0, false, thesis or ittc57";
-  const auto value = map.find("viscous_drag", expected, law_text(drag));
+  const auto value = map.find("viscous_drag", expected, law_text(drag),
+                              coefficient_or({words_shape({"thesis", "ittc57"})}));
   if (!value) return;
   double coefficient = 0;
   if (value->node.is_word("thesis"))
@@ -98,8 +108,8 @@ std::string model_text(const AddedMassScene& added_mass) {
 /// A word for the model, or a block with its options.
 void read_added_mass(MapReader& map, AddedMassScene& added_mass) {
   const std::string expected = "none, deep, {model, tolerance}, or {matrix}";
-  const auto value =
-      map.find_unless_block("added_mass", expected, model_text(added_mass), added_mass);
+  const auto value = map.find_unless_block("added_mass", expected, model_text(added_mass),
+                                           added_mass, {words_shape({"none", "deep"})});
   if (!value) return;
   if (value->node.is_word("none"))
     added_mass = {.model = Model::none};
@@ -135,7 +145,7 @@ void check_matrix(MapReader& map, const hydro::Matrix6d& matrix) {
 /// Six rows of six. @return true if it was there and right.
 bool read_matrix(MapReader& map, hydro::Matrix6d& matrix) {
   const std::string expected = "a list of 6 lists of 6 numbers [kg, kg m, kg m^2]";
-  const auto value = map.find("matrix", expected, "");
+  const auto value = map.find("matrix", expected, "", {list_shape(shape(number(), false, 6), 6)});
   if (!value) return false;
   if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != 6)
     return value->refuse(expected);
@@ -161,6 +171,9 @@ void read(MapReader& map, AddedMassScene& added_mass) {
   added_mass = {.model = Model::deep};
   map.optional("model", added_mass.model, kModels);
   map.optional("tolerance", added_mass.tolerance, positive());
+  map.note_condition("model", "none", {}, {"tolerance"});
+  map.note_condition("model", "surface", {}, {"tolerance"});
+  map.note_condition("matrix", "", {}, {"model", "tolerance"});
   if (!map.has("matrix")) {
     if (added_mass.model != Model::deep && map.has("tolerance"))
       map.fault("tolerance", "is only used with model: deep");

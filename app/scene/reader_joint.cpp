@@ -21,9 +21,21 @@ const ChoiceRule<Type> kTypes = {{{"ball", Type::ball},
 bool needs_anchor(Type type) { return type != Type::slider && type != Type::fixed; }
 bool has_axis(Type type) { return type != Type::ball && type != Type::fixed; }
 
+/// What `check_keys` finds.
+void note_keys(MapReader& map) {
+  for (const auto& [word, type] : kTypes.choices) {
+    std::vector<std::string> needed, refused;
+    if (needs_anchor(type)) needed.push_back("anchor");
+    (has_axis(type) ? needed : refused).push_back("axis");
+    if (type != Type::universal) refused.push_back("axis2");
+    map.note_condition("type", word, needed, refused);
+  }
+}
+
 void read_bodies(MapReader& map, std::array<std::string, 2>& bodies) {
   const std::string expected = "a list of two names of bodies, one may be world";
-  const auto value = map.find("bodies", expected, "required");
+  const auto value =
+      map.find("bodies", expected, "required", {list_shape({.kind = ValueShape::Kind::text}, 2)});
   if (!value) return;
   if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != bodies.size()) {
     value->refuse(expected);
@@ -85,6 +97,7 @@ void read(MapReader& map, JointScene& joint) {
   map.optional("anchor", joint.anchor, number("m"));
   read_direction(map, "axis", joint.axis);
   read_direction(map, "axis2", joint.axis2);
+  note_keys(map);
   if (joint.axis && joint.axis2) square_axes(map, *joint.axis, *joint.axis2);
   if (typed) check_keys(map, joint.type);
 }

@@ -23,10 +23,11 @@ std::string MapReader::child_path(const std::string& key) const {
 }
 
 std::optional<Value> MapReader::find(const std::string& key, const std::string& expected,
-                                     const std::string& fallback) {
+                                     const std::string& fallback,
+                                     const std::vector<ValueShape>& shapes) {
   known_.push_back(key);
   if (map_ == nullptr) {
-    reading_.catalogue.push_back({child_path(key), expected, fallback});
+    reading_.catalogue.keys.push_back({child_path(key), expected, fallback, shapes});
     return std::nullopt;
   }
   const YamlNode* node = map_->find(key);
@@ -45,6 +46,10 @@ bool MapReader::is_map(const Value& value) {
 }
 
 bool MapReader::exactly_one_of(const std::vector<std::string>& keys) {
+  if (map_ == nullptr) {
+    reading_.catalogue.choices.push_back({path_, keys});
+    return true;
+  }
   if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return has(key); }))
     return at_most_one_of(keys);
   fault("", fmt::format("missing, expected exactly one of {}", enumerate(keys, "and")));
@@ -64,6 +69,12 @@ bool MapReader::at_most_one_of(const std::vector<std::string>& keys) {
     if (first.empty()) first = key;
   }
   return one;
+}
+
+void MapReader::note_condition(const std::string& key, const std::string& word,
+                               const std::vector<std::string>& needed,
+                               const std::vector<std::string>& refused) {
+  if (map_ == nullptr) reading_.catalogue.conditions.push_back({path_, key, word, needed, refused});
 }
 
 void MapReader::fault(const std::string& key, const std::string& message) {

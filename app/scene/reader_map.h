@@ -25,29 +25,35 @@ class MapReader {
   /// Reads a key that must be there. @return true if it was there and right.
   template <class T, class Rule>
   bool required(const std::string& key, T& target, const Rule& rule) {
-    const auto value = find(key, Field<Rule, T>::expected(rule), "required");
+    const auto value =
+        find(key, Field<Rule, T>::expected(rule), "required", {Field<Rule, T>::shape(rule)});
     return value && Field<Rule, T>::read(*value, rule, target);
   }
 
   /// Reads a key without which `target` stays as it is. @return true if it was there and right.
   template <class T, class Rule>
   bool optional(const std::string& key, T& target, const Rule& rule) {
-    const auto value =
-        find(key, Field<Rule, T>::expected(rule), Field<Rule, T>::text(rule, target));
+    const auto value = find(key, Field<Rule, T>::expected(rule), Field<Rule, T>::text(rule, target),
+                            {Field<Rule, T>::shape(rule)});
     return value && Field<Rule, T>::read(*value, rule, target);
   }
 
   /// The value of a key, for those that no rule covers; a missing one is a fault if `fallback` is
   /// `required`.
+  /// @param shapes   What is expected, for the list of keys; any of them.
   std::optional<Value> find(const std::string& key, const std::string& expected,
-                            const std::string& fallback);
+                            const std::string& fallback,
+                            const std::vector<ValueShape>& shapes = {});
 
   /// Reads a key that may hold a block or something else: the block into `target`, or else the
   /// value is returned.
+  /// @param shapes   Of what may stand in place of the block.
   template <class T>
   std::optional<Value> find_unless_block(const std::string& key, const std::string& expected,
-                                         const std::string& fallback, T& target) {
-    const auto value = find(key, expected, fallback);
+                                         const std::string& fallback, T& target,
+                                         std::vector<ValueShape> shapes) {
+    shapes.push_back({.kind = ValueShape::Kind::map});
+    const auto value = find(key, expected, fallback, shapes);
     if (map_ == nullptr) enter(nullptr, child_path(key), target);
     if (!value || !value->node.is(YamlNode::Kind::map)) return value;
     enter(&value->node, value->path, target);
@@ -57,7 +63,7 @@ class MapReader {
   /// Reads an optional block. @return true if it was there and a map.
   template <class T>
   bool block(const std::string& key, T& target) {
-    const auto value = find(key, "a map", "");
+    const auto value = find(key, "a map", "", {{.kind = ValueShape::Kind::map}});
     if (map_ == nullptr) enter(nullptr, child_path(key), target);
     return value && enter_map(*value, target);
   }
@@ -78,9 +84,13 @@ class MapReader {
   }
 
   /// Reads an optional list of blocks, each of which starts as a copy of `prototype`.
+  /// @param least   How many the reader asks for where the key is there; it checks that itself.
   template <class T>
-  bool blocks(const std::string& key, std::vector<T>& target, const T& prototype = {}) {
-    const auto value = find(key, "a list of maps", "[]");
+  bool blocks(const std::string& key, std::vector<T>& target, const T& prototype = {},
+              std::size_t least = 0) {
+    ValueShape list = list_shape({.kind = ValueShape::Kind::map}, 0);
+    list.least = least;
+    const auto value = find(key, "a list of maps", "[]", {list});
     if (map_ == nullptr) {
       T example = prototype;
       enter(nullptr, child_path(key) + "[]", example);
@@ -93,8 +103,12 @@ class MapReader {
 
   /// A fault unless exactly one of these keys is there. @return true if so.
   bool exactly_one_of(const std::vector<std::string>& keys);
-  /// A fault if more than one of these keys is there. @return true if not.
-  bool at_most_one_of(const std::vector<std::string>& keys);
+  /// Notes for the list of keys that a key needs or refuses others of its block, which the reader
+  /// checks itself.
+  /// @param word   The value of the key for which that holds; empty: all.
+  void note_condition(const std::string& key, const std::string& word,
+                      const std::vector<std::string>& needed,
+                      const std::vector<std::string>& refused);
 
   /// A fault of one key of this map; of the whole map if `key` is empty.
   void fault(const std::string& key, const std::string& message);
@@ -106,6 +120,8 @@ class MapReader {
   Reading& reading() { return reading_; }
 
  private:
+  /// A fault if more than one of these keys is there. @return true if not.
+  bool at_most_one_of(const std::vector<std::string>& keys);
   std::string child_path(const std::string& key) const;
   /// After a fault, false.
   static bool is_list(const Value& value);

@@ -15,7 +15,8 @@ struct PressureBlock {
 void read(MapReader& map, PressureBlock& pressure) {
   const bool min_is_right = map.optional("min", pressure.min, number("Pa")) || !map.has("min");
   const std::string expected = "a number [Pa], or auto";
-  const auto value = map.find("max", expected, "auto");
+  const auto value =
+      map.find("max", expected, "auto", {shape(number("Pa"), false, 0), words_shape({"auto"})});
   double max = 0;
   if (!value || value->node.is_word("auto") || !read_number(*value, number("Pa"), expected, max))
     return;

@@ -118,6 +118,22 @@ NumberRule degrees_between(double lo, double hi) {
   return {.unit = "deg", .lo = lo, .hi = hi, .factor = std::numbers::pi / 180};
 }
 
+ValueShape words_shape(const std::vector<std::string>& words) {
+  return {.kind = ValueShape::Kind::word, .words = words};
+}
+
+ValueShape list_shape(const ValueShape& item, std::size_t count) {
+  return {.kind = ValueShape::Kind::list, .item = {item}, .count = count};
+}
+
+ValueShape shape(const NumberRule& rule, bool whole, std::size_t count) {
+  const ValueShape one = {.kind = whole ? ValueShape::Kind::whole : ValueShape::Kind::number,
+                          .lo = rule.lo,
+                          .hi = rule.hi,
+                          .above_lo = rule.above_lo};
+  return count == 0 ? one : list_shape(one, count);
+}
+
 std::string expectation(const NumberRule& rule, bool whole, std::size_t count) {
   std::string kind = rule.above_lo ? "positive " : "";
   kind += whole ? "whole number" : "number";

@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "app/faults.h"
-#include "app/scene/reader.h"
+#include "app/scene/key_catalogue.h"
 #include "app/scene/reader_nearest.h"
+#include "app/scene/scene.h"
 #include "app/scene/yaml_reader.h"
 
 /// @file
@@ -36,7 +37,7 @@ struct Reading {
   std::map<std::string, Place> places;  ///< Of every key, by key path.
   Faults faults;
   std::vector<UnknownKey> unknown_keys;
-  std::vector<KeyDescription> catalogue;  ///< Every key that was asked for.
+  KeyCatalogue catalogue;  ///< Of every key that was asked for, where keys are listed.
 
   Place place(Mark mark) const;
   /// A fault of one key, where the key or the block around it stands.
@@ -94,6 +95,8 @@ struct ChoiceRule {
   }
 };
 
+/// A number of a rule, or a list of them; `count` 0: not a list.
+ValueShape shape(const NumberRule& rule, bool whole, std::size_t count);
 /// `a positive number [kg]`, `a list of 3 numbers [m]`; `count` 0: not a list.
 std::string expectation(const NumberRule& rule, bool whole, std::size_t count);
 /// A decimal number within the rule, in SI. @return false after a fault.
@@ -108,13 +111,14 @@ std::string number_text(double value);
 std::string list_text(std::span<const double> values);
 
 /// How a rule reads a field of each type: `read` (false after a fault), the words for what is
-/// expected, and the words for the field's value.
+/// expected, the same as a shape, and the words for the field's value.
 template <class Rule, class T>
 struct Field;
 
 template <>
 struct Field<NumberRule, double> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, false, 0); }
+  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, false, 0); }
   static std::string text(const NumberRule& rule, double v) { return number_text(v / rule.factor); }
   static bool read(const Value& value, const NumberRule& rule, double& target) {
     return read_number(value, rule, expected(rule), target);
@@ -124,6 +128,7 @@ struct Field<NumberRule, double> {
 template <>
 struct Field<NumberRule, int> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, true, 0); }
+  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, true, 0); }
   static std::string text(const NumberRule&, int v) { return std::to_string(v); }
   static bool read(const Value& value, const NumberRule& rule, int& target) {
     return read_whole(value, rule, expected(rule), target);
@@ -134,6 +139,7 @@ template <int N>
 struct Field<NumberRule, Eigen::Matrix<double, N, 1>> {
   using Vector = Eigen::Matrix<double, N, 1>;
   static std::string expected(const NumberRule& rule) { return expectation(rule, false, N); }
+  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, false, N); }
   static std::string text(const NumberRule&, const Vector& v) { return list_text({v.data(), N}); }
   static bool read(const Value& value, const NumberRule& rule, Vector& target) {
     return read_numbers(value, rule, {target.data(), N});
@@ -143,6 +149,7 @@ struct Field<NumberRule, Eigen::Matrix<double, N, 1>> {
 template <std::size_t N>
 struct Field<NumberRule, std::array<double, N>> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, false, N); }
+  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, false, N); }
   static std::string text(const NumberRule&, const std::array<double, N>& v) {
     return list_text(v);
   }
@@ -154,6 +161,7 @@ struct Field<NumberRule, std::array<double, N>> {
 template <std::size_t N>
 struct Field<NumberRule, std::array<int, N>> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, true, N); }
+  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, true, N); }
   static std::string text(const NumberRule&, const std::array<int, N>& v) {
     const std::vector<double> numbers(v.begin(), v.end());
     return list_text(numbers);
@@ -166,6 +174,7 @@ struct Field<NumberRule, std::array<int, N>> {
 template <>
 struct Field<TextRule, std::string> {
   static std::string expected(const TextRule& rule) { return rule.expected; }
+  static ValueShape shape(const TextRule&) { return {.kind = ValueShape::Kind::text}; }
   static std::string text(const TextRule&, const std::string& v) { return v; }
   static bool read(const Value& value, const TextRule& rule, std::string& target);
 };
@@ -173,6 +182,7 @@ struct Field<TextRule, std::string> {
 template <>
 struct Field<TruthRule, bool> {
   static std::string expected(const TruthRule&) { return "true or false"; }
+  static ValueShape shape(const TruthRule&) { return {.kind = ValueShape::Kind::truth}; }
   static std::string text(const TruthRule&, bool v) { return v ? "true" : "false"; }
   static bool read(const Value& value, const TruthRule& rule, bool& target);
 };
@@ -180,6 +190,7 @@ struct Field<TruthRule, bool> {
 template <>
 struct Field<FileRule, std::filesystem::path> {
   static std::string expected(const FileRule&) { return "a file"; }
+  static ValueShape shape(const FileRule&) { return {.kind = ValueShape::Kind::file}; }
   static std::string text(const FileRule&, const std::filesystem::path& v) { return v.string(); }
   static bool read(const Value& value, const FileRule& rule, std::filesystem::path& target);
 };
@@ -187,6 +198,7 @@ struct Field<FileRule, std::filesystem::path> {
 template <class T>
 struct Field<ChoiceRule<T>, T> {
   static std::string expected(const ChoiceRule<T>& rule) { return enumerate(rule.words(), "or"); }
+  static ValueShape shape(const ChoiceRule<T>& rule) { return words_shape(rule.words()); }
   static std::string text(const ChoiceRule<T>& rule, const T& v) {
     for (const auto& [word, meaning] : rule.choices)
       if (meaning == v) return word;
@@ -204,6 +216,7 @@ struct Field<ChoiceRule<T>, T> {
 template <class Rule, class T>
 struct Field<Rule, std::optional<T>> {
   static std::string expected(const Rule& rule) { return Field<Rule, T>::expected(rule); }
+  static ValueShape shape(const Rule& rule) { return Field<Rule, T>::shape(rule); }
   static std::string text(const Rule& rule, const std::optional<T>& v) {
     return v ? Field<Rule, T>::text(rule, *v) : "";
   }

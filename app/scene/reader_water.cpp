@@ -41,7 +41,7 @@ void read(MapReader& map, SurfaceScene& surface) {
   map.alternative<FlatScene>("flat", surface);
   map.alternative<HeightFieldScene>("heightfield", surface);
   std::vector<WaveScene> waves;
-  if (map.blocks("waves", waves)) {
+  if (map.blocks("waves", waves, {}, 1)) {
     if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
     surface = std::move(waves);
   }

@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "app/scene/key_catalogue.h"
+#include "app/scene/schema.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -379,18 +381,8 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
       if (!path.empty()) met.insert(key_of(path));
   std::set<std::string> listed;
-  for (const app::KeyDescription& key : app::scene_keys()) listed.insert(key.path);
+  for (const app::KeyDescription& key : app::scene_catalogue().keys) listed.insert(key.path);
   EXPECT_EQ(met, listed);
-}
-
-/// The blocks that stand in several places are described once.
-std::string described_at(const std::string& path) {
-  for (const auto& [copy, original] :
-       {std::pair("bodies[].hydro.", "hydro."),
-        std::pair("ground.heightfield.", "water.surface.heightfield."),
-        std::pair("ground.mesh.", "bodies[].mesh.")})
-    if (path.starts_with(copy)) return original + path.substr(std::string(copy).size());
-  return path;
 }
 
 std::string reference_page() {
@@ -413,13 +405,30 @@ TEST(SceneKeys, TheExamplesOfTheReferencePageAreRight) {
   EXPECT_GE(examples, 7);
 }
 
-TEST(SceneKeys, TheReferencePageHasEveryKeyWithItsTypeAndDefault) {
-  const std::string page = reference_page();
-  for (const app::KeyDescription& key : app::scene_keys()) {
-    const std::string row = "\n| `" + described_at(key.path) + "` | " + key.expected + " | " +
-                            (key.fallback.empty() ? "–" : key.fallback) + " | ";
-    EXPECT_NE(page.find(row), std::string::npos) << row;
+TEST(SceneKeys, EveryKeyHasAMeaningAndAShape) {
+  std::set<std::string> described;
+  for (const app::KeyDescription& key : app::scene_catalogue().keys) {
+    EXPECT_NO_THROW(app::key_meaning(key.path)) << key.path;
+    EXPECT_FALSE(key.shapes.empty()) << key.path;
+    described.insert(app::described_path(key.path));
   }
+  const std::vector<std::string> meanings = app::described_paths();
+  EXPECT_THAT(meanings, testing::UnorderedElementsAreArray(described));
+}
+
+TEST(SceneKeys, TheReferencePageHasTheTablesOfAllKeys) {
+  const std::string page = reference_page();
+  const std::string tables = app::key_tables();
+  const std::string end = ": end -->\n";
+  std::size_t begin = 0;
+  for (std::size_t stop; (stop = tables.find(end, begin)) != std::string::npos;
+       begin = stop + end.size()) {
+    const std::string table = tables.substr(begin, stop + end.size() - begin);
+    EXPECT_NE(page.find(table), std::string::npos)
+        << "tools/scene_keys writes to scenes/README.md:\n"
+        << table;
+  }
+  EXPECT_EQ(begin, tables.size());
 }
 
 }  // namespace
