@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/commands.h"
+#include "app/completion.h"
 #include "app/faults.h"
 #include "app/sweep.h"
 
@@ -77,6 +78,7 @@ struct Arguments {
   std::vector<std::string> sets;
   std::vector<std::string> tolerances;
   bool markdown = false;
+  std::string shell;
 };
 
 void add_sets(CLI::App* command, Arguments& arguments) {
@@ -214,6 +216,13 @@ void add_schema(CLI::App& program, Arguments& a) {
       ->add_flag("--markdown", a.markdown, "The tables of keys of scenes/README.md instead");
 }
 
+void add_completion(CLI::App& program, Arguments& a) {
+  program.add_subcommand("completion", "Print a script that completes command lines in a shell")
+      ->add_option("shell", a.shell, "bash or zsh")
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->required();
+}
+
 int run_hydrostatics(Arguments& a, const std::vector<Override>& overrides) {
   const std::vector<double>& com = a.center_of_mass;
   a.hydrostatics.overrides = overrides;
@@ -248,6 +257,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
   if (program.got_subcommand("report")) return report(a.report);
+  if (program.got_subcommand("completion")) return completion(program, a.shell);
   if (program.got_subcommand("schema")) return schema(a.markdown);
   if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
   return render_trajectory(a.render);
@@ -269,6 +279,7 @@ int command_line(int argc, char** argv) {
   add_addedmass(program, arguments);
   add_sweep(program, arguments.sweep);
   add_schema(program, arguments);
+  add_completion(program, arguments);
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);

@@ -9,6 +9,25 @@ install(FILES ${PROJECT_BINARY_DIR}/report/page.html
   DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll/report OPTIONAL)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+# What the program prints for editors and shells.
+foreach(printed IN ITEMS
+    "schema|scene.schema.json|plimsoll"
+    "completion bash|plimsoll|bash-completion/completions"
+    "completion zsh|_plimsoll|zsh/site-functions")
+  string(REPLACE "|" ";" printed "${printed}")
+  list(GET printed 0 command)
+  list(GET printed 1 name)
+  list(GET printed 2 folder)
+  string(REPLACE " " ";" command "${command}")
+  list(JOIN command "\" \"" command)
+  set(file ${PROJECT_BINARY_DIR}/printed/${name})
+  install(CODE "
+    file(MAKE_DIRECTORY \"${PROJECT_BINARY_DIR}/printed\")
+    execute_process(COMMAND \"$<TARGET_FILE:plimsoll>\" \"${command}\"
+      OUTPUT_FILE \"${file}\" COMMAND_ERROR_IS_FATAL ANY)")
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
+endforeach()
+
 install(TARGETS plimsoll_hydro plimsoll_engine EXPORT plimsoll)
 install(DIRECTORY hydro engine DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plimsoll
   FILES_MATCHING PATTERN *.h)

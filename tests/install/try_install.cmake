@@ -37,6 +37,20 @@ if(EXISTS ${BUILD}/report/page.html)
     message(FATAL_ERROR "the installed program wrote no report.html:\n${output}")
   endif()
 endif()
+
+# What editors and shells read is what the program prints.
+foreach(printed IN ITEMS "share/plimsoll/scene.schema.json|schema"
+    "share/bash-completion/completions/plimsoll|completion;bash"
+    "share/zsh/site-functions/_plimsoll|completion;zsh")
+  string(REPLACE "|" ";" printed "${printed}")
+  list(POP_FRONT printed file)
+  file(READ ${WORK}/moved/${file} installed)
+  run(${WORK}/moved/bin/plimsoll ${printed})
+  if(NOT installed STREQUAL output)
+    message(FATAL_ERROR "${file} is not what the program prints")
+  endif()
+endforeach()
+
 # Shaders are read at run time: without those that were installed it falls back on the sources.
 file(RENAME ${share}/shaders ${share}/shaders-away)
 file(WRITE ${share}/shaders/none "")
