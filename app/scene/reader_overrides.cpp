@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/scene/reader_nearest.h"
@@ -17,6 +18,9 @@ namespace {
 struct Obstacle {
   std::string message;
 };
+
+/// Stands in brackets for an entry behind the last one of a list.
+constexpr const char* kNewEntry = "+";
 
 /// One step of a key path: a key, or an entry of a list by index or name.
 struct Step {
@@ -90,23 +94,48 @@ std::size_t resolve_index(const YamlNode& list, const std::string& text, const s
   return *index;
 }
 
-/// The value at a key path from the root.
-YamlNode& follow(YamlNode& root, const std::string& key_path) {
-  YamlNode* node = &root;
+/// A value of the tree and its key path.
+struct Found {
+  YamlNode* node;
   std::string path;
-  for (const Step& step : split(key_path)) {
-    if (!step.in_brackets) {
-      node = &enter_key(*node, step.text, path);
-      path += (path.empty() ? "" : ".") + step.text;
-      continue;
-    }
-    if (!node->is(YamlNode::Kind::list) && !node->is(YamlNode::Kind::null))
-      throw Obstacle{fmt::format("{} is no list, so it has no entry {}", path, step.text)};
-    const std::size_t index = resolve_index(*node, step.text, path);
-    node = &node->items[index];
-    path += fmt::format("[{}]", index);
+};
+
+/// One step on from a value; a key that is not there is made, and so is the entry of `[+]`.
+Found enter(const Found& from, const Step& step) {
+  YamlNode& node = *from.node;
+  if (!step.in_brackets)
+    return {&enter_key(node, step.text, from.path),
+            from.path + (from.path.empty() ? "" : ".") + step.text};
+  if (!node.is(YamlNode::Kind::list) && !node.is(YamlNode::Kind::null))
+    throw Obstacle{fmt::format("{} is no list, so it has no entry {}", from.path, step.text)};
+  if (step.text == kNewEntry) {
+    node.kind = YamlNode::Kind::list;
+    node.items.emplace_back();
+    return {&node.items.back(), fmt::format("{}[{}]", from.path, node.items.size() - 1)};
   }
-  return *node;
+  const std::size_t index = resolve_index(node, step.text, from.path);
+  return {&node.items[index], fmt::format("{}[{}]", from.path, index)};
+}
+
+/// The value at the end of these steps from the root.
+Found follow(YamlNode& root, std::span<const Step> steps) {
+  Found found = {&root, ""};
+  for (const Step& step : steps) found = enter(found, step);
+  return found;
+}
+
+/// Takes a key or an entry of a list away.
+void remove(YamlNode& root, const std::vector<Step>& steps) {
+  const Step& last = steps.back();
+  const Found home = follow(root, std::span(steps).first(steps.size() - 1));
+  YamlNode& node = *home.node;
+  if (last.in_brackets && node.is(YamlNode::Kind::list)) {
+    const std::size_t index = resolve_index(node, last.text, home.path);
+    node.items.erase(node.items.begin() + static_cast<std::ptrdiff_t>(index));
+  } else if (std::erase_if(node.entries, [&](const YamlEntry& e) { return e.key == last.text; }) ==
+             0) {
+    throw Obstacle{"is not there, so it cannot be taken away"};
+  }
 }
 
 /// Marks a value as given on the command line.
@@ -149,8 +178,11 @@ Override parse_override(const std::string& argument) {
 
 void apply_override(const Override& override, YamlNode& root, Faults& faults) {
   try {
+    const std::vector<Step> steps = split(override.key_path);
     YamlNode value = parse_value(override.value);
-    follow(root, override.key_path) = std::move(value);
+    // An empty value may be a slip: it stays, as a fault.
+    if (value.is(YamlNode::Kind::null) && !override.value.empty()) return remove(root, steps);
+    *follow(root, steps).node = std::move(value);
   } catch (const Obstacle& obstacle) {
     faults.add({{kOverridePlace}, override.key_path, obstacle.message});
   }
