@@ -19,6 +19,7 @@
 #include "app/output_folder.h"
 #include "app/pictures.h"
 #include "app/progress.h"
+#include "app/run_report.h"
 #include "app/schedule.h"
 #include "app/summary.h"
 #include "app/thread_count.h"
@@ -80,6 +81,10 @@ class Run {
 
   int execute() {
     remove_earlier_results();
+    if (!options_.quiet)
+      for (const std::string& line :
+           resolved_scene(scene_, assembly_, simulation_.skips(), reason_for_no_pictures(kDone)))
+        say(line);
     int code = simulate();
     summary_.pictures_skipped = reason_for_no_pictures(code);
     if (summary_.pictures_skipped.empty()) code = draw(code);
@@ -182,11 +187,8 @@ class Run {
   }
 
   void show_progress() {
-    const double wall = clock_.seconds();
-    const double done = simulation_.time() / scene_.duration;
-    progress_.show(fmt::format("{}: {:.2f} of {:g} s  {:3.0f} %  {:.1f} x real time  {:.0f} s left",
-                               scene_.file.stem().string(), simulation_.time(), scene_.duration,
-                               100 * done, simulation_.time() / wall, wall / done - wall));
+    progress_.show(progress_text(scene_.file.stem().string(), simulation_.time(), scene_.duration,
+                                 clock_.seconds()));
   }
 
   /// Empty if there are to be pictures.

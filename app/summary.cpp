@@ -13,16 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The load kinds of a body that were not computed.
-Json unused_loads(const engine::BodySpec& body) {
-  Json unused = Json::array();
-  if (!body.coefficients.buoyancy) unused.push_back("buoyancy");
-  if (body.coefficients.pressure_drag.none()) unused.push_back("pressure_drag");
-  if (body.coefficients.viscous_drag.none()) unused.push_back("viscous_drag");
-  if (body.coefficients.lift == 0) unused.push_back("lift");
-  return unused;
-}
-
 Json path_summary(const engine::Path& path) {
   return {{"free_steps", path.free},
           {"constrained_steps", path.constrained},
@@ -119,6 +109,15 @@ Json to_json(const RunSummary& s) {
 }
 
 }  // namespace
+
+std::vector<std::string> unused_loads(const engine::BodySpec& body) {
+  std::vector<std::string> unused;
+  if (!body.coefficients.buoyancy) unused.emplace_back("buoyancy");
+  if (body.coefficients.pressure_drag.none()) unused.emplace_back("pressure_drag");
+  if (body.coefficients.viscous_drag.none()) unused.emplace_back("viscous_drag");
+  if (body.coefficients.lift == 0) unused.emplace_back("lift");
+  return unused;
+}
 
 void write_summary(const RunSummary& summary, const std::filesystem::path& file) {
   const std::filesystem::path draft = file.string() + ".part";

@@ -32,6 +32,9 @@ struct RunSummary {
   std::string pictures_skipped;  ///< Why there are none.
 };
 
+/// The load kinds of a body that are not computed, by their keys.
+std::vector<std::string> unused_loads(const engine::BodySpec& body);
+
 /// Writes the file whole or not at all. @throws OutputError if it cannot be written.
 void write_summary(const RunSummary& summary, const std::filesystem::path& file);
 

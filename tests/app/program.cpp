@@ -149,6 +149,12 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+std::string after_scene(const std::string& said) {
+  std::size_t end = said.find('\n') + 1;
+  while (said.compare(end, 2, "  ") == 0) end = said.find('\n', end) + 1;
+  return said.substr(end);
+}
+
 std::string falling_box(const std::string& duration, const std::string& more) {
   return "plimsoll: 1\ntitle: Falling box\nduration: " + duration +
          "\nstep: 0.01\nwater: {}\n"

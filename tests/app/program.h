@@ -63,6 +63,10 @@ std::string output_of(std::vector<std::string> words);
 /// Lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
+/// What `run` says after what it made of the scene: a line, and more of them that begin with
+/// spaces.
+std::string after_scene(const std::string& said);
+
 /// A scene of one box, without added mass, that falls into water in steps of 0.01 s, and further
 /// keys of the top level.
 std::string falling_box(const std::string& duration, const std::string& more = "");

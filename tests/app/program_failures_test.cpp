@@ -131,7 +131,8 @@ TEST_F(ProgramFailures, ALogThatCannotBeWrittenComesBeforeALaterExplosion) {
     const Outcome outcome =
         here.run({"run", "box.yaml", "--out", "o", "--threads", threads, "--set", push});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err, StartsWith("error: o/trajectory.csv: cannot be written: "));
+    EXPECT_THAT(support::after_scene(outcome.err),
+                StartsWith("error: o/trajectory.csv: cannot be written: "));
   }
 }
 
@@ -148,7 +149,7 @@ TEST_F(ProgramFailures, CtrlCKeepsWhatWasDone) {
     ::kill(process, SIGINT);
     const Outcome outcome = here.finish(process);
     EXPECT_EQ(outcome.code, 130);
-    EXPECT_THAT(outcome.err, StartsWith("interrupted at "));
+    EXPECT_THAT(support::after_scene(outcome.err), StartsWith("interrupted at "));
     EXPECT_EQ(summary()["ended"], "interrupted");
     EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>() + 1);
   }
@@ -203,7 +204,7 @@ TEST_F(ProgramFailures, AFullDiskIsToldAtTheFirstRowLost) {
       const Outcome outcome = here.run(
           {"run", "box.yaml", "--out", "o", "--threads", threads, "--set", "log.forces=true"});
       EXPECT_EQ(outcome.code, 2);
-      EXPECT_THAT(outcome.err,
+      EXPECT_THAT(support::after_scene(outcome.err),
                   StartsWith("error: o/" + log + ": cannot be written: No space left on device\n"));
       EXPECT_EQ(summary()["ended"], "failed");
     }
@@ -216,7 +217,7 @@ TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
     const Outcome outcome = here.shell(
         "trap '' XFSZ; ulimit -f 16; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err,
+    EXPECT_THAT(support::after_scene(outcome.err),
                 StartsWith("error: o/trajectory.csv: cannot be written: File too large"));
     EXPECT_EQ(summary()["ended"], "failed");
     const auto steps = summary()["steps"].get<std::size_t>();
@@ -233,7 +234,7 @@ TEST_F(ProgramFailures, APictureThatCannotBeWrittenIsTheLast) {
     const Outcome outcome = here.shell(
         "trap '' XFSZ; ulimit -f 32; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err,
+    EXPECT_THAT(support::after_scene(outcome.err),
                 StartsWith("error: o/frames/frame_0000.png: cannot write the picture: "));
     EXPECT_EQ(summary()["skipped"]["pictures"], "they could not be drawn");
     EXPECT_FALSE(fs::exists(here / "o/frames/frame_0001.png"));
@@ -254,7 +255,7 @@ TEST_F(ProgramFailures, WithoutGraphicsTheMotionIsStillThere) {
       here.run({"run", "box.yaml", "--out", "o"},
                {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent", "__EGL_VENDOR_LIBRARY_FILENAMES="});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, StartsWith("error: "));
+  EXPECT_THAT(support::after_scene(outcome.err), StartsWith("error: "));
   EXPECT_EQ(expect_whole_log(), 51u);
   EXPECT_EQ(summary()["skipped"]["pictures"], "they could not be drawn");
 }

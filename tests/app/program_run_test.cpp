@@ -388,6 +388,33 @@ TEST_F(ProgramRun, SaysNothingWhenQuietAndShowsNoProgressOutsideATerminal) {
   EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
+TEST_F(ProgramRun, SaysWhatItMadeOfTheSceneBeforeTheRestOfItsReport) {
+  here.write("box.yaml", falling_box("0.5"));
+  const std::string said = here.run({"run", "box.yaml", "--no-render"}).err;
+  EXPECT_THAT(said, testing::StartsWith("box: 1 body; 0.5 s in steps of 0.01 s; water of "));
+  const std::size_t omitted = said.find(
+      "  not computed: collisions (nothing can collide); added mass of box (added_mass: none); "
+      "pictures (");
+  ASSERT_NE(omitted, std::string::npos) << said;
+  EXPECT_LT(omitted, said.find("out/box: 50 steps"));
+}
+
+TEST_F(ProgramRun, ShowsItsProgressInALineOfATerminalHoweverNarrow) {
+  if (here.shell("command -v script").code != 0) GTEST_SKIP() << "there is no script(1)";
+  here.write("box.yaml", falling_box("0.5"));
+  const auto first_shown = [&](const std::string& columns) {
+    const Outcome outcome =
+        here.shell("script -qec \"stty cols " + columns + "; $PLIMSOLL run box.yaml\" /dev/null");
+    const std::string begin = "\r\033[K";
+    const std::size_t first = outcome.out.find(begin) + begin.size();
+    return outcome.out.substr(first, outcome.out.find(begin, first) - first);
+  };
+  EXPECT_THAT(
+      first_shown("100"),
+      testing::MatchesRegex("box: 0\\.[0-9]+ of 0\\.5 s +[0-9]+ %  .+ x real time  .+ left"));
+  EXPECT_EQ(first_shown("20").size(), 19u);
+}
+
 TEST_F(ProgramRun, DoesNotMindStreamsThatAreClosedOrFull) {
   here.write("box.yaml", falling_box("0.5"));
   here.run({"run", "box.yaml"});

@@ -1,0 +1,157 @@
+#include "app/run_report.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/assemble_added_mass.h"
+#include "app/progress.h"
+#include "tests/app/scene_text.h"
+
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// A line without the spaces that align it.
+std::string squeezed(const std::string& line) {
+  std::string text;
+  for (const char c : line)
+    if (c != ' ' || (!text.empty() && text.back() != ' ')) text += c;
+  return text;
+}
+
+/// What is told of a scene, spaces squeezed.
+std::vector<std::string> told_of(const std::string& text, const std::string& no_pictures = "") {
+  const app::Scene scene = support::read_scene_text(text);
+  app::Assembly assembly = app::assemble(scene);
+  app::AddedMassStore store(app::cache_folder());
+  app::add_added_mass(scene, assembly, store, true);
+  const engine::Simulation simulation(assembly.spec);
+  std::vector<std::string> lines;
+  for (const std::string& line :
+       app::resolved_scene(scene, assembly, simulation.skips(), no_pictures))
+    lines.push_back(squeezed(line));
+  return lines;
+}
+
+const std::string kHead = "plimsoll: 1\nduration: 2\nstep: 0.01\n";
+
+TEST(RunReport, TellsWhatABodyIs) {
+  const auto lines = told_of(kHead +
+                             "water: {density: 1025, level: 1}\n"
+                             "bodies:\n"
+                             "  - {name: raft, box: {size: [3, 2, 1]}, density: 500,"
+                             " position: [0, 0, 1.1], hydro: {added_mass: none, lift: false}}\n");
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_THAT(lines[0],
+              HasSubstr(": 1 body; 2 s in steps of 0.01 s; water of 1025 kg/m^3 (flat); 1 thread"));
+  EXPECT_EQ(lines[1], "body triangles size m volume m^3 mass kg start draught m freeboard m");
+  EXPECT_EQ(lines[2], "raft 12 3 x 2 x 1 6 3000 given 0.4 0.6");
+  EXPECT_EQ(
+      lines[3],
+      "not computed: collisions (nothing can collide); lift of raft (switched off); added mass "
+      "of raft (added_mass: none)");
+}
+
+TEST(RunReport, TellsTheDraughtInEquilibrium) {
+  const auto lines =
+      told_of(kHead +
+              "water: {density: 1000}\n"
+              "bodies:\n"
+              "  - {name: raft, box: {size: [3, 2, 1]}, density: 250,"
+              " position: [0, 0, 9], start: equilibrium, hydro: {added_mass: none}}\n");
+  EXPECT_EQ(lines[2], "raft 12 3 x 2 x 1 6 1500 afloat 0.25 0.75");
+}
+
+TEST(RunReport, TellsHowFarABodyIsFromTheWater) {
+  const auto lines =
+      told_of(kHead +
+              "water: {}\n"
+              "hydro: {added_mass: none}\n"
+              "bodies:\n"
+              "  - {name: high, box: {size: [1, 1, 1]}, mass: 1, position: [0, 0, 3]}\n"
+              "  - {name: low, box: {size: [1, 1, 1]}, mass: 2, position: [0, 0, -3]}\n");
+  EXPECT_EQ(lines[2], "high 12 1 x 1 x 1 1 1 given 2.5 above 3.5");
+  EXPECT_EQ(lines[3], "low 12 1 x 1 x 1 1 2 given 3.5 2.5 below");
+}
+
+TEST(RunReport, TellsTheAddedMassAndItsSource) {
+  const std::string matrix =
+      "[[10, 0, 0, 0, 0, 0], [0, 20, 0, 0, 0, 0], [0, 0, 123456, 0, 0, 0],"
+      " [0, 0, 0, 4, 0, 0], [0, 0, 0, 0, 5.25, 0], [0, 0, 0, 0, 0, 6]]";
+  const auto lines = told_of(
+      kHead +
+      "water: {}\n"
+      "bodies:\n"
+      "  - {name: given, box: {size: [1, 1, 1]}, density: 5, hydro: {added_mass: {matrix: " +
+      matrix +
+      "}}}\n"
+      "  - {name: held, box: {size: [1, 1, 1]}, density: 5, lock: all}\n");
+  EXPECT_THAT(lines, testing::Contains("added mass surge sway heave kg roll pitch yaw kg m^2"));
+  EXPECT_THAT(lines, testing::Contains("given given 10 20 123456 4 5.25 6"));
+  EXPECT_EQ(lines.back(), "not computed: added mass of held (held in all six)");
+}
+
+TEST(RunReport, TellsThatMethodOdeHasNoAddedMass) {
+  const auto lines = told_of(kHead +
+                             "integrator: {method: ode}\n"
+                             "water: {}\n"
+                             "bodies:\n"
+                             "  - {name: box, box: {size: [1, 1, 1]}, density: 5}\n");
+  EXPECT_EQ(lines.size(), 4u);
+  EXPECT_THAT(lines.back(), HasSubstr("added mass of box (method ode has none)"));
+}
+
+TEST(RunReport, OfADrySceneHasNoDraught) {
+  const auto lines = told_of(support::kSmallScene, "--no-render");
+  EXPECT_THAT(lines[0], HasSubstr("; no water; "));
+  EXPECT_THAT(lines[1], EndsWith("mass kg start"));
+  EXPECT_EQ(lines.back(),
+            "not computed: water (there is none); collisions (nothing can collide); pictures "
+            "(--no-render)");
+}
+
+TEST(RunReport, OfAThousandBodiesIsADozenLines) {
+  std::string scene = kHead + "water: {}\nhydro: {added_mass: none}\nbodies:\n";
+  for (int i = 0; i < 1000; ++i)
+    scene += fmt::format(
+        "  - {{name: b{0}, box: {{size: [1, 1, 1]}}, mass: {1}, position: [{2}, 0, {3}]}}\n", i,
+        i < 900 ? 100 : i, 2 * i, 0.0001 * i);
+  const auto lines = told_of(scene);
+  ASSERT_LE(lines.size(), 12u);
+  EXPECT_THAT(lines[0], HasSubstr(": 1000 bodies; "));
+  EXPECT_EQ(lines[2], "900 like b0 12 1 x 1 x 1 1 100 given 0.41 to 0.5 0.5 to 0.59");
+  EXPECT_EQ(lines[5], "and 98 bodies of 98 more kinds: 12 triangles, 902 to 999 kg");
+  EXPECT_EQ(lines.back(), "not computed: added mass of all bodies (added_mass: none)");
+}
+
+TEST(RunReport, AlignsItsColumns) {
+  const app::Scene scene =
+      support::read_scene_text(kHead +
+                               "bodies:\n"
+                               "  - {name: a, box: {size: [1, 1, 1]}, mass: 1}\n"
+                               "  - {name: long name, box: {size: [100, 1, 1]}, mass: 123456}\n");
+  const app::Assembly assembly = [&] {
+    app::Assembly made = app::assemble(scene);
+    made.added_mass.resize(made.spec.bodies.size());
+    return made;
+  }();
+  const auto lines = app::resolved_scene(scene, assembly, {}, "");
+  EXPECT_EQ(lines[1], "  body       triangles       size m  volume m^3  mass kg  start");
+  EXPECT_EQ(lines[2], "  a                 12    1 x 1 x 1           1        1  given");
+  EXPECT_EQ(lines[3], "  long name         12  100 x 1 x 1         100   123456  given");
+}
+
+TEST(ProgressText, TellsTimeSpeedAndWhatIsLeft) {
+  EXPECT_EQ(app::progress_text("box", 2, 8, 0.5),
+            "box: 2.00 of 8 s   25 %  4 x real time  2 s left");
+  EXPECT_THAT(app::progress_text("box", 1, 101, 6), EndsWith(" 10 min left"));
+  EXPECT_THAT(app::progress_text("box", 1, 101, 360), EndsWith(" 10.0 h left"));
+}
+
+}  // namespace
