@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libfontconfig-dev libfreetype-dev
   libgl-dev libhdf5-dev libhwy-dev libode-dev libpng-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev
-  libgtest-dev libgmock-dev python3 python3-numpy python3-h5py python3-jsonschema python3-yaml
+  libgtest-dev libgmock-dev python3 python3-numpy
   fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
 )
 
@@ -16,7 +16,7 @@ packages=(
 # elsewhere will do.
 report_packages=()
 command -v npm > /dev/null || report_packages+=(nodejs npm)
-test_packages=()
+test_packages=(python3-h5py python3-jsonschema python3-yaml)
 if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }

@@ -107,7 +107,10 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"hydro.wave_tolerance",
      "In waves, parts of a large mesh are taken at once where the surface over them is nearly "
      "a curved one of second order; this bounds the error in the force, as a part of the "
-     "wholly submerged body's buoyancy. 0: every triangle by itself."},
+     "wholly submerged body's buoyancy. In any water, parts of a mesh of more than 8,000 "
+     "triangles have their viscous drag from a few points where that is bounded to be as good: "
+     "this bounds its error, as a part of the drag of all the skin under the largest ½ρ C_v v² up "
+     "to the body's greatest speed. 0: every triangle by itself."},
     {"hydro.length",
      "Length of the friction line `ittc57`; without it the longest side of the mesh's "
      "bounding box."},
@@ -217,7 +220,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"log.every", "Time between logged states; 0 or left out: every step."},
     {"log.forces",
      "Writes `forces.csv` beside `trajectory.csv`: a row with the forces on a body and their "
-     "work for each that the trajectory has."},
+     "work for each that the trajectory has; with `--format hdf5` they are in `run.h5`."},
     {"render.size", "Width and height."},
     {"render.every",
      "Time between pictures. `frames/` has them all, `sheet.png` every one of up to 24, of "
