@@ -157,6 +157,8 @@ void add_compare(CLI::App& program, Arguments& a) {
   command->add_flag("--json", a.compare.json, "Print JSON");
   command->add_option("--junit", a.compare.junit, "Write a JUnit report, for CI servers")
       ->type_name("FILE");
+  command->add_option("--html", a.compare.html, "Write one page with plots, for a browser")
+      ->type_name("FILE");
 }
 
 void add_report(CLI::App& program, Arguments& a) {

@@ -59,6 +59,7 @@ struct CompareOptions {
   std::filesystem::path tolerance_file;
   bool json = false;            ///< Print JSON, no table.
   std::filesystem::path junit;  ///< Report for a CI server; empty: none.
+  std::filesystem::path html;   ///< Page with plots, for a browser; empty: none.
 };
 int compare(const CompareOptions& options);
 

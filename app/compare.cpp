@@ -7,7 +7,10 @@
 #include "app/commands.h"
 #include "app/comparison.h"
 #include "app/comparison_report.h"
+#include "app/console.h"
 #include "app/faults.h"
+#include "app/report/comparison_data.h"
+#include "app/report/page_file.h"
 #include "app/scene/reader_nearest.h"
 
 namespace app {
@@ -40,20 +43,28 @@ Tolerances tolerances_of(const CompareOptions& options) {
 /// True if what is printed goes to somebody who has not asked for plain text.
 bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
 
+void write_page(const std::filesystem::path& file, const std::string& page) {
+  write_whole(std::filesystem::absolute(file), page);
+  say(fmt::format("{}: {:.1f} MB", file.string(), static_cast<double>(page.size()) / 1e6));
+}
+
 }  // namespace
 
 int compare(const CompareOptions& options) {
+  const std::string page = options.html.empty() ? "" : empty_page(kComparisonPage);
   const Tolerances tolerances = tolerances_of(options);
   const ComparedFiles files{.a = options.a.string(), .b = options.b.string()};
-  const Comparison comparison =
-      compare_trajectories(read_trajectory(trajectory_of(options.a)),
-                           read_trajectory(trajectory_of(options.b)), tolerances);
+  const Trajectory a = read_trajectory(trajectory_of(options.a));
+  const Trajectory b = read_trajectory(trajectory_of(options.b));
+  const Comparison comparison = compare_trajectories(a, b, tolerances);
   if (options.json)
     fmt::print("{}", json_of(comparison, files));
   else
     fmt::print("{}", table_of(comparison, files, in_color()));
   if (!options.junit.empty())
     write_whole(std::filesystem::absolute(options.junit), junit_of(comparison, files));
+  if (!options.html.empty())
+    write_page(options.html, filled_page(page, comparison_data(comparison, files, a, b)));
   return comparison.same() ? kDone : kDiffers;
 }
 

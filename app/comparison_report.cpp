@@ -9,12 +9,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string verdict(const Difference& d) {
-  if (!d.judged()) return "not judged";
-  if (d.within()) return "ok";
-  return fmt::format("exceeds it from {:g} s", d.first_beyond);
-}
-
 std::string tolerance_text(const Difference& d) {
   return d.judged() ? fmt::format("{:g}", d.tolerance) : "-";
 }
@@ -23,16 +17,6 @@ std::string tolerance_text(const Difference& d) {
 std::string colored(const std::string& text, const Difference& d, bool color) {
   if (!color) return text;
   return fmt::format("\033[{}m{}\033[0m", !d.judged() ? 90 : d.within() ? 32 : 31, text);
-}
-
-/// Where and how the logs of a body do not cover each other; empty if they do.
-std::string coverage(const BodyComparison& body, const ComparedFiles& files) {
-  if (body.in == BodyComparison::In::only_a) return "only in " + files.a;
-  if (body.in == BodyComparison::In::only_b) return "only in " + files.b;
-  if (body.only_a + body.only_b > 0)
-    return fmt::format("{} times compared, {} rows only in {}, {} only in {}", body.times.size(),
-                       body.only_a, files.a, body.only_b, files.b);
-  return "";
 }
 
 std::string xml_text(const std::string& text) {
@@ -69,6 +53,21 @@ struct JunitCases {
 };
 
 }  // namespace
+
+std::string coverage(const BodyComparison& body, const ComparedFiles& files) {
+  if (body.in == BodyComparison::In::only_a) return "only in " + files.a;
+  if (body.in == BodyComparison::In::only_b) return "only in " + files.b;
+  if (body.only_a + body.only_b > 0)
+    return fmt::format("{} times compared, {} rows only in {}, {} only in {}", body.times.size(),
+                       body.only_a, files.a, body.only_b, files.b);
+  return "";
+}
+
+std::string verdict(const Difference& d) {
+  if (!d.judged()) return "not judged";
+  if (d.within()) return "ok";
+  return fmt::format("exceeds it from {:g} s", d.first_beyond);
+}
 
 std::string table_of(const Comparison& comparison, const ComparedFiles& files, bool color) {
   std::string table = fmt::format("{:<16} {:<17} {:>12} {:<6} {:>8} {:>11}\n", "body", "quantity",

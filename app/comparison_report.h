@@ -15,6 +15,12 @@ struct ComparedFiles {
   std::string b;
 };
 
+/// Where and how the logs of a body do not cover each other; empty if they do.
+std::string coverage(const BodyComparison& body, const ComparedFiles& files);
+
+/// `ok`, `not judged`, `exceeds it from 0.4 s`.
+std::string verdict(const Difference& difference);
+
 /// A line a body and quantity, and the verdict. @param color   With a terminal's colours.
 std::string table_of(const Comparison& comparison, const ComparedFiles& files, bool color);
 

@@ -6,6 +6,7 @@ install(TARGETS plimsoll RUNTIME)
 install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll
   PATTERN pictures EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/report/page.html
+  ${PROJECT_BINARY_DIR}/report/comparison.html
   DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll/report OPTIONAL)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

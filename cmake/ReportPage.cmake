@@ -1,12 +1,17 @@
-# The page of `plimsoll report`, bundled by npm's esbuild into build/report/page.html. The program
-# does without it: where npm is missing, or has nowhere to download from, the build says so and goes
-# on, and `plimsoll report` says what is missing.
+# The pages of `plimsoll report` and `plimsoll compare --html`, bundled by npm's esbuild into
+# build/report. The program does without them: where npm is missing, or has nowhere to download from,
+# the build says so and goes on, and these commands say what is missing.
 set(web ${PROJECT_SOURCE_DIR}/app/report/web)
 set(web_sources
   .npmrc
   bundle.mjs
   charts.js
+  chooser.js
   clock.js
+  comparison.css
+  comparison.html
+  comparison.js
+  differences.js
   data.js
   facts.js
   format.js
@@ -21,15 +26,15 @@ set(web_sources
   style.css
   surface.js)
 list(TRANSFORM web_sources PREPEND ${web}/)
-set(page ${PROJECT_BINARY_DIR}/report/page.html)
-add_custom_command(OUTPUT ${page}
-  COMMAND ${CMAKE_COMMAND} -DWEB=${web} -DWORK=${PROJECT_BINARY_DIR}/report_web -DPAGE=${page}
+set(pages ${PROJECT_BINARY_DIR}/report)
+add_custom_command(OUTPUT ${pages}/page.html ${pages}/comparison.html
+  COMMAND ${CMAKE_COMMAND} -DWEB=${web} -DWORK=${PROJECT_BINARY_DIR}/report_web -DPAGES=${pages}
     -P ${PROJECT_SOURCE_DIR}/cmake/bundle_report.cmake
   DEPENDS ${web_sources} ${PROJECT_SOURCE_DIR}/cmake/bundle_report.cmake
-  COMMENT "Bundling the report's page" VERBATIM)
+  COMMENT "Bundling the pages of reports and comparisons" VERBATIM)
 # Builds with sanitizers test nothing with it.
 if(PLIMSOLL_SANITIZE)
-  add_custom_target(report_page DEPENDS ${page})
+  add_custom_target(report_page DEPENDS ${pages}/page.html ${pages}/comparison.html)
 else()
-  add_custom_target(report_page ALL DEPENDS ${page})
+  add_custom_target(report_page ALL DEPENDS ${pages}/page.html ${pages}/comparison.html)
 endif()

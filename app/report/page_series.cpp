@@ -1,53 +1,19 @@
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "app/force_writer.h"
+#include "app/report/motion_columns.h"
 #include "app/report/packing.h"
 #include "app/report/page_data.h"
 #include "app/report/thinning.h"
-#include "hydro/equilibrium.h"
 
 namespace app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Columns = std::vector<std::vector<double>>;
 
 constexpr std::size_t kPoseNumbers = 7;  ///< Position and quaternion.
-constexpr std::size_t kMotionColumns = 12;
-constexpr std::size_t kLeastRows = 16;  ///< Fewer say nothing about a motion.
-
-const std::vector<std::string>& motion_columns() {
-  static const std::vector<std::string> names = {"x",  "y",  "z",  "roll", "pitch", "yaw",
-                                                 "vx", "vy", "vz", "wx",   "wy",    "wz"};
-  return names;
-}
-
-/// Angles without the jumps by a whole turn [deg].
-void unwrap(std::vector<double>& degrees) {
-  constexpr double kTurn = 360;
-  for (std::size_t i = 1; i < degrees.size(); ++i)
-    degrees[i] -= kTurn * std::round((degrees[i] - degrees[i - 1]) / kTurn);
-}
-
-/// The columns of motion_columns().
-Columns motion_of(const BodyTrack& track, std::size_t rows) {
-  Columns columns(kMotionColumns, std::vector<double>(rows));
-  const auto put = [&](std::size_t first, std::size_t row, const Eigen::Vector3d& v) {
-    for (std::size_t k = 0; k < 3; ++k) columns[first + k][row] = v[static_cast<int>(k)];
-  };
-  for (std::size_t i = 0; i < rows; ++i) {
-    const hydro::BodyState& s = track.states[i];
-    put(0, i, s.position);
-    put(3, i, hydro::euler_angles(s.orientation) * (180 / std::numbers::pi));
-    put(6, i, s.linear_velocity);
-    put(9, i, s.angular_velocity);
-  }
-  for (std::size_t k = 3; k < 6; ++k) unwrap(columns[k]);
-  return columns;
-}
+constexpr std::size_t kLeastRows = 16;   ///< Fewer say nothing about a motion.
 
 bool varies(const std::vector<double>& column) {
   return std::any_of(column.begin(), column.end(), [&](double v) { return v != column.front(); });

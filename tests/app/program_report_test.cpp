@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/trajectory.h"
+#include "tests/app/page_numbers.h"
 #include "tests/app/program.h"
 
 /// The data that `plimsoll report` puts into its page, and what it says when it cannot. The program
@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using support::falling_box;
 using support::Outcome;
+using support::packed_numbers;
 using support::Workplace;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -32,25 +33,6 @@ const std::string kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 constexpr double kRounding = 1e-9;  // [kg], of density times volume
-
-/// The floats of a base64 text.
-std::vector<float> floats(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned word = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    word = word << 6 | static_cast<unsigned>(digits.find(c));
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<char>(word >> bits & 0xffU));
-  }
-  std::vector<float> values(bytes.size() / sizeof(float));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
-  return values;
-}
 
 class ProgramReport : public testing::Test {
  protected:
@@ -124,8 +106,8 @@ TEST_F(ProgramReport, HasTheLoggedMotion) {
   EXPECT_THAT(names, ElementsAre("x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx",
                                  "wy", "wz"));
   const json& z = page["series"]["bodies"][0][2];
-  const std::vector<float> differences = floats(z["data"]);
-  const std::vector<float> poses = floats(page["poses"]["bodies"][0]);
+  const std::vector<float> differences = packed_numbers<float>(z["data"]);
+  const std::vector<float> poses = packed_numbers<float>(page["poses"]["bodies"][0]);
   ASSERT_EQ(differences.size(), track.states.size());
   ASSERT_EQ(poses.size(), 7 * track.states.size());
   constexpr double kFloat = 1e-7;  // of a box that moves by metres

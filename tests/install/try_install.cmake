@@ -51,6 +51,12 @@ foreach(printed IN ITEMS "share/plimsoll/scene.schema.json|schema"
   endif()
 endforeach()
 
+if(EXISTS ${BUILD}/report/comparison.html)
+  run(${WORK}/moved/bin/plimsoll compare ${WORK}/teapot ${WORK}/teapot --html ${WORK}/same.html)
+  if(NOT EXISTS ${share}/report/comparison.html OR NOT EXISTS ${WORK}/same.html)
+    message(FATAL_ERROR "the installed program wrote no page of a comparison:\n${output}")
+  endif()
+endif()
 # Shaders are read at run time: without those that were installed it falls back on the sources.
 file(RENAME ${share}/shaders ${share}/shaders-away)
 file(WRITE ${share}/shaders/none "")

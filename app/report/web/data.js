@@ -21,7 +21,8 @@ export const readRun = () => {
   return run;
 };
 
-const column = (packed, count) => {
+// A column of numbers (packing.h).
+export const column = (packed, count) => {
   if (typeof packed === "number") return new Float64Array(count).fill(packed);
   return Float64Array.from(floats(packed.data), (difference) => packed.base + difference);
 };

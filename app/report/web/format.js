@@ -7,7 +7,7 @@ export const number = (value, digits = DIGITS) => {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   const text = size !== 0 && (size < 1e-3 || size >= 1e6)
-    ? value.toExponential(digits - 2)
+    ? value.toExponential(digits - 2).replace(/\.?0+e/, "e")
     : Number(value.toPrecision(digits)).toString();
   return text.replace("-", "−");
 };

@@ -1,12 +1,12 @@
 // Plots of the selected body over time, with one cursor and one zoom for all.
 import uPlot from "uplot";
-import {rowAt, seriesOf} from "./data.js";
+import {rowAt} from "./data.js";
 import {decimalsOf, element, fixed, number} from "./format.js";
-import {chartsOf} from "./charts.js";
 
 const HEIGHT = 190;    // px
 const FEW_LINES = 3;   // whose legend fits in one line
 const MOST_DOTS = 40;  // rows in sight up to which each is marked
+const FEW_DIGITS = 4;  // of values whose sizes are far apart
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
 
@@ -47,12 +47,22 @@ const bounds = (_plot, low, high) => {
   return uPlot.rangeNum(low, high, 0.08, true);
 };
 
+// Whole decades, where there is anything above zero.
+const decades = (_plot, low, high) => low === null ? [0.1, 1] : uPlot.rangeLog(low, high, 10, true);
+
+// From zero, for what is never below it.
+const upwards = (_plot, _low, high) => [0, high > 0 ? 1.08 * high : 1];
+
 // The time axis; that of a single row has a length all the same.
 const span = (_plot, from, to) => from === to ? [from - 0.5, to + 0.5] : [from, to];
 
+// A chart: {title, unit, lines: [{label, color, values, dash, width}]}, and where it has them
+// `prefixed`: a unit that takes prefixes, `log`: a logarithmic scale, `fromZero`: one from 0,
+// `moments`: [{time, text}] that a line marks.
 export class Plots {
-  constructor(run, clock, host) {
-    this.run = run;
+  // @param plotsOf   of a body: {times, groups: [{title, charts, bad}]}
+  constructor(plotsOf, clock, host) {
+    this.plotsOf = plotsOf;
     this.clock = clock;
     this.host = host;
     this.zoom = null;     // [from, to], null: the whole run
@@ -80,11 +90,12 @@ export class Plots {
     for (const card of this.cards) { card.plot?.destroy(); this.watcher.unobserve(card.node); }
     this.cards = [];
     this.host.replaceChildren();
-    const columns = seriesOf(this.run, body);
-    for (const group of chartsOf(this.run, body, columns)) {
+    const {times, groups} = this.plotsOf(body);
+    this.times = times;
+    for (const group of groups) {
       const grid = element("div", {className: "charts"});
-      this.host.append(element("details", {open: true, className: "group"},
-                               element("summary", {textContent: group.title}), grid));
+      const title = element("summary", {textContent: group.title, className: group.bad ? "bad" : ""});
+      this.host.append(element("details", {open: true, className: "group"}, title, grid));
       for (const chart of group.charts) this.addCard(chart, grid);
     }
   }
@@ -96,8 +107,8 @@ export class Plots {
       element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when));
     const decimals = decimalsOf((spreadOf(chart) || largestOf(chart)) / factor);
     const card = {chart, decimals, node, when, inSight: false};
-    card.data = [this.run.series.times,
-                 ...chart.lines.map((line) => line.values.map((value) => value / factor))];
+    card.data = [this.times,
+                 ...chart.lines.map((line) => line.values.map((value) => value === null ? null : value / factor))];
     node.card = card;
     this.cards.push(card);
     grid.append(node);
@@ -109,17 +120,18 @@ export class Plots {
     const ink = style.getPropertyValue("--dim").trim(), rule = style.getPropertyValue("--rule").trim();
     const axis = {stroke: ink, grid: {stroke: rule, width: 1}, ticks: {show: false},
                   font: "11px system-ui, sans-serif"};
-    const times = this.run.series.times;
-    const value = (_plot, v) => fixed(v, card.decimals);
+    const {log, fromZero} = card.chart;
+    const value = (_plot, v) => log || fromZero ? number(v, FEW_DIGITS) : fixed(v, card.decimals);
     card.plot = new uPlot({
       width: this.widthOf(card), height: HEIGHT, pxAlign: false,
       padding: [8, 16, 0, 0],
       cursor: {sync: {key: this.sync.key, setSeries: false}, drag: {x: true, y: false, dist: 4},
                points: {size: 6}, y: false},
       legend: {live: true},
-      scales: {x: {time: false, range: span}, y: {range: bounds}},
+      scales: {x: {time: false, range: span},
+               y: log ? {distr: 3, range: decades} : {range: fromZero ? upwards : bounds}},
       axes: [{...axis, size: 26, gap: 2, values: (_plot, ticks) => ticks.map((t) => `${number(t)} s`)},
-             {...axis, size: 52, gap: 4, values: (_plot, ticks) => ticks.map((v) => number(v))}],
+             {...axis, size: 52, gap: 4, values: (_plot, ticks) => ticks.map((v) => v === null ? "" : number(v))}],
       series: [{label: "time"},
                ...card.chart.lines.map((line) => ({
                  label: line.label,
@@ -133,7 +145,7 @@ export class Plots {
         ready: [(plot) => { card.plot = plot; this.begin(card); }],
         setScale: [(plot, key) => { if (key === "x") this.follow(plot); }],
         setLegend: [(plot) => {
-          const t = times[plot.legend.idx ?? -1];
+          const t = this.times[plot.legend.idx ?? -1];
           card.when.textContent = t === undefined ? "" : `at ${number(t, 6)} s`;
         }],
         setSeries: [(plot, i, options) => {
@@ -149,7 +161,9 @@ export class Plots {
   begin(card) {
     const {plot} = card;
     card.now = element("div", {className: "now"});
-    plot.over.append(card.now);
+    card.moments = (card.chart.moments ?? []).map(({time, text}) =>
+      ({time, node: element("div", {className: "moment", title: text})}));
+    plot.over.append(card.now, ...card.moments.map(({node}) => node));
     plot.over.addEventListener("mousemove", (event) => {
       if (!this.clock.playing && event.buttons === 0) this.clock.seek(plot.posToVal(event.offsetX, "x"));
     });
@@ -166,7 +180,7 @@ export class Plots {
   follow(plot) {
     if (this.quiet) return;
     const {min, max} = plot.scales.x;
-    const times = this.run.series.times;
+    const {times} = this;
     const whole = min <= times[0] && max >= times[times.length - 1];
     if (this.zoom === null && whole) return;
     this.setZoom(whole ? null : [min, max], plot);
@@ -174,7 +188,7 @@ export class Plots {
 
   setZoom(zoom, except) {
     this.zoom = zoom;
-    const times = this.run.series.times;
+    const {times} = this;
     const [min, max] = zoom ?? [times[0], times[times.length - 1]];
     this.quiet = true;
     for (const {plot} of this.cards) if (plot && plot !== except) plot.setScale("x", {min, max});
@@ -190,12 +204,16 @@ export class Plots {
   mark(card) {
     const {plot} = card;
     if (!card.now) return;
-    const x = plot.valToPos(this.clock.time, "x");
-    const inside = x >= 0 && x <= plot.over.clientWidth;
-    card.now.style.display = inside ? "" : "none";
-    card.now.style.transform = `translateX(${x}px)`;
+    const place = (node, time) => {
+      const x = plot.valToPos(time, "x");
+      const inside = x >= 0 && x <= plot.over.clientWidth;
+      node.style.display = inside ? "" : "none";
+      node.style.transform = `translateX(${x}px)`;
+    };
+    place(card.now, this.clock.time);
+    for (const {node, time} of card.moments) place(node, time);
     if (plot.over.matches(":hover")) return;
-    plot.setLegend({idx: rowAt(this.run.series.times, this.clock.time + 1e-9)}, false);
+    plot.setLegend({idx: rowAt(this.times, this.clock.time + 1e-9)}, false);
     card.when.textContent = "";
   }
 

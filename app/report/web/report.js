@@ -1,7 +1,9 @@
 // The page of a run: everything on it shows the time of one clock and one selected body.
 import "./style.css";
+import {chartsOf} from "./charts.js";
+import {addChooser, USAGE} from "./chooser.js";
 import {Clock} from "./clock.js";
-import {readRun} from "./data.js";
+import {readRun, seriesOf} from "./data.js";
 import {showDetails, showHead} from "./facts.js";
 import {element, grouped, number} from "./format.js";
 import {Plots} from "./plots.js";
@@ -106,37 +108,22 @@ const makeToggles = (replay) => {
 
 // The body whose plots are shown. @return the function that selects one.
 const makeChooser = (run, plots, replay) => {
-  const list = element("select", {id: "body", title: "Body"}, ...run.bodies.map((body, i) =>
-    element("option", {value: i, textContent: body.name})));
   const swatch = element("i", {className: "swatch"});
-  const select = (body) => {
-    list.value = body;
+  at("chooser").append(swatch);
+  const usage = run.series.thinned
+    ? `${grouped(run.series.times.length)} of ${grouped(run.rows)} rows: least and largest of each interval`
+    : USAGE;
+  return addChooser(at("chooser"), run.bodies.map((body) => body.name), plots, usage, (body) => {
     swatch.style.background = `rgb(${run.bodies[body].color.map((c) => Math.round(255 * c)).join()})`;
     plots.show(body);
     replay?.select(body);
     at("label").textContent = run.bodies[body].name;
-  };
-  const step = (by) => () => select((Number(list.value) + by + run.bodies.length) % run.bodies.length);
-  list.addEventListener("change", () => select(Number(list.value)));
-  const reset = button("Whole run", "Reset the zoom (double click in a plot)", () => plots.setZoom(null));
-  reset.id = "reset";
-  reset.disabled = true;
-  const hint = element("span", {className: "dim"});
-  const usage = run.series.thinned
-    ? `${grouped(run.series.times.length)} of ${grouped(run.rows)} rows: least and largest of each interval`
-    : "drag in a plot to zoom · click a name to hide its line";
-  plots.onZoom = (zoom) => {
-    reset.disabled = zoom === null;
-    hint.textContent = zoom ? `${number(zoom[0], 4)} … ${number(zoom[1], 4)} s` : usage;
-  };
-  plots.onZoom(null);
-  at("chooser").append(swatch, list);
-  if (run.bodies.length > 1)
-    at("chooser").append(button("‹", "Previous body", step(-1)), button("›", "Next body", step(1)),
-                         element("span", {className: "dim", textContent: `of ${grouped(run.bodies.length)}`}));
-  at("chooser").append(element("span", {className: "grow"}), hint, reset);
-  return select;
+  });
 };
+
+// The plots of a body (plots.js).
+const plotsOf = (run) => (body) =>
+  ({times: run.series.times, groups: chartsOf(run, body, seriesOf(run, body))});
 
 // A column that does not change is a number.
 const POSE_COLUMNS = 6;
@@ -152,7 +139,7 @@ makeTransport(clock);
 if (run.frames) new Strip(run.frames, clock, at("strip"), at("picture"));
 makeViews(run, replay);
 if (replay) makeToggles(replay);
-const select = makeChooser(run, new Plots(run, clock, at("charts")), replay);
+const select = makeChooser(run, new Plots(plotsOf(run), clock, at("charts")), replay);
 if (replay) replay.onSelect = select;
 showDetails(run, at("details"), select);
 select(firstThatMoves(run));

@@ -1,0 +1,130 @@
+// The page of a comparison: the differences of all bodies, and the plots of a selected one.
+import "./style.css";
+import "./comparison.css";
+import {addChooser, USAGE} from "./chooser.js";
+import {Clock} from "./clock.js";
+import {QUANTITIES, plotsOf, readComparison, severity, worstFirst} from "./differences.js";
+import {element, grouped, number} from "./format.js";
+import {Plots} from "./plots.js";
+
+const MOST_BODIES = 500;  // in the table
+const LOG_FROM = 30;      // tolerances, or as many parts of one, beyond which a line is flat without it
+const DIGITS = 4;
+
+const at = (id) => document.getElementById(id);
+const withUnit = (value, unit) => `${number(value, DIGITS)}${unit === "°" ? "" : " "}${unit}`;
+const seconds = (t) => `${number(t, 6)} s`;
+
+const tile = (label, value, note = "") =>
+  element("div", {className: "tile"}, element("span", {textContent: label}),
+          element("b", {textContent: value}), element("i", {textContent: note}));
+
+const log = (label, name) =>
+  element("span", {className: `log ${label}`}, element("i", {className: "dot"}), element("b", {textContent: label}),
+          " ", element("span", {textContent: name}));
+
+// The body with the most of something of a quantity.
+const most = (bodies, of) => bodies.reduce((best, body) => best && of(best) >= of(body) ? best : body, null);
+
+const showHead = ({a, b, same, bodies, program}) => {
+  document.title = `${a} and ${b} – Plimsoll`;
+  const compared = bodies.filter((body) => body.differences);
+  const different = bodies.filter((body) => !body.same);
+  const tiles = element("div", {className: "tiles"}, tile("Bodies", grouped(bodies.length),
+    different.length === 0 ? "all the same" : `${grouped(different.length)} different`));
+  const firsts = compared.flatMap((body) => body.differences
+    .map((d, i) => ({time: d.first_beyond, text: `${body.name}, ${QUANTITIES[i].title.toLowerCase()}`}))
+    .filter(({time}) => time !== null));
+  const first = firsts.reduce((p, q) => p && p.time <= q.time ? p : q, null);
+  if (first) tiles.append(tile("First beyond tolerance", seconds(first.time), first.text));
+  if (compared.length > 0)
+    QUANTITIES.forEach(({title, unit}, i) => {
+      const body = most(compared, ({differences}) => differences[i].largest);
+      const {largest, at: when} = body.differences[i];
+      tiles.append(tile(`Largest difference of ${title.toLowerCase()}`, withUnit(largest, unit),
+                        largest === 0 ? "none" : `${body.name}, at ${seconds(when)}`));
+    });
+  at("head").append(
+    element("div", {className: "title"}, element("h1", {textContent: "Comparison"}),
+      element("span", {id: "verdict", className: same ? "state completed" : "state",
+                       textContent: same ? "the same within tolerance" : "different"}),
+      log("A", a), log("B", b), element("span", {className: "origin", textContent: `Plimsoll ${program}`})),
+    tiles);
+};
+
+const ratioText = (d) => {
+  const ratio = severity(d);
+  if (ratio < 0) return "–";
+  return ratio === Infinity ? "∞" : number(ratio, 3);
+};
+
+const rowsOf = (body, select) => {
+  const rows = [];
+  const notes = [body.note, body.interpolated > 0 &&
+                            `interpolated at ${grouped(body.interpolated)} of ${grouped(body.times)} times`];
+  for (const note of notes.filter(Boolean))
+    rows.push(element("tr", {className: body.same || note !== body.note ? "skip" : "bad"},
+      element("td", {textContent: body.name, title: body.name}), element("td", {colSpan: 6, textContent: note})));
+  (body.differences ?? []).forEach((d, i) => rows.push(
+    element("tr", {className: d.tolerance === null ? "skip" : d.first_beyond === null ? "good" : "bad",
+                   onclick: () => select(i)},
+      ...[body.name, QUANTITIES[i].title, withUnit(d.largest, QUANTITIES[i].unit), number(d.at, 6),
+          d.tolerance === null ? "–" : number(d.tolerance, DIGITS), ratioText(d), d.verdict]
+        .map((textContent) => element("td", {textContent})))));
+  rows[0]?.classList.add("first");
+  return rows;
+};
+
+// @param select   Called with a body and a quantity.
+// @return the function that marks the rows of a body
+const showTable = ({bodies}, select) => {
+  const head = ["body", "quantity", "largest", "at [s]", "tolerance", "× tolerance", "verdict"];
+  const table = element("table", {}, element("thead", {}, element("tr", {}, ...head.map((textContent) =>
+    element("th", {textContent})))));
+  const parts = bodies.slice(0, MOST_BODIES).map((body, i) =>
+    element("tbody", {}, ...rowsOf(body, (quantity) => select(i, quantity))));
+  table.append(...parts);
+  at("table").append(element("div", {className: "scroll"}, table));
+  const notes = [];
+  if (bodies.length > MOST_BODIES)
+    notes.push(`The ${MOST_BODIES} worst of ${grouped(bodies.length)} bodies.`);
+  const longest = most(bodies.flatMap(({a, b}) => [a, b]).filter(Boolean), ({rows}) => rows);
+  if (longest && longest.times.length < longest.rows)
+    notes.push(`Plots have ${grouped(longest.times.length)} of ${grouped(longest.rows)} rows: of each interval ` +
+               "the least and the largest value.");
+  if (notes.length > 0) at("table").append(element("p", {className: "note", textContent: notes.join(" ")}));
+  return (body) => parts.forEach((part, i) => part.classList.toggle("on", i === body));
+};
+
+const isFar = (d) => {
+  const ratio = severity(d);
+  return ratio > LOG_FROM || (ratio > 0 && ratio < 1 / LOG_FROM);
+};
+
+const comparison = readComparison();
+const {bodies} = comparison;
+showHead(comparison);
+if (bodies.length > 0) {
+  const logs = bodies.flatMap(({a, b}) => [a, b]).filter(Boolean);
+  const clock = new Clock(Math.min(...logs.map((l) => l.times[0])), Math.max(...logs.map((l) => l.times.at(-1))));
+  const worst = bodies[0].differences?.[worstFirst(bodies[0].differences)[0]];
+  const logarithmic = element("input", {type: "checkbox", id: "log", checked: worst !== undefined && isFar(worst)});
+  const plots = new Plots((body) => plotsOf(comparison, bodies[body], logarithmic.checked), clock, at("charts"));
+  const mark = showTable(comparison, (body, quantity) => {
+    select(body);
+    const order = bodies[body].differences ? worstFirst(bodies[body].differences) : [];
+    at("charts").children[order.indexOf(quantity)].scrollIntoView({behavior: "smooth"});
+  });
+  let shown = 0;
+  const select = addChooser(at("chooser"), bodies.map((body) => body.name), plots, USAGE, (body) => {
+    shown = body;
+    const {differences} = bodies[body];
+    const d = differences?.[worstFirst(differences)[0]];
+    plots.show(body);
+    mark(body);
+    clock.seek(d?.first_beyond ?? d?.at ?? clock.start);
+  });
+  logarithmic.onchange = () => plots.show(shown);
+  at("body").after(element("label", {className: "dim", title: "Of the differences"}, logarithmic, "logarithmic"));
+  select(0);
+}

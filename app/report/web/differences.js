@@ -1,0 +1,89 @@
+// The comparison as the program has written it into the page (comparison_data.h), and which plots
+// a body has.
+import {column, doubles, rowAt} from "./data.js";
+import {number} from "./format.js";
+
+const SAME_TIME = 1e-9;  // of a time, or s below 1 s, as the program takes it
+
+// In the order of a body's differences.
+export const QUANTITIES = [
+  {title: "Position", unit: "m", names: ["x", "y", "z"]},
+  {title: "Orientation", unit: "°", names: ["roll", "pitch", "yaw"]},
+  {title: "Velocity", unit: "m/s", names: ["vx", "vy", "vz"]},
+  {title: "Angular velocity", unit: "rad/s", names: ["wx", "wy", "wz"], labels: ["ωx", "ωy", "ωz"]}];
+
+// How many times its tolerance a difference is; −1 if it is not judged.
+export const severity = ({largest, tolerance}) => {
+  if (tolerance === null) return -1;
+  return largest === 0 ? 0 : largest / tolerance;
+};
+
+const descending = (a, b) => (b > a) - (b < a);  // of infinite numbers, too
+
+// Indices of a body's quantities, the worst one first.
+export const worstFirst = (differences) => QUANTITIES.map((_, i) => i).sort((i, j) =>
+  descending(severity(differences[i]), severity(differences[j])));
+
+export const readComparison = () => {
+  const comparison = JSON.parse(document.getElementById("data").textContent);
+  for (const body of comparison.bodies) {
+    body.severity = Math.max(body.same ? -1 : 1, ...(body.differences ?? []).map(severity));
+    for (const key of ["a", "b", "over"]) if (body[key]) body[key].times = doubles(body[key].times);
+  }
+  comparison.bodies.sort((p, q) => descending(p.severity, q.severity));
+  return comparison;
+};
+
+// All times of some logs, ascending.
+const union = (logs) => {
+  const all = Float64Array.from(logs.flatMap((log) => [...log.times])).sort();
+  return all.filter((t, i) => i === 0 || t - all[i - 1] > SAME_TIME * Math.max(1, t));
+};
+
+// A column at other times: on the line between its rows, null before and after them.
+const onTimes = (own, values, times) => Array.from(times, (t) => {
+  const near = SAME_TIME * Math.max(1, t);
+  const row = rowAt(own, t + near);
+  if (Math.abs(own[row] - t) <= near) return values[row];
+  if (t < own[0] || row === own.length - 1) return null;
+  const s = (t - own[row]) / (own[row + 1] - own[row]);
+  return (1 - s) * values[row] + s * values[row + 1];
+});
+
+const verdictOf = ({verdict, first_beyond: first}) =>
+  first === null ? `: ${verdict}` : ` exceeds its tolerance from ${number(first, 6)} s on`;
+
+const differenceChart = ({title}, d, values, log) => {
+  const shown = (v) => log && !(v > 0) ? null : v;
+  const lines = [{label: "difference", color: "--c7", values: values.map(shown)}];
+  if (d.tolerance !== null)
+    lines.push({label: "tolerance", color: "--bad", dash: [6, 4], values: values.map(() => shown(d.tolerance))});
+  return {title: `Difference of ${title.toLowerCase()}`, unit: d.unit === "deg" ? "°" : d.unit, lines, log,
+          fromZero: true};
+};
+
+// @param log   Whether differences have a logarithmic scale.
+// @return what Plots shows of a body, the worst quantity first
+export const plotsOf = (comparison, body, log) => {
+  const times = union([body.a, body.b, body.over].filter(Boolean));
+  const columnOf = (of, i) => onTimes(of.times, column(of.columns[i], of.times.length), times);
+  const motion = (quantity, i, moments) => {
+    const {title, unit, names, labels = names} = quantity;
+    const at = comparison.columns.indexOf(names[i]);
+    const lines = [["A", body.a, "--c1", 3.5], ["B", body.b, "--c2", 1.5]].filter(([, of]) => of)
+      .map(([label, of, color, width]) => ({label, color, width, values: columnOf(of, at)}));
+    return {title: `${title}, ${labels[i]}`, unit, lines, moments};
+  };
+  const order = body.differences ? worstFirst(body.differences) : QUANTITIES.map((_, i) => i);
+  const groups = order.map((k) => {
+    const d = body.differences?.[k];
+    const beyond = d !== undefined && d.first_beyond !== null;
+    const moments = beyond
+      ? [{time: d.first_beyond, text: `${QUANTITIES[k].title}: beyond its tolerance from here on`}] : [];
+    const charts = QUANTITIES[k].names.map((_, i) => motion(QUANTITIES[k], i, moments));
+    if (d && body.over)
+      charts.unshift({...differenceChart(QUANTITIES[k], d, columnOf(body.over, k), log && d.largest > 0), moments});
+    return {title: QUANTITIES[k].title + (d ? verdictOf(d) : ""), bad: beyond, charts};
+  });
+  return {times, groups};
+};
