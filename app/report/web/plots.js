@@ -50,6 +50,9 @@ const bounds = (_plot, low, high) => {
 // Whole decades, where there is anything above zero.
 const decades = (_plot, low, high) => low === null ? [0.1, 1] : uPlot.rangeLog(low, high, 10, true);
 
+// Of the marks of a logarithmic axis those that have a line: one a decade.
+const ofDecades = (_plot, marks) => marks.map((v) => Math.abs(Math.log10(v) % 1) < 1e-6 ? v : null);
+
 // From zero, for what is never below it.
 const upwards = (_plot, _low, high) => [0, high > 0 ? 1.08 * high : 1];
 
@@ -131,7 +134,8 @@ export class Plots {
       scales: {x: {time: false, range: span},
                y: log ? {distr: 3, range: decades} : {range: fromZero ? upwards : bounds}},
       axes: [{...axis, size: 26, gap: 2, values: (_plot, ticks) => ticks.map((t) => `${number(t)} s`)},
-             {...axis, size: 52, gap: 4, values: (_plot, ticks) => ticks.map((v) => v === null ? "" : number(v))}],
+             {...axis, grid: log ? {...axis.grid, filter: ofDecades} : axis.grid, size: 52, gap: 4,
+              values: (_plot, ticks) => ticks.map((v) => v === null ? "" : number(v))}],
       series: [{label: "time"},
                ...card.chart.lines.map((line) => ({
                  label: line.label,
