@@ -20,6 +20,13 @@
 
 namespace {
 
+/// A file of the test that runs, beside which others may.
+std::filesystem::path own_file(const std::string& extension) {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  return std::filesystem::path(testing::TempDir()) /
+         (std::string(test.test_suite_name()) + "." + test.name() + extension);
+}
+
 namespace fs = std::filesystem;
 using app::parse_sweep_parameter;
 using app::SweepParameter;
@@ -182,7 +189,7 @@ TEST(SweepOutcome, HasTheLastAndTheExtremeValuesOfATrack) {
 }
 
 TEST(SweepOutcome, IsReadBackToTheSameNumbers) {
-  const fs::path file = fs::path(testing::TempDir()) / "plimsoll_outcome.json";
+  const fs::path file = own_file(".json");
   const app::RunOutcome outcome = {
       3, 1.0 / 3, 0.1, "a, \"b\"\nc", {app::body_outcome("a", rolling_track())}};
   app::write_outcome(outcome, file);
@@ -232,7 +239,7 @@ class Survey : public testing::Test {
     return app::survey(plan);
   }
 
-  const fs::path file = fs::path(testing::TempDir()) / "plimsoll_survey.yaml";
+  const fs::path file = own_file(".yaml");
 };
 
 TEST_F(Survey, PutsTheFirstRunOfEachMeshFirst) {

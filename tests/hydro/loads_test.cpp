@@ -183,7 +183,8 @@ TEST(Loads, ThatAreSwitchedOffAreZeroAndLeaveTheOthersAsTheyWere) {
                                            .lift = 0,
                                            .viscous_drag = {ViscousDrag::Law::none}});
   EXPECT_EQ(support::largest(none.total()), 0);
-  EXPECT_EQ(none.displaced_volume, all.displaced_volume);
+  EXPECT_DOUBLE_EQ(none.displaced_volume,
+                   all.displaced_volume);  // Whole branches sum in another order.
   const Loads drag_only = hydro::compute_loads(
       hull, state, kStillSea, 0,
       {.buoyancy = false, .lift = 0, .viscous_drag = {ViscousDrag::Law::none}});
