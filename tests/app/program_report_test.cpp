@@ -25,8 +25,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string kBefore = "<p>before</p><script type=\"application/json\">";
-const std::string kAfter = "</script><p>after</p>";
+const std::string kStartOfPage = "<p>before</p><script type=\"application/json\">";
+const std::string kEndOfPage = "</script><p>after</p>";
 
 /// A tetrahedron, closed, normals outward.
 const std::string kTetrahedron =
@@ -38,7 +38,7 @@ class ProgramReport : public testing::Test {
  protected:
   ProgramReport() {
     here.write("bin/none", "");
-    here.write("share/plimsoll/report/page.html", kBefore + "@PLIMSOLL_DATA@" + kAfter);
+    here.write("share/plimsoll/report/page.html", kStartOfPage + "@PLIMSOLL_DATA@" + kEndOfPage);
     fs::copy_file(PLIMSOLL_PROGRAM, here / "bin/plimsoll");
   }
 
@@ -58,9 +58,9 @@ class ProgramReport : public testing::Test {
     const Outcome outcome = report(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = here.read("o/report.html");
-    EXPECT_TRUE(page.starts_with(kBefore) && page.ends_with(kAfter));
+    EXPECT_TRUE(page.starts_with(kStartOfPage) && page.ends_with(kEndOfPage));
     const std::string text =
-        page.substr(kBefore.size(), page.size() - kBefore.size() - kAfter.size());
+        page.substr(kStartOfPage.size(), page.size() - kStartOfPage.size() - kEndOfPage.size());
     EXPECT_THAT(text, Not(HasSubstr("<")));  // nothing in it ends the script element
     return json::parse(text);
   }

@@ -23,7 +23,7 @@ using hydro::ViscousDrag;
 using hydro::Wrench;
 
 /// Round, flat with edges, long, and rough: all of enough faces to have clusters.
-std::vector<Hull> hulls(support::Random& random) {
+std::vector<Hull> large_hulls(support::Random& random) {
   std::vector<Hull> all;
   all.push_back(hydro::make_hull(hydro::make_icosphere(1, 5)));
   all.push_back(hydro::make_hull(hydro::make_box({2, 3, 0.1}, 32)));
@@ -77,7 +77,7 @@ TEST(Clusters, KeepTheErrorBelowTheToleranceInAnyPoseAndMotion) {
   support::Random random(61);
   const Sea sea{.density = 1025};
   int differs = 0;
-  for (const Hull& hull : hulls(random)) {
+  for (const Hull& hull : large_hulls(random)) {
     for (const ViscousDrag& law : laws()) {
       for (int i = 0; i < support::repeats(12); ++i) {
         const BodyState state = motion(i, hull, random);
@@ -116,7 +116,7 @@ TEST(Clusters, AreMuchBetterThanTheirBound) {
 
 TEST(Clusters, AreNotTakenWithoutATolerance) {
   support::Random random(63);
-  for (const Hull& hull : hulls(random)) {
+  for (const Hull& hull : large_hulls(random)) {
     for (const ViscousDrag& law : laws()) {
       for (int i = 0; i < support::repeats(6); ++i) {
         const BodyState state = motion(i, hull, random);
@@ -142,7 +142,7 @@ TEST(Clusters, AreWithoutDragWhereTheCoefficientIsZero) {
 
 TEST(Clusters, TakeEnergyInAnyMotion) {
   support::Random random(64);
-  for (const Hull& hull : hulls(random)) {
+  for (const Hull& hull : large_hulls(random)) {
     for (int i = 0; i < support::repeats(12); ++i) {
       const BodyState state = motion(i, hull, random);
       const Wrench load = drag(hull, state, {}, laws()[0], {.wave_tolerance = 0.1});
@@ -154,7 +154,7 @@ TEST(Clusters, TakeEnergyInAnyMotion) {
 /// The points of a branch are on its faces: the area is theirs, and so is the centroid.
 TEST(Clusters, HaveTheAreaAndTheCentroidOfTheirFaces) {
   support::Random random(65);
-  for (const Hull& hull : hulls(random)) {
+  for (const Hull& hull : large_hulls(random)) {
     for (std::size_t i = 0; i < hull.tree.nodes.size(); ++i) {
       const hydro::kernel::Node& node = hull.tree.nodes[i];
       const hydro::kernel::Cluster& cluster = hull.tree.clusters[i];
