@@ -22,8 +22,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string kBefore = "<p>before</p><script type=\"application/json\">";
-const std::string kAfter = "</script><p>after</p>";
+const std::string kBeforeData = "<p>before</p><script type=\"application/json\">";
+const std::string kAfterData = "</script><p>after</p>";
 const std::string kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
 
 /// `time,body,x` rows of bodies at y = z = 0, upright.
@@ -37,7 +37,8 @@ class ProgramComparison : public testing::Test {
  protected:
   ProgramComparison() {
     here.write("bin/none", "");
-    here.write("share/plimsoll/report/comparison.html", kBefore + "@PLIMSOLL_DATA@" + kAfter);
+    here.write("share/plimsoll/report/comparison.html",
+               kBeforeData + "@PLIMSOLL_DATA@" + kAfterData);
     fs::copy_file(PLIMSOLL_PROGRAM, here / "bin/plimsoll");
   }
 
@@ -51,9 +52,9 @@ class ProgramComparison : public testing::Test {
     EXPECT_EQ(outcome.code, code) << outcome.err;
     EXPECT_THAT(outcome.err, StartsWith("c.html: 0.0 MB"));
     const std::string page = here.read("c.html");
-    EXPECT_TRUE(page.starts_with(kBefore) && page.ends_with(kAfter));
+    EXPECT_TRUE(page.starts_with(kBeforeData) && page.ends_with(kAfterData));
     const std::string text =
-        page.substr(kBefore.size(), page.size() - kBefore.size() - kAfter.size());
+        page.substr(kBeforeData.size(), page.size() - kBeforeData.size() - kAfterData.size());
     EXPECT_THAT(text, Not(HasSubstr("<")));  // nothing in it ends the script element
     return json::parse(text);
   }
