@@ -76,7 +76,7 @@ constexpr double kFaces = 1e-6;
 TEST(Clusters, KeepTheErrorBelowTheToleranceInAnyPoseAndMotion) {
   support::Random random(61);
   const Sea sea{.density = 1025};
-  int differs = 0;
+  int all = 0, differs = 0;
   for (const Hull& hull : large_hulls(random)) {
     for (const ViscousDrag& law : laws()) {
       for (int i = 0; i < support::repeats(12); ++i) {
@@ -91,12 +91,13 @@ TEST(Clusters, KeepTheErrorBelowTheToleranceInAnyPoseAndMotion) {
           const double error = support::tolerance(wanted + kFaces) * scale;
           EXPECT_LE((ours.force - each.force).norm(), error);
           EXPECT_LE((ours.moment - each.moment).norm(), error * hull.radius);
+          ++all;
           if ((ours.force - each.force).norm() > 1e-12 * scale) ++differs;
         }
       }
     }
   }
-  EXPECT_GT(differs, 100);  // Else no cluster was taken.
+  EXPECT_GT(differs, all / 8);  // Else hardly a cluster was taken.
 }
 
 TEST(Clusters, AreMuchBetterThanTheirBound) {
