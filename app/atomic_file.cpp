@@ -1,5 +1,6 @@
 #include "app/atomic_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What names of unfinished files hold, before six letters that are like no others.
+/// What names of unfinished files hold, before what tells them apart.
 const char* const kPart = ".part-";
 
 [[noreturn]] void fail(const fs::path& file, int error) {
@@ -27,9 +28,14 @@ const char* const kPart = ".part-";
 /// A new file beside another, which is removed again unless it has been renamed.
 class PartFile {
  public:
-  explicit PartFile(const fs::path& file) : file_(file), name_(file.string() + kPart + "XXXXXX") {
-    handle_ = ::mkstemp(name_.data());
-    if (handle_ < 0) fail(file_, errno);
+  explicit PartFile(const fs::path& file) : file_(file) {
+    constexpr mode_t kAsUmaskLeaves = 0666;
+    // Another machine may have a process of this number.
+    for (int i = 0; handle_ < 0; ++i) {
+      name_ = fmt::format("{}{}{}-{}", file.string(), kPart, ::getpid(), i);
+      handle_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kAsUmaskLeaves);
+      if (handle_ < 0 && errno != EEXIST) fail(file_, errno);
+    }
   }
   ~PartFile() {
     if (handle_ >= 0) ::close(handle_);
@@ -77,7 +83,8 @@ void remove_old_parts(const fs::path& file) {
 
 }  // namespace
 
-void write_whole(const fs::path& file, std::string_view bytes) {
+void write_whole(const fs::path& path, std::string_view bytes) {
+  const fs::path file = path.has_parent_path() ? path : "." / path;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) fail(file, error.value());

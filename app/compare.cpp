@@ -44,7 +44,7 @@ Tolerances tolerances_of(const CompareOptions& options) {
 bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
 
 void write_page(const std::filesystem::path& file, const std::string& page) {
-  write_whole(std::filesystem::absolute(file), page);
+  write_whole(file, page);
   say(fmt::format("{}: {:.1f} MB", file.string(), static_cast<double>(page.size()) / 1e6));
 }
 
@@ -61,8 +61,7 @@ int compare(const CompareOptions& options) {
     fmt::print("{}", json_of(comparison, files));
   else
     fmt::print("{}", table_of(comparison, files, in_color()));
-  if (!options.junit.empty())
-    write_whole(std::filesystem::absolute(options.junit), junit_of(comparison, files));
+  if (!options.junit.empty()) write_whole(options.junit, junit_of(comparison, files));
   if (!options.html.empty())
     write_page(options.html, filled_page(page, comparison_data(comparison, files, a, b)));
   return comparison.same() ? kDone : kDiffers;

@@ -18,9 +18,6 @@
 
 namespace app {
 
-/// The names of the columns behind `time,body`.
-std::vector<std::string> force_columns();
-
 /// The header line.
 std::string force_header();
 

@@ -19,9 +19,9 @@ enum class LogFormat {
 };
 
 /// Names in the folder of a run.
-inline const char* const kTrajectoryLog = "trajectory.csv";
-inline const char* const kForceLog = "forces.csv";
-inline const char* const kHdf5Log = "run.h5";
+inline constexpr const char* kTrajectoryLog = "trajectory.csv";
+inline constexpr const char* kForceLog = "forces.csv";
+inline constexpr const char* kHdf5Log = "run.h5";
 
 /// What a log is of.
 struct LogSubject {

@@ -25,8 +25,8 @@ std::optional<Rank> launched_rank() {
                                            {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"}};
   for (const auto& [rank, size] : kVariables) {
     const auto number = number_in(rank);
-    const auto count = number_in(size);
-    if (number && count && *number<*count&& * count> 1) return Rank{*number, *count};
+    const std::size_t count = number_in(size).value_or(1);
+    if (count > 1 && number && *number < count) return Rank{*number, count};
   }
   return std::nullopt;
 }

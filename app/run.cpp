@@ -97,7 +97,7 @@ class Run {
 
  private:
   bool wants_pictures() const { return scene_.render && options_.render; }
-  std::filesystem::path summary_file() const { return folder_.path() / "summary.json"; }
+  std::filesystem::path summary_file() const { return folder_.path() / kSummaryFile; }
 
   /// A folder tells of one run: what an earlier one left goes, should this one be killed or draw
   /// nothing. Its trajectory has been replaced already.

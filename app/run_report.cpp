@@ -10,6 +10,7 @@
 #include <span>
 
 #include "app/summary.h"
+#include "engine/locks.h"
 #include "hydro/mass_properties.h"
 #include "hydro/mesh.h"
 
@@ -79,8 +80,7 @@ Spread height_of(const engine::BodySpec& body) {
 }
 
 std::string size_of(const hydro::TriMesh& mesh) {
-  const Eigen::Vector3d size =
-      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
+  const Eigen::Vector3d size = hydro::bounding_box(mesh).sizes();
   return fmt::format("{} x {} x {}", number_text(size[0], 3), number_text(size[1], 3),
                      number_text(size[2], 3));
 }
@@ -153,19 +153,19 @@ std::vector<BodyKind> kinds_of(const Scene& scene, const Assembly& assembly) {
   return kinds;
 }
 
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
 std::string water_text(const Scene& scene) {
   if (!scene.water) return "no water";
   const SurfaceScene& surface = scene.water->surface;
   const auto* waves = std::get_if<std::vector<WaveScene>>(&surface);
-  const std::string shape = waves != nullptr ? fmt::format("{} waves", waves->size())
+  const std::string shape = waves != nullptr ? counted(waves->size(), "wave", "waves")
                             : std::holds_alternative<SpectrumScene>(surface)    ? "a spectrum"
                             : std::holds_alternative<HeightFieldScene>(surface) ? "a height field"
                                                                                 : "flat";
   return fmt::format("water of {:g} kg/m^3 ({})", scene.water->density, shape);
-}
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
 std::string headline(const Scene& scene, const Assembly& assembly) {
@@ -190,8 +190,7 @@ std::string reason_for_no_added_mass(const engine::SimulationSpec& spec,
                                      const engine::BodySpec& body) {
   if (spec.integrator.method == engine::Integrator::Method::ode) return "method ode has none";
   if (!body.wet) return "the water does nothing to it";
-  if (std::find(body.locked.begin(), body.locked.end(), false) == body.locked.end())
-    return "held in all six";
+  if (engine::immovable(body.locked)) return "held in all six";
   return "added_mass: none";
 }
 

@@ -16,6 +16,8 @@
 #include "app/atomic_file.h"
 #include "app/checked_file.h"
 #include "app/faults.h"
+#include "app/log.h"
+#include "app/summary.h"
 #include "app/sweep_outcome.h"
 
 namespace app {
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Results in the folder of a run.
-constexpr const char* kResults[] = {"outcome.json", "trajectory.csv", "forces.csv", "summary.json"};
+constexpr const char* kResults[] = {"outcome.json", kTrajectoryLog, kForceLog, kSummaryFile};
 
 /// A number of the content of a file; of a missing one, that of an empty one.
 std::string fingerprint(const fs::path& file) {

@@ -12,6 +12,8 @@
 #include "app/atomic_file.h"
 #include "app/child_process.h"
 #include "app/commands.h"
+#include "app/log.h"
+#include "app/summary.h"
 
 namespace app {
 namespace {
@@ -90,7 +92,7 @@ std::string header_of(const std::vector<SweepParameter>& parameters,
   header += ",exit_code,simulated_seconds,wall_seconds";
   for (const std::string& body : bodies)
     for (const std::string_view column : kBodyColumns)
-      header += fmt::format(",{}.{}", body, column);
+      header += ',' + cell(fmt::format("{}.{}", body, column));
   return header + ",message\n";
 }
 
@@ -128,22 +130,20 @@ BodyOutcome body_outcome(const std::string& name, const BodyTrack& track) {
     const Eigen::Vector3d change = state.linear_velocity - track.states[i - 1].linear_velocity;
     acceleration = std::max(acceleration, change.norm() / (track.times[i] - track.times[i - 1]));
   }
-  const Eigen::Vector3d& p = last.position;
-  const Eigen::Quaterniond& q = last.orientation;
-  const Eigen::Vector3d& v = last.linear_velocity;
-  const Eigen::Vector3d& w = last.angular_velocity;
-  return {name, {p.x(), p.y(), p.z(),         q.w(),        q.x(),          q.y(), q.z(),
-                 v.x(), v.y(), v.z(),         w.x(),        w.y(),          w.z(), z_min,
-                 z_max, speed, angular_speed, acceleration, tilt_deg(last), tilt}};
+  BodyOutcome outcome{.name = name};
+  const std::array extremes = {z_min,        z_max,          speed, angular_speed,
+                               acceleration, tilt_deg(last), tilt};
+  std::ranges::copy(extremes, std::ranges::copy(row_of(last), outcome.values.begin()).out);
+  return outcome;
 }
 
 RunOutcome collect_outcome(const fs::path& folder, const fs::path& messages, int code,
                            double wall) {
   RunOutcome outcome = {.code = code, .simulated = {}, .wall = wall, .message = {}, .bodies = {}};
-  const Json summary = parsed(folder / "summary.json");
+  const Json summary = parsed(folder / kSummaryFile);
   outcome.message = message_of(summary, messages, code);
   if (summary.is_object()) outcome.simulated = summary.value("simulated_seconds", 0.0);
-  outcome.bodies = read_bodies(folder / "trajectory.csv");
+  outcome.bodies = read_bodies(folder / kTrajectoryLog);
   return outcome;
 }
 

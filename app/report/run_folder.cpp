@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include "app/faults.h"
+#include "app/log.h"
 #include "app/scene/reader.h"
+#include "app/summary.h"
 #include "app/trajectory_match.h"
 
 namespace app {
@@ -46,7 +48,7 @@ std::optional<Source> source_in(const Json& summary, const fs::path& file) {
 
 /// Reads the scene as it was run and the meshes it names.
 void read_scene_of_run(const fs::path& moved_to, RunFolder& run) {
-  const fs::path summary = run.path / "summary.json";
+  const fs::path summary = run.path / kSummaryFile;
   const std::optional<Source> source = source_in(run.summary, summary);
   if (!source && moved_to.empty())
     throw InputError(summary, run.summary.is_null()
@@ -96,13 +98,13 @@ RunFolder read_run(const fs::path& folder, const fs::path& scene) {
   if (!fs::is_directory(folder))
     throw InputError(folder, "there is no such folder; expected one that plimsoll run has written");
   RunFolder run{.path = folder};
-  const fs::path log = folder / "trajectory.csv";
+  const fs::path log = folder / kTrajectoryLog;
   run.trajectory = read_trajectory(log);
   run.rows = common_rows(run.trajectory, log);
-  run.summary = read_summary(folder / "summary.json");
+  run.summary = read_summary(folder / kSummaryFile);
   read_scene_of_run(scene, run);
   check_same_bodies(run.trajectory, run.assembly.spec, log);
-  const fs::path forces = folder / "forces.csv";
+  const fs::path forces = folder / kForceLog;
   if (fs::exists(forces)) {
     run.forces = read_forces(forces);
     check_forces(*run.forces, forces, run);

@@ -173,6 +173,7 @@ std::string scene_schema() {
 }
 
 std::string key_tables() {
+  const KeyCatalogue catalogue = scene_catalogue();
   std::string text;
   for (const char* table :
        {"scene", "water", "ground", "hydro", "bodies", "joints", "log", "render"}) {
@@ -180,7 +181,7 @@ std::string key_tables() {
         "<!-- keys of {}: begin -->\n"
         "| key | value | default | meaning |\n| --- | --- | --- | --- |\n",
         table);
-    for (const KeyDescription& key : scene_catalogue().keys)
+    for (const KeyDescription& key : catalogue.keys)
       if (key_table_of(key.path) == table && described_path(key.path) == key.path)
         text += fmt::format("| `{}` | {} | {} | {} |\n", key.path, key.expected,
                             key.fallback.empty() ? "–" : key.fallback, key_meaning(key.path));
