@@ -103,9 +103,7 @@ double largest_bend(const Eigen::MatrixXd& h) {
 
 SurfaceBounds elevation_bounds(const FlatSurface&) { return {}; }
 
-SurfaceBounds elevation_bounds(const HeightField& field) {
-  return {field.heights.minCoeff(), field.heights.maxCoeff()};
-}
+SurfaceBounds elevation_bounds(const HeightField& field) { return field.bounds; }
 
 SurfaceBounds elevation_bounds(const WaveSurface& waves) {
   double sum = 0;
@@ -123,6 +121,7 @@ HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen:
   HeightField field{.heights = std::move(heights), .cell = cell, .origin = origin};
   field.deviation = std::sqrt((field.heights.array() - field.heights.mean()).square().mean());
   field.bend = largest_bend(field.heights);
+  field.bounds = {field.heights.minCoeff(), field.heights.maxCoeff()};
   return field;
 }
 

@@ -16,6 +16,12 @@ namespace hydro {
 /// Still water: ξ = level.
 struct FlatSurface {};
 
+/// Bounds that the surface never leaves [m].
+struct SurfaceBounds {
+  double lowest = 0;
+  double highest = 0;
+};
+
 /// A grid of heights above the still water level; bilinear between its points. Outside the grid the
 /// height of the nearest point of its edge holds. Constant in time. Made by `make_height_field`.
 struct HeightField {
@@ -23,7 +29,8 @@ struct HeightField {
   double cell = 1;          ///< Distance of neighbouring grid points [m], > 0.
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< Of heights(0, 0), in W [m].
   double deviation = 0;                              ///< Standard deviation of the heights [m].
-  double bend = 0;  ///< Largest second difference of neighbouring heights [m].
+  double bend = 0;       ///< Largest second difference of neighbouring heights [m].
+  SurfaceBounds bounds;  ///< Of the heights.
 };
 
 /// @throws std::invalid_argument if the grid is empty, a height is not finite or cell is not > 0.
@@ -65,11 +72,7 @@ double surface_elevation(const Sea& sea, double x, double y, double time);
 /// (∂ξ/∂x, ∂ξ/∂y) over (x, y) at a time [-]; on an edge of a height field's cell, of one side.
 Eigen::Vector2d surface_slope(const Sea& sea, double x, double y, double time);
 
-/// Bounds that the surface never leaves [m].
-struct SurfaceBounds {
-  double lowest = 0;
-  double highest = 0;
-};
+/// In W.
 SurfaceBounds surface_bounds(const Sea& sea);
 
 /// True if the surface is z = level everywhere and always.

@@ -75,23 +75,67 @@ void lay_out(const TriMesh& mesh, Eigen::Index face, bool fills, int lane, Leaf&
   }
 }
 
-void list_vertices(const TriMesh& mesh, Eigen::Index face, int lane, std::map<int, int>& known,
-                   LeafVertices& leaf) {
-  for (int i = 0; i < 3; ++i) {
-    const int vertex = mesh.faces(i, face);
-    const auto [place, added] = known.try_emplace(vertex, leaf.count);
-    if (added) {
-      for (int axis = 0; axis < 3; ++axis) leaf.r[axis][leaf.count] = mesh.vertices(axis, vertex);
-      ++leaf.count;
-    }
-    leaf.of_face[i][lane] = place->second;
-  }
+/// ∫ φ_i J dS over a face.
+Vector6d vertex_moment(const TriMesh& mesh, Eigen::Index face, int i) {
+  const auto v = mesh.faces.col(face);
+  const Eigen::Vector3d a = area_vector(mesh, face);
+  Eigen::Vector3d weighted = mesh.vertices.col(v[i]);
+  for (const int vertex : v) weighted += mesh.vertices.col(vertex);
+  Vector6d moment;
+  moment << a / 3, weighted.cross(a) / 12;
+  return moment;
 }
 
-/// Repeats the last vertex up to the end of a vector of eight.
-void fill_up(LeafVertices& leaf) {
-  for (int i = leaf.count; i % 8 != 0; ++i)
-    for (auto& axis : leaf.r) axis[i] = axis[leaf.count - 1];
+/// Blocks of a leaf as they are filled.
+class VertexList {
+ public:
+  VertexList(const TriMesh& mesh, std::vector<VertexBlock>& blocks)
+      : mesh_(mesh), blocks_(blocks) {}
+
+  void add(Eigen::Index face, bool fills, int lane, LeafVertices& leaf) {
+    for (int i = 0; i < 3; ++i) {
+      const int place = place_of(mesh_.faces(i, face));
+      leaf.of_face[i][lane] = place;
+      if (fills) continue;
+      const Vector6d moment = vertex_moment(mesh_, face, i);
+      for (int a = 0; a < 6; ++a) block_of(place).j[a][place % kMostLanes] += moment[a];
+    }
+    leaf.first = first_;
+    leaf.last = static_cast<int>(blocks_.size());
+  }
+
+ private:
+  VertexBlock& block_of(int place) {
+    return blocks_[static_cast<std::size_t>(first_ + place / kMostLanes)];
+  }
+
+  int place_of(int vertex) {
+    const auto [known, added] = known_.try_emplace(vertex, static_cast<int>(known_.size()));
+    const int place = known->second;
+    if (!added) return place;
+    if (place % kMostLanes == 0) blocks_.emplace_back();
+    // The rest of the block repeats it, with no moment.
+    for (int lane = place % kMostLanes; lane < kMostLanes; ++lane)
+      for (int axis = 0; axis < 3; ++axis)
+        block_of(place).r[axis][lane] = mesh_.vertices(axis, vertex);
+    return place;
+  }
+
+  const TriMesh& mesh_;
+  std::vector<VertexBlock>& blocks_;
+  int first_ = static_cast<int>(blocks_.size());
+  std::map<int, int> known_;
+};
+
+double longest_edge(const TriMesh& mesh, const std::vector<int>& faces) {
+  double longest = 0;
+  for (const int face : faces)
+    for (int i = 0; i < 3; ++i) {
+      const auto side =
+          mesh.vertices.col(mesh.faces(i, face)) - mesh.vertices.col(mesh.faces((i + 1) % 3, face));
+      longest = std::max(longest, side.norm());
+    }
+  return longest;
 }
 
 }  // namespace
@@ -105,22 +149,17 @@ Panels make_panels(const TriMesh& mesh_B) {
   const std::size_t leaves = (panels.face.size() + kLeafFaces - 1) / kLeafFaces;
   panels.leaves.resize(leaves);
   panels.vertices.resize(leaves);
-  std::map<int, int> known;
-  for (std::size_t place = 0; place < leaves * kLeafFaces; ++place) {
-    const std::size_t leaf = place / kLeafFaces;
-    const int lane = static_cast<int>(place % kLeafFaces);
-    if (lane == 0) known.clear();
-    const bool fills = place >= panels.face.size();
-    const int face = fills ? panels.face.back() : panels.face[place];
-    lay_out(mesh_B, face, fills, lane, panels.leaves[leaf]);
-    list_vertices(mesh_B, face, lane, known, panels.vertices[leaf]);
-    for (int i = 0; i < 3; ++i) {
-      const auto side = mesh_B.vertices.col(mesh_B.faces(i, face)) -
-                        mesh_B.vertices.col(mesh_B.faces((i + 1) % 3, face));
-      panels.longest_edge = std::max(panels.longest_edge, side.norm());
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
+    VertexList vertices(mesh_B, panels.blocks);
+    for (int lane = 0; lane < kLeafFaces; ++lane) {
+      const std::size_t place = leaf * kLeafFaces + static_cast<std::size_t>(lane);
+      const bool fills = place >= panels.face.size();
+      const int face = fills ? panels.face.back() : panels.face[place];
+      lay_out(mesh_B, face, fills, lane, panels.leaves[leaf]);
+      vertices.add(face, fills, lane, panels.vertices[leaf]);
     }
   }
-  for (LeafVertices& leaf : panels.vertices) fill_up(leaf);
+  panels.longest_edge = longest_edge(mesh_B, panels.face);
   return panels;
 }
 

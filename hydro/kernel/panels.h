@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hydro/kernel/immersion.h"
 #include "hydro/mesh.h"
 
 /// @file
@@ -38,19 +39,27 @@ struct alignas(64) Leaf {
   double y[2][kLeafFaces];
 };
 
-/// The vertices of a leaf's faces, each once.
+/// Vertices of a leaf's faces. With φ the function that is 1 at the vertex, 0 at the others and
+/// linear over each face, and J = (n, r × n), a function h that is linear over each face has
+/// ∫ h J dS = Σ h_i ∫ φ_i J dS.
+struct alignas(64) VertexBlock {
+  double r[3][kMostLanes];  ///< [m]
+  double j[6][kMostLanes];  ///< ∫ φ J dS over the leaf's faces.
+};
+
+/// Where a leaf's vertices are, each of which it has once.
 struct alignas(64) LeafVertices {
-  double r[3][3 * kLeafFaces];               ///< [m]; `count`, and repeats of the last up to 8.
-  std::int64_t of_face[3][kLeafFaces] = {};  ///< Columns of `r`.
-  int count = 0;
+  std::int64_t of_face[3][kLeafFaces] = {};  ///< Places among the leaf's vertices.
+  int first = 0, last = 0;                   ///< Blocks [first, last); the last is filled up.
 };
 
 /// All faces of a mesh that have an area.
 struct Panels {
   std::vector<Leaf> leaves;
   std::vector<LeafVertices> vertices;  ///< One for each leaf.
-  std::vector<int> face;               ///< Of the mesh, in the order of the leaves.
-  double longest_edge = 0;             ///< [m]
+  std::vector<VertexBlock> blocks;
+  std::vector<int> face;    ///< Of the mesh, in the order of the leaves.
+  double longest_edge = 0;  ///< [m]
 };
 
 /// Orders the faces so that any run of them of a power of two leaves is compact in place and

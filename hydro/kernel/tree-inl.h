@@ -40,36 +40,48 @@ inline Factors factors_of(const Immersion& in) {
   return f;
 }
 
-/// Adds the loads on a branch that is wet all over; `drag` is ½ρC_p with the sign of its motion.
-/// The lanes are components here: they go to lane 0 of their sums.
-HWY_INLINE void add_branch(const Node& node, const Factors& f, const Immersion& in, double drag,
-                           Sums& sums) {
+/// Rows [from, to) of a node's moments, the lanes from `a` on, each times its factor.
+HWY_INLINE V moment_product(const Node& node, const double* factor, int from, int to, int a) {
   const D d;
-  alignas(64) double load[3][kMostLanes];
-  for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(d))) {
-    const auto product = [&](const double* factor, int from, int to) HWY_ATTR {
-      V even = zero(), odd = zero();  // Two sums: the adders work on both at once.
-      int k = from;
-      for (; k + 1 < to; k += 2) {
-        even = hn::MulAdd(all(factor[k - from]), hn::Load(d, node.moment[k] + a), even);
-        odd = hn::MulAdd(all(factor[k + 1 - from]), hn::Load(d, node.moment[k + 1] + a), odd);
-      }
-      if (k < to) even = hn::MulAdd(all(factor[k - from]), hn::Load(d, node.moment[k] + a), even);
-      return even + odd;
-    };
-    hn::Store(zero() - product(f.depth, kOne, in.surface ? kNormal : kSquare), d, load[0] + a);
-    if (!in.moving) continue;
-    const V normal = product(f.normal, kNormal, kMoments);
-    hn::Store(all(-drag) * normal, d, load[1] + a);
-    if (in.lift == 0) continue;
-    hn::Store(all(in.lift) * (normal - product(f.speed, kOne, kNormal)), d, load[2] + a);
+  V even = zero(), odd = zero();  // Two sums: the adders work on both at once.
+  int k = from;
+  for (; k + 1 < to; k += 2) {
+    even = hn::MulAdd(all(factor[k - from]), hn::Load(d, node.moment[k] + a), even);
+    odd = hn::MulAdd(all(factor[k + 1 - from]), hn::Load(d, node.moment[k + 1] + a), odd);
   }
+  if (k < to) even = hn::MulAdd(all(factor[k - from]), hn::Load(d, node.moment[k] + a), even);
+  return even + odd;
+}
+
+// The lanes are components here: they go to lane 0 of their sums.
+
+/// Adds the buoyancy of a branch that is wet all over.
+HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const Immersion& in,
+                                    Sums& sums) {
+  alignas(64) double load[kMostLanes];
+  for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(D())))
+    hn::Store(moment_product(node, f.depth, kOne, in.surface ? kNormal : kSquare, a), D(),
+              load + a);
+  for (int a = 0; a < 6; ++a) sums.lane[kBuoyancy + a][0] -= load[a];
+}
+
+/// Adds the area of a branch that is wet all over and the loads of its motion; `drag` is ½ρC_p with
+/// the sign of that.
+HWY_INLINE void add_branch_motion(const Node& node, const Factors& f, const Immersion& in,
+                                  double drag, Sums& sums) {
   sums.lane[kArea][0] += node.moment[kOne][kAreaLane];
+  if (!in.moving) return;
+  alignas(64) double load[2][kMostLanes];
+  for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(D()))) {
+    const V normal = moment_product(node, f.normal, kNormal, kMoments, a);
+    hn::Store(all(-drag) * normal, D(), load[0] + a);
+    if (in.lift == 0) continue;
+    const V whole = moment_product(node, f.speed, kOne, kNormal, a);
+    hn::Store(all(in.lift) * (normal - whole), D(), load[1] + a);
+  }
   for (int a = 0; a < 6; ++a) {
-    sums.lane[kBuoyancy + a][0] += load[0][a];
-    if (!in.moving) continue;
-    sums.lane[kPressureDrag + a][0] += load[1][a];
-    if (in.lift != 0) sums.lane[kLift + a][0] += load[2][a];
+    sums.lane[kPressureDrag + a][0] += load[0][a];
+    if (in.lift != 0) sums.lane[kLift + a][0] += load[1][a];
   }
 }
 

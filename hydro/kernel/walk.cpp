@@ -13,6 +13,7 @@
 
 #include "hydro/kernel/clusters-inl.h"
 #include "hydro/kernel/faces-inl.h"
+#include "hydro/kernel/local-inl.h"
 #include "hydro/kernel/tree-inl.h"
 #include "hydro/kernel/waves-inl.h"
 
@@ -36,31 +37,6 @@ inline bool without_viscous_drag(const Node& node, const Immersion& in) {
   const Range normal = normal_speed_range(node, in);
   const double most_normal2 = std::max(normal.low * normal.low, normal.high * normal.high);
   return least > 0 && least * least - most_normal2 >= 4;
-}
-
-/// Sets the rows of the depth to the waves' Taylor series about the middle of a branch, up to
-/// second order, if what is left out is small enough. That is |k·d|³/6 of an amplitude at most, and
-/// on the mean over a plane patch not more than a quarter of what it is at its ends.
-inline bool set_local_waves(const Node& node, const Immersion& in, double (&depth)[kNormal]) {
-  const WaveField& waves = in.surface->waves;
-  const double* c = node.centre;
-  const double size = std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
-                                node.half[2] * node.half[2]);
-  if (waves.third * size * size * size / 24 > in.wave_error) return false;
-  double value, g[3], h[6];  // ξ, its gradient and its second derivatives, in body axes.
-  expand_waves(waves, c, value, g, h);
-  // From powers of r − c to powers of r.
-  const double hc[3] = {h[0] * c[0] + h[3] * c[1] + h[5] * c[2],
-                        h[3] * c[0] + h[1] * c[1] + h[4] * c[2],
-                        h[5] * c[0] + h[4] * c[1] + h[2] * c[2]};
-  depth[kOne] = in.below + value;
-  for (int a = 0; a < 3; ++a) {
-    depth[kOne] += (0.5 * hc[a] - g[a]) * c[a];
-    depth[kPlace + a] = g[a] - hc[a] - in.up[a];
-    depth[kSquare + a] = 0.5 * h[a];
-    depth[kSquare + 3 + a] = h[3 + a];
-  }
-  return true;
 }
 
 /// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
@@ -95,25 +71,33 @@ HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch
   }
 }
 
+/// Adds the buoyancy of a branch that is wet all over and that the surface does not bend over.
+HWY_NOINLINE void add_buoyancy_of_branch(Work& work, Factors& factors, const Tree& tree,
+                                         int branch) {
+  const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
+  for (int i = branch; i < end;) {
+    const Node& node = tree.nodes[static_cast<std::size_t>(i)];
+    const bool whole = set_local_depth(node, work.in, factors.depth);
+    if (whole) add_branch_buoyancy(node, factors, work.in, work.sums);
+    if (!whole && node.leaf()) add_buoyancy_of_leaf(work, node);
+    i = whole ? node.next : i + 1;
+  }
+}
+
 /// Takes a wet branch whole if it can be.
 HWY_INLINE bool take_whole(Work& work, Factors& factors, const Tree& tree, int branch) {
   const Immersion& in = work.in;
   const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
   double drag;
   if (!of_one_sign(node, in, drag)) return false;
-  if (in.surface) {
-    const bool curved = in.surface->is_grid() || !set_local_waves(node, in, factors.depth);
-    // Smaller branches may not be; of a grid all are.
-    if (curved && (in.surface->bends || !(node.leaf() || in.surface->is_grid()))) return false;
-    if (curved) {
-      for (double& factor : factors.depth) factor = 0;
-      for (int leaf = node.first; leaf < node.last; ++leaf) add_buoyancy_of_leaf(work, leaf);
-    }
-    add_branch(node, factors, in, drag, work.sums);
-    if (curved) work.sums.lane[kArea][0] -= node.moment[kOne][kAreaLane];  // It is there already.
+  if (!in.surface || set_local_depth(node, in, factors.depth)) {
+    add_branch_buoyancy(node, factors, in, work.sums);
   } else {
-    add_branch(node, factors, in, drag, work.sums);
+    if (in.surface->bends) return false;
+    // Cheaper than to ask each branch of it for the sign of its motion, too.
+    add_buoyancy_of_branch(work, factors, tree, branch);
   }
+  add_branch_motion(node, factors, in, drag, work.sums);
   if (in.moving && in.viscous) add_viscous_of_branch(work, tree, branch);
   return true;
 }
@@ -157,7 +141,7 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
       if (here.leaf() && in.branches && in.moving && uncut)
         known.viscous = add_viscous_whole(work, tree, node);
       if (here.leaf())
-        in.surface ? add_leaf_in_waves(work, here.first, known) : add_leaf(work, here.first, known);
+        in.surface ? add_leaf_in_waves(work, here, known) : add_leaf(work, here.first, known);
       ++node;
     }
   }

@@ -9,6 +9,7 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include "hydro/kernel/faces-inl.h"
+#include "hydro/kernel/grid-inl.h"
 #include "hydro/kernel/surface.h"
 
 /// @file
@@ -83,31 +84,26 @@ HWY_NOINLINE void expand_waves(const WaveField& waves, const double* c, double& 
   for (int a = 0; a < 6; ++a) h[a] = total(bend[a]);
 }
 
-/// The first grid line of a cell and the place in it; beyond the grid that of its edge.
-struct CellPlace {
-  V line, part;
+/// The elevation over a leaf.
+struct LeafSurface {
+  const Surface& surface;
+  GridPatch patch;
+  bool few_cells;  ///< The patch is all of it.
 };
 
-HWY_INLINE CellPlace cell_at(V place, std::int64_t lines) {
-  const V held = hn::Max(zero(), hn::Min(place, all(static_cast<double>(lines - 1))));
-  const V last = all(static_cast<double>(lines > 1 ? lines - 2 : 0));
-  const V line = hn::Min(hn::Floor(held), last);
-  return {line, held - line};
+HWY_INLINE LeafSurface surface_over(const Surface& surface, const Node& leaf) {
+  LeafSurface over{surface, {}, false};
+  if (surface.is_grid()) over.few_cells = set_patch(surface.grid, leaf, over.patch);
+  return over;
 }
 
-HWY_INLINE V grid_at(const GridField& grid, const V3& r) {
-  const D d;
-  const hn::Rebind<std::int64_t, D> di;
-  const CellPlace u = cell_at(dot(all3(grid.e_x), r) + all(grid.u0), grid.columns);
-  const CellPlace v = cell_at(dot(all3(grid.e_y), r) + all(grid.v0), grid.rows);
-  const V rows = all(static_cast<double>(grid.rows));
-  const auto corner = hn::ConvertTo(di, hn::MulAdd(u.line, rows, v.line));
-  const std::int64_t right = grid.columns > 1 ? grid.rows : 0, up = grid.rows > 1 ? 1 : 0;
-  const auto height = [&](std::int64_t offset)
-                          HWY_ATTR { return hn::GatherIndex(d, grid.heights + offset, corner); };
-  const V low = hn::MulAdd(u.part, height(right) - height(0), height(0));
-  const V high = hn::MulAdd(u.part, height(right + up) - height(up), height(up));
-  return hn::MulAdd(v.part, high - low, low);
+HWY_INLINE V elevation_at(const LeafSurface& over, const V3& r) {
+  if (over.few_cells) return patch_at(over.patch, over.surface.grid, r);
+  return over.surface.is_grid() ? grid_at(over.surface.grid, r) : waves_at(over.surface.waves, r);
+}
+
+HWY_INLINE V depth_at(const Immersion& in, const LeafSurface& over, const V3& r) {
+  return all(in.below) + (elevation_at(over, r) - dot(all3(in.up), r));
 }
 
 /// Depths of a leaf's vertices, each once [m].
@@ -115,18 +111,22 @@ struct alignas(64) Depths {
   double at[3 * kLeafFaces];
 };
 
-HWY_NOINLINE void find_depths(const Work& work, std::int64_t leaf, Depths& depths) {
+HWY_INLINE V3 vertices_at(const VertexBlock& block, int lane) {
   const D d;
-  const Immersion& in = work.in;
-  const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf)];
-  const V3 up = all3(in.up);
-  for (int i = 0; i < vertices.count; i += static_cast<int>(hn::Lanes(d))) {
-    const V3 r = {hn::Load(d, vertices.r[0] + i), hn::Load(d, vertices.r[1] + i),
-                  hn::Load(d, vertices.r[2] + i)};
-    const V elevation =
-        in.surface->is_grid() ? grid_at(in.surface->grid, r) : waves_at(in.surface->waves, r);
-    hn::Store(all(in.below) + (elevation - dot(up, r)), d, depths.at + i);
-  }
+  return {hn::Load(d, block.r[0] + lane), hn::Load(d, block.r[1] + lane),
+          hn::Load(d, block.r[2] + lane)};
+}
+
+HWY_NOINLINE void find_depths(const Work& work, const Node& leaf, Depths& depths) {
+  const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf.first)];
+  const LeafSurface over = surface_over(*work.in.surface, leaf);
+  double* to = depths.at;
+  for (int block = vertices.first; block < vertices.last; ++block)
+    for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(D()))) {
+      const VertexBlock& here = work.panels.blocks[static_cast<std::size_t>(block)];
+      hn::Store(depth_at(work.in, over, vertices_at(here, lane)), D(), to);
+      to += hn::Lanes(D());
+    }
 }
 
 HWY_INLINE Values depths_of(const LeafVertices& vertices, const Depths& depths, int lane) {
@@ -172,27 +172,29 @@ HWY_NOINLINE M without_bent(Work& work, std::int64_t leaf_index, int lane, const
   return hn::Load(d, straight) > zero();
 }
 
-/// Buoyancy and area alone of a leaf that is wet all over and that the surface does not bend over.
-HWY_NOINLINE void add_buoyancy_of_leaf(Work& work, std::int64_t leaf) {
-  const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
-  Depths depths;
-  find_depths(work, leaf, depths);
-  for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
-    const Plane p = plane_at(faces, lane);
-    const V area = hn::Load(D(), faces.area + lane);
-    const Values depth =
-        depths_of(work.panels.vertices[static_cast<std::size_t>(leaf)], depths, lane);
-    add(work.sums, kArea, area);
-    add_normal(work.sums, kBuoyancy, p, cross(p.c, p.n),
-               linear_on(triangle_at(faces, lane), area, depth));
-  }
+/// Buoyancy alone of a leaf that is wet all over and that the surface does not bend over.
+HWY_NOINLINE void add_buoyancy_of_leaf(Work& work, const Node& leaf) {
+  const D d;
+  const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf.first)];
+  const LeafSurface over = surface_over(*work.in.surface, leaf);
+  V sums[6];
+  for (V& sum : sums) sum = zero();
+  for (int block = vertices.first; block < vertices.last; ++block)
+    for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(d))) {
+      const VertexBlock& here = work.panels.blocks[static_cast<std::size_t>(block)];
+      const V depth = depth_at(work.in, over, vertices_at(here, lane));
+      for (int a = 0; a < 6; ++a)
+        sums[a] = hn::NegMulAdd(depth, hn::Load(d, here.j[a] + lane), sums[a]);
+    }
+  for (int a = 0; a < 6; ++a) add(work.sums, kBuoyancy + a, sums[a]);
 }
 
 /// A leaf that may be wet in part.
-HWY_INLINE void add_leaf_in_waves(Work& work, std::int64_t leaf, Known known) {
+HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known known) {
+  const int leaf = node.first;
   const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf)];
   Depths depths;
-  find_depths(work, leaf, depths);
+  find_depths(work, node, depths);
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const Values depth = depths_of(vertices, depths, lane);
     const M straight = work.in.surface->bends ? without_bent(work, leaf, lane, depth)

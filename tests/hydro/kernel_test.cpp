@@ -180,6 +180,52 @@ TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
   }
 }
 
+TEST(Kernel, AgreesWithThePlainSumOverLinesAndEdgesOfGrids) {
+  support::Random random(55);
+  const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 5));
+  for (const auto& [rows, columns] : {std::pair{3, 4}, std::pair{1, 4}, std::pair{5, 1}}) {
+    Sea sea;
+    Eigen::MatrixXd heights(rows, columns);
+    // As uneven as it may be so that no face is split.
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        heights(row, column) = 0.2 * (row + column) + random.uniform(-0.01, 0.01);
+    sea.surface = hydro::make_height_field(heights, 0.5, {-0.7, -0.6});
+    for (int i = 0; i < support::repeats(10); ++i) {
+      SCOPED_TRACE(testing::Message() << rows << " x " << columns << ", pose " << i);
+      const BodyState state = state_near_surface(hull, random);
+      const Loads plain = hydro::plain_loads(hull, state, sea, 0, {});
+      expect_same(hydro::compute_loads(hull, state, sea, 0, {}, {.wave_tolerance = 0}), plain,
+                  hull.radius);
+    }
+  }
+}
+
+/// Under h = a + b x + c y + d x y the depth h − z has the gradient (b + d y, c + d x, −1): by the
+/// divergence theorem its mean over a body is that at the centroid.
+TEST(Kernel, TakesBranchesUnderOneCellOfAGridExactly) {
+  support::Random random(56);
+  const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 4));
+  const double volume = hydro::solid_properties(hull.mesh_B).volume;
+  Sea sea;
+  Eigen::Matrix2d heights;
+  heights << 0.2, -0.1, 0.3, 0.4;
+  const double cell = 8;
+  sea.surface = hydro::make_height_field(heights, cell, {-4, -4});
+  const double twist = (heights(0, 0) + heights(1, 1) - heights(0, 1) - heights(1, 0)) / cell;
+  for (int i = 0; i < support::repeats(10); ++i) {
+    BodyState state{.orientation = random.rotation()};
+    state.position = random.vector(2) - Eigen::Vector3d(0, 0, 4);
+    const Eigen::Vector2d place = (state.position.head<2>() + Eigen::Vector2d(4, 4)) / cell;
+    const double along_x = (heights(0, 1) - heights(0, 0) + twist * cell * place.y()) / cell;
+    const double along_y = (heights(1, 0) - heights(0, 0) + twist * cell * place.x()) / cell;
+    const Eigen::Vector3d wanted =
+        sea.density * sea.gravity * volume * Eigen::Vector3d(-along_x, -along_y, 1);
+    const Eigen::Vector3d force = hydro::compute_loads(hull, state, sea, 0, {}).buoyancy.force;
+    EXPECT_LT((force - wanted).norm(), support::tolerance(1e-12) * wanted.norm());
+  }
+}
+
 TEST(Kernel, HasNoDragAtSpeedsWhoseSquareIsNoProperNumber) {
   const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 2));
   BodyState state{.linear_velocity = {1e-160, 0, 0}};
