@@ -44,23 +44,6 @@ struct Points {
   }
 };
 
-struct Face {
-  Vector3d corner[3], centre, normal;
-  double area;
-};
-
-Face face_of(const Leaf& leaf, int lane) {
-  const auto at = [&](const double(&field)[3][kLeafFaces]) {
-    return Vector3d(field[0][lane], field[1][lane], field[2][lane]);
-  };
-  Face face{.centre = at(leaf.c), .normal = at(leaf.n), .area = leaf.area[lane]};
-  const Vector3d e1 = at(leaf.e1), e2 = face.normal.cross(e1);
-  for (int i = 0; i < 2; ++i)
-    face.corner[i] = face.centre + leaf.x[i][lane] * e1 + leaf.y[i][lane] * e2;
-  face.corner[2] = 3 * face.centre - face.corner[0] - face.corner[1];
-  return face;
-}
-
 /// The points of the rule of degree 2 on each face.
 Points points_of(const Leaf& leaf) {
   Points points(3 * kLeafFaces);
@@ -68,9 +51,9 @@ Points points_of(const Leaf& leaf) {
   for (int lane = 0; lane < kLeafFaces; ++lane) {
     const Face face = face_of(leaf, lane);
     if (face.area == 0) continue;
-    for (const Vector3d& corner : face.corner) {
-      points.r.col(count) = 0.5 * (face.centre + corner);
-      points.n.col(count) = face.normal;
+    for (int i = 0; i < 3; ++i) {
+      points.r.col(count) = 0.5 * (face.c + face.corner(i));
+      points.n.col(count) = face.n;
       points.area[count++] = face.area / 3;
     }
   }
@@ -225,14 +208,15 @@ void set_spreads(const Panels& panels, const Node& node, Cluster& cluster) {
     for (int lane = 0; lane < kLeafFaces; ++lane) {
       const Face face = face_of(panels.leaves[static_cast<std::size_t>(leaf)], lane);
       if (face.area == 0) continue;
-      const double tilt2 = face.normal.cross(m).squaredNorm();
+      const double tilt2 = face.n.cross(m).squaredNorm();
       area += face.area;
       tilt6 += face.area * tilt2 * tilt2 * tilt2;
       cluster.most_tilt = std::max(cluster.most_tilt, tilt2);
-      for (const Vector3d& corner : face.corner) {  // Means over convex functions: not more.
+      for (int i = 0; i < 3; ++i) {  // Means over convex functions: not more.
+        const Vector3d corner = face.corner(i);
         const double extent2 = (corner - centre).squaredNorm();
         extent6 += face.area / 3 * extent2 * extent2 * extent2;
-        face3 += face.area / 3 * std::pow((corner - face.centre).norm(), 3);
+        face3 += face.area / 3 * std::pow((corner - face.c).norm(), 3);
         cluster.most_extent = std::max(cluster.most_extent, extent2);
       }
     }

@@ -27,29 +27,37 @@ struct Work {
   Pieces turning;       ///< Wet all over, v·n changes its sign: only pressure drag is missing.
 };
 
-HWY_INLINE V3 load3(const double (&field)[3][kLeafFaces], int lane) {
+HWY_INLINE V3 load3(const double (&field)[3][kMostLanes], int at) {
   const D d;
-  return {hn::Load(d, field[0] + lane), hn::Load(d, field[1] + lane), hn::Load(d, field[2] + lane)};
+  return {hn::Load(d, field[0] + at), hn::Load(d, field[1] + at), hn::Load(d, field[2] + at)};
 }
 
 HWY_INLINE Plane plane_at(const Leaf& leaf, int lane) {
-  Plane p{load3(leaf.c, lane), load3(leaf.n, lane), load3(leaf.e1, lane), {}};
+  const FaceBlock& block = leaf.block(lane);
+  const int at = lane % kMostLanes;
+  Plane p{load3(block.c, at), load3(block.n, at), load3(block.e1, at), {}};
   p.e2 = cross(p.n, p.e1);
   return p;
 }
 
+HWY_INLINE V areas_at(const Leaf& leaf, int lane) {
+  return hn::Load(D(), leaf.block(lane).area + lane % kMostLanes);
+}
+
 HWY_INLINE Triangle triangle_at(const Leaf& leaf, int lane) {
   const D d;
-  const V2 a = {hn::Load(d, leaf.x[0] + lane), hn::Load(d, leaf.y[0] + lane)};
-  const V2 b = {hn::Load(d, leaf.x[1] + lane), hn::Load(d, leaf.y[1] + lane)};
+  const FaceBlock& block = leaf.block(lane);
+  const int at = lane % kMostLanes;
+  const V2 a = {hn::Load(d, block.x[0] + at), hn::Load(d, block.y[0] + at)};
+  const V2 b = {hn::Load(d, block.x[1] + at), hn::Load(d, block.y[1] + at)};
   return {a, b, {zero() - (a.x + b.x), zero() - (a.y + b.y)}};
 }
 
 /// The planes of pieces `from` and on.
 HWY_INLINE Plane plane_of(const Work& work, const Pieces& pieces, int from) {
   const auto index = hn::LoadU(hn::Rebind<std::int64_t, D>(), pieces.face + from);
-  const Leaf& first = work.panels.leaves[0];
-  const auto gather = [&](const double(&field)[3][kLeafFaces]) HWY_ATTR {
+  const FaceBlock& first = work.panels.leaves[0].block(0);
+  const auto gather = [&](const double(&field)[3][kMostLanes]) HWY_ATTR {
     const D d;
     return V3{hn::GatherIndex(d, field[0], index), hn::GatherIndex(d, field[1], index),
               hn::GatherIndex(d, field[2], index)};
@@ -214,7 +222,7 @@ HWY_INLINE void add_faces(Work& work, std::int64_t leaf, int lane, Known known, 
   const D d;
   const Immersion& in = work.in;
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
-  const V whole = hn::Load(d, faces.area + lane);
+  const V whole = areas_at(faces, lane);
   counts = hn::And(counts, whole > zero());  // Not those that only fill the leaf.
   M wet = counts;
   if (!known.wet) {
@@ -244,7 +252,7 @@ HWY_INLINE void add_viscous_of_leaf(Work& work, std::int64_t leaf) {
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const Plane p = plane_at(faces, lane);
-    const V area = hn::Load(D(), faces.area + lane);
+    const V area = areas_at(faces, lane);
     add_viscous(work.sums, work.in, {p, flow_over(p, work.in), triangle_at(faces, lane), area});
   }
 }

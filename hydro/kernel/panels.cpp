@@ -25,10 +25,11 @@ std::vector<Vector6d> features(const TriMesh& mesh) {
   return all;
 }
 
-/// Halves a run of faces along its widest feature until a leaf is left. The first part is full.
+/// Halves a run of faces along its widest feature until a vector is left: in a leaf, too, since
+/// vectors that are wet all over, or dry, take less work. The first part is full.
 void order(const std::vector<Vector6d>& features, int* first, int* last) {
   const auto count = last - first;
-  if (count <= kLeafFaces) return;
+  if (count <= kMostLanes) return;
   Vector6d low = features[*first], high = low;
   for (const int* face = first; face != last; ++face) {
     low = low.cwiseMin(features[*face]);
@@ -36,8 +37,9 @@ void order(const std::vector<Vector6d>& features, int* first, int* last) {
   }
   Eigen::Index axis = 0;
   (high - low).maxCoeff(&axis);
-  const auto leaves = (count + kLeafFaces - 1) / kLeafFaces;
-  int* middle = first + kLeafFaces * ((leaves + 1) / 2);
+  const int unit = count > kLeafFaces ? kLeafFaces : kMostLanes;
+  const auto units = (count + unit - 1) / unit;
+  int* middle = first + unit * ((units + 1) / 2);
   std::nth_element(first, middle, last, [&](int a, int b) {
     const double fa = features[a][axis], fb = features[b][axis];
     return fa < fb || (fa == fb && a < b);
@@ -46,8 +48,8 @@ void order(const std::vector<Vector6d>& features, int* first, int* last) {
   order(features, middle, last);
 }
 
-void set(double (&field)[3][kLeafFaces], int lane, const Eigen::Vector3d& v) {
-  for (int axis = 0; axis < 3; ++axis) field[axis][lane] = v[axis];
+void set(double (&field)[3][kMostLanes], int at, const Eigen::Vector3d& v) {
+  for (int axis = 0; axis < 3; ++axis) field[axis][at] = v[axis];
 }
 
 /// Puts a face into a lane; `area` is 0 for one that only fills the leaf.
@@ -65,13 +67,15 @@ void lay_out(const TriMesh& mesh, Eigen::Index face, bool fills, int lane, Leaf&
   const Eigen::Vector3d along = r[(side + 1) % 3] - r[side];
   const Eigen::Vector3d e1 = (along - along.dot(n) * n).normalized();
   const Eigen::Vector3d e2 = n.cross(e1);
-  set(leaf.c, lane, c);
-  set(leaf.n, lane, n);
-  set(leaf.e1, lane, e1);
-  leaf.area[lane] = fills ? 0 : a.norm();
+  FaceBlock& block = leaf.block(lane);
+  const int at = lane % kMostLanes;
+  set(block.c, at, c);
+  set(block.n, at, n);
+  set(block.e1, at, e1);
+  block.area[at] = fills ? 0 : a.norm();
   for (int i = 0; i < 2; ++i) {
-    leaf.x[i][lane] = e1.dot(r[i] - c);
-    leaf.y[i][lane] = e2.dot(r[i] - c);
+    block.x[i][at] = e1.dot(r[i] - c);
+    block.y[i][at] = e2.dot(r[i] - c);
   }
 }
 
@@ -139,6 +143,19 @@ double longest_edge(const TriMesh& mesh, const std::vector<int>& faces) {
 }
 
 }  // namespace
+
+Face face_of(const Leaf& leaf, int lane) {
+  const FaceBlock& block = leaf.block(lane);
+  const int at = lane % kMostLanes;
+  const auto vector = [&](const double(&field)[3][kMostLanes]) {
+    return Eigen::Vector3d(field[0][at], field[1][at], field[2][at]);
+  };
+  Face face{vector(block.c), vector(block.n), vector(block.e1), {}, block.area[at], {}, {}};
+  face.e2 = face.n.cross(face.e1);
+  face.x << block.x[0][at], block.x[1][at], -(block.x[0][at] + block.x[1][at]);
+  face.y << block.y[0][at], block.y[1][at], -(block.y[0][at] + block.y[1][at]);
+  return face;
+}
 
 Panels make_panels(const TriMesh& mesh_B) {
   Panels panels;

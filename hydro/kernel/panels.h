@@ -28,16 +28,35 @@ namespace hydro::kernel {
 /// Faces of a leaf: a multiple of the lanes of every vector unit.
 inline constexpr int kLeafFaces = 32;
 
-/// Faces in body axes about the centre of mass [m, m^2]. A leaf that is not full repeats its last
-/// face with no area.
-struct alignas(64) Leaf {
-  double c[3][kLeafFaces];   ///< Centroids.
-  double n[3][kLeafFaces];   ///< Unit normals, out of the body.
-  double e1[3][kLeafFaces];  ///< Unit vectors along each face's first side.
-  double area[kLeafFaces];
-  double x[2][kLeafFaces];  ///< Of the first two vertices; the third makes the sum zero.
-  double y[2][kLeafFaces];
+/// Faces in body axes about the centre of mass [m, m^2].
+struct alignas(64) FaceBlock {
+  double c[3][kMostLanes];   ///< Centroids.
+  double n[3][kMostLanes];   ///< Unit normals, out of the body.
+  double e1[3][kMostLanes];  ///< Unit vectors along each face's longest side.
+  double area[kMostLanes];
+  double x[2][kMostLanes];  ///< Of the first two vertices; the third makes the sum zero.
+  double y[2][kMostLanes];
 };
+
+/// Blocks, so that memory is read in its order. A leaf that is not full repeats its last face with
+/// no area. Lanes of a leaf count through its blocks.
+struct Leaf {
+  FaceBlock blocks[kLeafFaces / kMostLanes];
+
+  FaceBlock& block(int lane) { return blocks[lane / kMostLanes]; }
+  const FaceBlock& block(int lane) const { return blocks[lane / kMostLanes]; }
+};
+
+/// One face of a leaf.
+struct Face {
+  Eigen::Vector3d c, n, e1, e2;
+  double area;
+  Eigen::Vector3d x, y;  ///< Of the vertices.
+
+  Eigen::Vector3d corner(int i) const { return c + x[i] * e1 + y[i] * e2; }
+};
+
+Face face_of(const Leaf& leaf, int lane);
 
 /// Vertices of a leaf's faces. With φ the function that is 1 at the vertex, 0 at the others and
 /// linear over each face, and J = (n, r × n), a function h that is linear over each face has

@@ -26,11 +26,12 @@ struct Pieces {
 /// Repeats the last piece up to `lanes` pieces, so that a vector of them holds proper numbers.
 void pad(Pieces& pieces, int lanes);
 
-/// Doubles between the same field of two leaves.
-inline constexpr std::int64_t kLeafStride = sizeof(Leaf) / sizeof(double);
-
-/// Where a lane of a leaf has its field, from that of the first leaf.
-inline std::int64_t place_of(std::int64_t leaf, int lane) { return leaf * kLeafStride + lane; }
+/// Where a lane of a leaf has its field, from that of the first leaf, in doubles.
+inline std::int64_t place_of(std::int64_t leaf, int lane) {
+  constexpr std::int64_t kLeaf = sizeof(Leaf) / sizeof(double);
+  constexpr std::int64_t kBlock = sizeof(FaceBlock) / sizeof(double);
+  return leaf * kLeaf + lane / kMostLanes * kBlock + lane % kMostLanes;
+}
 
 /// Adds a piece of the face at `place_of`.
 inline void put_piece(std::int64_t face, const double (&x)[3], const double (&y)[3],
@@ -47,15 +48,16 @@ inline void put_piece(std::int64_t face, const double (&x)[3], const double (&y)
 /// Adds a whole face with the depths at its vertices.
 inline void put_face(const Panels& panels, std::int64_t leaf, int lane,
                      const std::array<double, 3>& depth, Pieces& pieces) {
-  const Leaf& faces = panels.leaves[static_cast<std::size_t>(leaf)];
+  const FaceBlock& faces = panels.leaves[static_cast<std::size_t>(leaf)].block(lane);
+  const int at = lane % kMostLanes;
   const int to = pieces.count++;
   pieces.face[to] = place_of(leaf, lane);
   for (int i = 0; i < 2; ++i) {
-    pieces.x[i][to] = faces.x[i][lane];
-    pieces.y[i][to] = faces.y[i][lane];
+    pieces.x[i][to] = faces.x[i][at];
+    pieces.y[i][to] = faces.y[i][at];
   }
-  pieces.x[2][to] = -(faces.x[0][lane] + faces.x[1][lane]);
-  pieces.y[2][to] = -(faces.y[0][lane] + faces.y[1][lane]);
+  pieces.x[2][to] = -(faces.x[0][at] + faces.x[1][at]);
+  pieces.y[2][to] = -(faces.y[0][at] + faces.y[1][at]);
   for (int i = 0; i < 3; ++i) pieces.depth[i][to] = depth[static_cast<std::size_t>(i)];
 }
 

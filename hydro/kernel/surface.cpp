@@ -59,27 +59,10 @@ Surface::Surface(const Sea& sea, const BodyState& state, double time, double sma
   bends = sampler.may_bend(longest_edge);
 }
 
-FaceCorners corners_of(const Leaf& leaf, int lane, const double (&depth)[3]) {
-  const auto vector = [&](const double(&field)[3][kLeafFaces]) {
-    return Eigen::Vector3d(field[0][lane], field[1][lane], field[2][lane]);
-  };
-  FaceCorners face{.c = vector(leaf.c), .e1 = vector(leaf.e1)};
-  face.e2 = vector(leaf.n).cross(face.e1);
-  for (int i = 0; i < 2; ++i) {
-    face.x[i] = leaf.x[i][lane];
-    face.y[i] = leaf.y[i][lane];
-  }
-  face.x[2] = -(face.x[0] + face.x[1]);
-  face.y[2] = -(face.y[0] + face.y[1]);
-  for (int i = 0; i < 3; ++i) face.depth[i] = depth[i];
-  return face;
-}
-
 bool bent_over(const Surface& surface, const Leaf& leaf, int lane) {
-  const FaceCorners face = corners_of(leaf, lane, {0, 0, 0});
+  const Face face = face_of(leaf, lane);
   Panel panel;
-  for (int i = 0; i < 3; ++i)
-    panel[i] = surface.R_WB * (face.c + face.x[i] * face.e1 + face.y[i] * face.e2);
+  for (int i = 0; i < 3; ++i) panel[i] = surface.R_WB * face.corner(i);
   return surface.sampler.bends_between(panel[0], panel[1]) ||
          surface.sampler.bends_between(panel[1], panel[2]) ||
          surface.sampler.bends_between(panel[2], panel[0]);
@@ -131,15 +114,15 @@ struct FastSampler {
 
 }  // namespace
 
-void visit_linear_pieces(const Surface& surface, double below, const FaceCorners& face,
-                         VisitPiece visit, void* context) {
+void visit_linear_pieces(const Surface& surface, double below, const Face& face,
+                         const double (&depth)[3], VisitPiece visit, void* context) {
   const Eigen::Vector3d c = surface.R_WB * face.c;
   const Eigen::Vector3d e1 = surface.R_WB * face.e1, e2 = surface.R_WB * face.e2;
   Panel panel = {c, c, c};
   Eigen::Vector3d elevation;
   for (int i = 0; i < 3; ++i) {
     panel[i] += face.x[i] * e1 + face.y[i] * e2;
-    elevation[i] = face.depth[i] - below + panel[i].z();
+    elevation[i] = depth[i] - below + panel[i].z();
   }
   // Above the highest crest nothing is wet.
   const auto dry = [&](const Panel& piece) {

@@ -63,14 +63,6 @@ struct FlatPiece {
   double x[3], y[3], depth[3];
 };
 
-/// A face in body axes.
-struct FaceCorners {
-  Eigen::Vector3d c, e1, e2;
-  double x[3], y[3], depth[3];
-};
-
-FaceCorners corners_of(const Leaf& leaf, int lane, const double (&depth)[3]);
-
 /// True if the surface bends over a face by more than the tolerance.
 bool bent_over(const Surface& surface, const Leaf& leaf, int lane);
 
@@ -82,8 +74,9 @@ struct ElevationRange {
 ElevationRange grid_over(const Surface& surface, const double* centre, const double* half);
 
 /// Cuts a face into pieces over which the surface is linear and visits those that may be wet.
+/// @param depth   At its vertices [m].
 using VisitPiece = void (*)(void* context, const FlatPiece& piece);
-void visit_linear_pieces(const Surface& surface, double below, const FaceCorners& face,
-                         VisitPiece visit, void* context);
+void visit_linear_pieces(const Surface& surface, double below, const Face& face,
+                         const double (&depth)[3], VisitPiece visit, void* context);
 
 }  // namespace hydro::kernel

@@ -12,10 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d at(const double (&field)[3][kLeafFaces], int lane) {
-  return {field[0][lane], field[1][lane], field[2][lane]};
-}
-
 Vector6d along_normal(const Vector3d& r, const Vector3d& n) {
   Vector6d j;
   j << n, r.cross(n);
@@ -45,21 +41,14 @@ void add_point(const Vector3d& r, const Vector3d& n, double weight, Node& node) 
 }
 
 /// The integrands are cubic; this rule of degree 4 has positive weights (Dunavant 1985).
-void add_face(const std::array<Vector3d, 3>& r, const Vector3d& n, double area, Node& node) {
+void add_face(const Face& face, Node& node) {
   constexpr double kNear = 0.445948490915965, kNearWeight = 0.223381589678011;
   constexpr double kFar = 0.091576213509771, kFarWeight = 0.109951743655322;
-  const Vector3d sum = r[0] + r[1] + r[2];
-  for (const Vector3d& corner : r) {
-    add_point(kNear * sum + (1 - 3 * kNear) * corner, n, kNearWeight * area, node);
-    add_point(kFar * sum + (1 - 3 * kFar) * corner, n, kFarWeight * area, node);
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d offset = face.corner(i) - face.c;
+    add_point(face.c + (1 - 3 * kNear) * offset, face.n, kNearWeight * face.area, node);
+    add_point(face.c + (1 - 3 * kFar) * offset, face.n, kFarWeight * face.area, node);
   }
-}
-
-std::array<Vector3d, 3> corners(const Leaf& leaf, int lane) {
-  const Vector3d c = at(leaf.c, lane), e1 = at(leaf.e1, lane), e2 = at(leaf.n, lane).cross(e1);
-  const double x[3] = {leaf.x[0][lane], leaf.x[1][lane], -leaf.x[0][lane] - leaf.x[1][lane]};
-  const double y[3] = {leaf.y[0][lane], leaf.y[1][lane], -leaf.y[0][lane] - leaf.y[1][lane]};
-  return {c + x[0] * e1 + y[0] * e2, c + x[1] * e1 + y[1] * e2, c + x[2] * e1 + y[2] * e2};
 }
 
 /// Bounds as lowest and highest values while a node is made.
@@ -95,10 +84,10 @@ void set_bounds(const Bounds& b, Node& node) {
 void fill_leaf(const Leaf& leaf, Node& node) {
   Bounds bounds;
   for (int lane = 0; lane < kLeafFaces; ++lane) {
-    const std::array<Vector3d, 3> r = corners(leaf, lane);
-    const Vector3d n = at(leaf.n, lane);
-    add_face(r, n, leaf.area[lane], node);
-    for (const Vector3d& corner : r) bounds.include(corner, along_normal(corner, n));
+    const Face face = face_of(leaf, lane);
+    add_face(face, node);
+    for (int i = 0; i < 3; ++i)
+      bounds.include(face.corner(i), along_normal(face.corner(i), face.n));
   }
   set_bounds(bounds, node);
 }

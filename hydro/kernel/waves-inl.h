@@ -111,12 +111,6 @@ struct alignas(64) Depths {
   double at[3 * kLeafFaces];
 };
 
-HWY_INLINE V3 vertices_at(const VertexBlock& block, int lane) {
-  const D d;
-  return {hn::Load(d, block.r[0] + lane), hn::Load(d, block.r[1] + lane),
-          hn::Load(d, block.r[2] + lane)};
-}
-
 HWY_NOINLINE void find_depths(const Work& work, const Node& leaf, Depths& depths) {
   const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf.first)];
   const LeafSurface over = surface_over(*work.in.surface, leaf);
@@ -124,7 +118,7 @@ HWY_NOINLINE void find_depths(const Work& work, const Node& leaf, Depths& depths
   for (int block = vertices.first; block < vertices.last; ++block)
     for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(D()))) {
       const VertexBlock& here = work.panels.blocks[static_cast<std::size_t>(block)];
-      hn::Store(depth_at(work.in, over, vertices_at(here, lane)), D(), to);
+      hn::Store(depth_at(work.in, over, load3(here.r, lane)), D(), to);
       to += hn::Lanes(D());
     }
 }
@@ -150,8 +144,7 @@ inline void refine(Work& work, const Leaf& leaf, std::int64_t leaf_index, int la
     put_piece(face, piece.x, piece.y, piece.depth, its_work.cut_by_water);
     if (its_work.cut_by_water.count > Pieces::kRoom / 2) drain(its_work, false);
   };
-  visit_linear_pieces(*work.in.surface, work.in.below, corners_of(leaf, lane, depth), take,
-                      &context);
+  visit_linear_pieces(*work.in.surface, work.in.below, face_of(leaf, lane), depth, take, &context);
 }
 
 /// The faces of a vector that the surface bends over: as pieces. Those that are left.
@@ -166,7 +159,7 @@ HWY_NOINLINE M without_bent(Work& work, std::int64_t leaf_index, int lane, const
   for (int i = 0; i < static_cast<int>(hn::Lanes(d)); ++i) {
     const double corners[3] = {depths[0][i], depths[1][i], depths[2][i]};
     straight[i] = bent_over(*work.in.surface, leaf, lane + i) ? 0 : 1;
-    if (straight[i] == 0 && leaf.area[lane + i] > 0)
+    if (straight[i] == 0 && face_of(leaf, lane + i).area > 0)
       refine(work, leaf, leaf_index, lane + i, corners);
   }
   return hn::Load(d, straight) > zero();
@@ -182,7 +175,7 @@ HWY_NOINLINE void add_buoyancy_of_leaf(Work& work, const Node& leaf) {
   for (int block = vertices.first; block < vertices.last; ++block)
     for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(d))) {
       const VertexBlock& here = work.panels.blocks[static_cast<std::size_t>(block)];
-      const V depth = depth_at(work.in, over, vertices_at(here, lane));
+      const V depth = depth_at(work.in, over, load3(here.r, lane));
       for (int a = 0; a < 6; ++a)
         sums[a] = hn::NegMulAdd(depth, hn::Load(d, here.j[a] + lane), sums[a]);
     }
