@@ -23,11 +23,13 @@ class KickHistory {
   void add(const Vector6d& acceleration_B, double piece, double radius);
 
   /// With the first one: how it changes a second, as far as that is known.
-  void set_slope(const Vector6d& slope_B) { slope_ = slope_B; }
+  void set_slope(const Vector6d& slope_B) {
+    if (count_ == 1) slope_ = slope_B;
+  }
 
   /// On the line through the last two, `ahead` [s] after the end of the last piece. With one, by
   /// the slope that was set; zero without any.
-  Vector6d expected(double ahead) const;
+  Vector6d expected(double ahead) const { return acceleration_ + (age_[0] + ahead) * slope_; }
 
   /// The largest of those known, an angular one counting with the radius [m/s^2].
   double largest() const { return largest_; }
@@ -50,12 +52,11 @@ class KickHistory {
  private:
   static constexpr double kResolved = 0.25;
 
-  /// a''/2 by the last three.
-  Vector6d curvature() const;
-
-  std::array<Vector6d, 3> acceleration_;  ///< The last one first.
-  std::array<double, 3> age_ = {};        ///< [s]
-  Vector6d slope_ = Vector6d::Zero();     ///< Of the first one.
+  Vector6d acceleration_ = Vector6d::Zero();  ///< Of the last kick.
+  Vector6d slope_ = Vector6d::Zero();         ///< Through the last two, or as it was set.
+  Vector6d bend_ = Vector6d::Zero();          ///< a''/2 by the last three.
+  std::array<double, 3> age_ = {};            ///< The last one first [s].
+  std::array<double, 3> size_ = {};           ///< In the same order.
   int count_ = 0;
   double largest_ = 0;
   bool resolved_ = false;
