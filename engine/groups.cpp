@@ -13,6 +13,17 @@ std::size_t root(std::vector<std::size_t>& leader, std::size_t i) {
   return i;
 }
 
+// Of a box's longest side. With more, boxes are left less often and have more neighbours.
+constexpr double kMargin = 0.25;
+
+/// A box without end, that of the ground, is as wide as it can be.
+Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d sizes = box.sizes();
+  if (box.isEmpty() || !sizes.allFinite()) return box;
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kMargin * sizes.maxCoeff());
+  return {box.min() - margin, box.max() + margin};
+}
+
 }  // namespace
 
 std::vector<std::vector<BodyId>> groups(const std::vector<BodyId>& bodies,
@@ -70,6 +81,26 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping(
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+bool Overlaps::hold(const std::vector<Eigen::AlignedBox3d>& boxes) const {
+  if (boxes.size() != wide_.size()) return false;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!wide_[i].contains(boxes[i])) return false;
+  return true;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> Overlaps::find(
+    const std::vector<Eigen::AlignedBox3d>& boxes) {
+  if (!hold(boxes)) {
+    wide_.clear();
+    for (const Eigen::AlignedBox3d& box : boxes) wide_.push_back(widened(box));
+    pairs_ = overlapping(wide_);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (const auto& pair : pairs_)
+    if (boxes[pair.first].intersects(boxes[pair.second])) found.push_back(pair);
+  return found;
 }
 
 }  // namespace engine

@@ -30,4 +30,18 @@ Eigen::AlignedBox3d swept_box(const Eigen::AlignedBox3d& shape_B, const hydro::B
 std::vector<std::pair<std::size_t, std::size_t>> overlapping(
     const std::vector<Eigen::AlignedBox3d>& boxes);
 
+/// The same of boxes that move little from one time to the next: each is kept in a wider one, and
+/// pairs of these are looked for only when a box has left its own.
+class Overlaps {
+ public:
+  std::vector<std::pair<std::size_t, std::size_t>> find(
+      const std::vector<Eigen::AlignedBox3d>& boxes);
+
+ private:
+  bool hold(const std::vector<Eigen::AlignedBox3d>& boxes) const;
+
+  std::vector<Eigen::AlignedBox3d> wide_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< Of those, ascending.
+};
+
 }  // namespace engine

@@ -58,7 +58,7 @@ std::vector<Pair> SplitStep::near_pairs(double step) {
   std::vector<Eigen::AlignedBox3d> boxes = swept_boxes(step);
   boxes.push_back(world.ground_box());
   std::vector<Pair> pairs;
-  for (const auto& [first, second] : overlapping(boxes)) {
+  for (const auto& [first, second] : overlaps_.find(boxes)) {
     const auto a = static_cast<BodyId>(first), b = static_cast<BodyId>(second);
     const Pair pair = second == bodies.size() ? Pair(kWorld, a) : Pair(a, b);
     if (world.may_touch(pair)) pairs.push_back(pair);

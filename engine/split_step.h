@@ -49,6 +49,7 @@ class SplitStep {
   std::vector<BodyId> movable_;      ///< Ascending.
   std::vector<EnergyGuard> guards_;  ///< Of bodies under joints, in the order of their first one.
   std::vector<Pair> met_;            ///< In contact, ascending.
+  Overlaps overlaps_;
   Sleep sleep_;
 };
 

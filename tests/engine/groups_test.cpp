@@ -46,6 +46,24 @@ TEST(OverlappingBoxes, AreThoseOfAllPairs) {
   EXPECT_EQ(engine::overlapping(boxes), expected);
 }
 
+TEST(OverlappingBoxes, AreTheSameWhereTheyAreFollowed) {
+  support::Random random(4);
+  std::vector<AlignedBox3d> boxes;
+  for (int i = 0; i < 100; ++i) {
+    const Vector3d corner = random.vector(3);
+    boxes.emplace_back(corner, corner + Vector3d(random.vector(1).cwiseAbs()));
+  }
+  const double far = std::numeric_limits<double>::infinity();
+  boxes.emplace_back(Vector3d(-far, -far, -far), Vector3d(far, far, -2));
+  const AlignedBox3d first = boxes[0];
+  engine::Overlaps overlaps;
+  for (int time = 0; time < 60; ++time) {
+    for (std::size_t i = 1; i + 1 < boxes.size(); ++i) boxes[i].translate(random.vector(0.03));
+    boxes[0] = time % 7 < 3 ? AlignedBox3d() : first;  // One that sleeps now and then.
+    ASSERT_EQ(overlaps.find(boxes), engine::overlapping(boxes)) << time;
+  }
+}
+
 TEST(SweptBox, HoldsTheShapeThroughoutTheStep) {
   support::Random random(5);
   for (int i = 0; i < 50; ++i) {
