@@ -69,6 +69,7 @@ struct Simulation::Impl {
   long steps = 0;
   bool broken = false;  ///< A step stopped halfway.
   Timings timings;
+  double loads_so_far = 0;  ///< load_seconds() after the last step.
   Skips skips;
   std::vector<Path> paths;
   std::vector<std::string> warnings;
@@ -113,7 +114,6 @@ void Simulation::Impl::step() {
   }
   broken = false;
   ++steps;
-  note_costs();
   if (warnings.empty()) warn();
 }
 
@@ -121,7 +121,6 @@ void Simulation::Impl::advance() {
   if (spec.books)
     for (Body& body : bodies)
       body.motion.ledger->added_impulse = body.motion.ledger->constraint_impulse = Vector6d::Zero();
-  const double loads_before = load_seconds();
   const double collisions_before = world.collision_seconds();
   double wall = 0;
   {
@@ -133,18 +132,16 @@ void Simulation::Impl::advance() {
   }
   // Loads of several bodies are found at once: what they take of the step is an average.
   const double collision = world.collision_seconds() - collisions_before;
+  const double loads_before = std::exchange(loads_so_far, load_seconds());
   const double loads =
-      std::min(wall - collision, (load_seconds() - loads_before) / std::max(1, spec.threads));
+      std::min(wall - collision, (loads_so_far - loads_before) / std::max(1, spec.threads));
   timings.collision += collision;
   timings.hydro += loads;
   timings.engine += wall - collision - loads;
 }
 
 void Simulation::Impl::accept_states() {
-  std::vector<hydro::BodyState> next;
-  next.reserve(count());
-  for (const Body& body : bodies) next.push_back(body.motion.state);
-  states = std::move(next);
+  for (std::size_t i = 0; i < count(); ++i) states[i] = bodies[i].motion.state;
 }
 
 std::vector<BodyForces> Simulation::Impl::forces() {
@@ -218,8 +215,14 @@ long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
-const Skips& Simulation::skips() const { return impl_->skips; }
-const std::vector<Path>& Simulation::paths() const { return impl_->paths; }
+const Skips& Simulation::skips() const {
+  impl_->note_costs();
+  return impl_->skips;
+}
+const std::vector<Path>& Simulation::paths() const {
+  impl_->note_costs();
+  return impl_->paths;
+}
 const std::vector<std::string>& Simulation::warnings() const { return impl_->warnings; }
 
 void Simulation::step() { impl_->step(); }
