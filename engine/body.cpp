@@ -25,22 +25,20 @@ bool changes_with_time(const hydro::Sea& sea) {
   return std::holds_alternative<hydro::WaveSurface>(sea.surface);
 }
 
-/// The loads of the water, by a look above the surface, from the last time, or anew.
-const hydro::Loads& water_loads(Body& body, const Surroundings& around,
-                                const hydro::BodyState& state, double time) {
-  static const hydro::Loads kNone;
+/// Finds the loads of the water, by a look above the surface, from the last time, or anew.
+void find_water_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,
+                      double time) {
   if (lowest_point(body.box_B, state) >= around.highest) {
     ++body.cost.dry;
-    return kNone;
-  }
-  if (body.loaded_state == state && !changes_with_time(*around.sea)) {
+    body.loads.water = {};
+    body.loaded_state.reset();
+  } else if (body.loaded_state == state && !changes_with_time(*around.sea)) {
     ++body.cost.resting;
-    return body.water;
+  } else {
+    body.loads.water = hydro::compute_loads(*body.hull, state, *around.sea, time,
+                                            body.spec->coefficients, body.spec->summation);
+    body.loaded_state = state;
   }
-  body.water = hydro::compute_loads(*body.hull, state, *around.sea, time, body.spec->coefficients,
-                                    body.spec->summation);
-  body.loaded_state = state;
-  return body.water;
 }
 
 // Difference of the added mass that a piece ends with from that of its pose, as a part of the
@@ -61,6 +59,10 @@ hydro::BodyState put_on_guide(const Body& body) {
   return with_velocity(state, left, Eigen::Vector3d::Zero());
 }
 
+std::optional<Matrix6d> unless_zero(const Matrix6d& matrix) {
+  return matrix.isZero(0) ? std::nullopt : std::optional<Matrix6d>(matrix);
+}
+
 /// All of it but its hull.
 Body make_dry_body(const SimulationSpec& spec, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
@@ -78,10 +80,8 @@ Body make_dry_body(const SimulationSpec& spec, std::size_t index) {
   if (spec.sea)
     body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);
   body.motion.state = without_locked_motion(s.locked, s.initial);
-  if (body.adds) {
-    body.motion.added_B = s.added_mass->at(body.motion.state, *spec.sea, 0);
-    body.motion.has_added = !body.motion.added_B.isZero(0);
-  }
+  if (body.adds)
+    body.motion.added_B = unless_zero(s.added_mass->at(body.motion.state, *spec.sea, 0));
   if (body.guide) body.motion.state = put_on_guide(body);
   if (spec.books)
     body.motion.ledger = {.added_energy_at_start =
@@ -134,14 +134,15 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 }
 
 Freedom freedom(const Body& body, const hydro::BodyState& state) {
+  if (!body.guide && !body.locked) return {};
   if (body.guide) return {.ways = ways(*body.guide, state)};
   return {.locked = body.spec->locked};
 }
 
 double contact_mass(const Body& body, const Motion& motion) {
   const double own = body.spec->mass;
-  if (!motion.has_added) return own;
-  const Eigen::Matrix3d added = motion.added_B.topLeftCorner<3, 3>();
+  if (!motion.added_B) return own;
+  const Eigen::Matrix3d added = motion.added_B->topLeftCorner<3, 3>();
   return own + hydro::eigenvalues(added)[2];
 }
 
@@ -150,8 +151,11 @@ double contact_fall(const Body& body, const Motion& motion) {
 }
 
 Matrix6d inertia_W(const Body& body, const Motion& motion) {
-  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
-  if (motion.has_added) return turned_matrix(R_WB, body.rigid_B + motion.added_B);
+  return inertia_W(body, motion, motion.state.orientation.toRotationMatrix());
+}
+
+Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d& R_WB) {
+  if (motion.added_B) return turned_matrix(R_WB, body.rigid_B + *motion.added_B);
   Matrix6d inertia = body.rigid_B;
   inertia.bottomRightCorner<3, 3>() = R_WB * body.spec->inertia_B * R_WB.transpose();
   return inertia;
@@ -159,9 +163,9 @@ Matrix6d inertia_W(const Body& body, const Motion& motion) {
 
 hydro::BodyState state_after_drift(const Body& body, const Surroundings& around,
                                    const Motion& motion, double time) {
-  if (!body.guide && !body.locked && !motion.has_added)
+  if (!body.guide && !body.locked && !motion.added_B)
     return drifted(*body.spec, motion.state, time);
-  const Matrix6d S = body.rigid_B + motion.added_B;
+  const Matrix6d S = body.rigid_B + motion.added();
   if (body.guide) return slid(*body.guide, S, motion.state, time);
   if (!body.locked) return drifted(S, motion.state, around.current(), time);
   return held(body.spec->locked, body.spec->initial,
@@ -180,7 +184,7 @@ void drift(const Body& body, const Surroundings& around, Motion& motion, double 
 
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
   state.position += change.head<3>();
-  state.orientation = (exponential(change.tail<3>()) * state.orientation).normalized();
+  state.orientation = turned_by(change.tail<3>(), state.orientation);
   if (body.guide) return guided(*body.guide, state);
   return body.locked ? held(body.spec->locked, body.spec->initial, state) : state;
 }
@@ -192,17 +196,17 @@ Matrix6d added_mass(const Body& body, const Surroundings& around, const hydro::B
 }
 
 void set_added_mass(Motion& motion, const Matrix6d& added_B, double step) {
-  motion.added_rate_B = (added_B - motion.added_B) / step;
-  motion.added_B = added_B;
-  motion.has_added = !added_B.isZero(0);
+  motion.added_rate_B = unless_zero((added_B - motion.added()) / step);
+  motion.added_B = unless_zero(added_B);
 }
 
 Matrix6d expected_added_mass(const Body& body, const Motion& motion, double step) {
-  if (!body.adds || motion.added_rate_B.isZero(0)) return motion.added_B;
-  const Matrix6d expected = motion.added_B + step * motion.added_rate_B;
+  const Matrix6d last = motion.added();
+  if (!motion.added_rate_B) return last;
+  const Matrix6d expected = last + step * *motion.added_rate_B;
   // Beyond an end, such as a body's leaving the water, the rate leads to what is no mass.
   const hydro::Cholesky6 left(0.99 * body.rigid_B + expected);
-  return left.positive_definite() ? expected : motion.added_B;
+  return left.positive_definite() ? expected : last;
 }
 
 bool same_added_mass(const Body& body, const Matrix6d& a, const Matrix6d& b) {
@@ -222,33 +226,34 @@ Motion settled(const Body& body, const Surroundings& around, const Motion& befor
                const Matrix6d& added_B) {
   Motion motion = before;
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
-  const Matrix6d change = turned_matrix(R_WB, added_B - motion.added_B);
+  const Matrix6d change = turned_matrix(R_WB, added_B - motion.added());
   const Vector6d u = inertia_change(inertia_W(body, motion), change, freedom(body, motion.state),
                                     velocity(motion.state, around.current()))
                          .velocity;
   motion.state = with_velocity(motion.state, u, around.current());
-  motion.added_B = added_B;
-  motion.added_rate_B.setZero();
-  motion.has_added = !added_B.isZero(0);
+  motion.added_B = unless_zero(added_B);
+  motion.added_rate_B.reset();
   if (motion.ledger) book_added_mass(body, around, before, motion);
   return motion;
 }
 
 hydro::Wrench find_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,
                          double time) {
-  body.loads = {};
+  body.loads.applied.clear();
   for (const AppliedLoad& load : body.spec->loads)
     body.loads.applied.push_back(wrench(load, state, time));
-  body.loads.weight.force.z() = -body.spec->mass * around.gravity;
+  body.loads.weight = {.force = {0, 0, -body.spec->mass * around.gravity}};
   if (body.wet) {
     const auto start = std::chrono::steady_clock::now();
     ++body.cost.evaluations;
-    body.loads.water = water_loads(body, around, state, time);
+    find_water_loads(body, around, state, time);
     body.cost.load_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  if (const auto fault = load_fault(body.loads)) throw MotionFault(body, *fault);
-  return body.loads.total();
+  const hydro::Wrench total = body.loads.total();
+  if (!total.force.allFinite() || !total.moment.allFinite())
+    throw MotionFault(body, load_fault(body.loads).value());
+  return total;
 }
 
 void check_state(const Body& body, const hydro::BodyState& state) {

@@ -54,14 +54,16 @@ struct EnergyRange {
 /// How a body moves at an instant.
 struct Motion {
   hydro::BodyState state;
-  Matrix6d added_B = Matrix6d::Zero();       ///< A, body axes.
-  Matrix6d added_rate_B = Matrix6d::Zero();  ///< Its change a second in the last step.
-  KickHistory kicks;                         ///< Empty if they say nothing about the next one.
-  EnergyRange energy;                        ///< Where still water must not give any.
-  bool begun = false;                        ///< There has been a kick.
-  bool constrained = false;                  ///< The last kick was under joints or contacts.
-  bool has_added = false;                    ///< False: A is zero.
-  std::optional<Ledger> ledger;              ///< Where the scene asks for a log of forces.
+  // Motions are copied often: what most of them do without is then no work.
+  std::optional<Matrix6d> added_B;       ///< A, body axes; none where it is zero.
+  std::optional<Matrix6d> added_rate_B;  ///< Its change a second in the last step; none: zero.
+  KickHistory kicks;                     ///< Empty if they say nothing about the next one.
+  EnergyRange energy;                    ///< Where still water must not give any.
+  bool constrained = false;              ///< The last kick was under joints or contacts.
+  std::optional<Ledger> ledger;          ///< Where the scene asks for a log of forces.
+
+  /// A, body axes.
+  Matrix6d added() const { return added_B.value_or(Matrix6d::Zero()); }
 };
 
 /// What a body has cost.
@@ -96,9 +98,8 @@ struct Body {
 
   Motion motion;
   BodyLoads loads;  ///< Of the last evaluation.
-  /// In which the water's last loads were found.
+  /// In which the water's loads were found; none for a look above the surface.
   std::optional<hydro::BodyState> loaded_state;
-  hydro::Loads water;
   Vector6d reaction_B = Vector6d::Zero();  ///< Of the last constraints, body axes.
   /// Of the centre of mass without constraints, in W, when it was last under them [m/s^2].
   std::optional<Eigen::Vector3d> acceleration_W;
@@ -130,6 +131,8 @@ double contact_mass(const Body& body, const Motion& motion);
 double contact_fall(const Body& body, const Motion& motion);
 
 /// M + A in W.
+/// @param R_WB   Of the motion's state.
+Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d& R_WB);
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 
 /// Where added mass and loads leave the body after `time` [s] without loads.

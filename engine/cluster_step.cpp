@@ -20,7 +20,7 @@ World::Placed placed(BodyId id, const Body& body, const Surroundings& around,
                       .fall = contact_fall(body, body.motion),
                       .acceleration =
                           body.acceleration_W.value_or(-around.gravity * Eigen::Vector3d::UnitZ()),
-                      .matrix_B = body.rigid_B + body.motion.added_B}};
+                      .matrix_B = body.rigid_B + body.motion.added()}};
 }
 
 /// A member of an island whose added mass is `added_B` at the end of the step.
@@ -48,7 +48,6 @@ Motion finish(const ConstrainedBody& c, const Surroundings& around, const Matrix
     after.kicks.clear();
   else
     after.kicks.add(turned(R_BW, c.change) / step, step, c.body->radius);
-  after.begun = true;
   after.constrained = true;
   after.energy = {};  // Joints and contacts pass energy on.
   check_state(*c.body, after.state);
@@ -328,7 +327,7 @@ void ClusterStep::advance_island(const Island& island, double time, double piece
       const Matrix6d found = added_mass(body, stepping_.around, ends[k].state, time + piece);
       if (same_added_mass(body, found, added[k])) continue;
       same = false;
-      next_is_near = next_is_near && nearly_met(body, body.motion.added_B, added[k], found);
+      next_is_near = next_is_near && nearly_met(body, body.motion.added(), added[k], found);
       if (!near && pass == kMostIslandPasses)
         ends[k] = settled(body, stepping_.around, ends[k], found);
       added[k] = found;

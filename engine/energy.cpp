@@ -12,7 +12,7 @@ double kinetic_energy(const Body& body, const Surroundings& around, const Motion
   const hydro::BodyState& state = motion.state;
   const Vector6d u =
       turned(state.orientation.conjugate().toRotationMatrix(), velocity(state, around.current()));
-  return u.dot((body.rigid_B + motion.added_B) * u) / 2;
+  return u.dot((body.rigid_B + motion.added()) * u) / 2;
 }
 
 double potential_energy(const Body& body, const Surroundings& around,

@@ -12,6 +12,7 @@ namespace {
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 std::optional<std::string> vector_fault(const char* name, const Eigen::Vector3d& vector) {
+  if ((vector.array().abs() <= kLargestState).all()) return std::nullopt;
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(vector[i]))
       return fmt::format("the {}'s {} is {}", name, kAxes[i], vector[i]);

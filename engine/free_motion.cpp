@@ -20,6 +20,8 @@ constexpr double kSlow = 0.1;             // of the residual, left by one substi
 constexpr double kLargestSolvedTurn = 1;  // in one solution of (2) [rad]
 constexpr int kMostParts = 1024;
 constexpr int kMostHalves = 6;
+// Of half a turn, squared: below it the series of sine and cosine are exact to round-off.
+constexpr double kShortTurn = 0.01;
 constexpr double kConverged = 1e-15;  // of the momentum
 constexpr double kRoundOff = 1e-12;   // of the momentum, of ill-conditioned inertia at most
 constexpr double kKept = 1e-9;        // of the energy, where that is not reached
@@ -114,6 +116,11 @@ std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, dou
   return mean;
 }
 
+/// A quaternion of unit length but for round-off, made so by a step of Newton's method.
+Eigen::Quaterniond renormalized(const Eigen::Quaterniond& q) {
+  return Eigen::Quaterniond((1.5 - q.squaredNorm() / 2) * q.coeffs());
+}
+
 /// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
 /// no half do, the body moves on as it does, which keeps the energy too.
 void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) {
@@ -126,7 +133,7 @@ void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) 
     mean = {.p = m.p, .u = S_inverse * m.p};
   }
   m.x += m.R * displacement(mean->u, m.p.head<3>(), mean->p.head<3>(), mean->a, time);
-  m.q = (m.q * exponential(time * mean->u.tail<3>())).normalized();
+  m.q = renormalized(m.q * exponential(time * mean->u.tail<3>()));
   m.R = m.q.toRotationMatrix();
   m.p = 2 * mean->p - m.p;
 }
@@ -227,10 +234,22 @@ Vector3d advance_held(const HeldBody& body, HeldMotion& motion, double time, int
 }  // namespace
 
 Eigen::Quaterniond exponential(const Vector3d& turn) {
-  const double half = turn.norm() / 2;
-  const double sinc = half < 1e-4 ? 0.5 * (1 - half * half / 6) : std::sin(half) / (2 * half);
+  const double square = turn.squaredNorm() / 4;  // of half the turn
+  double cosine = 0, sinc = 0;                   // sinc is that of half the turn, halved
+  if (square < kShortTurn) {
+    cosine = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
+    sinc = 0.5 - square / 12 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72)));
+  } else {
+    const double half = std::sqrt(square);
+    cosine = std::cos(half);
+    sinc = std::sin(half) / (2 * half);
+  }
   const Vector3d v = sinc * turn;
-  return {std::cos(half), v.x(), v.y(), v.z()};
+  return {cosine, v.x(), v.y(), v.z()};
+}
+
+Eigen::Quaterniond turned_by(const Vector3d& turn_W, const Eigen::Quaterniond& orientation) {
+  return renormalized(exponential(turn_W) * orientation);
 }
 
 double turning_rate(const Matrix6d& S, const Vector6d& u) {
@@ -268,8 +287,7 @@ hydro::BodyState turned_freely(const Matrix3d& inertia, const hydro::BodyState& 
   const bool round =
       inertia.isDiagonal(0) && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
   if (round) {
-    next.orientation =
-        (exponential(time * state.angular_velocity) * state.orientation).normalized();
+    next.orientation = turned_by(time * state.angular_velocity, state.orientation);
     return next;
   }
   const Matrix3d inverse = inertia.inverse();
@@ -277,7 +295,7 @@ hydro::BodyState turned_freely(const Matrix3d& inertia, const hydro::BodyState& 
   const int count = pieces(w_B.norm(), time);
   for (int i = 0; i < count; ++i) {
     const Vector3d mean = turn_by_midpoint(inertia, inverse, w_B, time / count);
-    next.orientation = (next.orientation * exponential(time / count * mean)).normalized();
+    next.orientation = renormalized(next.orientation * exponential(time / count * mean));
   }
   next.angular_velocity = next.orientation * w_B;
   return next;

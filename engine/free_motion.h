@@ -71,4 +71,7 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
 /// exp of a rotation vector [rad].
 Eigen::Quaterniond exponential(const Eigen::Vector3d& turn);
 
+/// The orientation, unit, turned about axes in W, then so again but for round-off squared.
+Eigen::Quaterniond turned_by(const Eigen::Vector3d& turn_W, const Eigen::Quaterniond& orientation);
+
 }  // namespace engine

@@ -59,9 +59,7 @@ struct Passage {
 Passage passage(const Body& body, const Surroundings& around, const hydro::BodyState& before,
                 const hydro::BodyState& after) {
   const double first = lowest_point(body.box_B, before);
-  const double last = lowest_point(body.box_B, after);
-  const double height =
-      after.orientation.toRotationMatrix().row(2).cwiseAbs().dot(body.box_B.sizes());
+  const auto [last, height] = extent_of(body.box_B, after);
   return {.meets = std::min(first, last) < around.highest &&
                    std::max(first, last) + height > around.lowest,
           .enters = std::max(first, last) >= around.highest,
@@ -79,13 +77,12 @@ bool crosses(const Body& body, const Surroundings& around, const hydro::BodyStat
 /// The second half of a piece, with the added mass of its end.
 Motion finish(const Body& body, const Surroundings& around, const Middle& middle, const Kick& kick,
               const Matrix6d& added_B, double h) {
-  const Eigen::Matrix3d R_BW = middle.motion->state.orientation.conjugate().toRotationMatrix();
+  const Eigen::Matrix3d R_BW = middle.R_WB.transpose();
   Motion next = *middle.motion;
   if (body.adds) set_added_mass(next, added_B, h);
-  next.begun = true;
   // An implicit kick is of another kind: explicit ones do not follow from it.
   if (kick.implicit || kick.sudden) next.kicks.clear();
-  next.kicks.add(turned(R_BW, kick.change) / h, h, body.radius);
+  next.kicks.add(1 / h * turned(R_BW, kick.change), h, body.radius);
   if (!kick.implicit) next.kicks.set_slope(turned(R_BW, kick.slope));
   next.state = with_velocity(next.state, middle.after + kick.change, around.current());
   check_state(body, next.state);
@@ -119,11 +116,10 @@ std::optional<Offset> find_offset(const Body& body, const Motion& motion, double
   return Offset{h * h / 24 * a, -h * h / 24 * (turned(R_WB, trend.slope) + turning)};
 }
 
-void add_offset(const Body& body, const Surroundings& around, const Offset& offset, double sign,
-                Motion& motion) {
+void add_offset(const Body& body, const Offset& offset, double sign, Motion& motion) {
   motion.state = displaced(body, motion.state, sign * offset.pose);
-  const Vector6d u = velocity(motion.state, around.current()) + sign * offset.velocity;
-  motion.state = with_velocity(motion.state, u, around.current());
+  motion.state.linear_velocity += sign * offset.velocity.head<3>();
+  motion.state.angular_velocity += sign * offset.velocity.tail<3>();
   if (body.guide) motion.state = guided(*body.guide, motion.state);
 }
 
@@ -132,8 +128,9 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
                  double h) {
   Motion halfway = motion;
   drift(body, around, halfway, h / 2);
-  const Freedom left = freedom(body, halfway.state);
-  Matrix6d added_B = expected_added_mass(body, motion, h);
+  const Freedom left = body.adds ? freedom(body, halfway.state) : Freedom{};
+  Matrix6d added_B;  // Of no use to a body without it.
+  if (body.adds) added_B = expected_added_mass(body, motion, h);
   Middle middle = make_middle(body, around, halfway, added_B, left);
   Kick kick = free_kick(body, around, middle, time + h / 2, h);
   Piece result{.motion = finish(body, around, middle, kick, added_B, h)};
@@ -145,19 +142,18 @@ Piece bare_piece(Body& body, const Surroundings& around, const Motion& motion, d
       result.motion = settled(body, around, result.motion, found_B);
       break;
     }
-    close = nearly_met(body, motion.added_B, added_B, found_B);
+    close = nearly_met(body, motion.added(), added_B, found_B);
     added_B = found_B;
     middle = make_middle(body, around, halfway, added_B, left);
     kick = free_kick_again(body, around, middle, kick, time + h / 2, h);
     result.motion = finish(body, around, middle, kick, added_B, h);
   }
-  const Eigen::Matrix3d R_BW = middle.motion->state.orientation.conjugate().toRotationMatrix();
   result.sudden =
-      kick.implicit ||
-      (body.wet && (turns_far(result.motion.state, h) ||
-                    crosses(body, around, motion.state, result.motion.state) ||
-                    (!result.motion.kicks.resolved() &&
-                     is_sudden(body, motion.kicks, kick, R_BW, middle.after + kick.change, h))));
+      kick.implicit || (body.wet && (turns_far(result.motion.state, h) ||
+                                     crosses(body, around, motion.state, result.motion.state) ||
+                                     (!result.motion.kicks.resolved() &&
+                                      is_sudden(body, motion.kicks, kick, middle.R_WB.transpose(),
+                                                middle.after + kick.change, h))));
   body.cost.implicit += kick.implicit;
   ++body.cost.substeps;
   return result;
@@ -169,10 +165,10 @@ Piece piece(Body& body, const Surroundings& around, const Motion& motion, double
   const std::optional<Offset> before = find_offset(body, motion, h);
   if (!before) return bare_piece(body, around, motion, time, h);
   Motion unseen = motion;
-  add_offset(body, around, *before, 1, unseen);
+  add_offset(body, *before, 1, unseen);
   Piece result = bare_piece(body, around, unseen, time, h);
   const Offset after = find_offset(body, result.motion, h).value_or(*before);
-  add_offset(body, around, after, -1, result.motion);
+  add_offset(body, after, -1, result.motion);
   return result;
 }
 
@@ -243,10 +239,9 @@ void sound_piece(Body& body, const Surroundings& around, Motion& motion, double 
 
 /// Length of the first of the equal pieces in which the rest of a step resolves the body's swing.
 double swing_length(const Body& body, const Motion& motion, double rest, double shortest) {
+  if (!body.wet || motion.kicks.pace() * rest <= kLargestSwing) return rest;
   const Eigen::Vector3d a = motion.kicks.expected(0).head<3>();
-  const double swing = motion.kicks.pace() * rest;
-  if (!body.wet || swing <= kLargestSwing || a.norm() * rest * rest < kSmallestSwing * body.radius)
-    return rest;
+  if (a.norm() * rest * rest < kSmallestSwing * body.radius) return rest;
   const double longest = std::max(shortest, kLargestSwing / motion.kicks.pace());
   return rest / std::max(1.0, std::ceil(rest / longest));
 }
@@ -304,14 +299,12 @@ double piece_length(const Body& body, const Surroundings& around, const Motion& 
                     double shortest) {
   if (!body.wet) return rest;
   const hydro::BodyState& state = motion.state;
-  const double low = lowest_point(body.box_B, state);
+  const auto [low, height] = extent_of(body.box_B, state);
   const double rise = state.linear_velocity.z() * rest;
   // On a hinge it comes round, wherever it goes.
   const double round = turns_about(body) ? state.linear_velocity.norm() * rest : 0;
   if (std::min(low, low + rise) - round >= around.highest) return rest;
   double rate = state.angular_velocity.norm() / kLargestWetTurn;
-  const double height =
-      state.orientation.toRotationMatrix().row(2).cwiseAbs().dot(body.box_B.sizes());
   if (std::max(low, low + rise) + height > around.lowest)
     rate = std::max(rate, std::abs(state.linear_velocity.z()) / (kLargestCrossing * height));
   const double longest = std::max(shortest, rate > 0 ? 1 / rate : rest);
@@ -320,7 +313,7 @@ double piece_length(const Body& body, const Surroundings& around, const Motion& 
 
 double own_turning_rate(const Body& body, const Surroundings& around, const Motion& motion) {
   const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
-  return turning_rate(body.rigid_B + motion.added_B,
+  return turning_rate(body.rigid_B + motion.added(),
                       turned(R_BW, velocity(motion.state, around.current())));
 }
 

@@ -25,9 +25,10 @@ constexpr double kLargestShift = 0.02;
 struct Setting {
   Body& body;
   const Surroundings& around;
+  const Middle& middle;
   const hydro::BodyState& state;  ///< Halfway.
-  Vector6d u;                     ///< Relative to the water, W, without the loads.
-  const Matrix6d& S;              ///< M + A in W.
+  const Eigen::Matrix3d& R_WB;
+  Vector6d u;  ///< Relative to the water, W, without the loads.
   Freedom freedom;
   double time;
   double step;
@@ -55,13 +56,22 @@ struct Setting {
       result.tail<3>() += more.col(i).dot(F) * freedom.ways->col(i).tail<3>();
     return result;
   }
+  Matrix6d S() const { return inertia_W(body, middle); }
+  double least_mass() const {
+    return body.adds ? S().diagonal().head<3>().minCoeff() : body.spec->mass;
+  }
+  /// v·S v
+  double square(const Vector6d& v) const {
+    if (body.adds) return v.dot(S() * v);
+    const Eigen::Vector3d spin_B = R_WB.transpose() * v.tail<3>();
+    return body.spec->mass * v.head<3>().squaredNorm() + spin_B.dot(body.spec->inertia_B * spin_B);
+  }
   Vector6d solve(const Matrix6d& matrix, const Vector6d& rhs) const {
     return solve_free(matrix, rhs, freedom);
   }
   /// S⁻¹ rhs in the free degrees of freedom.
   Vector6d accelerated(const Vector6d& rhs) const {
-    if (body.adds || body.locked || body.guide) return solve(S, rhs);
-    const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+    if (body.adds || body.locked || body.guide) return solve(S(), rhs);
     return stacked(rhs.head<3>() / body.spec->mass,
                    R_WB * (body.inverse_inertia_B * (R_WB.transpose() * rhs.tail<3>())));
   }
@@ -71,9 +81,10 @@ Setting make_setting(Body& body, const Surroundings& around, const Middle& middl
                      double step) {
   return {.body = body,
           .around = around,
+          .middle = middle,
           .state = middle.motion->state,
+          .R_WB = middle.R_WB,
           .u = middle.mean(),
-          .S = middle.inertia,
           .freedom = freedom(body, middle.motion->state),
           .time = time,
           .step = step};
@@ -86,8 +97,7 @@ double drag_stiffness(const Setting& s, const Vector6d& u, const Vector6d& after
   const Vector6d D = stacked(water.pressure_drag + water.viscous_drag);
   const double power = -D.dot(u);
   if (!(power > 0)) return 0;
-  const double energy = u.dot(s.S * u);
-  const double growth = std::sqrt(std::max(1.0, after.dot(s.S * after) / energy));
+  const double growth = std::sqrt(std::max(1.0, s.square(after) / s.square(u)));
   return 2 * growth * s.step * D.dot(s.accelerated(D)) / power;
 }
 
@@ -110,15 +120,15 @@ double heave_stiffness(const Setting& s, double height) {
 double waterplane_stiffness(const Setting& s) {
   const Surroundings& around = s.around;
   if (!s.body.spec->coefficients.buoyancy) return 0;
-  const Eigen::Vector3d size = s.body.box_B.sizes();
-  const double low = lowest_point(s.body.box_B, s.state);
-  const double reach = (s.state.orientation.toRotationMatrix().row(2).cwiseAbs() * size).value();
-  if (low >= around.highest || low + reach <= around.lowest) return 0;
   // No waterplane is larger than the widest section of the box.
+  const Eigen::Vector3d size = s.body.box_B.sizes();
   const double area = size.prod() / size.minCoeff() * std::sqrt(3.0);
-  const double factor = 3 * s.step * s.step / s.S.diagonal().head<3>().minCoeff();
+  const double factor = 3 * s.step * s.step / s.least_mass();
   const double bound = factor * around.sea->density * around.sea->gravity * area;
-  return bound > kStiffWaterplane ? factor * heave_stiffness(s, reach) : bound;
+  if (!(bound > kStiffWaterplane)) return bound;
+  const auto [low, reach] = extent_of(s.body.box_B, s.state);
+  if (low >= around.highest || low + reach <= around.lowest) return 0;
+  return factor * heave_stiffness(s, reach);
 }
 
 /// θ of equation (2).
@@ -129,7 +139,7 @@ double theta(double stiffness) {
 
 /// ζ: the largest eigenvalue of −h J in the metric of S.
 double largest_stiffness(const Setting& s, const Matrix6d& J) {
-  return std::max(0.0, -s.step * hydro::eigenvalues(hydro::Cholesky6(s.S).relative(J))[0]);
+  return std::max(0.0, -s.step * hydro::eigenvalues(hydro::Cholesky6(s.S()).relative(J))[0]);
 }
 
 hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {
@@ -141,7 +151,8 @@ hydro::LoadJacobian jacobian(const Setting& s, const Vector6d& relative) {
 /// water may seem to lie on top of a body than below it.
 Matrix6d with_waterplane(const Setting& s, const Matrix6d& K) {
   const Matrix6d less = s.step * s.step / 4 * K;
-  return hydro::Cholesky6(s.S / 2 - less).positive_definite() ? Matrix6d(s.S - less) : s.S;
+  const Matrix6d S = s.S();
+  return hydro::Cholesky6(S / 2 - less).positive_definite() ? Matrix6d(S - less) : S;
 }
 
 struct Solution {
@@ -154,7 +165,7 @@ struct Solution {
 /// @param with_lift   If false, lift is left out.
 Solution implicit_change(const Setting& s, bool with_lift) {
   Vector6d change = Vector6d::Zero(), nearest = change;
-  const double floor = kNewtonFloor * kNewtonFloor * s.u.dot(s.S * s.u);
+  const double floor = kNewtonFloor * kNewtonFloor * s.square(s.u);
   double part = 0.5, least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     Vector6d at = s.u + part * change;
@@ -206,8 +217,7 @@ Kick kick_by(const Setting& s, const Vector6d& expected) {
 /// taken with once more.
 Kick explicit_kick(const Setting& s, const Motion& middle) {
   if (!middle.kicks.empty()) {
-    const Vector6d expected = s.step * turned(middle.state.orientation.toRotationMatrix(),
-                                              middle.kicks.expected(s.step / 2));
+    const Vector6d expected = s.step * turned(s.R_WB, middle.kicks.expected(s.step / 2));
     const Kick kick = kick_by(s, expected);
     const double radius = s.body.radius;
     const double missed = size(Vector6d(kick.change - expected), radius);
@@ -230,19 +240,28 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
 Middle make_middle(const Body& body, const Surroundings& around, const Motion& motion,
                    const Matrix6d& added_B, const Freedom& freedom) {
   const Vector6d u = velocity(motion.state, around.current());
-  if (added_B == motion.added_B)
-    return {.motion = &motion, .inertia = inertia_W(body, motion), .before = u, .after = u};
-  const Matrix6d change =
-      turned_matrix(motion.state.orientation.toRotationMatrix(), added_B - motion.added_B);
-  const InertiaChange result = inertia_change(inertia_W(body, motion), change, freedom, u);
-  return {.motion = &motion, .inertia = result.inertia, .before = u, .after = result.velocity};
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  Middle middle{.motion = &motion, .R_WB = R_WB, .inertia = {}, .before = u, .after = u};
+  if (!body.adds) return middle;
+  middle.inertia = inertia_W(body, motion, R_WB);
+  if (added_B == motion.added()) return middle;
+  const Matrix6d change = turned_matrix(R_WB, added_B - motion.added());
+  const InertiaChange result = inertia_change(*middle.inertia, change, freedom, u);
+  middle.inertia = result.inertia;
+  middle.after = result.velocity;
+  return middle;
+}
+
+Matrix6d inertia_W(const Body& body, const Middle& middle) {
+  return middle.inertia ? *middle.inertia : inertia_W(body, *middle.motion, middle.R_WB);
 }
 
 Kick free_kick_again(Body& body, const Surroundings& around, const Middle& middle, const Kick& last,
                      double time, double step) {
   if (last.implicit) return free_kick(body, around, middle, time, step);
   Kick kick = last;
-  kick.change = solve_free(middle.inertia, step * last.load, freedom(body, middle.motion->state));
+  kick.change =
+      solve_free(inertia_W(body, middle), step * last.load, freedom(body, middle.motion->state));
   return kick;
 }
 
@@ -263,7 +282,7 @@ EffectiveLoad effective_load(Body& body, const Surroundings& around, const Middl
                              const Vector6d& expected, double time, double step) {
   const Setting s = make_setting(body, around, middle, time, step);
   Vector6d at = s.u + expected / 2;
-  EffectiveLoad result{.inertia = s.S, .load = s.loads(at)};
+  EffectiveLoad result{.inertia = s.S(), .load = s.loads(at)};
   if (!body.wet || body.loads.water.wetted_area == 0) return result;
   const Vector6d after = s.u + expected + step * s.accelerated(result.load);
   result.implicit =

@@ -37,10 +37,11 @@ inline constexpr double kStiffWaterplane = 0.5;
 
 /// A body halfway through a step, before the loads have acted.
 struct Middle {
-  const Motion* motion = nullptr;  ///< As it drifted there, with the added mass of the start.
-  Matrix6d inertia;                ///< S in W, of equation (1) in added_inertia.h.
-  Vector6d before;                 ///< u in W, relative to the water.
-  Vector6d after;                  ///< u⁺ without loads.
+  const Motion* motion = nullptr;   ///< As it drifted there, with the added mass of the start.
+  Eigen::Matrix3d R_WB;             ///< Of its pose.
+  std::optional<Matrix6d> inertia;  ///< S in W, of (1) in added_inertia.h; none: M.
+  Vector6d before;                  ///< u in W, relative to the water.
+  Vector6d after;                   ///< u⁺ without loads.
 
   Vector6d mean() const { return (before + after) / 2; }
 };
@@ -49,6 +50,9 @@ struct Middle {
 /// @param freedom   What is not free takes no part in its change.
 Middle make_middle(const Body& body, const Surroundings& around, const Motion& motion,
                    const Matrix6d& added_B, const Freedom& freedom);
+
+/// S in W.
+Matrix6d inertia_W(const Body& body, const Middle& middle);
 
 struct Kick {
   Vector6d change = Vector6d::Zero();  ///< Δu in W.

@@ -28,7 +28,7 @@ Vector6d own_momentum(const Body& body, const Motion& motion, const Vector6d& u)
 /// That of the water that moves with it.
 Vector6d added_momentum(const Motion& motion, const Vector6d& u) {
   const Eigen::Matrix3d R_WB = turn_of(motion);
-  return turned(R_WB, motion.added_B * turned(R_WB.transpose(), u));
+  return turned(R_WB, motion.added() * turned(R_WB.transpose(), u));
 }
 
 double own_kinetic_energy(const Body& body, const Motion& motion) {
@@ -74,13 +74,13 @@ bool holds_itself(const Body& body) { return body.locked || body.guide; }
 double added_kinetic_energy(const Body& body, const Surroundings& around, const Motion& motion) {
   if (!body.adds) return 0;
   const Vector6d u = velocity(motion.state, around.current());
-  return half_square(motion.added_B, turned(turn_of(motion).transpose(), u));
+  return half_square(motion.added(), turned(turn_of(motion).transpose(), u));
 }
 
 void book_kick(const Body& body, const Surroundings& around, const Middle& middle,
                const Kicked& kicked, Motion& after) {
   Ledger& ledger = *after.ledger;
-  const Matrix6d& S = middle.inertia;
+  const Matrix6d S = inertia_W(body, middle);
   const Vector6d u = middle.after + kicked.change;
   const Vector6d mean = (middle.before + u) / 2;
   const Vector6d w = mean + carried(around);
@@ -110,13 +110,13 @@ void book_kick(const Body& body, const Surroundings& around, const Middle& middl
 void book_drift(const Body& body, const Surroundings& around, const Motion& before, double time,
                 Motion& after) {
   const bool held = holds_itself(body);
-  if (!held && !before.has_added) return;
+  if (!held && !before.added_B) return;
   const Vector6d u0 = velocity(before.state, around.current());
   const Vector6d u1 = velocity(after.state, around.current());
   const Vector6d own = own_momentum(body, after, u1) - own_momentum(body, before, u0);
   if (!held) return add_added_impulse(around, own, *after.ledger);
   Vector6d water = Vector6d::Zero();
-  if (before.has_added) {
+  if (before.added_B) {
     const Vector6d p0 = added_momentum(before, u0);
     const Vector6d p1 = added_momentum(after, u1);
     const Eigen::Vector3d v = (u0 + u1).head<3>() / 2;

@@ -34,7 +34,7 @@ Motion stopped(const Body& body, const Surroundings& around) {
   Motion motion = body.motion;
   motion.state.linear_velocity.setZero();
   motion.state.angular_velocity.setZero();
-  motion.added_rate_B.setZero();
+  motion.added_rate_B.reset();
   motion.kicks.clear();
   if (motion.ledger) book_brake(body, around, body.motion, motion);
   return motion;

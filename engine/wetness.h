@@ -8,8 +8,16 @@ namespace engine {
 /// zero.
 bool feels_water(const BodySpec& spec);
 
-/// z of the lowest point of a box in B, for a body in the given state [m]. No point of a mesh that
-/// lies in the box is lower.
+/// A box from below upwards [m].
+struct UpwardExtent {
+  double lowest;  ///< z of its lowest point.
+  double height;
+};
+
+/// Of a box in B, for a body in the given state. No point of a mesh that lies in the box is beyond.
+UpwardExtent extent_of(const Eigen::AlignedBox3d& box_B, const hydro::BodyState& state);
+
+/// Its lowest point alone [m].
 double lowest_point(const Eigen::AlignedBox3d& box_B, const hydro::BodyState& state);
 
 }  // namespace engine

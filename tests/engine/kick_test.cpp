@@ -76,10 +76,11 @@ TEST(StiffDrag, LiftThatIsStrongerThanItBendsTheWayAndAddsNoEnergy) {
       engine::Body body = engine::make_body(spec, 0);
       const engine::Surroundings around = engine::surroundings(spec);
       const engine::Middle middle =
-          engine::make_middle(body, around, body.motion, body.motion.added_B, engine::Freedom{});
+          engine::make_middle(body, around, body.motion, body.motion.added(), engine::Freedom{});
       const engine::Kick kick = engine::free_kick(body, around, middle, 0, kFrame);
       ASSERT_TRUE(kick.implicit);
-      const auto energy = [&](const Vector6d& u) { return u.dot(middle.inertia * u) / 2; };
+      const engine::Matrix6d S = engine::inertia_W(body, middle);
+      const auto energy = [&](const Vector6d& u) { return u.dot(S * u) / 2; };
       // Newton's method ends within 1e-3 of the change, whose energy is four times that before.
       EXPECT_LE(energy(middle.after + kick.change), (1 + 4e-3) * energy(middle.after))
           << density << ", " << i;

@@ -16,7 +16,6 @@ engine::Motion motion_of(const engine::Body& body, const engine::Surroundings& a
                          const hydro::BodyState& state) {
   engine::Motion motion{.state = state};
   if (body.adds) motion.added_B = body.spec->added_mass->at(state, *around.sea, 0);
-  motion.has_added = body.adds;
   return motion;
 }
 
