@@ -39,9 +39,7 @@ std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Solver
   };
   if (std::any_of(bodies.begin(), bodies.end(), is_held))
     return held_velocities(bodies, contacts, step);
-  const SolverWorlds::Settings settings{
-      .erp = dWorldGetERP(world_.get()), .cfm = dWorldGetCFM(world_.get()), .unit = unit_};
-  return apart_.velocities(settings, bodies, contacts, step);
+  return apart_.velocities(unit_, bodies, contacts, step);
 }
 
 std::vector<hydro::Twist> World::held_velocities(const std::vector<SolverBody>& bodies,
@@ -54,13 +52,7 @@ std::vector<hydro::Twist> World::held_velocities(const std::vector<SolverBody>& 
   };
   ready();
   for (const Contact& contact : contacts) join(contact);
-  take_ode_warning();
-  if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
-  if (!take_ode_warning().empty()) {
-    ++compromises_;
-    ready();
-    step_by_iteration(world_.get(), kFallbackIterations, step);
-  }
+  if (step_or_compromise(world_.get(), ready, step)) ++compromises_;
   dJointGroupEmpty(contact_joints_.get());
   std::vector<hydro::Twist> velocities;
   for (const SolverBody& b : bodies) {

@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMostDirectContacts = 32;
 // A tower of twenty crates stands as with the direct solver; ten times as many change nothing.
 constexpr int kHeapIterations = 50;
+// Where the exact solver gives up.
+constexpr int kFallbackIterations = 200;
 
 dContact in_odes_words(const Contact& contact) {
   const ContactPoint& point = contact.point;
@@ -47,21 +49,28 @@ void add_contact(dxWorld* world, dxJointGroup* group, const Contact& contact, dx
   dJointAttach(dJointCreateContact(world, group, &words), first, second);
 }
 
-void hand_over(dxBody* body, const SolverBody& as, double unit) {
-  const Eigen::Vector3d& p = as.state.position;
-  const Eigen::Vector3d& v = as.state.linear_velocity;
-  const Eigen::Vector3d& w = as.state.angular_velocity;
-  const Eigen::Vector3d force = unit * as.load.force;
-  const Eigen::Vector3d moment = unit * as.load.moment;
-  const Eigen::Matrix3d inertia = unit * as.inertia_B;
-  dMass mass;
-  dMassSetParameters(&mass, unit * as.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2),
-                     inertia(0, 1), inertia(0, 2), inertia(1, 2));
+void place(dxBody* body, const hydro::BodyState& state) {
+  const Eigen::Vector3d& p = state.position;
+  const Eigen::Vector3d& v = state.linear_velocity;
+  const Eigen::Vector3d& w = state.angular_velocity;
   dBodySetPosition(body, p.x(), p.y(), p.z());
-  dBodySetQuaternion(body, to_ode(as.state.orientation).data());
+  dBodySetQuaternion(body, to_ode(state.orientation).data());
   dBodySetLinearVel(body, v.x(), v.y(), v.z());
   dBodySetAngularVel(body, w.x(), w.y(), w.z());
-  dBodySetMass(body, &mass);
+}
+
+void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia_B) {
+  dMass words;
+  dMassSetParameters(&words, mass, 0, 0, 0, inertia_B(0, 0), inertia_B(1, 1), inertia_B(2, 2),
+                     inertia_B(0, 1), inertia_B(0, 2), inertia_B(1, 2));
+  dBodySetMass(body, &words);
+}
+
+void hand_over(dxBody* body, const SolverBody& as, double unit) {
+  const Eigen::Vector3d force = unit * as.load.force;
+  const Eigen::Vector3d moment = unit * as.load.moment;
+  place(body, as.state);
+  set_mass(body, unit * as.mass, unit * as.inertia_B);
   dBodySetForce(body, force.x(), force.y(), force.z());
   dBodySetTorque(body, moment.x(), moment.y(), moment.z());
   dBodyEnable(body);
@@ -73,6 +82,15 @@ void step_by_iteration(dxWorld* world, int iterations, double step) {
   dWorldSetQuickStepNumIterations(world, iterations);
   dRandSetSeed(1);
   if (!dWorldQuickStep(world, step)) throw OdeFault("ODE: no memory for the step");
+}
+
+bool step_or_compromise(dxWorld* world, const std::function<void()>& again, double step) {
+  take_ode_warning();  // one that a collision left says nothing about the step
+  if (!dWorldStep(world, step)) throw OdeFault("ODE: no memory for the step");
+  if (take_ode_warning().empty()) return false;
+  again();
+  step_by_iteration(world, kFallbackIterations, step);
+  return true;
 }
 
 /// A world with so many bodies, all disabled between two calls.
@@ -95,29 +113,18 @@ class SolverWorlds::Room {
   std::size_t size() const { return bodies_.size(); }
 
   /// @param compromised   Set where the exact solver gave up.
-  std::vector<hydro::Twist> velocities(const Settings& settings,
-                                       const std::vector<SolverBody>& bodies,
+  std::vector<hydro::Twist> velocities(double unit, const std::vector<SolverBody>& bodies,
                                        const std::vector<Contact>& contacts, double step,
                                        bool& compromised) {
     const auto ready = [&] {
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        hand_over(bodies_[i], bodies[i], settings.unit);
+      for (std::size_t i = 0; i < bodies.size(); ++i) hand_over(bodies_[i], bodies[i], unit);
     };
-    dWorldSetERP(world_.get(), settings.erp);
-    dWorldSetCFM(world_.get(), settings.cfm);
     ready();
     join(bodies, contacts);
-    take_ode_warning();
-    if (contacts.size() > kMostDirectContacts) {
+    if (contacts.size() > kMostDirectContacts)
       step_by_iteration(world_.get(), kHeapIterations, step);
-    } else {
-      if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
-      if (!take_ode_warning().empty()) {
-        compromised = true;
-        ready();
-        step_by_iteration(world_.get(), kFallbackIterations, step);
-      }
-    }
+    else
+      compromised = step_or_compromise(world_.get(), ready, step);
     dJointGroupEmpty(group_.get());
     std::vector<hydro::Twist> velocities;
     velocities.reserve(bodies.size());
@@ -181,15 +188,14 @@ SolverWorlds::SolverWorlds() : rooms_(std::make_unique<Rooms>()) {}
 SolverWorlds::~SolverWorlds() = default;
 SolverWorlds::SolverWorlds(SolverWorlds&&) noexcept = default;
 
-std::vector<hydro::Twist> SolverWorlds::velocities(const Settings& settings,
+std::vector<hydro::Twist> SolverWorlds::velocities(double unit,
                                                    const std::vector<SolverBody>& bodies,
                                                    const std::vector<Contact>& contacts,
                                                    double step) {
   open_ode();
   std::unique_ptr<Room> room = rooms_->take(bodies.size());
   bool compromised = false;
-  std::vector<hydro::Twist> result =
-      room->velocities(settings, bodies, contacts, step, compromised);
+  std::vector<hydro::Twist> result = room->velocities(unit, bodies, contacts, step, compromised);
   if (compromised) rooms_->note_compromise();
   rooms_->give_back(std::move(room));
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -42,6 +43,12 @@ struct Contact {
 void add_contact(dxWorld* world, dxJointGroup* group, const Contact& contact, dxBody* first,
                  dxBody* second);
 
+/// Puts an ODE body in a state.
+void place(dxBody* body, const hydro::BodyState& state);
+
+/// Gives an ODE body its mass, the inertia in B about the centre of mass.
+void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia_B);
+
 /// Hands an ODE body over to the solver, masses, moments and loads multiplied with `unit`.
 void hand_over(dxBody* body, const SolverBody& as, double unit);
 
@@ -50,16 +57,15 @@ void hand_over(dxBody* body, const SolverBody& as, double unit);
 /// @throws OdeFault
 void step_by_iteration(dxWorld* world, int iterations, double step);
 
-/// Iterations of that where the exact solver gives up.
-inline constexpr int kFallbackIterations = 200;
+/// A step of an ODE world by the exact solver. Where constraints contradict each other and it gives
+/// up, the iterative one gives the step a compromise between them.
+/// @param again   Makes the bodies ready for the step once more.
+/// @return true for a compromise.
+/// @throws OdeFault
+bool step_or_compromise(dxWorld* world, const std::function<void()>& again, double step);
 
 class SolverWorlds {
  public:
-  struct Settings {
-    double erp = 0;   ///< Of the worlds, for rows that have none of their own [-].
-    double cfm = 0;   ///< The same [m/(N s)].
-    double unit = 1;  ///< What masses, moments and loads are multiplied with.
-  };
   SolverWorlds();
   ~SolverWorlds();
   SolverWorlds(SolverWorlds&&) noexcept;
@@ -67,10 +73,10 @@ class SolverWorlds {
   /// The velocities in W, linear and angular, that these bodies have after `step` [s] under their
   /// loads and contacts, of which each is with one of them at least. May be called from several
   /// threads at once. What a contact is with beyond them does not move.
+  /// @param unit     What masses, moments and loads are multiplied with.
   /// @param bodies   Ascending.
   /// @throws OdeFault
-  std::vector<hydro::Twist> velocities(const Settings& settings,
-                                       const std::vector<SolverBody>& bodies,
+  std::vector<hydro::Twist> velocities(double unit, const std::vector<SolverBody>& bodies,
                                        const std::vector<Contact>& contacts, double step);
 
   /// Steps in which constraints contradicted each other and were each met in part.

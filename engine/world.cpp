@@ -33,24 +33,6 @@ void place(dxGeom* geom, const hydro::BodyState& state, const Eigen::Vector3d& c
   dGeomSetRotation(geom, to_ode(state.orientation.toRotationMatrix()).data());
 }
 
-void place(dxBody* body, const hydro::BodyState& state) {
-  const Eigen::Vector3d& p = state.position;
-  const Eigen::Vector3d& v = state.linear_velocity;
-  const Eigen::Vector3d& w = state.angular_velocity;
-  dBodySetPosition(body, p.x(), p.y(), p.z());
-  dBodySetQuaternion(body, to_ode(state.orientation).data());
-  dBodySetLinearVel(body, v.x(), v.y(), v.z());
-  dBodySetAngularVel(body, w.x(), w.y(), w.z());
-}
-
-dMass mass_of(const BodySpec& spec) {
-  const Eigen::Matrix3d& inertia = spec.inertia_B;
-  dMass mass;
-  dMassSetParameters(&mass, spec.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2),
-                     inertia(0, 1), inertia(0, 2), inertia(1, 2));
-  return mass;
-}
-
 double furthest_from(const Eigen::Vector3d& center, const hydro::TriMesh& mesh) {
   return (mesh.vertices.colwise() - center).colwise().norm().maxCoeff();
 }
@@ -94,8 +76,7 @@ BodyId World::add_body(const BodySpec& spec) {
 dxBody* World::create_body(const BodySpec& spec) {
   soften_joints(spec);
   dxBody* body = dBodyCreate(world_.get());
-  const dMass mass = mass_of(spec);
-  dBodySetMass(body, &mass);
+  set_mass(body, spec.mass, spec.inertia_B);
   // Turns by exactly |ω| h about ω; ODE's default, a normalised first-order step, turns by less.
   dBodySetFiniteRotationMode(body, 1);
   place(body, without_locked_motion(spec.locked, spec.initial));
@@ -234,16 +215,11 @@ void World::advance(double step) {
   open_ode();
   const std::vector<hydro::BodyState> before = all_states();
   hand_over_loads();
-  take_ode_warning();  // one that a collision left says nothing about the step
-  if (!dWorldStep(world_.get(), step)) throw OdeFault("ODE: no memory for the step");
-  if (!take_ode_warning().empty()) {
-    // The exact solver met constraints that contradict each other; the iterative one gives the step
-    // a compromise between them.
-    ++compromises_;
+  const auto again = [&] {
     set_all_states(before);
     hand_over_loads();
-    step_by_iteration(world_.get(), kFallbackIterations, step);
-  }
+  };
+  if (step_or_compromise(world_.get(), again, step)) ++compromises_;
   for (Body& body : bodies_) body.load = {};
 }
 
