@@ -19,7 +19,7 @@ SplitStep::SplitStep(Stepping stepping, double sleep)
 }
 
 void SplitStep::advance(double time, double step) {
-  const std::vector<Cluster> groups = clusters(step);
+  std::vector<Cluster> groups = clusters(wake_near_pairs(step));
   const std::vector<BodyId> free = free_bodies(groups);
   std::vector<std::vector<Pair>> met(groups.size());
   call_all(stepping_.for_each, groups.size() + free.size(), [&](std::size_t i) {
@@ -34,10 +34,10 @@ void SplitStep::advance(double time, double step) {
   std::erase_if(met_, [this](const Pair& pair) { return !sleep_.asleep(pair); });
   for (const std::vector<Pair>& pairs : met) met_.insert(met_.end(), pairs.begin(), pairs.end());
   std::sort(met_.begin(), met_.end());
-  settle(groups, free, time + step, step);
+  settle(std::move(groups), free, time + step, step);
 }
 
-std::vector<Eigen::AlignedBox3d> SplitStep::swept_boxes(double step) {
+std::vector<Eigen::AlignedBox3d> SplitStep::swept_boxes(double step) const {
   const std::vector<Body>& bodies = stepping_.bodies;
   std::vector<Eigen::AlignedBox3d> boxes(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -46,16 +46,16 @@ std::vector<Eigen::AlignedBox3d> SplitStep::swept_boxes(double step) {
       boxes[i] = swept_box(stepping_.world.shape_box(id), bodies[i].motion.state,
                            stepping_.around.gravity, step);
   }
-  sleep_.wake(boxes);
   return boxes;
 }
 
-std::vector<Pair> SplitStep::near_pairs(double step) {
+std::vector<Pair> SplitStep::wake_near_pairs(double step) {
   if (!stepping_.collides) return {};
   const World& world = stepping_.world;
   const std::vector<Body>& bodies = stepping_.bodies;
-  // Of the bodies and, last, the ground.
   std::vector<Eigen::AlignedBox3d> boxes = swept_boxes(step);
+  sleep_.wake(boxes);
+  // Of the bodies and, last, the ground.
   boxes.push_back(world.ground_box());
   std::vector<Pair> pairs;
   for (const auto& [first, second] : overlaps_.find(boxes)) {
@@ -67,12 +67,11 @@ std::vector<Pair> SplitStep::near_pairs(double step) {
   return pairs;
 }
 
-std::vector<Cluster> SplitStep::clusters(double step) {
+std::vector<Cluster> SplitStep::clusters(const std::vector<Pair>& near) const {
   const auto guided = [this](BodyId id) {
     return id != kWorld && stepping_.bodies[static_cast<std::size_t>(id)].guide;
   };
   const std::vector<Pair>& joints = stepping_.world.joints();
-  const std::vector<Pair> near = near_pairs(step);
   // What a joint guides goes by itself where nothing is near.
   std::vector<Pair> holding = near;
   for (const Pair& pair : joints)
@@ -117,11 +116,11 @@ std::vector<BodyId> SplitStep::free_bodies(const std::vector<Cluster>& clusters)
   return free;
 }
 
-void SplitStep::settle(const std::vector<Cluster>& clusters, const std::vector<BodyId>& free,
-                       double time, double step) {
+void SplitStep::settle(std::vector<Cluster> clusters, const std::vector<BodyId>& free, double time,
+                       double step) {
   if (!sleep_.possible()) return;
   std::vector<Sleep::Island> islands;
-  for (const Cluster& cluster : clusters) islands.push_back(cluster.bodies);
+  for (Cluster& cluster : clusters) islands.push_back(std::move(cluster.bodies));
   for (const BodyId id : free) islands.push_back({id});
   sleep_.settle(islands, time, step);
 }

@@ -34,15 +34,16 @@ class SplitStep {
   const Sleep& sleep() const { return sleep_; }
 
  private:
-  /// Per body, empty for those asleep; those that others come near to are woken.
-  std::vector<Eigen::AlignedBox3d> swept_boxes(double step);
-  /// Pairs that may touch each other in a step.
-  std::vector<Pair> near_pairs(double step);
-  std::vector<Cluster> clusters(double step);
+  /// Per body, empty for those asleep.
+  std::vector<Eigen::AlignedBox3d> swept_boxes(double step) const;
+  /// Pairs that may touch each other in a step. Wakes the sleeping that others come near to.
+  std::vector<Pair> wake_near_pairs(double step);
+  std::vector<Cluster> clusters(const std::vector<Pair>& near) const;
   std::vector<EnergyGuard*> guards_of(const Cluster& cluster);
   /// Bodies that are awake and in no cluster.
   std::vector<BodyId> free_bodies(const std::vector<Cluster>& clusters) const;
-  void settle(const std::vector<Cluster>& clusters, const std::vector<BodyId>& free, double time,
+  /// Lays down what rests. Takes the bodies of the clusters.
+  void settle(std::vector<Cluster> clusters, const std::vector<BodyId>& free, double time,
               double step);
 
   Stepping stepping_;
