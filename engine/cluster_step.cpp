@@ -165,7 +165,8 @@ double ClusterStep::try_piece(double time, double piece) {
     advance_islands(start, length);
     advance_others(start, length);
   };
-  const std::vector<bool> held = held_members();
+  std::vector<bool> held;  // A half may hold others.
+  for (const Member& m : members_) held.push_back(m.island != kNone);
   run(time, piece);
   std::vector<Motion> whole;
   for (const Member& m : members_) whole.push_back(m.body->motion);
@@ -344,16 +345,10 @@ void ClusterStep::advance_island(const Island& island, double time, double piece
   }
 }
 
-std::vector<bool> ClusterStep::held_members() const {
-  std::vector<bool> held;
-  for (const Member& m : members_) held.push_back(m.island != kNone);
-  return held;
-}
-
 void ClusterStep::advance_others(double time, double piece) {
-  const std::vector<bool> held = held_members();
   call_all(stepping_.for_each, members_.size(), [&](std::size_t i) {
-    if (!held[i]) step_alone(stepping_, *members_[i].body, time, piece, step_);
+    const Member& m = members_[i];
+    if (m.island == kNone) step_alone(stepping_, *m.body, time, piece, step_);
   });
 }
 

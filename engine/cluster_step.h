@@ -73,8 +73,6 @@ class ClusterStep {
   };
 
   Member& member(BodyId id);
-  /// Of each: it is in an island.
-  std::vector<bool> held_members() const;
   /// In pieces whose error is estimated.
   void advance_within_tolerance(double time);
   /// Tries a piece that fits as a whole and as two halves. Moves nothing.

@@ -253,7 +253,7 @@ double next_length(const Body& body, const Surroundings& around, const Motion& m
                   swing_length(body, motion, rest, kShortestSwing * step));
 }
 
-/// One step in pieces cut by the motion. The first ones of all, which are of lower order until
+/// One step in pieces cut by the motion. The first ones of a motion, which are of lower order until
 /// their kicks show a trend, are short.
 void cut_step(Body& body, const Surroundings& around, Motion& motion, double time, double step,
               double shortest) {
