@@ -62,16 +62,6 @@ bool at_rest(const hydro::BodyState& state) {
   return state.linear_velocity.isZero(0) && state.angular_velocity.isZero(0);
 }
 
-bool same(const hydro::BodyState& a, const hydro::BodyState& b) {
-  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs() &&
-         a.linear_velocity == b.linear_velocity && a.angular_velocity == b.angular_velocity;
-}
-
-bool same(const Simulation& a, const Simulation& b) {
-  return std::equal(a.states().begin(), a.states().end(), b.states().begin(), b.states().end(),
-                    [](const auto& x, const auto& y) { return same(x, y); });
-}
-
 TEST(Sleep, ABodyAtRestAfloatSleepsAfterHalfAPeriodOfItsSlowestSwing) {
   Simulation simulation(with_sleep(on_still_water({raft("raft", kRaft, 0)})));
   const double wait = still_time(kRaftRadius);
@@ -110,7 +100,7 @@ TEST(Sleep, ASleeperStaysWhereItIsAndFallingAsleepOnlyTakesEnergy) {
   const engine::Path path = simulation.paths()[0];
   for (int i = 0; i < 1000; ++i) simulation.step();
   EXPECT_EQ(simulation.skips().asleep_steps[0], 1000);
-  EXPECT_TRUE(same(simulation.states()[0], laid_down));
+  EXPECT_EQ(simulation.states()[0], laid_down);
   EXPECT_EQ(simulation.paths()[0].free, path.free);
   EXPECT_EQ(simulation.paths()[0].pieces, path.pieces);
 }
@@ -126,7 +116,7 @@ TEST(Sleep, WhatIsFasterThanTheLimitOrTurnsStaysAwake) {
   const SimulationSpec spec = on_still_water({drifter, spinner});
   const Simulation simulation = run_for(with_sleep(spec), 20);
   EXPECT_EQ(simulation.skips().asleep_steps, (std::vector<long>{0, 0}));
-  EXPECT_TRUE(same(simulation, run_for(spec, 20)));
+  EXPECT_EQ(simulation.states(), run_for(spec, 20).states());
   const Simulation with_more = run_for(with_sleep(spec, 1.02 * kLimit), 20);
   EXPECT_GT(with_more.skips().asleep_steps[0], 0);
   EXPECT_GT(with_more.skips().asleep_steps[1], 0);
@@ -143,7 +133,7 @@ TEST(Sleep, NothingSleepsInWavesOrWithoutGravityOrWhenItDriftsWithACurrent) {
   for (const SimulationSpec& spec : {waves, current, weightless}) {
     const Simulation simulation = run_for(with_sleep(spec), 20);
     EXPECT_EQ(simulation.skips().asleep_steps[0], 0);
-    EXPECT_TRUE(same(simulation, run_for(spec, 20)));
+    EXPECT_EQ(simulation.states(), run_for(spec, 20).states());
   }
 }
 
@@ -159,7 +149,7 @@ TEST(Sleep, ALoadThatIsStillToChangeKeepsABodyAwake) {
   for (const SimulationSpec& spec :
        {pushed({.force = push, .start = late}), pushed({.force = 0 * push, .end = late}),
         pushed({.force = 0 * push, .sine = engine::AppliedLoad::Sine{.frequency = 1}})}) {
-    EXPECT_TRUE(same(run_for(with_sleep(spec), 1.2 * late), run_for(spec, 1.2 * late)));
+    EXPECT_EQ(run_for(with_sleep(spec), 1.2 * late).states(), run_for(spec, 1.2 * late).states());
   }
   // After the last change it sleeps like another.
   const SimulationSpec ends = pushed({.force = 0 * push, .end = late});
@@ -305,8 +295,7 @@ TEST(Sleep, AHeapDoesNotWakeItselfAndDoesNotDrift) {
   for (const long steps : simulation.skips().asleep_steps) ASSERT_GT(steps, 0);
   const std::vector<hydro::BodyState> then = simulation.states();
   for (int i = 0; i < 600; ++i) simulation.step();
-  for (std::size_t i = 0; i < then.size(); ++i)
-    EXPECT_TRUE(same(simulation.states()[i], then[i])) << i;
+  for (std::size_t i = 0; i < then.size(); ++i) EXPECT_EQ(simulation.states()[i], then[i]) << i;
 }
 
 /// The heaps with a crate that falls on the first one at 20 s.
@@ -338,7 +327,7 @@ TEST(Sleep, DoesNotDependOnTheNumberOfThreads) {
   const Simulation one = run_for(spec, 22);
   spec.threads = 2;
   const Simulation two = run_for(spec, 22);
-  EXPECT_TRUE(same(one, two));
+  EXPECT_EQ(one.states(), two.states());
   EXPECT_EQ(one.skips().asleep_steps, two.skips().asleep_steps);
 }
 
