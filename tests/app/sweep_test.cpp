@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -295,7 +296,8 @@ TEST(Ranks, AreReadFromTheLaunchersVariables) {
 }
 
 TEST(FileLock, OneAtATimeHasItAndItsFileGoes) {
-  const fs::path file = fs::path(testing::TempDir()) / "plimsoll_lock" / "a.lock";
+  const std::string folder = "plimsoll_lock_" + std::to_string(::getpid());
+  const fs::path file = fs::path(testing::TempDir()) / folder / "a.lock";
   constexpr int kTimes = 200;
   int count = 0;  // no atomic: the lock guards it
   const auto work = [&] {
