@@ -7,10 +7,10 @@
 
 #include <chrono>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "hydro/primitives.h"
+#include "tests/support/files.h"
 #include "tests/support/random_pose.h"
 
 namespace {
@@ -57,18 +57,9 @@ class StoreOfAddedMass : public testing::Test {
   }
 
   fs::path file() const { return AddedMassStore(folder).file_of(mesh, {}); }
-  std::string bytes() const {
-    std::ostringstream text;
-    text << std::ifstream(file(), std::ios::binary).rdbuf();
-    return text.str();
-  }
+  std::string bytes() const { return support::bytes_in(file()); }
   void write(const std::string& text) const { std::ofstream(file(), std::ios::binary) << text; }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder))
-      names.push_back(entry.path().filename().string());
-    return names;
-  }
+  std::vector<std::string> files() const { return support::files_in(folder); }
 
   fs::path folder;
   TriMesh mesh = hydro::make_icosphere(1, 1);

@@ -15,6 +15,7 @@
 
 #include "app/cli.h"
 #include "app/faults.h"
+#include "tests/support/files.h"
 
 namespace support {
 namespace {
@@ -61,11 +62,7 @@ std::string Workplace::write(const std::string& name, const std::string& text) c
   return name;
 }
 
-std::string Workplace::read(const fs::path& file) const {
-  std::ostringstream text;
-  text << std::ifstream(folder_ / file, std::ios::binary).rdbuf();
-  return text.str();
-}
+std::string Workplace::read(const fs::path& file) const { return bytes_in(folder_ / file); }
 
 pid_t Workplace::spawn(const std::vector<std::string>& command,
                        const std::vector<std::string>& variables) const {
@@ -126,6 +123,14 @@ bool wait_until(const std::function<bool()>& condition) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;
+}
+
+bool wait_for_bytes(const fs::path& file, std::uintmax_t bytes) {
+  return wait_until([&] {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return !error && size > bytes;
+  });
 }
 
 std::string output_of(std::vector<std::string> words) {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,6 +12,8 @@
 /// The built program as its users meet it: a process with arguments, streams and an exit code.
 
 namespace support {
+
+inline const std::string kTrajectoryHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
 
 /// How a process ended and what it said.
 struct Outcome {
@@ -55,6 +58,9 @@ class Workplace {
 
 /// Waits until the condition holds, for a minute at most. False if it does not.
 bool wait_until(const std::function<bool()>& condition);
+
+/// Waits until a file has more bytes than these, for a minute at most. False if it has not.
+bool wait_for_bytes(const std::filesystem::path& file, std::uintmax_t bytes);
 
 /// What the program prints within this process, or the fault it throws.
 /// @param words   Of the command line, without the program's name.

@@ -4,11 +4,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/page_numbers.h"
+#include "tests/app/page.h"
 #include "tests/app/program.h"
 
-/// The data that `plimsoll compare --html` puts into its page, and what it says when it cannot. The
-/// program is copied to where a page of the test's own lies beside it: nothing hangs on npm.
+/// The data that `plimsoll compare --html` puts into its page, and what it says when it cannot.
 
 namespace {
 
@@ -19,28 +18,18 @@ using support::packed_numbers;
 using support::Workplace;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 using testing::StartsWith;
-
-const std::string kBeforeData = "<p>before</p><script type=\"application/json\">";
-const std::string kAfterData = "</script><p>after</p>";
-const std::string kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
 
 /// `time,body,x` rows of bodies at y = z = 0, upright.
 std::string trajectory(const std::vector<std::string>& rows) {
-  std::string text = kHeader;
+  std::string text = support::kTrajectoryHeader;
   for (const std::string& row : rows) text += row + ",0,0,1,0,0,0,0,0,0,0,0,0\n";
   return text;
 }
 
 class ProgramComparison : public testing::Test {
  protected:
-  ProgramComparison() {
-    here.write("bin/none", "");
-    here.write("share/plimsoll/report/comparison.html",
-               kBeforeData + "@PLIMSOLL_DATA@" + kAfterData);
-    fs::copy_file(PLIMSOLL_PROGRAM, here / "bin/plimsoll");
-  }
+  ProgramComparison() { support::lay_out_page(here, "comparison.html"); }
 
   Outcome compare(const std::string& arguments) const {
     return here.shell("bin/plimsoll compare " + arguments);
@@ -51,12 +40,7 @@ class ProgramComparison : public testing::Test {
     const Outcome outcome = compare(arguments + " --html c.html");
     EXPECT_EQ(outcome.code, code) << outcome.err;
     EXPECT_THAT(outcome.err, StartsWith("c.html: 0.0 MB"));
-    const std::string page = here.read("c.html");
-    EXPECT_TRUE(page.starts_with(kBeforeData) && page.ends_with(kAfterData));
-    const std::string text =
-        page.substr(kBeforeData.size(), page.size() - kBeforeData.size() - kAfterData.size());
-    EXPECT_THAT(text, Not(HasSubstr("<")));  // nothing in it ends the script element
-    return json::parse(text);
+    return support::data_in_page(here.read("c.html"));
   }
 
   Workplace here;
@@ -103,8 +87,8 @@ TEST_F(ProgramComparison, DrawsAnglesBesideEachOtherAcrossAHalfTurn) {
   // A quarter of a degree to either side of a yaw of 180 degrees.
   const std::string yaw = "0,0,0.0021816616,0,0,1,0,0,0,0,0,0\n";
   const std::string other = "0,0,-0.0021816616,0,0,1,0,0,0,0,0,0\n";
-  here.write("a.csv", kHeader + "0,p,0," + yaw);
-  here.write("b.csv", kHeader + "0,p,0," + other);
+  here.write("a.csv", support::kTrajectoryHeader + "0,p,0," + yaw);
+  here.write("b.csv", support::kTrajectoryHeader + "0,p,0," + other);
   const json body = data("a.csv b.csv", 1)["bodies"][0];
   constexpr double kRounding = 1e-5;  // [deg], of the quaternion's digits
   EXPECT_NEAR(body["a"]["columns"][5].get<double>(), 179.75, kRounding);

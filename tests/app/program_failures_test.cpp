@@ -33,12 +33,7 @@ class ProgramFailures : public testing::Test {
     here.write("long.yaml", falling_box("1e+7", more));
     fs::remove_all(here / "o");  // another run's log would be taken for this one's
     const pid_t process = here.start({"run", "long.yaml", "--out", "o", "--threads", threads});
-    const fs::path log = here / "o/trajectory.csv";
-    EXPECT_TRUE(support::wait_until([&] {
-      std::error_code error;
-      const auto size = fs::file_size(log, error);
-      return !error && size > 20'000;
-    }));
+    EXPECT_TRUE(support::wait_for_bytes(here / "o/trajectory.csv", 20'000));
     return process;
   }
 

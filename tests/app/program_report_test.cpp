@@ -6,11 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/trajectory.h"
-#include "tests/app/page_numbers.h"
+#include "tests/app/page.h"
 #include "tests/app/program.h"
 
-/// The data that `plimsoll report` puts into its page, and what it says when it cannot. The program
-/// is copied to where a page of the test's own lies beside it: nothing hangs on npm.
+/// The data that `plimsoll report` puts into its page, and what it says when it cannot.
 
 namespace {
 
@@ -22,11 +21,7 @@ using support::packed_numbers;
 using support::Workplace;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 using testing::StartsWith;
-
-const std::string kStartOfPage = "<p>before</p><script type=\"application/json\">";
-const std::string kEndOfPage = "</script><p>after</p>";
 
 /// A tetrahedron, closed, normals outward.
 const std::string kTetrahedron =
@@ -36,11 +31,7 @@ constexpr double kRounding = 1e-9;  // [kg], of density times volume
 
 class ProgramReport : public testing::Test {
  protected:
-  ProgramReport() {
-    here.write("bin/none", "");
-    here.write("share/plimsoll/report/page.html", kStartOfPage + "@PLIMSOLL_DATA@" + kEndOfPage);
-    fs::copy_file(PLIMSOLL_PROGRAM, here / "bin/plimsoll");
-  }
+  ProgramReport() { support::lay_out_page(here, "page.html"); }
 
   /// Runs a falling box for half a second into the folder `o`.
   void run_box(const std::string& more = "", const std::string& text = "") {
@@ -57,12 +48,7 @@ class ProgramReport : public testing::Test {
   json data(const std::string& arguments = "o") const {
     const Outcome outcome = report(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    const std::string page = here.read("o/report.html");
-    EXPECT_TRUE(page.starts_with(kStartOfPage) && page.ends_with(kEndOfPage));
-    const std::string text =
-        page.substr(kStartOfPage.size(), page.size() - kStartOfPage.size() - kEndOfPage.size());
-    EXPECT_THAT(text, Not(HasSubstr("<")));  // nothing in it ends the script element
-    return json::parse(text);
+    return support::data_in_page(here.read("o/report.html"));
   }
 
   /// A report that is refused: code 2 and one line that says why.

@@ -10,6 +10,7 @@
 #include "app/force_writer.h"
 #include "app/trajectory.h"
 #include "tests/app/program.h"
+#include "tests/support/files.h"
 
 /// What `plimsoll run` leaves behind.
 
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using support::falling_box;
+using support::files_in;
 using support::lines_of;
 using support::Outcome;
 using support::Workplace;
@@ -31,16 +33,6 @@ std::vector<std::string> keys(const nlohmann::ordered_json& object) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   return keys;
-}
-
-/// Names of what lies in a folder, sorted.
-std::vector<std::string> files_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  if (!fs::exists(folder)) return names;
-  for (const auto& entry : fs::directory_iterator(folder))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 const std::string kPictures = "render: {size: [160, 120], every: 0.2}\n";

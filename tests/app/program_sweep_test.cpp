@@ -67,12 +67,7 @@ class ProgramSweep : public testing::Test {
   pid_t start_endless(const std::string& out) const {
     fs::remove_all(here / out);
     const pid_t process = here.start(command(out, kEndless));
-    EXPECT_TRUE(support::wait_until([&] {
-      std::error_code error;
-      constexpr std::uintmax_t kSomeRows = 20'000;
-      const auto size = fs::file_size(run_file(out, "0001", "trajectory.csv"), error);
-      return !error && size > kSomeRows;
-    }));
+    EXPECT_TRUE(support::wait_for_bytes(run_file(out, "0001", "trajectory.csv"), 20'000));
     return process;
   }
 

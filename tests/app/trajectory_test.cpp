@@ -6,10 +6,11 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "app/faults.h"
 #include "app/output_folder.h"
+#include "tests/app/program.h"
+#include "tests/support/files.h"
 #include "tests/support/random_pose.h"
 
 namespace {
@@ -20,10 +21,10 @@ using app::read_trajectory;
 using app::Trajectory;
 using app::TrajectoryWriter;
 using hydro::BodyState;
+using support::kTrajectoryHeader;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
 const std::string kRow = ",0,0,0,1,0,0,0,0,0,0,0,0,0\n";  // after the time and the name
 
 class TrajectoryFile : public testing::Test {
@@ -35,11 +36,7 @@ class TrajectoryFile : public testing::Test {
     std::ofstream(file_, std::ios::binary) << text;
     return file_;
   }
-  std::string text() const {
-    std::ostringstream text;
-    text << std::ifstream(file_, std::ios::binary).rdbuf();
-    return text.str();
-  }
+  std::string text() const { return support::bytes_in(file_); }
   /// The fault of a file with this text, without the file's name.
   std::string fault(const std::string& text) const {
     try {
@@ -58,7 +55,7 @@ class TrajectoryFile : public testing::Test {
 
 TEST_F(TrajectoryFile, StartsWithTheHeaderThatScriptsRelyOn) {
   TrajectoryWriter(file(), {"a"}).add(0, {BodyState{}});
-  EXPECT_EQ(text(), kHeader + "0,a" + kRow);
+  EXPECT_EQ(text(), kTrajectoryHeader + "0,a" + kRow);
 }
 
 TEST_F(TrajectoryFile, GivesBackTheSameNumbers) {
@@ -108,7 +105,7 @@ TEST_F(TrajectoryFile, OfAScenesOwnNamesKeepsThem) {
 }
 
 TEST_F(TrajectoryFile, LosesOnlyALastLineThatWasCutOff) {
-  const std::string whole = kHeader + "0,a" + kRow + "1,a" + kRow;
+  const std::string whole = kTrajectoryHeader + "0,a" + kRow + "1,a" + kRow;
   const std::string next = "2,a" + kRow;
   for (std::size_t length = 0; length < next.size(); ++length)
     EXPECT_THAT(read_trajectory(holding(whole + next.substr(0, length))).tracks.at("a").times,
@@ -118,7 +115,7 @@ TEST_F(TrajectoryFile, LosesOnlyALastLineThatWasCutOff) {
 }
 
 TEST_F(TrajectoryFile, MayHaveTheLineEndsOfOtherSystems) {
-  std::string text = kHeader + "0,a" + kRow + "1,a" + kRow;
+  std::string text = kTrajectoryHeader + "0,a" + kRow + "1,a" + kRow;
   for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 2))
     text.insert(i, 1, '\r');
   const Trajectory read = read_trajectory(holding(text));
@@ -126,20 +123,20 @@ TEST_F(TrajectoryFile, MayHaveTheLineEndsOfOtherSystems) {
 }
 
 TEST_F(TrajectoryFile, WithAnotherHeaderIsRefused) {
-  const std::string expected = ":1:1: expected the header " + kHeader;
+  const std::string expected = ":1:1: expected the header " + kTrajectoryHeader;
   EXPECT_EQ(fault("t,body,x\n0,a,0\n") + "\n", expected);
   EXPECT_EQ(fault("0,a" + kRow) + "\n", expected);
-  EXPECT_EQ(fault(kHeader.substr(1) + "0,a" + kRow) + "\n", expected);
+  EXPECT_EQ(fault(kTrajectoryHeader.substr(1) + "0,a" + kRow) + "\n", expected);
 }
 
 TEST_F(TrajectoryFile, WithoutRowsIsRefused) {
-  EXPECT_EQ(fault(kHeader), ": has no rows");
-  EXPECT_EQ(fault(kHeader + "0,a,0"), ": has no rows");
+  EXPECT_EQ(fault(kTrajectoryHeader), ": has no rows");
+  EXPECT_EQ(fault(kTrajectoryHeader + "0,a,0"), ": has no rows");
   EXPECT_EQ(fault(""), ": has no rows");
 }
 
 TEST_F(TrajectoryFile, NamesTheLineWithAWrongNumberOfFields) {
-  const std::string good = kHeader + "0,a" + kRow;
+  const std::string good = kTrajectoryHeader + "0,a" + kRow;
   EXPECT_EQ(fault(good + "1,a,0\n"), ":3:1: found 3 fields, expected 15");
   EXPECT_EQ(fault(good + "1,a,0" + kRow), ":3:1: found 16 fields, expected 15");
   EXPECT_EQ(fault(good + "\n" + good), ":3:1: found 1 fields, expected 15");
@@ -148,24 +145,24 @@ TEST_F(TrajectoryFile, NamesTheLineWithAWrongNumberOfFields) {
 TEST_F(TrajectoryFile, NamesTheLineOfWhatIsNoFiniteNumber) {
   for (const std::string word : {"", "abc", "1.5x", " 1", "nan", "inf", "-inf", "1e999", "0x10"}) {
     const std::string expected = ":2:1: found \"" + word + "\", expected a finite number";
-    EXPECT_EQ(fault(kHeader + word + ",a" + kRow), expected);
-    EXPECT_EQ(fault(kHeader + "0,a," + word + kRow.substr(2)), expected);
+    EXPECT_EQ(fault(kTrajectoryHeader + word + ",a" + kRow), expected);
+    EXPECT_EQ(fault(kTrajectoryHeader + "0,a," + word + kRow.substr(2)), expected);
   }
 }
 
 TEST_F(TrajectoryFile, NamesTheLineOfATimeThatDoesNotAscend) {
-  EXPECT_EQ(fault(kHeader + "0,a" + kRow + "0,b" + kRow + "1,a" + kRow + "0.5,a" + kRow),
+  EXPECT_EQ(fault(kTrajectoryHeader + "0,a" + kRow + "0,b" + kRow + "1,a" + kRow + "0.5,a" + kRow),
             ":5:1: time 0.5 of body a does not come after 1");
-  EXPECT_EQ(fault(kHeader + "0,a" + kRow + "0,a" + kRow),
+  EXPECT_EQ(fault(kTrajectoryHeader + "0,a" + kRow + "0,a" + kRow),
             ":3:1: time 0 of body a does not come after 0");
 }
 
 TEST_F(TrajectoryFile, NamesTheLineOfAQuaternionThatIsNoRotation) {
-  EXPECT_EQ(fault(kHeader + "0,a,0,0,0,0,0,0,0,0,0,0,0,0,0\n"),
+  EXPECT_EQ(fault(kTrajectoryHeader + "0,a,0,0,0,0,0,0,0,0,0,0,0,0,0\n"),
             ":2:1: the quaternion has length 0, expected 1");
-  EXPECT_EQ(fault(kHeader + "0,a,0,0,0,0.7,0.7,0,0,0,0,0,0,0,0\n"),
+  EXPECT_EQ(fault(kTrajectoryHeader + "0,a,0,0,0,0.7,0.7,0,0,0,0,0,0,0,0\n"),
             ":2:1: the quaternion has length 0.989949, expected 1");
-  EXPECT_EQ(fault(kHeader + "0,a,0,0,0,0.71,0.71,0,0,0,0,0,0,0,0\n"), "none");
+  EXPECT_EQ(fault(kTrajectoryHeader + "0,a,0,0,0,0.71,0.71,0,0,0,0,0,0,0,0\n"), "none");
 }
 
 TEST_F(TrajectoryFile, ThatIsNoFileIsRefused) {

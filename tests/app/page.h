@@ -1,15 +1,25 @@
 #pragma once
 
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/app/program.h"
+
 /// @file
-/// Numbers as they lie in a page (app/report/packing.h).
+/// What the program puts into its pages: data around which a test's own page lies, so that nothing
+/// hangs on npm.
 
 namespace support {
 
-/// The numbers of a base64 text.
+/// Copies the program to `bin/plimsoll`, where it finds a page of that name beside it.
+void lay_out_page(const Workplace& here, const std::string& name);
+
+/// The data in such a page, once they are in their place and nothing in them ends it.
+nlohmann::json data_in_page(const std::string& page);
+
+/// The numbers of a base64 text (app/report/packing.h).
 template <class T>
 std::vector<T> packed_numbers(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
