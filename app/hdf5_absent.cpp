@@ -35,6 +35,7 @@ void Hdf5Writer::close() {}
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) { refuse(file); }
 Hdf5Reader::~Hdf5Reader() = default;
+bool Hdf5Reader::has(const std::string&) const { return false; }
 std::vector<std::string> Hdf5Reader::texts(const std::string&) const { return {}; }
 std::vector<double> Hdf5Reader::numbers(const std::string&, const std::vector<std::size_t>&) const {
   return {};

@@ -331,6 +331,11 @@ Hdf5Reader::Hdf5Reader(const fs::path& file) : file_(std::make_unique<File>()) {
 
 Hdf5Reader::~Hdf5Reader() = default;
 
+bool Hdf5Reader::has(const std::string& name) const {
+  prepare_library();
+  return H5Lexists(file_->file, name.c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
   const Handle dataset = file_->open(name);
   const Shape shape = file_->shape(dataset);

@@ -76,6 +76,8 @@ class Hdf5Reader {
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
+  /// True if there is a dataset of that name.
+  bool has(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
   /// All numbers of a series, row by row. @param shape   That its rows must have.
   std::vector<double> numbers(const std::string& name, const std::vector<std::size_t>& shape) const;

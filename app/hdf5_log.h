@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/force_log.h"
 #include "app/hdf5_file.h"
 #include "app/log.h"
 #include "app/trajectory.h"
@@ -69,5 +71,8 @@ bool is_hdf5(const std::filesystem::path& file);
 
 /// The trajectory in a log, with as many rows as the log has times. @throws InputError
 Trajectory read_hdf5_log(const std::filesystem::path& file);
+
+/// The forces in a log, with as many rows; none if they were not logged. @throws InputError
+std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file);
 
 }  // namespace app

@@ -66,11 +66,11 @@ Json comparison_data(const Comparison& comparison, const ComparedFiles& files, c
     one["times"] = body.times.size();
     Columns motion_a, motion_b;
     if (const auto track = a.tracks.find(body.name); track != a.tracks.end()) {
-      motion_a = motion_of(track->second, track->second.times.size());
+      motion_a = motion_of(track->second);
       one["a"] = packed_rows(track->second.times, motion_a, most);
     }
     if (const auto track = b.tracks.find(body.name); track != b.tracks.end()) {
-      motion_b = motion_of(track->second, track->second.times.size());
+      motion_b = motion_of(track->second);
       if (!motion_a.empty()) start_alike(motion_a, motion_b);
       one["b"] = packed_rows(track->second.times, motion_b, most);
     }

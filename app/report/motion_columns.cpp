@@ -23,7 +23,8 @@ const std::vector<std::string>& motion_columns() {
   return names;
 }
 
-std::vector<std::vector<double>> motion_of(const BodyTrack& track, std::size_t rows) {
+std::vector<std::vector<double>> motion_of(const BodyTrack& track) {
+  const std::size_t rows = track.states.size();
   std::vector<std::vector<double>> columns(motion_columns().size(), std::vector<double>(rows));
   const auto put = [&](std::size_t first, std::size_t row, const Eigen::Vector3d& v) {
     for (std::size_t k = 0; k < 3; ++k) columns[first + k][row] = v[static_cast<int>(k)];

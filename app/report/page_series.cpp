@@ -22,13 +22,9 @@ bool varies(const std::vector<double>& column) {
 /// Everything that is plotted of a body, column by column.
 using EachColumn = std::function<void(const std::vector<double>& column)>;
 void each_column(const RunFolder& run, const std::string& body, const EachColumn& visit) {
-  for (const std::vector<double>& column : motion_of(run.trajectory.tracks.at(body), run.rows))
-    visit(column);
+  for (const std::vector<double>& column : motion_of(run.trajectory.tracks.at(body))) visit(column);
   if (!run.forces) return;
-  for (std::vector<double> column : run.forces->at(body).columns) {
-    column.resize(run.rows);
-    visit(column);
-  }
+  for (const std::vector<double>& column : run.forces->at(body).columns) visit(column);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "app/faults.h"
+#include "app/hdf5_log.h"
 #include "app/log.h"
 #include "app/scene/reader.h"
 #include "app/summary.h"
@@ -76,11 +77,19 @@ void read_scene_of_run(const fs::path& moved_to, RunFolder& run) {
   }
 }
 
+/// The log of forces that belongs to a trajectory; empty if there is none.
+fs::path forces_beside(const fs::path& trajectory) {
+  if (is_hdf5(trajectory)) return trajectory;
+  const fs::path file = trajectory.parent_path() / kForceLog;
+  return fs::exists(file) ? file : "";
+}
+
 /// Forces of as many rows as the trajectory has, at its times.
-void check_forces(const ForceLog& forces, const fs::path& file, RunFolder& run) {
+void check_forces(const fs::path& file, RunFolder& run) {
   for (const auto& [name, track] : run.trajectory.tracks) {
-    const auto found = forces.find(name);
-    if (found == forces.end()) throw InputError(file, fmt::format("has no rows of body {}", name));
+    const auto found = run.forces->find(name);
+    if (found == run.forces->end())
+      throw InputError(file, fmt::format("has no rows of body {}", name));
     const std::vector<double>& times = found->second.times;
     run.rows = std::min(run.rows, times.size());
     for (std::size_t i = 0; i < run.rows; ++i)
@@ -92,23 +101,35 @@ void check_forces(const ForceLog& forces, const fs::path& file, RunFolder& run) 
   }
 }
 
+/// What a killed run has of one body or log alone goes.
+void keep_common_rows(RunFolder& run) {
+  for (auto& [name, track] : run.trajectory.tracks) {
+    track.times.resize(run.rows);
+    track.states.resize(run.rows);
+  }
+  if (!run.forces) return;
+  for (auto& [name, track] : *run.forces) {
+    track.times.resize(run.rows);
+    for (std::vector<double>& column : track.columns) column.resize(run.rows);
+  }
+}
+
 }  // namespace
 
 RunFolder read_run(const fs::path& folder, const fs::path& scene) {
   if (!fs::is_directory(folder))
     throw InputError(folder, "there is no such folder; expected one that plimsoll run has written");
   RunFolder run{.path = folder};
-  const fs::path log = folder / kTrajectoryLog;
+  const fs::path log = trajectory_of(folder);
   run.trajectory = read_trajectory(log);
   run.rows = common_rows(run.trajectory, log);
   run.summary = read_summary(folder / kSummaryFile);
   read_scene_of_run(scene, run);
   check_same_bodies(run.trajectory, run.assembly.spec, log);
-  const fs::path forces = folder / kForceLog;
-  if (fs::exists(forces)) {
-    run.forces = read_forces(forces);
-    check_forces(*run.forces, forces, run);
-  }
+  const fs::path forces = forces_beside(log);
+  if (!forces.empty()) run.forces = read_forces(forces);
+  if (run.forces) check_forces(forces, run);
+  keep_common_rows(run);
   return run;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/assemble.h"
-#include "app/report/force_log.h"
+#include "app/force_log.h"
 #include "app/scene/scene.h"
 #include "app/trajectory.h"
 
@@ -19,8 +19,8 @@ struct RunFolder {
   Assembly assembly;
   std::vector<std::string> overrides;  ///< Of the scene's keys, as on the command line.
   Trajectory trajectory;
-  std::size_t rows = 0;            ///< That every body has.
-  std::optional<ForceLog> forces;  ///< None unless they were logged; of as many rows.
+  std::size_t rows = 0;            ///< Of each body: those that every log has of every body.
+  std::optional<ForceLog> forces;  ///< None unless they were logged.
 };
 
 /// @param scene   Where the scene lies now; empty: where it was run.

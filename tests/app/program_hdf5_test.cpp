@@ -7,7 +7,9 @@
 
 #include "app/hdf5_file.h"
 #include "app/trajectory.h"
+#include "tests/app/page.h"
 #include "tests/app/program.h"
+#include "tests/support/files.h"
 
 /// `plimsoll run --format hdf5`: what it writes, and what is left where it could not go on. What
 /// h5py reads of it: hdf5_test.py.
@@ -53,20 +55,8 @@ class ProgramHdf5 : public testing::Test {
     fs::remove_all(here / "o");
     const pid_t process =
         here.start({"run", "long.yaml", "--out", "o", "--threads", threads, "--format", "hdf5"});
-    EXPECT_TRUE(support::wait_until([&] {
-      std::error_code error;
-      const auto size = fs::file_size(here / "o/run.h5", error);
-      return !error && size > 2'000'000;
-    }));
+    EXPECT_TRUE(support::wait_for_bytes(here / "o/run.h5", 2'000'000));
     return process;
-  }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(here / "o"))
-      names.push_back(entry.path().filename());
-    std::ranges::sort(names);
-    return names;
   }
 
   json summary() const { return json::parse(here.read("o/summary.json")); }
@@ -108,12 +98,14 @@ TEST_F(ProgramHdf5, IsTheSameFileWithAnyNumberOfThreads) {
 TEST_F(ProgramHdf5, LeavesNoLogOfAnotherFormat) {
   here.write("box.yaml", falling_box("0.2", "log: {forces: true}\n"));
   here.run({"run", "box.yaml", "--out", "o"});
-  EXPECT_THAT(files(), ElementsAre("forces.csv", "summary.json", "trajectory.csv"));
+  EXPECT_THAT(support::files_in(here / "o"),
+              ElementsAre("forces.csv", "summary.json", "trajectory.csv"));
   run({});
-  EXPECT_THAT(files(), ElementsAre("run.h5", "summary.json"));
+  EXPECT_THAT(support::files_in(here / "o"), ElementsAre("run.h5", "summary.json"));
   EXPECT_EQ(expect_whole_log(), 21u);
   here.run({"run", "box.yaml", "--out", "o"});
-  EXPECT_THAT(files(), ElementsAre("forces.csv", "summary.json", "trajectory.csv"));
+  EXPECT_THAT(support::files_in(here / "o"),
+              ElementsAre("forces.csv", "summary.json", "trajectory.csv"));
 }
 
 TEST_F(ProgramHdf5, IsDrawnAsACsvIs) {
@@ -122,6 +114,28 @@ TEST_F(ProgramHdf5, IsDrawnAsACsvIs) {
   const Outcome outcome = here.run({"render", "o", "--scene", "box.yaml", "--out", "p"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(fs::exists(here / "p/frames/frame_0001.png"));
+}
+
+// The same page as of the same run in CSV, but for the wall time.
+TEST_F(ProgramHdf5, IsReportedAsACsvIs) {
+  support::lay_out_page(here, "page.html");
+  const auto page_of = [&](const std::string& folder) {
+    const Outcome outcome = here.shell("bin/plimsoll report " + folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    json page = support::data_in_page(here.read(folder + "/report.html"));
+    page.erase("summary");
+    return page;
+  };
+  const std::string second = "  - {name: ball, sphere: {radius: 1}, density: 300}\n";
+  for (const std::string log : {"", "log: {forces: true}\n"}) {
+    here.write("box.yaml", falling_box("0.5", second + log));
+    ASSERT_EQ(here.run({"run", "box.yaml", "--out", "csv"}).code, 0);
+    ASSERT_EQ(run({}).code, 0);
+    const json page = page_of("o");
+    EXPECT_EQ(page["rows"], 51);
+    EXPECT_EQ(page["series"]["forces"], !log.empty());
+    EXPECT_TRUE(page == page_of("csv"));
+  }
 }
 
 TEST_F(ProgramHdf5, KeepsThePastOfABodyThatExplodes) {

@@ -1,11 +1,14 @@
-#include "app/report/force_log.h"
+#include "app/force_log.h"
 
 #include "app/force_writer.h"
+#include "app/hdf5_log.h"
 #include "app/log_rows.h"
 
 namespace app {
+namespace {
 
-ForceLog read_forces(const std::filesystem::path& file) {
+/// CSV.
+ForceLog read_force_rows(const std::filesystem::path& file) {
   ForceLog log;
   std::vector<double> numbers(force_columns().size());
   read_log(file, force_header(), "a log of forces", [&](std::string_view text, int line) {
@@ -16,6 +19,12 @@ ForceLog read_forces(const std::filesystem::path& file) {
     for (std::size_t i = 0; i < numbers.size(); ++i) track.columns[i].push_back(numbers[i]);
   });
   return log;
+}
+
+}  // namespace
+
+std::optional<ForceLog> read_forces(const std::filesystem::path& file) {
+  return is_hdf5(file) ? read_hdf5_forces(file) : read_force_rows(file);
 }
 
 }  // namespace app

@@ -2,11 +2,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 /// @file
-/// The log of forces (force_writer.h), read back.
+/// The log of forces, read back: CSV (force_writer.h) or HDF5 (hdf5_log.h).
 
 namespace app {
 
@@ -18,7 +19,8 @@ struct ForceTrack {
 
 using ForceLog = std::map<std::string, ForceTrack>;  ///< By the name of the body.
 
-/// @throws InputError with the line at fault.
-ForceLog read_forces(const std::filesystem::path& file);
+/// The forces in a log; none in an HDF5 log that has the motion alone.
+/// @throws InputError with the line or row at fault.
+std::optional<ForceLog> read_forces(const std::filesystem::path& file);
 
 }  // namespace app
