@@ -21,6 +21,8 @@ namespace {
 /// Pictures that may wait to be labelled and written; each takes width · height · 3 bytes.
 constexpr std::size_t kMostWaiting = 2;
 
+const char* const kFramesFolder = "frames";  ///< Their folder in that of the run.
+
 /// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
 double highest_pressure(const engine::BodySpec& body, const hydro::BodyState& state,
                         const hydro::Sea& sea, double time) {
@@ -84,14 +86,13 @@ render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
   return picture;
 }
 
-/// An empty folder for the frames.
-std::filesystem::path fresh_frames(const std::filesystem::path& folder) {
+/// Makes an empty folder for the frames.
+void make_fresh_frames(const std::filesystem::path& folder) {
   remove_pictures(folder);
-  const std::filesystem::path frames = folder / "frames";
+  const std::filesystem::path frames = folder / kFramesFolder;
   std::error_code error;
   std::filesystem::create_directories(frames, error);
   if (error) throw render::Error(fmt::format("{}: {}", frames.string(), error.message()));
-  return frames;
 }
 
 bool is_frame(const std::filesystem::path& file) {
@@ -100,8 +101,12 @@ bool is_frame(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::filesystem::path frame_file(const std::filesystem::path& folder, std::size_t number) {
+  return folder / kFramesFolder / fmt::format("frame_{:04}.png", number);
+}
+
 void remove_pictures(const std::filesystem::path& folder) {
-  const std::filesystem::path frames = folder / "frames";
+  const std::filesystem::path frames = folder / kFramesFolder;
   std::filesystem::remove(folder / "sheet.png");
   if (!std::filesystem::is_directory(frames)) return;
   std::vector<std::filesystem::path> old;
@@ -125,14 +130,15 @@ PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
                             const PictureProgress& progress) {
   const render::PressureScale scale = pressure_scale(*scene.render, assembly.spec, shots);
   render::Renderer renderer(picture(scene, assembly.spec, scale), program_files("shaders"));
-  const std::filesystem::path frames = fresh_frames(folder);
+  make_fresh_frames(folder);
   std::optional<render::PressureScale> shown;
   if (assembly.spec.sea) shown = scale;
   render::ContactSheet sheet(shown);
   PictureReport report{.device = renderer.device(), .pressure_max = scale.max};
   Background finishing(assembly.spec.threads, kMostWaiting);
   for (const Shot& shot : shots) {
-    const std::filesystem::path file = frames / fmt::format("frame_{:04}.png", report.frames++);
+    const auto number = static_cast<std::size_t>(report.frames++);
+    const std::filesystem::path file = frame_file(folder, number);
     render::Image image = renderer.draw(shot.states, shot.time);
     finishing.put([&sheet, &shown, time = shot.time, file, image = std::move(image)]() mutable {
       sheet.add(image, time);

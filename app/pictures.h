@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -33,6 +34,9 @@ using PictureProgress = std::function<bool(int done, int all)>;
 PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
                             const std::vector<Shot>& shots, const std::filesystem::path& folder,
                             const PictureProgress& progress);
+
+/// Where the picture of that number lies, from 0.
+std::filesystem::path frame_file(const std::filesystem::path& folder, std::size_t number);
 
 /// Removes the frames and the sheet that an earlier run left in a folder.
 void remove_pictures(const std::filesystem::path& folder);

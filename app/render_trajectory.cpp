@@ -23,9 +23,9 @@ std::vector<Shot> choose_shots(const Trajectory& trajectory, std::size_t rows, c
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
   std::vector<Shot> shots;
-  Schedule due(scene.render->every);
+  FrameSchedule frames(scene.render->every, end);
   for (std::size_t i = 0; i < rows; ++i) {
-    if (!is_frame_time(times[i], end) || !due.due(times[i])) continue;
+    if (!frames.due(times[i])) continue;
     Shot shot{.time = times[i]};
     for (const BodyScene& body : scene.bodies)
       shot.states.push_back(trajectory.tracks.at(body.name).states[i]);

@@ -76,7 +76,7 @@ class Run {
         simulation_(assembly.spec),
         log_(make_log(options.format, log_subject(scene, assembly), folder.path())),
         log_due_(scene.log_every.value_or(0)),
-        shot_due_(scene.render ? scene.render->every : 0),
+        shot_due_(scene.render ? scene.render->every : 0, scene.duration),
         logging_(assembly.spec.threads, most_waiting(assembly.spec.bodies.size())) {}
 
   int execute() {
@@ -165,8 +165,7 @@ class Run {
       log(time);
       summary_.wall_log += stopwatch.seconds();
     }
-    if (wants_pictures() && is_frame_time(time, scene_.duration) && shot_due_.due(time))
-      shots_.push_back({time, simulation_.states()});
+    if (wants_pictures() && shot_due_.due(time)) shots_.push_back({time, simulation_.states()});
   }
 
   /// Hands over a row a body.
@@ -246,7 +245,7 @@ class Run {
   engine::Simulation simulation_;
   std::unique_ptr<Log> log_;
   Schedule log_due_;
-  Schedule shot_due_;
+  FrameSchedule shot_due_;
   std::vector<Shot> shots_;
   Background logging_;  ///< Last: it works on the log.
 };

@@ -27,6 +27,22 @@ class Schedule {
   double next_ = 0;
 };
 
+/// Pictures are of times before the end, as frames of a film are; a scene without duration has one.
+inline bool is_frame_time(double time, double end) { return time == 0 || time < end * (1 - 1e-9); }
+
+/// Says of ascending times which have a picture.
+class FrameSchedule {
+ public:
+  /// @param every   [s]; @param end   Of the scene [s].
+  FrameSchedule(double every, double end) : schedule_(every), end_(end) {}
+
+  bool due(double time) { return is_frame_time(time, end_) && schedule_.due(time); }
+
+ private:
+  Schedule schedule_;
+  double end_;
+};
+
 /// Most steps of a run: a day and more at a microsecond each.
 inline constexpr double kMostSteps = 1e11;
 
@@ -36,8 +52,5 @@ inline long step_count(double duration, double step) {
   assert(duration / step <= kMostSteps);
   return std::lround(std::ceil(duration / step * (1 - 1e-12)));
 }
-
-/// Pictures are of times before the end, as frames of a film are; a scene without duration has one.
-inline bool is_frame_time(double time, double end) { return time == 0 || time < end * (1 - 1e-9); }
 
 }  // namespace app

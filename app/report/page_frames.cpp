@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "app/faults.h"
+#include "app/pictures.h"
 #include "app/report/packing.h"
 #include "app/report/page_data.h"
 #include "app/schedule.h"
@@ -15,11 +14,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// frame_0000.png and on, as many as there are without a gap.
+/// From the first on, as many as there are without a gap.
 std::vector<fs::path> frame_files(const fs::path& folder) {
   std::vector<fs::path> files;
   for (;;) {
-    const fs::path file = folder / "frames" / fmt::format("frame_{:04}.png", files.size());
+    const fs::path file = frame_file(folder, files.size());
     if (!fs::is_regular_file(file)) return files;
     files.push_back(file);
   }
@@ -28,11 +27,11 @@ std::vector<fs::path> frame_files(const fs::path& folder) {
 /// When the pictures of a run were due [s].
 std::vector<double> frame_times(const Scene& scene, std::size_t count) {
   std::vector<double> times;
-  Schedule due(scene.render->every);
+  FrameSchedule frames(scene.render->every, scene.duration);
   const long steps = step_count(scene.duration, scene.step);
   for (long i = 0; i <= steps && times.size() < count; ++i) {
     const double time = static_cast<double>(i) * scene.step;
-    if (is_frame_time(time, scene.duration) && due.due(time)) times.push_back(time);
+    if (frames.due(time)) times.push_back(time);
   }
   return times;
 }
