@@ -8,10 +8,6 @@
 namespace app {
 namespace {
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 void describe(const Scene& scene, const Assembly& assembly) {
   Eigen::Index triangles = 0;
   for (const engine::BodySpec& body : assembly.spec.bodies) triangles += body.mesh_B.face_count();

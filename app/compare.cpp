@@ -43,11 +43,6 @@ Tolerances tolerances_of(const CompareOptions& options) {
 /// True if what is printed goes to somebody who has not asked for plain text.
 bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
 
-void write_page(const std::filesystem::path& file, const std::string& page) {
-  write_whole(file, page);
-  say(fmt::format("{}: {:.1f} MB", file.string(), static_cast<double>(page.size()) / 1e6));
-}
-
 }  // namespace
 
 int compare(const CompareOptions& options) {
@@ -63,7 +58,7 @@ int compare(const CompareOptions& options) {
     fmt::print("{}", table_of(comparison, files, in_color()));
   if (!options.junit.empty()) write_whole(options.junit, junit_of(comparison, files));
   if (!options.html.empty())
-    write_page(options.html, filled_page(page, comparison_data(comparison, files, a, b)));
+    say(write_page(options.html, page, comparison_data(comparison, files, a, b)));
   return comparison.same() ? kDone : kDiffers;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 /// @file
@@ -14,6 +15,9 @@ void open_standard_streams();
 
 /// Writes a line to standard error. Whether anybody reads it does not matter to the program.
 void say(const std::string& line);
+
+/// `1 body`, `2 bodies`.
+std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
 /// Hands over what was printed to standard output.
 /// @throws std::runtime_error if it could not be written

@@ -9,6 +9,7 @@
 #include <map>
 #include <span>
 
+#include "app/console.h"
 #include "app/summary.h"
 #include "engine/locks.h"
 #include "hydro/mass_properties.h"
@@ -151,10 +152,6 @@ std::vector<BodyKind> kinds_of(const Scene& scene, const Assembly& assembly) {
     return a.names.size() > b.names.size();
   });
   return kinds;
-}
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
 std::string water_text(const Scene& scene) {

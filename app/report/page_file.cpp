@@ -1,8 +1,11 @@
 #include "app/report/page_file.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <iterator>
 
+#include "app/atomic_file.h"
 #include "app/faults.h"
 #include "app/program_files.h"
 
@@ -43,8 +46,11 @@ std::string empty_page(const std::string& name) {
   return page;
 }
 
-std::string filled_page(std::string page, const nlohmann::ordered_json& data) {
-  return page.replace(page.find(kDataMark), kDataMark.size(), script_text(data));
+std::string write_page(const std::filesystem::path& file, std::string page,
+                       const nlohmann::ordered_json& data) {
+  page.replace(page.find(kDataMark), kDataMark.size(), script_text(data));
+  write_whole(file, page);
+  return fmt::format("{}: {:.1f} MB", file.string(), static_cast<double>(page.size()) / 1e6);
 }
 
 }  // namespace app

@@ -15,7 +15,8 @@ inline constexpr const char* kComparisonPage = "comparison.html";
 /// A page without data. @throws InputError if the build has made none.
 std::string empty_page(const std::string& name);
 
-/// The page with the data in their place.
-std::string filled_page(std::string page, const nlohmann::ordered_json& data);
+/// Writes an empty page with the data in their place. @return its file and size, to be said.
+std::string write_page(const std::filesystem::path& file, std::string page,
+                       const nlohmann::ordered_json& data);
 
 }  // namespace app
