@@ -15,20 +15,23 @@ Json packed_mesh(const hydro::TriMesh& mesh, const Eigen::Vector3d& origin) {
           {"triangles", packed<std::int32_t>({mesh.faces.data(), corners})}};
 }
 
-Json surface(const hydro::FlatSurface&) { return {{"kind", "flat"}}; }
+Json surface(const hydro::FlatSurface&, const PageLimits&) { return {{"kind", "flat"}}; }
 
-Json surface(const hydro::HeightField& field) {
+Json surface(const hydro::HeightField& whole, const PageLimits& limits) {
+  const hydro::HeightField field = coarsened(whole, limits.heights);
   const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> heights =
       field.heights.cast<float>();
   return {{"kind", "heightfield"},
           {"rows", heights.rows()},
           {"columns", heights.cols()},
+          {"of_rows", whole.heights.rows()},
+          {"of_columns", whole.heights.cols()},
           {"cell", field.cell},
           {"origin", {field.origin.x(), field.origin.y()}},
           {"heights", packed<float>({heights.data(), static_cast<std::size_t>(heights.size())})}};
 }
 
-Json surface(const hydro::WaveSurface& waves) {
+Json surface(const hydro::WaveSurface& waves, const PageLimits&) {
   std::vector<double> numbers;
   for (const hydro::WaveComponent& w : waves.components)
     numbers.insert(numbers.end(), {w.amplitude, w.kx, w.ky, w.omega, w.phase});
@@ -73,9 +76,9 @@ Json page_shapes(const Shapes& shapes) {
   return all;
 }
 
-Json page_water(const engine::SimulationSpec& spec) {
+Json page_water(const engine::SimulationSpec& spec, const PageLimits& limits) {
   if (!spec.sea) return nullptr;
-  Json water = std::visit([](const auto& s) { return surface(s); }, spec.sea->surface);
+  Json water = std::visit([&](const auto& s) { return surface(s, limits); }, spec.sea->surface);
   water["level"] = spec.sea->level;
   water["density"] = spec.sea->density;
   return water;

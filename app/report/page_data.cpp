@@ -43,7 +43,7 @@ Json page_data(const RunFolder& run, const PageLimits& limits) {
       {"origin", {origin.x(), origin.y(), origin.z()}},
       {"bodies", page_bodies(run, shapes)},
       {"shapes", page_shapes(shapes)},
-      {"water", page_water(run.assembly.spec)},
+      {"water", page_water(run.assembly.spec, limits)},
       {"ground", page_ground(run.assembly.spec.ground, limits)},
       {"camera", page_camera(run.scene)},
       {"poses", page_poses(run, origin, limits)},

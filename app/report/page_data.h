@@ -12,11 +12,12 @@
 
 namespace app {
 
-/// What keeps a page small, whatever the run: about 20 MB at most in all.
+/// What keeps a page small, whatever the run: about 30 MB at most in all.
 struct PageLimits {
   std::size_t poses = 1'000'000;   ///< Numbers in all poses, kPoseNumbers a body a time.
   std::size_t series = 1'500'000;  ///< Numbers that vary, in all plotted columns of all bodies.
   Eigen::Index faces = 100'000;    ///< Triangles of all meshes.
+  Eigen::Index heights = 500'000;  ///< Of a height field.
   std::size_t frames = 4'000'000;  ///< Bytes of all pictures.
 };
 
@@ -26,7 +27,7 @@ nlohmann::ordered_json page_data(const RunFolder& run, const PageLimits& limits 
 /// Its parts. What there is to say of bodies, shapes, water and ground:
 nlohmann::ordered_json page_bodies(const RunFolder& run, const Shapes& shapes);
 nlohmann::ordered_json page_shapes(const Shapes& shapes);
-nlohmann::ordered_json page_water(const engine::SimulationSpec& spec);
+nlohmann::ordered_json page_water(const engine::SimulationSpec& spec, const PageLimits& limits);
 nlohmann::ordered_json page_ground(const engine::Ground& ground, const PageLimits& limits);
 
 /// Poses for the replay, relative to `origin`.

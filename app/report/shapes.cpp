@@ -60,6 +60,25 @@ hydro::TriMesh coarsened(const hydro::TriMesh& mesh, Eigen::Index most_faces) {
   return coarse;
 }
 
+hydro::HeightField coarsened(const hydro::HeightField& field, Eigen::Index most) {
+  const Eigen::Index rows = field.heights.rows(), columns = field.heights.cols();
+  // The last of them is beyond the edge, where the height of the edge holds.
+  const auto count = [](Eigen::Index all, Eigen::Index stride) {
+    return (all - 1 + stride - 1) / stride + 1;
+  };
+  Eigen::Index stride = 1;
+  while (count(rows, stride) * count(columns, stride) > most) ++stride;
+  if (stride == 1) return field;
+  hydro::HeightField coarse = field;
+  coarse.cell *= static_cast<double>(stride);
+  coarse.heights.resize(count(rows, stride), count(columns, stride));
+  for (Eigen::Index i = 0; i < coarse.heights.rows(); ++i)
+    for (Eigen::Index j = 0; j < coarse.heights.cols(); ++j)
+      coarse.heights(i, j) =
+          field.heights(std::min(i * stride, rows - 1), std::min(j * stride, columns - 1));
+  return coarse;
+}
+
 Shapes find_shapes(const std::vector<engine::BodySpec>& bodies, Eigen::Index most_faces) {
   Shapes found;
   std::vector<const hydro::TriMesh*> meshes;

@@ -5,6 +5,7 @@
 
 #include "engine/spec.h"
 #include "hydro/mesh.h"
+#include "hydro/sea.h"
 
 namespace app {
 
@@ -24,5 +25,9 @@ Shapes find_shapes(const std::vector<engine::BodySpec>& bodies, Eigen::Index mos
 /// The mesh with about `most_faces` at most: vertices within a cell of a cubic grid become one, at
 /// their mean; faces that lose a corner go. A mesh that has no more stays as it is.
 hydro::TriMesh coarsened(const hydro::TriMesh& mesh, Eigen::Index most_faces);
+
+/// The field with at most `most` (>= 4) heights, on wider cells: those of every so many rows and
+/// columns. A field that has no more stays as it is.
+hydro::HeightField coarsened(const hydro::HeightField& field, Eigen::Index most);
 
 }  // namespace app

@@ -16,7 +16,6 @@ class Thinning {
   Thinning(std::size_t rows, std::size_t most);
 
   bool thins() const { return buckets_ > 0; }
-  std::size_t kept() const { return thins() ? 2 * buckets_ + 2 : rows_; }
 
   /// Times of the kept rows: of a bucket its first and its middle one.
   std::vector<double> times(const std::vector<double>& all) const;

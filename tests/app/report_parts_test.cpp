@@ -37,9 +37,10 @@ TEST(ReportThinning, KeepsNoMoreThanAskedFor) {
   for (const std::size_t rows : {5u, 17u, 100u, 9999u})
     for (const std::size_t most : {4u, 5u, 16u, 50u}) {
       const Thinning thinning(rows, most);
-      EXPECT_LE(thinning.kept(), most + (rows <= most ? rows : 0));
-      EXPECT_EQ(thinning.times(ramp(rows)).size(), thinning.kept());
-      EXPECT_EQ(thinning.values(ramp(rows)).size(), thinning.kept());
+      const std::size_t kept = thinning.times(ramp(rows)).size();
+      EXPECT_LE(kept, most + (rows <= most ? rows : 0));
+      EXPECT_EQ(kept, thinning.thins() ? 2 * ((most - 2) / 2) + 2 : rows);
+      EXPECT_EQ(thinning.values(ramp(rows)).size(), kept);
     }
 }
 
@@ -118,6 +119,32 @@ TEST(ReportShapes, MakesALargeMeshCoarserAndKeepsItsForm) {
   }
   for (Eigen::Index i = 0; i < coarse.face_count(); ++i)
     EXPECT_GT(hydro::area_vector(coarse, i).dot(coarse.vertices.col(coarse.faces(0, i))), 0);
+}
+
+TEST(ReportHeights, LeavesASmallFieldAsItIs) {
+  const Eigen::MatrixXd heights = Eigen::MatrixXd::Random(3, 5);
+  const hydro::HeightField field = hydro::make_height_field(heights, 0.5, {1, 2});
+  EXPECT_EQ(coarsened(field, 15).heights, heights);
+}
+
+// On its points, and beyond the edges, the coarser field is the field.
+TEST(ReportHeights, MakesALargeFieldCoarserAndKeepsItsEdges) {
+  for (const Eigen::Index columns : {1, 2, 90, 91, 92}) {
+    const Eigen::MatrixXd heights = Eigen::MatrixXd::Random(100, columns);
+    const hydro::Sea sea = {.surface = hydro::make_height_field(heights, 0.5, {1, 2})};
+    const auto coarse = coarsened(std::get<hydro::HeightField>(sea.surface), 50);
+    EXPECT_LE(coarse.heights.size(), 50);
+    EXPECT_GE(coarse.heights.size(), 20);
+    EXPECT_EQ(coarse.origin, Eigen::Vector2d(1, 2));
+    for (Eigen::Index i = 0; i < coarse.heights.rows(); ++i)
+      for (Eigen::Index j = 0; j < coarse.heights.cols(); ++j) {
+        const double x = 1 + coarse.cell * static_cast<double>(j);
+        const double y = 2 + coarse.cell * static_cast<double>(i);
+        EXPECT_NEAR(coarse.heights(i, j), hydro::surface_elevation(sea, x, y, 0), 1e-12);
+      }
+    const Eigen::Index last = coarse.heights.rows() - 1;
+    EXPECT_EQ(coarse.heights(last, 0), heights(99, 0));
+  }
 }
 
 TEST(ReportShapes, HasEachMeshOnce) {
