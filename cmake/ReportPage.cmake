@@ -13,12 +13,14 @@ set(web_sources
   comparison.js
   differences.js
   data.js
+  extent.js
   facts.js
   format.js
   package-lock.json
   package.json
   page.html
   plots.js
+  quantities.js
   replay.js
   report.js
   sea.js

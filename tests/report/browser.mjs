@@ -9,7 +9,7 @@ const SWITCHES = ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swifts
 
 // Opens a file with the network cut off. `faults` gathers errors of the page and whatever it asks
 // for beyond itself.
-export const open = async (program, file, {width = 1400, height = 900, dark = false} = {}) => {
+const open = async (program, file) => {
   const browser = await puppeteer.launch({executablePath: program, headless: true, args: SWITCHES});
   const page = await browser.newPage();
   const faults = [];
@@ -22,9 +22,9 @@ export const open = async (program, file, {width = 1400, height = 900, dark = fa
     if (request.url() !== url && !/^(data|blob):/.test(request.url()))
       faults.push(`request: ${request.url()}`);
   });
-  await page.setViewport({width, height});
+  await page.setViewport({width: 1400, height: 900});
   await page.setOfflineMode(true);
-  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: dark ? "dark" : "light"}]);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "light"}]);
   await page.goto(url, {waitUntil: "load"});
   return {browser, page, faults};
 };
@@ -36,3 +36,24 @@ export const settle = (page) =>
     const wait = () => (--frames === 0 ? done() : requestAnimationFrame(wait));
     requestAnimationFrame(wait);
   }));
+
+export const textsOf = (page, selector) =>
+  page.$$eval(selector, (nodes) => nodes.map((node) => node.textContent));
+
+// Takes the steps, each with the page and `expect(what, holds)`, in the browser and on the file that
+// the command line names; prints what is wrong and ends. A step that fails is the last.
+export const inspect = async (...steps) => {
+  const [program, file] = process.argv.slice(2);
+  const {browser, page, faults} = await open(program, file);
+  const expect = (what, holds) => { if (!holds) faults.push(what); };
+  try {
+    await settle(page);
+    for (const step of steps) await step(page, expect);
+  } catch (error) {
+    faults.push(error.stack ?? String(error));
+  } finally {
+    for (const fault of faults) console.log(fault);
+    await browser.close();
+  }
+  process.exit(faults.length === 0 ? 0 : 1);
+};

@@ -23,7 +23,7 @@ function(driver result page)
   # Beside the folders of runs: what was installed stays for the next test.
   file(MAKE_DIRECTORY ${WORK}/driver)
   file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc
-    ${SOURCE}/browser.mjs ${SOURCE}/pixels.mjs ${ARGN} DESTINATION ${WORK}/driver)
+    ${SOURCE}/browser.mjs ${SOURCE}/plots.mjs ${ARGN} DESTINATION ${WORK}/driver)
   npm_ci(${WORK}/driver fault)
   set(${result} "${fault}" PARENT_SCOPE)
 endfunction()

@@ -1,4 +1,5 @@
 // Which plots a run has, and of which lines.
+import {QUANTITIES} from "./quantities.js";
 
 const LOADS = [
   ["weight", "weight", "--c2"], ["buoyancy", "buoyancy", "--c1"],
@@ -10,15 +11,8 @@ const AXES = ["--c1", "--c2", "--c3"];
 const varies = (values) => values.some((v) => v !== 0);
 const sum = (columns) => columns[0].map((_, i) => columns.reduce((s, c) => s + c[i], 0));
 
-const motion = (columns) => {
-  const chart = (title, unit, names, labels = names) => ({
-    title, unit, lines: names.map((name, i) => ({label: labels[i], color: AXES[i], values: columns[name]}))});
-  return [
-    chart("Position", "m", ["x", "y", "z"]),
-    chart("Orientation", "°", ["roll", "pitch", "yaw"]),
-    chart("Velocity", "m/s", ["vx", "vy", "vz"]),
-    chart("Angular velocity", "rad/s", ["wx", "wy", "wz"], ["ωx", "ωy", "ωz"])];
-};
+const motion = (columns) => QUANTITIES.map(({title, unit, names, labels = names}) => ({
+  title, unit, lines: names.map((name, i) => ({label: labels[i], color: AXES[i], values: columns[name]}))}));
 
 // One plot a component, with every load that acts in it.
 const forces = (columns, thinned) => {

@@ -1,9 +1,7 @@
 // The bar above the plots: which body they are of, and what part of the run.
-import {element, grouped, number} from "./format.js";
+import {button, element, grouped, number} from "./format.js";
 
 export const USAGE = "drag in a plot to zoom · click a name to hide its line";
-
-const button = (text, title, onclick) => element("button", {type: "button", textContent: text, title, onclick});
 
 // @param names    Of the bodies.
 // @param usage    Said while nothing is zoomed.

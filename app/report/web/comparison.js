@@ -3,21 +3,17 @@ import "./style.css";
 import "./comparison.css";
 import {addChooser, USAGE} from "./chooser.js";
 import {Clock} from "./clock.js";
-import {QUANTITIES, plotsOf, readComparison, severity, worstFirst} from "./differences.js";
-import {element, grouped, number} from "./format.js";
+import {plotsOf, readComparison, severity, worstFirst} from "./differences.js";
+import {at, element, grouped, number, tile} from "./format.js";
 import {Plots} from "./plots.js";
+import {QUANTITIES} from "./quantities.js";
 
 const MOST_BODIES = 500;  // in the table
 const LOG_FROM = 30;      // tolerances, or as many parts of one, beyond which a line is flat without it
 const DIGITS = 4;
 
-const at = (id) => document.getElementById(id);
 const withUnit = (value, unit) => `${number(value, DIGITS)}${unit === "°" ? "" : " "}${unit}`;
 const seconds = (t) => `${number(t, 6)} s`;
-
-const tile = (label, value, note = "") =>
-  element("div", {className: "tile"}, element("span", {textContent: label}),
-          element("b", {textContent: value}), element("i", {textContent: note}));
 
 const log = (label, name) =>
   element("span", {className: `log ${label}`}, element("i", {className: "dot"}), element("b", {textContent: label}),

@@ -2,15 +2,9 @@
 // a body has.
 import {column, doubles, rowAt} from "./data.js";
 import {number} from "./format.js";
+import {QUANTITIES} from "./quantities.js";
 
 const SAME_TIME = 1e-9;  // of a time, or s below 1 s, as the program takes it
-
-// In the order of a body's differences.
-export const QUANTITIES = [
-  {title: "Position", unit: "m", names: ["x", "y", "z"]},
-  {title: "Orientation", unit: "°", names: ["roll", "pitch", "yaw"]},
-  {title: "Velocity", unit: "m/s", names: ["vx", "vy", "vz"]},
-  {title: "Angular velocity", unit: "rad/s", names: ["wx", "wy", "wz"], labels: ["ωx", "ωy", "ωz"]}];
 
 // How many times its tolerance a difference is; −1 if it is not judged.
 export const severity = ({largest, tolerance}) => {

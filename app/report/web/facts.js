@@ -1,5 +1,5 @@
 // What the summary tells: the head of the page, and the details at its end.
-import {element, grouped, number} from "./format.js";
+import {element, grouped, number, tile} from "./format.js";
 
 const PARTS = [["added_mass", "added mass", "--c7"], ["hydro", "loads of the water", "--c1"],
                ["collision", "collision", "--c4"], ["engine", "engine", "--c3"],
@@ -7,10 +7,6 @@ const PARTS = [["added_mass", "added mass", "--c7"], ["hydro", "loads of the wat
 const MOST_BODIES = 200;  // rows of the table
 
 const seconds = (s) => s >= 1 ? `${number(s, 3)} s` : `${number(1000 * s, 3)} ms`;
-
-const tile = (label, value, note = "") =>
-  element("div", {className: "tile"}, element("span", {textContent: label}),
-          element("b", {textContent: value}), element("i", {textContent: note}));
 
 // Wall time by stage, as one bar; what no stage has is the rest.
 const wallTime = (wall) => {
@@ -37,7 +33,7 @@ const waterText = (water) => {
   if (!water) return ["none", "dry scene"];
   const density = `${number(water.density)} kg/m³`;
   if (water.kind === "flat") return ["flat", density];
-  if (water.kind === "heightfield") return [`${water.columns} × ${water.rows}`, `height field, ${density}`];
+  if (water.kind === "heightfield") return [`${water.of_columns} × ${water.of_rows}`, `height field, ${density}`];
   const count = water.components.length / 5;
   return [count === 1 ? "1 wave" : `${count} waves`, density];
 };
@@ -86,6 +82,10 @@ const limits = (run) => {
   if (coarse.length > 0)
     notes.push((coarse.length === 1 ? "One mesh is" : `${coarse.length} meshes are`) +
                " coarser in the replay than in the run.");
+  const {water} = run;
+  if (water?.kind === "heightfield" && water.rows * water.columns < water.of_rows * water.of_columns)
+    notes.push(`The replay has ${water.columns} × ${water.rows} of ${water.of_columns} × ${water.of_rows} ` +
+               "heights of the water.");
   return notes;
 };
 
@@ -95,8 +95,9 @@ const skips = ({skipped, bodies}) => {
   if (skipped.water) notes.push("Water: no water, or no body that it acts on.");
   if (skipped.pictures) notes.push(`Pictures: ${skipped.pictures}.`);
   const sum = (key) => Object.values(bodies).reduce((s, body) => s + (body[key] ?? 0), 0);
-  const dry = sum("steps_above_water"), resting = sum("steps_at_rest");
+  const dry = sum("steps_above_water"), resting = sum("steps_at_rest"), asleep = sum("steps_asleep");
   if (dry) notes.push(`Loads above the highest water: ${grouped(dry)} evaluations.`);
+  if (asleep) notes.push(`Motion of bodies asleep: ${grouped(asleep)} steps.`);
   if (resting) notes.push(`Loads of bodies at rest in still water: ${grouped(resting)} evaluations.`);
   return notes;
 };
@@ -107,14 +108,14 @@ const list = (title, notes) => notes.length === 0 ? "" :
 
 const bodyTable = (run, select) => {
   const head = ["body", "mass [kg]", "triangles", "steps free", "constrained", "pieces", "above water",
-                "at rest", "loads left out"];
+                "at rest", "asleep", "loads left out"];
   const table = element("table", {}, element("tr", {}, ...head.map((t) => element("th", {textContent: t}))));
   run.bodies.slice(0, MOST_BODIES).forEach((body, i) => {
     const s = run.summary?.bodies?.[body.name];
     const count = (value) => value === undefined ? "–" : grouped(value);
     const cells = [body.name, number(body.mass), grouped(run.shapes[body.shape].of_faces),
                    count(s?.motion?.free_steps), count(s?.motion?.constrained_steps), count(s?.motion?.pieces),
-                   count(s?.steps_above_water), count(s?.steps_at_rest),
+                   count(s?.steps_above_water), count(s?.steps_at_rest), count(s?.steps_asleep),
                    s?.loads_not_computed?.map((l) => l.replace("_", " ")).join(", ") || "–"];
     const row = element("tr", {onclick: () => select(i)}, ...cells.map((t) => element("td", {textContent: t})));
     table.append(row);

@@ -24,8 +24,17 @@ export const fixed = (value, decimals) => {
 
 export const grouped = (count) => count.toLocaleString("en-US").replaceAll(",", "\u202f");
 
+export const at = (id) => document.getElementById(id);
+
 export const element = (tag, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(tag), properties);
   made.append(...children);
   return made;
 };
+
+export const button = (text, title, onclick) => element("button", {type: "button", textContent: text, title, onclick});
+
+// A number of the page's head with what it is of.
+export const tile = (label, value, note = "") =>
+  element("div", {className: "tile"}, element("span", {textContent: label}),
+          element("b", {textContent: value}), element("i", {textContent: note}));

@@ -1,6 +1,7 @@
 // Plots of the selected body over time, with one cursor and one zoom for all.
 import uPlot from "uplot";
 import {rowAt} from "./data.js";
+import {largestOf, spreadOf} from "./extent.js";
 import {decimalsOf, element, fixed, number} from "./format.js";
 
 const HEIGHT = 190;    // px
@@ -9,24 +10,6 @@ const MOST_DOTS = 40;  // rows in sight up to which each is marked
 const FEW_DIGITS = 4;  // of values whose sizes are far apart
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
-
-// How far the line that changes most does so.
-const spreadOf = (chart) => {
-  let spread = 0;
-  for (const {values} of chart.lines) {
-    let low = Infinity, high = -Infinity;
-    for (const value of values) { low = Math.min(low, value); high = Math.max(high, value); }
-    spread = Math.max(spread, high - low);
-  }
-  return spread;
-};
-
-const largestOf = (chart) => {
-  let largest = 0;
-  for (const line of chart.lines)
-    for (const value of line.values) largest = Math.max(largest, Math.abs(value));
-  return largest;
-};
 
 // Of [N], [N m] and [J]: the prefix by which the largest number is written shortly.
 const scaleOf = (chart) => {

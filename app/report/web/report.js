@@ -5,7 +5,7 @@ import {addChooser, USAGE} from "./chooser.js";
 import {Clock} from "./clock.js";
 import {readRun, seriesOf} from "./data.js";
 import {showDetails, showHead} from "./facts.js";
-import {element, grouped, number} from "./format.js";
+import {at, button, element, grouped, number} from "./format.js";
 import {Plots} from "./plots.js";
 import {Replay} from "./replay.js";
 import {Strip} from "./strip.js";
@@ -13,9 +13,6 @@ import {Strip} from "./strip.js";
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50];
 const SLIDER_STEPS = 10000;
 const KEY_STEPS = 200;  // a key moves the time by this part of the run
-
-const at = (id) => document.getElementById(id);
-const button = (text, title, onclick) => element("button", {type: "button", textContent: text, title, onclick});
 
 const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const look = () => ({water: color("--water"), waterLine: color("--water-line"), ground: color("--ground"),

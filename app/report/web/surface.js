@@ -24,10 +24,10 @@ export class Surface {
     this.geometry = new THREE.BufferGeometry();
     this.geometry.setAttribute("position", new THREE.BufferAttribute(this.positions, 3));
     this.geometry.setIndex(this.faces());
-    this.geometry.setAttribute("color", this.colors(1));
+    this.geometry.setAttribute("color", this.colors());
     this.lines = new THREE.BufferGeometry();
     this.lines.setAttribute("position", this.geometry.getAttribute("position"));
-    this.lines.setAttribute("color", this.colors(1));
+    this.lines.setAttribute("color", this.colors());
     this.lines.setIndex(this.segments());
     const surface = new THREE.Mesh(this.geometry, new THREE.MeshPhongMaterial({
       color: look.color, specular: 0x99bbcc, shininess: 70, vertexColors: true, transparent: true,
@@ -59,12 +59,12 @@ export class Surface {
     return index;
   }
 
-  colors(weight) {
+  colors() {
     const colors = new Float32Array(4 * this.count ** 2).fill(1);
     const middle = (this.count - 1) / 2;
     for (let j = 0; j < this.count; ++j)
       for (let i = 0; i < this.count; ++i)
-        colors[4 * (j * this.count + i) + 3] = weight * fade((i - middle) / middle, (j - middle) / middle);
+        colors[4 * (j * this.count + i) + 3] = fade((i - middle) / middle, (j - middle) / middle);
     return new THREE.BufferAttribute(colors, 4);
   }
 
