@@ -1,5 +1,6 @@
 """That tools/golden tells a motion that has changed, and renews it."""
 
+import json
 from pathlib import Path
 import shutil
 import subprocess
@@ -9,6 +10,7 @@ import unittest
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENE = "thesis_cube_768"
+OTHER = "thesis_sphere_480"
 PROGRAM = sys.argv.pop()
 
 
@@ -51,6 +53,15 @@ class Golden(unittest.TestCase):
         self.assertIn("NOT what it was", done.stdout)
         self.assertRegex(done.stdout, r"position +0\.001 m ")
         self.assertEqual(golden("check", "--golden", self.kept).returncode, 0)
+
+    def test_new_runs_are_kept_each_in_a_folder_of_its_own(self):
+        shutil.copytree(ROOT / "tests/golden" / OTHER, self.kept / OTHER)
+        runs = self.kept / "runs"
+        done = golden("check", SCENE, OTHER, "--golden", self.kept, "--keep", runs)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for scene in SCENE, OTHER:
+            summary = json.loads((runs / scene / "summary.json").read_text())
+            self.assertIn(scene, summary["scene"])
 
     def test_a_scene_that_is_not_kept_is_code_two(self):
         done = golden("check", "teapot_drop", "--golden", self.kept)

@@ -22,7 +22,6 @@ SCENES = ROOT / "scenes"
 ROWS = 40
 DIGITS = 10
 DIFFERENT = 1  # Exit code of plimsoll compare.
-KEPT = ("trajectory.csv", "tolerances.yaml", "origin.json")
 
 
 class GoldenError(Exception):
@@ -56,9 +55,9 @@ def run(program, scene, out, every):
     return Path(out)
 
 
-def compare(program, golden, new, extra=()):
+def compare(program, golden, new):
     """@return what plimsoll compare says, and whether they are the same."""
-    done = subprocess.run([program, "compare", golden, new, *extra], capture_output=True, text=True)
+    done = subprocess.run([program, "compare", golden, new], capture_output=True, text=True)
     if done.returncode not in (0, DIFFERENT):
         raise GoldenError(done.stderr)
     return done.stdout, done.returncode == 0
@@ -80,7 +79,7 @@ def check(program, golden, keep):
     scene = golden.name
     origin = json.loads((golden / "origin.json").read_text())
     with tempfile.TemporaryDirectory() as folder:
-        out = run(program, scene, keep or folder, origin["every"])
+        out = run(program, scene, keep / scene if keep else folder, origin["every"])
         said, same = compare(program, golden, out / "trajectory.csv")
     if not same:
         print(f"{scene} is no longer what {origin['version']} made by\n  {origin['command']}\n{said}")
@@ -121,9 +120,11 @@ def main():
     parser.add_argument("--program", default=os.environ.get("PLIMSOLL", str(ROOT / "build/plimsoll")))
     parser.add_argument("--golden", type=Path, default=GOLDEN, metavar="DIR",
                         help="folder of the golden runs [tests/golden]")
-    parser.add_argument("--keep", metavar="DIR", help="check: keep the new run there")
+    parser.add_argument("--keep", type=Path, metavar="DIR",
+                        help="check: keep the new run in DIR/SCENE")
     options = parser.parse_args()
     program = str(Path(options.program).resolve())
+    keep = options.keep and options.keep.resolve()
     scenes = [Path(scene).stem for scene in options.scenes] or known(options.golden)
     if options.action == "list":
         print("\n".join(known(options.golden)))
@@ -139,7 +140,7 @@ def main():
                               f"{', '.join(known(options.golden))}. "
                               f"To make it: tools/golden renew {scene}")
         else:
-            same = check(program, options.golden / scene, options.keep) and same
+            same = check(program, options.golden / scene, keep) and same
     return 0 if same else DIFFERENT
 
 
