@@ -11,11 +11,12 @@ packages=(
   fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
 )
 
-# What only the report's page and its test need: npm to bundle it, a browser to open it. Ubuntu has no
-# package of chromium that runs by itself; the test is skipped without one. A node and npm from
-# elsewhere will do.
+# What only the report's page needs, to bundle it. A node and npm from elsewhere will do.
 report_packages=()
 command -v npm > /dev/null || report_packages+=(nodejs npm)
+
+# What only tests need, each skipped without it: Python's to read what the program writes, a browser
+# to open the page. Ubuntu has no package of chromium that runs by itself.
 test_packages=(python3-h5py python3-jsonschema python3-yaml)
 if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
 

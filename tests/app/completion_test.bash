@@ -22,7 +22,7 @@ expect_all_options() {
   local option
   COMP_WORDS=(plimsoll "$1" --) COMP_CWORD=2 COMPREPLY=()
   _plimsoll
-  for option in $("$program" "$1" --help | grep -oE '^  (-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+'); do
+  for option in $("$program" "$1" --help | grep -oE '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+'); do
     if [[ " ${COMPREPLY[*]} " != *" $option "* ]]; then
       printf '%s: %s is not offered\n' "$1" "$option"
       failures=$((failures + 1))
