@@ -105,7 +105,7 @@ TEST_F(FileWrittenWhole, IsThatOfOneOfTwoWhoWriteAtOnce) {
 }
 
 /// The fault of writing a file.
-std::string fault_of(const fs::path& file) {
+std::string write_fault(const fs::path& file) {
   try {
     app::write_whole(file, "a\n");
   } catch (const std::runtime_error& error) {
@@ -116,13 +116,13 @@ std::string fault_of(const fs::path& file) {
 
 TEST_F(FileWrittenWhole, IsNamedWhereItCannotBe) {
   app::write_whole(folder / "file", "a\n");
-  EXPECT_THAT(fault_of(folder / "file/a.csv"), HasSubstr("file/a.csv cannot be written: "));
+  EXPECT_THAT(write_fault(folder / "file/a.csv"), HasSubstr("file/a.csv cannot be written: "));
   fs::create_directory(folder / "a.csv");
-  EXPECT_EQ(fault_of(folder / "a.csv"),
+  EXPECT_EQ(write_fault(folder / "a.csv"),
             (folder / "a.csv").string() + " cannot be written: Is a directory");
   EXPECT_THAT(files_in(folder), ElementsAre("a.csv", "file"));
   // Who may write anywhere is stopped by the kernel's own files alone.
-  EXPECT_THAT(fault_of("/proc/a.csv"), HasSubstr("/proc/a.csv cannot be written: "));
+  EXPECT_THAT(write_fault("/proc/a.csv"), HasSubstr("/proc/a.csv cannot be written: "));
 }
 
 }  // namespace
