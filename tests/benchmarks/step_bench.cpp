@@ -16,8 +16,9 @@
 /// between them, BM_Step/BODIES/crates, the same in heaps of ten, three high, or
 /// BM_Step/BODIES/heap, all in one heap; in BM_Step/BODIES/asleep they lie apart and all but one
 /// sleep. Each crate has 192 triangles, the default coefficients, half the density of the water,
-/// and rocks. The half second of motion that is measured begins two seconds after the start; `held`
-/// is the share of the bodies' steps that contacts had a part in.
+/// and rocks; those of BM_Step/BODIES/boxes, apart, and BM_Step/BODIES/boxes_heap have 12 triangles
+/// and no viscous drag. The half second of motion that is measured begins two seconds after the
+/// start; `held` is the share of the bodies' steps that contacts had a part in.
 namespace bench {
 namespace {
 
@@ -32,6 +33,7 @@ struct Crates {
   int bodies = 1;
   int heap = 1;
   bool asleep = false;
+  bool plain = false;  ///< Boxes of 12 triangles without viscous drag.
   auto operator<=>(const Crates&) const = default;
 };
 
@@ -49,7 +51,7 @@ Eigen::Vector3d place(int body, const Crates& crates) {
 }
 
 engine::SimulationSpec world_of(const Crates& crates) {
-  const hydro::TriMesh mesh = hydro::make_box({1, 1, 1}, 4);
+  const hydro::TriMesh mesh = hydro::make_box({1, 1, 1}, crates.plain ? 1 : 4);
   const hydro::SolidProperties solid = hydro::solid_properties(mesh);
   const double density = 500;
   engine::SimulationSpec spec;
@@ -61,6 +63,7 @@ engine::SimulationSpec world_of(const Crates& crates) {
     body.collision = engine::CollisionShape::box;  // As a scene's boxes have it.
     body.mass = density * solid.volume;
     body.inertia_B = density * solid.inertia;
+    if (crates.plain) body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
     body.initial.position = place(i, crates);
     const Eigen::Vector3d axis(std::cos(i), std::sin(i), 0);
     body.initial.orientation = Eigen::AngleAxisd(0.05, axis);
@@ -118,8 +121,10 @@ void register_step() {
   for (const int bodies : {10, 100, 1000}) {
     add_step({bodies, 10}, "/crates");
     add_step({bodies, bodies}, "/heap");
-    add_step({bodies, 1, true}, "/asleep");
+    add_step({.bodies = bodies, .asleep = true}, "/asleep");
   }
+  add_step({.bodies = 1000, .plain = true}, "/boxes");
+  add_step({.bodies = 1000, .heap = 1000, .plain = true}, "/boxes_heap");
 }
 
 }  // namespace bench
