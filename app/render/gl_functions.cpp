@@ -32,7 +32,9 @@ GlFunctions load_gl_functions(FunctionFinder find) {
   load(find, gl.CompileShader, "glCompileShader");
   load(find, gl.CreateProgram, "glCreateProgram");
   load(find, gl.CreateShader, "glCreateShader");
+  load(find, gl.DeleteBuffers, "glDeleteBuffers");
   load(find, gl.DeleteShader, "glDeleteShader");
+  load(find, gl.DeleteVertexArrays, "glDeleteVertexArrays");
   load(find, gl.DepthMask, "glDepthMask");
   load(find, gl.Disable, "glDisable");
   load(find, gl.DrawBuffer, "glDrawBuffer");

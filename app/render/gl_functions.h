@@ -28,7 +28,9 @@ struct GlFunctions {
   PFNGLCOMPILESHADERPROC CompileShader = nullptr;
   PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
   PFNGLCREATESHADERPROC CreateShader = nullptr;
+  PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
   PFNGLDELETESHADERPROC DeleteShader = nullptr;
+  PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
   PFNGLDISABLEPROC Disable = nullptr;
   PFNGLDRAWBUFFERPROC DrawBuffer = nullptr;

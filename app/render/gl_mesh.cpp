@@ -1,6 +1,7 @@
 #include "app/render/gl_mesh.h"
 
 #include <cassert>
+#include <utility>
 
 namespace render {
 
@@ -8,12 +9,26 @@ GlMesh::GlMesh(const GlFunctions& gl, const Eigen::Matrix3Xi& triangles)
     : gl_(&gl), index_count_(static_cast<GLsizei>(triangles.size())) {
   gl.GenVertexArrays(1, &array_);
   gl.BindVertexArray(array_);
-  GLuint indices = 0;
-  gl.GenBuffers(1, &indices);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+  gl.GenBuffers(1, &indices_);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
                 static_cast<GLsizeiptr>(triangles.size()) * static_cast<GLsizeiptr>(sizeof(int)),
                 triangles.data(), GL_STATIC_DRAW);
+}
+
+GlMesh::~GlMesh() {
+  if (!gl_) return;
+  gl_->DeleteVertexArrays(1, &array_);
+  gl_->DeleteBuffers(1, &indices_);
+  gl_->DeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());  // Passes over zeros.
+}
+
+void GlMesh::swap(GlMesh& other) noexcept {
+  std::swap(gl_, other.gl_);
+  std::swap(array_, other.array_);
+  std::swap(index_count_, other.index_count_);
+  std::swap(indices_, other.indices_);
+  std::swap(buffers_, other.buffers_);
 }
 
 void GlMesh::set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& values) {

@@ -7,11 +7,18 @@
 
 namespace render {
 
-/// Indexed triangles on the graphics device. Lives as long as the context it is made in.
+/// Indexed triangles on the graphics device. Goes with the context it is made in, which must be
+/// current when it goes before.
 class GlMesh {
  public:
   /// @param triangles   3×T, vertex numbers, in the order in which they are drawn.
   GlMesh(const GlFunctions& gl, const Eigen::Matrix3Xi& triangles);
+  ~GlMesh();
+  GlMesh(GlMesh&& other) noexcept { swap(other); }
+  GlMesh& operator=(GlMesh&& other) noexcept {
+    swap(other);
+    return *this;
+  }
 
   /// Sets vertex attribute `location`: a column a vertex, 1 to 4 rows. May be called for each
   /// picture; the number of columns stays the same.
@@ -20,9 +27,12 @@ class GlMesh {
   void draw() const;
 
  private:
-  const GlFunctions* gl_;
+  void swap(GlMesh& other) noexcept;
+
+  const GlFunctions* gl_ = nullptr;
   GLuint array_ = 0;
   GLsizei index_count_ = 0;
+  GLuint indices_ = 0;
   std::array<GLuint, 4> buffers_ = {};
 };
 

@@ -90,10 +90,15 @@ GLuint make_scale_texture(const GlFunctions& gl) {
 
 struct Renderer::Impl {
   Impl(Picture p, const std::filesystem::path& shaders);
+  ~Impl() { context_.make_current(); }  // Meshes are freed in the context they are of.
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   Image draw(const std::vector<hydro::BodyState>& states, double time);
+  void look(const Camera& camera);
 
  private:
+  void make_surroundings();
   void set_view(const GlProgram& program, double time) const;
   void draw_sky(double time) const;
   void draw_ground(double time) const;
@@ -109,6 +114,7 @@ struct Renderer::Impl {
   GlMesh nothing_;  ///< Vertices that a shader makes up from their numbers.
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
+  double bodies_edge_ = 0;  ///< Their longest [m].
   std::vector<GlMesh> grounds_;
   std::optional<WaterSurface> surface_;
   std::optional<GlMesh> surface_mesh_;
@@ -126,11 +132,29 @@ Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
       water_(gl_, shaders, "water"),
       nothing_(gl_, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))),
       scale_texture_(make_scale_texture(gl_)) {
+  make_surroundings();
+}
+
+void Renderer::Impl::look(const Camera& camera) {
+  context_.make_current();
+  picture_.camera = camera;
+  view_ = make_view(camera, picture_.width, picture_.height);
+  make_surroundings();
+}
+
+/// What depends on the view, in arrays of their places about the eye.
+void Renderer::Impl::make_surroundings() {
   const double sag = kSagPixels * picture_size(view_) / picture_.height;
   const double longest_edge = picture_.sea ? longest_straight_edge(*picture_.sea, sag)
                                            : std::numeric_limits<double>::infinity();
-  for (const BodyLook& look : picture_.bodies)
-    bodies_.push_back(make_body(gl_, look, longest_edge));
+  // Bodies are made anew only for a view that they are too coarse for.
+  if (bodies_.empty() || longest_edge < bodies_edge_) {
+    bodies_edge_ = (bodies_.empty() ? 1 : 0.8) * longest_edge;
+    bodies_.clear();
+    for (const BodyLook& look : picture_.bodies)
+      bodies_.push_back(make_body(gl_, look, bodies_edge_));
+  }
+  grounds_.clear();
   if (picture_.ground_W) grounds_.push_back(make_ground(gl_, *picture_.ground_W, view_));
   if (picture_.ground_z) grounds_.push_back(make_plane(gl_, *picture_.ground_z, view_));
   if (!picture_.sea || !picture_.water_visible) return;
@@ -251,6 +275,8 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const std::string& Renderer::device() const { return impl_->context_.device(); }
+
+void Renderer::look(const Camera& camera) { impl_->look(camera); }
 
 Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time) {
   return impl_->draw(states, time);

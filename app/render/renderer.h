@@ -41,7 +41,7 @@ struct BodyLook {
   hydro::Coefficients coefficients;         ///< For the dynamic part of the pressure shown.
 };
 
-/// What is drawn, but for the bodies' states and the time: constant over a sequence.
+/// What is drawn, but for the bodies' states, the time and other cameras: constant over a sequence.
 struct Picture {
   int width = 960;
   int height = 720;
@@ -66,6 +66,9 @@ class Renderer {
 
   /// The device drawn on, as the graphics library names it.
   const std::string& device() const;
+
+  /// Looks from another place from the next picture on; the first is `Picture::camera`.
+  void look(const Camera& camera);
 
   /// One picture, without text: `add_overlay` (overlay.h) puts time and pressure scale on it, and
   /// `ContactSheet` (sheet.h) wants it bare.

@@ -158,6 +158,19 @@ TEST(Renderer, ForgetsThePictureBefore) {
   EXPECT_EQ(renderer.draw(scene.states, 0), before);
 }
 
+TEST(Renderer, LooksFromAnotherPlaceAsOneMadeThereDoes) {
+  Scene scene = ball_from_above();
+  scene.picture.ground_z = -3;
+  render::Renderer renderer(scene.picture, pictures::shader_folder());
+  const Image before = renderer.draw(scene.states, 0);
+  const render::Camera first = scene.picture.camera;
+  scene.picture.camera = {.from = {7, 5, 3}, .to = {0.5, 0, 0}, .field_of_view = 0.8};
+  renderer.look(scene.picture.camera);
+  EXPECT_EQ(renderer.draw(scene.states, 0), pictures::draw(scene));
+  renderer.look(first);
+  EXPECT_EQ(renderer.draw(scene.states, 0), before);
+}
+
 TEST(WaterPicture, CoversTheSceneWithWater) {
   Scene scene = ball_from_above();
   const Image with = pictures::draw(scene);
