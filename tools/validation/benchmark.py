@@ -30,7 +30,8 @@ kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
 kBare = ("", "bare")
 # Arrangements of BM_Step, by the end of its name.
 kArrangements = {"": "apart", "crates": "in heaps of ten", "heap": "in one heap",
-                 "asleep": "apart, all but one asleep"}
+                 "asleep": "apart, all but one asleep", "boxes": "plain boxes apart",
+                 "boxes_heap": "plain boxes in one heap"}
 kFixed = ("real_time", "iterations:")  # What Google Benchmark adds to names.
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.ticker import NullLocator
 
 import plots
-from benchmark import kArrangements, kBare, Findings
+from benchmark import kBare, Findings
 
 pyplot = plots.pyplot
 
@@ -95,7 +95,8 @@ def _ticks(axes, counts: list[int], steps: tuple[int, ...]) -> None:
 
 def _bodies(found: Findings):
     figure, axes = pyplot.subplots(figsize=(5.2, 3.2), layout="constrained")
-    for arrangement, color, marker in zip(kArrangements.values(), plots.kColors, "osD^"):
+    shown = ("apart", "in heaps of ten", "in one heap", "apart, all but one asleep")
+    for arrangement, color, marker in zip(shown, plots.kColors, "osD^"):
         chosen = [step for step in found.steps if step.arrangement == arrangement]
         axes.loglog([step.bodies for step in chosen], [step.per_body for step in chosen],
                     color=color, marker=marker)
