@@ -4,11 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "app/background.h"
+#include "app/pressure_range.h"
 #include "app/program_files.h"
 #include "app/render/overlay.h"
 #include "app/render/png.h"
@@ -22,50 +22,6 @@ namespace {
 constexpr std::size_t kMostWaiting = 2;
 
 const char* const kFramesFolder = "frames";  ///< Their folder in that of the run.
-
-/// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
-double highest_pressure(const engine::BodySpec& body, const hydro::BodyState& state,
-                        const hydro::Sea& sea, double time) {
-  const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
-  const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
-  const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
-  const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
-  const double scale = hydro::drag_scale(body.coefficients, state, sea.current);
-  double highest = 0;
-  for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
-    const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
-    for (int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d p = r.col(body.mesh_B.faces(i, face));
-      const Eigen::Vector3d p_W = state.position + p;
-      const double depth = hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z();
-      if (depth <= 0) continue;
-      const double u = motion.at(p).dot(n);
-      const double c_p = u > 0 ? drag.front : drag.back;
-      highest = std::max(highest,
-                         sea.density * (sea.gravity * depth + 0.5 * scale * c_p * u * std::abs(u)));
-    }
-  }
-  return highest;
-}
-
-/// The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: an end for a scale.
-double rounded_up(double value) {
-  const double decade = std::pow(10, std::floor(std::log10(value)));
-  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
-    if (value <= step * decade * (1 + 1e-9)) return step * decade;
-  return 10 * decade;
-}
-
-render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
-                                     const std::vector<Shot>& shots) {
-  render::PressureScale scale{look.pressure_min, look.pressure_max.value_or(0)};
-  if (look.pressure_max) return scale;
-  double highest = 0;
-  for (const Shot& shot : shots) highest = std::max(highest, highest_pressure(spec, shot));
-  constexpr double kLeastSpan = 1;  // [Pa], for scenes in which nothing gets wet
-  scale.max = highest > scale.min + kLeastSpan ? rounded_up(highest) : scale.min + 1000;
-  return scale;
-}
 
 render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
                         const render::PressureScale& scale) {
@@ -114,15 +70,6 @@ void remove_pictures(const std::filesystem::path& folder) {
     if (is_frame(entry.path())) old.push_back(entry.path());
   for (const std::filesystem::path& file : old) std::filesystem::remove(file);
   if (std::filesystem::is_empty(frames)) std::filesystem::remove(frames);
-}
-
-double highest_pressure(const engine::SimulationSpec& spec, const Shot& shot) {
-  double highest = 0;
-  if (!spec.sea) return highest;
-  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-    highest =
-        std::max(highest, highest_pressure(spec.bodies[i], shot.states[i], *spec.sea, shot.time));
-  return highest;
 }
 
 PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,

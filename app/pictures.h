@@ -8,15 +8,9 @@
 
 #include "app/assemble.h"
 #include "app/scene/scene.h"
-#include "hydro/spatial.h"
+#include "app/shot.h"
 
 namespace app {
-
-/// States of all bodies at the times that are to be drawn.
-struct Shot {
-  double time = 0;  ///< [s]
-  std::vector<hydro::BodyState> states;
-};
 
 /// How the pictures came about.
 struct PictureReport {
@@ -40,9 +34,5 @@ std::filesystem::path frame_file(const std::filesystem::path& folder, std::size_
 
 /// Removes the frames and the sheet that an earlier run left in a folder.
 void remove_pictures(const std::filesystem::path& folder);
-
-/// The largest gauge pressure on the bodies' wetted vertices, hydrostatic plus that of the pressure
-/// drag [Pa]; 0 without any.
-double highest_pressure(const engine::SimulationSpec& spec, const Shot& shot);
 
 }  // namespace app

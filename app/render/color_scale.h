@@ -2,28 +2,53 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/render/image.h"
 
 namespace render {
 
-/// The ends of the colour scale [Pa].
+/// Colours from a low to a high end.
+///
+/// - `turbo`: blue, cyan, green, yellow, red; the part from 0.09 to 0.92 of Turbo [M19], whose hue
+///   runs one way and whose lightness has no false edges. Its near-black ends are cut, since they
+///   would not show shape.
+/// - `viridis`, `cividis`: even in lightness, also for colour-blind eyes [vdW15, N18].
+/// - `coolwarm`: blue to red over a pale middle [M09], for what may be negative.
+/// - `gray`: dark to light.
+/// - `thesis`: blue, cyan, green, yellow, red, fully saturated, as the gradient that the project's
+///   method was first shown with.
+///
+/// [M19]   A. Mikhailov, Turbo, an improved rainbow colormap for visualization, Google 2019; the
+///         polynomial by R. Bruna.
+/// [vdW15] S. van der Walt, N. Smith, A better default colormap for Matplotlib, SciPy 2015.
+/// [N18]   J. Nunez, C. Anderton, R. Renslow, Optimizing colormaps with consideration for color
+///         vision deficiency, PLoS ONE 13 (2018).
+/// [M09]   K. Moreland, Diverging color maps for scientific visualization, ISVC 2009.
+enum class ColorMap { turbo, viridis, cividis, coolwarm, gray, thesis };
+
+/// All of them by their names.
+const std::vector<std::pair<std::string, ColorMap>>& color_maps();
+
+/// What is shown of the gauge pressure on a wetted surface: ρ g h, ½ ρ C_p v_n |v_n|, or both.
+enum class Pressure { total, hydrostatic, dynamic };
+
+/// Its ends are in Pa.
 struct PressureScale {
   double min = 0;
   double max = 1;
+  ColorMap colors = ColorMap::turbo;
+  Pressure shows = Pressure::total;
 };
 
-/// Number of colours that the scale is made of.
+/// Of what a scale shows, for a figure; the unit is left out.
+std::string scale_name(Pressure shows);
+
+/// Number of colours that a scale is made of.
 inline constexpr int kScaleColors = 256;
 
-/// The colours from the low to the high end: blue, cyan, green, yellow, red. It is the part from
-/// 0.09 to 0.92 of Turbo [M19], whose hue runs one way and whose lightness has no false edges; its
-/// near-black ends are cut, since they would not show shape.
-///
-/// [M19] A. Mikhailov, Turbo, an improved rainbow colormap for visualization, Google 2019; the
-///       polynomial by R. Bruna.
-const std::array<Rgb, kScaleColors>& scale_colors();
+const std::array<Rgb, kScaleColors>& scale_colors(ColorMap map = ColorMap::turbo);
 
 /// The colour of a pressure [Pa]; beyond the ends the ends' colours hold.
 Rgb scale_color(const PressureScale& scale, double pressure);

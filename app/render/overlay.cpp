@@ -23,7 +23,7 @@ struct Bar {
   bool standing;
 };
 
-void draw_colors(Image& image, const Bar& bar) {
+void draw_colors(Image& image, const Bar& bar, ColorMap colors) {
   fill(image, {bar.left - 1, bar.top - 1, bar.width + 2, bar.height + 2, 2}, kInk, 0.75);
   const double length = bar.standing ? bar.height : bar.width;
   const int pixels = static_cast<int>(length);
@@ -31,7 +31,7 @@ void draw_colors(Image& image, const Bar& bar) {
     const auto index = static_cast<std::size_t>((i + 0.5) / pixels * kScaleColors);
     const Panel line = bar.standing ? Panel{bar.left, bar.top + length - 1 - i, bar.width, 1, 0}
                                     : Panel{bar.left + i, bar.top, 1, bar.height, 0};
-    fill(image, line, scale_colors()[index]);
+    fill(image, line, scale_colors(colors)[index]);
   }
 }
 
@@ -70,7 +70,7 @@ void add_scale(Image& image, const Font& font, double size, const PressureScale&
   font.write(image, "kPa", panel.left + 0.6 * size, panel.top + 0.6 * size + font.cap_height());
   const Bar bar = {panel.left + std::round(0.6 * size), panel.top + std::round(2.4 * size),
                    bar_width, bar_height, true};
-  draw_colors(image, bar);
+  draw_colors(image, bar, scale.colors);
   for (const Tick& tick : ticks) {
     const double y = tick_place(bar, tick);
     fill(image, {bar.left + bar.width + 1, y, std::round(0.3 * size), 1, 0}, kInk);
@@ -97,13 +97,13 @@ Image lying_scale(const PressureScale& scale, int width, int text_size) {
   const Font font(text_size);
   const double size = text_size;
   Image image = filled_image(width, static_cast<int>(3.6 * size), kPaper);
-  const std::string name = "pressure on the wetted surface [kPa]";
+  const std::string name = scale_name(scale.shows) + " [kPa]";
   const double bar_width = std::round(std::min(0.45 * width, 40 * size));
   const double gap = size;
   const double left = std::round((width - bar_width - gap - font.width(name)) / 2);
   const Bar bar = {left + std::round(font.width(name) + gap), std::round(0.6 * size), bar_width,
                    std::round(0.95 * size), false};
-  draw_colors(image, bar);
+  draw_colors(image, bar, scale.colors);
   font.write(image, name, left, bar.top + (bar.height + font.cap_height()) / 2);
   for (const Tick& tick : round_ticks(scale)) {
     const double x = tick_place(bar, tick);

@@ -72,13 +72,13 @@ GlMesh make_plane(const GlFunctions& gl, double z, const View& view) {
   return mesh;
 }
 
-GLuint make_scale_texture(const GlFunctions& gl) {
+GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors) {
   GLuint name = 0;
   gl.GenTextures(1, &name);
   gl.BindTexture(GL_TEXTURE_2D, name);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kScaleColors, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
-                scale_colors().data());
+                scale_colors(colors).data());
   for (const GLenum key : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl.TexParameteri(GL_TEXTURE_2D, key, GL_CLAMP_TO_EDGE);
   for (const GLenum key : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -131,7 +131,7 @@ Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
       ground_(gl_, shaders, "ground"),
       water_(gl_, shaders, "water"),
       nothing_(gl_, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))),
-      scale_texture_(make_scale_texture(gl_)) {
+      scale_texture_(make_scale_texture(gl_, picture_.pressure.colors)) {
   make_surroundings();
 }
 
@@ -222,9 +222,12 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
     }
     body.mesh.set(2, depths);
     body_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
-    body_.set("u_weight", sea.density * sea.gravity);
+    const Pressure shows = picture_.pressure.shows;
+    body_.set("u_weight", shows == Pressure::dynamic ? 0.0 : sea.density * sea.gravity);
     const double half_density =
-        0.5 * sea.density * hydro::drag_scale(look.coefficients, state, sea.current);
+        shows == Pressure::hydrostatic
+            ? 0
+            : 0.5 * sea.density * hydro::drag_scale(look.coefficients, state, sea.current);
     body_.set("u_drag_front", half_density * look.coefficients.pressure_drag.front);
     body_.set("u_drag_back", half_density * look.coefficients.pressure_drag.back);
   }

@@ -18,7 +18,7 @@
 /// Pictures of bodies in the sea, drawn without a window.
 ///
 /// Above the water a body has its own colour; below it the gauge pressure on its surface on a
-/// colour scale: p = ρ g h + ½ ρ C_p v_n |v_n| with the depth h, and v_n the speed against the
+/// colour scale: p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms, with the depth h, and v_n the speed against the
 /// water along the outward normal. The normal is the one the body is shaded with: smooth over edges
 /// of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
 /// stands for. The depth is linear over each triangle, and the two kinds of colour meet where it is

@@ -230,7 +230,13 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"render.camera.to", "What it looks at."},
     {"render.camera.fov_deg", "Vertical field of view."},
     {"render.pressure", "The colour scale of the pressure on the wet surface."},
-    {"render.pressure.min", "Lower end."},
+    {"render.pressure.shows",
+     "`hydrostatic`: ρ g h. `dynamic`: ½ ρ C_p v_n |v_n|, by the speed v_n against the water along "
+     "the normal. `total`: both."},
+    {"render.pressure.colors",
+     "Colours by name: `turbo` and `thesis` from blue over green to red, `viridis` and `cividis` "
+     "even in lightness, `coolwarm` pale in the middle, for what may be negative."},
+    {"render.pressure.min", "Lower end; `auto`: found from the scene."},
     {"render.pressure.max", "Upper end; `auto`: found from the scene."},
 });
 

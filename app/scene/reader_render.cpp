@@ -6,23 +6,40 @@ namespace app {
 
 namespace {
 
-/// The ends of the colour scale.
+/// A number, or `auto`: none. Left as it is without the key, and after a fault.
+void read_end(MapReader& map, const char* key, const char* fallback, std::optional<double>& end) {
+  const std::string expected = "a number [Pa], or auto";
+  const auto value =
+      map.find(key, expected, fallback, {shape(number("Pa"), false, 0), words_shape({"auto"})});
+  if (!value) return;
+  double number_of_it = 0;
+  if (value->node.is_word("auto"))
+    end.reset();
+  else if (read_number(*value, number("Pa"), expected, number_of_it))
+    end = number_of_it;
+}
+
+/// The colour scale.
 struct PressureBlock {
-  double min = 0;
-  std::optional<double> max;
+  std::optional<double> min, max;
+  render::ColorMap colors = render::ColorMap::turbo;
+  render::Pressure shows = render::Pressure::total;
 };
 
 void read(MapReader& map, PressureBlock& pressure) {
-  const bool min_is_right = map.optional("min", pressure.min, number("Pa")) || !map.has("min");
-  const std::string expected = "a number [Pa], or auto";
-  const auto value =
-      map.find("max", expected, "auto", {shape(number("Pa"), false, 0), words_shape({"auto"})});
-  double max = 0;
-  if (!value || value->node.is_word("auto") || !read_number(*value, number("Pa"), expected, max))
-    return;
-  if (min_is_right && max <= pressure.min)
-    value->fault(fmt::format("found {:g}, expected more than min ({:g}) [Pa]", max, pressure.min));
-  pressure.max = max;
+  using render::Pressure;
+  const ChoiceRule<Pressure> what{{{"total", Pressure::total},
+                                   {"hydrostatic", Pressure::hydrostatic},
+                                   {"dynamic", Pressure::dynamic}}};
+  map.optional("shows", pressure.shows, what);
+  map.optional("colors", pressure.colors, ChoiceRule<render::ColorMap>{render::color_maps()});
+  // Dynamic pressure is below that of the still water where a surface leaves it.
+  if (pressure.shows != Pressure::dynamic) pressure.min = 0;
+  read_end(map, "min", "0; auto if shows is dynamic", pressure.min);
+  read_end(map, "max", "auto", pressure.max);
+  if (pressure.min && pressure.max && *pressure.max <= *pressure.min)
+    map.fault("max", fmt::format("found {:g}, expected more than min ({:g}) [Pa]", *pressure.max,
+                                 *pressure.min));
 }
 
 /// Up in a picture is the world's up, so the camera cannot look along it. The smallest slope that
@@ -50,10 +67,12 @@ void read(MapReader& map, RenderScene& render) {
   map.optional("size", render.size, between(16, 8192, "px"));
   map.optional("every", render.every, positive("s"));
   map.block("camera", render.camera);
-  PressureBlock pressure;
+  PressureBlock pressure{.min = 0};
   map.block("pressure", pressure);
   render.pressure_min = pressure.min;
   render.pressure_max = pressure.max;
+  render.colors = pressure.colors;
+  render.shows = pressure.shows;
 }
 
 }  // namespace app

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/render/color_scale.h"
 #include "hydro/coefficients.h"
 #include "hydro/loads.h"
 #include "hydro/spatial.h"
@@ -188,8 +189,10 @@ struct RenderScene {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
   CameraScene camera;
-  double pressure_min = 0;             ///< [Pa]
-  std::optional<double> pressure_max;  ///< [Pa]; none: `auto`.
+  std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
+  std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
+  render::ColorMap colors = render::ColorMap::turbo;
+  render::Pressure shows = render::Pressure::total;
 };
 
 struct IntegratorScene {
