@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "app/background.h"
+#include "app/force_notes.h"
 #include "app/pressure_range.h"
 #include "app/program_files.h"
+#include "app/render/annotation.h"
 #include "app/render/overlay.h"
 #include "app/render/png.h"
 #include "app/render/renderer.h"
@@ -30,7 +32,9 @@ render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
                           .height = look.size[1],
                           .camera = {look.camera.from, look.camera.to, look.camera.field_of_view},
                           .pressure = scale,
-                          .sea = spec.sea};
+                          .sea = spec.sea,
+                          .bold_waterline = look.show.waterline,
+                          .wireframe = look.show.wireframe};
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     picture.bodies.push_back({.mesh_B = spec.bodies[i].mesh_B,
                               .color = scene.bodies[i].color,
@@ -80,6 +84,9 @@ PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
   make_fresh_frames(folder);
   std::optional<render::PressureScale> shown;
   if (assembly.spec.sea) shown = scale;
+  const render::View view = renderer.view();
+  const double grid = renderer.grid();
+  const ForceNotes notes(*scene.render, assembly.spec, shots, render::picture_size(view));
   render::ContactSheet sheet(shown);
   PictureReport report{.device = renderer.device(), .pressure_max = scale.max};
   Background finishing(assembly.spec.threads, kMostWaiting);
@@ -87,11 +94,14 @@ PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
     const auto number = static_cast<std::size_t>(report.frames++);
     const std::filesystem::path file = frame_file(folder, number);
     render::Image image = renderer.draw(shot.states, shot.time);
-    finishing.put([&sheet, &shown, time = shot.time, file, image = std::move(image)]() mutable {
-      sheet.add(image, time);
-      render::add_overlay(image, shown, time);
-      render::write_png(image, file);
-    });
+    finishing.put(
+        [&, time = shot.time, note = notes.of(shot), file, image = std::move(image)]() mutable {
+          render::annotate(image, view, note);
+          sheet.add(image, time);
+          render::add_legend(image, view, note);
+          render::add_overlay(image, shown, time, grid);
+          render::write_png(image, file);
+        });
     if (!progress(report.frames, static_cast<int>(shots.size()))) break;
   }
   if (report.frames > 0)

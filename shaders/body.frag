@@ -8,11 +8,17 @@ uniform float u_weight;         // rho g [Pa/m]
 uniform float u_drag_front;     // rho C_p / 2 where the surface moves into the water [Pa s^2/m^2]
 uniform float u_drag_back;      // the same where it moves out of it
 uniform float u_flat_depth;     // steps of depth below this are rounding [m]
+uniform float u_line_width;     // of the waterline [px]
+uniform bool u_bold;            // the waterline is to be seen first
+
+const vec3 k_line = vec3(0.97, 0.99, 1.0);
+const vec3 k_bold_line = vec3(0.88, 0.05, 0.52);  // a hue that no pressure has
 
 in vec3 v_position_E;
 in vec3 v_normal;
 in vec3 v_velocity;
 in float v_depth;
+in float v_open;
 out vec4 o_color;
 
 vec3 pressure_color(float pressure) {
@@ -25,7 +31,7 @@ vec3 dry_color(vec3 normal, vec3 to_eye) {
   float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 3.0);
   vec3 half_way = normalize(u_key_light + to_eye);
   float gloss = 0.12 * pow(max(dot(normal, half_way), 0.0), 40.0);
-  return u_color * matt_light(normal) + 0.10 * rim * k_horizon + gloss;
+  return u_color * matt_light(normal) * mix(0.45, 1.0, v_open) + 0.10 * rim * k_horizon + gloss;
 }
 
 // Only brightness is shaded, and less, so that a colour can be read off the scale.
@@ -34,7 +40,7 @@ vec3 wet_color(vec3 normal) {
   float drag = speed > 0.0 ? u_drag_front : u_drag_back;
   float pressure = u_weight * v_depth + drag * speed * abs(speed);
   float facing = 0.5 + 0.5 * dot(normal, u_key_light);
-  return pressure_color(pressure) * (0.74 + 0.26 * facing);
+  return pressure_color(pressure) * (0.74 + 0.26 * facing) * mix(0.8, 1.0, v_open);
 }
 
 void main() {
@@ -46,7 +52,8 @@ void main() {
   float depth_px = level ? v_depth / u_flat_depth - 8.0 : v_depth / slope;
   float wet = u_sea ? clamp(depth_px + 0.5, 0.0, 1.0) : 0.0;
   vec3 color = mix(dry_color(normal, to_eye), wet_color(normal), wet);
-  float line = u_sea && !level ? 1.0 - smoothstep(0.5, 1.5, abs(depth_px)) : 0.0;
-  color = mix(color, vec3(0.97, 0.99, 1.0), 0.8 * line);
+  float edge = 0.5 * u_line_width;
+  float line = u_sea && !level ? 1.0 - smoothstep(edge - 0.5, edge + 0.5, abs(depth_px)) : 0.0;
+  color = u_bold ? mix(color, k_bold_line, line) : mix(color, k_line, 0.8 * line);
   o_color = vec4(through_medium(color, v_position_E), 1.0);
 }

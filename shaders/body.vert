@@ -3,6 +3,7 @@
 layout(location = 0) in vec3 a_position_B;
 layout(location = 1) in vec3 a_normal_B;
 layout(location = 2) in float a_depth;  // below the water surface [m]
+layout(location = 3) in float a_open;   // share of the sky that the body itself does not hide
 
 uniform mat3 u_rotation;  // R_WB
 uniform vec3 u_position;  // p_EB [m]
@@ -13,6 +14,7 @@ out vec3 v_position_E;
 out vec3 v_normal;
 out vec3 v_velocity;
 out float v_depth;
+out float v_open;
 
 void main() {
   vec3 arm = u_rotation * a_position_B;
@@ -20,5 +22,6 @@ void main() {
   v_normal = u_rotation * a_normal_B;
   v_velocity = u_velocity + cross(u_spin, arm);
   v_depth = a_depth;
+  v_open = a_open;
   gl_Position = u_clip_from_E * vec4(v_position_E, 1.0);
 }

@@ -5,15 +5,18 @@
 
 namespace render {
 
-GlMesh::GlMesh(const GlFunctions& gl, const Eigen::Matrix3Xi& triangles)
-    : gl_(&gl), index_count_(static_cast<GLsizei>(triangles.size())) {
+GlMesh::GlMesh(const GlFunctions& gl, const Eigen::Ref<const Eigen::MatrixXi>& elements)
+    : gl_(&gl),
+      kind_(elements.rows() == 2 ? GL_LINES : GL_TRIANGLES),
+      index_count_(static_cast<GLsizei>(elements.size())) {
+  assert(elements.outerStride() == elements.rows());
   gl.GenVertexArrays(1, &array_);
   gl.BindVertexArray(array_);
   gl.GenBuffers(1, &indices_);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
-                static_cast<GLsizeiptr>(triangles.size()) * static_cast<GLsizeiptr>(sizeof(int)),
-                triangles.data(), GL_STATIC_DRAW);
+                static_cast<GLsizeiptr>(elements.size()) * static_cast<GLsizeiptr>(sizeof(int)),
+                elements.data(), GL_STATIC_DRAW);
 }
 
 GlMesh::~GlMesh() {
@@ -26,6 +29,7 @@ GlMesh::~GlMesh() {
 void GlMesh::swap(GlMesh& other) noexcept {
   std::swap(gl_, other.gl_);
   std::swap(array_, other.array_);
+  std::swap(kind_, other.kind_);
   std::swap(index_count_, other.index_count_);
   std::swap(indices_, other.indices_);
   std::swap(buffers_, other.buffers_);
@@ -47,7 +51,7 @@ void GlMesh::set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& value
 
 void GlMesh::draw() const {
   gl_->BindVertexArray(array_);
-  gl_->DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  gl_->DrawElements(kind_, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace render

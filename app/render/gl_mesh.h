@@ -7,12 +7,12 @@
 
 namespace render {
 
-/// Indexed triangles on the graphics device. Goes with the context it is made in, which must be
-/// current when it goes before.
+/// Indexed triangles or lines on the graphics device. Goes with the context it is made in, which
+/// must be current when it goes before.
 class GlMesh {
  public:
-  /// @param triangles   3×T, vertex numbers, in the order in which they are drawn.
-  GlMesh(const GlFunctions& gl, const Eigen::Matrix3Xi& triangles);
+  /// @param elements   3×T or 2×L, vertex numbers, in the order in which they are drawn.
+  GlMesh(const GlFunctions& gl, const Eigen::Ref<const Eigen::MatrixXi>& elements);
   ~GlMesh();
   GlMesh(GlMesh&& other) noexcept { swap(other); }
   GlMesh& operator=(GlMesh&& other) noexcept {
@@ -31,6 +31,7 @@ class GlMesh {
 
   const GlFunctions* gl_ = nullptr;
   GLuint array_ = 0;
+  GLenum kind_ = 0;
   GLsizei index_count_ = 0;
   GLuint indices_ = 0;
   std::array<GLuint, 4> buffers_ = {};

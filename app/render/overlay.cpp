@@ -47,12 +47,19 @@ double widest(const Font& font, const std::vector<Tick>& ticks) {
   return width;
 }
 
-void add_time(Image& image, const Font& font, double size, double time) {
-  const std::string label = time_label(time);
-  const double height = font.cap_height() + 1.1 * size;
-  const Panel panel = {0.8 * size, 0.8 * size, font.width(label) + 1.2 * size, height, 0.3 * size};
+/// Lines of text on a panel, upper left.
+void add_lines(Image& image, const Font& font, double size, const std::vector<std::string>& lines) {
+  const double step = font.cap_height() + 0.7 * size;
+  double width = 0;
+  for (const std::string& line : lines) width = std::max(width, font.width(line));
+  const double height = step * static_cast<double>(lines.size()) + 0.4 * size;
+  const Panel panel = {0.8 * size, 0.8 * size, width + 1.2 * size, height, 0.3 * size};
   fill(image, panel, kPaper, kPaperWeight);
-  font.write(image, label, panel.left + 0.6 * size, panel.top + 0.55 * size + font.cap_height());
+  double y = panel.top + 0.55 * size + font.cap_height();
+  for (const std::string& line : lines) {
+    font.write(image, line, panel.left + 0.6 * size, y);
+    y += step;
+  }
 }
 
 void add_scale(Image& image, const Font& font, double size, const PressureScale& scale) {
@@ -83,13 +90,16 @@ void add_scale(Image& image, const Font& font, double size, const PressureScale&
 
 std::string time_label(double time) { return fmt::format("t = {:.2f} s", time); }
 
-void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time) {
+void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time,
+                 double grid) {
   const int extent = std::min(image.width, image.height);
   if (extent < kLeastExtent) return;
   // 18 px at 720 lines stays legible when the picture is printed a column wide.
   const int size = std::max(11, extent / 40);
   const Font font(size);
-  add_time(image, font, size, time);
+  std::vector<std::string> lines = {time_label(time)};
+  if (grid > 0) lines.push_back(fmt::format("grid {:g} m", grid));
+  add_lines(image, font, size, lines);
   if (scale) add_scale(image, font, size, *scale);
 }
 

@@ -8,6 +8,7 @@
 #include "app/render/framebuffer.h"
 #include "app/render/gl_mesh.h"
 #include "app/render/gl_program.h"
+#include "app/render/occlusion.h"
 #include "app/render/skin.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
@@ -30,6 +31,7 @@ constexpr double kMostFaces = 100'000;
 struct DrawnBody {
   Skin skin_B;
   GlMesh mesh;
+  std::optional<GlMesh> edges;
 };
 
 /// 1, 2 or 5 times a power of ten, about `length`.
@@ -40,9 +42,6 @@ double round_length(double length) {
   return power;
 }
 
-/// Height of the picture at the distance of the point looked at [m].
-double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
-
 DrawnBody make_body(const GlFunctions& gl, const BodyLook& look, double longest_edge) {
   Skin skin =
       make_skin(std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces)
@@ -50,7 +49,14 @@ DrawnBody make_body(const GlFunctions& gl, const BodyLook& look, double longest_
   GlMesh mesh(gl, skin.triangles);
   mesh.set(0, skin.vertices.cast<float>());
   mesh.set(1, skin.normals.cast<float>());
-  return {std::move(skin), std::move(mesh)};
+  mesh.set(3, openness(look.mesh_B, skin));
+  return {std::move(skin), std::move(mesh), std::nullopt};
+}
+
+GlMesh make_edges(const GlFunctions& gl, const hydro::TriMesh& mesh_B) {
+  GlMesh edges(gl, edges_of(mesh_B));
+  edges.set(0, mesh_B.vertices.cast<float>());
+  return edges;
 }
 
 GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view) {
@@ -100,9 +106,13 @@ struct Renderer::Impl {
  private:
   void make_surroundings();
   void set_view(const GlProgram& program, double time) const;
+  double grid_length() const { return round_length(0.25 * picture_size(view_)); }
+  /// A pixel of a picture of 720 lines, but not less than one [px].
+  double line_unit() const { return std::max(1.0, picture_.height / 720.0); }
   void draw_sky(double time) const;
   void draw_ground(double time) const;
   void draw_body(std::size_t index, const hydro::BodyState& state, double time);
+  void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
   void draw_water(double time);
 
   Picture picture_;
@@ -110,7 +120,7 @@ struct Renderer::Impl {
   EglContext context_;
   const GlFunctions& gl_ = context_.gl();
   Framebuffer canvas_;
-  GlProgram sky_, body_, ground_, water_;
+  GlProgram sky_, body_, edge_, ground_, water_;
   GlMesh nothing_;  ///< Vertices that a shader makes up from their numbers.
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
@@ -128,6 +138,7 @@ Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
       canvas_(gl_, picture_.width, picture_.height),
       sky_(gl_, shaders, "sky"),
       body_(gl_, shaders, "body"),
+      edge_(gl_, shaders, "edge"),
       ground_(gl_, shaders, "ground"),
       water_(gl_, shaders, "water"),
       nothing_(gl_, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))),
@@ -151,8 +162,10 @@ void Renderer::Impl::make_surroundings() {
   if (bodies_.empty() || longest_edge < bodies_edge_) {
     bodies_edge_ = (bodies_.empty() ? 1 : 0.8) * longest_edge;
     bodies_.clear();
-    for (const BodyLook& look : picture_.bodies)
+    for (const BodyLook& look : picture_.bodies) {
       bodies_.push_back(make_body(gl_, look, bodies_edge_));
+      if (picture_.wireframe) bodies_.back().edges = make_edges(gl_, look.mesh_B);
+    }
   }
   grounds_.clear();
   if (picture_.ground_W) grounds_.push_back(make_ground(gl_, *picture_.ground_W, view_));
@@ -178,7 +191,7 @@ void Renderer::Impl::set_view(const GlProgram& program, double time) const {
   program.set("u_visibility", 40 * view_.distance);
   program.set("u_murk", 0.45 / picture_size(view_));
   program.set("u_level", picture_.sea ? picture_.sea->level - eye.z() : 0.0);
-  const double grid = round_length(0.25 * picture_size(view_));
+  const double grid = grid_length();
   program.set("u_grid", grid);
   program.set("u_grid_shift",
               Vector3d(eye.unaryExpr([&](double x) { return std::remainder(x, grid); })));
@@ -234,6 +247,20 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
   body.mesh.draw();
 }
 
+void Renderer::Impl::draw_edges(const std::vector<hydro::BodyState>& states, double time) const {
+  set_view(edge_, time);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.DepthMask(GL_FALSE);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    edge_.set("u_rotation", states[i].orientation.toRotationMatrix());
+    edge_.set("u_position", Vector3d(states[i].position - view_.eye_W));
+    bodies_[i].edges->draw();
+  }
+  gl_.DepthMask(GL_TRUE);
+  gl_.Disable(GL_BLEND);
+}
+
 void Renderer::Impl::draw_water(double time) {
   const Eigen::MatrixXf vertices = surface_->vertices(time);
   surface_mesh_->set(0, vertices.topRows<3>().eval());
@@ -266,7 +293,10 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   body_.set("u_pressure_min", picture_.pressure.min);
   body_.set("u_pressure_range", picture_.pressure.max - picture_.pressure.min);
   body_.set("u_flat_depth", 1e-7 * picture_size(view_));
+  body_.set("u_line_width", (picture_.bold_waterline ? 4.0 : 2.0) * line_unit());
+  body_.set("u_bold", picture_.bold_waterline ? 1 : 0);
   for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time);
+  if (picture_.wireframe) draw_edges(states, time);
   if (surface_) draw_water(time);
   return canvas_.read();
 }
@@ -278,6 +308,14 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const std::string& Renderer::device() const { return impl_->context_.device(); }
+
+double Renderer::grid() const {
+  const Picture& p = impl_->picture_;
+  const bool lined = (p.sea && p.water_visible) || p.ground_W || p.ground_z;
+  return lined ? impl_->grid_length() : 0;
+}
+
+const View& Renderer::view() const { return impl_->view_; }
 
 void Renderer::look(const Camera& camera) { impl_->look(camera); }
 

@@ -9,6 +9,7 @@
 
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
+#include "app/render/view.h"
 #include "hydro/coefficients.h"
 #include "hydro/mesh.h"
 #include "hydro/sea.h"
@@ -18,11 +19,11 @@
 /// Pictures of bodies in the sea, drawn without a window.
 ///
 /// Above the water a body has its own colour; below it the gauge pressure on its surface on a
-/// colour scale: p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms, with the depth h, and v_n the speed against the
-/// water along the outward normal. The normal is the one the body is shaded with: smooth over edges
-/// of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
-/// stands for. The depth is linear over each triangle, and the two kinds of colour meet where it is
-/// zero.
+/// colour scale: p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms, with the depth h, and v_n
+/// the speed against the water along the outward normal. The normal is the one the body is shaded
+/// with: smooth over edges of less than 40 degrees, so that the picture shows the pressure on the
+/// shape that the mesh stands for. The depth is linear over each triangle, and the two kinds of
+/// colour meet where it is zero.
 ///
 /// No graphics library is loaded before the first Renderer is made.
 
@@ -52,6 +53,8 @@ struct Picture {
   std::optional<hydro::TriMesh> ground_W;  ///< Sea floor or shore.
   std::optional<double> ground_z;          ///< A flat sea floor, drawn to the horizon.
   bool water_visible = true;               ///< False: pressures without the water before them.
+  bool bold_waterline = false;
+  bool wireframe = false;  ///< With the edges of the bodies' meshes.
 };
 
 /// Draws a sequence of pictures. Owns the graphics context; one thread at a time.
@@ -66,6 +69,12 @@ class Renderer {
 
   /// The device drawn on, as the graphics library names it.
   const std::string& device() const;
+
+  /// Of the next picture.
+  const View& view() const;
+
+  /// Distance of the lines on water and ground [m]; 0 if there is neither.
+  double grid() const;
 
   /// Looks from another place from the next picture on; the first is `Picture::camera`.
   void look(const Camera& camera);

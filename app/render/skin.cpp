@@ -186,6 +186,20 @@ double straight_edge(const hydro::WaveSurface& waves, double sag) {
 
 }  // namespace
 
+Eigen::Matrix2Xi edges_of(const TriMesh& mesh) {
+  std::vector<std::pair<int, int>> all;
+  for (const auto f : mesh.faces.colwise())
+    for (int i = 0; i < 3; ++i) all.push_back(std::minmax({f[i], f[(i + 1) % 3]}));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  Eigen::Matrix2Xi edges(2, static_cast<Index>(all.size()));
+  for (Index i = 0; i < edges.cols(); ++i) {
+    const auto& [a, b] = all[static_cast<std::size_t>(i)];
+    edges.col(i) << a, b;
+  }
+  return edges;
+}
+
 Skin make_skin(const TriMesh& mesh) {
   Eigen::Matrix3Xd areas(3, mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) areas.col(f) = hydro::area_vector(mesh, f);

@@ -19,6 +19,9 @@ struct Skin {
 /// caps do, those of a sphere of 12 slices do not [rad].
 inline constexpr double kCreaseAngle = 0.6981317007977318;  // 40 degrees
 
+/// The edges of a mesh, each once: 2×E, vertex numbers.
+Eigen::Matrix2Xi edges_of(const hydro::TriMesh& mesh);
+
 /// Smooth normals: in each corner of a face the sum of the normals, weighted by area, of the faces
 /// around that vertex which lie within the crease angle of the face itself.
 Skin make_skin(const hydro::TriMesh& mesh);

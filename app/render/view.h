@@ -31,6 +31,9 @@ struct View {
   }
 };
 
+/// Height of the picture at the distance of the point looked at [m].
+inline double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
+
 /// A camera that looks straight up or down has +y at the top of its picture.
 View make_view(const Camera& camera, int width, int height);
 

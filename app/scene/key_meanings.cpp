@@ -229,6 +229,10 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"render.camera.from", "Where the camera stands."},
     {"render.camera.to", "What it looks at."},
     {"render.camera.fov_deg", "Vertical field of view."},
+    {"render.show",
+     "Besides the bodies: `forces`, arrows of weight, buoyancy, drag and lift with one scale for "
+     "the whole sequence; `centres` of mass G and buoyancy B; `waterline`, drawn bold; "
+     "`wireframe`, the edges of the meshes."},
     {"render.pressure", "The colour scale of the pressure on the wet surface."},
     {"render.pressure.shows",
      "`hydrostatic`: ρ g h. `dynamic`: ½ ρ C_p v_n |v_n|, by the speed v_n against the water along "

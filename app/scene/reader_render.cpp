@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/scene/reader_blocks.h"
+#include "app/scene/reader_nearest.h"
 
 namespace app {
 
@@ -21,7 +22,7 @@ void read_end(MapReader& map, const char* key, const char* fallback, std::option
 
 /// The colour scale.
 struct PressureBlock {
-  std::optional<double> min, max;
+  std::optional<double> min = 0, max;
   render::ColorMap colors = render::ColorMap::turbo;
   render::Pressure shows = render::Pressure::total;
 };
@@ -34,12 +35,40 @@ void read(MapReader& map, PressureBlock& pressure) {
   map.optional("shows", pressure.shows, what);
   map.optional("colors", pressure.colors, ChoiceRule<render::ColorMap>{render::color_maps()});
   // Dynamic pressure is below that of the still water where a surface leaves it.
-  if (pressure.shows != Pressure::dynamic) pressure.min = 0;
+  if (pressure.shows == Pressure::dynamic) pressure.min.reset();
   read_end(map, "min", "0; auto if shows is dynamic", pressure.min);
   read_end(map, "max", "auto", pressure.max);
   if (pressure.min && pressure.max && *pressure.max <= *pressure.min)
     map.fault("max", fmt::format("found {:g}, expected more than min ({:g}) [Pa]", *pressure.max,
                                  *pressure.min));
+}
+
+const std::vector<std::pair<std::string, bool ShowScene::*>> kShown = {
+    {"forces", &ShowScene::forces},
+    {"centres", &ShowScene::centres},
+    {"waterline", &ShowScene::waterline},
+    {"wireframe", &ShowScene::wireframe}};
+
+void read_shown(MapReader& map, ShowScene& show) {
+  std::vector<std::string> words;
+  for (const auto& [word, field] : kShown) words.push_back(word);
+  const std::string expected = "a list of " + enumerate(words, "and");
+  ValueShape list = list_shape(words_shape(words), 0);
+  list.distinct = true;
+  const auto value = map.find("show", expected, "[]", {list});
+  if (!value) return;
+  if (!value->node.is(YamlNode::Kind::list)) {
+    value->refuse(expected);
+    return;
+  }
+  for (std::size_t i = 0; i < value->node.items.size(); ++i) {
+    std::size_t index = 0;
+    const Value item = value->item(i);
+    if (!read_word(item, words, index)) continue;
+    bool& shown = show.*kShown[index].second;
+    if (shown) item.fault(fmt::format("found {}, which is there already", item.node.text));
+    shown = true;
+  }
 }
 
 /// Up in a picture is the world's up, so the camera cannot look along it. The smallest slope that
@@ -67,7 +96,8 @@ void read(MapReader& map, RenderScene& render) {
   map.optional("size", render.size, between(16, 8192, "px"));
   map.optional("every", render.every, positive("s"));
   map.block("camera", render.camera);
-  PressureBlock pressure{.min = 0};
+  read_shown(map, render.show);
+  PressureBlock pressure;
   map.block("pressure", pressure);
   render.pressure_min = pressure.min;
   render.pressure_max = pressure.max;

@@ -185,6 +185,14 @@ struct CameraScene {
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad], 35 degrees.
 };
 
+/// What is drawn besides the bodies, the water and the ground.
+struct ShowScene {
+  bool forces = false;
+  bool centres = false;
+  bool waterline = false;
+  bool wireframe = false;
+};
+
 struct RenderScene {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
@@ -193,6 +201,7 @@ struct RenderScene {
   std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
   render::ColorMap colors = render::ColorMap::turbo;
   render::Pressure shows = render::Pressure::total;
+  ShowScene show;
 };
 
 struct IntegratorScene {

@@ -85,7 +85,8 @@ std::string every_key() {
          "  size: [320, 16]\n"
          "  every: 0.25\n"
          "  camera: {from: [1, 2, 3], to: [4, 5, 6], fov_deg: 90}\n"
-         "  pressure: {min: -100, max: 5e3}\n";
+         "  show: [wireframe, forces]\n"
+         "  pressure: {shows: dynamic, colors: coolwarm, min: -100, max: 5e3}\n";
 }
 
 const std::string kSpectrum =
@@ -332,6 +333,18 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_NEAR(render->camera.field_of_view, 90 * kDegree, kRoundOff);
   EXPECT_EQ(render->pressure_min, -100);
   EXPECT_EQ(render->pressure_max, 5e3);
+  EXPECT_EQ(render->shows, render::Pressure::dynamic);
+  EXPECT_EQ(render->colors, render::ColorMap::coolwarm);
+  EXPECT_TRUE(render->show.forces && render->show.wireframe);
+  EXPECT_FALSE(render->show.centres || render->show.waterline);
+}
+
+TEST(SceneKeys, DynamicPressureHasALowerEndThatIsFound) {
+  const std::string head = "plimsoll: 1\nduration: 0\nrender: {pressure: {";
+  EXPECT_EQ(read_scene_text(head + "shows: dynamic}}\n").render->pressure_min, std::nullopt);
+  EXPECT_EQ(read_scene_text(head + "shows: hydrostatic}}\n").render->pressure_min, 0);
+  EXPECT_EQ(read_scene_text(head + "min: auto}}\n").render->pressure_min, std::nullopt);
+  EXPECT_EQ(read_scene_text("plimsoll: 1\nduration: 0\nrender: {}\n").render->pressure_min, 0);
 }
 
 TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {

@@ -1,10 +1,13 @@
 #include "app/render/image.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <numeric>
+#include <set>
+#include <string>
 
 #include "app/render/color_scale.h"
 #include "app/render/overlay.h"
@@ -74,6 +77,26 @@ TEST(ScaleColors, RunFromBlueOverGreenToRed) {
   EXPECT_GT(colors[128].g, colors[128].b);
   EXPECT_GT(colors.back().r, 4 * colors.back().g);
   for (std::size_t i = 1; i < colors.size(); ++i) EXPECT_NE(colors[i], colors[i - 1]) << i;
+}
+
+TEST(ScaleColors, OfAllNamesDifferAndHaveNoJumps) {
+  std::set<std::string> ends;
+  for (const auto& [name, map] : render::color_maps()) {
+    const auto& colors = render::scale_colors(map);
+    for (std::size_t i = 1; i < colors.size(); ++i) {
+      const auto step = [&](std::uint8_t a, std::uint8_t b) { return std::abs(a - b); };
+      const render::Rgb a = colors[i - 1], b = colors[i];
+      EXPECT_LE(std::max({step(a.r, b.r), step(a.g, b.g), step(a.b, b.b)}), 8) << name << ' ' << i;
+    }
+    ends.insert(fmt::format("{} {} {}", colors[0].r, colors[64].g, colors[255].b));
+  }
+  EXPECT_EQ(ends.size(), render::color_maps().size());
+}
+
+TEST(ScaleColors, OfTheThesisRunFromBlueToRed) {
+  const auto& colors = render::scale_colors(render::ColorMap::thesis);
+  EXPECT_EQ(colors.front(), (render::Rgb{0, 0, 255}));
+  EXPECT_EQ(colors.back(), (render::Rgb{255, 0, 0}));
 }
 
 TEST(ScaleColors, HoldBeyondTheEnds) {

@@ -147,6 +147,54 @@ TEST(PressureColor, AddsTheDragsPressureByTheSpeedAlongTheNormal) {
   }
 }
 
+TEST(PressureColor, ShowsOnePartOfThePressureWhereAsked) {
+  constexpr double kDrag = 0.6316, kSpeed = -4;
+  Scene scene = ball_in_water_to(0.2);
+  scene.picture.bodies[0].coefficients.pressure_drag = {kDrag, kDrag};
+  scene.states[0].linear_velocity = {0, 0, kSpeed};
+  scene.picture.pressure.shows = render::Pressure::hydrostatic;
+  EXPECT_LT(largest_error(scene, 0.2, [&](double z) { return kWeight * (0.2 - z); }),
+            support::tolerance(kReading));
+  scene.picture.pressure.shows = render::Pressure::dynamic;
+  const auto dynamic = [&](double z) {
+    return 0.5 * 1000 * kDrag * kSpeed * z * std::abs(kSpeed * z);
+  };
+  EXPECT_LT(largest_error(scene, 0.2, dynamic), support::tolerance(kReading));
+}
+
+TEST(Waterline, IsDrawnBoldWhereAsked) {
+  Scene scene = ball_in_water_to(0.17);
+  scene.picture.bold_waterline = true;
+  const Image image = pictures::draw(scene);
+  const double row = row_of_height(0.17);
+  int pink = 0;
+  for (int y = 0; y < image.height; ++y) {
+    const Rgb c = image.at(kMiddleColumn, y);
+    if (c.r < c.g + 100 || c.b < c.g + 50) continue;
+    ++pink;
+    EXPECT_NEAR(y + 0.5, row, 3);
+  }
+  EXPECT_GE(pink, 3);
+}
+
+/// Of a box of 12 triangles: each side has its diagonal, and no other line in its middle.
+TEST(Wireframe, ShowsTheEdgesOfTheMesh) {
+  Scene scene = ball_in_water_to(0);
+  scene.picture.sea.reset();
+  scene.picture.bodies[0].mesh_B = hydro::make_box({1.6, 1.6, 1.6});
+  scene.picture.camera.from.z() = 0;
+  const Image plain = pictures::draw(scene);
+  scene.picture.wireframe = true;
+  const Image lined = pictures::draw(scene);
+  const int half = static_cast<int>(kPixelsPerSlope * 0.8 / (kDistance - 0.8));
+  int darker = 0;
+  for (int x = kMiddleColumn - half / 2; x < kMiddleColumn + half / 2; ++x)
+    darker += brightness(plain.at(x, 100)) - brightness(lined.at(x, 100)) > 60;
+  EXPECT_GE(darker, 1);
+  EXPECT_LE(darker, 4);
+  EXPECT_EQ(plain.at(10, 10), lined.at(10, 10));
+}
+
 TEST(PressureColor, OfABodyThatDriftsWithTheWaterIsThatOfABodyAtRest) {
   Scene drifting = ball_in_water_to(0.2);
   drifting.picture.bodies[0].coefficients.pressure_drag = {0.6316, 0.6316};
