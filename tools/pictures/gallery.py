@@ -1,0 +1,129 @@
+"""Runs scenes and shows all their pictures on one page."""
+from __future__ import annotations
+
+import argparse
+import html
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+kRoot = Path(__file__).resolve().parents[2]
+kHead = "teapot_drop"  # Whose sheet heads the README.
+
+kPage = """<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Plimsoll: gallery</title>
+<style>
+  :root {{ color-scheme: light dark; }}
+  body {{ font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 88rem;
+         padding: 0 1.2rem; background: Canvas; color: CanvasText; }}
+  h1 {{ font-size: 1.5rem; font-weight: 600; margin: 0; }}
+  p {{ margin: .2rem 0 1.6rem; opacity: .75; }}
+  main {{ display: grid; gap: 1.6rem; grid-template-columns: repeat(auto-fill, minmax(24rem, 1fr)); }}
+  figure {{ margin: 0; }}
+  img {{ width: 100%; height: auto; border-radius: 6px; display: block; }}
+  figcaption {{ margin-top: .5rem; }}
+  figcaption b {{ display: block; font-weight: 600; }}
+  small {{ opacity: .75; }}
+</style>
+<h1>Gallery</h1>
+<p>{count} scenes, run and drawn in {seconds:.0f} s. A picture leads to the whole sequence.</p>
+<main>
+{figures}
+</main>
+"""
+
+kFigure = """<figure>
+<a href="{name}/sheet.png"><img src="{picture}" alt="{title}" loading="lazy"></a>
+<figcaption><b>{title}</b><small>scenes/{name}.yaml: {told}</small></figcaption>
+</figure>"""
+
+
+@dataclass(frozen=True)
+class Result:
+    """A scene that was run."""
+
+    name: str
+    folder: Path
+    error: str  # Empty: none.
+
+    @property
+    def frames(self) -> list[Path]:
+        return sorted(self.folder.glob("frames/**/frame_*.png"))
+
+    @property
+    def summary(self) -> dict:
+        return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+
+
+def parse_arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tools/gallery", description=__doc__)
+    parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE",
+                        help="scene files [all in scenes/]")
+    parser.add_argument("--out", type=Path, default=Path("out/gallery"), metavar="DIR",
+                        help="folder of the page [out/gallery]")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY.PATH=VALUE",
+                        help="for every scene, such as render.pressure.colors=viridis")
+    parser.add_argument("--readme", action="store_true",
+                        help=f"put the sheet of {kHead} at the head of the README")
+    return parser.parse_args()
+
+
+def run(program: Path, scene: Path, out: Path, changes: list[str]) -> Result:
+    folder = out / scene.stem
+    command = [str(program), "run", str(scene), "--quiet", "--threads", "1", "--out", str(folder)]
+    for change in changes:
+        command += ["--set", change]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    error = done.stderr.strip() if done.returncode else ""
+    print(f"{scene.stem}: {error or 'done'}", file=sys.stderr)
+    return Result(scene.stem, folder, error)
+
+
+def figure(result: Result) -> str:
+    """The picture in the middle of the sequence: most scenes have come to their point by then."""
+    summary = result.summary
+    title = summary.get("title") or result.name.replace("_", " ")
+    bodies = len(summary.get("bodies", [])) or None
+    told = ", ".join(part for part in (
+        f"{bodies} bod{'y' if bodies == 1 else 'ies'}" if bodies else "",
+        f"{summary['simulated_seconds']:g} s", f"{len(result.frames)} pictures") if part)
+    picture = result.frames[len(result.frames) // 2].relative_to(result.folder.parent)
+    return kFigure.format(name=result.name, picture=picture.as_posix(),
+                          title=html.escape(title), told=told)
+
+
+def main() -> int:
+    arguments = parse_arguments()
+    program = Path(os.environ["PLIMSOLL"]).resolve()
+    scenes = arguments.scenes or sorted((kRoot / "scenes").glob("*.yaml"))
+    missing = [scene for scene in scenes if not scene.is_file()]
+    if missing:
+        print(f"tools/gallery: there is no scene {missing[0]}", file=sys.stderr)
+        return 2
+    out = arguments.out
+    out.mkdir(parents=True, exist_ok=True)
+    begin = time.monotonic()
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = list(pool.map(lambda scene: run(program, scene, out, arguments.set), scenes))
+    drawn = [result for result in results if not result.error and result.frames]
+    page = out / "index.html"
+    page.write_text(kPage.format(count=len(drawn), seconds=time.monotonic() - begin,
+                                 figures="\n".join(figure(result) for result in drawn)),
+                    encoding="utf-8")
+    print(page)
+    if arguments.readme:
+        shutil.copy(out / kHead / "sheet.png", kRoot / "scenes" / "pictures" / f"{kHead}.png")
+    return 0 if len(drawn) == len(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
