@@ -237,11 +237,17 @@ Motion settled(const Body& body, const Surroundings& around, const Motion& befor
   return motion;
 }
 
+hydro::Wrench pull_on(const Body& body, const hydro::BodyState& state) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  return wrench(*body.pull, inertia_W(body, body.motion, R_WB), state);
+}
+
 hydro::Wrench find_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,
                          double time) {
   body.loads.applied.clear();
   for (const AppliedLoad& load : body.spec->loads)
     body.loads.applied.push_back(wrench(load, state, time));
+  if (body.pull) body.loads.applied.push_back(pull_on(body, state));
   body.loads.weight = {.force = {0, 0, -body.spec->mass * around.gravity}};
   if (body.wet) {
     const auto start = std::chrono::steady_clock::now();

@@ -12,6 +12,7 @@
 #include "engine/guide.h"
 #include "engine/kick_history.h"
 #include "engine/ledger.h"
+#include "engine/pull.h"
 #include "engine/six.h"
 
 /// @file
@@ -95,6 +96,7 @@ struct Body {
   bool locked = false;   ///< Some of it is.
   bool jointed = false;  ///< A joint holds it.
   std::optional<Guide> guide;
+  std::optional<Pull> pull;  ///< None as a rule.
 
   Motion motion;
   BodyLoads loads;  ///< Of the last evaluation.
@@ -168,6 +170,9 @@ bool nearly_met(const Body& body, const Matrix6d& start_B, const Matrix6d& taken
 /// to the water: what it gains shares the momentum (added_inertia.h).
 Motion settled(const Body& body, const Surroundings& around, const Motion& before,
                const Matrix6d& added_B);
+
+/// Of the hand that draws it, in a state; only where one does.
+hydro::Wrench pull_on(const Body& body, const hydro::BodyState& state);
 
 /// All loads on the body in a state, its weight included.
 /// Kept in body.loads.

@@ -42,7 +42,7 @@ bool must_not_gain_energy(const Body& body, const Surroundings& around) {
 }
 
 bool is_driven(const Body& body) {
-  return body.spec->coefficients.lift != 0 || !body.spec->loads.empty();
+  return body.spec->coefficients.lift != 0 || !body.spec->loads.empty() || body.pull;
 }
 
 double work_done(const Body& body, const Surroundings& around, const hydro::BodyState& before,

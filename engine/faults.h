@@ -26,7 +26,7 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
 
 /// The loads on a body in one step, by where they come from.
 struct BodyLoads {
-  std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`.
+  std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`; last, the pull.
   hydro::Loads water;
   hydro::Wrench weight;  ///< Of the body's own mass.
 

@@ -227,7 +227,7 @@ Kick explicit_kick(const Setting& s, const Motion& middle) {
   Kick first{.load = s.loads(s.u)};
   first.change = s.accelerated(s.step * first.load);
   first.sudden = true;
-  if (s.body.loads.water.wetted_area == 0 && !s.body.guide) return first;
+  if (s.body.loads.water.wetted_area == 0 && !s.body.guide && !s.body.pull) return first;
   Kick kick = kick_by(s, first.change);
   kick.sudden = true;
   // From the velocity of the start to that halfway; poses were the same.
@@ -267,7 +267,7 @@ Kick free_kick_again(Body& body, const Surroundings& around, const Middle& middl
 
 Kick free_kick(Body& body, const Surroundings& around, const Middle& middle, double time,
                double step) {
-  if (!body.wet && !body.adds && !body.locked && !body.guide)
+  if (!body.wet && !body.adds && !body.locked && !body.guide && !body.pull)
     return {.change = dry_change(body, around, middle.motion->state, time, step)};
   const Setting s = make_setting(body, around, middle, time, step);
   Kick kick = explicit_kick(s, *middle.motion);

@@ -161,6 +161,7 @@ BodyForces forces_on(const Body& body, const Surroundings& around, double time, 
   const Ledger& ledger = *motion.ledger;
   BodyForces forces{.works = ledger.works};
   for (const AppliedLoad& load : body.spec->loads) forces.applied += wrench(load, state, time);
+  if (body.pull) forces.applied += pull_on(body, state);
   forces.weight.force.z() = -body.spec->mass * around.gravity;
   if (body.wet && lowest_point(body.box_B, state) < around.highest)
     forces.water = hydro::compute_loads(*body.hull, state, *around.sea, time,

@@ -45,6 +45,7 @@ struct Simulation::Impl {
   explicit Impl(SimulationSpec description);
 
   void step();
+  void pull(BodyId body, const std::optional<Pull>& pull);
   std::vector<BodyForces> forces();
 
   double time() const { return static_cast<double>(steps) * spec.step; }
@@ -115,6 +116,14 @@ void Simulation::Impl::step() {
   broken = false;
   ++steps;
   if (warnings.empty()) warn();
+}
+
+void Simulation::Impl::pull(BodyId body, const std::optional<Pull>& pull) {
+  std::optional<Pull>& held = bodies[static_cast<std::size_t>(body)].pull;
+  held = pull;
+  if (!held) return;
+  held->rate = std::min(held->rate, kFastestPull / spec.step);
+  split->rouse(body);
 }
 
 void Simulation::Impl::advance() {
@@ -225,6 +234,7 @@ const std::vector<Path>& Simulation::paths() const {
 }
 const std::vector<std::string>& Simulation::warnings() const { return impl_->warnings; }
 
+void Simulation::pull(BodyId body, const std::optional<Pull>& pull) { impl_->pull(body, pull); }
 void Simulation::step() { impl_->step(); }
 
 }  // namespace engine

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "engine/force_log.h"
+#include "engine/pull.h"
 #include "engine/spec.h"
 
 namespace engine {
@@ -72,6 +74,10 @@ class Simulation {
   const std::vector<Path>& paths() const;  ///< Per body.
   /// What the user should know of the run so far, each once, as whole sentences.
   const std::vector<std::string>& warnings() const;
+
+  /// Draws the body by one of its points in all steps to come; none lets it go. At most one pull a
+  /// body, at a rate of at most kFastestPull a step; a body that cannot move does not.
+  void pull(BodyId body, const std::optional<Pull>& pull);
 
   /// One step. The state before it is kept if it throws; every later step then throws too.
   /// @throws SimulationError

@@ -61,18 +61,30 @@ void Sleep::wake(std::vector<Eigen::AlignedBox3d>& boxes) {
   const std::size_t before = awake.size();
   for (std::size_t k = 0; k < awake.size(); ++k) {
     for (const BodyId id : sleepers_in(boxes[static_cast<std::size_t>(awake[k])])) {
-      const std::shared_ptr<const Island> woken = island_[static_cast<std::size_t>(id)];
-      if (!woken) continue;  // with another one
-      for (const BodyId member : *woken) {
+      if (!asleep(id)) continue;  // woken with another one
+      for (const BodyId member : woken(id)) {
         const auto i = static_cast<std::size_t>(member);
-        island_[i] = nullptr;
-        still_[i] = 0;
         boxes[i] = place_[i];
         awake.push_back(member);
       }
     }
   }
   if (awake.size() > before) std::erase_if(by_place_, [this](BodyId id) { return !asleep(id); });
+}
+
+void Sleep::rouse(BodyId id) {
+  if (!asleep(id)) return;
+  woken(id);
+  std::erase_if(by_place_, [this](BodyId other) { return !asleep(other); });
+}
+
+Sleep::Island Sleep::woken(BodyId id) {
+  const Island island = *island_[static_cast<std::size_t>(id)];
+  for (const BodyId member : island) {
+    island_[static_cast<std::size_t>(member)] = nullptr;
+    still_[static_cast<std::size_t>(member)] = 0;
+  }
+  return island;
 }
 
 void Sleep::settle(const std::vector<Island>& islands, double time, double step) {
@@ -92,7 +104,7 @@ void Sleep::settle(const std::vector<Island>& islands, double time, double step)
 
 bool Sleep::is_still(const Body& body, double time) const {
   const std::vector<AppliedLoad>& loads = body.spec->loads;
-  return largest_speed(body) < limit_ &&
+  return largest_speed(body) < limit_ && !body.pull &&
          std::none_of(loads.begin(), loads.end(),
                       [&](const AppliedLoad& load) { return changes_after(load, time); });
 }

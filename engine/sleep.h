@@ -48,11 +48,16 @@ class Sleep {
   /// @param boxes   Per body its swept_box, empty for those asleep; filled in for those woken.
   void wake(std::vector<Eigen::AlignedBox3d>& boxes);
 
+  /// Wakes the body with its island.
+  void rouse(BodyId id);
+
   /// After a step [s] to `time` [s]: lays those down that rest.
   /// @param islands   Of the bodies that were awake in it.
   void settle(const std::vector<Island>& islands, double time, double step);
 
  private:
+  /// Wakes the island of a body that sleeps. @return its bodies
+  Island woken(BodyId id);
   bool is_still(const Body& body, double time) const;
   bool rests(const Island& island) const;
   void lay_down(const Island& island, double step);

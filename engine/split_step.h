@@ -32,6 +32,8 @@ class SplitStep {
   void advance(double time, double step);
 
   const Sleep& sleep() const { return sleep_; }
+  /// Wakes the body with what it sleeps with.
+  void rouse(BodyId id) { sleep_.rouse(id); }
 
  private:
   /// Per body, empty for those asleep.
