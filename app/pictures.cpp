@@ -25,8 +25,10 @@ constexpr std::size_t kMostWaiting = 2;
 
 const char* const kFramesFolder = "frames";  ///< Their folder in that of the run.
 
-render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
-                        const render::PressureScale& scale) {
+}  // namespace
+
+render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spec,
+                           const render::PressureScale& scale) {
   const RenderScene& look = *scene.render;
   render::Picture picture{.width = look.size[0],
                           .height = look.size[1],
@@ -45,6 +47,8 @@ render::Picture picture(const Scene& scene, const engine::SimulationSpec& spec,
     picture.ground_W = mesh->mesh_W;
   return picture;
 }
+
+namespace {
 
 /// Makes an empty folder for the frames.
 void make_fresh_frames(const std::filesystem::path& folder) {
@@ -80,7 +84,7 @@ PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
                             const std::vector<Shot>& shots, const std::filesystem::path& folder,
                             const PictureProgress& progress) {
   const render::PressureScale scale = pressure_scale(*scene.render, assembly.spec, shots);
-  render::Renderer renderer(picture(scene, assembly.spec, scale), program_files("shaders"));
+  render::Renderer renderer(picture_of(scene, assembly.spec, scale), program_files("shaders"));
   make_fresh_frames(folder);
   std::optional<render::PressureScale> shown;
   if (assembly.spec.sea) shown = scale;

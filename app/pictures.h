@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/assemble.h"
+#include "app/render/renderer.h"
 #include "app/scene/scene.h"
 #include "app/shot.h"
 
@@ -28,6 +29,10 @@ using PictureProgress = std::function<bool(int done, int all)>;
 PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
                             const std::vector<Shot>& shots, const std::filesystem::path& folder,
                             const PictureProgress& progress);
+
+/// How a scene with a render block looks.
+render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spec,
+                           const render::PressureScale& scale);
 
 /// Where the picture of that number lies, from 0.
 std::filesystem::path frame_file(const std::filesystem::path& folder, std::size_t number);

@@ -319,6 +319,8 @@ const View& Renderer::view() const { return impl_->view_; }
 
 void Renderer::look(const Camera& camera) { impl_->look(camera); }
 
+void Renderer::show_pressures(const PressureScale& scale) { impl_->picture_.pressure = scale; }
+
 Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time) {
   return impl_->draw(states, time);
 }

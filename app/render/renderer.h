@@ -79,6 +79,9 @@ class Renderer {
   /// Looks from another place from the next picture on; the first is `Picture::camera`.
   void look(const Camera& camera);
 
+  /// Shows pressures on another scale from the next picture on.
+  void show_pressures(const PressureScale& scale);
+
   /// One picture, without text: `add_overlay` (overlay.h) puts time and pressure scale on it, and
   /// `ContactSheet` (sheet.h) wants it bare.
   /// @param states   In the order of `Picture::bodies`.
