@@ -67,6 +67,7 @@ struct Arguments {
   RunOptions run;
   CompareOptions compare;
   RenderOptions render;
+  ViewOptions view;
   ReportOptions report;
   HydrostaticsOptions hydrostatics;
   AddedMassCommand addedmass;
@@ -137,6 +138,22 @@ void add_others(CLI::App& program, Arguments& a) {
       ->required();
   add_sets(render, a);
   render->add_flag("--quiet", a.render.quiet, "No progress and no report");
+}
+
+void add_view(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand("view", "Play a scene in a window, in real time");
+  command->add_option("scene", a.view.scene, "Scene file")->type_name("SCENE")->required();
+  add_sets(command, a);
+  command->add_option("--threads", a.view.threads, "Threads, 1 to 256 [all cores]")
+      ->check(CLI::Range(1, 256).description(""))
+      ->type_name("N");
+  CLI::Option* snapshot =
+      command->add_option("--snapshot", a.view.snapshot, "Save what the window shows, and quit")
+          ->type_name("FILE");
+  command->add_option("--after", a.view.after, "Simulated time of the snapshot [s] [0]")
+      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->type_name("SECONDS")
+      ->needs(snapshot);
 }
 
 void add_compare(CLI::App& program, Arguments& a) {
@@ -249,9 +266,10 @@ void check_command(const CLI::App& program, int argc, char** argv) {
 
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<Override> overrides = parse_overrides(a.sets);
-  a.run.overrides = a.render.overrides = a.addedmass.overrides = overrides;
+  a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
+  if (program.got_subcommand("view")) return view(a.view);
   if (program.got_subcommand("sweep")) return sweep(a.sweep);
   if (program.got_subcommand("new")) return new_scene(a.scene);
   if (program.got_subcommand("check")) return check(a.scenes, overrides);
@@ -274,6 +292,7 @@ int command_line(int argc, char** argv) {
   program.require_subcommand(1);
   Arguments arguments;
   add_run(program, arguments);
+  add_view(program, arguments);
   add_others(program, arguments);
   add_compare(program, arguments);
   add_report(program, arguments);

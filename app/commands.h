@@ -72,6 +72,16 @@ struct RenderOptions {
 };
 int render_trajectory(const RenderOptions& options);
 
+struct ViewOptions {
+  std::filesystem::path scene;
+  std::vector<Override> overrides;
+  int threads = 0;                 ///< 0: as many as the machine has.
+  std::filesystem::path snapshot;  ///< Of what the window shows `after` so long; empty: none.
+  double after = 0;                ///< Simulated [s].
+};
+/// Plays a scene in a window, in real time, until that is closed or the snapshot is taken.
+int view(const ViewOptions& options);
+
 /// In the folder of the run that it shows.
 inline constexpr const char* kReportFile = "report.html";
 

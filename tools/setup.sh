@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libfontconfig-dev libfreetype-dev
-  libgl-dev libhdf5-dev libhwy-dev libode-dev libpng-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev
+  libgl-dev libglfw3-dev libhdf5-dev libhwy-dev libode-dev libpng-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev python3 python3-numpy
   fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
 )
@@ -16,8 +16,8 @@ report_packages=()
 command -v npm > /dev/null || report_packages+=(nodejs npm)
 
 # What only tests need, each skipped without it: Python's to read what the program writes, a browser
-# to open the page. Ubuntu has no package of chromium that runs by itself.
-test_packages=(python3-h5py python3-jsonschema python3-yaml)
+# to open the page, a screen without a monitor for the window. Ubuntu has no package of chromium that runs by itself.
+test_packages=(python3-h5py python3-jsonschema python3-yaml xvfb)
 if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <variant>
+
+#include "app/view/grip.h"
+#include "app/view/orbit.h"
+#include "app/view/pace.h"
+
+/// @file
+/// What keys and mouse do, apart from any window.
+
+namespace app {
+
+/// What a key asks for.
+enum class Key { pause, step, restart, faster, slower, home, help, quit };
+
+enum class Button { left, middle, right };
+
+struct KeyPress {
+  Key key;
+};
+/// Places are points of the window (orbit.h).
+struct ButtonPress {
+  Button button = Button::left;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  bool shift = false;
+  bool control = false;
+};
+struct ButtonRelease {};
+struct MouseMove {
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+};
+struct Wheel {
+  double notches = 0;  ///< Away from the hand.
+};
+using Event = std::variant<KeyPress, ButtonPress, ButtonRelease, MouseMove, Wheel>;
+
+/// The body that a ray of the mouse meets.
+using Pick = std::function<std::optional<Hit>(const Ray&)>;
+
+/// What keys and mouse have come to: where the camera is, how time goes, what is drawn by hand.
+class Controls {
+ public:
+  /// @param step   Of the simulation [s].
+  Controls(const render::Camera& home, double step, Pick pick);
+
+  void take(const Event& event);
+
+  render::Camera camera() const { return camera_of(orbit_); }
+  Pace& pace() { return pace_; }
+  const Pace& pace() const { return pace_; }
+  bool help() const { return help_; }
+  bool quit() const { return quit_; }
+  /// True once for each time that the simulation is to start anew.
+  bool take_restart();
+
+  /// The body that is held, and what draws it.
+  struct Held {
+    engine::BodyId body;
+    engine::Pull pull;
+  };
+  std::optional<Held> held() const;
+
+ private:
+  enum class Gesture { none, turn, pan, pull };
+
+  void press(Key key);
+  void press(const ButtonPress& press);
+  void move(const Eigen::Vector2d& to);
+  void release();
+
+  Orbit home_, orbit_;
+  Pace pace_;
+  Pick pick_;
+  Gesture gesture_ = Gesture::none;
+  Eigen::Vector2d mouse_ = Eigen::Vector2d::Zero();
+  std::optional<Hit> grip_;  ///< Of `pull`.
+  bool help_ = false, quit_ = false, restart_ = false;
+};
+
+}  // namespace app

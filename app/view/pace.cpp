@@ -1,0 +1,54 @@
+#include "app/view/pace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr double kLook = 0.5;    // over which `reached` is found [s]
+constexpr double kSlack = 1e-9;  // of a step, for the rounding of what is owed
+
+}  // namespace
+
+long Pace::steps_due(double clock) {
+  if (paused_) return std::exchange(single_, 0);
+  const double most = std::max(step_, kLongestDebt * speed_);
+  owed_ = std::min(owed_ + speed_ * clock, most);
+  const double steps = std::floor(owed_ / step_ + kSlack);
+  owed_ -= steps * step_;
+  return static_cast<long>(steps);
+}
+
+double Pace::until_next() const { return std::max(0.0, (step_ - owed_) / speed_); }
+
+void Pace::note(double clock, long steps) {
+  if (paused_) return;
+  noted_clock_ += clock;
+  noted_time_ += static_cast<double>(steps) * step_;
+  if (noted_clock_ < kLook) return;
+  reached_ = noted_time_ / noted_clock_;
+  noted_clock_ = noted_time_ = 0;
+}
+
+void Pace::faster() { speed_ = std::min(2 * speed_, kFastest); }
+
+void Pace::slower() { speed_ = std::max(speed_ / 2, kSlowest); }
+
+void Pace::pause_or_go_on() {
+  paused_ = !paused_;
+  single_ = 0;
+  owed_ = noted_clock_ = noted_time_ = 0;
+}
+
+void Pace::step_once() {
+  if (paused_) ++single_;
+}
+
+void Pace::restart() {
+  single_ = 0;
+  owed_ = reached_ = noted_clock_ = noted_time_ = 0;
+}
+
+}  // namespace app

@@ -1,0 +1,110 @@
+#include "app/view/stage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/pictures.h"
+#include "app/program_files.h"
+#include "app/render/overlay.h"
+
+namespace app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What bodies reach so far about, as a part of what the camera shows at their distance.
+constexpr double kFilled = 0.55;
+
+bool same(const render::Camera& a, const render::Camera& b) {
+  return a.from == b.from && a.to == b.to && a.field_of_view == b.field_of_view;
+}
+
+}  // namespace
+
+render::Camera framing(const engine::SimulationSpec& spec) {
+  Eigen::AlignedBox3d box;
+  for (const engine::BodySpec& body : spec.bodies) {
+    const double radius = body.mesh_B.vertices.colwise().norm().maxCoeff();
+    for (const double side : {-radius, radius})
+      box.extend(body.initial.position + Eigen::Vector3d::Constant(side));
+  }
+  render::Camera camera;
+  if (box.isEmpty()) return camera;
+  const Eigen::Vector3d direction = camera.from.normalized();
+  const double half_height = std::tan(camera.field_of_view / 2);
+  camera.to = box.center();
+  camera.from = camera.to + box.sizes().norm() / 2 / (kFilled * half_height) * direction;
+  return camera;
+}
+
+Stage::Stage(const Scene& scene, const Assembly& assembly)
+    : scene_(scene),
+      spec_(assembly.spec),
+      simulation_(assembly.spec),
+      scale_{scene.render->pressure_min,
+             scene.render->pressure_max.value_or(scene.render->pressure_min)} {}
+
+void Stage::restart() {
+  simulation_ = engine::Simulation(spec_);
+  held_.reset();
+}
+
+void Stage::hold(const std::optional<Controls::Held>& held) {
+  if (held_ && (!held || held->body != *held_)) simulation_.pull(*held_, std::nullopt);
+  held_.reset();
+  if (!held) return;
+  simulation_.pull(held->body, held->pull);
+  held_ = held->body;
+}
+
+long Stage::advance(long steps, double longest) {
+  const auto end = Clock::now() + std::chrono::duration<double>(longest);
+  long taken = 0;
+  while (taken < steps && (taken == 0 || Clock::now() < end)) {
+    simulation_.step();
+    ++taken;
+  }
+  return taken;
+}
+
+bool Stage::grow_scale() {
+  if (scene_.render->pressure_max || !spec_.sea) return false;
+  constexpr double kLeastSpan = 1, kDrySpan = 1000;  // [Pa]
+  const double highest = highest_pressure(spec_, {simulation_.time(), simulation_.states()});
+  const double max =
+      highest > scale_.min + kLeastSpan ? rounded_up(highest) : scale_.min + kDrySpan;
+  if (max <= scale_.max) return false;
+  scale_.max = max;
+  return true;
+}
+
+void Stage::make_ready(const render::Camera& camera, int width, int height) {
+  const bool grown = grow_scale();
+  if (!canvas_ || canvas_->width != width || canvas_->height != height) {
+    render::Picture look = picture_of(scene_, spec_, scale_);
+    look.width = width;
+    look.height = height;
+    look.camera = camera;
+    canvas_.reset();  // One graphics context is enough.
+    canvas_.emplace(
+        Canvas{render::Renderer(std::move(look), program_files("shaders")), width, height, camera});
+    return;
+  }
+  if (grown) canvas_->renderer.show_pressures(scale_);
+  if (same(canvas_->camera, camera)) return;
+  canvas_->renderer.look(camera);
+  canvas_->camera = camera;
+}
+
+render::Image Stage::picture(const render::Camera& camera, int width, int height) {
+  make_ready(camera, width, height);
+  render::Image image = canvas_->renderer.draw(simulation_.states(), simulation_.time());
+  std::optional<render::PressureScale> shown;
+  if (spec_.sea) shown = scale_;
+  render::add_overlay(image, shown, simulation_.time());
+  return image;
+}
+
+}  // namespace app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+
+#include "app/assemble.h"
+#include "app/render/renderer.h"
+#include "app/scene/scene.h"
+#include "app/view/controls.h"
+#include "engine/simulation.h"
+
+namespace app {
+
+/// A camera from which all bodies are seen where they start.
+render::Camera framing(const engine::SimulationSpec& spec);
+
+/// A scene that is played: its simulation, and pictures of where it has come to.
+class Stage {
+ public:
+  /// Both must outlive it.
+  /// @param scene   With a render block.
+  Stage(const Scene& scene, const Assembly& assembly);
+
+  const engine::Simulation& simulation() const { return simulation_; }
+
+  /// From the start again, nothing held.
+  void restart();
+  /// Draws a body by hand from now on, none of the others.
+  void hold(const std::optional<Controls::Held>& held);
+  /// Takes so many steps, fewer if they take longer than that on the clock [s], but at least one.
+  /// @return how many it took. @throws engine::SimulationError
+  long advance(long steps, double longest);
+
+  /// With time and pressure scale. An automatic scale grows with the highest pressure so far.
+  /// @throws render::Error
+  render::Image picture(const render::Camera& camera, int width, int height);
+
+ private:
+  /// @return true if it has grown.
+  bool grow_scale();
+  void make_ready(const render::Camera& camera, int width, int height);
+
+  const Scene& scene_;
+  const engine::SimulationSpec& spec_;
+  engine::Simulation simulation_;
+  std::optional<engine::BodyId> held_;
+  render::PressureScale scale_;
+  /// What the renderer was made for, or has been told since.
+  struct Canvas {
+    render::Renderer renderer;
+    int width, height;
+    render::Camera camera;
+  };
+  std::optional<Canvas> canvas_;
+};
+
+}  // namespace app

@@ -1,0 +1,77 @@
+#include "app/view/stage.h"
+
+#include <gtest/gtest.h>
+
+#include "app/render/view.h"
+#include "hydro/primitives.h"
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// A ball of 2 m that falls into water from just above it.
+struct Ball {
+  app::Scene scene;
+  app::Assembly assembly;
+
+  Ball() {
+    scene.step = 0.01;
+    scene.render.emplace();
+    engine::BodySpec body{.name = "ball", .mesh_B = hydro::make_icosphere(1, 2), .mass = 3000};
+    body.inertia_B = 1200 * Eigen::Matrix3d::Identity();
+    body.initial.position = {0, 0, 1.5};
+    assembly.spec = {.step = scene.step, .sea = hydro::Sea{}, .bodies = {body}};
+    scene.bodies.resize(1);
+  }
+};
+
+TEST(Stage, TakesTheStepsAskedForAndAtLeastOne) {
+  const Ball ball;
+  app::Stage stage(ball.scene, ball.assembly);
+  EXPECT_EQ(stage.advance(5, 100), 5);
+  EXPECT_EQ(stage.advance(1000, 0), 1);
+  EXPECT_EQ(stage.simulation().steps(), 6);
+}
+
+TEST(Stage, StartsAgainAsItStarted) {
+  const Ball ball;
+  app::Stage stage(ball.scene, ball.assembly);
+  stage.advance(20, 100);
+  const hydro::BodyState first = stage.simulation().states()[0];
+  stage.hold(app::Controls::Held{0, {.to_W = {3, 0, 4}}});
+  stage.advance(20, 100);
+  stage.restart();
+  EXPECT_EQ(stage.simulation().steps(), 0);
+  stage.hold(std::nullopt);
+  stage.advance(20, 100);
+  EXPECT_EQ(stage.simulation().states()[0], first);
+}
+
+TEST(Stage, HoldsABodyUntilItIsLetGo) {
+  const Ball ball;
+  app::Stage stage(ball.scene, ball.assembly);
+  const Vector3d to(0, 0, 5);
+  stage.hold(app::Controls::Held{0, {.to_W = to, .rate = 20}});
+  stage.advance(300, 100);
+  EXPECT_LT((stage.simulation().states()[0].position - to).norm(), 0.1);
+  stage.hold(std::nullopt);
+  stage.advance(50, 100);
+  EXPECT_LT(stage.simulation().states()[0].position.z(), 4.5);
+}
+
+TEST(Framing, ShowsAllBodies) {
+  Ball ball;
+  engine::BodySpec other = ball.assembly.spec.bodies[0];
+  other.initial.position = {30, -12, 4};
+  ball.assembly.spec.bodies.push_back(other);
+  const render::View view = render::make_view(app::framing(ball.assembly.spec), 960, 720);
+  for (const engine::BodySpec& body : ball.assembly.spec.bodies)
+    for (const Vector3d& side : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)})
+      for (const double sign : {-1.0, 1.0}) {
+        const Vector3d p_E = body.initial.position + sign * side - view.eye_W;
+        const Eigen::Vector4d clip = view.clip_from_E * p_E.homogeneous();
+        EXPECT_LT(clip.head<2>().cwiseAbs().maxCoeff(), clip.w());
+      }
+}
+
+}  // namespace
