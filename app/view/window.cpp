@@ -71,7 +71,7 @@ std::optional<Button> button_of(int code) {
   }
 }
 
-/// The library, and what it has met so far; the window hands this to its callbacks.
+/// The library while it is in use.
 struct Library {
   Library() {
     if (glfwInit() == GLFW_TRUE) return;
