@@ -292,8 +292,8 @@ int command_line(int argc, char** argv) {
   program.require_subcommand(1);
   Arguments arguments;
   add_run(program, arguments);
-  add_view(program, arguments);
   add_others(program, arguments);
+  add_view(program, arguments);
   add_compare(program, arguments);
   add_report(program, arguments);
   add_hydrostatics(program, arguments);
