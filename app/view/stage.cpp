@@ -43,8 +43,7 @@ Stage::Stage(const Scene& scene, const Assembly& assembly)
     : scene_(scene),
       spec_(assembly.spec),
       simulation_(assembly.spec),
-      scale_{scene.render->pressure_min,
-             scene.render->pressure_max.value_or(scene.render->pressure_min)} {}
+      scale_(pressure_scale(*scene.render, range_)) {}
 
 void Stage::restart() {
   simulation_ = engine::Simulation(spec_);
@@ -70,14 +69,15 @@ long Stage::advance(long steps, double longest) {
 }
 
 bool Stage::grow_scale() {
-  if (scene_.render->pressure_max || !spec_.sea) return false;
-  constexpr double kLeastSpan = 1, kDrySpan = 1000;  // [Pa]
-  const double highest = highest_pressure(spec_, {simulation_.time(), simulation_.states()});
-  const double max =
-      highest > scale_.min + kLeastSpan ? rounded_up(highest) : scale_.min + kDrySpan;
-  if (max <= scale_.max) return false;
-  scale_.max = max;
-  return true;
+  if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return false;
+  const PressureRange now = pressure_range(
+      spec_, {.time = simulation_.time(), .states = simulation_.states()}, scene_.render->shows);
+  range_.include(now.lowest);
+  range_.include(now.highest);
+  const render::PressureScale scale = pressure_scale(*scene_.render, range_);
+  const bool grown = scale.min != scale_.min || scale.max != scale_.max;
+  scale_ = scale;
+  return grown;
 }
 
 void Stage::make_ready(const render::Camera& camera, int width, int height) {
@@ -103,7 +103,7 @@ render::Image Stage::picture(const render::Camera& camera, int width, int height
   render::Image image = canvas_->renderer.draw(simulation_.states(), simulation_.time());
   std::optional<render::PressureScale> shown;
   if (spec_.sea) shown = scale_;
-  render::add_overlay(image, shown, simulation_.time());
+  render::add_overlay(image, shown, simulation_.time(), canvas_->renderer.grid());
   return image;
 }
 

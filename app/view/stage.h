@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/assemble.h"
+#include "app/pressure_range.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
 #include "app/view/controls.h"
@@ -43,6 +44,7 @@ class Stage {
   const engine::SimulationSpec& spec_;
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;
+  PressureRange range_;  ///< Of the pressures so far.
   render::PressureScale scale_;
   /// What the renderer was made for, or has been told since.
   struct Canvas {
