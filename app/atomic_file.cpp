@@ -25,55 +25,12 @@ const char* const kPart = ".part-";
       fmt::format("{} cannot be written: {}", file.string(), std::strerror(error)));
 }
 
-/// A new file beside another, which is removed again unless it has been renamed.
-class PartFile {
- public:
-  explicit PartFile(const fs::path& file) : file_(file) {
-    constexpr mode_t kAsUmaskLeaves = 0666;
-    // Another machine may have a process of this number.
-    for (int i = 0; handle_ < 0; ++i) {
-      name_ = fmt::format("{}{}{}-{}", file.string(), kPart, ::getpid(), i);
-      handle_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kAsUmaskLeaves);
-      if (handle_ < 0 && errno != EEXIST) fail(file_, errno);
-    }
-  }
-  ~PartFile() {
-    if (handle_ >= 0) ::close(handle_);
-    if (!renamed_) ::unlink(name_.c_str());
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-
-  void write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(handle_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) fail(file_, written < 0 ? errno : ENOSPC);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-
-  void rename() {
-    if (::fsync(handle_) != 0) fail(file_, errno);
-    const int closed = ::close(handle_);
-    handle_ = -1;
-    if (closed != 0 || std::rename(name_.c_str(), file_.c_str()) != 0) fail(file_, errno);
-    renamed_ = true;
-  }
-
- private:
-  fs::path file_;
-  std::string name_;
-  int handle_ = -1;
-  bool renamed_ = false;
-};
-
 /// Removes what killed processes left of files with the extension of this one.
 void remove_old_parts(const fs::path& file) {
   const std::string mark = file.extension().string() + kPart;
   const auto yesterday = fs::file_time_type::clock::now() - std::chrono::hours(24);
   std::error_code error;
-  for (fs::directory_iterator entry(file.parent_path(), error), end; !error && entry != end;
+  for (fs::directory_iterator entry("." / file.parent_path(), error), end; !error && entry != end;
        entry.increment(error)) {
     if (entry->path().filename().string().find(mark) == std::string::npos) continue;
     std::error_code ignored;
@@ -83,12 +40,44 @@ void remove_old_parts(const fs::path& file) {
 
 }  // namespace
 
+PartFile::PartFile(const fs::path& file) : file_(file) {
+  constexpr mode_t kAsUmaskLeaves = 0666;
+  remove_old_parts(file);
+  // Another machine may have a process of this number.
+  for (int i = 0; handle_ < 0; ++i) {
+    name_ = fmt::format("{}{}{}-{}", file.string(), kPart, ::getpid(), i);
+    handle_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kAsUmaskLeaves);
+    if (handle_ < 0 && errno != EEXIST) fail(file_, errno);
+  }
+}
+
+PartFile::~PartFile() {
+  if (handle_ >= 0) ::close(handle_);
+  if (!renamed_) ::unlink(name_.c_str());
+}
+
+void PartFile::write(std::string_view bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(handle_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(file_, written < 0 ? errno : ENOSPC);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void PartFile::rename() {
+  if (::fsync(handle_) != 0) fail(file_, errno);
+  const int closed = ::close(handle_);
+  handle_ = -1;
+  if (closed != 0 || std::rename(name_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+  renamed_ = true;
+}
+
 void write_whole(const fs::path& path, std::string_view bytes) {
   const fs::path file = path.has_parent_path() ? path : "." / path;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) fail(file, error.value());
-  remove_old_parts(file);
   PartFile part(file);
   part.write(bytes);
   part.rename();
