@@ -31,11 +31,11 @@ _plimsoll_words()
 }
 
 # Completes KEY.PATH=VALUE: the path step by step, then the words that a key may have. Entries of
-# lists are named as they are typed, or else by index 0.
+# lists are named as they are typed, or else by index 0; cameras as they are typed.
 _plimsoll_override()
 {
     local typed=$1 path key rest
-    path=$(sed -E 's/\[[^]]*\]/[]/g; s/\[[^]]+$/[/' <<< "${typed%%=*}")
+    path=$(sed -E 's/\[[^]]*\]/[]/g; s/\[[^]]+$/[/; s/^(render\.cameras\.)[^.]+/\1NAME/' <<< "${typed%%=*}")
     for key in "${_plimsoll_keys[@]}"; do
         if [[ $typed == *=* ]]; then
             [[ ${key%%=*} == "$path" ]] || continue

@@ -13,12 +13,12 @@ using Completes = CompletedOption::Value;
 /// The part that does not hang on the commands.
 constexpr std::string_view kOverrides = R"(
 # Completes KEY.PATH=VALUE: the path step by step, then the words that a key may have. Entries of
-# lists are named as they are typed, or else by index 0.
+# lists are named as they are typed, or else by index 0; cameras as they are typed.
 _plimsoll_override()
 {
     local typed=${(Q)PREFIX} key pattern rest
     local -a found
-    pattern=$(sed -E 's/\[[^]]*\]/[]/g; s/\[[^]]+$/[/' <<< "${typed%%=*}")
+    pattern=$(sed -E 's/\[[^]]*\]/[]/g; s/\[[^]]+$/[/; s/^(render\.cameras\.)[^.]+/\1NAME/' <<< "${typed%%=*}")
     for key in $_plimsoll_keys; do
         if [[ $typed == *=* ]]; then
             [[ ${key%%=*} == "$pattern" ]] || continue

@@ -61,7 +61,9 @@ Image ContactSheet::image() const {
   if (frames_.empty()) throw Error("a contact sheet needs at least one picture");
   const int frame_height = frames_[0].image.height;
   const int count = static_cast<int>(frames_.size());
-  const int columns = sheet_columns(count, static_cast<double>(kFrameWidth) / frame_height);
+  const int columns = columns_
+                          ? std::min(*columns_, count)
+                          : sheet_columns(count, static_cast<double>(kFrameWidth) / frame_height);
   const int rows = (count + columns - 1) / columns;
   const int width = 2 * kMargin + columns * (kFrameWidth + kGap) - kGap;
   // A single column is too narrow for the scale at the usual size of its text.

@@ -19,8 +19,11 @@ class ContactSheet {
   static constexpr int kMostFrames = 24;
   static constexpr int kFrameWidth = 480;  ///< Of a picture on the sheet [px].
 
-  /// @param scale   None: no scale is drawn (a dry scene).
-  explicit ContactSheet(std::optional<PressureScale> scale) : scale_(scale) {}
+  /// @param scale     None: no scale is drawn (a dry scene).
+  /// @param columns   None: as `sheet_columns` has it. Never more than pictures.
+  explicit ContactSheet(std::optional<PressureScale> scale,
+                        std::optional<int> columns = std::nullopt)
+      : scale_(scale), columns_(columns) {}
 
   /// Adds the next picture, drawn at `time` [s]. All must have one size.
   void add(const Image& frame, double time);
@@ -37,6 +40,7 @@ class ContactSheet {
     double time = 0;
   };
   std::optional<PressureScale> scale_;
+  std::optional<int> columns_;
   std::vector<Frame> frames_;
   long seen_ = 0;
   long stride_ = 1;

@@ -37,6 +37,10 @@ struct ValueShape {
 ValueShape words_shape(const std::vector<std::string>& words);
 ValueShape list_shape(const ValueShape& item, std::size_t count);
 
+/// What stands in a path for the entries of a block whose keys the user names:
+/// `render.cameras.NAME`.
+inline constexpr const char* kAnyName = "NAME";
+
 /// One key that a scene may have, as its reader describes it.
 struct KeyDescription {
   std::string path;                ///< `bodies[].mass`

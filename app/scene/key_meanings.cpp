@@ -229,6 +229,19 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"render.camera.from", "Where the camera stands."},
     {"render.camera.to", "What it looks at."},
     {"render.camera.fov_deg", "Vertical field of view."},
+    {"render.camera.follow",
+     "A body. `from` and `to` are those of time 0, and move as its centre of mass does; left out: "
+     "they stay."},
+    {"render.camera.orbit",
+     "How fast the camera turns about the vertical through `to`, counter-clockwise from above."},
+    {"render.cameras",
+     "Several cameras by their names, instead of `camera`: `frames/NAME/` and `sheet_NAME.png`. "
+     "They share one colour scale. A name is of letters, digits, - and _."},
+    {"render.cameras.NAME", "A camera; keys as in `render.camera`."},
+    {"render.sheet", "The figure of the pictures side by side, `sheet.png`."},
+    {"render.sheet.columns",
+     "How many pictures stand in a row; left out: as many as make it about half again as wide as "
+     "it is high."},
     {"render.show",
      "Besides the bodies: `forces`, arrows of weight, buoyancy, drag and lift with one scale for "
      "the whole sequence; `centres` of mass G and buoyancy B; `waterline`, drawn bold; "
@@ -248,7 +261,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
 constexpr auto kCopies = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"bodies[].hydro.", "hydro."},
      {"ground.heightfield.", "water.surface.heightfield."},
-     {"ground.mesh.", "bodies[].mesh."}});
+     {"ground.mesh.", "bodies[].mesh."},
+     {"render.cameras.NAME.", "render.camera."}});
 
 }  // namespace
 

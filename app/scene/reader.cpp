@@ -188,6 +188,7 @@ void read(MapReader& map, Scene& scene) {
   check_unique(map, "bodies", names_of(scene.bodies));
   check_unique(map, "joints", names_of(scene.joints));
   check_joint_bodies(map, scene);
+  check_followed_bodies(map, scene);
   check_starts(map, scene);
 }
 

@@ -36,6 +36,9 @@ void read(MapReader& map, JointScene& joint);
 
 void read(MapReader& map, RenderScene& render);
 void read(MapReader& map, CameraScene& camera);
+void read(MapReader& map, std::vector<CameraScene>& cameras);
+/// Of `camera` or `cameras`: the bodies that they follow.
+void check_followed_bodies(MapReader& map, const Scene& scene);
 
 void read(MapReader& map, IntegratorScene& integrator);
 

@@ -45,6 +45,14 @@ bool MapReader::is_map(const Value& value) {
   return value.node.is(YamlNode::Kind::map) || value.refuse("a map");
 }
 
+std::vector<std::string> MapReader::names() const {
+  if (map_ == nullptr) return {kAnyName};
+  std::vector<std::string> names;
+  for (const YamlEntry& entry : map_->entries)
+    if (std::find(names.begin(), names.end(), entry.key) == names.end()) names.push_back(entry.key);
+  return names;
+}
+
 bool MapReader::exactly_one_of(const std::vector<std::string>& keys) {
   if (map_ == nullptr) {
     reading_.catalogue.choices.push_back({path_, keys});

@@ -101,8 +101,14 @@ class MapReader {
     return true;
   }
 
+  /// The keys of a block whose entries the user names, each once, in the order of the file; to
+  /// list the keys, kAnyName stands for them.
+  std::vector<std::string> names() const;
+
   /// A fault unless exactly one of these keys is there. @return true if so.
   bool exactly_one_of(const std::vector<std::string>& keys);
+  /// A fault if more than one of these keys is there. @return true if not.
+  bool at_most_one_of(const std::vector<std::string>& keys);
   /// Notes for the list of keys that a key needs or refuses others of its block, which the reader
   /// checks itself.
   /// @param word   The value of the key for which that holds; empty: all.
@@ -120,8 +126,6 @@ class MapReader {
   Reading& reading() { return reading_; }
 
  private:
-  /// A fault if more than one of these keys is there. @return true if not.
-  bool at_most_one_of(const std::vector<std::string>& keys);
   std::string child_path(const std::string& key) const;
   /// After a fault, false.
   static bool is_list(const Value& value);

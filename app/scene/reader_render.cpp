@@ -71,31 +71,27 @@ void read_shown(MapReader& map, ShowScene& show) {
   }
 }
 
-/// Up in a picture is the world's up, so the camera cannot look along it. The smallest slope that
-/// still tells sideways from round-off.
-constexpr double kLeastSideways = 1e-6;
+/// How the figure of all pictures is laid out.
+struct SheetBlock {
+  std::optional<int> columns;
+};
 
-void check_view(MapReader& map, const CameraScene& camera) {
-  const Eigen::Vector3d view = camera.to - camera.from;
-  if (view.isZero(0))
-    map.fault("", "looks from a point to the same point, expected two different ones");
-  else if (view.head<2>().stableNorm() <= kLeastSideways * view.stableNorm())
-    map.fault("", "looks straight up or down, expected from and to to differ in x or y");
+void read(MapReader& map, SheetBlock& sheet) {
+  map.optional("columns", sheet.columns, between(1, 24));
 }
 
 }  // namespace
-
-void read(MapReader& map, CameraScene& camera) {
-  const bool from = map.optional("from", camera.from, number("m")) || !map.has("from");
-  const bool to = map.optional("to", camera.to, number("m")) || !map.has("to");
-  map.optional("fov_deg", camera.field_of_view, degrees_between(1, 170));
-  if (from && to) check_view(map, camera);
-}
 
 void read(MapReader& map, RenderScene& render) {
   map.optional("size", render.size, between(16, 8192, "px"));
   map.optional("every", render.every, positive("s"));
   map.block("camera", render.camera);
+  map.block("cameras", render.cameras);
+  map.at_most_one_of({"camera", "cameras"});
+  map.note_condition("cameras", "", {}, {"camera"});
+  SheetBlock sheet;
+  map.block("sheet", sheet);
+  render.sheet_columns = sheet.columns;
   read_shown(map, render.show);
   PressureBlock pressure;
   map.block("pressure", pressure);

@@ -179,10 +179,16 @@ struct JointScene {
   std::optional<Eigen::Vector3d> axis2;   ///< Unit, normal to `axis`; may be given for universal.
 };
 
+/// Characters of a camera's name.
+inline constexpr std::size_t kLongestCameraName = 64;
+
 struct CameraScene {
-  Eigen::Vector3d from = {6, -8, 3};
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();
-  double field_of_view = 0.6108652381980153;  ///< Vertical [rad], 35 degrees.
+  std::string name;                              ///< Of one of `cameras`.
+  Eigen::Vector3d from = {6, -8, 3};             ///< At time 0.
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();  ///< At time 0.
+  double field_of_view = 0.6108652381980153;     ///< Vertical [rad], 35 degrees.
+  std::string follow;                            ///< A body's name; empty: none.
+  double orbit = 0;                              ///< [rad/s]
 };
 
 /// What is drawn besides the bodies, the water and the ground.
@@ -197,6 +203,8 @@ struct RenderScene {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
   CameraScene camera;
+  std::vector<CameraScene> cameras;    ///< In place of `camera`, unless empty.
+  std::optional<int> sheet_columns;    ///< None: as fits.
   std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
   std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
   render::ColorMap colors = render::ColorMap::turbo;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scene/key_catalogue.h"
+#include "app/scene/scene.h"
 #include "app/scene/yaml_reader.h"
 
 namespace app {
@@ -70,6 +71,7 @@ class SchemaWriter {
     Json required = Json::array();
     for (const KeyDescription& key : catalogue_.keys) {
       if (block_of(key.path) != path) continue;
+      if (key_of(key.path) == kAnyName) return named_entries(key);
       properties[key_of(key.path)] = property(key);
       if (key.fallback == "required") required.push_back(key_of(key.path));
     }
@@ -81,6 +83,15 @@ class SchemaWriter {
   }
 
  private:
+  /// A map whose keys the user names.
+  Json named_entries(const KeyDescription& entry) const {
+    return {{"type", "object"},
+            {"minProperties", 1},
+            {"propertyNames",
+             {{"pattern", fmt::format("^[A-Za-z0-9_-]{{1,{}}}$", kLongestCameraName)}}},
+            {"additionalProperties", property(entry)}};
+  }
+
   Json property(const KeyDescription& key) const {
     Json schema = {{"description", description(key)}};
     if (!key.fallback.empty() && key.fallback != "required")

@@ -84,7 +84,9 @@ std::string every_key() {
          "render:\n"
          "  size: [320, 16]\n"
          "  every: 0.25\n"
-         "  camera: {from: [1, 2, 3], to: [4, 5, 6], fov_deg: 90}\n"
+         "  camera: {from: [1, 2, 3], to: [4, 5, 6], fov_deg: 90, follow: b,"
+         " orbit: -12}\n"
+         "  sheet: {columns: 5}\n"
          "  show: [wireframe, forces]\n"
          "  pressure: {shows: dynamic, colors: coolwarm, min: -100, max: 5e3}\n";
 }
@@ -92,6 +94,11 @@ std::string every_key() {
 const std::string kSpectrum =
     "water.surface={spectrum: {type: jonswap, significant_height: 1.5, peak_period: 7, gamma: 2,"
     " heading_deg: 180, spreading: 4, seed: -3, components: 32}}";
+
+const std::vector<std::string> kCameras = {
+    "render.camera=null",
+    "render.cameras={stern: {}, NAME: {from: [1, 2, 3], to: [0, 0, 1], fov_deg: 50, follow: a,"
+    " orbit: 1}}"};
 
 std::string picture(const std::string& block) {
   return block + "={heightfield: {file: " + support::data_folder().string() +
@@ -331,6 +338,9 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_EQ(render->camera.from, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(render->camera.to, Eigen::Vector3d(4, 5, 6));
   EXPECT_NEAR(render->camera.field_of_view, 90 * kDegree, kRoundOff);
+  EXPECT_EQ(render->camera.follow, "b");
+  EXPECT_NEAR(render->camera.orbit, -12 * kDegree, kRoundOff);
+  EXPECT_EQ(render->sheet_columns, 5);
   EXPECT_EQ(render->pressure_min, -100);
   EXPECT_EQ(render->pressure_max, 5e3);
   EXPECT_EQ(render->shows, render::Pressure::dynamic);
@@ -345,6 +355,21 @@ TEST(SceneKeys, DynamicPressureHasALowerEndThatIsFound) {
   EXPECT_EQ(read_scene_text(head + "shows: hydrostatic}}\n").render->pressure_min, 0);
   EXPECT_EQ(read_scene_text(head + "min: auto}}\n").render->pressure_min, std::nullopt);
   EXPECT_EQ(read_scene_text("plimsoll: 1\nduration: 0\nrender: {}\n").render->pressure_min, 0);
+}
+
+TEST(SceneKeys, CamerasAreReadInTheirOrder) {
+  const auto render = read_scene_text(every_key(), kCameras).render;
+  ASSERT_EQ(render->cameras.size(), 2);
+  EXPECT_EQ(render->cameras[0].name, "stern");
+  EXPECT_EQ(render->cameras[0].from, Eigen::Vector3d(6, -8, 3));
+  EXPECT_EQ(render->cameras[1].name, "NAME");
+  EXPECT_EQ(render->cameras[1].from, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(render->cameras[1].follow, "a");
+  const auto more = read_scene_text(every_key(), {"render.camera=null", "render.cameras.a.orbit=1",
+                                                  "render.cameras.B-2_.to=[1, 1, 1]"})
+                        .render;
+  ASSERT_EQ(more->cameras.size(), 2);
+  EXPECT_EQ(more->cameras[1].name, "B-2_");
 }
 
 TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
@@ -378,6 +403,7 @@ TEST(SceneKeys, AFilesPlaceIsRelativeToTheScene) {
 /// `bodies[3].lock[0]` → `bodies[].lock`: as the list of keys has it.
 std::string key_of(std::string path) {
   path = std::regex_replace(path, std::regex(R"(\[\d+\])"), "[]");
+  path = std::regex_replace(path, std::regex(R"(\.cameras\.\w+)"), ".cameras.NAME");
   while (path.ends_with("[]")) path.resize(path.size() - 2);
   return path;
 }
@@ -390,6 +416,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
            {"water.surface={flat: {}}", picture("ground")},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           kCameras,
            {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
       if (!path.empty()) met.insert(key_of(path));

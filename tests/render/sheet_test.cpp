@@ -69,6 +69,18 @@ TEST(ContactSheet, HasTheScaleBelowIfThereIsOne) {
   EXPECT_GT(ink(wet, 0, dry.height, wet.width, wet.height - dry.height), 2000);
 }
 
+TEST(ContactSheet, HasTheColumnsAskedForButNoneWithoutPictures) {
+  const auto width = [](int count, std::optional<int> columns) {
+    ContactSheet sheet(std::nullopt, columns);
+    for (int i = 0; i < count; ++i) sheet.add(gray(i), i);
+    return sheet.image().width;
+  };
+  EXPECT_EQ(width(6, 1), width(1, std::nullopt));
+  EXPECT_EQ(width(6, 2), width(2, 2));
+  EXPECT_EQ(width(24, 24) - width(24, 23), width(3, 2) - width(3, 1));
+  EXPECT_EQ(width(3, 24), width(3, 3));
+}
+
 TEST(ContactSheet, KeepsManyPicturesEvenlySpacedFromTheFirst) {
   for (const int count : {1, 5, 24, 25, 26, 47, 48, 49, 100, 250}) {
     const std::vector<double> times = sheet_of(count, 0.5, std::nullopt).times();
