@@ -91,6 +91,19 @@ void add_sets(CLI::App* command, Arguments& arguments) {
       ->take_all();
 }
 
+void add_video(CLI::App* command, VideoOptions& video) {
+  CLI::Option* file =
+      command
+          ->add_option("--video", video.file,
+                       "Make a video too: .mp4, .webm or .gif; with several cameras one each, "
+                       "FILE-CAMERA")
+          ->type_name("FILE");
+  command->add_option("--fps", video.fps, "Pictures in a second of the video, 1 to 120 [25]")
+      ->check(CLI::Range(1, 120).description(""))
+      ->type_name("N")
+      ->needs(file);
+}
+
 void add_run(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("run", "Run a scene: trajectory, pictures, summary");
   command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE")->required();
@@ -103,6 +116,7 @@ void add_run(CLI::App& program, Arguments& a) {
       ->type_name("FORMAT");
   command->add_flag_callback(
       "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
+  add_video(command, a.run.video);
   command
       ->add_option("--threads", a.run.threads,
                    "Threads, 1 to 256, from 2 on with one more for files; results do not depend on "
@@ -136,6 +150,7 @@ void add_others(CLI::App& program, Arguments& a) {
   render->add_option("--out", a.render.out, "Folder for the pictures")
       ->type_name("DIR")
       ->required();
+  add_video(render, a.render.video);
   add_sets(render, a);
   render->add_flag("--quiet", a.render.quiet, "No progress and no report");
 }

@@ -9,6 +9,7 @@
 
 #include "app/log.h"
 #include "app/scene/reader.h"
+#include "app/video.h"
 #include "hydro/added_mass.h"
 
 /// @file
@@ -32,6 +33,7 @@ struct RunOptions {
   std::vector<Override> overrides;
   LogFormat format = LogFormat::csv;
   bool render = true;
+  VideoOptions video;
   int threads = 0;  ///< 0: as many as the machine has.
   bool quiet = false;
 };
@@ -68,6 +70,7 @@ struct RenderOptions {
   std::filesystem::path scene;
   std::filesystem::path out;
   std::vector<Override> overrides;
+  VideoOptions video;
   bool quiet = false;
 };
 int render_trajectory(const RenderOptions& options);

@@ -5,7 +5,7 @@
 
 #include "app/render/annotation.h"
 #include "app/scene/scene.h"
-#include "app/shot.h"
+#include "app/shots.h"
 #include "engine/spec.h"
 #include "hydro/loads.h"
 

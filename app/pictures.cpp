@@ -4,11 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "app/background.h"
+#include "app/cameras.h"
 #include "app/force_notes.h"
+#include "app/picture_files.h"
 #include "app/pressure_range.h"
 #include "app/program_files.h"
 #include "app/render/annotation.h"
@@ -20,10 +23,116 @@
 namespace app {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Pictures that may wait to be labelled and written; each takes width · height · 3 bytes.
 constexpr std::size_t kMostWaiting = 2;
 
-const char* const kFramesFolder = "frames";  ///< Their folder in that of the run.
+/// The pictures of a scene, drawn by one camera after the other.
+class Drawing {
+ public:
+  Drawing(const Scene& scene, const Assembly& assembly, const std::vector<Shot>& shots,
+          const PictureTarget& target, const PictureProgress& progress)
+      : look_(*scene.render),
+        spec_(assembly.spec),
+        shots_(shots),
+        target_(target),
+        progress_(progress),
+        cameras_(cameras_of(look_)),
+        scale_(pressure_scale(look_, spec_, shots)),
+        renderer_(first_picture(scene), program_files("shaders")),
+        notes_(look_, spec_, shots, render::picture_size(renderer_.view())) {
+    if (spec_.sea) shown_scale_ = scale_;
+  }
+
+  PictureReport draw() {
+    make_folders();
+    report_ = {.device = renderer_.device(), .complete = true, .pressure_max = scale_.max};
+    for (const CameraScene& camera : cameras_) {
+      if (!camera.name.empty()) report_.cameras.push_back(camera.name);
+      if (report_.complete) draw(camera);
+    }
+    return report_;
+  }
+
+ private:
+  render::Picture first_picture(const Scene& scene) const {
+    render::Picture first = picture_of(scene, spec_, scale_);
+    if (!shots_.empty()) first.camera = camera_at(cameras_.front(), spec_, shots_.front());
+    return first;
+  }
+
+  /// Empty ones for the frames of each camera.
+  void make_folders() const {
+    remove_pictures(target_.folder);
+    for (const CameraScene& camera : cameras_) {
+      const fs::path frames = frame_file(target_.folder, camera.name, 0).parent_path();
+      std::error_code error;
+      fs::create_directories(frames, error);
+      if (error) throw render::Error(fmt::format("{}: {}", frames.string(), error.message()));
+    }
+  }
+
+  void draw(const CameraScene& camera) {
+    std::optional<Video> video = video_of(camera);
+    render::ContactSheet sheet(shown_scale_, look_.sheet_columns);
+    std::size_t frames = 0;
+    bool seen = &camera == &cameras_.front();
+    Background finishing(spec_.threads, kMostWaiting);
+    for (const Shot& shot : shots_) {
+      if (!seen || moves(camera)) renderer_.look(camera_at(camera, spec_, shot));
+      seen = true;
+      const fs::path file =
+          shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
+      finishing.put([this, &sheet, &video, &shot, file, view = renderer_.view(),
+                     grid = renderer_.grid(), notes = notes_.of(shot),
+                     image = renderer_.draw(shot.states, shot.time)]() mutable {
+        render::annotate(image, view, notes);
+        if (shot.frame) sheet.add(image, shot.time);
+        render::add_legend(image, view, notes);
+        render::add_overlay(image, shown_scale_, shot.time, grid);
+        if (shot.frame) render::write_png(image, file);
+        if (shot.video) video->add(image);
+      });
+      report_.frames += shot.frame;
+      if (shot.video) ++report_.videos.back().pictures;
+      const int all = static_cast<int>(shots_.size() * cameras_.size());
+      report_.complete = progress_(++drawn_, all) || drawn_ == all;
+      if (!report_.complete) break;
+    }
+    if (frames > 0)
+      finishing.put(
+          [&] { render::write_png(sheet.image(), sheet_file(target_.folder, camera.name)); });
+    if (video) finishing.put([&video] { video->finish(); });
+    finishing.finish();
+  }
+
+  /// None where no shot is for it.
+  std::optional<Video> video_of(const CameraScene& camera) {
+    if (std::none_of(shots_.begin(), shots_.end(), [](const Shot& shot) { return shot.video; }))
+      return std::nullopt;
+    const VideoShape shape = {.width = look_.size[0],
+                              .height = look_.size[1],
+                              .fps = target_.video.fps,
+                              .threads = spec_.threads};
+    const fs::path file = video_file(target_.video.file, camera.name);
+    report_.videos.push_back({.file = file, .pictures = 0, .fps = shape.fps});
+    return std::optional<Video>(std::in_place, file, shape);
+  }
+
+  const RenderScene& look_;
+  const engine::SimulationSpec& spec_;
+  const std::vector<Shot>& shots_;
+  const PictureTarget& target_;
+  const PictureProgress& progress_;
+  const std::vector<CameraScene> cameras_;
+  const render::PressureScale scale_;
+  std::optional<render::PressureScale> shown_scale_;  ///< None without water.
+  render::Renderer renderer_;
+  const ForceNotes notes_;
+  PictureReport report_;
+  int drawn_ = 0;
+};
 
 }  // namespace
 
@@ -32,7 +141,6 @@ render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spe
   const RenderScene& look = *scene.render;
   render::Picture picture{.width = look.size[0],
                           .height = look.size[1],
-                          .camera = {look.camera.from, look.camera.to, look.camera.field_of_view},
                           .pressure = scale,
                           .sea = spec.sea,
                           .bold_waterline = look.show.waterline,
@@ -48,70 +156,19 @@ render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spe
   return picture;
 }
 
-namespace {
-
-/// Makes an empty folder for the frames.
-void make_fresh_frames(const std::filesystem::path& folder) {
-  remove_pictures(folder);
-  const std::filesystem::path frames = folder / kFramesFolder;
-  std::error_code error;
-  std::filesystem::create_directories(frames, error);
-  if (error) throw render::Error(fmt::format("{}: {}", frames.string(), error.message()));
-}
-
-bool is_frame(const std::filesystem::path& file) {
-  return file.filename().string().starts_with("frame_") && file.extension() == ".png";
-}
-
-}  // namespace
-
-std::filesystem::path frame_file(const std::filesystem::path& folder, std::size_t number) {
-  return folder / kFramesFolder / fmt::format("frame_{:04}.png", number);
-}
-
-void remove_pictures(const std::filesystem::path& folder) {
-  const std::filesystem::path frames = folder / kFramesFolder;
-  std::filesystem::remove(folder / "sheet.png");
-  if (!std::filesystem::is_directory(frames)) return;
-  std::vector<std::filesystem::path> old;
-  for (const auto& entry : std::filesystem::directory_iterator(frames))
-    if (is_frame(entry.path())) old.push_back(entry.path());
-  for (const std::filesystem::path& file : old) std::filesystem::remove(file);
-  if (std::filesystem::is_empty(frames)) std::filesystem::remove(frames);
+std::vector<std::string> videos_made(const PictureReport& report) {
+  std::vector<std::string> lines;
+  for (const VideoReport& video : report.videos)
+    lines.push_back(fmt::format("{}: {:g} s, {} pictures at {} a second", video.file.string(),
+                                static_cast<double>(video.pictures) / video.fps, video.pictures,
+                                video.fps));
+  return lines;
 }
 
 PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
-                            const std::vector<Shot>& shots, const std::filesystem::path& folder,
+                            const std::vector<Shot>& shots, const PictureTarget& target,
                             const PictureProgress& progress) {
-  const render::PressureScale scale = pressure_scale(*scene.render, assembly.spec, shots);
-  render::Renderer renderer(picture_of(scene, assembly.spec, scale), program_files("shaders"));
-  make_fresh_frames(folder);
-  std::optional<render::PressureScale> shown;
-  if (assembly.spec.sea) shown = scale;
-  const render::View view = renderer.view();
-  const double grid = renderer.grid();
-  const ForceNotes notes(*scene.render, assembly.spec, shots, render::picture_size(view));
-  render::ContactSheet sheet(shown);
-  PictureReport report{.device = renderer.device(), .pressure_max = scale.max};
-  Background finishing(assembly.spec.threads, kMostWaiting);
-  for (const Shot& shot : shots) {
-    const auto number = static_cast<std::size_t>(report.frames++);
-    const std::filesystem::path file = frame_file(folder, number);
-    render::Image image = renderer.draw(shot.states, shot.time);
-    finishing.put(
-        [&, time = shot.time, note = notes.of(shot), file, image = std::move(image)]() mutable {
-          render::annotate(image, view, note);
-          sheet.add(image, time);
-          render::add_legend(image, view, note);
-          render::add_overlay(image, shown, time, grid);
-          render::write_png(image, file);
-        });
-    if (!progress(report.frames, static_cast<int>(shots.size()))) break;
-  }
-  if (report.frames > 0)
-    finishing.put([&] { render::write_png(sheet.image(), folder / "sheet.png"); });
-  finishing.finish();
-  return report;
+  return Drawing(scene, assembly, shots, target, progress).draw();
 }
 
 }  // namespace app

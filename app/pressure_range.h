@@ -4,7 +4,7 @@
 
 #include "app/render/color_scale.h"
 #include "app/scene/scene.h"
-#include "app/shot.h"
+#include "app/shots.h"
 #include "engine/spec.h"
 
 /// @file

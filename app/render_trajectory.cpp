@@ -10,28 +10,41 @@
 #include "app/output_folder.h"
 #include "app/pictures.h"
 #include "app/progress.h"
-#include "app/schedule.h"
+#include "app/shots.h"
 #include "app/thread_count.h"
 #include "app/trajectory.h"
 #include "app/trajectory_match.h"
+#include "app/video_check.h"
 
 namespace app {
 namespace {
 
-/// The logged states that `every` asks for, as a run of the scene would have drawn them.
-std::vector<Shot> choose_shots(const Trajectory& trajectory, std::size_t rows, const Scene& scene) {
+/// The logged states that are to be drawn, as a run of the scene would have drawn them.
+ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const Scene& scene,
+                      const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
-  std::vector<Shot> shots;
-  FrameSchedule frames(scene.render->every, end);
+  ShotList shots(scene.render->every, end, video.pictures_a_second());
   for (std::size_t i = 0; i < rows; ++i) {
-    if (!frames.due(times[i])) continue;
-    Shot shot{.time = times[i]};
+    std::vector<hydro::BodyState> states;
     for (const BodyScene& body : scene.bodies)
-      shot.states.push_back(trajectory.tracks.at(body.name).states[i]);
-    shots.push_back(std::move(shot));
+      states.push_back(trajectory.tracks.at(body.name).states[i]);
+    shots.add(times[i], states);
   }
   return shots;
+}
+
+void say_what_was_drawn(const PictureReport& report, const std::vector<Shot>& shots,
+                        const std::filesystem::path& folder) {
+  const auto frames =
+      std::count_if(shots.begin(), shots.end(), [](const Shot& shot) { return shot.frame; });
+  const std::size_t cameras = std::max<std::size_t>(1, report.cameras.size());
+  say(fmt::format(
+      "{}: {} of {} pictures and {}, drawn on {}", folder.string(), report.frames,
+      static_cast<std::size_t>(frames) * cameras,
+      cameras == 1 ? "sheet.png" : fmt::format("a sheet for each of {} cameras", cameras),
+      report.device));
+  for (const std::string& line : videos_made(report)) say(line);
 }
 
 }  // namespace
@@ -39,25 +52,26 @@ std::vector<Shot> choose_shots(const Trajectory& trajectory, std::size_t rows, c
 int render_trajectory(const RenderOptions& options) {
   Scene scene = read_scene(options.scene, options.overrides);
   if (!scene.render) scene.render.emplace();
+  check_video(options.video, *scene.render, options.out, thread_count(0));
   Assembly assembly = assemble(scene);
   assembly.spec.threads = thread_count(0);
   const std::filesystem::path file = trajectory_of(options.trajectory);
   const Trajectory trajectory = read_trajectory(file);
   check_same_bodies(trajectory, assembly.spec, file);
-  const std::vector<Shot> shots = choose_shots(trajectory, common_rows(trajectory, file), scene);
+  const ShotList list =
+      choose_shots(trajectory, common_rows(trajectory, file), scene, options.video);
+  const std::vector<Shot>& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;
   ProgressLine progress(options.quiet);
   const PictureReport report =
-      draw_pictures(scene, assembly, shots, folder.path(), [&](int done, int all) {
+      draw_pictures(scene, assembly, shots, {folder.path(), options.video}, [&](int done, int all) {
         if (progress.due()) progress.show(fmt::format("picture {} of {}", done, all));
         return !interrupt.interrupted();
       });
   progress.clear();
-  if (!options.quiet)
-    say(fmt::format("{}: {} of {} pictures and sheet.png, drawn on {}", folder.path().string(),
-                    report.frames, shots.size(), report.device));
-  return report.frames == static_cast<int>(shots.size()) ? kDone : kInterrupted;
+  if (!options.quiet) say_what_was_drawn(report, shots, folder.path());
+  return report.complete ? kDone : kInterrupted;
 }
 
 }  // namespace app

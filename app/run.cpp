@@ -17,12 +17,16 @@
 #include "app/interrupt.h"
 #include "app/log.h"
 #include "app/output_folder.h"
+#include "app/picture_files.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/run_report.h"
+#include "app/scene/reader_nearest.h"
 #include "app/schedule.h"
+#include "app/shots.h"
 #include "app/summary.h"
 #include "app/thread_count.h"
+#include "app/video_check.h"
 #include "engine/simulation.h"
 
 namespace app {
@@ -76,7 +80,8 @@ class Run {
         simulation_(assembly.spec),
         log_(make_log(options.format, log_subject(scene, assembly), folder.path())),
         log_due_(scene.log_every.value_or(0)),
-        shot_due_(scene.render ? scene.render->every : 0, scene.duration),
+        shots_(scene.render ? scene.render->every : 0, scene.duration,
+               options.video.pictures_a_second()),
         logging_(assembly.spec.threads, most_waiting(assembly.spec.bodies.size())) {}
 
   int execute() {
@@ -165,7 +170,7 @@ class Run {
       log(time);
       summary_.wall_log += stopwatch.seconds();
     }
-    if (wants_pictures() && shot_due_.due(time)) shots_.push_back({time, simulation_.states()});
+    if (wants_pictures()) shots_.add(time, simulation_.states());
   }
 
   /// Hands over a row a body.
@@ -209,21 +214,23 @@ class Run {
       return !interrupt_.interrupted();
     };
     try {
-      summary_.pictures = draw_pictures(scene_, assembly_, shots_, folder_.path(), progress);
+      summary_.pictures = draw_pictures(scene_, assembly_, shots_.shots(),
+                                        {folder_.path(), options_.video}, progress);
     } catch (const std::exception& error) {
       summary_.pictures_skipped = "they could not be drawn";
       const int own = failed(kWrongInput, error.what());
       return code == kDone ? own : code;
     }
     summary_.wall_render = stopwatch.seconds();
-    const bool all_drawn = summary_.pictures->frames == static_cast<int>(shots_.size());
-    return code == kDone && !all_drawn ? interrupted() : code;
+    return code == kDone && !summary_.pictures->complete ? interrupted() : code;
   }
 
   void report(int code) const {
     if (code == kInterrupted)
       say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
                       summary_.simulated, scene_.duration, folder_.path().string()));
+    if (code == kInterrupted && options_.video.wanted() && !summary_.pictures)
+      say("no picture was drawn for the video; plimsoll render makes it of what is logged");
     for (const std::string& warning : summary_.warnings)
       say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
     const engine::Timings& t = summary_.timings;
@@ -232,6 +239,11 @@ class Run {
                     "(hydro {:.2f}, collision {:.2f}, engine {:.2f}, log {:.2f}, pictures {:.2f})",
                     folder_.path().string(), summary_.steps, summary_.simulated, summary_.wall,
                     t.hydro, t.collision, t.engine, summary_.wall_log, summary_.wall_render));
+    if (!summary_.pictures) return;
+    if (const auto& names = summary_.pictures->cameras; !names.empty())
+      say(fmt::format("{}: {} pictures, by the cameras {}", folder_.path().string(),
+                      summary_.pictures->frames, enumerate(names, "and")));
+    for (const std::string& line : videos_made(*summary_.pictures)) say(line);
   }
 
   const RunOptions& options_;
@@ -245,8 +257,7 @@ class Run {
   engine::Simulation simulation_;
   std::unique_ptr<Log> log_;
   Schedule log_due_;
-  FrameSchedule shot_due_;
-  std::vector<Shot> shots_;
+  ShotList shots_;
   Background logging_;  ///< Last: it works on the log.
 };
 
@@ -259,6 +270,17 @@ double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& 
   return stopwatch.seconds();
 }
 
+void check_video_of_run(const RunOptions& options, const Scene& scene,
+                        const std::filesystem::path& out) {
+  if (!options.video.wanted()) return;
+  if (!options.render) throw InputError("--video", "is of pictures, and --no-render makes none");
+  if (!scene.render)
+    throw InputError(scene.file,
+                     "has no render block, so there are no pictures for --video; "
+                     "`render: {}` gives it one");
+  check_video(options.video, *scene.render, out, thread_count(options.threads));
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -266,6 +288,8 @@ int run(const RunOptions& options) {
   if (options.format == LogFormat::hdf5 && !no_hdf5.empty())
     throw InputError("--format hdf5", no_hdf5);
   const Scene scene = read_scene(options.scene, options.overrides);
+  const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
+  check_video_of_run(options, scene, out);
   Assembly assembly = assemble(scene);
   assembly.spec.threads = thread_count(options.threads);
   if (!options.quiet)
@@ -273,7 +297,6 @@ int run(const RunOptions& options) {
       say(fmt::format("{}: note: {}", scene.file.string(), note));
   AddedMassStore store(cache_folder());
   const double wall_added_mass = find_added_mass(options, scene, assembly, store);
-  const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   const OutputFolder folder(out);
   const int code = Run(options, scene, assembly, folder, wall_added_mass).execute();
   keep_surface_nodes(assembly, store);

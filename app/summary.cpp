@@ -61,6 +61,18 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"added_mass", to_json(summary.assembly.added_mass[i])}};
 }
 
+/// Cameras and videos only where there are several, or any.
+Json to_json(const PictureReport& pictures) {
+  Json json = {{"device", pictures.device},
+               {"frames", pictures.frames},
+               {"pressure_max", pictures.pressure_max}};
+  if (!pictures.cameras.empty()) json["cameras"] = pictures.cameras;
+  for (const VideoReport& video : pictures.videos)
+    json["videos"].push_back(
+        {{"file", video.file.string()}, {"pictures", video.pictures}, {"fps", video.fps}});
+  return json;
+}
+
 /// All that the scene can be read again from, wherever the program is started then.
 Json source_of(const RunSummary& s) {
   Json overrides = Json::array();
@@ -100,10 +112,7 @@ Json to_json(const RunSummary& s) {
          {"water", s.skips.water},
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}},
        {"bodies", bodies}});
-  if (s.pictures)
-    json["pictures"] = {{"device", s.pictures->device},
-                        {"frames", s.pictures->frames},
-                        {"pressure_max", s.pictures->pressure_max}};
+  if (s.pictures) json["pictures"] = to_json(*s.pictures);
   json["source"] = source_of(s);
   return json;
 }

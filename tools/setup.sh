@@ -16,8 +16,9 @@ report_packages=()
 command -v npm > /dev/null || report_packages+=(nodejs npm)
 
 # What only tests need, each skipped without it: Python's to read what the program writes, a browser
-# to open the page, a screen without a monitor for the window. Ubuntu has no package of chromium that runs by itself.
-test_packages=(python3-h5py python3-jsonschema python3-yaml xvfb)
+# to open the page, a screen without a monitor for the window, and what makes and measures videos.
+# Ubuntu has no package of chromium that runs by itself.
+test_packages=(ffmpeg python3-h5py python3-jsonschema python3-yaml xvfb)
 if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }

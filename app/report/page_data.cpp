@@ -1,5 +1,6 @@
 #include "app/report/page_data.h"
 
+#include "app/cameras.h"
 #include "app/report/packing.h"
 
 namespace app {
@@ -19,7 +20,7 @@ Eigen::Vector3d replay_origin(const RunFolder& run) {
 
 Json page_camera(const Scene& scene) {
   if (!scene.render) return nullptr;
-  const CameraScene& c = scene.render->camera;
+  const CameraScene c = cameras_of(*scene.render).front();
   return {{"from", {c.from.x(), c.from.y(), c.from.z()}},
           {"to", {c.to.x(), c.to.y(), c.to.z()}},
           {"field_of_view", c.field_of_view}};

@@ -37,7 +37,7 @@ nlohmann::ordered_json page_poses(const RunFolder& run, const Eigen::Vector3d& o
 /// Columns for the plots.
 nlohmann::ordered_json page_series(const RunFolder& run, const PageLimits& limits);
 
-/// Pictures with their times; null if there are none.
+/// Pictures of the first camera with their times; null if there are none.
 nlohmann::ordered_json page_frames(const RunFolder& run, const PageLimits& limits);
 
 }  // namespace app

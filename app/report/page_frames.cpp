@@ -2,8 +2,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/cameras.h"
 #include "app/faults.h"
-#include "app/pictures.h"
+#include "app/picture_files.h"
 #include "app/report/packing.h"
 #include "app/report/page_data.h"
 #include "app/schedule.h"
@@ -15,10 +16,10 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 /// From the first on, as many as there are without a gap.
-std::vector<fs::path> frame_files(const fs::path& folder) {
+std::vector<fs::path> frame_files(const fs::path& folder, const std::string& camera) {
   std::vector<fs::path> files;
   for (;;) {
-    const fs::path file = frame_file(folder, files.size());
+    const fs::path file = frame_file(folder, camera, files.size());
     if (!fs::is_regular_file(file)) return files;
     files.push_back(file);
   }
@@ -45,8 +46,10 @@ std::string bytes_of(const fs::path& file) {
 }  // namespace
 
 Json page_frames(const RunFolder& run, const PageLimits& limits) {
-  const std::vector<fs::path> files = frame_files(run.path);
-  if (files.empty() || !run.scene.render) return nullptr;
+  if (!run.scene.render) return nullptr;
+  const std::vector<fs::path> files =
+      frame_files(run.path, cameras_of(*run.scene.render).front().name);
+  if (files.empty()) return nullptr;
   const std::vector<double> times = frame_times(run.scene, files.size());
   const std::size_t count = std::min(files.size(), times.size());
   std::size_t bytes = 0;

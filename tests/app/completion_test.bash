@@ -54,6 +54,11 @@ expect 'bodies[0].' plimsoll run --set bod
 expect 'bodies[0].' plimsoll run --set 'bodies['
 expect 'bodies[crate].linear_velocity= bodies[crate].lock=' plimsoll run --set 'bodies[crate].l'
 expect 'bodies[a].forces[0].sine.phase_deg=' plimsoll run --set 'bodies[a].forces[0].sine.p'
+expect 'render.cameras.NAME.' plimsoll run --set render.cameras.
+expect 'render.cameras.bow.' plimsoll run --set render.cameras.bow
+expect 'render.cameras.bow.fov_deg= render.cameras.bow.follow=' plimsoll run --set render.cameras.bow.fo
+expect 'render.cameras.NAME.' plimsoll run --set render.cameras.NAME
+expect 'meshes' plimsoll run --video mes
 expect 'hydro.added_mass= hydro.added_mass.' plimsoll probe --set hydro.added
 expect 'none deep' plimsoll run --set hydro.added_mass = ''
 expect 'thesis' plimsoll run --set = 'bodies[0].hydro.viscous_drag' = t

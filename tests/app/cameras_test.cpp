@@ -1,0 +1,104 @@
+#include "app/cameras.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/picture_files.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using app::camera_at;
+using app::CameraScene;
+using Eigen::Vector3d;
+
+/// A turn and a sum of coordinates below 20 m: a few ulp.
+const double kRoundOff = support::tolerance(1e-14);
+
+/// Two bodies, the second of which starts at (1, 2, 3).
+engine::SimulationSpec two_bodies() {
+  engine::SimulationSpec spec;
+  spec.bodies.resize(2);
+  spec.bodies[0].name = "a";
+  spec.bodies[1].name = "b";
+  spec.bodies[1].initial.position = {1, 2, 3};
+  return spec;
+}
+
+app::Shot shot_at(double time, const Vector3d& second_body) {
+  app::Shot shot{.time = time, .states = std::vector<hydro::BodyState>(2)};
+  shot.states[0].position = {100, 100, 100};
+  shot.states[1].position = second_body;
+  return shot;
+}
+
+TEST(Camera, StaysWhereItIsPutUnlessToldToMove) {
+  const CameraScene camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .field_of_view = 0.5};
+  const render::Camera view = camera_at(camera, two_bodies(), shot_at(7, {9, 9, 9}));
+  EXPECT_EQ(view.from, camera.from);
+  EXPECT_EQ(view.to, camera.to);
+  EXPECT_EQ(view.field_of_view, 0.5);
+  EXPECT_FALSE(app::moves(camera));
+}
+
+TEST(Camera, ThatFollowsMovesByAsMuchAsTheBodyHas) {
+  const CameraScene camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .follow = "b"};
+  EXPECT_TRUE(app::moves(camera));
+  const render::Camera first = camera_at(camera, two_bodies(), shot_at(0, {1, 2, 3}));
+  EXPECT_EQ(first.from, camera.from);
+  EXPECT_EQ(first.to, camera.to);
+  const render::Camera later = camera_at(camera, two_bodies(), shot_at(5, {1.5, 0, 4}));
+  EXPECT_EQ(later.from, camera.from + Vector3d(0.5, -2, 1));
+  EXPECT_EQ(later.to, camera.to + Vector3d(0.5, -2, 1));
+}
+
+TEST(Camera, ThatOrbitsTurnsAboutTheVerticalThroughWhatItLooksAt) {
+  const double rate = 0.3;
+  const Vector3d to(1, -2, 0.5);
+  const CameraScene camera = {.from = to + Vector3d(5, 0, 2), .to = to, .orbit = rate};
+  EXPECT_TRUE(app::moves(camera));
+  for (const double time : {0.0, 1.0, 4.0, 50.0}) {
+    const render::Camera view = camera_at(camera, two_bodies(), shot_at(time, {9, 9, 9}));
+    const double angle = rate * time;  // from x to y is counter-clockwise from above
+    EXPECT_LE((view.from - to - Vector3d(5 * std::cos(angle), 5 * std::sin(angle), 2)).norm(),
+              kRoundOff);
+    EXPECT_EQ(view.to, to);
+  }
+}
+
+TEST(Camera, ThatOrbitsABodyItFollowsTurnsAboutTheBody) {
+  const Vector3d start(1, 2, 3), away(0, -8, 1), moved(10, 20, -1);
+  const CameraScene camera = {
+      .from = start + away, .to = start, .follow = "b", .orbit = std::numbers::pi / 2};
+  const render::Camera view = camera_at(camera, two_bodies(), shot_at(1, start + moved));
+  EXPECT_LE((view.from - start - moved - Vector3d(8, 0, 1)).norm(), kRoundOff);
+  EXPECT_LE((view.to - start - moved).norm(), kRoundOff);
+}
+
+TEST(Cameras, OfASceneAreThoseWithNamesOrElseTheOneWithout) {
+  app::RenderScene render;
+  render.camera.orbit = 1;
+  ASSERT_EQ(app::cameras_of(render).size(), 1u);
+  EXPECT_EQ(app::cameras_of(render)[0].orbit, 1);
+  render.cameras = {{.name = "bow"}};
+  EXPECT_EQ(app::cameras_of(render)[0].orbit, 0);
+  EXPECT_EQ(app::cameras_of(render)[0].name, "");  // alone it needs no folder of its own
+  render.cameras.push_back({.name = "stern"});
+  EXPECT_EQ(app::cameras_of(render)[0].name, "bow");
+  EXPECT_EQ(app::cameras_of(render)[1].name, "stern");
+}
+
+TEST(PictureFiles, AreNamedByTheCameraWhereThereAreSeveral) {
+  EXPECT_EQ(app::frame_file("o", "", 7), "o/frames/frame_0007.png");
+  EXPECT_EQ(app::frame_file("o", "bow", 12345), "o/frames/bow/frame_12345.png");
+  EXPECT_EQ(app::sheet_file("o", ""), "o/sheet.png");
+  EXPECT_EQ(app::sheet_file("o", "bow"), "o/sheet_bow.png");
+  EXPECT_EQ(app::video_file("v/drop.mp4", ""), "v/drop.mp4");
+  EXPECT_EQ(app::video_file("v/drop.2.mp4", "bow"), "v/drop.2-bow.mp4");
+  EXPECT_EQ(app::video_file("drop.gif", "bow"), "drop-bow.gif");
+}
+
+}  // namespace

@@ -1,0 +1,105 @@
+#include "app/shots.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/interpolation.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using app::Shot;
+using app::ShotList;
+using testing::ElementsAre;
+
+/// Cubic interpolation of a parabola is exact but for round-off.
+const double kRoundOff = support::tolerance(1e-14);
+
+/// One body that falls from rest, 1 m/s^2.
+hydro::BodyState falling(double time) {
+  hydro::BodyState state;
+  state.position.z() = -0.5 * time * time;
+  state.linear_velocity.z() = -time;
+  return state;
+}
+
+/// Those of a run in steps to the end.
+std::vector<Shot> shots_of(ShotList list, double step, int steps, double first = 0) {
+  for (int i = 0; i <= steps; ++i) list.add(first + i * step, {falling(first + i * step)});
+  return list.shots();
+}
+
+std::vector<double> times(const std::vector<Shot>& shots, bool Shot::*which) {
+  std::vector<double> times;
+  for (const Shot& shot : shots)
+    if (shot.*which) times.push_back(shot.time);
+  return times;
+}
+
+TEST(ShotList, WithoutAVideoHasTheFirstStateOfEachTimeThatIsDue) {
+  const std::vector<Shot> shots = shots_of(ShotList(0.25, 1, 0), 0.125, 8);
+  EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.25, 0.5, 0.75));
+  EXPECT_THAT(times(shots, &Shot::video), ElementsAre());
+}
+
+TEST(ShotList, OfAVideoPlaysInRealTimeWhateverTheStep) {
+  for (const double step : {1.0 / 60, 0.01, 0.04, 0.1, 0.3, 3.0})
+    for (const int fps : {1, 24, 25, 30, 120}) {
+      const int steps = static_cast<int>(std::ceil(3 / step - 1e-9));
+      const std::vector<double> found =
+          times(shots_of(ShotList(1, 3, fps), step, steps), &Shot::video);
+      ASSERT_EQ(found.size(), static_cast<std::size_t>(3 * fps)) << step << " " << fps;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_NEAR(found[i], static_cast<double>(i) / fps, 1e-6 / fps);
+    }
+}
+
+TEST(ShotList, FindsStatesBetweenSteps) {
+  for (const Shot& shot : shots_of(ShotList(1, 3, 25), 0.3, 10))
+    EXPECT_NEAR(shot.states[0].position.z(), falling(shot.time).position.z(), kRoundOff);
+}
+
+TEST(ShotList, DrawsOnceWhatIsAFrameAndOfTheVideo) {
+  const std::vector<Shot> shots = shots_of(ShotList(0.5, 2, 4), 0.25, 8);
+  EXPECT_EQ(shots.size(), 8u);
+  EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.5, 1, 1.5));
+  EXPECT_EQ(times(shots, &Shot::video).size(), 8u);
+}
+
+TEST(ShotList, LeavesTheFramesAsTheyAreWithoutAVideo) {
+  const std::vector<Shot> bare = shots_of(ShotList(0.3, 2, 0), 0.07, 28);
+  std::vector<Shot> frames;
+  for (const Shot& shot : shots_of(ShotList(0.3, 2, 25), 0.07, 28))
+    if (shot.frame) frames.push_back(shot);
+  ASSERT_EQ(frames.size(), bare.size());
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    EXPECT_EQ(frames[i].time, bare[i].time);
+    EXPECT_EQ(frames[i].states, bare[i].states);
+  }
+}
+
+TEST(ShotList, OfNoDurationHasTheInitialState) {
+  const std::vector<Shot> shots = shots_of(ShotList(0.3, 0, 25), 1, 0);
+  ASSERT_EQ(shots.size(), 1u);
+  EXPECT_TRUE(shots[0].frame && shots[0].video);
+}
+
+TEST(ShotList, BeginsWhereTheStatesDo) {
+  const std::vector<Shot> shots = shots_of(ShotList(1, 3, 4), 0.5, 4, 1.1);
+  EXPECT_THAT(times(shots, &Shot::video), ElementsAre(1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75));
+}
+
+TEST(Interpolation, KeepsBothEnds) {
+  hydro::BodyState a = falling(1), b = falling(2);
+  b.orientation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  b.angular_velocity = {1, 0, -1};
+  for (const auto& [part, end] : {std::pair(0.0, a), std::pair(1.0, b)}) {
+    const hydro::BodyState state = app::between(a, b, 1, part);
+    EXPECT_LE((state.position - end.position).norm(), kRoundOff);
+    EXPECT_LE(state.orientation.angularDistance(end.orientation), kRoundOff);
+    EXPECT_EQ(state.linear_velocity, end.linear_velocity);
+    EXPECT_EQ(state.angular_velocity, end.angular_velocity);
+  }
+}
+
+}  // namespace
