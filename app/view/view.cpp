@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/assemble_added_mass.h"
+#include "app/cameras.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/program_files.h"
@@ -27,6 +28,11 @@ std::string title_of(const Scene& scene) {
   return "Plimsoll: " + (scene.title.empty() ? scene.file.stem().string() : scene.title);
 }
 
+render::Camera first_camera(const Scene& scene) {
+  const CameraScene camera = cameras_of(*scene.render).front();
+  return {camera.from, camera.to, camera.field_of_view};
+}
+
 /// A window in which a scene goes on until somebody closes it.
 class LiveView {
  public:
@@ -34,9 +40,7 @@ class LiveView {
       : options_(options),
         window_(window),
         stage_(scene, assembly),
-        controls_({scene.render->camera.from, scene.render->camera.to,
-                   scene.render->camera.field_of_view},
-                  scene.step,
+        controls_(first_camera(scene), scene.step,
                   [this](const Ray& ray) {
                     const engine::Simulation& simulation = stage_.simulation();
                     return first_hit(ray, simulation.spec().bodies, simulation.states());
@@ -117,7 +121,8 @@ int view(const ViewOptions& options) {
   assembly.spec.books = false;
   if (!scene.render) {
     const render::Camera camera = framing(assembly.spec);
-    scene.render.emplace().camera = {camera.from, camera.to, camera.field_of_view};
+    scene.render.emplace().camera = {
+        .from = camera.from, .to = camera.to, .field_of_view = camera.field_of_view};
   }
   for (const std::string& note : assembly.notes)
     say(fmt::format("{}: note: {}", scene.file.string(), note));
