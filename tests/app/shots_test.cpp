@@ -13,7 +13,7 @@ using app::ShotList;
 using testing::ElementsAre;
 
 /// Cubic interpolation of a parabola is exact but for round-off.
-const double kRoundOff = support::tolerance(1e-14);
+const double kCubicRoundOff = support::tolerance(1e-14);
 
 /// One body that falls from rest, 1 m/s^2.
 hydro::BodyState falling(double time) {
@@ -56,7 +56,7 @@ TEST(ShotList, OfAVideoPlaysInRealTimeWhateverTheStep) {
 
 TEST(ShotList, FindsStatesBetweenSteps) {
   for (const Shot& shot : shots_of(ShotList(1, 3, 25), 0.3, 10))
-    EXPECT_NEAR(shot.states[0].position.z(), falling(shot.time).position.z(), kRoundOff);
+    EXPECT_NEAR(shot.states[0].position.z(), falling(shot.time).position.z(), kCubicRoundOff);
 }
 
 TEST(ShotList, DrawsOnceWhatIsAFrameAndOfTheVideo) {
@@ -95,8 +95,8 @@ TEST(Interpolation, KeepsBothEnds) {
   b.angular_velocity = {1, 0, -1};
   for (const auto& [part, end] : {std::pair(0.0, a), std::pair(1.0, b)}) {
     const hydro::BodyState state = app::between(a, b, 1, part);
-    EXPECT_LE((state.position - end.position).norm(), kRoundOff);
-    EXPECT_LE(state.orientation.angularDistance(end.orientation), kRoundOff);
+    EXPECT_LE((state.position - end.position).norm(), kCubicRoundOff);
+    EXPECT_LE(state.orientation.angularDistance(end.orientation), kCubicRoundOff);
     EXPECT_EQ(state.linear_velocity, end.linear_velocity);
     EXPECT_EQ(state.angular_velocity, end.angular_velocity);
   }
