@@ -10,11 +10,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr Rgb kPaper = {255, 255, 255};
-constexpr Rgb kInk = {25, 32, 40};
 constexpr double kHalo =
     1.5;  ///< Of paper around what is drawn, so that it shows on any ground [px].
-constexpr int kLeastExtent = 120;
 
 /// Unit of all lengths on a picture: that of its text [px].
 double text_size(const Image& image) {

@@ -10,12 +10,7 @@
 namespace render {
 namespace {
 
-constexpr Rgb kInk = {25, 32, 40};
-constexpr Rgb kPaper = {255, 255, 255};
 constexpr double kPaperWeight = 0.78;  // lets the picture show through, yet text is legible
-
-/// Of a picture with text [px]: in a smaller one the ticks of the scale would run together.
-constexpr int kLeastExtent = 120;
 
 /// A place for a colour bar; colours run up, or to the right.
 struct Bar {

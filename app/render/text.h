@@ -10,6 +10,13 @@ namespace render {
 /// How a line of text stands to the point it is put at.
 enum class Align { left, center, right };
 
+/// Colours of what is written on pictures, and of its ground.
+inline constexpr Rgb kInk = {25, 32, 40};
+inline constexpr Rgb kPaper = {255, 255, 255};
+
+/// Of a picture with text [px]: in a smaller one letters would run together.
+inline constexpr int kLeastExtent = 120;
+
 /// A typeface at one size.
 class Font {
  public:
@@ -28,7 +35,7 @@ class Font {
 
   /// Writes a line of ASCII text; (x, y) is its left end, middle or right end on the baseline.
   void write(Image& image, const std::string& line, double x, double y, Align align = Align::left,
-             Rgb color = {25, 32, 40}) const;
+             Rgb color = kInk) const;
 
  private:
   struct Face;

@@ -11,9 +11,7 @@
 namespace app {
 namespace {
 
-constexpr render::Rgb kPaper = {255, 255, 255};
 constexpr double kPaperWeight = 0.78;
-constexpr int kLeastExtent = 120;  // as of the overlay [px]
 
 /// A key or gesture and what it does.
 struct Line {
@@ -59,7 +57,7 @@ void fill_panel(render::Image& image, const Type& type, double top, double width
                 std::size_t lines) {
   render::fill(
       image, {type.margin(), top, width + 2 * type.padding(), type.height(lines), 0.3 * type.size},
-      kPaper, kPaperWeight);
+      render::kPaper, kPaperWeight);
 }
 
 void add_line(render::Image& image, const Type& type, const std::string& text, double top) {
@@ -97,7 +95,7 @@ std::string pace_text(const Pace& pace) {
 
 void add_status(render::Image& image, const Pace& pace, bool help) {
   const int extent = std::min(image.width, image.height);
-  if (extent < kLeastExtent) return;
+  if (extent < render::kLeastExtent) return;
   const Type type(std::max(11, extent / 40));
   // Below the time, which is as high.
   add_line(image, type, pace_text(pace), type.margin() + type.height(1) + 0.4 * type.size);

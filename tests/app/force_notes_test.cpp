@@ -11,7 +11,7 @@ namespace {
 using app::centre_of_buoyancy;
 using Eigen::Vector3d;
 
-constexpr double kRoundOff = 1e-11;
+constexpr double kSumRoundOff = 1e-11;
 
 TEST(CentreOfBuoyancy, OfAHalfSphereIsThreeEighthsOfItsRadiusDown) {
   support::Random random(71);
@@ -33,7 +33,7 @@ TEST(CentreOfBuoyancy, OfASubmergedBodyIsItsCentroid) {
     const Vector3d centroid = state.position + state.orientation * Vector3d(0.3, -0.2, 0.5);
     const auto centre = centre_of_buoyancy(mesh, state, {}, 0);
     ASSERT_TRUE(centre);
-    EXPECT_LT((*centre - centroid).norm(), 20 * kRoundOff);
+    EXPECT_LT((*centre - centroid).norm(), 20 * kSumRoundOff);
   }
 }
 
@@ -48,7 +48,7 @@ TEST(CentreOfBuoyancy, IsOnTheLineOfTheForce) {
     const auto centre = centre_of_buoyancy(mesh, state, {}, 0);
     ASSERT_TRUE(centre);
     const Vector3d moment = (*centre - state.position).cross(load.force);
-    EXPECT_LT((moment - load.moment).norm(), kRoundOff * load.force.norm());
+    EXPECT_LT((moment - load.moment).norm(), kSumRoundOff * load.force.norm());
   }
 }
 
@@ -84,12 +84,12 @@ TEST(ForceNotes, ShowForcesInOneScaleAtTheirPlaces) {
   EXPECT_EQ(found.legend[0].name, "weight");
   EXPECT_EQ(found.legend[1].name, "buoyancy");
   const double longest = 0.2 * picture_size;
-  EXPECT_LT((found.arrows[0].from_W).norm(), kRoundOff);
-  EXPECT_LT((found.arrows[0].to_W - Vector3d(0, 0, -longest)).norm(), kRoundOff);
-  EXPECT_LT((found.arrows[1].from_W - Vector3d(0, 0, -0.25)).norm(), kRoundOff);
+  EXPECT_LT((found.arrows[0].from_W).norm(), kSumRoundOff);
+  EXPECT_LT((found.arrows[0].to_W - Vector3d(0, 0, -longest)).norm(), kSumRoundOff);
+  EXPECT_LT((found.arrows[1].from_W - Vector3d(0, 0, -0.25)).norm(), kSumRoundOff);
   EXPECT_LT((found.arrows[1].to_W - Vector3d(0, 0, -0.25 + longest)).norm(), 1e-9);
   EXPECT_EQ(found.scale_name, "2 kN");
-  EXPECT_NEAR(found.scale_length, longest * 2000 / (500 * cube.spec.gravity), kRoundOff);
+  EXPECT_NEAR(found.scale_length, longest * 2000 / (500 * cube.spec.gravity), kSumRoundOff);
   EXPECT_TRUE(found.marks.empty());
 }
 

@@ -9,7 +9,7 @@ namespace {
 using app::Pace;
 using support::tolerance;
 
-constexpr double kStep = 0.01;       // [s]
+constexpr double kStepTime = 0.01;   // [s]
 constexpr double kFrame = 1.0 / 60;  // of a screen [s]
 
 /// Steps of so many frames.
@@ -20,12 +20,12 @@ long steps_in(Pace& pace, int frames) {
 }
 
 TEST(Pace, FollowsTheClock) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   EXPECT_NEAR(static_cast<double>(steps_in(pace, 600)), 1000, 1);
 }
 
 TEST(Pace, FollowsTheClockTimesTheSpeed) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   pace.faster();
   EXPECT_NEAR(static_cast<double>(steps_in(pace, 600)), 2000, 1);
   for (int i = 0; i < 3; ++i) pace.slower();
@@ -33,7 +33,7 @@ TEST(Pace, FollowsTheClockTimesTheSpeed) {
 }
 
 TEST(Pace, KeepsItsSpeedWithinASixteenthAndSixteen) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   for (int i = 0; i < 20; ++i) pace.faster();
   EXPECT_EQ(pace.speed(), 16);
   for (int i = 0; i < 20; ++i) pace.slower();
@@ -41,10 +41,10 @@ TEST(Pace, KeepsItsSpeedWithinASixteenthAndSixteen) {
 }
 
 TEST(Pace, ForgivesWhatTheMachineCannotCatchUpWith) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   EXPECT_EQ(pace.steps_due(30), 25);  // as many as the longest debt has
   EXPECT_EQ(pace.steps_due(0), 0);
-  EXPECT_EQ(pace.steps_due(kStep), 1);
+  EXPECT_EQ(pace.steps_due(kStepTime), 1);
 }
 
 TEST(Pace, TakesStepsThatAreLongerThanTheLongestDebt) {
@@ -55,7 +55,7 @@ TEST(Pace, TakesStepsThatAreLongerThanTheLongestDebt) {
 }
 
 TEST(Pace, WaitsForTheNextStep) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   pace.slower();
   EXPECT_EQ(pace.steps_due(0.008), 0);
   EXPECT_NEAR(pace.until_next(), 0.012, tolerance(1e-12));
@@ -63,7 +63,7 @@ TEST(Pace, WaitsForTheNextStep) {
 }
 
 TEST(Pace, TakesNoStepsWhilePausedButThoseAskedFor) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   pace.step_once();  // not paused: nothing
   pace.pause_or_go_on();
   EXPECT_TRUE(pace.paused());
@@ -75,7 +75,7 @@ TEST(Pace, TakesNoStepsWhilePausedButThoseAskedFor) {
 }
 
 TEST(Pace, DoesNotMakeUpForAPause) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   pace.pause_or_go_on();
   pace.steps_due(0.09);
   pace.pause_or_go_on();
@@ -83,10 +83,10 @@ TEST(Pace, DoesNotMakeUpForAPause) {
 }
 
 TEST(Pace, TellsWhatWasReached) {
-  Pace pace(kStep);
+  Pace pace(kStepTime);
   EXPECT_EQ(pace.reached(), 0);
   for (int i = 0; i < 30; ++i) pace.note(kFrame * 1.01, 1);
-  EXPECT_NEAR(pace.reached(), kStep / (kFrame * 1.01), tolerance(1e-12));
+  EXPECT_NEAR(pace.reached(), kStepTime / (kFrame * 1.01), tolerance(1e-12));
   pace.pause_or_go_on();
   for (int i = 0; i < 100; ++i) pace.note(kFrame, 0);
   EXPECT_GT(pace.reached(), 0.5);
