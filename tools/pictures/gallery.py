@@ -102,12 +102,12 @@ def figure(result: Result) -> str:
 
 
 def publish(sheet: Path, to: Path) -> None:
-    """As wide as the README shows it, with 256 colours: a quarter of the bytes."""
+    """As wide as the README shows it."""
     from PIL import Image
     with Image.open(sheet) as image:
         height = round(image.height * kHeadWidth / image.width)
         small = image.convert("RGB").resize((kHeadWidth, height), Image.Resampling.LANCZOS)
-    small.quantize(256).save(to, optimize=True)
+    small.save(to, optimize=True)
 
 
 def main() -> int:
