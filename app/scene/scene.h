@@ -203,8 +203,8 @@ struct RenderScene {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
   CameraScene camera;
-  std::vector<CameraScene> cameras;    ///< In place of `camera`, unless empty.
-  std::optional<int> sheet_columns;    ///< None: as fits.
+  std::vector<CameraScene> cameras;        ///< In place of `camera`, unless empty.
+  std::optional<int> sheet_columns;        ///< None: as fits.
   std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
   std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
   render::ColorMap colors = render::ColorMap::turbo;
