@@ -91,6 +91,15 @@ void add_sets(CLI::App* command, Arguments& arguments) {
       ->take_all();
 }
 
+void add_threads(CLI::App* command, int& threads, const char* more = "") {
+  command
+      ->add_option(
+          "--threads", threads,
+          fmt::format("Threads, 1 to 256{}; results do not depend on it [all cores]", more))
+      ->check(CLI::Range(1, 256).description(""))
+      ->type_name("N");
+}
+
 void add_video(CLI::App* command, VideoOptions& video) {
   CLI::Option* file =
       command
@@ -117,12 +126,7 @@ void add_run(CLI::App& program, Arguments& a) {
   command->add_flag_callback(
       "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
   add_video(command, a.run.video);
-  command
-      ->add_option("--threads", a.run.threads,
-                   "Threads, 1 to 256, from 2 on with one more for files; results do not depend on "
-                   "it [all cores]")
-      ->check(CLI::Range(1, 256).description(""))
-      ->type_name("N");
+  add_threads(command, a.run.threads, ", from 2 on with one more for files");
   command->add_flag("--quiet", a.run.quiet, "No progress and no report");
 }
 
@@ -159,9 +163,7 @@ void add_view(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("view", "Play a scene in a window, in real time");
   command->add_option("scene", a.view.scene, "Scene file")->type_name("SCENE")->required();
   add_sets(command, a);
-  command->add_option("--threads", a.view.threads, "Threads, 1 to 256 [all cores]")
-      ->check(CLI::Range(1, 256).description(""))
-      ->type_name("N");
+  add_threads(command, a.view.threads);
   CLI::Option* snapshot =
       command->add_option("--snapshot", a.view.snapshot, "Save what the window shows, and quit")
           ->type_name("FILE");

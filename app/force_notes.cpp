@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "hydro/clip.h"
+#include "hydro/hydrostatics.h"
 
 namespace app {
 namespace {
@@ -18,7 +18,7 @@ using render::Rgb;
 /// Longest arrow, as a part of the picture's height.
 constexpr double kLongest = 0.2;
 
-/// Shorter ones than this part of it are left out.
+/// Forces of less than this part of the largest are left out.
 constexpr double kShortest = 2e-3;
 
 const char* const kBuoyancy = "buoyancy";
@@ -63,52 +63,50 @@ std::string force_text(double newtons) {
 
 }  // namespace
 
-ForceNotes::ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec,
-                       const std::vector<Shot>& shots, double picture_size)
+ForceNotes::ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec)
     : look_(look), spec_(spec) {
   if (!look.show.forces) return;
   for (const engine::BodySpec& body : spec.bodies) hulls_.push_back(hydro::make_hull(body.mesh_B));
-  double largest = 0;
-  for (const Shot& shot : shots)
-    for (std::size_t i = 0; i < hulls_.size(); ++i)
-      for (const NamedForce& force :
-           forces_on(spec.bodies[i], hulls_[i], spec, shot.states[i], shot.time)) {
-        if (force.wrench.force.isZero(0)) continue;
-        largest = std::max(largest, force.wrench.force.norm());
-        if (std::ranges::find(legend_, force.name, &render::LegendLine::name) == legend_.end())
-          legend_.push_back({force.name, force.color});
-      }
-  if (largest == 0) return;
-  length_per_force_ = kLongest * picture_size / largest;
-  shortest_ = kShortest * kLongest * picture_size;
-  scale_force_ = round_down(0.5 * largest);
 }
 
-render::Annotations ForceNotes::of(const Shot& shot) const {
+void ForceNotes::include(const Shot& shot) {
+  for (std::size_t i = 0; i < hulls_.size(); ++i)
+    for (const NamedForce& force :
+         forces_on(spec_.bodies[i], hulls_[i], spec_, shot.states[i], shot.time)) {
+      if (force.wrench.force.isZero(0)) continue;
+      largest_ = std::max(largest_, force.wrench.force.norm());
+      if (std::ranges::find(legend_, force.name, &render::LegendLine::name) == legend_.end())
+        legend_.push_back({force.name, force.color});
+    }
+}
+
+render::Annotations ForceNotes::of(const Shot& shot, double picture_size) const {
   render::Annotations notes;
+  const double scale = largest_ > 0 ? kLongest * picture_size / largest_ : 0;
   for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
-    if (length_per_force_ > 0) add_forces(i, shot, notes);
+    if (scale > 0) add_forces(i, shot, scale, notes);
     if (look_.show.centres) add_centres(i, shot, notes);
   }
-  if (length_per_force_ > 0) {
-    notes.scale_length = length_per_force_ * scale_force_;
-    notes.scale_name = force_text(scale_force_);
+  if (scale > 0) {
+    const double shown = round_down(0.5 * largest_);
+    notes.scale_length = scale * shown;
+    notes.scale_name = force_text(shown);
     notes.legend = legend_;
   }
   return notes;
 }
 
-void ForceNotes::add_forces(std::size_t body, const Shot& shot, render::Annotations& notes) const {
+void ForceNotes::add_forces(std::size_t body, const Shot& shot, double scale,
+                            render::Annotations& notes) const {
   const hydro::BodyState& state = shot.states[body];
   for (const NamedForce& force :
        forces_on(spec_.bodies[body], hulls_[body], spec_, state, shot.time)) {
-    const Vector3d along = length_per_force_ * force.wrench.force;
-    if (length_per_force_ * force.wrench.force.norm() < shortest_) continue;
+    if (force.wrench.force.norm() < kShortest * largest_) continue;
     const auto centre = force.name == kBuoyancy ? centre_of_buoyancy(spec_.bodies[body].mesh_B,
                                                                      state, *spec_.sea, shot.time)
                                                 : std::nullopt;
     const Vector3d from = centre ? *centre : state.position + point_on_line(force.wrench);
-    notes.arrows.push_back({from, from + along, force.color});
+    notes.arrows.push_back({from, from + scale * force.wrench.force, force.color});
   }
 }
 
@@ -120,37 +118,20 @@ void ForceNotes::add_centres(std::size_t body, const Shot& shot, render::Annotat
   if (centre) notes.marks.push_back({*centre, "B", {20, 90, 200}, true});
 }
 
-/// With the depth h and its gradient −e_z, volume and centre are V = −∫ h n_z dS,
-/// V x = −∫ h x n_z dS and V h_c = −∫ ½ h² n_z dS over the wet surface: the lid, where h = 0, has
-/// no part in them.
 std::optional<Vector3d> centre_of_buoyancy(const hydro::TriMesh& mesh_B,
                                            const hydro::BodyState& state, const hydro::Sea& sea,
                                            double time) {
-  const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * mesh_B.vertices;
-  double volume = 0;
-  Vector3d first = Vector3d::Zero();  // Of x, y and the depth.
-  for (Eigen::Index face = 0; face < mesh_B.face_count(); ++face) {
-    hydro::Panel panel;
-    Vector3d depth;
-    for (int i = 0; i < 3; ++i) {
-      panel[static_cast<std::size_t>(i)] = r.col(mesh_B.faces(i, face));
-      const Vector3d p_W = state.position + panel[static_cast<std::size_t>(i)];
-      depth[i] = hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z();
-    }
-    for (const hydro::PanelPart& part : hydro::positive_part(panel, depth)) {
-      const double down = -hydro::area_vector(part.panel).z();
-      const Vector3d& h = part.value;
-      volume += down * h.mean();
-      first.z() += down / 12 * (h.squaredNorm() + h.sum() * h.sum()) / 2;
-      for (std::size_t i = 0; i < 3; ++i)
-        first.head<2>() +=
-            down / 12 * (h[static_cast<Eigen::Index>(i)] + h.sum()) * part.panel[i].head<2>();
-    }
-  }
-  if (!(volume > 0)) return std::nullopt;
+  const hydro::TriMesh mesh_G = {state.orientation.toRotationMatrix() * mesh_B.vertices,
+                                 mesh_B.faces};
+  const Eigen::Matrix3Xd p_W = mesh_G.vertices.colwise() + state.position;
+  Eigen::RowVectorXd depths(p_W.cols());
+  for (Eigen::Index i = 0; i < p_W.cols(); ++i)
+    depths[i] = hydro::surface_height(sea, p_W(0, i), p_W(1, i), time) - p_W(2, i);
+  const hydro::WetVolume wet = hydro::wet_volume(mesh_G, depths);
+  if (wet.volume == 0) return std::nullopt;
   Vector3d centre = state.position;
-  centre.head<2>() += first.head<2>() / volume;
-  centre.z() = hydro::surface_height(sea, centre.x(), centre.y(), time) - first.z() / volume;
+  centre.head<2>() += wet.centre;
+  centre.z() = hydro::surface_height(sea, centre.x(), centre.y(), time) - wet.depth;
   return centre;
 }
 

@@ -14,28 +14,30 @@
 
 namespace app {
 
-/// Finds what is to be drawn on each picture of a sequence. Arrows of all of them have one scale:
-/// the longest is a fifth of the picture's height.
+/// Finds what is to be drawn on each picture of a sequence. Arrows have one scale: that of the
+/// largest force in the shots included is a fifth of a picture's height.
 class ForceNotes {
  public:
-  /// @param shots           Of the sequence, for the scale; looked at only if forces are shown.
-  /// @param picture_size    Height of the picture at the point looked at [m].
-  ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec,
-             const std::vector<Shot>& shots, double picture_size);
+  /// Both must outlive it.
+  ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec);
 
-  render::Annotations of(const Shot& shot) const;
+  /// Lets scale and legend cover the forces in a shot; does nothing unless they are shown.
+  void include(const Shot& shot);
+
+  /// @param picture_size    Height of the picture at the point looked at [m].
+  render::Annotations of(const Shot& shot, double picture_size) const;
 
  private:
-  void add_forces(std::size_t body, const Shot& shot, render::Annotations& notes) const;
+  /// @param scale   [m/N]
+  void add_forces(std::size_t body, const Shot& shot, double scale,
+                  render::Annotations& notes) const;
   void add_centres(std::size_t body, const Shot& shot, render::Annotations& notes) const;
 
   const RenderScene& look_;
   const engine::SimulationSpec& spec_;
-  std::vector<hydro::Hull> hulls_;          ///< Of the bodies.
+  std::vector<hydro::Hull> hulls_;          ///< Of the bodies, if forces are shown.
   std::vector<render::LegendLine> legend_;  ///< Of the forces that occur.
-  double length_per_force_ = 0;             ///< [m/N]
-  double shortest_ = 0;                     ///< Arrow [m].
-  double scale_force_ = 0;                  ///< That the legend shows [N].
+  double largest_ = 0;                      ///< [N]
 };
 
 /// Centre of the volume of a closed mesh under the water [m, W]; none of a dry one. In waves the

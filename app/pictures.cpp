@@ -41,8 +41,9 @@ class Drawing {
         cameras_(cameras_of(look_)),
         scale_(pressure_scale(look_, spec_, shots)),
         renderer_(first_picture(scene), program_files("shaders")),
-        notes_(look_, spec_, shots, render::picture_size(renderer_.view())) {
+        notes_(look_, spec_) {
     if (spec_.sea) shown_scale_ = scale_;
+    for (const Shot& shot : shots) notes_.include(shot);
   }
 
   PictureReport draw() {
@@ -85,7 +86,8 @@ class Drawing {
       const fs::path file =
           shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
       finishing.put([this, &sheet, &video, &shot, file, view = renderer_.view(),
-                     grid = renderer_.grid(), notes = notes_.of(shot),
+                     grid = renderer_.grid(),
+                     notes = notes_.of(shot, render::picture_size(renderer_.view())),
                      image = renderer_.draw(shot.states, shot.time)]() mutable {
         render::annotate(image, view, notes);
         if (shot.frame) sheet.add(image, shot.time);
@@ -129,7 +131,7 @@ class Drawing {
   const render::PressureScale scale_;
   std::optional<render::PressureScale> shown_scale_;  ///< None without water.
   render::Renderer renderer_;
-  const ForceNotes notes_;
+  ForceNotes notes_;
   PictureReport report_;
   int drawn_ = 0;
 };

@@ -21,10 +21,6 @@ bool has_joint(const SimulationSpec& spec, BodyId body) {
   });
 }
 
-bool changes_with_time(const hydro::Sea& sea) {
-  return std::holds_alternative<hydro::WaveSurface>(sea.surface);
-}
-
 /// Finds the loads of the water, by a look above the surface, from the last time, or anew.
 void find_water_loads(Body& body, const Surroundings& around, const hydro::BodyState& state,
                       double time) {
@@ -32,7 +28,7 @@ void find_water_loads(Body& body, const Surroundings& around, const hydro::BodyS
     ++body.cost.dry;
     body.loads.water = {};
     body.loaded_state.reset();
-  } else if (body.loaded_state == state && !changes_with_time(*around.sea)) {
+  } else if (body.loaded_state == state && !hydro::changes_with_time(*around.sea)) {
     ++body.cost.resting;
   } else {
     body.loads.water = hydro::compute_loads(*body.hull, state, *around.sea, time,

@@ -19,10 +19,6 @@ double time_to_rest(double radius, double gravity) {
   return kSlowestSwing * std::numbers::pi * std::sqrt(radius / gravity);
 }
 
-bool keeps_changing(const Surroundings& around) {
-  return around.sea && std::holds_alternative<hydro::WaveSurface>(around.sea->surface);
-}
-
 /// Of its fastest point, at most [m/s].
 double largest_speed(const Body& body) {
   const hydro::BodyState& state = body.motion.state;
@@ -47,7 +43,7 @@ Sleep::Sleep(const World& world, std::vector<Body>& bodies, const Surroundings& 
     : world_(world),
       bodies_(bodies),
       around_(around),
-      limit_(keeps_changing(around) ? 0 : limit),
+      limit_(around.sea && hydro::changes_with_time(*around.sea) ? 0 : limit),
       still_(bodies.size(), 0),
       island_(bodies.size()),
       steps_(bodies.size(), 0),

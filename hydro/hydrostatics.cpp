@@ -44,13 +44,13 @@ void add_wet_triangle(const PanelPart& wet, WetSums& sums) {
   }
 }
 
-WetSums sum_wet_triangles(const TriMesh& mesh_G, double height) {
+/// @param depths   Of the vertices.
+WetSums sum_wet_triangles(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths) {
   WetSums sums;
   for (const auto& face : mesh_G.faces.colwise()) {
     const Panel panel = {mesh_G.vertices.col(face[0]), mesh_G.vertices.col(face[1]),
                          mesh_G.vertices.col(face[2])};
-    const Eigen::Vector3d depth =
-        -Eigen::Vector3d(panel[0].z() + height, panel[1].z() + height, panel[2].z() + height);
+    const Eigen::Vector3d depth(depths[face[0]], depths[face[1]], depths[face[2]]);
     for (const PanelPart& wet : positive_part(panel, depth)) add_wet_triangle(wet, sums);
   }
   return sums;
@@ -85,7 +85,8 @@ Waterplane waterplane_within(const std::vector<WaterlineEdge>& waterline) {
 }  // namespace
 
 Hydrostatics hydrostatics(const TriMesh& mesh_G, double height) {
-  const WetSums sums = sum_wet_triangles(mesh_G, height);
+  const WetSums sums =
+      sum_wet_triangles(mesh_G, -(mesh_G.vertices.row(2).array() + height).matrix());
   Hydrostatics h{.volume = sums.volume,
                  .wetted_surface = sums.surface,
                  .waterplane = waterplane_within(sums.waterline)};
@@ -93,6 +94,12 @@ Hydrostatics hydrostatics(const TriMesh& mesh_G, double height) {
   h.centre_of_buoyancy.head<2>() = sums.horizontal / sums.volume;
   h.centre_of_buoyancy.z() = -height - sums.depth / sums.volume;
   return h;
+}
+
+WetVolume wet_volume(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths) {
+  const WetSums sums = sum_wet_triangles(mesh_G, depths);
+  if (sums.volume <= 0) return {};
+  return {sums.volume, sums.horizontal / sums.volume, sums.depth / sums.volume};
 }
 
 Eigen::Matrix3d restoring_stiffness(const Hydrostatics& h) {

@@ -51,6 +51,17 @@ struct Hydrostatics {
 /// @param mesh_G   Closed and outward.
 Hydrostatics hydrostatics(const TriMesh& mesh_G, double height);
 
+/// What lies under a surface that need not be level.
+struct WetVolume {
+  double volume = 0;                                 ///< [m^3]; 0 if nothing is wet, as the others.
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< x and y in G [m].
+  double depth = 0;                                  ///< Mean, below the surface over it [m].
+};
+
+/// By (1) to (3), which ask for depths that fall by 1 with z alone.
+/// @param mesh_G   Closed and outward. @param depths   Of its vertices, linear over faces [m].
+WetVolume wet_volume(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths);
+
 /// Second derivatives of the potential energy by heave, roll and pitch about the centre of mass,
 /// per ρ g: [m^2], [m^3], [m^4]. With V the volume, B the centre of buoyancy, all integrals over
 /// the waterplane and x, y in G,

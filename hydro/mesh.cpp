@@ -1,5 +1,7 @@
 #include "hydro/mesh.h"
 
+#include <algorithm>
+
 namespace hydro {
 
 bool same_mesh(const TriMesh& a, const TriMesh& b) {
@@ -32,6 +34,15 @@ Eigen::Vector3d area_vector(const TriMesh& mesh, Eigen::Index face) {
   const Eigen::Vector3d b = mesh.vertices.col(mesh.faces(1, face));
   const Eigen::Vector3d c = mesh.vertices.col(mesh.faces(2, face));
   return 0.5 * (b - a).cross(c - a);
+}
+
+double longest_edge(const TriMesh& mesh) {
+  double longest = 0;
+  for (const auto f : mesh.faces.colwise())
+    for (int i = 0; i < 3; ++i)
+      longest =
+          std::max(longest, (mesh.vertices.col(f[i]) - mesh.vertices.col(f[(i + 1) % 3])).norm());
+  return longest;
 }
 
 Eigen::AlignedBox3d bounding_box(const TriMesh& mesh) {

@@ -33,6 +33,9 @@ TriMesh flipped(TriMesh mesh);
 /// Area times unit normal of face `face`, by the right-hand rule [m^2].
 Eigen::Vector3d area_vector(const TriMesh& mesh, Eigen::Index face);
 
+/// Of the faces [m]; 0 without any.
+double longest_edge(const TriMesh& mesh);
+
 /// Smallest axis-aligned box around the vertices [m].
 Eigen::AlignedBox3d bounding_box(const TriMesh& mesh);
 

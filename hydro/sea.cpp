@@ -156,4 +156,6 @@ SurfaceBounds surface_bounds(const Sea& sea) {
 
 bool is_flat(const Sea& sea) { return std::holds_alternative<FlatSurface>(sea.surface); }
 
+bool changes_with_time(const Sea& sea) { return std::holds_alternative<WaveSurface>(sea.surface); }
+
 }  // namespace hydro

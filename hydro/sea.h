@@ -78,4 +78,7 @@ SurfaceBounds surface_bounds(const Sea& sea);
 /// True if the surface is z = level everywhere and always.
 bool is_flat(const Sea& sea);
 
+/// True unless the surface stays as it is.
+bool changes_with_time(const Sea& sea);
+
 }  // namespace hydro

@@ -10,13 +10,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kHalo =
-    1.5;  ///< Of paper around what is drawn, so that it shows on any ground [px].
+/// Of paper around what is drawn, so that it shows on any ground [px].
+constexpr double kHalo = 1.5;
 
-/// Unit of all lengths on a picture: that of its text [px].
-double text_size(const Image& image) {
-  return std::max(11, std::min(image.width, image.height) / 40);
-}
+/// Unit of lengths on a picture that is too small for text [px].
+constexpr int kSmallUnit = 11;
 
 double distance_to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const Vector2d along = b - a;
@@ -116,8 +114,8 @@ void draw_line(Image& image, const Vector2d& from, const Vector2d& to, double wi
 
 void annotate(Image& image, const View& view, const Annotations& notes) {
   if (notes.arrows.empty() && notes.marks.empty()) return;
-  const double size = text_size(image);
-  const Font font(static_cast<int>(size));
+  const int size = std::max(kSmallUnit, text_size_on(image));
+  const Font font(size);
   for (const Arrow& arrow : notes.arrows) {
     const auto from = pixel_of(view, image, arrow.from_W), to = pixel_of(view, image, arrow.to_W);
     if (from && to) draw_arrow(image, *from, *to, size, arrow.color);
@@ -127,9 +125,9 @@ void annotate(Image& image, const View& view, const Annotations& notes) {
 }
 
 void add_legend(Image& image, const View& view, const Annotations& notes) {
-  if (notes.legend.empty() || std::min(image.width, image.height) < kLeastExtent) return;
-  const double size = text_size(image);
-  const Font font(static_cast<int>(size));
+  const int size = text_size_on(image);
+  if (notes.legend.empty() || size == 0) return;
+  const Font font(size);
   const double arrow = notes.scale_length * image.height / (2 * view.half_height * view.distance);
   const bool scaled = !notes.scale_name.empty();
   double width = scaled ? arrow + 0.7 * size + font.width(notes.scale_name) : 0;
@@ -139,7 +137,7 @@ void add_legend(Image& image, const View& view, const Annotations& notes) {
   const double rows = static_cast<double>(notes.legend.size()) + (scaled ? 1.2 : 0);
   const Panel panel = {0.8 * size, image.height - (rows * step + 1.8 * size), width + 1.2 * size,
                        rows * step + size, 0.3 * size};
-  fill(image, panel, kPaper, 0.78);
+  fill(image, panel, kPaper, kPaperWeight);
   const double left = panel.left + 0.6 * size;
   double y = panel.top + 1.25 * size;
   for (const LegendLine& line : notes.legend) {

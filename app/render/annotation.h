@@ -52,7 +52,7 @@ void draw_line(Image& image, const Eigen::Vector2d& from, const Eigen::Vector2d&
 /// Draws arrows and marks. @param view   That the picture was drawn from.
 void annotate(Image& image, const View& view, const Annotations& notes);
 
-/// Draws the legend, lower left. Pictures of less than 120 pixels either way have none.
+/// Draws the legend, lower left. A picture that is too small for text has none.
 void add_legend(Image& image, const View& view, const Annotations& notes);
 
 }  // namespace render

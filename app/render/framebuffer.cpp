@@ -20,13 +20,14 @@ struct Storage {
   int samples;
 };
 
-void attach_storage(const GlFunctions& gl, Storage storage, int width, int height) {
+GLuint attach_storage(const GlFunctions& gl, Storage storage, int width, int height) {
   GLuint name = 0;
   gl.GenRenderbuffers(1, &name);
   gl.BindRenderbuffer(GL_RENDERBUFFER, name);
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, storage.samples, storage.format, width,
                                     height);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, storage.attachment, GL_RENDERBUFFER, name);
+  return name;
 }
 
 GLuint attach_depth_texture(const GlFunctions& gl, int samples, int width, int height) {
@@ -51,8 +52,8 @@ void check_complete(const GlFunctions& gl, int width, int height) {
 Framebuffer::Framebuffer(const GlFunctions& gl, int width, int height)
     : gl_(&gl), width_(width), height_(height) {
   canvas_ = make_framebuffer(gl);
-  attach_storage(gl, {GL_COLOR_ATTACHMENT0, GL_RGBA8, kSamples}, width, height);
-  attach_depth_texture(gl, kSamples, width, height);
+  color_ = attach_storage(gl, {GL_COLOR_ATTACHMENT0, GL_RGBA8, kSamples}, width, height);
+  depth_ = attach_depth_texture(gl, kSamples, width, height);
   check_complete(gl, width, height);
 
   copy_ = make_framebuffer(gl);
@@ -62,8 +63,17 @@ Framebuffer::Framebuffer(const GlFunctions& gl, int width, int height)
   check_complete(gl, width, height);
 
   resolved_ = make_framebuffer(gl);
-  attach_storage(gl, {GL_COLOR_ATTACHMENT0, GL_RGBA8, 0}, width, height);
+  resolved_color_ = attach_storage(gl, {GL_COLOR_ATTACHMENT0, GL_RGBA8, 0}, width, height);
   check_complete(gl, width, height);
+}
+
+Framebuffer::~Framebuffer() {
+  const GLuint framebuffers[] = {canvas_, copy_, resolved_};
+  const GLuint renderbuffers[] = {color_, resolved_color_};
+  const GLuint textures[] = {depth_, depth_copy_};
+  gl_->DeleteFramebuffers(3, framebuffers);
+  gl_->DeleteRenderbuffers(2, renderbuffers);
+  gl_->DeleteTextures(2, textures);
 }
 
 void Framebuffer::begin() const {

@@ -6,13 +6,16 @@
 namespace render {
 
 /// The canvas that pictures are drawn on: four samples a pixel, colour and depth, with a
-/// copy of the depth that shaders can read. Lives as long as the context it is made in.
+/// copy of the depth that shaders can read. The context it is made in must be current when it goes.
 class Framebuffer {
  public:
   static constexpr int kSamples = 4;
 
   /// @throws Error if the device cannot make one of this size.
   Framebuffer(const GlFunctions& gl, int width, int height);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
 
   /// Directs drawing here and empties the depth.
   void begin() const;
@@ -28,7 +31,8 @@ class Framebuffer {
   const GlFunctions* gl_;
   int width_, height_;
   GLuint canvas_ = 0, copy_ = 0, resolved_ = 0;  // framebuffer objects
-  GLuint depth_copy_ = 0;
+  GLuint color_ = 0, resolved_color_ = 0;        // renderbuffers
+  GLuint depth_ = 0, depth_copy_ = 0;            // textures
 };
 
 }  // namespace render

@@ -33,7 +33,10 @@ GlFunctions load_gl_functions(FunctionFinder find) {
   load(find, gl.CreateProgram, "glCreateProgram");
   load(find, gl.CreateShader, "glCreateShader");
   load(find, gl.DeleteBuffers, "glDeleteBuffers");
+  load(find, gl.DeleteFramebuffers, "glDeleteFramebuffers");
+  load(find, gl.DeleteRenderbuffers, "glDeleteRenderbuffers");
   load(find, gl.DeleteShader, "glDeleteShader");
+  load(find, gl.DeleteTextures, "glDeleteTextures");
   load(find, gl.DeleteVertexArrays, "glDeleteVertexArrays");
   load(find, gl.DepthMask, "glDepthMask");
   load(find, gl.Disable, "glDisable");

@@ -29,7 +29,10 @@ struct GlFunctions {
   PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
   PFNGLCREATESHADERPROC CreateShader = nullptr;
   PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
+  PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;
+  PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
   PFNGLDELETESHADERPROC DeleteShader = nullptr;
+  PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
   PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
   PFNGLDISABLEPROC Disable = nullptr;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "hydro/edge_table.h"
 #include "hydro/face_tree.h"
+#include "hydro/mesh_parts.h"
 #include "hydro/parallel.h"
 
 namespace render {
@@ -44,14 +46,28 @@ float open_share(const hydro::FaceTree& tree, const Vector3d& start, const Vecto
   return static_cast<float>(free) / static_cast<float>(rays.size());
 }
 
-/// True if all vertices are behind the plane of every face.
-bool is_convex(const hydro::TriMesh& mesh, double tolerance) {
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const Vector3d n = hydro::area_vector(mesh, f).normalized();
-    const double height = n.dot(mesh.vertices.col(mesh.faces(0, f))) + tolerance;
-    if ((n.transpose() * mesh.vertices).maxCoeff() > height) return false;
+/// True if no edge of a face bends inward by more than `lift`. A closed mesh of one part is convex
+/// then; of several, or open, it may hide from itself.
+bool has_no_hollow_edge(const hydro::TriMesh& mesh, const std::vector<hydro::HalfEdge>& halves,
+                        double lift) {
+  const auto opposite = [&](const hydro::HalfEdge& side) {
+    const auto f = mesh.faces.col(side.face);
+    return mesh.vertices.col(f.sum() - side.low - side.high);
+  };
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const std::size_t end = hydro::edge_end(halves, i);
+    if (end != i + 2) return false;
+    const hydro::HalfEdge &a = halves[i], &b = halves[++i];
+    const Vector3d n = hydro::area_vector(mesh, a.face).normalized();
+    if (n.dot(opposite(b) - mesh.vertices.col(a.low)) > lift) return false;
   }
   return true;
+}
+
+bool is_convex(const hydro::TriMesh& mesh, const hydro::FaceTree& tree, double lift) {
+  const std::vector<hydro::HalfEdge> halves = hydro::sorted_half_edges(mesh);
+  return has_no_hollow_edge(mesh, halves, lift) &&
+         hydro::closed_parts(mesh, halves, tree).size() == 1;
 }
 
 }  // namespace
@@ -61,10 +77,10 @@ Eigen::RowVectorXf openness(const hydro::TriMesh& mesh, const Skin& skin) {
   Eigen::RowVectorXf open = Eigen::RowVectorXf::Ones(count);
   if (count == 0 || count > kMostVertices) return open;
   const double lift = kLift * mesh.vertices.colwise().norm().maxCoeff();
-  if (is_convex(mesh, lift)) return open;
+  const hydro::FaceTree tree(mesh);
+  if (is_convex(mesh, tree, lift)) return open;
   const std::vector<Vector3d> rays =
       directions(std::clamp(kMostRays / count, kFewestRays, kEnoughRays));
-  const hydro::FaceTree tree(mesh);
   hydro::parallel_for(static_cast<std::size_t>(count), [&](std::size_t i) {
     const auto v = static_cast<Index>(i);
     const Vector3d normal = skin.normals.col(v);

@@ -10,8 +10,6 @@
 namespace render {
 namespace {
 
-constexpr double kPaperWeight = 0.78;  // lets the picture show through, yet text is legible
-
 /// A place for a colour bar; colours run up, or to the right.
 struct Bar {
   double left, top, width, height;
@@ -42,13 +40,14 @@ double widest(const Font& font, const std::vector<Tick>& ticks) {
   return width;
 }
 
-/// Lines of text on a panel, upper left.
-void add_lines(Image& image, const Font& font, double size, const std::vector<std::string>& lines) {
+void add_lines(Image& image, const Font& font, double size, const std::vector<std::string>& lines,
+               bool right) {
   const double step = font.cap_height() + 0.7 * size;
   double width = 0;
   for (const std::string& line : lines) width = std::max(width, font.width(line));
   const double height = step * static_cast<double>(lines.size()) + 0.4 * size;
-  const Panel panel = {0.8 * size, 0.8 * size, width + 1.2 * size, height, 0.3 * size};
+  const double left = right ? image.width - width - 2 * size : 0.8 * size;
+  const Panel panel = {left, 0.8 * size, width + 1.2 * size, height, 0.3 * size};
   fill(image, panel, kPaper, kPaperWeight);
   double y = panel.top + 0.55 * size + font.cap_height();
   for (const std::string& line : lines) {
@@ -85,16 +84,20 @@ void add_scale(Image& image, const Font& font, double size, const PressureScale&
 
 std::string time_label(double time) { return fmt::format("t = {:.2f} s", time); }
 
-void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time,
-                 double grid) {
-  const int extent = std::min(image.width, image.height);
-  if (extent < kLeastExtent) return;
-  // 18 px at 720 lines stays legible when the picture is printed a column wide.
-  const int size = std::max(11, extent / 40);
+void add_lines_right(Image& image, const std::vector<std::string>& lines) {
+  const int size = text_size_on(image);
+  if (size > 0) add_lines(image, Font(size), size, lines, true);
+}
+
+void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time, double grid,
+                 const std::vector<std::string>& more) {
+  const int size = text_size_on(image);
+  if (size == 0) return;
   const Font font(size);
   std::vector<std::string> lines = {time_label(time)};
   if (grid > 0) lines.push_back(fmt::format("grid {:g} m", grid));
-  add_lines(image, font, size, lines);
+  lines.insert(lines.end(), more.begin(), more.end());
+  add_lines(image, font, size, lines, false);
   if (scale) add_scale(image, font, size, *scale);
 }
 

@@ -27,6 +27,10 @@ constexpr double kSagPixels = 0.3;
 /// Bounds the work of a picture: more triangles than this are not made for the sake of waves.
 constexpr double kMostFaces = 100'000;
 
+/// Bodies that are made anew for a nearer view are made for edges of this part of what it asks, so
+/// that one which goes on coming nearer has them made but a few times.
+constexpr double kFiner = 0.5;
+
 /// A body on the graphics device.
 struct DrawnBody {
   Skin skin_B;
@@ -102,6 +106,7 @@ struct Renderer::Impl {
 
   Image draw(const std::vector<hydro::BodyState>& states, double time);
   void look(const Camera& camera);
+  void resize(int width, int height);
 
  private:
   void make_surroundings();
@@ -119,7 +124,7 @@ struct Renderer::Impl {
   View view_;
   EglContext context_;
   const GlFunctions& gl_ = context_.gl();
-  Framebuffer canvas_;
+  std::optional<Framebuffer> canvas_;
   GlProgram sky_, body_, edge_, ground_, water_;
   GlMesh nothing_;  ///< Vertices that a shader makes up from their numbers.
   GLuint scale_texture_;
@@ -135,7 +140,7 @@ struct Renderer::Impl {
 Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
     : picture_(std::move(p)),
       view_(make_view(picture_.camera, picture_.width, picture_.height)),
-      canvas_(gl_, picture_.width, picture_.height),
+      canvas_(std::in_place, gl_, picture_.width, picture_.height),
       sky_(gl_, shaders, "sky"),
       body_(gl_, shaders, "body"),
       edge_(gl_, shaders, "edge"),
@@ -153,6 +158,15 @@ void Renderer::Impl::look(const Camera& camera) {
   make_surroundings();
 }
 
+void Renderer::Impl::resize(int width, int height) {
+  context_.make_current();
+  canvas_.reset();
+  canvas_.emplace(gl_, width, height);
+  picture_.width = width;
+  picture_.height = height;
+  look(picture_.camera);
+}
+
 /// What depends on the view, in arrays of their places about the eye.
 void Renderer::Impl::make_surroundings() {
   const double sag = kSagPixels * picture_size(view_) / picture_.height;
@@ -160,7 +174,7 @@ void Renderer::Impl::make_surroundings() {
                                            : std::numeric_limits<double>::infinity();
   // Bodies are made anew only for a view that they are too coarse for.
   if (bodies_.empty() || longest_edge < bodies_edge_) {
-    bodies_edge_ = (bodies_.empty() ? 1 : 0.8) * longest_edge;
+    bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * longest_edge;
     bodies_.clear();
     for (const BodyLook& look : picture_.bodies) {
       bodies_.push_back(make_body(gl_, look, bodies_edge_));
@@ -265,13 +279,13 @@ void Renderer::Impl::draw_water(double time) {
   const Eigen::MatrixXf vertices = surface_->vertices(time);
   surface_mesh_->set(0, vertices.topRows<3>().eval());
   surface_mesh_->set(1, vertices.bottomRows<2>().eval());
-  canvas_.copy_depth();
+  canvas_->copy_depth();
   set_view(water_, time);
   water_.set("u_near", view_.near);
   water_.set("u_far", view_.far);
   water_.set("u_depth", 0);
   gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, canvas_.depth_copy());
+  gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, canvas_->depth_copy());
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   // Depth is written, and cells come from near to far: of waves behind waves the first is seen.
@@ -282,7 +296,7 @@ void Renderer::Impl::draw_water(double time) {
 Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time) {
   assert(states.size() == bodies_.size());
   context_.make_current();
-  canvas_.begin();
+  canvas_->begin();
   draw_sky(time);
   draw_ground(time);
   set_view(body_, time);
@@ -298,7 +312,7 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time);
   if (picture_.wireframe) draw_edges(states, time);
   if (surface_) draw_water(time);
-  return canvas_.read();
+  return canvas_->read();
 }
 
 Renderer::Renderer(Picture picture, const std::filesystem::path& shader_folder)
@@ -318,6 +332,8 @@ double Renderer::grid() const {
 const View& Renderer::view() const { return impl_->view_; }
 
 void Renderer::look(const Camera& camera) { impl_->look(camera); }
+
+void Renderer::resize(int width, int height) { impl_->resize(width, height); }
 
 void Renderer::show_pressures(const PressureScale& scale) { impl_->picture_.pressure = scale; }
 

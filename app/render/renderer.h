@@ -79,6 +79,9 @@ class Renderer {
   /// Looks from another place from the next picture on; the first is `Picture::camera`.
   void look(const Camera& camera);
 
+  /// Makes pictures of another size from the next on [px]. @throws Error if they cannot be
+  void resize(int width, int height);
+
   /// Shows pressures on another scale from the next picture on.
   void show_pressures(const PressureScale& scale);
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "hydro/edge_table.h"
+
 namespace render {
 namespace {
 
@@ -136,15 +138,6 @@ class EdgeSplitter {
   std::map<std::pair<int, int>, int> middles_;
 };
 
-double longest_edge(const TriMesh& mesh) {
-  double longest = 0;
-  for (const auto f : mesh.faces.colwise())
-    for (int i = 0; i < 3; ++i)
-      longest =
-          std::max(longest, (mesh.vertices.col(f[i]) - mesh.vertices.col(f[(i + 1) % 3])).norm());
-  return longest;
-}
-
 double total_area(const TriMesh& mesh) {
   double area = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) area += hydro::area_vector(mesh, f).norm();
@@ -187,17 +180,12 @@ double straight_edge(const hydro::WaveSurface& waves, double sag) {
 }  // namespace
 
 Eigen::Matrix2Xi edges_of(const TriMesh& mesh) {
-  std::vector<std::pair<int, int>> all;
-  for (const auto f : mesh.faces.colwise())
-    for (int i = 0; i < 3; ++i) all.push_back(std::minmax({f[i], f[(i + 1) % 3]}));
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  Eigen::Matrix2Xi edges(2, static_cast<Index>(all.size()));
-  for (Index i = 0; i < edges.cols(); ++i) {
-    const auto& [a, b] = all[static_cast<std::size_t>(i)];
-    edges.col(i) << a, b;
-  }
-  return edges;
+  const std::vector<hydro::HalfEdge> halves = hydro::sorted_half_edges(mesh);
+  Eigen::Matrix2Xi edges(2, static_cast<Index>(halves.size()));
+  Index count = 0;
+  for (std::size_t i = 0; i < halves.size(); i = hydro::edge_end(halves, i))
+    edges.col(count++) << halves[i].low, halves[i].high;
+  return edges.leftCols(count);
 }
 
 Skin make_skin(const TriMesh& mesh) {

@@ -4,6 +4,7 @@
 #include <fontconfig/fontconfig.h>
 #include <ft2build.h>
 
+#include <algorithm>
 #include <cmath>
 #include FT_FREETYPE_H
 
@@ -57,6 +58,12 @@ struct Font::Face {
     return face->glyph;
   }
 };
+
+int text_size_on(const Image& image) {
+  constexpr int kLeastExtent = 120, kSmallest = 11;
+  const int extent = std::min(image.width, image.height);
+  return extent < kLeastExtent ? 0 : std::max(kSmallest, extent / 40);
+}
 
 Font::Font(int size) : face_(std::make_unique<Face>()) {
   static const std::string file = font_file();

@@ -14,8 +14,11 @@ enum class Align { left, center, right };
 inline constexpr Rgb kInk = {25, 32, 40};
 inline constexpr Rgb kPaper = {255, 255, 255};
 
-/// Of a picture with text [px]: in a smaller one letters would run together.
-inline constexpr int kLeastExtent = 120;
+inline constexpr double kPaperWeight = 0.78;  ///< Lets the picture show through.
+
+/// Of text on a picture [px]: 18 at 720 lines, legible when it is printed a column wide. 0 on one
+/// of less than 120 pixels either way: letters would run together.
+int text_size_on(const Image& image);
 
 /// A typeface at one size.
 class Font {

@@ -43,6 +43,7 @@ Stage::Stage(const Scene& scene, const Assembly& assembly)
     : scene_(scene),
       spec_(assembly.spec),
       simulation_(assembly.spec),
+      notes_(*scene.render, assembly.spec),
       scale_(pressure_scale(*scene.render, range_)) {}
 
 void Stage::restart() {
@@ -68,42 +69,54 @@ long Stage::advance(long steps, double longest) {
   return taken;
 }
 
-bool Stage::grow_scale() {
+Shot Stage::now() const { return {.time = simulation_.time(), .states = simulation_.states()}; }
+
+bool Stage::grow_scale(const Shot& now) {
   if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return false;
-  const PressureRange now = pressure_range(
-      spec_, {.time = simulation_.time(), .states = simulation_.states()}, scene_.render->shows);
-  range_.include(now.lowest);
-  range_.include(now.highest);
+  const PressureRange range = pressure_range(spec_, now, scene_.render->shows);
+  range_.include(range.lowest);
+  range_.include(range.highest);
   const render::PressureScale scale = pressure_scale(*scene_.render, range_);
   const bool grown = scale.min != scale_.min || scale.max != scale_.max;
   scale_ = scale;
   return grown;
 }
 
-void Stage::make_ready(const render::Camera& camera, int width, int height) {
-  const bool grown = grow_scale();
-  if (!canvas_ || canvas_->width != width || canvas_->height != height) {
+void Stage::make_ready(const Shot& now, const render::Camera& camera, int width, int height) {
+  const bool grown = grow_scale(now);
+  notes_.include(now);
+  if (!canvas_) {
     render::Picture look = picture_of(scene_, spec_, scale_);
     look.width = width;
     look.height = height;
     look.camera = camera;
-    canvas_.reset();  // One graphics context is enough.
     canvas_.emplace(
         Canvas{render::Renderer(std::move(look), program_files("shaders")), width, height, camera});
     return;
   }
   if (grown) canvas_->renderer.show_pressures(scale_);
+  if (canvas_->width != width || canvas_->height != height) {
+    canvas_->renderer.resize(width, height);
+    canvas_->width = width;
+    canvas_->height = height;
+  }
   if (same(canvas_->camera, camera)) return;
   canvas_->renderer.look(camera);
   canvas_->camera = camera;
 }
 
-render::Image Stage::picture(const render::Camera& camera, int width, int height) {
-  make_ready(camera, width, height);
-  render::Image image = canvas_->renderer.draw(simulation_.states(), simulation_.time());
+render::Image Stage::picture(const render::Camera& camera, int width, int height,
+                             const std::string& note) {
+  const Shot shot = now();
+  make_ready(shot, camera, width, height);
+  const render::View& view = canvas_->renderer.view();
+  const render::Annotations notes = notes_.of(shot, render::picture_size(view));
+  render::Image image = canvas_->renderer.draw(shot.states, shot.time);
+  render::annotate(image, view, notes);
+  render::add_legend(image, view, notes);
   std::optional<render::PressureScale> shown;
   if (spec_.sea) shown = scale_;
-  render::add_overlay(image, shown, simulation_.time(), canvas_->renderer.grid());
+  render::add_overlay(image, shown, shot.time, canvas_->renderer.grid(), {note});
   return image;
 }
 

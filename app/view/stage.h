@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/assemble.h"
+#include "app/force_notes.h"
 #include "app/pressure_range.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
@@ -31,19 +33,23 @@ class Stage {
   /// @return how many it took. @throws engine::SimulationError
   long advance(long steps, double longest);
 
-  /// With time and pressure scale. An automatic scale grows with the highest pressure so far.
+  /// With what a picture of the scene has, and a note below the time. Automatic scales grow with
+  /// the highest pressures and forces so far.
   /// @throws render::Error
-  render::Image picture(const render::Camera& camera, int width, int height);
+  render::Image picture(const render::Camera& camera, int width, int height,
+                        const std::string& note);
 
  private:
+  Shot now() const;
   /// @return true if it has grown.
-  bool grow_scale();
-  void make_ready(const render::Camera& camera, int width, int height);
+  bool grow_scale(const Shot& now);
+  void make_ready(const Shot& now, const render::Camera& camera, int width, int height);
 
   const Scene& scene_;
   const engine::SimulationSpec& spec_;
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;
+  ForceNotes notes_;
   PressureRange range_;  ///< Of the pressures so far.
   render::PressureScale scale_;
   /// What the renderer was made for, or has been told since.

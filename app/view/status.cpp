@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
+#include "app/render/overlay.h"
 #include "app/render/text.h"
 
 namespace app {
 namespace {
-
-constexpr double kPaperWeight = 0.78;
 
 /// A key or gesture and what it does.
 struct Line {
@@ -34,49 +32,24 @@ constexpr std::array<Line, 11> kHelp = {{
 }};
 constexpr const char* kShortHelp = "h: help   Space: pause   q: quit";
 
-/// The text's size and what follows from it.
-struct Type {
-  explicit Type(int em) : font(em), size(em), line(1.6 * em) {}
-
-  render::Font font;
-  double size;  ///< [px]
-  double line;  ///< From one line to the next [px].
-
-  double padding() const { return 0.6 * size; }
-  double margin() const { return 0.8 * size; }
-  /// Of a panel with so many lines.
-  double height(std::size_t lines) const {
-    return font.cap_height() + 1.1 * size + static_cast<double>(lines - 1) * line;
-  }
-  double baseline(double top, std::size_t index) const {
-    return top + 0.55 * size + font.cap_height() + static_cast<double>(index) * line;
-  }
-};
-
-void fill_panel(render::Image& image, const Type& type, double top, double width,
-                std::size_t lines) {
-  render::fill(
-      image, {type.margin(), top, width + 2 * type.padding(), type.height(lines), 0.3 * type.size},
-      render::kPaper, kPaperWeight);
-}
-
-void add_line(render::Image& image, const Type& type, const std::string& text, double top) {
-  fill_panel(image, type, top, type.font.width(text), 1);
-  type.font.write(image, text, type.margin() + type.padding(), type.baseline(top, 0));
-}
-
-void add_help(render::Image& image, const Type& type) {
+void add_table(render::Image& image, int size) {
+  const render::Font font(size);
   double keys = 0, meanings = 0;
   for (const Line& line : kHelp) {
-    keys = std::max(keys, type.font.width(line.key) + 1.5 * type.size);
-    meanings = std::max(meanings, type.font.width(line.meaning));
+    keys = std::max(keys, font.width(line.key) + 1.5 * size);
+    meanings = std::max(meanings, font.width(line.meaning));
   }
-  const double top = image.height - type.margin() - type.height(kHelp.size());
-  fill_panel(image, type, top, keys + meanings, kHelp.size());
-  const double left = type.margin() + type.padding();
-  for (std::size_t i = 0; i < kHelp.size(); ++i) {
-    type.font.write(image, kHelp[i].key, left, type.baseline(top, i));
-    type.font.write(image, kHelp[i].meaning, left + keys, type.baseline(top, i));
+  const double step = 1.6 * size, height = step * kHelp.size() + 0.4 * size;
+  const double width = keys + meanings + 1.2 * size;
+  const render::Panel panel = {image.width - width - 0.8 * size, 0.8 * size, width, height,
+                               0.3 * size};
+  render::fill(image, panel, render::kPaper, render::kPaperWeight);
+  const double left = panel.left + 0.6 * size;
+  double y = panel.top + 0.55 * size + font.cap_height();
+  for (const Line& line : kHelp) {
+    font.write(image, line.key, left, y);
+    font.write(image, line.meaning, left + keys, y);
+    y += step;
   }
 }
 
@@ -93,16 +66,13 @@ std::string pace_text(const Pace& pace) {
   return pace.reached() > 0 ? fmt::format("{}, reached {:.2f}", speed, pace.reached()) : speed;
 }
 
-void add_status(render::Image& image, const Pace& pace, bool help) {
-  const int extent = std::min(image.width, image.height);
-  if (extent < render::kLeastExtent) return;
-  const Type type(std::max(11, extent / 40));
-  // Below the time, which is as high.
-  add_line(image, type, pace_text(pace), type.margin() + type.height(1) + 0.4 * type.size);
-  if (help)
-    add_help(image, type);
+void add_help(render::Image& image, bool whole) {
+  const int size = render::text_size_on(image);
+  if (size == 0) return;
+  if (whole)
+    add_table(image, size);
   else
-    add_line(image, type, kShortHelp, image.height - type.margin() - type.height(1));
+    render::add_lines_right(image, {kShortHelp});
 }
 
 }  // namespace app

@@ -88,8 +88,9 @@ class LiveView {
   void show() {
     const auto [width, height] = shown_size_ = window_.size();
     if (width == 0 || height == 0) return;
-    render::Image image = stage_.picture(controls_.camera(), width, height);
-    add_status(image, controls_.pace(), controls_.help());
+    render::Image image =
+        stage_.picture(controls_.camera(), width, height, pace_text(controls_.pace()));
+    add_help(image, controls_.help());
     window_.draw(image);
     if (stage_.simulation().steps() == last_step_) {
       render::write_png(window_.read(), options_.snapshot);

@@ -162,6 +162,10 @@ Eigen::VectorXd chosen_areas(const Eigen::MatrixXd& products, const Eigen::Vecto
     kept = 0;
     for (Index i = 0; i < points.size(); ++i)
       if (best[i] > 0) points[kept++] = points[i];
+    if (kept == 0) {  // By roundings: what equal areas lose is measured as well.
+      best.setOnes();
+      break;
+    }
   }
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(area.size());
   weight(points) = best * (area.sum() / best.sum());

@@ -35,7 +35,7 @@
 
 namespace hydro::kernel {
 
-/// Points of a branch, at most: as many as a leaf has faces.
+/// Points of a branch, at most.
 inline constexpr int kMostPoints = 64;
 
 /// Products of features that have a gap: of so many, at most.

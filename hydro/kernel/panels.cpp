@@ -131,17 +131,6 @@ class VertexList {
   std::map<int, int> known_;
 };
 
-double longest_edge(const TriMesh& mesh, const std::vector<int>& faces) {
-  double longest = 0;
-  for (const int face : faces)
-    for (int i = 0; i < 3; ++i) {
-      const auto side =
-          mesh.vertices.col(mesh.faces(i, face)) - mesh.vertices.col(mesh.faces((i + 1) % 3, face));
-      longest = std::max(longest, side.norm());
-    }
-  return longest;
-}
-
 }  // namespace
 
 Face face_of(const Leaf& leaf, int lane) {
@@ -176,7 +165,7 @@ Panels make_panels(const TriMesh& mesh_B) {
       vertices.add(face, fills, lane, panels.vertices[leaf]);
     }
   }
-  panels.longest_edge = longest_edge(mesh_B, panels.face);
+  panels.longest_edge = longest_edge(mesh_B);
   return panels;
 }
 

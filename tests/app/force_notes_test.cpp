@@ -59,7 +59,7 @@ TEST(CentreOfBuoyancy, IsNoneOfADryBody) {
 struct Floating {
   engine::SimulationSpec spec;
   app::RenderScene look;
-  std::vector<app::Shot> shots;
+  app::Shot shot;
 };
 
 /// A cube half in the water, half its density.
@@ -69,16 +69,21 @@ Floating floating_cube() {
   engine::BodySpec& body = cube.spec.bodies.emplace_back();
   body.mesh_B = hydro::make_box({1, 1, 1});
   body.mass = 500;
-  cube.shots = {{.time = 0, .states = {hydro::BodyState{}}}};
+  cube.shot = {.time = 0, .states = {hydro::BodyState{}}};
   return cube;
+}
+
+render::Annotations notes_of(const Floating& cube, double picture_size) {
+  app::ForceNotes notes(cube.look, cube.spec);
+  notes.include(cube.shot);
+  return notes.of(cube.shot, picture_size);
 }
 
 TEST(ForceNotes, ShowForcesInOneScaleAtTheirPlaces) {
   Floating cube = floating_cube();
   cube.look.show.forces = true;
   const double picture_size = 7;
-  const app::ForceNotes notes(cube.look, cube.spec, cube.shots, picture_size);
-  const render::Annotations found = notes.of(cube.shots[0]);
+  const render::Annotations found = notes_of(cube, picture_size);
   ASSERT_EQ(found.arrows.size(), 2);
   ASSERT_EQ(found.legend.size(), 2);
   EXPECT_EQ(found.legend[0].name, "weight");
@@ -93,11 +98,27 @@ TEST(ForceNotes, ShowForcesInOneScaleAtTheirPlaces) {
   EXPECT_TRUE(found.marks.empty());
 }
 
+TEST(ForceNotes, ScaleGrowsWithWhatIsIncludedAndWithThePicture) {
+  Floating cube = floating_cube();
+  cube.look.show.forces = true;
+  app::ForceNotes notes(cube.look, cube.spec);
+  notes.include(cube.shot);
+  const auto weight = [&](double picture_size) {
+    const render::Arrow arrow = notes.of(cube.shot, picture_size).arrows.at(0);
+    return (arrow.to_W - arrow.from_W).norm();
+  };
+  const double before = weight(7);
+  EXPECT_NEAR(weight(70), 10 * before, 10 * kSumRoundOff);
+  app::Shot under = cube.shot;  // Twice the buoyancy.
+  under.states[0].position.z() = -5;
+  notes.include(under);
+  EXPECT_NEAR(weight(7), before / 2, kSumRoundOff);
+}
+
 TEST(ForceNotes, ShowCentres) {
   Floating cube = floating_cube();
   cube.look.show.centres = true;
-  const render::Annotations found =
-      app::ForceNotes(cube.look, cube.spec, cube.shots, 7).of(cube.shots[0]);
+  const render::Annotations found = notes_of(cube, 7);
   ASSERT_EQ(found.marks.size(), 2);
   EXPECT_EQ(found.marks[0].letter, "G");
   EXPECT_EQ(found.marks[1].letter, "B");
@@ -107,8 +128,7 @@ TEST(ForceNotes, ShowCentres) {
 
 TEST(ForceNotes, AreNoneUnlessASceneAsks) {
   const Floating cube = floating_cube();
-  const render::Annotations found =
-      app::ForceNotes(cube.look, cube.spec, cube.shots, 7).of(cube.shots[0]);
+  const render::Annotations found = notes_of(cube, 7);
   EXPECT_TRUE(found.arrows.empty() && found.marks.empty() && found.legend.empty());
 }
 

@@ -11,6 +11,7 @@
 
 #include "hydro/mass_properties.h"
 #include "tests/support/meshes.h"
+#include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -178,6 +179,14 @@ TEST(Primitives, ImpossibleSizesAndCountsAreRefused) {
   EXPECT_THROW(hydro::make_cylinder(1, 0, 8, 1), std::invalid_argument);
   EXPECT_THROW(hydro::make_cylinder(1, 1, 8, 0), std::invalid_argument);
   EXPECT_THROW(hydro::make_cylinder(1, 1e-9, 2000000000, 1), std::invalid_argument);
+}
+
+TEST(LongestEdge, OfABoxIsTheDiagonalOfItsLargestSide) {
+  support::Random random(3);
+  hydro::TriMesh box = hydro::make_box({1, 3, 4});
+  box.vertices = (random.rotation().toRotationMatrix() * box.vertices).colwise() + random.vector(9);
+  EXPECT_NEAR(hydro::longest_edge(box), 5, support::tolerance(1e-13));
+  EXPECT_EQ(hydro::longest_edge({}), 0);
 }
 
 }  // namespace

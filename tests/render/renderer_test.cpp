@@ -171,6 +171,19 @@ TEST(Renderer, LooksFromAnotherPlaceAsOneMadeThereDoes) {
   EXPECT_EQ(renderer.draw(scene.states, 0), before);
 }
 
+TEST(Renderer, DrawsInAnotherSizeAsOneMadeForItDoes) {
+  Scene scene = ball_from_above();
+  render::Renderer renderer(scene.picture, pictures::shader_folder());
+  const Image before = renderer.draw(scene.states, 0);
+  const int width = scene.picture.width, height = scene.picture.height;
+  scene.picture.width = 330;
+  scene.picture.height = 150;
+  renderer.resize(330, 150);
+  EXPECT_EQ(renderer.draw(scene.states, 0), pictures::draw(scene));
+  renderer.resize(width, height);
+  EXPECT_EQ(renderer.draw(scene.states, 0), before);
+}
+
 TEST(WaterPicture, CoversTheSceneWithWater) {
   Scene scene = ball_from_above();
   const Image with = pictures::draw(scene);

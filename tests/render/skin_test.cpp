@@ -15,15 +15,6 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using hydro::TriMesh;
 
-double longest_edge(const TriMesh& mesh) {
-  double longest = 0;
-  for (const auto f : mesh.faces.colwise())
-    for (int i = 0; i < 3; ++i)
-      longest =
-          std::max(longest, (mesh.vertices.col(f[i]) - mesh.vertices.col(f[(i + 1) % 3])).norm());
-  return longest;
-}
-
 TEST(Skin, KeepsTheEdgesOfABoxSharp) {
   const render::Skin skin = render::make_skin(hydro::make_box({1, 2, 3}, 2));
   for (const auto n : skin.normals.colwise())

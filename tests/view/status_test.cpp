@@ -9,12 +9,12 @@ using render::Image;
 
 constexpr render::Rgb kBlack = {0, 0, 0};
 
-/// The highest row with anything on it, from above; the image's height if there is none.
-int first_row(const Image& image) {
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      if (image.at(x, y) != kBlack) return y;
-  return image.height;
+/// The first column with anything on it, from the left; the image's width if there is none.
+int first_column(const Image& image) {
+  for (int x = 0; x < image.width; ++x)
+    for (int y = 0; y < image.height; ++y)
+      if (image.at(x, y) != kBlack) return x;
+  return image.width;
 }
 
 long marked(const Image& image) {
@@ -36,18 +36,18 @@ TEST(Status, TellsTheSpeedAndWhatOfItWasReached) {
   EXPECT_EQ(app::pace_text(pace), "speed 4, paused");
 }
 
-TEST(Status, LeavesRoomForTheTimeAndGrowsWithHelp) {
-  const Pace pace(0.1);
+TEST(Help, LeavesTheLeftFreeAndGrowsWhenItIsWhole) {
   Image brief = render::filled_image(640, 480, kBlack), full = brief;
-  app::add_status(brief, pace, false);
-  app::add_status(full, pace, true);
-  EXPECT_GT(first_row(brief), 30);
+  app::add_help(brief, false);
+  app::add_help(full, true);
+  EXPECT_GT(first_column(brief), 320);
+  EXPECT_GT(first_column(full), 240);
   EXPECT_GT(marked(full), 3 * marked(brief));
 }
 
-TEST(Status, LeavesSmallPicturesAlone) {
+TEST(Help, LeavesSmallPicturesAlone) {
   Image image = render::filled_image(100, 400, kBlack);
-  app::add_status(image, Pace(0.1), true);
+  app::add_help(image, true);
   EXPECT_EQ(marked(image), 0);
 }
 
