@@ -21,16 +21,11 @@ namespace {
 
 /// The logged states that are to be drawn, as a run of the scene would have drawn them.
 ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const Scene& scene,
-                      const VideoOptions& video) {
+                      const engine::SimulationSpec& spec, const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
   ShotList shots(scene.render->every, end, video.pictures_a_second());
-  for (std::size_t i = 0; i < rows; ++i) {
-    std::vector<hydro::BodyState> states;
-    for (const BodyScene& body : scene.bodies)
-      states.push_back(trajectory.tracks.at(body.name).states[i]);
-    shots.add(times[i], states);
-  }
+  for (std::size_t i = 0; i < rows; ++i) shots.add(times[i], states_at(trajectory, spec, i));
   return shots;
 }
 
@@ -59,7 +54,7 @@ int render_trajectory(const RenderOptions& options) {
   const Trajectory trajectory = read_trajectory(file);
   check_same_bodies(trajectory, assembly.spec, file);
   const ShotList list =
-      choose_shots(trajectory, common_rows(trajectory, file), scene, options.video);
+      choose_shots(trajectory, common_rows(trajectory, file), scene, assembly.spec, options.video);
   const std::vector<Shot>& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;

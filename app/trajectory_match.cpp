@@ -38,4 +38,12 @@ std::size_t common_rows(const Trajectory& trajectory, const std::filesystem::pat
   return rows;
 }
 
+std::vector<hydro::BodyState> states_at(const Trajectory& trajectory,
+                                        const engine::SimulationSpec& spec, std::size_t row) {
+  std::vector<hydro::BodyState> states;
+  for (const engine::BodySpec& body : spec.bodies)
+    states.push_back(trajectory.tracks.at(body.name).states.at(row));
+  return states;
+}
+
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
 #include "app/trajectory.h"
 #include "engine/spec.h"
@@ -19,5 +20,9 @@ void check_same_bodies(const Trajectory& trajectory, const engine::SimulationSpe
 /// The rows that every body has: fewer than the longest track's if the log was cut off.
 /// @throws InputError if rows of two bodies are not of the same time.
 std::size_t common_rows(const Trajectory& trajectory, const std::filesystem::path& file);
+
+/// Of all bodies of a scene, in its order, at a row that they all have.
+std::vector<hydro::BodyState> states_at(const Trajectory& trajectory,
+                                        const engine::SimulationSpec& spec, std::size_t row);
 
 }  // namespace app

@@ -1,0 +1,68 @@
+#include "tests/golden/pictures/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/assemble.h"
+#include "app/cameras.h"
+#include "app/pictures.h"
+#include "app/pressure_range.h"
+#include "app/program_files.h"
+#include "app/scene/reader.h"
+#include "app/trajectory.h"
+#include "app/trajectory_match.h"
+
+namespace golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSource = PLIMSOLL_SOURCE_DIR;
+
+fs::path folder_of(const std::string& scene) { return kSource / "tests" / "golden" / scene; }
+
+app::Scene scene_of(const KeptPicture& picture) {
+  std::vector<app::Override> overrides;
+  for (const std::string& set : picture.sets) overrides.push_back(app::parse_override(set));
+  return app::read_scene(kSource / "scenes" / (picture.scene + ".yaml"), overrides);
+}
+
+app::Shot shot_of(const KeptPicture& picture, const engine::SimulationSpec& spec) {
+  const fs::path file = folder_of(picture.scene) / "trajectory.csv";
+  const app::Trajectory trajectory = app::read_trajectory(file);
+  app::check_same_bodies(trajectory, spec, file);
+  const std::vector<double>& times = trajectory.tracks.begin()->second.times;
+  const auto found = std::find(times.begin(), times.end(), picture.time);
+  if (found == times.end())
+    throw std::invalid_argument(fmt::format("{} has no row of {} s", file.string(), picture.time));
+  return {picture.time,
+          app::states_at(trajectory, spec, static_cast<std::size_t>(found - times.begin()))};
+}
+
+}  // namespace
+
+const std::vector<KeptPicture>& kept_pictures() {
+  static const std::vector<KeptPicture> pictures = {
+      {"teapot_drop", 0.63, {"render.size=[480,360]"}},
+      {"barge_in_swell", 9.12, {"render.size=[480,270]", "render.show=[waterline]"}},
+      {"crates_afloat", 1.8, {"render.size=[480,360]", "render.show=[wireframe]"}},
+      {"crane_lowering", 7.2, {"render.size=[480,360]", "render.pressure.colors=viridis"}}};
+  return pictures;
+}
+
+fs::path kept_file(const KeptPicture& picture) { return folder_of(picture.scene) / "picture.png"; }
+
+render::Image draw(const KeptPicture& picture) {
+  const app::Scene scene = scene_of(picture);
+  const app::Assembly assembly = app::assemble(scene);
+  const app::Shot shot = shot_of(picture, assembly.spec);
+  render::Picture look = app::picture_of(scene, assembly.spec,
+                                         app::pressure_scale(*scene.render, assembly.spec, {shot}));
+  look.camera = app::camera_at(app::cameras_of(*scene.render).front(), assembly.spec, shot);
+  return render::Renderer(std::move(look), app::program_files("shaders"))
+      .draw(shot.states, shot.time);
+}
+
+}  // namespace golden
