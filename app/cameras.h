@@ -4,7 +4,7 @@
 
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
-#include "app/shots.h"
+#include "app/shot_store.h"
 #include "engine/spec.h"
 
 /// @file

@@ -5,7 +5,7 @@
 
 #include "app/render/annotation.h"
 #include "app/scene/scene.h"
-#include "app/shots.h"
+#include "app/shot_store.h"
 #include "engine/spec.h"
 #include "hydro/loads.h"
 

@@ -31,7 +31,7 @@ constexpr std::size_t kMostWaiting = 2;
 /// The pictures of a scene, drawn by one camera after the other.
 class Drawing {
  public:
-  Drawing(const Scene& scene, const Assembly& assembly, const std::vector<Shot>& shots,
+  Drawing(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
           const PictureTarget& target, const PictureProgress& progress)
       : look_(*scene.render),
         spec_(assembly.spec),
@@ -43,7 +43,8 @@ class Drawing {
         renderer_(first_picture(scene), program_files("shaders")),
         notes_(look_, spec_) {
     if (spec_.sea) shown_scale_ = scale_;
-    for (const Shot& shot : shots) notes_.include(shot);
+    if (look_.show.forces)
+      for (std::size_t i = 0; i < shots.size(); ++i) notes_.include(shots.at(i));
   }
 
   PictureReport draw() {
@@ -59,7 +60,7 @@ class Drawing {
  private:
   render::Picture first_picture(const Scene& scene) const {
     render::Picture first = picture_of(scene, spec_, scale_);
-    if (!shots_.empty()) first.camera = camera_at(cameras_.front(), spec_, shots_.front());
+    if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), spec_, shots_.at(0));
     return first;
   }
 
@@ -80,21 +81,22 @@ class Drawing {
     std::size_t frames = 0;
     bool seen = &camera == &cameras_.front();
     Background finishing(spec_.threads, kMostWaiting);
-    for (const Shot& shot : shots_) {
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+      const Shot shot = shots_.at(i);
       if (!seen || moves(camera)) renderer_.look(camera_at(camera, spec_, shot));
       seen = true;
       const fs::path file =
           shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
-      finishing.put([this, &sheet, &video, &shot, file, view = renderer_.view(),
-                     grid = renderer_.grid(),
+      finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,
+                     of_video = shot.video, file, view = renderer_.view(), grid = renderer_.grid(),
                      notes = notes_.of(shot, render::picture_size(renderer_.view())),
                      image = renderer_.draw(shot.states, shot.time)]() mutable {
         render::annotate(image, view, notes);
-        if (shot.frame) sheet.add(image, shot.time);
+        if (is_frame) sheet.add(image, time);
         render::add_legend(image, view, notes);
-        render::add_overlay(image, shown_scale_, shot.time, grid);
-        if (shot.frame) render::write_png(image, file);
-        if (shot.video) video->add(image);
+        render::add_overlay(image, shown_scale_, time, grid);
+        if (is_frame) render::write_png(image, file);
+        if (of_video) video->add(image);
       });
       report_.frames += shot.frame;
       if (shot.video) ++report_.videos.back().pictures;
@@ -111,8 +113,7 @@ class Drawing {
 
   /// None where no shot is for it.
   std::optional<Video> video_of(const CameraScene& camera) {
-    if (std::none_of(shots_.begin(), shots_.end(), [](const Shot& shot) { return shot.video; }))
-      return std::nullopt;
+    if (shots_.of_video() == 0) return std::nullopt;
     const VideoShape shape = {.width = look_.size[0],
                               .height = look_.size[1],
                               .fps = target_.video.fps,
@@ -124,7 +125,7 @@ class Drawing {
 
   const RenderScene& look_;
   const engine::SimulationSpec& spec_;
-  const std::vector<Shot>& shots_;
+  const ShotStore& shots_;
   const PictureTarget& target_;
   const PictureProgress& progress_;
   const std::vector<CameraScene> cameras_;
@@ -167,9 +168,8 @@ std::vector<std::string> videos_made(const PictureReport& report) {
   return lines;
 }
 
-PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
-                            const std::vector<Shot>& shots, const PictureTarget& target,
-                            const PictureProgress& progress) {
+PictureReport draw_pictures(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
+                            const PictureTarget& target, const PictureProgress& progress) {
   return Drawing(scene, assembly, shots, target, progress).draw();
 }
 

@@ -8,7 +8,7 @@
 #include "app/assemble.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
-#include "app/shots.h"
+#include "app/shot_store.h"
 #include "app/video.h"
 
 namespace app {
@@ -44,9 +44,8 @@ using PictureProgress = std::function<bool(int done, int all)>;
 /// video that is stopped has what was drawn; one that cannot be written is not there. Only for
 /// scenes with a render block.
 /// @throws render::Error, OutputError
-PictureReport draw_pictures(const Scene& scene, const Assembly& assembly,
-                            const std::vector<Shot>& shots, const PictureTarget& target,
-                            const PictureProgress& progress);
+PictureReport draw_pictures(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
+                            const PictureTarget& target, const PictureProgress& progress);
 
 /// What there is to say of the videos, a line each.
 std::vector<std::string> videos_made(const PictureReport& report);

@@ -74,11 +74,11 @@ render::PressureScale pressure_scale(const RenderScene& look, const PressureRang
 }
 
 render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
-                                     const std::vector<Shot>& shots) {
+                                     const ShotStore& shots) {
   PressureRange range;
   if (!look.pressure_max || !look.pressure_min)
-    for (const Shot& shot : shots) {
-      const PressureRange here = pressure_range(spec, shot, look.shows);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      const PressureRange here = pressure_range(spec, shots.at(i), look.shows);
       range.include(here.lowest);
       range.include(here.highest);
     }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "app/render/color_scale.h"
 #include "app/scene/scene.h"
-#include "app/shots.h"
+#include "app/shot_store.h"
 #include "engine/spec.h"
 
 /// @file
@@ -27,6 +25,6 @@ render::PressureScale pressure_scale(const RenderScene& look, const PressureRang
 
 /// The same, over all shots.
 render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
-                                     const std::vector<Shot>& shots);
+                                     const ShotStore& shots);
 
 }  // namespace app

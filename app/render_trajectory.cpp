@@ -29,14 +29,12 @@ ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const Scen
   return shots;
 }
 
-void say_what_was_drawn(const PictureReport& report, const std::vector<Shot>& shots,
+void say_what_was_drawn(const PictureReport& report, const ShotStore& shots,
                         const std::filesystem::path& folder) {
-  const auto frames =
-      std::count_if(shots.begin(), shots.end(), [](const Shot& shot) { return shot.frame; });
   const std::size_t cameras = std::max<std::size_t>(1, report.cameras.size());
   say(fmt::format(
       "{}: {} of {} pictures and {}, drawn on {}", folder.string(), report.frames,
-      static_cast<std::size_t>(frames) * cameras,
+      shots.frames() * cameras,
       cameras == 1 ? "sheet.png" : fmt::format("a sheet for each of {} cameras", cameras),
       report.device));
   for (const std::string& line : videos_made(report)) say(line);
@@ -55,7 +53,7 @@ int render_trajectory(const RenderOptions& options) {
   check_same_bodies(trajectory, assembly.spec, file);
   const ShotList list =
       choose_shots(trajectory, common_rows(trajectory, file), scene, assembly.spec, options.video);
-  const std::vector<Shot>& shots = list.shots();
+  const ShotStore& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;
   ProgressLine progress(options.quiet);

@@ -7,7 +7,7 @@ namespace app {
 void ShotList::add(double time, const std::vector<hydro::BodyState>& states) {
   const bool frame = frames_.due(time);
   const bool video = fps_ > 0 && add_video_shots(time, states);
-  if (frame || video) shots_.push_back({time, states, frame, video});
+  if (frame || video) shots_.add({time, states, frame, video});
   if (fps_ == 0) return;
   last_time_ = time;
   last_ = states;
@@ -32,7 +32,7 @@ void ShotList::add_between(double due, double time, const std::vector<hydro::Bod
   const double interval = time - last_time_;
   for (std::size_t i = 0; i < states.size(); ++i)
     shot.states.push_back(between(last_[i], states[i], interval, (due - last_time_) / interval));
-  shots_.push_back(std::move(shot));
+  shots_.add(shot);
 }
 
 }  // namespace app

@@ -3,17 +3,10 @@
 #include <vector>
 
 #include "app/schedule.h"
+#include "app/shot_store.h"
 #include "hydro/spatial.h"
 
 namespace app {
-
-/// States of all bodies at a time that is to be drawn.
-struct Shot {
-  double time = 0;  ///< [s]
-  std::vector<hydro::BodyState> states;
-  bool frame = true;   ///< Of those in `frames/` and on the sheet.
-  bool video = false;  ///< Of the video.
-};
 
 /// Chooses from the states of a run those that are drawn: for frames the first state at or after
 /// each time that is due, for a video the states at its times, found between those of the run.
@@ -24,11 +17,11 @@ class ShotList {
   /// @param fps     Pictures of the video in a second; 0: there is none.
   ShotList(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
 
-  /// To be told of all states in the order of time.
+  /// To be told of all states in the order of time. @throws OutputError
   void add(double time, const std::vector<hydro::BodyState>& states);
 
   /// In the order of time.
-  const std::vector<Shot>& shots() const { return shots_; }
+  const ShotStore& shots() const { return shots_; }
 
  private:
   bool add_video_shots(double time, const std::vector<hydro::BodyState>& states);
@@ -40,7 +33,7 @@ class ShotList {
   long next_ = 0;  ///< Number of the video's next picture.
   double last_time_ = 0;
   std::vector<hydro::BodyState> last_;  ///< For a video only.
-  std::vector<Shot> shots_;
+  ShotStore shots_;
 };
 
 }  // namespace app

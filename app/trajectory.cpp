@@ -17,13 +17,6 @@ namespace {
 constexpr std::string_view kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 constexpr double kUnitTolerance = 0.01;  ///< Of quaternions that others wrote with few digits.
 
-hydro::BodyState state(const StateRow& n) {
-  return {.position = {n[0], n[1], n[2]},
-          .orientation = Eigen::Quaterniond(n[3], n[4], n[5], n[6]),
-          .linear_velocity = {n[7], n[8], n[9]},
-          .angular_velocity = {n[10], n[11], n[12]}};
-}
-
 /// One row; a body's times must ascend.
 void read_row(std::string_view text, const std::filesystem::path& file, int line,
               Trajectory& trajectory) {
@@ -55,11 +48,18 @@ StateRow row_of(const hydro::BodyState& s) {
           v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
 }
 
+hydro::BodyState state_of(const StateRow& n) {
+  return {.position = {n[0], n[1], n[2]},
+          .orientation = Eigen::Quaterniond(n[3], n[4], n[5], n[6]),
+          .linear_velocity = {n[7], n[8], n[9]},
+          .angular_velocity = {n[10], n[11], n[12]}};
+}
+
 std::string add_row(const std::string& name, double time, const StateRow& row, BodyTrack& track) {
   if (!track.times.empty() && time <= track.times.back())
     return fmt::format("time {} of body {} does not come after {}", time, name, track.times.back());
   track.times.push_back(time);
-  track.states.push_back(state(row));
+  track.states.push_back(state_of(row));
   const double norm = track.states.back().orientation.norm();
   if (!(std::abs(norm - 1) < kUnitTolerance))
     return fmt::format("the quaternion has length {:g}, expected 1", norm);

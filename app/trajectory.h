@@ -18,6 +18,7 @@ namespace app {
 /// The numbers of a state in the order of the columns, x to wz.
 using StateRow = std::array<double, 13>;
 StateRow row_of(const hydro::BodyState& state);
+hydro::BodyState state_of(const StateRow& row);
 
 /// Writes a trajectory while it is made. What was added is in the file when `add` returns.
 class TrajectoryWriter {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/interpolation.h"
+#include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -23,10 +24,16 @@ hydro::BodyState falling(double time) {
   return state;
 }
 
+std::vector<Shot> all_of(const app::ShotStore& store) {
+  std::vector<Shot> shots;
+  for (std::size_t i = 0; i < store.size(); ++i) shots.push_back(store.at(i));
+  return shots;
+}
+
 /// Those of a run in steps to the end.
 std::vector<Shot> shots_of(ShotList list, double step, int steps, double first = 0) {
   for (int i = 0; i <= steps; ++i) list.add(first + i * step, {falling(first + i * step)});
-  return list.shots();
+  return all_of(list.shots());
 }
 
 std::vector<double> times(const std::vector<Shot>& shots, bool Shot::*which) {
@@ -87,6 +94,31 @@ TEST(ShotList, OfNoDurationHasTheInitialState) {
 TEST(ShotList, BeginsWhereTheStatesDo) {
   const std::vector<Shot> shots = shots_of(ShotList(1, 3, 4), 0.5, 4, 1.1);
   EXPECT_THAT(times(shots, &Shot::video), ElementsAre(1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75));
+}
+
+TEST(ShotStore, GivesBackWhatWasAddedInAnyOrder) {
+  support::Random random(5);
+  app::ShotStore store;
+  std::vector<Shot> shots;
+  for (int i = 0; i < 20; ++i) {
+    shots.push_back({.time = random.uniform(0, 9),
+                     .states = {random.state(3, 4), random.state(1e3, 9)},
+                     .frame = i % 3 == 0,
+                     .video = i % 2 == 0});
+    store.add(shots.back());
+    EXPECT_EQ(store.at(0), shots[0]);
+  }
+  EXPECT_EQ(all_of(store), shots);
+  EXPECT_EQ(store.frames(), 7u);
+  EXPECT_EQ(store.of_video(), 10u);
+}
+
+TEST(ShotStore, OfASceneWithoutBodiesHasTimes) {
+  app::ShotStore store;
+  store.add({.time = 0.5});
+  store.add({.time = 0.75});
+  EXPECT_EQ(store.at(0).time, 0.5);
+  EXPECT_TRUE(store.at(1).states.empty());
 }
 
 TEST(Interpolation, KeepsBothEnds) {

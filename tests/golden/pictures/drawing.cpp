@@ -58,10 +58,11 @@ render::Image draw(const KeptPicture& picture) {
   const app::Scene scene = scene_of(picture);
   const app::Assembly assembly = app::assemble(scene);
   const app::Shot shot = shot_of(picture, assembly.spec);
-  render::Picture look = app::picture_of(scene, assembly.spec,
-                                         app::pressure_scale(*scene.render, assembly.spec, {shot}));
-  look.camera = app::camera_at(app::cameras_of(*scene.render).front(), assembly.spec, shot);
-  return render::Renderer(std::move(look), app::program_files("shaders"))
+  const app::RenderScene& look = *scene.render;
+  const app::PressureRange range = app::pressure_range(assembly.spec, shot, look.shows);
+  render::Picture bare = app::picture_of(scene, assembly.spec, app::pressure_scale(look, range));
+  bare.camera = app::camera_at(app::cameras_of(look).front(), assembly.spec, shot);
+  return render::Renderer(std::move(bare), app::program_files("shaders"))
       .draw(shot.states, shot.time);
 }
 
