@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "hydro/added_mass.h"
@@ -29,7 +30,7 @@ class WettedAddedMass final : public AddedMassModel {
  public:
   /// @param mesh_B     Closed; its origin the centre of mass.
   /// @param solution   Of this mesh, about the same origin.
-  WettedAddedMass(TriMesh mesh_B, const AddedMassSolution& solution);
+  WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
 
@@ -37,26 +38,34 @@ class WettedAddedMass final : public AddedMassModel {
   const Matrix6d& whole() const { return whole_; }
 
  private:
-  /// A box around faces_[first … last). Its left child follows it; a leaf has no right child.
+  /// A face of the mesh and what its share is made of.
+  struct Face {
+    Eigen::Vector3i vertices;
+    std::array<Eigen::Vector3d, 3> corners_B;
+    CornerPotentials psi;
+    Matrix6d share;  ///< Of all of it, ρ = 1.
+
+    Matrix6d share_of(const Eigen::Matrix3d& products) const;
+  };
+  /// A box around faces_[first … last). Its branches follow it, up to `next`; a leaf has none.
   struct Node {
-    Eigen::AlignedBox3d box_B;
+    Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();
+    Eigen::Vector3d half_B = Eigen::Vector3d::Zero();  ///< Half its sides.
     int first = 0, last = 0;
-    int right = 0;
+    int next = 0;
     Matrix6d share = Matrix6d::Zero();  ///< Of all its faces.
   };
+  class Builder;
   struct Immersion;
 
-  int build(int first, int last);
-  void add_node(Immersion& in, int node, Matrix6d& sum) const;
-  void add_face(Immersion& in, int face, Matrix6d& sum) const;
-  void add_piece(int face, const Panel& weights, const Eigen::Vector3d& depth, Matrix6d& sum) const;
+  Matrix6d sum_of_wet(Immersion& in) const;
+  void add_leaf(Immersion& in, const Node& leaf, Matrix6d& sum) const;
+  void add_in_waves(Immersion& in, const Face& face, Matrix6d& sum) const;
 
-  TriMesh mesh_B_;
-  double radius_ = 0;  ///< As Hull::radius [m].
+  Eigen::Index vertices_ = 0;  ///< Of the mesh.
+  double radius_ = 0;          ///< As Hull::radius [m].
   Matrix6d whole_;
-  std::vector<CornerPotentials> potentials_;  ///< A face each.
-  std::vector<Matrix6d> shares_;              ///< A wholly wet face each, ρ = 1.
-  std::vector<int> faces_;                    ///< In the order of the tree's leaves.
+  std::vector<Face> faces_;  ///< In the order of the tree's leaves.
   std::vector<Node> nodes_;
 };
 
