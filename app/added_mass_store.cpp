@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -22,8 +23,8 @@ using hydro::TriMesh;
 
 /// The last letter is the version of the file's layout. A machine of another byte order finds
 /// another word.
-constexpr std::uint64_t kMagic = 0x504c494d534f4c31;       // PLIMSOL1
-constexpr std::uint64_t kNodesMagic = 0x504c494d53524631;  // PLIMSRF1
+constexpr std::uint64_t kMagic = 0x504c494d534f4c32;       // PLIMSOL2
+constexpr std::uint64_t kNodesMagic = 0x504c494d53524632;  // PLIMSRF2
 
 /// A double of the solution: the matrix, six numbers, and six potentials at three corners a face.
 constexpr std::size_t kNumbers = 36 + 6;
@@ -73,8 +74,8 @@ std::string encode(const std::string& identity, const AddedMassSolution& solutio
 
 /// The solution in the content of a file.
 AddedMassSolution decode(const char* bytes, std::size_t faces) {
-  std::vector<double> numbers(kNumbers + kNumbersAFace * faces);
-  std::memcpy(numbers.data(), bytes, numbers.size() * sizeof(double));
+  std::array<double, kNumbers> numbers;
+  std::memcpy(numbers.data(), bytes, sizeof(numbers));
   AddedMassSolution solution;
   solution.matrix = Eigen::Map<const hydro::Matrix6d>(numbers.data());
   const double* more = numbers.data() + 36;
@@ -84,9 +85,12 @@ AddedMassSolution decode(const char* bytes, std::size_t faces) {
   solution.unknowns = static_cast<int>(more[3]);
   solution.seconds = more[4];
   solution.bytes = more[5];
-  for (std::size_t f = 0; f < faces; ++f)
-    solution.potentials.emplace_back(
-        Eigen::Map<const hydro::CornerPotentials>(numbers.data() + kNumbers + kNumbersAFace * f));
+  const char* from = bytes + sizeof(numbers);
+  solution.potentials.resize(faces);
+  for (hydro::CornerPotentials& psi : solution.potentials) {
+    std::memcpy(psi.data(), from, kNumbersAFace * sizeof(double));
+    from += kNumbersAFace * sizeof(double);
+  }
   return solution;
 }
 

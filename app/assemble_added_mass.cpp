@@ -40,8 +40,11 @@ class DeepModels {
                                                    const StoredAddedMass& stored) {
     for (const Entry& entry : entries_)
       if (entry.solution == stored.solution && entry.com_C == solid.com_C) return entry.model;
-    auto model = std::make_shared<const hydro::WettedAddedMass>(
-        body.mesh_B, hydro::moved_origin(*stored.solution, solid.com_C));
+    const bool moves = !solid.com_C.isZero(0);  // It does not where density is uniform.
+    auto model =
+        moves ? std::make_shared<const hydro::WettedAddedMass>(
+                    body.mesh_B, hydro::moved_origin(*stored.solution, solid.com_C))
+              : std::make_shared<const hydro::WettedAddedMass>(body.mesh_B, *stored.solution);
     entries_.push_back({stored.solution, solid.com_C, model});
     return model;
   }

@@ -53,9 +53,16 @@ std::optional<std::string> read_bytes(const fs::path& file, std::uintmax_t most)
 }  // namespace
 
 std::uint64_t hash_of(std::span<const char> bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char byte : bytes)
-    hash = (hash ^ static_cast<unsigned char>(byte)) * std::uint64_t{0x100000001b3};
+  std::uint64_t hash = 0xcbf29ce484222325 ^ bytes.size();
+  while (!bytes.empty()) {
+    const std::size_t length = std::min(bytes.size(), kWord);
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data(), length);
+    hash = (hash ^ word) * std::uint64_t{0x100000001b3};
+    // A product's upper bits tell nothing to the lower ones: two changed signs would cancel.
+    hash ^= hash >> 32;
+    bytes = bytes.subspan(length);
+  }
   return hash;
 }
 
@@ -75,7 +82,9 @@ std::optional<std::string> read_checked(const fs::path& file, const std::string&
   if (!bytes) return std::nullopt;
   const std::string fault = fault_of(*bytes, identity, whole);
   if (!fault.empty()) throw std::runtime_error(fault);
-  return bytes->substr(identity.size(), bytes->size() - identity.size() - kWord);
+  bytes->resize(bytes->size() - kWord);
+  bytes->erase(0, identity.size());
+  return bytes;
 }
 
 }  // namespace app

@@ -7,8 +7,10 @@
 
 #include <chrono>
 #include <fstream>
+#include <set>
 #include <thread>
 
+#include "app/checked_file.h"
 #include "hydro/primitives.h"
 #include "tests/support/files.h"
 #include "tests/support/random_pose.h"
@@ -256,6 +258,23 @@ TEST(CacheFolder, IsTheFirstOfThoseThatAreNamed) {
   EXPECT_EQ(app::cache_folder(), std::nullopt);
   for (std::size_t i = 0; i < before.size(); ++i)
     before[i] ? ::setenv(names[i], before[i]->c_str(), 1) : ::unsetenv(names[i]);
+}
+
+TEST(HashOf, ChangesWithAnyByteWithTheLengthAndWithTheSignsOfNumbers) {
+  const std::vector<double> numbers = {1.5, -2.25, 3};
+  std::string bytes;
+  app::append(bytes, numbers.data(), numbers.size());
+  bytes += "end";
+  std::set<std::uint64_t> hashes = {app::hash_of(bytes), app::hash_of(bytes + '\0')};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string other = bytes;
+    other[i] = static_cast<char>(other[i] ^ 0x40);
+    hashes.insert(app::hash_of(other));
+  }
+  std::string mirrored = bytes;
+  for (const std::size_t sign : {7, 15}) mirrored[sign] = static_cast<char>(mirrored[sign] ^ 0x80);
+  hashes.insert(app::hash_of(mirrored));
+  EXPECT_EQ(hashes.size(), bytes.size() + 3);
 }
 
 }  // namespace
