@@ -23,12 +23,21 @@ std::string message(double time, const std::string& body, const std::string& wha
   return fmt::format("body '{}' at t = {:g} s: {}", body, time, what);
 }
 
+/// True if there are two things that could meet.
+bool has_a_pair(const SimulationSpec& spec) {
+  const auto collide = std::count_if(spec.bodies.begin(), spec.bodies.end(), [](const auto& body) {
+    return body.collision != CollisionShape::none;
+  });
+  return collide + (std::holds_alternative<std::monostate>(spec.ground) ? 0 : 1) > 1;
+}
+
 World make_world(const SimulationSpec& spec) {
   if (!(spec.step > 0 && std::isfinite(spec.step))) {
     throw std::invalid_argument(fmt::format("the step is {} s, not positive", spec.step));
   }
   World world(spec.gravity);
-  for (const BodySpec& body : spec.bodies) world.add_body(body);
+  const bool meets = has_a_pair(spec);
+  for (const BodySpec& body : spec.bodies) world.add_body(body, meets);
   // Before the joints: some keep the compliance that the world has when they are made.
   if (spec.integrator.method == Integrator::Method::split) world.only_constrain();
   for (const JointSpec& joint : spec.joints) world.add_joint(joint);

@@ -53,7 +53,7 @@ World::World(double gravity) : gravity_(gravity) {
   contact_joints_.reset(dJointGroupCreate(0));
 }
 
-BodyId World::add_body(const BodySpec& spec) {
+BodyId World::add_body(const BodySpec& spec, bool meets) {
   check_body(spec);
   Body body{.mass = spec.mass,
             .initial = without_locked_motion(spec.locked, spec.initial),
@@ -61,7 +61,7 @@ BodyId World::add_body(const BodySpec& spec) {
             .inertia = {}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
   body.held = partly_held(spec.locked);
-  const Shape shape = create_shape(spec);
+  const Shape shape = meets ? create_shape(spec) : Shape{};
   body.geom = shape.geom;
   if (body.geom) {
     place_geom(body, shape);

@@ -26,7 +26,8 @@ class World {
   explicit World(double gravity);
 
   /// Ids count from 0. @throws std::invalid_argument if the description is unphysical.
-  BodyId add_body(const BodySpec& spec);
+  /// @param meets   False: nothing else is there to collide with, and the body gets no shape.
+  BodyId add_body(const BodySpec& spec, bool meets = true);
   /// Jointed bodies pass through each other. @throws std::invalid_argument for one without a pair.
   void add_joint(const JointSpec& spec);
   /// @throws std::invalid_argument if it lies out of bounds.
