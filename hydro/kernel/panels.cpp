@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace hydro::kernel {
@@ -90,16 +89,21 @@ Vector6d vertex_moment(const TriMesh& mesh, Eigen::Index face, int i) {
   return moment;
 }
 
-/// Blocks of a leaf as they are filled.
+/// Blocks of the leaves as they are filled, one after the other.
 class VertexList {
  public:
   VertexList(const TriMesh& mesh, std::vector<VertexBlock>& blocks)
-      : mesh_(mesh), blocks_(blocks) {}
+      : mesh_(mesh), blocks_(blocks), places_(static_cast<std::size_t>(mesh.vertex_count()), -1) {}
+
+  void start_leaf() {
+    first_ = static_cast<int>(blocks_.size());
+    end_ = first_ * kMostLanes;
+  }
 
   void add(Eigen::Index face, bool fills, int lane, LeafVertices& leaf) {
     for (int i = 0; i < 3; ++i) {
       const int place = place_of(mesh_.faces(i, face));
-      leaf.of_face[i][lane] = place;
+      leaf.of_face[i][lane] = place - first_ * kMostLanes;
       if (fills) continue;
       const Vector6d moment = vertex_moment(mesh_, face, i);
       for (int a = 0; a < 6; ++a) block_of(place).j[a][place % kMostLanes] += moment[a];
@@ -109,26 +113,25 @@ class VertexList {
   }
 
  private:
-  VertexBlock& block_of(int place) {
-    return blocks_[static_cast<std::size_t>(first_ + place / kMostLanes)];
-  }
+  VertexBlock& block_of(int place) { return blocks_[static_cast<std::size_t>(place / kMostLanes)]; }
 
   int place_of(int vertex) {
-    const auto [known, added] = known_.try_emplace(vertex, static_cast<int>(known_.size()));
-    const int place = known->second;
-    if (!added) return place;
-    if (place % kMostLanes == 0) blocks_.emplace_back();
+    int& known = places_[static_cast<std::size_t>(vertex)];
+    if (known >= first_ * kMostLanes) return known;
+    known = end_++;
+    if (known % kMostLanes == 0) blocks_.emplace_back();
     // The rest of the block repeats it, with no moment.
-    for (int lane = place % kMostLanes; lane < kMostLanes; ++lane)
+    for (int lane = known % kMostLanes; lane < kMostLanes; ++lane)
       for (int axis = 0; axis < 3; ++axis)
-        block_of(place).r[axis][lane] = mesh_.vertices(axis, vertex);
-    return place;
+        block_of(known).r[axis][lane] = mesh_.vertices(axis, vertex);
+    return known;
   }
 
   const TriMesh& mesh_;
   std::vector<VertexBlock>& blocks_;
-  int first_ = static_cast<int>(blocks_.size());
-  std::map<int, int> known_;
+  int first_ = 0;            ///< Block of the leaf.
+  int end_ = 0;              ///< Place of its next vertex, counted through all blocks.
+  std::vector<int> places_;  ///< Of each vertex, where it was met last; -1: nowhere.
 };
 
 }  // namespace
@@ -155,8 +158,9 @@ Panels make_panels(const TriMesh& mesh_B) {
   const std::size_t leaves = (panels.face.size() + kLeafFaces - 1) / kLeafFaces;
   panels.leaves.resize(leaves);
   panels.vertices.resize(leaves);
+  VertexList vertices(mesh_B, panels.blocks);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
-    VertexList vertices(mesh_B, panels.blocks);
+    vertices.start_leaf();
     for (int lane = 0; lane < kLeafFaces; ++lane) {
       const std::size_t place = leaf * kLeafFaces + static_cast<std::size_t>(lane);
       const bool fills = place >= panels.face.size();

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "hydro/spatial.h"
@@ -18,37 +17,42 @@ Vector6d along_normal(const Vector3d& r, const Vector3d& n) {
   return j;
 }
 
-/// Adds weight·J_a·{…} of one point.
-void add_point(const Vector3d& r, const Vector3d& n, double weight, Node& node) {
+constexpr int kPoints = 6;
+/// What J is multiplied with at each of the points, and J there: laid out as a node's moments are.
+using Factors = Eigen::Matrix<double, kMoments, kPoints>;
+using Lanes = Eigen::Matrix<double, kPoints, kMostLanes, Eigen::RowMajor>;
+using Moments = Eigen::Matrix<double, kMoments, kMostLanes, Eigen::RowMajor>;
+
+void set_point(int point, const Vector3d& r, const Vector3d& n, double weight, Factors& factors,
+               Lanes& lanes) {
   const Vector6d j = along_normal(r, n);
-  std::array<double, kMoments> row = {1,
-                                      r.x(),
-                                      r.y(),
-                                      r.z(),
-                                      r.x() * r.x(),
-                                      r.y() * r.y(),
-                                      r.z() * r.z(),
-                                      r.x() * r.y(),
-                                      r.y() * r.z(),
-                                      r.z() * r.x()};
+  lanes.row(point).setZero();
+  lanes.row(point).head<6>() = j;
+  lanes(point, kAreaLane) = 1;
+  factors(kOne, point) = 1;
+  factors.block<3, 1>(kPlace, point) = r;
+  factors.block<3, 1>(kSquare, point) = r.cwiseProduct(r);
+  factors.block<3, 1>(kSquare + 3, point) << r.x() * r.y(), r.y() * r.z(), r.z() * r.x();
   int k = kNormal;
   for (int b = 0; b < 6; ++b)
-    for (int c = b; c < 6; ++c) row[k++] = j[b] * j[c];
-  for (k = 0; k < kMoments; ++k) {
-    for (int a = 0; a < 6; ++a) node.moment[k][a] += weight * row[k] * j[a];
-    node.moment[k][kAreaLane] += weight * row[k];
-  }
+    for (int c = b; c < 6; ++c) factors(k++, point) = j[b] * j[c];
+  factors.col(point) *= weight;
 }
 
 /// The integrands are cubic; this rule of degree 4 has positive weights (Dunavant 1985).
 void add_face(const Face& face, Node& node) {
   constexpr double kNear = 0.445948490915965, kNearWeight = 0.223381589678011;
   constexpr double kFar = 0.091576213509771, kFarWeight = 0.109951743655322;
+  Factors factors;
+  Lanes lanes;
   for (int i = 0; i < 3; ++i) {
     const Vector3d offset = face.corner(i) - face.c;
-    add_point(face.c + (1 - 3 * kNear) * offset, face.n, kNearWeight * face.area, node);
-    add_point(face.c + (1 - 3 * kFar) * offset, face.n, kFarWeight * face.area, node);
+    set_point(i, face.c + (1 - 3 * kNear) * offset, face.n, kNearWeight * face.area, factors,
+              lanes);
+    set_point(3 + i, face.c + (1 - 3 * kFar) * offset, face.n, kFarWeight * face.area, factors,
+              lanes);
   }
+  Eigen::Map<Moments>(node.moment[0]) += factors.lazyProduct(lanes);
 }
 
 /// Bounds as lowest and highest values while a node is made.
