@@ -148,11 +148,13 @@ void Simulation::Impl::advance() {
     else
       ode_step(world, bodies, around, time(), spec.step, !skips.collision);
   }
-  // Loads of several bodies are found at once: what they take of the step is an average.
+  // Loads of several bodies are found at once: what they take of the step is an average. That of
+  // one body is its own, whatever the number of threads.
   const double collision = world.collision_seconds() - collisions_before;
   const double loads_before = std::exchange(loads_so_far, load_seconds());
-  const double loads =
-      std::min(wall - collision, (loads_so_far - loads_before) / std::max(1, spec.threads));
+  const auto at_once =
+      std::clamp(static_cast<double>(count()), 1.0, std::max(1.0, 1.0 * spec.threads));
+  const double loads = std::min(wall - collision, (loads_so_far - loads_before) / at_once);
   timings.collision += collision;
   timings.hydro += loads;
   timings.engine += wall - collision - loads;
