@@ -26,6 +26,14 @@ Triangle triangle(const TriMesh& mesh, int face) {
   return t;
 }
 
+/// Of all faces: each is met in some ten pairs.
+std::vector<Triangle> triangles_of(const TriMesh& mesh) {
+  std::vector<Triangle> triangles(static_cast<std::size_t>(mesh.face_count()));
+  parallel_for(triangles.size(),
+               [&](std::size_t f) { triangles[f] = triangle(mesh, static_cast<int>(f)); });
+  return triangles;
+}
+
 /// Heights of b's corners over a's plane [m].
 Eigen::Vector3d heights_over(const Triangle& a, const Triangle& b) {
   return (b.corners.colwise() - a.corners.col(0)).transpose() * a.normal;
@@ -111,13 +119,14 @@ struct Found {
 
 Overlaps find_overlaps(const TriMesh& mesh, const FaceTree& tree) {
   const double margin = kMargin * bounding_box(mesh).diagonal().norm();
+  const std::vector<Triangle> triangles = triangles_of(mesh);
   std::vector<Found> of_leaf(static_cast<std::size_t>(tree.leaf_count()));
   parallel_for(static_cast<std::size_t>(tree.leaf_count()), [&](std::size_t index) {
     const int leaf = static_cast<int>(index);
     tree.visit_pairs(leaf, [&](int f, int g) {
       const auto faces = std::minmax(f, g);
-      const auto p =
-          common_point(triangle(mesh, faces.first), triangle(mesh, faces.second), margin);
+      const auto p = common_point(triangles[static_cast<std::size_t>(faces.first)],
+                                  triangles[static_cast<std::size_t>(faces.second)], margin);
       if (p && !same_corners(mesh, f, g)) of_leaf[leaf].add(1, faces, *p);
     });
   });
