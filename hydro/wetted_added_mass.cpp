@@ -40,30 +40,29 @@ Matrix3d weights_in(const Panel& panel, const Panel& piece) {
   return weights;
 }
 
-/// ∫ λ_i λ_j dS over the side of a triangle where a linear function with these values at its
-/// corners is positive, in terms of its area. The triangle that is cut off at the corner which is
-/// alone on its side has corners e_i, e_i + p (e_j − e_i) and e_i + q (e_k − e_i), and pq of the
-/// area.
+/// ∫ λ_a λ_b dS over the side of a triangle where a linear function with these values at its
+/// corners is positive, in terms of its area. The corner i that is alone on its side is cut off as
+/// a triangle with corners e_i, e_i + p (e_j − e_i) and e_i + q (e_k − e_i): pq of the area.
 Matrix3d products_where_positive(const Vector3d& value) {
-  const Matrix3d whole = (Matrix3d::Ones() + Matrix3d::Identity()) / 12;
   const int positive = (value[0] > 0) + (value[1] > 0) + (value[2] > 0);
   if (positive == 0) return Matrix3d::Zero();
-  if (positive == 3) return whole;
+  if (positive == 3) return (Matrix3d::Ones() + Matrix3d::Identity()) / 12;
   int i = 0;
   while ((value[i] > 0) != (positive == 1)) ++i;
   const int j = (i + 1) % 3, k = (i + 2) % 3;
-  const double p = value[i] / (value[i] - value[j]);
-  const double q = value[i] / (value[i] - value[k]);
-  Vector3d sum;
-  sum[i] = 3 - p - q, sum[j] = p, sum[k] = q;
-  Matrix3d corner = sum * sum.transpose();
-  corner(i, i) += 1 + (1 - p) * (1 - p) + (1 - q) * (1 - q);
-  corner(j, j) += p * p;
-  corner(k, k) += q * q;
-  corner(i, j) = corner(j, i) += (1 - p) * p;
-  corner(i, k) = corner(k, i) += (1 - q) * q;
-  corner *= p * q / 12;
-  return positive == 1 ? corner : Matrix3d(whole - corner);
+  const double p = value[i] / (value[i] - value[j]), q = value[i] / (value[i] - value[k]);
+  const double s = 3 - p - q;
+  // The cut corner, or the whole without it.
+  const double corner = (positive == 1 ? p : -p) * q / 12;
+  const double whole = positive == 1 ? 0 : 1.0 / 12;
+  Matrix3d products;
+  products(i, i) = 2 * whole + corner * (s * s + 1 + (1 - p) * (1 - p) + (1 - q) * (1 - q));
+  products(j, j) = 2 * whole + corner * 2 * p * p;
+  products(k, k) = 2 * whole + corner * 2 * q * q;
+  products(i, j) = products(j, i) = whole + corner * p * (s + 1 - p);
+  products(i, k) = products(k, i) = whole + corner * q * (s + 1 - q);
+  products(j, k) = products(k, j) = whole + corner * p * q;
+  return products;
 }
 
 /// A bound of |∇ξ| [-]; infinite for a grid of heights, which is cheap to ask point by point.
