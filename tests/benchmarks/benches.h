@@ -10,5 +10,6 @@ void register_step();
 void register_added_mass();
 void register_mesh();
 void register_frame();
+void register_run();
 
 }  // namespace bench

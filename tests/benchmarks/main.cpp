@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   bench::register_added_mass();
   bench::register_mesh();
   bench::register_frame();
+  bench::register_run();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
