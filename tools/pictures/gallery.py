@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 kRoot = Path(__file__).resolve().parents[2]
+kScenes = kRoot / "scenes"
 kHead = "teapot_drop"  # Whose sheet heads the README.
 kHeadWidth = 1344  # [px]
 
@@ -67,7 +68,7 @@ class Result:
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tools/gallery", description=__doc__)
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE",
-                        help="scene files [all in scenes/]")
+                        help="scene files, or names of those in scenes/ [all of these]")
     parser.add_argument("--out", type=Path, default=Path("out/gallery"), metavar="DIR",
                         help="folder of the page [out/gallery]")
     parser.add_argument("--set", action="append", default=[], metavar="KEY.PATH=VALUE",
@@ -75,6 +76,11 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--readme", action="store_true",
                         help=f"put the sheet of {kHead} at the head of the README")
     return parser.parse_args()
+
+
+def found(scene: Path) -> Path:
+    """The file itself, or else the scene of that name."""
+    return scene if scene.is_file() else kScenes / f"{scene.stem}.yaml"
 
 
 def run(program: Path, scene: Path, out: Path, changes: list[str]) -> Result:
@@ -113,10 +119,10 @@ def publish(sheet: Path, to: Path) -> None:
 def main() -> int:
     arguments = parse_arguments()
     program = Path(os.environ["PLIMSOLL"]).resolve()
-    scenes = arguments.scenes or sorted((kRoot / "scenes").glob("*.yaml"))
+    scenes = [found(scene) for scene in arguments.scenes] or sorted(kScenes.glob("*.yaml"))
     missing = [scene for scene in scenes if not scene.is_file()]
     if missing:
-        print(f"tools/gallery: there is no scene {missing[0]}", file=sys.stderr)
+        print(f"tools/gallery: there is no scene {missing[0].stem}", file=sys.stderr)
         return 2
     out = arguments.out
     out.mkdir(parents=True, exist_ok=True)
@@ -130,7 +136,7 @@ def main() -> int:
                     encoding="utf-8")
     print(page)
     if arguments.readme:
-        publish(out / kHead / "sheet.png", kRoot / "scenes" / "pictures" / f"{kHead}.png")
+        publish(out / kHead / "sheet.png", kScenes / "pictures" / f"{kHead}.png")
     return 0 if len(drawn) == len(results) else 1
 
 
