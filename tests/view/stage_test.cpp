@@ -59,6 +59,25 @@ TEST(Stage, HoldsABodyUntilItIsLetGo) {
   EXPECT_LT(stage.simulation().states()[0].position.z(), 4.5);
 }
 
+TEST(Stage, DrawsInAnotherSizeAsIfItHadHadItAlways) {
+  const Ball ball;
+  app::Stage resized(ball.scene, ball.assembly), fresh(ball.scene, ball.assembly);
+  EXPECT_EQ(resized.picture({}, 400, 300, "").width, 400);
+  EXPECT_EQ(resized.picture({}, 240, 180, ""), fresh.picture({}, 240, 180, ""));
+}
+
+TEST(Stage, ShowsTheForcesAndCentresOfTheScene) {
+  Ball ball;
+  app::Stage plain(ball.scene, ball.assembly);
+  const render::Image without = plain.picture({}, 240, 180, "");
+  for (bool app::ShowScene::*what : {&app::ShowScene::forces, &app::ShowScene::centres}) {
+    ball.scene.render->show = {};
+    ball.scene.render->show.*what = true;
+    app::Stage stage(ball.scene, ball.assembly);
+    EXPECT_NE(stage.picture({}, 240, 180, ""), without);
+  }
+}
+
 TEST(Framing, ShowsAllBodies) {
   Ball ball;
   engine::BodySpec other = ball.assembly.spec.bodies[0];
