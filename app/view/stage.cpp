@@ -114,9 +114,11 @@ render::Image Stage::picture(const render::Camera& camera, int width, int height
   render::Image image = canvas_->renderer.draw(shot.states, shot.time);
   render::annotate(image, view, notes);
   render::add_legend(image, view, notes);
+  std::vector<std::string> more;
+  if (!note.empty()) more.push_back(note);
   std::optional<render::PressureScale> shown;
   if (spec_.sea) shown = scale_;
-  render::add_overlay(image, shown, shot.time, canvas_->renderer.grid(), {note});
+  render::add_overlay(image, shown, shot.time, canvas_->renderer.grid(), more);
   return image;
 }
 

@@ -33,8 +33,8 @@ class Stage {
   /// @return how many it took. @throws engine::SimulationError
   long advance(long steps, double longest);
 
-  /// With what a picture of the scene has, and a note below the time. Automatic scales grow with
-  /// the highest pressures and forces so far.
+  /// With what a picture of the scene has, and a note below the time, unless it is empty. Automatic
+  /// scales grow with the highest pressures and forces so far.
   /// @throws render::Error
   render::Image picture(const render::Camera& camera, int width, int height,
                         const std::string& note);
