@@ -213,8 +213,10 @@ HeldEnergy held_energy(const HeldBody& body, const HeldMotion& motion) {
 bool keeps_energy(const HeldBody& body, const HeldMotion& before, const HeldMotion& after) {
   const HeldEnergy first = held_energy(body, before), last = held_energy(body, after);
   const double change = (last.free - last.held) - (first.free - first.held);
-  return std::abs(change) <=
-         kHeldKept * std::max(first.free, last.free) + kRoundOff * std::max(first.held, last.held);
+  // An energy beyond all numbers would be within any part of itself.
+  return std::isfinite(change) &&
+         std::abs(change) <= kHeldKept * std::max(first.free, last.free) +
+                                 kRoundOff * std::max(first.held, last.held);
 }
 
 /// A step of (4) and how far it goes relative to the water; in halves where one cannot be solved or
