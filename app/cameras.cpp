@@ -39,6 +39,4 @@ render::Camera camera_at(const CameraScene& camera, const engine::SimulationSpec
           .field_of_view = camera.field_of_view};
 }
 
-bool moves(const CameraScene& camera) { return !camera.follow.empty() || camera.orbit != 0; }
-
 }  // namespace app

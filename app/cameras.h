@@ -22,7 +22,4 @@ std::vector<CameraScene> cameras_of(const RenderScene& render);
 render::Camera camera_at(const CameraScene& camera, const engine::SimulationSpec& spec,
                          const Shot& shot);
 
-/// Whether the view changes over time.
-bool moves(const CameraScene& camera);
-
 }  // namespace app

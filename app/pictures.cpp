@@ -79,12 +79,10 @@ class Drawing {
     std::optional<Video> video = video_of(camera);
     render::ContactSheet sheet(shown_scale_, look_.sheet_columns);
     std::size_t frames = 0;
-    bool seen = &camera == &cameras_.front();
     Background finishing(spec_.threads, kMostWaiting);
     for (std::size_t i = 0; i < shots_.size(); ++i) {
       const Shot shot = shots_.at(i);
-      if (!seen || moves(camera)) renderer_.look(camera_at(camera, spec_, shot));
-      seen = true;
+      renderer_.look(camera_at(camera, spec_, shot));
       const fs::path file =
           shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
       finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,

@@ -139,7 +139,6 @@ struct Renderer::Impl {
 
 Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
     : picture_(std::move(p)),
-      view_(make_view(picture_.camera, picture_.width, picture_.height)),
       canvas_(std::in_place, gl_, picture_.width, picture_.height),
       sky_(gl_, shaders, "sky"),
       body_(gl_, shaders, "body"),
@@ -152,23 +151,25 @@ Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
 }
 
 void Renderer::Impl::look(const Camera& camera) {
+  if (camera == picture_.camera) return;
   context_.make_current();
   picture_.camera = camera;
-  view_ = make_view(camera, picture_.width, picture_.height);
   make_surroundings();
 }
 
 void Renderer::Impl::resize(int width, int height) {
+  if (width == picture_.width && height == picture_.height) return;
   context_.make_current();
   canvas_.reset();
   canvas_.emplace(gl_, width, height);
   picture_.width = width;
   picture_.height = height;
-  look(picture_.camera);
+  make_surroundings();
 }
 
-/// What depends on the view, in arrays of their places about the eye.
+/// The view and what depends on it, in arrays of their places about the eye.
 void Renderer::Impl::make_surroundings() {
+  view_ = make_view(picture_.camera, picture_.width, picture_.height);
   const double sag = kSagPixels * picture_size(view_) / picture_.height;
   const double longest_edge = picture_.sea ? longest_straight_edge(*picture_.sea, sag)
                                            : std::numeric_limits<double>::infinity();

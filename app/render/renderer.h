@@ -33,6 +33,8 @@ struct Camera {
   Eigen::Vector3d from = {6, -8, 3};  ///< In W [m].
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad].
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// A body as it is drawn: constant over a sequence.
@@ -76,10 +78,12 @@ class Renderer {
   /// Distance of the lines on water and ground [m]; 0 if there is neither.
   double grid() const;
 
-  /// Looks from another place from the next picture on; the first is `Picture::camera`.
+  /// Looks from a place from the next picture on; the first is `Picture::camera`. The same as
+  /// before costs nothing.
   void look(const Camera& camera);
 
-  /// Makes pictures of another size from the next on [px]. @throws Error if they cannot be
+  /// Makes pictures of a size from the next on [px]; the same costs nothing.
+  /// @throws Error if they cannot be
   void resize(int width, int height);
 
   /// Shows pressures on another scale from the next picture on.

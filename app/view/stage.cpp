@@ -17,10 +17,6 @@ using Clock = std::chrono::steady_clock;
 /// What bodies reach so far about, as a part of what the camera shows at their distance.
 constexpr double kFilled = 0.55;
 
-bool same(const render::Camera& a, const render::Camera& b) {
-  return a.from == b.from && a.to == b.to && a.field_of_view == b.field_of_view;
-}
-
 }  // namespace
 
 render::Camera framing(const engine::SimulationSpec& spec) {
@@ -71,54 +67,43 @@ long Stage::advance(long steps, double longest) {
 
 Shot Stage::now() const { return {.time = simulation_.time(), .states = simulation_.states()}; }
 
-bool Stage::grow_scale(const Shot& now) {
-  if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return false;
+void Stage::grow_scale(const Shot& now) {
+  if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return;
   const PressureRange range = pressure_range(spec_, now, scene_.render->shows);
   range_.include(range.lowest);
   range_.include(range.highest);
-  const render::PressureScale scale = pressure_scale(*scene_.render, range_);
-  const bool grown = scale.min != scale_.min || scale.max != scale_.max;
-  scale_ = scale;
-  return grown;
+  scale_ = pressure_scale(*scene_.render, range_);
 }
 
 void Stage::make_ready(const Shot& now, const render::Camera& camera, int width, int height) {
-  const bool grown = grow_scale(now);
+  grow_scale(now);
   notes_.include(now);
-  if (!canvas_) {
+  if (!renderer_) {
     render::Picture look = picture_of(scene_, spec_, scale_);
     look.width = width;
     look.height = height;
     look.camera = camera;
-    canvas_.emplace(
-        Canvas{render::Renderer(std::move(look), program_files("shaders")), width, height, camera});
-    return;
+    renderer_.emplace(std::move(look), program_files("shaders"));
   }
-  if (grown) canvas_->renderer.show_pressures(scale_);
-  if (canvas_->width != width || canvas_->height != height) {
-    canvas_->renderer.resize(width, height);
-    canvas_->width = width;
-    canvas_->height = height;
-  }
-  if (same(canvas_->camera, camera)) return;
-  canvas_->renderer.look(camera);
-  canvas_->camera = camera;
+  renderer_->show_pressures(scale_);
+  renderer_->resize(width, height);
+  renderer_->look(camera);
 }
 
 render::Image Stage::picture(const render::Camera& camera, int width, int height,
                              const std::string& note) {
   const Shot shot = now();
   make_ready(shot, camera, width, height);
-  const render::View& view = canvas_->renderer.view();
+  const render::View& view = renderer_->view();
   const render::Annotations notes = notes_.of(shot, render::picture_size(view));
-  render::Image image = canvas_->renderer.draw(shot.states, shot.time);
+  render::Image image = renderer_->draw(shot.states, shot.time);
   render::annotate(image, view, notes);
   render::add_legend(image, view, notes);
   std::vector<std::string> more;
   if (!note.empty()) more.push_back(note);
   std::optional<render::PressureScale> shown;
   if (spec_.sea) shown = scale_;
-  render::add_overlay(image, shown, shot.time, canvas_->renderer.grid(), more);
+  render::add_overlay(image, shown, shot.time, renderer_->grid(), more);
   return image;
 }
 

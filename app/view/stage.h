@@ -41,8 +41,7 @@ class Stage {
 
  private:
   Shot now() const;
-  /// @return true if it has grown.
-  bool grow_scale(const Shot& now);
+  void grow_scale(const Shot& now);
   void make_ready(const Shot& now, const render::Camera& camera, int width, int height);
 
   const Scene& scene_;
@@ -52,13 +51,7 @@ class Stage {
   ForceNotes notes_;
   PressureRange range_;  ///< Of the pressures so far.
   render::PressureScale scale_;
-  /// What the renderer was made for, or has been told since.
-  struct Canvas {
-    render::Renderer renderer;
-    int width, height;
-    render::Camera camera;
-  };
-  std::optional<Canvas> canvas_;
+  std::optional<render::Renderer> renderer_;  ///< None before the first picture.
 };
 
 }  // namespace app
