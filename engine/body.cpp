@@ -10,7 +10,7 @@
 #include "engine/locks.h"
 #include "engine/wetness.h"
 #include "hydro/decompositions.h"
-#include "hydro/mass_properties.h"
+#include "hydro/mesh/mass_properties.h"
 
 namespace engine {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/wetness.h"
-#include "hydro/buoyancy_energy.h"
+#include "hydro/statics/buoyancy_energy.h"
 
 namespace engine {
 

@@ -6,10 +6,10 @@
 /// The energy of bodies in still water.
 ///
 /// E = ½ u·(M + A) u + m g z + U, with u the velocity relative to the water, z the height of the
-/// centre of mass and U the work done against buoyancy (hydro/buoyancy_energy.h). In water with a
-/// level surface that does not rise, no load adds to E: drag, and what the added mass leaves in the
-/// water, take from it. Lift pushes inward on a whole body and can do either; its work and that of
-/// applied loads is counted.
+/// centre of mass and U the work done against buoyancy (hydro/statics/buoyancy_energy.h). In water
+/// with a level surface that does not rise, no load adds to E: drag, and what the added mass leaves
+/// in the water, take from it. Lift pushes inward on a whole body and can do either; its work and
+/// that of applied loads is counted.
 
 namespace engine {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydro/loads.h"
+#include "hydro/loads/loads.h"
 
 /// @file
 /// What acts on a body, and the work it has done.

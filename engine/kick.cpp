@@ -7,7 +7,7 @@
 #include "engine/added_inertia.h"
 #include "engine/wetness.h"
 #include "hydro/decompositions.h"
-#include "hydro/load_jacobian.h"
+#include "hydro/loads/load_jacobian.h"
 
 namespace engine {
 namespace {

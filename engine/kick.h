@@ -15,8 +15,8 @@
 /// are none, one found from F(x, u)): one evaluation of the loads a step. The pose x is taken as
 /// much further as makes loads that hang on it alone accurate to the fourth order but for an offset
 /// of the state (free_step.h), by Takahashi and Imada's force [TI84]. (2) is implicit, solved by
-/// Newton's method with the Jacobian J = ∂F/∂u of the drag (hydro/load_jacobian.h); K is the
-/// waterplane's stiffness.
+/// Newton's method with the Jacobian J = ∂F/∂u of the drag (load_jacobian.h); K is the waterplane's
+/// stiffness.
 ///
 /// Stability. With ζ the largest eigenvalue of −h J in the metric of S, θ = max(½, 1/(1−e^−ζ) −
 /// 1/ζ): the mean of ½ and the exponential method's, which tends to 1 as the drag becomes stiff. J

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "hydro/added_mass_model.h"
-#include "hydro/loads.h"
+#include "hydro/added_mass/added_mass_model.h"
+#include "hydro/loads/loads.h"
 
 /// @file
 /// What is to be simulated: constant descriptions, complete and already checked. SI units.

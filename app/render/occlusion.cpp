@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "hydro/edge_table.h"
-#include "hydro/face_tree.h"
-#include "hydro/mesh_parts.h"
+#include "hydro/mesh/edge_table.h"
+#include "hydro/mesh/face_tree.h"
+#include "hydro/mesh/mesh_parts.h"
 #include "hydro/parallel.h"
 
 namespace render {

@@ -12,7 +12,7 @@
 #include "app/render/skin.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
-#include "hydro/loads.h"
+#include "hydro/loads/loads.h"
 
 namespace render {
 namespace {

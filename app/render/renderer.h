@@ -10,8 +10,8 @@
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
 #include "app/render/view.h"
-#include "hydro/coefficients.h"
-#include "hydro/mesh.h"
+#include "hydro/loads/coefficients.h"
+#include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
 

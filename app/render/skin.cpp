@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "hydro/edge_table.h"
+#include "hydro/mesh/edge_table.h"
 
 namespace render {
 namespace {

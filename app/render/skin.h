@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydro/mesh.h"
+#include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 
 /// @file

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/comparison.h"
-#include "app/comparison_report.h"
+#include "app/compare/comparison.h"
+#include "app/compare/comparison_report.h"
 
 /// @file
 /// What the page of a comparison shows, as the JSON that its script reads (web/differences.js).

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hydro/equilibrium.h"
+#include "hydro/statics/equilibrium.h"
 
 namespace app {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/trajectory.h"
+#include "app/logs/trajectory.h"
 
 /// @file
 /// The motion of a body as columns of numbers, for plots.

@@ -1,6 +1,6 @@
 #include "app/report/page_data.h"
 
-#include "app/cameras.h"
+#include "app/pictures/cameras.h"
 #include "app/report/packing.h"
 
 namespace app {

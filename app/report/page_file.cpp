@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/atomic_file.h"
-#include "app/faults.h"
-#include "app/program_files.h"
+#include "app/base/atomic_file.h"
+#include "app/base/program_files.h"
+#include "app/scene/faults.h"
 
 namespace app {
 namespace {

@@ -2,12 +2,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/cameras.h"
-#include "app/faults.h"
-#include "app/picture_files.h"
+#include "app/logs/schedule.h"
+#include "app/pictures/cameras.h"
+#include "app/pictures/picture_files.h"
 #include "app/report/packing.h"
 #include "app/report/page_data.h"
-#include "app/schedule.h"
+#include "app/scene/faults.h"
 
 namespace app {
 namespace {

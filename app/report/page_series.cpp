@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/force_writer.h"
+#include "app/logs/force_writer.h"
 #include "app/report/motion_columns.h"
 #include "app/report/packing.h"
 #include "app/report/page_data.h"

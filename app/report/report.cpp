@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "app/commands.h"
-#include "app/console.h"
+#include "app/base/console.h"
+#include "app/commands/commands.h"
 #include "app/report/page_data.h"
 #include "app/report/page_file.h"
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/faults.h"
-#include "app/hdf5_log.h"
-#include "app/log.h"
+#include "app/logs/hdf5_log.h"
+#include "app/logs/log.h"
+#include "app/logs/trajectory_match.h"
+#include "app/run/summary.h"
+#include "app/scene/faults.h"
 #include "app/scene/reader.h"
-#include "app/summary.h"
-#include "app/trajectory_match.h"
 
 namespace app {
 namespace {

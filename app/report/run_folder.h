@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/assemble.h"
-#include "app/force_log.h"
+#include "app/assembly/assemble.h"
+#include "app/logs/force_log.h"
+#include "app/logs/trajectory.h"
 #include "app/scene/scene.h"
-#include "app/trajectory.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/spec.h"
-#include "hydro/mesh.h"
+#include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/faults.h"
+#include "app/scene/faults.h"
 #include "app/scene/scene.h"
 
 namespace app {

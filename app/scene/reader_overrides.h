@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/faults.h"
+#include "app/scene/faults.h"
 #include "app/scene/reader.h"
 #include "app/scene/yaml_reader.h"
 

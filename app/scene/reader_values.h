@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/faults.h"
+#include "app/scene/faults.h"
 #include "app/scene/key_catalogue.h"
 #include "app/scene/reader_nearest.h"
 #include "app/scene/scene.h"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/render/color_scale.h"
-#include "hydro/coefficients.h"
-#include "hydro/loads.h"
+#include "hydro/loads/coefficients.h"
+#include "hydro/loads/loads.h"
 #include "hydro/spatial.h"
 
 /// @file

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/faults.h"
+#include "app/scene/faults.h"
 
 namespace app {
 

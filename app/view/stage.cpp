@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/pictures.h"
-#include "app/program_files.h"
+#include "app/base/program_files.h"
+#include "app/pictures/pictures.h"
 #include "app/render/overlay.h"
 
 namespace app {

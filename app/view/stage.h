@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "app/assemble.h"
-#include "app/force_notes.h"
-#include "app/pressure_range.h"
+#include "app/assembly/assemble.h"
+#include "app/pictures/force_notes.h"
+#include "app/pictures/pressure_range.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
 #include "app/view/controls.h"

@@ -5,14 +5,14 @@
 #include <chrono>
 #include <utility>
 
-#include "app/assemble_added_mass.h"
-#include "app/cameras.h"
-#include "app/commands.h"
-#include "app/console.h"
-#include "app/program_files.h"
+#include "app/assembly/assemble_added_mass.h"
+#include "app/base/console.h"
+#include "app/base/program_files.h"
+#include "app/base/thread_count.h"
+#include "app/commands/commands.h"
+#include "app/logs/schedule.h"
+#include "app/pictures/cameras.h"
 #include "app/render/png.h"
-#include "app/schedule.h"
-#include "app/thread_count.h"
 #include "app/view/stage.h"
 #include "app/view/status.h"
 #include "app/view/window.h"

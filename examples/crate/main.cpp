@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "engine/simulation.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 
 int main() {
   const double density = 400;  // kg/m³

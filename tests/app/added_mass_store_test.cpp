@@ -1,4 +1,4 @@
-#include "app/added_mass_store.h"
+#include "app/assembly/added_mass_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
-#include "app/checked_file.h"
-#include "hydro/primitives.h"
+#include "app/base/checked_file.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/files.h"
 #include "tests/support/random_pose.h"
 

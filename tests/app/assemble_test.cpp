@@ -1,4 +1,4 @@
-#include "app/assemble.h"
+#include "app/assembly/assemble.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/faults.h"
-#include "hydro/mass_properties.h"
+#include "app/scene/faults.h"
+#include "hydro/mesh/mass_properties.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 

@@ -1,4 +1,4 @@
-#include "app/atomic_file.h"
+#include "app/base/atomic_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/cameras.h"
+#include "app/pictures/cameras.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/picture_files.h"
+#include "app/pictures/picture_files.h"
 #include "tests/support/tolerance.h"
 
 namespace {

@@ -1,9 +1,9 @@
-#include "app/force_notes.h"
+#include "app/pictures/force_notes.h"
 
 #include <gtest/gtest.h>
 
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/random_pose.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "app/height_io.h"
+#include "app/assembly/height_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "app/faults.h"
+#include "app/scene/faults.h"
 #include "tests/support/tolerance.h"
 
 namespace {

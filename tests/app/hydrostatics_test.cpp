@@ -1,4 +1,4 @@
-#include "app/hydrostatics.h"
+#include "app/hydrostatics/hydrostatics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/assemble.h"
+#include "app/assembly/assemble.h"
 #include "tests/app/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"

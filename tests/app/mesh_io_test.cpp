@@ -1,4 +1,4 @@
-#include "app/mesh_io.h"
+#include "app/assembly/mesh_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <functional>
 #include <string>
 
-#include "app/faults.h"
-#include "hydro/mass_properties.h"
-#include "hydro/mesh_check.h"
-#include "hydro/primitives.h"
+#include "app/scene/faults.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/mesh_check.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

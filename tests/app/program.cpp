@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/cli.h"
-#include "app/faults.h"
+#include "app/cli/cli.h"
+#include "app/scene/faults.h"
 #include "tests/support/files.h"
 
 namespace support {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/trajectory.h"
+#include "app/logs/trajectory.h"
 #include "tests/app/program.h"
 
 /// What the program does when it cannot do what it was asked for: exit codes, messages, and what is

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/hdf5_file.h"
-#include "app/trajectory.h"
+#include "app/logs/hdf5_file.h"
+#include "app/logs/trajectory.h"
 #include "tests/app/page.h"
 #include "tests/app/program.h"
 #include "tests/support/files.h"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/force_writer.h"
-#include "app/trajectory.h"
+#include "app/logs/force_writer.h"
+#include "app/logs/trajectory.h"
 #include "tests/app/program.h"
 #include "tests/support/files.h"
 

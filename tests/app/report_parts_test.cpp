@@ -7,7 +7,7 @@
 #include "app/report/packing.h"
 #include "app/report/shapes.h"
 #include "app/report/thinning.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 
 /// What keeps the page of a report small: fewer rows, fewer triangles, packed numbers.
 

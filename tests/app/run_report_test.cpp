@@ -1,11 +1,11 @@
-#include "app/run_report.h"
+#include "app/run/run_report.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/assemble_added_mass.h"
-#include "app/progress.h"
+#include "app/assembly/assemble_added_mass.h"
+#include "app/base/progress.h"
 #include "tests/app/scene_text.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/assemble_added_mass.h"
+#include "app/assembly/assemble_added_mass.h"
 #include "app/scene/reader.h"
 #include "engine/simulation.h"
 

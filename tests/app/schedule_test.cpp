@@ -1,4 +1,4 @@
-#include "app/schedule.h"
+#include "app/logs/schedule.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

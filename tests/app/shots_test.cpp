@@ -1,9 +1,9 @@
-#include "app/shots.h"
+#include "app/pictures/shots.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/interpolation.h"
+#include "app/logs/interpolation.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 

@@ -9,13 +9,13 @@
 #include <set>
 #include <thread>
 
-#include "app/faults.h"
-#include "app/file_lock.h"
-#include "app/ranks.h"
-#include "app/sweep_outcome.h"
-#include "app/sweep_parameters.h"
-#include "app/sweep_slurm.h"
-#include "app/sweep_survey.h"
+#include "app/base/file_lock.h"
+#include "app/scene/faults.h"
+#include "app/sweep/ranks.h"
+#include "app/sweep/sweep_outcome.h"
+#include "app/sweep/sweep_parameters.h"
+#include "app/sweep/sweep_slurm.h"
+#include "app/sweep/sweep_survey.h"
 
 /// What a sweep is made of, without running anything.
 

@@ -1,4 +1,4 @@
-#include "app/trajectory.h"
+#include "app/logs/trajectory.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <limits>
 
-#include "app/faults.h"
-#include "app/output_folder.h"
+#include "app/base/output_folder.h"
+#include "app/scene/faults.h"
 #include "tests/app/program.h"
 #include "tests/support/files.h"
 #include "tests/support/random_pose.h"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
-#include "hydro/added_mass.h"
-#include "hydro/primitives.h"
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/benchmarks/benches.h"
 
 /// @file

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "hydro/mesh.h"
+#include "hydro/mesh/mesh.h"
 #include "hydro/spatial.h"
 
 /// @file

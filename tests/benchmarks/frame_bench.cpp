@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/mesh_io.h"
-#include "app/program_files.h"
+#include "app/assembly/mesh_io.h"
+#include "app/base/program_files.h"
 #include "app/render/renderer.h"
 #include "tests/benchmarks/benches.h"
 

@@ -5,9 +5,9 @@
 
 #include <memory>
 
-#include "hydro/loads.h"
-#include "hydro/plain_loads.h"
-#include "hydro/primitives.h"
+#include "hydro/loads/loads.h"
+#include "hydro/loads/plain_loads.h"
+#include "hydro/mesh/primitives.h"
 #include "hydro/wave_spectrum.h"
 #include "tests/benchmarks/bare_loop.h"
 #include "tests/benchmarks/benches.h"

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "app/mesh_io.h"
-#include "hydro/mesh_check.h"
-#include "hydro/primitives.h"
+#include "app/assembly/mesh_io.h"
+#include "hydro/mesh/mesh_check.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/benchmarks/benches.h"
 
 /// @file

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "app/commands.h"
-#include "app/mesh_io.h"
+#include "app/assembly/mesh_io.h"
+#include "app/commands/commands.h"
 #include "tests/benchmarks/benches.h"
 
 /// @file

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "engine/simulation.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/benchmarks/benches.h"
 
 /// @file

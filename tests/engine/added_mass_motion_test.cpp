@@ -6,7 +6,7 @@
 #include "engine/added_inertia.h"
 #include "engine/energy.h"
 #include "engine/free_motion.h"
-#include "hydro/constant_added_mass.h"
+#include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/specs.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/repeats.h"

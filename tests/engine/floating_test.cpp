@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hydro/mass_properties.h"
+#include "hydro/mesh/mass_properties.h"
 #include "tests/engine/specs.h"
 #include "tests/support/tolerance.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "hydro/buoyancy_energy.h"
-#include "hydro/constant_added_mass.h"
+#include "hydro/added_mass/constant_added_mass.h"
+#include "hydro/statics/buoyancy_energy.h"
 #include "tests/engine/specs.h"
 #include "tests/support/tolerance.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/added_inertia.h"
-#include "hydro/constant_added_mass.h"
+#include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/specs.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"

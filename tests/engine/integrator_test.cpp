@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "engine/energy.h"
-#include "hydro/added_mass.h"
-#include "hydro/wetted_added_mass.h"
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
 #include "tests/engine/specs.h"
 #include "tests/support/tolerance.h"
 

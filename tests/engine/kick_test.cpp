@@ -6,7 +6,7 @@
 
 #include "engine/anderson.h"
 #include "engine/energy.h"
-#include "hydro/load_jacobian.h"
+#include "hydro/loads/load_jacobian.h"
 #include "tests/engine/specs.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"

@@ -8,7 +8,7 @@
 
 #include "engine/energy.h"
 #include "engine/simulation.h"
-#include "hydro/constant_added_mass.h"
+#include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/specs.h"
 #include "tests/support/tolerance.h"
 

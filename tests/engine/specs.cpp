@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 
 namespace support {
 namespace {

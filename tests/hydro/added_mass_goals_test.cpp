@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "hydro/added_mass.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

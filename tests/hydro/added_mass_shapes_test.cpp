@@ -11,10 +11,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "hydro/added_mass.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
-#include "hydro/weld.h"
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
+#include "hydro/mesh/weld.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

@@ -1,14 +1,14 @@
-#include "hydro/added_mass.h"
+#include "hydro/added_mass/added_mass.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "hydro/bem/galerkin.h"
-#include "hydro/bem/surface.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
-#include "hydro/weld.h"
+#include "hydro/added_mass/bem/galerkin.h"
+#include "hydro/added_mass/bem/surface.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
+#include "hydro/mesh/weld.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

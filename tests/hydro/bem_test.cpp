@@ -2,13 +2,13 @@
 
 #include <numbers>
 
-#include "hydro/bem/compressed.h"
-#include "hydro/bem/dense.h"
-#include "hydro/bem/galerkin.h"
-#include "hydro/bem/near_pairs.h"
-#include "hydro/bem/pair.h"
-#include "hydro/bem/quadrature.h"
-#include "hydro/primitives.h"
+#include "hydro/added_mass/bem/compressed.h"
+#include "hydro/added_mass/bem/dense.h"
+#include "hydro/added_mass/bem/galerkin.h"
+#include "hydro/added_mass/bem/near_pairs.h"
+#include "hydro/added_mass/bem/pair.h"
+#include "hydro/added_mass/bem/quadrature.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

@@ -1,4 +1,4 @@
-#include "hydro/clip.h"
+#include "hydro/loads/clip.h"
 
 #include <gtest/gtest.h>
 

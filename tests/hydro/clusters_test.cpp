@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "hydro/loads.h"
-#include "hydro/primitives.h"
-#include "hydro/viscous_drag.h"
+#include "hydro/loads/loads.h"
+#include "hydro/loads/viscous_drag.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"

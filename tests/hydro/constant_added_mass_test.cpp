@@ -1,8 +1,8 @@
-#include "hydro/constant_added_mass.h"
+#include "hydro/added_mass/constant_added_mass.h"
 
 #include <gtest/gtest.h>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 
 namespace {
 

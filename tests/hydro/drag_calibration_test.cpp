@@ -1,9 +1,9 @@
-#include "hydro/drag_calibration.h"
+#include "hydro/loads/drag_calibration.h"
 
 #include <gtest/gtest.h>
 
-#include "hydro/loads.h"
-#include "hydro/primitives.h"
+#include "hydro/loads/loads.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

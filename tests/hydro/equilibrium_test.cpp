@@ -1,4 +1,4 @@
-#include "hydro/equilibrium.h"
+#include "hydro/statics/equilibrium.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "hydro/loads.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/loads/loads.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

@@ -1,13 +1,13 @@
-#include "hydro/hydrostatics.h"
+#include "hydro/statics/hydrostatics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "hydro/loads.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/loads/loads.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/wigley.h"

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "hydro/loads.h"
-#include "hydro/mass_properties.h"
-#include "hydro/plain_loads.h"
-#include "hydro/primitives.h"
-#include "hydro/refine.h"
+#include "hydro/loads/loads.h"
+#include "hydro/loads/plain_loads.h"
+#include "hydro/loads/refine.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"

@@ -1,11 +1,11 @@
-#include "hydro/loads.h"
+#include "hydro/loads/loads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"

@@ -1,11 +1,11 @@
-#include "hydro/mass_properties.h"
+#include "hydro/mesh/mass_properties.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

@@ -1,4 +1,4 @@
-#include "hydro/mesh_check.h"
+#include "hydro/mesh/mesh_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
-#include "hydro/weld.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
+#include "hydro/mesh/weld.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

@@ -1,9 +1,9 @@
-#include "hydro/mesh_overlap.h"
+#include "hydro/mesh/mesh_overlap.h"
 
 #include <gtest/gtest.h>
 
-#include "hydro/primitives.h"
-#include "hydro/weld.h"
+#include "hydro/mesh/primitives.h"
+#include "hydro/mesh/weld.h"
 #include "tests/support/meshes.h"
 
 namespace {

@@ -1,10 +1,10 @@
-#include "hydro/panel_loads.h"
+#include "hydro/loads/panel_loads.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "hydro/viscous_drag.h"
+#include "hydro/loads/viscous_drag.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"
 #include "tests/support/repeats.h"

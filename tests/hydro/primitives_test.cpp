@@ -1,4 +1,4 @@
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "hydro/mass_properties.h"
+#include "hydro/mesh/mass_properties.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"

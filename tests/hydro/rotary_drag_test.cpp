@@ -1,4 +1,4 @@
-#include "hydro/rotary_drag.h"
+#include "hydro/loads/rotary_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "hydro/viscous_drag.h"
+#include "hydro/loads/viscous_drag.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"
 #include "tests/support/tolerance.h"

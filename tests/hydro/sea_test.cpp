@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hydro/refine.h"
+#include "hydro/loads/refine.h"
 #include "hydro/wave_spectrum.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"

@@ -1,4 +1,4 @@
-#include "hydro/surface_added_mass.h"
+#include "hydro/added_mass/surface_added_mass.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
-#include "hydro/mass_properties.h"
+#include "hydro/mesh/mass_properties.h"
 #include "hydro/parallel.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"

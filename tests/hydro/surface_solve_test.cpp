@@ -1,10 +1,10 @@
-#include "hydro/surface_solve.h"
+#include "hydro/added_mass/surface_solve.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "hydro/mass_properties.h"
+#include "hydro/mesh/mass_properties.h"
 #include "tests/support/meshes.h"
 #include "tests/support/tolerance.h"
 

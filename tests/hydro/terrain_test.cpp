@@ -1,11 +1,11 @@
-#include "hydro/terrain.h"
+#include "hydro/mesh/terrain.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "hydro/mesh_check.h"
+#include "hydro/mesh/mesh_check.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 

@@ -2,9 +2,9 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "hydro/loads.h"
-#include "hydro/mesh_check.h"
-#include "hydro/primitives.h"
+#include "hydro/loads/loads.h"
+#include "hydro/mesh/mesh_check.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 

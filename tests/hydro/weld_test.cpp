@@ -1,9 +1,9 @@
-#include "hydro/weld.h"
+#include "hydro/mesh/weld.h"
 
 #include <gtest/gtest.h>
 
-#include "hydro/mesh_check.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mesh_check.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 
 namespace {

@@ -1,12 +1,12 @@
-#include "hydro/wetted_added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "hydro/decompositions.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/reference_loads.h"
 #include "tests/support/repeats.h"

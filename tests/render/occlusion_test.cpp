@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"
 
 namespace {

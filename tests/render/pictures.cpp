@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 #include "hydro/wave_spectrum.h"
 
 namespace pictures {

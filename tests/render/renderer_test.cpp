@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "app/render/gl_program.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"
 
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"
 #include "tests/support/tolerance.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 
 namespace stress {
 namespace {

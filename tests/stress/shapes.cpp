@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/added_mass_store.h"
-#include "app/mesh_io.h"
-#include "hydro/constant_added_mass.h"
-#include "hydro/mass_properties.h"
-#include "hydro/primitives.h"
-#include "hydro/wetted_added_mass.h"
+#include "app/assembly/added_mass_store.h"
+#include "app/assembly/mesh_io.h"
+#include "hydro/added_mass/constant_added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/stress/run_name.h"
 
 namespace stress {

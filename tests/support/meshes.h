@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "hydro/mesh.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mesh.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/random_pose.h"
 
 /// @file

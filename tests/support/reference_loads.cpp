@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "hydro/viscous_drag.h"
+#include "hydro/loads/viscous_drag.h"
 
 namespace support {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "hydro/loads.h"
+#include "hydro/loads/loads.h"
 
 /// @file
 /// The loads of the contract by other means than the program's: polygon clipping in extended

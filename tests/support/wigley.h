@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hydro/mesh.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/mesh.h"
+#include "hydro/mesh/primitives.h"
 
 namespace support {
 

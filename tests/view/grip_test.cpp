@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/tolerance.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/render/view.h"
-#include "hydro/primitives.h"
+#include "hydro/mesh/primitives.h"
 
 namespace {
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/assemble.h"
-#include "app/cameras.h"
-#include "app/pictures.h"
-#include "app/pressure_range.h"
-#include "app/program_files.h"
+#include "app/assembly/assemble.h"
+#include "app/base/program_files.h"
+#include "app/logs/trajectory.h"
+#include "app/logs/trajectory_match.h"
+#include "app/pictures/cameras.h"
+#include "app/pictures/pictures.h"
+#include "app/pictures/pressure_range.h"
 #include "app/scene/reader.h"
-#include "app/trajectory.h"
-#include "app/trajectory_match.h"
 
 namespace golden {
 namespace {

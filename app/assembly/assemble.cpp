@@ -1,0 +1,293 @@
+#include "app/assembly/assemble.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "app/assembly/assemble_shape.h"
+#include "app/assembly/assemble_start.h"
+#include "app/logs/schedule.h"
+#include "engine/body_check.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/terrain.h"
+#include "hydro/wave_spectrum.h"
+
+namespace app {
+namespace {
+
+std::string body_path(std::size_t i) { return fmt::format("bodies[{}]", i); }
+
+hydro::WaveSurface wave_surface(const std::vector<WaveScene>& waves, double gravity) {
+  hydro::WaveSurface surface;
+  for (const WaveScene& w : waves)
+    surface.components.push_back(
+        hydro::deep_water_wave(w.amplitude, w.wavelength, w.heading, w.phase, gravity));
+  return surface;
+}
+
+hydro::WaveSurface spectrum_surface(const SpectrumScene& s, double gravity) {
+  return hydro::jonswap_sea({.significant_height = s.significant_height,
+                             .peak_period = s.peak_period,
+                             .gamma = s.gamma,
+                             .heading = s.heading,
+                             .spreading = s.spreading,
+                             .seed = s.seed,
+                             .components = s.components},
+                            gravity);
+}
+
+hydro::Sea assemble_sea(const WaterScene& water, double gravity, AssemblyLog& log) {
+  hydro::Sea sea{
+      .density = water.density, .gravity = gravity, .level = water.level, .current = water.current};
+  if (const auto* waves = std::get_if<std::vector<WaveScene>>(&water.surface))
+    sea.surface = wave_surface(*waves, gravity);
+  else if (const auto* spectrum = std::get_if<SpectrumScene>(&water.surface))
+    sea.surface = spectrum_surface(*spectrum, gravity);
+  else if (const auto* field = std::get_if<HeightFieldScene>(&water.surface))
+    sea.surface = height_field(*field, "water.surface.heightfield", log);
+  return sea;
+}
+
+engine::Ground assemble_ground(const GroundScene& ground, AssemblyLog& log) {
+  if (const auto* plane = std::get_if<PlaneGroundScene>(&ground))
+    return engine::PlaneGround{plane->z};
+  if (const auto* field = std::get_if<HeightFieldScene>(&ground)) {
+    try {
+      return engine::MeshGround{
+          hydro::terrain_mesh(height_field(*field, "ground.heightfield", log))};
+    } catch (const std::invalid_argument& error) {
+      log.faults.add(log.scene, "ground.heightfield", error.what());
+    }
+  }
+  if (const auto* file = std::get_if<MeshScene>(&ground)) {
+    hydro::TriMesh mesh = mesh_from_file(*file, "ground.mesh", log);
+    if (make_sound(mesh, Soundness::surface, "ground.mesh", log))
+      return engine::MeshGround{std::move(mesh)};
+  }
+  return {};
+}
+
+engine::CollisionShape collision_shape(const BodyScene& body) {
+  switch (body.collision) {
+    case Collision::none:
+      return engine::CollisionShape::none;
+    case Collision::mesh:
+      return engine::CollisionShape::mesh;
+    case Collision::box:
+      return engine::CollisionShape::box;
+    case Collision::sphere:
+      return engine::CollisionShape::sphere;
+    case Collision::automatic:
+      break;
+  }
+  if (std::holds_alternative<BoxScene>(body.shape)) return engine::CollisionShape::box;
+  if (std::holds_alternative<SphereScene>(body.shape) ||
+      std::holds_alternative<IcosphereScene>(body.shape))
+    return engine::CollisionShape::sphere;
+  return engine::CollisionShape::mesh;
+}
+
+/// Mass, centre of mass (mesh frame) and inertia about it, body axes.
+struct MassProperties {
+  double mass = 0;
+  Eigen::Vector3d center_of_mass = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
+};
+
+Eigen::Matrix3d to_matrix(const InertiaScene& i) {
+  Eigen::Matrix3d m;
+  m << i.xx, i.xy, i.xz,  //
+      i.xy, i.yy, i.yz,   //
+      i.xz, i.yz, i.zz;
+  return m;
+}
+
+/// What a body says of its mass, and for the rest that of a solid of uniform density.
+MassProperties mass_properties(const BodyScene& body, const hydro::SolidProperties& solid) {
+  MassProperties p;
+  p.mass = body.density ? *body.density * solid.volume : body.mass.value_or(0);
+  p.center_of_mass = body.center_of_mass.value_or(solid.centroid);
+  p.inertia = body.inertia ? to_matrix(*body.inertia)
+                           : Eigen::Matrix3d(p.mass / solid.volume * solid.inertia);
+  return p;
+}
+
+/// True if everything that the scene leaves out can only be found from a closed mesh.
+bool needs_solid(const BodyScene& body, bool wet) {
+  return wet || body.density || !body.inertia || !body.center_of_mass;
+}
+
+/// False, with a fault, for masses far below or above what double precision carries through a step.
+bool mass_is_usable(const MassProperties& p, const std::string& path, AssemblyLog& log) {
+  const bool usable = std::isfinite(p.mass) && p.mass > 1e-30 && p.mass < 1e30 &&
+                      p.inertia.allFinite() && p.inertia.diagonal().minCoeff() > 1e-60;
+  if (!usable)
+    log.faults.add(
+        log.scene, path,
+        fmt::format("its mass comes to {:.3g} kg and its least inertia to {:.3g} kg m^2; "
+                    "expected a mesh and a density of a usable size",
+                    p.mass, p.inertia.diagonal().minCoeff()));
+  return usable;
+}
+
+/// A body that the engine would refuse, such as one that starts beyond all bounds.
+void check_motion(const engine::BodySpec& spec, const std::string& path, AssemblyLog& log) {
+  try {
+    engine::check_body(spec);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, path, error.what());
+  }
+}
+
+/// A mistyped step or duration would keep the program busy for ever.
+void check_step_count(AssemblyLog& log) {
+  const double steps = log.scene.duration / log.scene.step;
+  if (!(steps <= kMostSteps))
+    log.faults.add(log.scene, "duration",
+                   fmt::format("{:g} s in steps of {:g} s are {:.3g} steps, expected at most {:g}",
+                               log.scene.duration, log.scene.step, steps, kMostSteps));
+}
+
+/// Ground that the engine would refuse: it lies beyond all bounds.
+void check_ground(const engine::Ground& ground, AssemblyLog& log) {
+  try {
+    engine::check_ground(ground);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, "ground", error.what());
+  }
+}
+
+engine::AppliedLoad applied_load(const AppliedLoadScene& load, const Eigen::Vector3d& com_M) {
+  engine::AppliedLoad applied{.force = load.force,
+                              .torque = load.torque,
+                              .in_body_frame = load.in_body_frame,
+                              .at_B = load.at ? Eigen::Vector3d(*load.at - com_M)
+                                              : Eigen::Vector3d(Eigen::Vector3d::Zero()),
+                              .start = load.start,
+                              .end = load.end};
+  if (load.sine)
+    applied.sine =
+        engine::AppliedLoad::Sine{.frequency = load.sine->frequency, .phase = load.sine->phase};
+  return applied;
+}
+
+/// The coefficients with what follows from the mesh: the length of the friction line, by default
+/// the longest side of the bounding box, and the calibration.
+hydro::Coefficients assemble_coefficients(const BodyScene& body, const hydro::TriMesh& mesh_B,
+                                          const std::string& path, AssemblyLog& log) {
+  hydro::Coefficients coefficients = body.hydro;
+  hydro::ViscousDrag& viscous = coefficients.viscous_drag;
+  if (viscous.length == 0) viscous.length = hydro::bounding_box(mesh_B).sizes().maxCoeff();
+  if (log.scene.water) viscous.reynolds_per_speed = viscous.length / log.scene.water->viscosity;
+  if (!body.calibrated_drag) return coefficients;
+  try {
+    coefficients.calibration =
+        hydro::calibrate_drag(mesh_B, coefficients.pressure_drag, *body.calibrated_drag);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, path + ".calibrate.drag", error.what());
+  }
+  return coefficients;
+}
+
+/// False if the water does nothing to a body.
+bool feels_water(const BodyScene& body, const Scene& scene) {
+  using Model = AddedMassScene::Model;
+  const Model model = body.hydro.added_mass.model;
+  const bool asks_for_added_mass = model != Model::automatic && model != Model::none;
+  return scene.water && (asks_for_added_mass || !hydro::no_load(body.hydro));
+}
+
+engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, AssemblyLog& log,
+                               Eigen::Vector3d& com_M, CenteredMesh& centered) {
+  const std::string path = body_path(index);
+  engine::BodySpec spec{.name = body.name,
+                        .wet = feels_water(body, log.scene),
+                        .collision = collision_shape(body),
+                        .locked = body.locked};
+  hydro::TriMesh mesh = shape_mesh(body.shape, path, log);
+  const Soundness needed = needs_solid(body, spec.wet) ? Soundness::closed : Soundness::surface;
+  if (!make_sound(mesh, needed, shape_key_path(body.shape, path), log)) return spec;
+  const hydro::SolidProperties solid =
+      needed == Soundness::closed ? hydro::solid_properties(mesh) : hydro::SolidProperties{};
+  const MassProperties p = mass_properties(body, solid);
+  if (!mass_is_usable(p, path, log)) return spec;
+  com_M = p.center_of_mass;
+  if (needed == Soundness::closed)
+    centered = {hydro::translated(mesh, -solid.centroid), com_M - solid.centroid};
+  spec.mesh_B = hydro::translated(std::move(mesh), -com_M);
+  spec.mass = p.mass;
+  spec.inertia_B = p.inertia;
+  spec.initial = {.position = body.position + body.orientation * com_M,
+                  .orientation = body.orientation,
+                  .linear_velocity = body.linear_velocity,
+                  .angular_velocity = body.angular_velocity};
+  if (body.start == Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
+  spec.coefficients = assemble_coefficients(body, spec.mesh_B, path, log);
+  spec.summation.wave_tolerance = body.hydro.wave_tolerance;
+  for (const AppliedLoadScene& load : body.forces) spec.loads.push_back(applied_load(load, com_M));
+  check_motion(spec, path, log);
+  return spec;
+}
+
+engine::BodyId body_id(const Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].name == name) return static_cast<engine::BodyId>(i);
+  return engine::kWorld;
+}
+
+/// Some unit vector normal to `axis`: the one nearest to the world axis that is least along it.
+Eigen::Vector3d some_normal(const Eigen::Vector3d& axis) {
+  Eigen::Index least;
+  axis.cwiseAbs().minCoeff(&least);
+  const Eigen::Vector3d e = Eigen::Vector3d::Unit(least);
+  return (e - e.dot(axis) * axis).normalized();
+}
+
+engine::JointSpec assemble_joint(const Scene& scene, const JointScene& joint) {
+  engine::JointSpec spec{.name = joint.name,
+                         .type = static_cast<engine::JointSpec::Type>(joint.type),
+                         .first = body_id(scene, joint.bodies[0]),
+                         .second = body_id(scene, joint.bodies[1])};
+  if (joint.anchor) spec.anchor_W = *joint.anchor;
+  if (joint.axis) spec.axis_W = joint.axis->normalized();
+  spec.axis2_W = some_normal(spec.axis_W);
+  if (joint.axis2) {
+    const Eigen::Vector3d& a = *joint.axis2;
+    spec.axis2_W = (a - a.dot(spec.axis_W) * spec.axis_W).normalized();
+  }
+  return spec;
+}
+
+}  // namespace
+
+Assembly assemble(const Scene& scene) {
+  AssemblyLog log{.scene = scene};
+  check_step_count(log);
+  Assembly assembly;
+  engine::SimulationSpec& spec = assembly.spec;
+  spec.step = scene.step;
+  spec.gravity = scene.gravity;
+  spec.books = scene.log_forces;
+  spec.integrator = {.method = static_cast<engine::Integrator::Method>(scene.integrator.method),
+                     .tolerance = scene.integrator.tolerance.value_or(0),
+                     .sleep = scene.integrator.sleep};
+  if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
+  spec.ground = assemble_ground(scene.ground, log);
+  check_ground(spec.ground, log);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
+    CenteredMesh centered;
+    spec.bodies.push_back(assemble_body(scene.bodies[i], i, log, com_M, centered));
+    assembly.centers_of_mass.push_back(com_M);
+    assembly.solids.push_back(std::move(centered));
+  }
+  for (const JointScene& joint : scene.joints) spec.joints.push_back(assemble_joint(scene, joint));
+  log.faults.throw_if_any();
+  assembly.added_mass.resize(scene.bodies.size());
+  assembly.notes = std::move(log.notes);
+  return assembly;
+}
+
+}  // namespace app

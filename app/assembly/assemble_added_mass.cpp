@@ -1,0 +1,170 @@
+#include "app/assembly/assemble_added_mass.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "app/base/console.h"
+#include "app/base/file_lock.h"
+#include "app/base/progress.h"
+#include "app/scene/faults.h"
+#include "hydro/added_mass/constant_added_mass.h"
+#include "hydro/added_mass/surface_added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
+
+namespace app {
+namespace {
+
+using Model = AddedMassScene::Model;
+
+/// What a body that may move in water has: `none` where the scene leaves it open and the water does
+/// nothing else to the body.
+Model model_of(const BodyScene& body, const engine::BodySpec& spec) {
+  const bool held = std::all_of(spec.locked.begin(), spec.locked.end(), [](bool is) { return is; });
+  if (!spec.wet || held) return Model::none;
+  const Model model = body.hydro.added_mass.model;
+  return model == Model::automatic ? Model::deep : model;
+}
+
+/// Models of deep added mass by what they are of, so that bodies with the same mesh and centre of
+/// mass have one.
+class DeepModels {
+ public:
+  std::shared_ptr<const hydro::WettedAddedMass> of(const engine::BodySpec& body,
+                                                   const CenteredMesh& solid,
+                                                   const StoredAddedMass& stored) {
+    for (const Entry& entry : entries_)
+      if (entry.solution == stored.solution && entry.com_C == solid.com_C) return entry.model;
+    const bool moves = !solid.com_C.isZero(0);  // It does not where density is uniform.
+    auto model =
+        moves ? std::make_shared<const hydro::WettedAddedMass>(
+                    body.mesh_B, hydro::moved_origin(*stored.solution, solid.com_C))
+              : std::make_shared<const hydro::WettedAddedMass>(body.mesh_B, *stored.solution);
+    entries_.push_back({stored.solution, solid.com_C, model});
+    return model;
+  }
+
+ private:
+  struct Entry {
+    std::shared_ptr<const hydro::AddedMassSolution> solution;
+    Eigen::Vector3d com_C;
+    std::shared_ptr<const hydro::WettedAddedMass> model;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// Models of `surface`, one for all bodies with the same mesh about their centre of mass.
+class SurfaceModels {
+ public:
+  std::shared_ptr<const hydro::SurfaceAddedMass> of(const engine::BodySpec& body,
+                                                    const AddedMassStore& store) {
+    for (const auto& [first, model] : entries_)
+      if (first->mesh_B.vertices == body.mesh_B.vertices &&
+          first->mesh_B.faces == body.mesh_B.faces)
+        return model;
+    auto model =
+        std::make_shared<const hydro::SurfaceAddedMass>(body.mesh_B, store.find_nodes(body.mesh_B));
+    entries_.emplace_back(&body, model);
+    return model;
+  }
+
+ private:
+  std::vector<std::pair<const engine::BodySpec*, std::shared_ptr<const hydro::SurfaceAddedMass>>>
+      entries_;
+};
+
+/// Gives a body the model, and returns what is to be told of it.
+AddedMassReport add_matrix(const AddedMassScene& added_mass, engine::BodySpec& body) {
+  const auto model =
+      std::make_shared<const hydro::ConstantAddedMass>(body.mesh_B, added_mass.matrix);
+  body.added_mass = model;
+  return {.model = Model::matrix, .matrix = model->matrix(), .stored = {}, .surface = {}};
+}
+
+/// Told of the body in unbounded fluid, which is one solution; others are found as they are met.
+AddedMassReport add_surface(double density, const AddedMassStore& store, SurfaceModels& models,
+                            engine::BodySpec& body) {
+  const auto model = models.of(body, store);
+  body.added_mass = model;
+  return {.model = Model::surface,
+          .matrix = density * model->under(hydro::WaterPlane{}),
+          .stored = {},
+          .surface = model};
+}
+
+AddedMassReport add_deep(const CenteredMesh& solid, const StoredAddedMass& stored, double density,
+                         DeepModels& models, engine::BodySpec& body) {
+  const auto model = models.of(body, solid, stored);
+  body.added_mass = model;
+  return {
+      .model = Model::deep, .matrix = density * model->whole(), .stored = stored, .surface = {}};
+}
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return !file.empty() && std::filesystem::exists(file, ignored);
+}
+
+}  // namespace
+
+StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
+                                  const hydro::AddedMassOptions& options, AddedMassStore& store,
+                                  bool quiet) {
+  const std::filesystem::path file = store.file_of(mesh, options);
+  const bool had_file = is_there(file);
+  if (auto stored = store.find(mesh, options)) return *stored;
+  ProgressLine progress(quiet);
+  // Of the processes that look for it one solves, and the others wait.
+  progress.show(fmt::format("added mass of {}: another process solves for it", name));
+  const FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
+  if (lock.waited() || is_there(file) != had_file)
+    if (auto stored = store.find(mesh, options)) return *stored;
+  progress.show(fmt::format("added mass of {}: solving for {} triangles, once for this mesh", name,
+                            mesh.face_count()));
+  hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);
+  progress.clear();
+  if (!quiet && ::isatty(STDERR_FILENO))
+    say(fmt::format("added mass of {}: {:.1f} s", name, solution.seconds));
+  return store.keep(mesh, options, std::move(solution));
+}
+
+void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& store, bool quiet) {
+  Faults faults;
+  DeepModels models;
+  SurfaceModels surface_models;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    engine::BodySpec& body = assembly.spec.bodies[i];
+    const AddedMassScene& added_mass = scene.bodies[i].hydro.added_mass;
+    const Model model = model_of(scene.bodies[i], body);
+    if (model == Model::matrix) assembly.added_mass[i] = add_matrix(added_mass, body);
+    if (model == Model::surface)
+      assembly.added_mass[i] = add_surface(assembly.spec.sea->density, store, surface_models, body);
+    if (model != Model::deep) continue;
+    const CenteredMesh& solid = assembly.solids[i];
+    try {
+      const StoredAddedMass stored = solved_added_mass(
+          body.name, solid.mesh_C, {.tolerance = added_mass.tolerance}, store, quiet);
+      assembly.added_mass[i] = add_deep(solid, stored, assembly.spec.sea->density, models, body);
+    } catch (const std::invalid_argument& error) {
+      faults.add(scene, fmt::format("bodies[{}].hydro.added_mass", i), error.what());
+    }
+  }
+  faults.throw_if_any();
+}
+
+void keep_surface_nodes(const Assembly& assembly, const AddedMassStore& store) {
+  std::set<const hydro::SurfaceAddedMass*> kept;
+  for (std::size_t i = 0; i < assembly.added_mass.size(); ++i) {
+    const auto& report = assembly.added_mass[i];
+    if (!report || !report->surface || report->surface->solves() == 0) continue;
+    if (kept.insert(report->surface.get()).second)
+      store.keep_nodes(assembly.spec.bodies[i].mesh_B, report->surface->nodes());
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,97 @@
+#include "app/assembly/assemble_shape.h"
+
+#include <fmt/format.h>
+
+#include "app/assembly/height_io.h"
+#include "app/assembly/mesh_io.h"
+#include "hydro/mesh/primitives.h"
+
+namespace app {
+namespace {
+
+template <class... Ts>
+struct Overloaded : Ts... {
+  using Ts::operator()...;
+};
+
+hydro::TriMesh primitive(const ShapeScene& shape) {
+  return std::visit(
+      Overloaded{
+          [](const MeshScene&) { return hydro::TriMesh{}; },
+          [](const BoxScene& s) { return hydro::make_box(s.size, s.divisions); },
+          [](const SphereScene& s) { return hydro::make_sphere(s.radius, s.slices, s.stacks); },
+          [](const IcosphereScene& s) { return hydro::make_icosphere(s.radius, s.subdivisions); },
+          [](const EllipsoidScene& s) {
+            return hydro::make_ellipsoid(s.semi_axes, s.slices, s.stacks);
+          },
+          [](const CylinderScene& s) {
+            return hydro::make_cylinder(s.radius, s.height, s.slices, s.stacks);
+          }},
+      shape);
+}
+
+/// The faults of a report that matter for the given use.
+hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
+  if (needed == Soundness::closed) return report;
+  hydro::MeshReport kept;
+  kept.not_finite = report.not_finite;
+  kept.degenerate_faces = report.degenerate_faces;
+  return kept;
+}
+
+}  // namespace
+
+std::string shape_key_path(const ShapeScene& shape, const std::string& key_path) {
+  constexpr const char* kNames[] = {"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"};
+  return fmt::format("{}.{}", key_path, kNames[shape.index()]);
+}
+
+hydro::TriMesh mesh_from_file(const MeshScene& mesh, const std::string& key_path,
+                              AssemblyLog& log) {
+  try {
+    return hydro::scaled(read_mesh(mesh.file), mesh.scale);
+  } catch (const InputError& error) {
+    for (const Fault& fault : error.faults())
+      log.faults.add(log.scene, key_path + ".file", to_string({fault.place, "", fault.message}));
+  }
+  return {};
+}
+
+hydro::TriMesh shape_mesh(const ShapeScene& shape, const std::string& key_path, AssemblyLog& log) {
+  const std::string key = shape_key_path(shape, key_path);
+  if (const auto* mesh = std::get_if<MeshScene>(&shape)) return mesh_from_file(*mesh, key, log);
+  try {
+    return primitive(shape);
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, key, error.what());
+    return {};
+  }
+}
+
+bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_path,
+                AssemblyLog& log) {
+  if (mesh.face_count() == 0) return false;
+  hydro::RepairedMesh repaired = hydro::repaired(std::move(mesh));
+  mesh = std::move(repaired.mesh);
+  for (const std::string& note : repaired.notes)
+    log.notes.push_back(fmt::format("{}: {}", key_path, note));
+  const std::vector<std::string> faults = hydro::describe(relevant(repaired.report, needed));
+  for (const std::string& fault : faults) log.faults.add(log.scene, key_path, fault);
+  return faults.empty();
+}
+
+hydro::HeightField height_field(const HeightFieldScene& field, const std::string& key_path,
+                                AssemblyLog& log) {
+  try {
+    return hydro::make_height_field(read_heights(field.file, field.range), field.cell,
+                                    field.origin);
+  } catch (const InputError& error) {
+    for (const Fault& fault : error.faults())
+      log.faults.add(log.scene, key_path + ".file", to_string({fault.place, "", fault.message}));
+  } catch (const std::invalid_argument& error) {
+    log.faults.add(log.scene, key_path, error.what());
+  }
+  return hydro::make_height_field(Eigen::MatrixXd::Zero(2, 2), 1, field.origin);
+}
+
+}  // namespace app

@@ -1,0 +1,35 @@
+#include "app/assembly/assemble_start.h"
+
+#include <fmt/format.h>
+
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/statics/equilibrium.h"
+
+namespace app {
+
+std::string why_not_afloat(double mass, double volume, double density) {
+  const double most = density * volume;
+  // The volume of a mesh has some digits less than a double: what it displaces is as heavy then.
+  if (mass < (1 - 1e-12) * most) return "";
+  return fmt::format(
+      "it {}: its mass is {:.7g} kg and its volume of {:.7g} m^3 displaces {:.7g} kg",
+      mass > (1 + 1e-12) * most ? "sinks" : "hovers in the water, as heavy as it", mass, volume,
+      most);
+}
+
+void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
+                const std::string& key_path, engine::BodySpec& body, AssemblyLog& log) {
+  const WaterScene& water = *log.scene.water;
+  const double volume = hydro::solid_properties(body.mesh_B).volume;
+  const std::string reason = why_not_afloat(body.mass, volume, water.density);
+  if (!reason.empty()) return log.faults.add(log.scene, key_path + ".start", reason);
+  hydro::BodyState& state = body.initial;
+  const double heading = hydro::euler_angles(state.orientation)[2];
+  const hydro::Flotation rest =
+      hydro::equilibrium(body.mesh_B, body.mass / water.density, state.orientation);
+  state.orientation = hydro::with_heading(rest.orientation, heading);
+  state.position = position + state.orientation * com_M;
+  state.position.z() = water.level + rest.height;
+}
+
+}  // namespace app

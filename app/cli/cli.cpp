@@ -1,0 +1,330 @@
+#include "app/cli/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "app/cli/completion.h"
+#include "app/commands/commands.h"
+#include "app/scene/faults.h"
+#include "app/sweep/sweep.h"
+
+namespace app {
+namespace {
+
+const char* const kTrajectory = "Trajectory (CSV or HDF5), or the folder of a run";
+
+std::vector<Override> parse_overrides(const std::vector<std::string>& arguments) {
+  std::vector<Override> overrides;
+  for (const std::string& argument : arguments) overrides.push_back(parse_override(argument));
+  return overrides;
+}
+
+/// `position=1e-6,orientation_deg=0.01`
+std::map<std::string, double> parse_tolerances(const std::vector<std::string>& arguments) {
+  std::map<std::string, double> tolerances;
+  for (const std::string& argument : arguments) {
+    const std::size_t equals = argument.find('=');
+    const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (value.empty() || *end != '\0')
+      throw InputError("--tol", fmt::format("found \"{}\", expected QUANTITY=NUMBER", argument));
+    tolerances[argument.substr(0, equals)] = number;
+  }
+  return tolerances;
+}
+
+LogFormat parse_format(const std::string& word) {
+  if (word == "csv") return LogFormat::csv;
+  if (word == "hdf5") return LogFormat::hdf5;
+  throw InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
+}
+
+/// `0:60:5` → 0, 5 … 60, in radians.
+std::vector<double> parse_heels(const std::string& argument) {
+  double first = 0, last = 0, step = 0;
+  int end = 0;
+  const bool read = std::sscanf(argument.c_str(), "%lf:%lf:%lf%n", &first, &last, &step, &end) == 3;
+  // Not a number fails every comparison.
+  const bool fits = std::abs(first) <= 180 && std::abs(last) <= 180 && step >= 0.01;
+  if (!read || argument.size() != static_cast<std::size_t>(end) || !fits || first > last)
+    throw InputError("--heel", fmt::format("found {}, expected FIRST:LAST:STEP within -180 and 180 "
+                                           "degrees, FIRST <= LAST and STEP >= 0.01",
+                                           argument));
+  std::vector<double> heels;
+  const long count = std::lround(std::floor((last - first) / step + 1e-9));
+  for (long i = 0; i <= count; ++i)
+    heels.push_back((first + static_cast<double>(i) * step) * std::numbers::pi / 180);
+  return heels;
+}
+
+/// What the options of all commands are read into.
+struct Arguments {
+  RunOptions run;
+  CompareOptions compare;
+  RenderOptions render;
+  ViewOptions view;
+  ReportOptions report;
+  HydrostaticsOptions hydrostatics;
+  AddedMassCommand addedmass;
+  SweepOptions sweep;
+  std::vector<double> center_of_mass;
+  std::string heels = "0:60:5";
+  std::vector<std::filesystem::path> scenes;
+  std::filesystem::path scene;
+  std::vector<std::string> sets;
+  std::vector<std::string> tolerances;
+  bool markdown = false;
+  std::string shell;
+};
+
+void add_sets(CLI::App* command, Arguments& arguments) {
+  command
+      ->add_option("--set", arguments.sets,
+                   "Replace or add a key of the scene, e.g. bodies[0].density=700")
+      ->type_name("KEY.PATH=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+void add_threads(CLI::App* command, int& threads, const char* more = "") {
+  command
+      ->add_option(
+          "--threads", threads,
+          fmt::format("Threads, 1 to 256{}; results do not depend on it [all cores]", more))
+      ->check(CLI::Range(1, 256).description(""))
+      ->type_name("N");
+}
+
+void add_video(CLI::App* command, VideoOptions& video) {
+  CLI::Option* file =
+      command
+          ->add_option("--video", video.file,
+                       "Make a video too: .mp4, .webm or .gif; with several cameras one each, "
+                       "FILE-CAMERA")
+          ->type_name("FILE");
+  command->add_option("--fps", video.fps, "Pictures in a second of the video, 1 to 120 [25]")
+      ->check(CLI::Range(1, 120).description(""))
+      ->type_name("N")
+      ->needs(file);
+}
+
+void add_run(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand("run", "Run a scene: trajectory, pictures, summary");
+  command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE")->required();
+  command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]")->type_name("DIR");
+  add_sets(command, a);
+  command
+      ->add_option_function<std::string>(
+          "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
+          "Of the log: csv, or hdf5 for large runs [csv]")
+      ->type_name("FORMAT");
+  command->add_flag_callback(
+      "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
+  add_video(command, a.run.video);
+  add_threads(command, a.run.threads, ", from 2 on with one more for files");
+  command->add_flag("--quiet", a.run.quiet, "No progress and no report");
+}
+
+void add_others(CLI::App& program, Arguments& a) {
+  CLI::App* starter = program.add_subcommand("new", "Write a commented scene to start from");
+  starter->add_option("name", a.scene, "Its name, with or without .yaml")
+      ->type_name("NAME")
+      ->required();
+
+  CLI::App* check =
+      program.add_subcommand("check", "Validate scenes and their meshes; run nothing");
+  check->add_option("scenes", a.scenes, "Scene files")->type_name("FILE")->required();
+  add_sets(check, a);
+
+  CLI::App* probe =
+      program.add_subcommand("probe", "Print the forces on every body in its initial state (JSON)");
+  probe->add_option("scene", a.scene, "Scene file")->type_name("FILE")->required();
+  add_sets(probe, a);
+
+  CLI::App* render = program.add_subcommand("render", "Draw pictures of a trajectory");
+  render->add_option("trajectory", a.render.trajectory, kTrajectory)->type_name("FILE")->required();
+  render->add_option("--scene", a.render.scene, "The scene that it is of")
+      ->type_name("SCENE")
+      ->required();
+  render->add_option("--out", a.render.out, "Folder for the pictures")
+      ->type_name("DIR")
+      ->required();
+  add_video(render, a.render.video);
+  add_sets(render, a);
+  render->add_flag("--quiet", a.render.quiet, "No progress and no report");
+}
+
+void add_view(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand("view", "Play a scene in a window, in real time");
+  command->add_option("scene", a.view.scene, "Scene file")->type_name("SCENE")->required();
+  add_sets(command, a);
+  add_threads(command, a.view.threads);
+  CLI::Option* snapshot =
+      command->add_option("--snapshot", a.view.snapshot, "Save what the window shows, and quit")
+          ->type_name("FILE");
+  command->add_option("--after", a.view.after, "Simulated time of the snapshot [s] [0]")
+      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->type_name("SECONDS")
+      ->needs(snapshot);
+}
+
+void add_compare(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand("compare", "Compare two trajectories body by body");
+  command->add_option("a", a.compare.a, kTrajectory)->type_name("A")->required();
+  command->add_option("b", a.compare.b, kTrajectory)->type_name("B")->required();
+  command
+      ->add_option("--tol", a.tolerances,
+                   "Tolerances: position, orientation_deg, linear_velocity, angular_velocity; only "
+                   "those named are judged [all: 1e-9]")
+      ->type_name("QUANTITY=NUMBER,...")
+      ->delimiter(',');
+  command
+      ->add_option("--tolerances", a.compare.tolerance_file,
+                   "The same from a YAML file [tolerances.yaml in A or B]")
+      ->type_name("FILE")
+      ->excludes("--tol");
+  command->add_flag("--json", a.compare.json, "Print JSON");
+  command->add_option("--junit", a.compare.junit, "Write a JUnit report, for CI servers")
+      ->type_name("FILE");
+  command->add_option("--html", a.compare.html, "Write one page with plots, for a browser")
+      ->type_name("FILE");
+}
+
+void add_report(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "report", "Write a run as one page for a browser: DIR/report.html (plots, 3-D replay)");
+  command->add_option("folder", a.report.folder, "Folder of a run")->type_name("DIR")->required();
+  command
+      ->add_option("--scene", a.report.scene,
+                   "Where its scene lies now, with the meshes [where it was run]")
+      ->type_name("SCENE");
+}
+
+void add_hydrostatics(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "hydrostatics", "How a mesh or a scene's bodies float at rest, and what rights them");
+  HydrostaticsOptions& o = a.hydrostatics;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--mass", o.mass, "Of the mesh [kg]")->type_name("KG");
+  command->add_option("--draught", o.draught, "Instead of a mass: that of the upright mesh [m]")
+      ->type_name("M");
+  command->add_option("--density", o.density, "Of the water, with a mesh [kg/m^3] [1000]")
+      ->type_name("RHO");
+  command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->expected(3);
+  command->add_option("--heel", a.heels, "Heels of the righting arms [deg]")
+      ->type_name("FIRST:LAST:STEP")
+      ->capture_default_str();
+  add_sets(command, a);
+  command->add_flag("--json", o.json, "As JSON");
+  command->add_flag("--csv", o.csv, "As CSV, a number a row");
+}
+
+void add_addedmass(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "addedmass", "Added mass of a mesh or a scene's bodies, wholly submerged");
+  AddedMassCommand& o = a.addedmass;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--density", o.density, "Of the water [kg/m^3] [the scene's, or 1000]");
+  command->add_option("--tolerance", o.options.tolerance, "Of the estimated relative error")
+      ->capture_default_str();
+  command
+      ->add_option("--method", o.options.method,
+                   "galerkin: on panels of its own; constant: plain collocation on the faces")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
+          {"galerkin", hydro::AddedMassMethod::galerkin},
+          {"constant", hydro::AddedMassMethod::constant}}));
+  add_sets(command, a);
+  command->add_flag_callback(
+      "--no-store", [&o] { o.store = false; }, "Solve anew, and keep nothing for later runs");
+  command->add_flag("--json", o.json, "As JSON");
+}
+
+void add_schema(CLI::App& program, Arguments& a) {
+  program.add_subcommand("schema", "Print the JSON Schema of scenes, for editors")
+      ->add_flag("--markdown", a.markdown, "The tables of keys of scenes/README.md instead");
+}
+
+void add_completion(CLI::App& program, Arguments& a) {
+  program.add_subcommand("completion", "Print a script that completes command lines in a shell")
+      ->add_option("shell", a.shell, "bash or zsh")
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->required();
+}
+
+int run_hydrostatics(Arguments& a, const std::vector<Override>& overrides) {
+  const std::vector<double>& com = a.center_of_mass;
+  a.hydrostatics.overrides = overrides;
+  a.hydrostatics.heels = parse_heels(a.heels);
+  if (com.size() == 3) a.hydrostatics.center_of_mass = Eigen::Vector3d(com[0], com[1], com[2]);
+  return hydrostatics(a.hydrostatics);
+}
+
+/// Names the commands there are if the first word is none of them.
+void check_command(const CLI::App& program, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (word.starts_with('-')) return;
+  std::string known;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw CLI::ParseError(fmt::format("{}, expected a command: {}",
+                                    word.empty() ? "found nothing" : "found " + word, known),
+                        CLI::ExitCodes::ExtrasError);
+}
+
+int dispatch(const CLI::App& program, Arguments& a) {
+  const std::vector<Override> overrides = parse_overrides(a.sets);
+  a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides = overrides;
+  a.compare.tolerances = parse_tolerances(a.tolerances);
+  if (program.got_subcommand("run")) return run(a.run);
+  if (program.got_subcommand("view")) return view(a.view);
+  if (program.got_subcommand("sweep")) return sweep(a.sweep);
+  if (program.got_subcommand("new")) return new_scene(a.scene);
+  if (program.got_subcommand("check")) return check(a.scenes, overrides);
+  if (program.got_subcommand("probe")) return probe(a.scene, overrides);
+  if (program.got_subcommand("compare")) return compare(a.compare);
+  if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
+  if (program.got_subcommand("report")) return report(a.report);
+  if (program.got_subcommand("completion")) return completion(program, a.shell);
+  if (program.got_subcommand("schema")) return schema(a.markdown);
+  if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
+  return render_trajectory(a.render);
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  CLI::App program("Plimsoll, a maritime sandbox: triangle-mesh bodies in height-field water.",
+                   "plimsoll");
+  program.set_version_flag("--version", "plimsoll " PLIMSOLL_VERSION);
+  program.require_subcommand(1);
+  Arguments arguments;
+  add_run(program, arguments);
+  add_others(program, arguments);
+  add_view(program, arguments);
+  add_compare(program, arguments);
+  add_report(program, arguments);
+  add_hydrostatics(program, arguments);
+  add_addedmass(program, arguments);
+  add_sweep(program, arguments.sweep);
+  add_schema(program, arguments);
+  add_completion(program, arguments);
+  try {
+    check_command(program, argc, argv);
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kDone : kWrongInput;
+  }
+  return dispatch(program, arguments);
+}
+
+}  // namespace app

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include "app/base/console.h"
+#include "app/cli/cli.h"
+#include "app/commands/commands.h"
+#include "app/scene/faults.h"
+#include "engine/simulation.h"
+
+namespace {
+
+/// Has freed memory stay with the process, up to some megabytes: what reads a mesh or the store
+/// frees as much as the next one needs, and pages that the kernel hands out anew are a large part
+/// of a short run.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kMebibyte = 1 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);  // The largest that it takes.
+  ::mallopt(M_TRIM_THRESHOLD, 64 * kMebibyte);
+#endif
+}
+
+int run_command(int argc, char** argv) {
+  const int code = app::command_line(argc, argv);
+  app::flush_output();
+  return code;
+}
+
+void say_faults(const app::InputError& error) {
+  const std::size_t count = error.faults().size();
+  app::say(error.what());
+  app::say(fmt::format("{} problem{}, nothing was run.", count, count == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  keep_freed_memory();
+  app::open_standard_streams();
+  try {
+    return run_command(argc, argv);
+  } catch (const app::InputError& error) {
+    say_faults(error);
+    return app::kWrongInput;
+  } catch (const engine::SimulationError& error) {
+    app::say(fmt::format("error: {}", error.what()));
+    return app::kCannotGoOn;
+  } catch (const std::bad_alloc&) {
+    app::say("error: the memory is used up; give meshes, pictures or logs of a smaller size");
+    return app::kWrongInput;
+  } catch (const std::exception& error) {
+    app::say(fmt::format("error: {}", error.what()));
+    return app::kWrongInput;
+  }
+}

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/mesh_io.h"
+#include "app/base/console.h"
+#include "app/commands/commands.h"
+#include "app/scene/faults.h"
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/mesh_check.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A body wholly submerged in water.
+struct Submerged {
+  std::string name;
+  CenteredMesh solid;
+  Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
+  double density = 1000;  ///< Of the water [kg/m^3].
+};
+
+Submerged body_of_mesh(const AddedMassCommand& o) {
+  if (!o.overrides.empty()) throw InputError("--set", "is for a scene, and this is a mesh");
+  hydro::RepairedMesh repaired = hydro::repaired(read_mesh(o.file));
+  std::vector<Fault> faults;
+  for (const std::string& fault : hydro::describe(repaired.report))
+    faults.push_back({{o.file}, "", fault});
+  if (!faults.empty()) throw InputError(std::move(faults));
+  for (const std::string& note : repaired.notes)
+    say(fmt::format("{}: note: {}", o.file.string(), note));
+  Submerged body{.name = o.file.stem().string(),
+                 .com_M = hydro::solid_properties(repaired.mesh).centroid,
+                 .density = o.density.value_or(1000)};
+  body.solid.mesh_C = hydro::translated(std::move(repaired.mesh), -body.com_M);
+  return body;
+}
+
+/// A closed mesh about the centroid of its volume.
+CenteredMesh centered(const hydro::TriMesh& mesh_B) {
+  const Eigen::Vector3d centroid_B = hydro::solid_properties(mesh_B).centroid;
+  return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
+}
+
+std::vector<Submerged> bodies_of_scene(const AddedMassCommand& o) {
+  const Scene scene = read_scene(o.file, o.overrides);
+  const Assembly assembly = assemble(scene);
+  for (const std::string& note : assembly.notes)
+    say(fmt::format("{}: note: {}", scene.file.string(), note));
+  const double density = o.density.value_or(scene.water ? scene.water->density : 1000);
+  std::vector<Submerged> bodies;
+  std::vector<Fault> faults;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const engine::BodySpec& spec = assembly.spec.bodies[i];
+    const std::vector<std::string> wrong = hydro::describe(hydro::check_mesh(spec.mesh_B));
+    if (!wrong.empty()) faults.push_back({{scene.file}, spec.name, wrong.front()});
+    // A body that needs no closed mesh in its scene has not been looked at as a solid.
+    const CenteredMesh& solid = assembly.solids[i];
+    bodies.push_back({spec.name, solid.mesh_C.face_count() > 0 ? solid : centered(spec.mesh_B),
+                      assembly.centers_of_mass[i], density});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return bodies;
+}
+
+std::vector<Submerged> bodies_of(const AddedMassCommand& o) {
+  if (o.density && !(*o.density > 0 && std::isfinite(*o.density)))
+    throw InputError("--density",
+                     fmt::format("found {:g}, expected a positive number [kg/m^3]", *o.density));
+  if (!(o.options.tolerance > 0 && std::isfinite(o.options.tolerance)))
+    throw InputError("--tolerance",
+                     fmt::format("found {:g}, expected a positive number", o.options.tolerance));
+  const bool is_scene = o.file.extension() == ".yaml" || o.file.extension() == ".yml";
+  if (is_scene) return bodies_of_scene(o);
+  return {body_of_mesh(o)};
+}
+
+/// A solution about the body's centre of mass, and whether it was stored.
+struct Found {
+  hydro::AddedMassSolution solution;
+  bool from_store = false;
+};
+
+Json to_json(const Submerged& body, const Found& found) {
+  const hydro::AddedMassSolution& solution = found.solution;
+  Json rows = Json::array();
+  for (int i = 0; i < 6; ++i) {
+    Json row = Json::array();
+    for (int j = 0; j < 6; ++j) row.push_back(body.density * solution.matrix(i, j));
+    rows.push_back(row);
+  }
+  return {{"volume", hydro::solid_properties(body.solid.mesh_C).volume},
+          {"com", {body.com_M.x(), body.com_M.y(), body.com_M.z()}},
+          {"density", body.density},
+          {"added_mass", rows},
+          {"error_estimate", solution.error_estimate},
+          {"symmetry_error", solution.symmetry_error},
+          {"panels", solution.panels},
+          {"unknowns", solution.unknowns},
+          {"from_store", found.from_store},
+          {"seconds", solution.seconds},
+          {"bytes", solution.bytes}};
+}
+
+/// The matrix row by row; what is below the symmetry error or round-off is still shown.
+std::string table_of(const Submerged& body, const Found& found) {
+  const hydro::AddedMassSolution& solution = found.solution;
+  std::string text = fmt::format(
+      "{}: volume {:.6g} m^3, centre of mass {:.6g} {:.6g} {:.6g} m, water {:g} kg/m^3\n",
+      body.name, hydro::solid_properties(body.solid.mesh_C).volume, body.com_M.x(), body.com_M.y(),
+      body.com_M.z(), body.density);
+  text += fmt::format("{:>9}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "", "surge", "sway", "heave",
+                      "roll", "pitch", "yaw");
+  const char* const names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  const double largest = solution.matrix.cwiseAbs().maxCoeff();
+  for (int i = 0; i < 6; ++i) {
+    text += fmt::format("{:>9}", names[i]);
+    for (int j = 0; j < 6; ++j) {
+      const double value = solution.matrix(i, j);
+      text += fmt::format("{:>14.6g}", std::abs(value) < 1e-9 * largest ? 0 : body.density * value);
+    }
+    text += "\n";
+  }
+  if (solution.error_estimate > 0)
+    text += fmt::format("  error below {:.2g} %", 100 * solution.error_estimate);
+  text += fmt::format("  asymmetry {:.2g} %, {} unknowns on {} panels, {:.2f} s, {:.0f} MB{}\n",
+                      100 * solution.symmetry_error, solution.unknowns, solution.panels,
+                      solution.seconds, solution.bytes / 1e6,
+                      found.from_store ? ", from the store" : "");
+  return text;
+}
+
+}  // namespace
+
+int addedmass(const AddedMassCommand& command) {
+  Json all = Json::object();
+  std::string text;
+  AddedMassStore store(command.store ? cache_folder() : std::nullopt);
+  for (const Submerged& body : bodies_of(command)) {
+    const StoredAddedMass stored =
+        solved_added_mass(body.name, body.solid.mesh_C, command.options, store, false);
+    const Found found = {hydro::moved_origin(*stored.solution, body.solid.com_C),
+                         stored.from_store};
+    if (command.json)
+      all[body.name] = to_json(body, found);
+    else
+      text += table_of(body, found);
+  }
+  fmt::print("{}", command.json ? Json{{"bodies", all}}.dump(2) + "\n" : text);
+  flush_output();
+  return kDone;
+}
+
+}  // namespace app

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/assembly/assemble_added_mass.h"
+#include "app/commands/commands.h"
+#include "hydro/mesh/mesh_check.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json to_json(const hydro::Wrench& w) {
+  return {{"force", to_json(w.force)}, {"torque", to_json(w.moment)}};
+}
+
+Json to_json(const Eigen::Matrix3d& m) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back(to_json(Eigen::Vector3d(m.row(i))));
+  return rows;
+}
+
+/// A matrix of six turned from body axes into world axes.
+Json in_world_axes(const hydro::Matrix6d& matrix_B, const Eigen::Matrix3d& R_WB) {
+  hydro::Matrix6d turn = hydro::Matrix6d::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R_WB;
+  const hydro::Matrix6d matrix = turn * matrix_B * turn.transpose();
+  Json rows = Json::array();
+  for (int i = 0; i < 6; ++i) {
+    rows.push_back(Json::array());
+    for (int j = 0; j < 6; ++j) rows.back().push_back((matrix(i, j) + matrix(j, i)) / 2);
+  }
+  return rows;
+}
+
+Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
+  hydro::Loads loads;
+  if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
+    loads = hydro::compute_loads(hydro::make_hull(body.mesh_B, false), body.initial, *sea, 0,
+                                 body.coefficients, body.summation);
+  const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
+  Json added_mass;
+  if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);
+  return {{"com", to_json(body.initial.position)},
+          {"mass", body.mass},
+          {"inertia", to_json(Eigen::Matrix3d(R * body.inertia_B * R.transpose()))},
+          {"displaced_volume", loads.displaced_volume},
+          {"wetted_area", loads.wetted_area},
+          {"buoyancy", to_json(loads.buoyancy)},
+          {"pressure_drag", to_json(loads.pressure_drag)},
+          {"viscous_drag", to_json(loads.viscous_drag)},
+          {"lift", to_json(loads.lift)},
+          {"added_mass", added_mass}};
+}
+
+}  // namespace
+
+int probe(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  const Scene scene = read_scene(file, overrides);
+  Assembly assembly = assemble(scene);
+  AddedMassStore store(cache_folder());
+  add_added_mass(scene, assembly, store, false);
+  keep_surface_nodes(assembly, store);
+  Json bodies = Json::object();
+  for (const engine::BodySpec& body : assembly.spec.bodies)
+    bodies[body.name] = probe_body(body, assembly.spec.sea);
+  fmt::print("{}\n", Json{{"bodies", bodies}}.dump(2));
+  return kDone;
+}
+
+}  // namespace app

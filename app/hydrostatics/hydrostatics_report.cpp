@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/hydrostatics/hydrostatics.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Numbers this much smaller than their scale are round-off, and the table has 0 for them.
+constexpr double kRoundOff = 1e-12;
+
+std::string word(hydro::Stability stability) {
+  switch (stability) {
+    case hydro::Stability::stable:
+      return "stable";
+    case hydro::Stability::neutral:
+      return "neutral";
+    case hydro::Stability::unstable:
+      break;
+  }
+  return "unstable";
+}
+
+std::vector<double> list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Metacentric heights and what they are made of.
+void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
+  const hydro::Hydrostatics& h = f.hydrostatics;
+  const double keel = -f.draught - f.height;  // of the lowest point, in G
+  const double size = f.draught;
+  const Eigen::Matrix2d gm = hydro::metacentric_heights(h);
+  const Eigen::Vector2d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(gm, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Matrix2d& second = h.waterplane.second_moment;
+  const double largest = second.trace();
+  all.push_back({"second_moment_transverse", "m^4", {second(1, 1)}, largest});
+  all.push_back({"second_moment_longitudinal", "m^4", {second(0, 0)}, largest});
+  all.push_back({"second_moment_product", "m^4", {second(0, 1)}, largest});
+  all.push_back({"kb", "m", {h.centre_of_buoyancy.z() - keel}, size});
+  all.push_back({"kg", "m", {-keel}, size});
+  all.push_back({"bm_t", "m", {second(1, 1) / h.volume}, size});
+  all.push_back({"bm_l", "m", {second(0, 0) / h.volume}, size});
+  all.push_back({"gm_t", "m", {gm(0, 0)}, size});
+  all.push_back({"gm_l", "m", {gm(1, 1)}, size});
+  all.push_back({"gm_least", "m", {principal[0]}, size});
+  all.push_back({"gm_largest", "m", {principal[1]}, size});
+}
+
+/// Restoring stiffness about the centre of mass, by the usual numbers of heave, roll and pitch.
+void add_stiffness(const FloatingBody& body, const hydro::Flotation& f,
+                   std::vector<Quantity>& all) {
+  const Eigen::Matrix3d c =
+      body.density * body.gravity * hydro::restoring_stiffness(f.hydrostatics);
+  const char* const units[] = {"N/m", "N", "N m"};
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      all.push_back({fmt::format("c{}{}", i + 3, j + 3),
+                     units[(i > 0) + (j > 0)],
+                     {c(i, j)},
+                     std::sqrt(std::abs(c(i, i) * c(j, j)))});
+}
+
+Json to_json(const std::vector<Quantity>& quantities) {
+  Json json = Json::object();
+  for (const Quantity& q : quantities)
+    json[q.key] = q.values.size() == 1 ? Json(q.values[0]) : Json(q.values);
+  return json;
+}
+
+Json state_json(const FloatingReport& report, const FloatingState& state,
+                const Eigen::Quaterniond& orientation) {
+  Json json = to_json(state_quantities(report.body, state, orientation));
+  json["stability"] = word(state.stability);
+  return json;
+}
+
+Json report_json(const FloatingReport& report) {
+  Json json{{"floats", report.not_afloat.empty()}};
+  json.update(to_json(body_quantities(report)));
+  if (!report.not_afloat.empty()) {
+    json["reason"] = report.not_afloat;
+    return json;
+  }
+  json["start"] = state_json(report, report.start, report.body.start);
+  json["rest"] = state_json(report, report.rest, report.orientation);
+  json["gz"] = Json::array();
+  for (const hydro::RightingArm& arm : report.righting_arms)
+    json["gz"].push_back({{"heel_deg", arm.heel / kDegree},
+                          {"trim_deg", arm.trim / kDegree},
+                          {"draught", arm.draught},
+                          {"gz", arm.lever}});
+  return json;
+}
+
+void write_rows(const std::string& body, const std::string& state,
+                const std::vector<Quantity>& quantities, std::string& csv) {
+  for (const Quantity& q : quantities)
+    for (std::size_t i = 0; i < q.values.size(); ++i)
+      csv += fmt::format("{},{},{}{},,{},{}\n", body, state, q.key,
+                         q.values.size() > 1 ? fmt::format("[{}]", i) : "", q.values[i], q.unit);
+}
+
+void write_curve(const FloatingReport& report, std::string& csv) {
+  for (const hydro::RightingArm& arm : report.righting_arms) {
+    const double heel = arm.heel / kDegree;
+    const std::string head = report.body.name + ",gz,";
+    csv += fmt::format("{}gz,{},{},m\n", head, heel, arm.lever);
+    csv += fmt::format("{}trim_deg,{},{},deg\n", head, heel, arm.trim / kDegree);
+    csv += fmt::format("{}draught,{},{},m\n", head, heel, arm.draught);
+  }
+}
+
+std::string shown(double value, double scale) {
+  return fmt::format("{:.6g}", std::abs(value) <= kRoundOff * scale ? 0 : value);
+}
+
+std::string shown(const Quantity& q) {
+  std::string text;
+  for (const double value : q.values) text += (text.empty() ? "" : ", ") + shown(value, q.scale);
+  return text;
+}
+
+/// A line a quantity, its value in each of the columns.
+void write_lines(const std::vector<std::vector<Quantity>>& columns, std::string& table) {
+  for (std::size_t i = 0; i < columns[0].size(); ++i) {
+    const Quantity& q = columns[0][i];
+    table += fmt::format("  {:<28}{:<8}", q.key, q.unit);
+    for (const auto& column : columns) table += fmt::format("{:<42}", shown(column[i]));
+    table.erase(table.find_last_not_of(' ') + 1);
+    table += '\n';
+  }
+}
+
+void write_curve_table(const FloatingReport& report, std::string& table) {
+  if (report.righting_arms.empty()) return;
+  table += fmt::format("\n  {:>10}{:>14}{:>12}{:>12}\n", "heel [deg]", "GZ [m]", "trim [deg]",
+                       "draught [m]");
+  for (const hydro::RightingArm& arm : report.righting_arms)
+    table += fmt::format("  {:>10}{:>14}{:>12}{:>12}\n", shown(arm.heel / kDegree, 1),
+                         shown(arm.lever, arm.draught), shown(arm.trim / kDegree, 1),
+                         shown(arm.draught, 1));
+}
+
+void write_table(const FloatingReport& report, std::string& table) {
+  table += report.body.name + '\n';
+  write_lines({body_quantities(report)}, table);
+  if (!report.not_afloat.empty()) {
+    table += fmt::format("  {}\n", report.not_afloat);
+    return;
+  }
+  table += fmt::format("\n  {:<36}{:<42}{}\n", "", "as given: " + word(report.start.stability),
+                       "at rest: " + word(report.rest.stability));
+  write_lines({state_quantities(report.body, report.start, report.body.start),
+               state_quantities(report.body, report.rest, report.orientation)},
+              table);
+  write_curve_table(report, table);
+}
+
+/// What the names in the table do not say.
+const char* const kLegend =
+    "\ncom and centre_of_…: mesh frame. Heights kb and kg: above the lowest point. heel_deg and "
+    "trim_deg:\nroll and pitch of the mesh, +x end down positive. second_moment_…, bm_… and gm_…: "
+    "t about the\nhorizontal axis along the mesh's x axis, l about the one across. c33…c55: "
+    "restoring stiffness in heave,\nroll and pitch about the centre of mass, those axes. GZ: "
+    "rights "
+    "a positive heel if positive.\n";
+
+}  // namespace
+
+std::vector<Quantity> body_quantities(const FloatingReport& report) {
+  const FloatingBody& body = report.body;
+  const double size = std::cbrt(report.volume);
+  return {{"mass", "kg", {body.mass}},
+          {"com", "m", list(body.com_M), size},
+          {"volume", "m^3", {report.volume}, 0},
+          {"water_density", "kg/m^3", {body.density}},
+          {"gravity", "m/s^2", {body.gravity}},
+          {"reserve_buoyancy", "1", {1 - body.mass / (body.density * report.volume)}}};
+}
+
+std::vector<Quantity> state_quantities(const FloatingBody& body, const FloatingState& state,
+                                       const Eigen::Quaterniond& orientation) {
+  const hydro::Flotation& f = state.flotation;
+  const hydro::Hydrostatics& h = f.hydrostatics;
+  const double size = f.draught;
+  const Eigen::Vector3d angles = hydro::euler_angles(f.orientation);
+  const auto in_mesh_frame = [&](const Eigen::Vector3d& p_G) {
+    return list(f.orientation.inverse() * p_G + body.com_M);
+  };
+  const Eigen::Vector2d& flotation = h.waterplane.centroid;
+  const Eigen::Quaterniond& q = orientation;
+  std::vector<Quantity> all{
+      {"quaternion", "1", {q.w(), q.x(), q.y(), q.z()}},
+      {"heel_deg", "deg", {angles[0] / kDegree}, 60},
+      {"trim_deg", "deg", {angles[1] / kDegree}, 60},
+      {"com_height", "m", {f.height}, size},
+      {"draught", "m", {f.draught}, size},
+      {"displaced_volume", "m^3", {h.volume}, 0},
+      {"centre_of_buoyancy", "m", in_mesh_frame(h.centre_of_buoyancy), size},
+      {"wetted_surface", "m^2", {h.wetted_surface}, 0},
+      {"waterplane_area", "m^2", {h.waterplane.area}, 0},
+      {"centre_of_flotation", "m", in_mesh_frame({flotation.x(), flotation.y(), -f.height}), size}};
+  add_stability(f, all);
+  add_stiffness(body, f, all);
+  return all;
+}
+
+std::string floating_table(const std::vector<FloatingReport>& reports) {
+  std::string table;
+  for (const FloatingReport& report : reports) {
+    if (!table.empty()) table += '\n';
+    write_table(report, table);
+  }
+  return table + kLegend;
+}
+
+std::string floating_json(const std::vector<FloatingReport>& reports) {
+  Json bodies = Json::object();
+  for (const FloatingReport& report : reports) bodies[report.body.name] = report_json(report);
+  return Json{{"bodies", bodies}}.dump(2) + '\n';
+}
+
+std::string floating_csv(const std::vector<FloatingReport>& reports) {
+  std::string csv = "body,state,quantity,heel_deg,value,unit\n";
+  for (const FloatingReport& report : reports) {
+    const std::string& name = report.body.name;
+    write_rows(name, "body", body_quantities(report), csv);
+    if (!report.not_afloat.empty()) continue;
+    write_rows(name, "start", state_quantities(report.body, report.start, report.body.start), csv);
+    write_rows(name, "rest", state_quantities(report.body, report.rest, report.orientation), csv);
+    write_curve(report, csv);
+  }
+  return csv;
+}
+
+}  // namespace app

@@ -1,0 +1,371 @@
+#include "app/logs/hdf5_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+// Later versions of the library have other functions by the same names.
+#define H5_USE_110_API
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+#include "app/base/output_folder.h"
+#include "app/scene/faults.h"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of zlib. Most of a number's digits are noise that no level makes smaller.
+constexpr unsigned kDeflateLevel = 1;
+
+/// What the tables of all datasets' chunks may grow by at once [bytes].
+constexpr std::size_t kStructureRoom = std::size_t{1} << 20;
+
+/// An object of the library.
+class Handle {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Handle() = default;
+  Handle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+  ~Handle() { close(); }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(closer_, other.closer_);
+    return *this;
+  }
+
+  operator hid_t() const { return id_; }
+  /// False if it could not be closed; there is no second attempt.
+  bool close() {
+    const hid_t id = std::exchange(id_, -1);
+    return id < 0 || closer_(id) >= 0;
+  }
+  /// Leaves it open.
+  void release() { id_ = -1; }
+
+ private:
+  hid_t id_ = -1;
+  Closer closer_ = nullptr;
+};
+
+/// Before anything else of the library, in each thread: it prints nothing, and leaves alone at the
+/// program's end what could not be written.
+void prepare_library() {
+  static const bool once = [] {
+    H5dont_atexit();
+    return true;
+  }();
+  static_cast<void>(once);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// What the system said, among all that the library says of its last error; or else the innermost
+/// of that.
+std::string last_error() {
+  std::string found = "the HDF5 library failed";
+  const auto look = [](unsigned, const H5E_error2_t* error, void* text) -> herr_t {
+    constexpr std::string_view kBefore = "error message = '";
+    const std::string_view said = error->desc ? error->desc : "";
+    const std::size_t start = said.find(kBefore);
+    const bool of_system = start != std::string_view::npos;
+    const std::string_view rest = of_system ? said.substr(start + kBefore.size()) : said;
+    *static_cast<std::string*>(text) = rest.substr(0, of_system ? rest.find('\'') : rest.size());
+    return of_system ? 1 : 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, look, &found);
+  return found;
+}
+
+/// Without the library's own locks, which some file systems refuse: a run locks its folder. What
+/// the library knows of the file's structure is written by a flush, all of it, and never between:
+/// so the file is whole after each.
+Handle file_access() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access, false, true);
+  H5AC_cache_config_t cache;
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  H5Pget_mdc_config(access, &cache);
+  cache.evictions_enabled = false;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  H5Pset_mdc_config(access, &cache);
+  return access;
+}
+
+/// The type of texts of any length.
+Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+using Extents = std::vector<hsize_t>;
+
+/// Of rows and what one of them has.
+Extents shape_of(hsize_t rows, const std::vector<std::size_t>& row) {
+  Extents shape = {rows};
+  shape.insert(shape.end(), row.begin(), row.end());
+  return shape;
+}
+
+Handle space_of(const Extents& shape, const hsize_t* most = nullptr) {
+  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), most), H5Sclose};
+}
+
+/// Without the time of its making, so that equal runs have equal files.
+Handle dataset_properties() {
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties, false);
+  return properties;
+}
+
+/// No cache of chunks: each is written once.
+Handle write_through() {
+  Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+  H5Pset_chunk_cache(access, 1, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
+  return access;
+}
+
+std::vector<const char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  return pointers;
+}
+
+bool write_attribute(hid_t object, const std::string& name, hid_t space,
+                     const std::vector<std::string>& texts) {
+  const Handle type = text_type();
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  return attribute >= 0 && H5Awrite(attribute, type, pointers(texts).data()) >= 0;
+}
+
+bool write_text(hid_t object, const std::string& name, const std::string& text) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  return write_attribute(object, name, space, {text});
+}
+
+}  // namespace
+
+std::string why_no_hdf5() { return ""; }
+
+struct Hdf5Writer::File {
+  struct Series {
+    Handle dataset;
+    std::vector<std::size_t> shape;  ///< Of a row.
+    std::size_t numbers = 1;         ///< Of a row.
+    hsize_t rows = 0;
+  };
+
+  /// Lets go of everything without a word to the library, which would write more.
+  void abandon() {
+    for (Series& each : series) each.dataset.release();
+    file.release();
+  }
+
+  void check(bool done) {
+    if (!done) fail(last_error());
+  }
+
+  [[noreturn]] void fail(const std::string& why) {
+    abandon();
+    throw OutputError(fmt::format("{}: cannot be written: {}", path.string(), why));
+  }
+
+  /// What the library has put into the file [bytes].
+  off_t size() {
+    hsize_t bytes = 0;
+    check(H5Fget_filesize(file, &bytes) >= 0);
+    return static_cast<off_t>(bytes);
+  }
+
+  int descriptor() {
+    void* pointer = nullptr;
+    check(H5Fget_vfd_handle(file, H5P_DEFAULT, &pointer) >= 0);
+    return *static_cast<int*>(pointer);
+  }
+
+  /// Gives back the room that was taken and is not used.
+  void give_back() {
+    if (::ftruncate(descriptor(), size()) != 0) fail(std::strerror(errno));
+  }
+
+  /// Takes room on the disk for what is known and so much more [bytes].
+  /// @return 0, or the error where there is no room. Other faults show when something is written.
+  int reserve(std::size_t more) {
+    const off_t end = size() + static_cast<off_t>(more);
+    if (end <= reserved) return 0;
+    const int error = ::posix_fallocate(descriptor(), reserved, end - reserved);
+    if (error == ENOSPC || error == EFBIG || error == EDQUOT) return error;
+    reserved = end;
+    return 0;
+  }
+
+  fs::path path;
+  Handle file;
+  std::vector<Series> series;  ///< After the file: closed before it.
+  off_t reserved = 0;          ///< The file's end on the disk may be there [bytes].
+};
+
+Hdf5Writer::Hdf5Writer(const fs::path& file) : file_(std::make_unique<File>()) {
+  prepare_library();
+  const Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties, false);
+  file_->path = file;
+  file_->file = Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties, file_access()), H5Fclose);
+  if (file_->file < 0) throw InputError(file, fmt::format("cannot be written: {}", last_error()));
+}
+
+Hdf5Writer::~Hdf5Writer() { file_->abandon(); }
+
+void Hdf5Writer::set_attributes(const Hdf5Attributes& attributes) {
+  prepare_library();
+  for (const auto& [name, text] : attributes) file_->check(write_text(file_->file, name, text));
+}
+
+void Hdf5Writer::add_texts(const std::string& name, const std::vector<std::string>& texts) {
+  prepare_library();
+  const Handle type = text_type();
+  const Handle dataset(H5Dcreate2(file_->file, name.c_str(), type, space_of({texts.size()}),
+                                  H5P_DEFAULT, dataset_properties(), H5P_DEFAULT),
+                       H5Dclose);
+  file_->check(dataset >= 0 &&
+               H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers(texts).data()) >= 0);
+}
+
+std::size_t Hdf5Writer::add_series(const Hdf5Series& series,
+                                   const std::array<std::size_t, 2>& chunk) {
+  prepare_library();
+  const Extents none = shape_of(0, series.shape);
+  const Extents most = shape_of(H5S_UNLIMITED, series.shape);
+  Extents part = shape_of(chunk[0], series.shape);
+  if (part.size() > 1) part[1] = std::min<hsize_t>(part[1], chunk[1]);
+  const Handle properties = dataset_properties();
+  H5Pset_chunk(properties, static_cast<int>(part.size()), part.data());
+  H5Pset_shuffle(properties);
+  H5Pset_deflate(properties, kDeflateLevel);
+  Handle dataset(H5Dcreate2(file_->file, series.name.c_str(), H5T_IEEE_F64LE,
+                            space_of(none, most.data()), H5P_DEFAULT, properties, write_through()),
+                 H5Dclose);
+  file_->check(dataset >= 0 && write_text(dataset, "units", series.units));
+  if (!series.columns.empty())
+    file_->check(
+        write_attribute(dataset, "columns", space_of({series.columns.size()}), series.columns));
+  std::size_t numbers = 1;
+  for (const std::size_t length : series.shape) numbers *= length;
+  file_->series.push_back({std::move(dataset), series.shape, numbers});
+  return file_->series.size() - 1;
+}
+
+void Hdf5Writer::append(std::size_t number, std::span<const double> numbers) {
+  prepare_library();
+  File::Series& series = file_->series[number];
+  const hsize_t rows = numbers.size() / series.numbers;
+  const Extents count = shape_of(rows, series.shape);
+  Extents first(count.size(), 0);
+  first[0] = series.rows;
+  series.rows += rows;
+  file_->check(H5Dset_extent(series.dataset, shape_of(series.rows, series.shape).data()) >= 0);
+  const Handle to(H5Dget_space(series.dataset), H5Sclose);
+  H5Sselect_hyperslab(to, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
+  file_->check(H5Dwrite(series.dataset, H5T_NATIVE_DOUBLE, space_of(count), to, H5P_DEFAULT,
+                        numbers.data()) >= 0);
+}
+
+void Hdf5Writer::reserve(std::size_t bytes) {
+  prepare_library();
+  const int error = file_->reserve(bytes + kStructureRoom);
+  if (error == 0) return;
+  flush();
+  file_->give_back();
+  file_->fail(std::strerror(error));
+}
+
+void Hdf5Writer::flush() {
+  prepare_library();
+  if (const int error = file_->reserve(0); error != 0) file_->fail(std::strerror(error));
+  file_->check(H5Fflush(file_->file, H5F_SCOPE_LOCAL) >= 0);
+}
+
+void Hdf5Writer::close() {
+  flush();
+  file_->give_back();
+  for (File::Series& series : file_->series) file_->check(series.dataset.close());
+  file_->check(file_->file.close());
+}
+
+struct Hdf5Reader::File {
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(path, what); }
+
+  Handle open(const std::string& name) const {
+    Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (dataset < 0) refuse(fmt::format("has no dataset {}, which plimsoll run writes", name));
+    return dataset;
+  }
+  Extents shape(hid_t dataset) const {
+    const Handle space(H5Dget_space(dataset), H5Sclose);
+    Extents shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    return shape;
+  }
+
+  fs::path path;
+  Handle file;
+};
+
+Hdf5Reader::Hdf5Reader(const fs::path& file) : file_(std::make_unique<File>()) {
+  prepare_library();
+  file_->path = file;
+  file_->file = Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, file_access()), H5Fclose);
+  if (file_->file < 0) file_->refuse("cannot be read: its HDF5 structure is damaged");
+}
+
+Hdf5Reader::~Hdf5Reader() = default;
+
+bool Hdf5Reader::has(const std::string& name) const {
+  prepare_library();
+  return H5Lexists(file_->file, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
+  const Handle dataset = file_->open(name);
+  const Extents shape = file_->shape(dataset);
+  const Handle own(H5Dget_type(dataset), H5Tclose);
+  std::vector<std::string> texts;
+  if (shape.size() != 1 || H5Tis_variable_str(own) <= 0)
+    file_->refuse(fmt::format("{}: expected a list of texts", name));
+  std::vector<char*> read(shape[0], nullptr);
+  if (H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0)
+    file_->refuse(fmt::format("{} cannot be read: it is damaged", name));
+  for (char* text : read) {
+    texts.emplace_back(text ? text : "");
+    H5free_memory(text);
+  }
+  return texts;
+}
+
+std::vector<double> Hdf5Reader::numbers(const std::string& name,
+                                        const std::vector<std::size_t>& row) const {
+  const Handle dataset = file_->open(name);
+  const Extents shape = file_->shape(dataset);
+  if (shape.empty() || shape != shape_of(shape[0], row))
+    file_->refuse(fmt::format("{} has the shape {}, expected a row a time and {} in it", name,
+                              fmt::join(shape, " x "), fmt::join(row, " x ")));
+  std::size_t count = 1;
+  for (const hsize_t length : shape) count *= length;
+  std::vector<double> numbers(count);
+  if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
+    file_->refuse(fmt::format("{} cannot be read: it is damaged", name));
+  return numbers;
+}
+
+}  // namespace app

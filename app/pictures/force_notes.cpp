@@ -1,0 +1,138 @@
+#include "app/pictures/force_notes.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hydro/statics/hydrostatics.h"
+
+namespace app {
+namespace {
+
+using Eigen::Vector3d;
+using render::Rgb;
+
+/// Longest arrow, as a part of the picture's height.
+constexpr double kLongest = 0.2;
+
+/// Forces of less than this part of the largest are left out.
+constexpr double kShortest = 2e-3;
+
+const char* const kBuoyancy = "buoyancy";
+
+struct NamedForce {
+  std::string name;
+  Rgb color;
+  hydro::Wrench wrench;  ///< About the centre of mass, W.
+};
+
+std::array<NamedForce, 5> forces_on(const engine::BodySpec& body, const hydro::Hull& hull,
+                                    const engine::SimulationSpec& spec,
+                                    const hydro::BodyState& state, double time) {
+  hydro::Loads loads;
+  if (spec.sea && body.wet)
+    loads = hydro::compute_loads(hull, state, *spec.sea, time, body.coefficients, body.summation);
+  return {{{"weight", {70, 70, 75}, {.force = {0, 0, -body.mass * spec.gravity}}},
+           {kBuoyancy, {20, 90, 200}, loads.buoyancy},
+           {"pressure drag", {200, 30, 40}, loads.pressure_drag},
+           {"viscous drag", {235, 125, 0}, loads.viscous_drag},
+           {"lift", {20, 140, 60}, loads.lift}}};
+}
+
+/// The point nearest to the centre of mass on the line that a force acts along.
+Vector3d point_on_line(const hydro::Wrench& wrench) {
+  return wrench.force.cross(wrench.moment) / wrench.force.squaredNorm();
+}
+
+/// 1, 2 or 5 times a power of ten, not more than `value`.
+double round_down(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {5.0, 2.0})
+    if (value >= factor * power) return factor * power;
+  return power;
+}
+
+std::string force_text(double newtons) {
+  if (newtons >= 1e6) return fmt::format("{:g} MN", newtons / 1e6);
+  if (newtons >= 1e3) return fmt::format("{:g} kN", newtons / 1e3);
+  return fmt::format("{:g} N", newtons);
+}
+
+}  // namespace
+
+ForceNotes::ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec)
+    : look_(look), spec_(spec) {
+  if (!look.show.forces) return;
+  for (const engine::BodySpec& body : spec.bodies) hulls_.push_back(hydro::make_hull(body.mesh_B));
+}
+
+void ForceNotes::include(const Shot& shot) {
+  for (std::size_t i = 0; i < hulls_.size(); ++i)
+    for (const NamedForce& force :
+         forces_on(spec_.bodies[i], hulls_[i], spec_, shot.states[i], shot.time)) {
+      if (force.wrench.force.isZero(0)) continue;
+      largest_ = std::max(largest_, force.wrench.force.norm());
+      if (std::ranges::find(legend_, force.name, &render::LegendLine::name) == legend_.end())
+        legend_.push_back({force.name, force.color});
+    }
+}
+
+render::Annotations ForceNotes::of(const Shot& shot, double picture_size) const {
+  render::Annotations notes;
+  const double scale = largest_ > 0 ? kLongest * picture_size / largest_ : 0;
+  for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
+    if (scale > 0) add_forces(i, shot, scale, notes);
+    if (look_.show.centres) add_centres(i, shot, notes);
+  }
+  if (scale > 0) {
+    const double shown = round_down(0.5 * largest_);
+    notes.scale_length = scale * shown;
+    notes.scale_name = force_text(shown);
+    notes.legend = legend_;
+  }
+  return notes;
+}
+
+void ForceNotes::add_forces(std::size_t body, const Shot& shot, double scale,
+                            render::Annotations& notes) const {
+  const hydro::BodyState& state = shot.states[body];
+  for (const NamedForce& force :
+       forces_on(spec_.bodies[body], hulls_[body], spec_, state, shot.time)) {
+    if (force.wrench.force.norm() < kShortest * largest_) continue;
+    const auto centre = force.name == kBuoyancy ? centre_of_buoyancy(spec_.bodies[body].mesh_B,
+                                                                     state, *spec_.sea, shot.time)
+                                                : std::nullopt;
+    const Vector3d from = centre ? *centre : state.position + point_on_line(force.wrench);
+    notes.arrows.push_back({from, from + scale * force.wrench.force, force.color});
+  }
+}
+
+void ForceNotes::add_centres(std::size_t body, const Shot& shot, render::Annotations& notes) const {
+  const hydro::BodyState& state = shot.states[body];
+  notes.marks.push_back({state.position, "G", {30, 30, 35}});
+  if (!spec_.sea) return;
+  const auto centre = centre_of_buoyancy(spec_.bodies[body].mesh_B, state, *spec_.sea, shot.time);
+  if (centre) notes.marks.push_back({*centre, "B", {20, 90, 200}, true});
+}
+
+std::optional<Vector3d> centre_of_buoyancy(const hydro::TriMesh& mesh_B,
+                                           const hydro::BodyState& state, const hydro::Sea& sea,
+                                           double time) {
+  const hydro::TriMesh mesh_G = {state.orientation.toRotationMatrix() * mesh_B.vertices,
+                                 mesh_B.faces};
+  const Eigen::Matrix3Xd p_W = mesh_G.vertices.colwise() + state.position;
+  Eigen::RowVectorXd depths(p_W.cols());
+  for (Eigen::Index i = 0; i < p_W.cols(); ++i)
+    depths[i] = hydro::surface_height(sea, p_W(0, i), p_W(1, i), time) - p_W(2, i);
+  const hydro::WetVolume wet = hydro::wet_volume(mesh_G, depths);
+  if (wet.volume == 0) return std::nullopt;
+  Vector3d centre = state.position;
+  centre.head<2>() += wet.centre;
+  centre.z() = hydro::surface_height(sea, centre.x(), centre.y(), time) - wet.depth;
+  return centre;
+}
+
+}  // namespace app

@@ -1,0 +1,174 @@
+#include "app/pictures/pictures.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "app/base/background.h"
+#include "app/base/program_files.h"
+#include "app/pictures/cameras.h"
+#include "app/pictures/force_notes.h"
+#include "app/pictures/picture_files.h"
+#include "app/pictures/pressure_range.h"
+#include "app/render/annotation.h"
+#include "app/render/overlay.h"
+#include "app/render/png.h"
+#include "app/render/renderer.h"
+#include "app/render/sheet.h"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pictures that may wait to be labelled and written; each takes width · height · 3 bytes.
+constexpr std::size_t kMostWaiting = 2;
+
+/// The pictures of a scene, drawn by one camera after the other.
+class Drawing {
+ public:
+  Drawing(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
+          const PictureTarget& target, const PictureProgress& progress)
+      : look_(*scene.render),
+        spec_(assembly.spec),
+        shots_(shots),
+        target_(target),
+        progress_(progress),
+        cameras_(cameras_of(look_)),
+        scale_(pressure_scale(look_, spec_, shots)),
+        renderer_(first_picture(scene), program_files("shaders")),
+        notes_(look_, spec_) {
+    if (spec_.sea) shown_scale_ = scale_;
+    if (look_.show.forces)
+      for (std::size_t i = 0; i < shots.size(); ++i) notes_.include(shots.at(i));
+  }
+
+  PictureReport draw() {
+    make_folders();
+    report_ = {.device = renderer_.device(), .complete = true, .pressure_max = scale_.max};
+    for (const CameraScene& camera : cameras_) {
+      if (!camera.name.empty()) report_.cameras.push_back(camera.name);
+      if (report_.complete) draw(camera);
+    }
+    return report_;
+  }
+
+ private:
+  render::Picture first_picture(const Scene& scene) const {
+    render::Picture first = picture_of(scene, spec_, scale_);
+    if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), spec_, shots_.at(0));
+    return first;
+  }
+
+  /// Empty ones for the frames of each camera.
+  void make_folders() const {
+    remove_pictures(target_.folder);
+    for (const CameraScene& camera : cameras_) {
+      const fs::path frames = frame_file(target_.folder, camera.name, 0).parent_path();
+      std::error_code error;
+      fs::create_directories(frames, error);
+      if (error) throw render::Error(fmt::format("{}: {}", frames.string(), error.message()));
+    }
+  }
+
+  void draw(const CameraScene& camera) {
+    std::optional<Video> video = video_of(camera);
+    render::ContactSheet sheet(shown_scale_, look_.sheet_columns);
+    std::size_t frames = 0;
+    Background finishing(spec_.threads, kMostWaiting);
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+      const Shot shot = shots_.at(i);
+      renderer_.look(camera_at(camera, spec_, shot));
+      const fs::path file =
+          shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
+      finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,
+                     of_video = shot.video, file, view = renderer_.view(), grid = renderer_.grid(),
+                     notes = notes_.of(shot, render::picture_size(renderer_.view())),
+                     image = renderer_.draw(shot.states, shot.time)]() mutable {
+        render::annotate(image, view, notes);
+        if (is_frame) sheet.add(image, time);
+        render::add_legend(image, view, notes);
+        render::add_overlay(image, shown_scale_, time, grid);
+        if (is_frame) render::write_png(image, file);
+        if (of_video) video->add(image);
+      });
+      report_.frames += shot.frame;
+      if (shot.video) ++report_.videos.back().pictures;
+      const int all = static_cast<int>(shots_.size() * cameras_.size());
+      report_.complete = progress_(++drawn_, all) || drawn_ == all;
+      if (!report_.complete) break;
+    }
+    if (frames > 0)
+      finishing.put(
+          [&] { render::write_png(sheet.image(), sheet_file(target_.folder, camera.name)); });
+    if (video) finishing.put([&video] { video->finish(); });
+    finishing.finish();
+  }
+
+  /// None where no shot is for it.
+  std::optional<Video> video_of(const CameraScene& camera) {
+    if (shots_.of_video() == 0) return std::nullopt;
+    const VideoShape shape = {.width = look_.size[0],
+                              .height = look_.size[1],
+                              .fps = target_.video.fps,
+                              .threads = spec_.threads};
+    const fs::path file = video_file(target_.video.file, camera.name);
+    report_.videos.push_back({.file = file, .pictures = 0, .fps = shape.fps});
+    return std::optional<Video>(std::in_place, file, shape);
+  }
+
+  const RenderScene& look_;
+  const engine::SimulationSpec& spec_;
+  const ShotStore& shots_;
+  const PictureTarget& target_;
+  const PictureProgress& progress_;
+  const std::vector<CameraScene> cameras_;
+  const render::PressureScale scale_;
+  std::optional<render::PressureScale> shown_scale_;  ///< None without water.
+  render::Renderer renderer_;
+  ForceNotes notes_;
+  PictureReport report_;
+  int drawn_ = 0;
+};
+
+}  // namespace
+
+render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spec,
+                           const render::PressureScale& scale) {
+  const RenderScene& look = *scene.render;
+  render::Picture picture{.width = look.size[0],
+                          .height = look.size[1],
+                          .pressure = scale,
+                          .sea = spec.sea,
+                          .bold_waterline = look.show.waterline,
+                          .wireframe = look.show.wireframe};
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    picture.bodies.push_back({.mesh_B = spec.bodies[i].mesh_B,
+                              .color = scene.bodies[i].color,
+                              .coefficients = spec.bodies[i].coefficients});
+  if (const auto* plane = std::get_if<engine::PlaneGround>(&spec.ground))
+    picture.ground_z = plane->z;
+  if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
+    picture.ground_W = mesh->mesh_W;
+  return picture;
+}
+
+std::vector<std::string> videos_made(const PictureReport& report) {
+  std::vector<std::string> lines;
+  for (const VideoReport& video : report.videos)
+    lines.push_back(fmt::format("{}: {:g} s, {} pictures at {} a second", video.file.string(),
+                                static_cast<double>(video.pictures) / video.fps, video.pictures,
+                                video.fps));
+  return lines;
+}
+
+PictureReport draw_pictures(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
+                            const PictureTarget& target, const PictureProgress& progress) {
+  return Drawing(scene, assembly, shots, target, progress).draw();
+}
+
+}  // namespace app

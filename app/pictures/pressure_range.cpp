@@ -1,0 +1,88 @@
+#include "app/pictures/pressure_range.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/loads/loads.h"
+
+namespace app {
+namespace {
+
+/// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
+void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
+                  const hydro::Sea& sea, double time, render::Pressure shows,
+                  PressureRange& range) {
+  const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
+  const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
+  const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
+  const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
+  const double scale = shows == render::Pressure::hydrostatic
+                           ? 0
+                           : hydro::drag_scale(body.coefficients, state, sea.current);
+  const double gravity = shows == render::Pressure::dynamic ? 0 : sea.gravity;
+  for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
+    const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d p = r.col(body.mesh_B.faces(i, face));
+      const Eigen::Vector3d p_W = state.position + p;
+      const double depth = hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z();
+      if (depth <= 0) continue;
+      const double u = motion.at(p).dot(n);
+      const double c_p = u > 0 ? drag.front : drag.back;
+      range.include(sea.density * (gravity * depth + 0.5 * scale * c_p * u * std::abs(u)));
+    }
+  }
+}
+
+/// The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten, away from zero: an end for
+/// a scale.
+double rounded_out(double value) {
+  if (value == 0) return 0;
+  const double size = std::abs(value);
+  const double decade = std::pow(10, std::floor(std::log10(size)));
+  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (size <= step * decade * (1 + 1e-9)) return std::copysign(step * decade, value);
+  return std::copysign(10 * decade, value);
+}
+
+}  // namespace
+
+void PressureRange::include(double pressure) {
+  lowest = std::min(lowest, pressure);
+  highest = std::max(highest, pressure);
+}
+
+PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
+                             render::Pressure shows) {
+  PressureRange range;
+  if (!spec.sea) return range;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    include_body(spec.bodies[i], shot.states[i], *spec.sea, shot.time, shows, range);
+  return range;
+}
+
+render::PressureScale pressure_scale(const RenderScene& look, const PressureRange& range) {
+  constexpr double kLeastSpan = 1;  // [Pa], for scenes in which nothing gets wet
+  const double lowest = look.pressure_min ? *look.pressure_min : rounded_out(range.lowest);
+  const double highest = range.highest > lowest + kLeastSpan ? rounded_out(range.highest)
+                                                             : std::max(lowest + 1000, 0.0);
+  return {.min = lowest,
+          .max = look.pressure_max.value_or(highest),
+          .colors = look.colors,
+          .shows = look.shows};
+}
+
+render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
+                                     const ShotStore& shots) {
+  PressureRange range;
+  if (!look.pressure_max || !look.pressure_min)
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      const PressureRange here = pressure_range(spec, shots.at(i), look.shows);
+      range.include(here.lowest);
+      range.include(here.highest);
+    }
+  return pressure_scale(look, range);
+}
+
+}  // namespace app

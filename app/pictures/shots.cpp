@@ -1,0 +1,38 @@
+#include "app/pictures/shots.h"
+
+#include "app/logs/interpolation.h"
+
+namespace app {
+
+void ShotList::add(double time, const std::vector<hydro::BodyState>& states) {
+  const bool frame = frames_.due(time);
+  const bool video = fps_ > 0 && add_video_shots(time, states);
+  if (frame || video) shots_.add({time, states, frame, video});
+  if (fps_ == 0) return;
+  last_time_ = time;
+  last_ = states;
+}
+
+/// Those before this time. @return true if one is due at it.
+bool ShotList::add_video_shots(double time, const std::vector<hydro::BodyState>& states) {
+  const double slack = 1e-6 / fps_;  // the rounding of step·count
+  for (;; ++next_) {
+    const double due = static_cast<double>(next_) / fps_;
+    if (due > time + slack || !is_frame_time(due, end_)) return false;
+    if (due >= time - slack) {
+      ++next_;
+      return true;
+    }
+    if (!last_.empty() || states.empty()) add_between(due, time, states);
+  }
+}
+
+void ShotList::add_between(double due, double time, const std::vector<hydro::BodyState>& states) {
+  Shot shot{.time = due, .states = {}, .frame = false, .video = true};
+  const double interval = time - last_time_;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    shot.states.push_back(between(last_[i], states[i], interval, (due - last_time_) / interval));
+  shots_.add(shot);
+}
+
+}  // namespace app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "app/logs/schedule.h"
+#include "app/pictures/shot_store.h"
+#include "hydro/spatial.h"
+
+namespace app {
+
+/// Chooses from the states of a run those that are drawn: for frames the first state at or after
+/// each time that is due, for a video the states at its times, found between those of the run.
+class ShotList {
+ public:
+  /// @param every   Between frames [s].
+  /// @param end     No picture is of it or later [s].
+  /// @param fps     Pictures of the video in a second; 0: there is none.
+  ShotList(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
+
+  /// To be told of all states in the order of time. @throws OutputError
+  void add(double time, const std::vector<hydro::BodyState>& states);
+
+  /// In the order of time.
+  const ShotStore& shots() const { return shots_; }
+
+ private:
+  bool add_video_shots(double time, const std::vector<hydro::BodyState>& states);
+  void add_between(double due, double time, const std::vector<hydro::BodyState>& states);
+
+  FrameSchedule frames_;
+  double end_;
+  int fps_;
+  long next_ = 0;  ///< Number of the video's next picture.
+  double last_time_ = 0;
+  std::vector<hydro::BodyState> last_;  ///< For a video only.
+  ShotStore shots_;
+};
+
+}  // namespace app

@@ -1,0 +1,306 @@
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/assembly/assemble_added_mass.h"
+#include "app/base/background.h"
+#include "app/base/console.h"
+#include "app/base/interrupt.h"
+#include "app/base/output_folder.h"
+#include "app/base/progress.h"
+#include "app/base/thread_count.h"
+#include "app/commands/commands.h"
+#include "app/logs/hdf5_file.h"
+#include "app/logs/log.h"
+#include "app/logs/schedule.h"
+#include "app/pictures/picture_files.h"
+#include "app/pictures/pictures.h"
+#include "app/pictures/shots.h"
+#include "app/pictures/video_check.h"
+#include "app/run/run_report.h"
+#include "app/run/summary.h"
+#include "app/scene/faults.h"
+#include "app/scene/reader_nearest.h"
+#include "engine/simulation.h"
+
+namespace app {
+namespace {
+
+/// Seconds since it was made.
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
+  std::vector<std::string> names;
+  for (const engine::BodySpec& body : spec.bodies) names.push_back(body.name);
+  return names;
+}
+
+LogSubject log_subject(const Scene& scene, const Assembly& assembly) {
+  return {.bodies = body_names(assembly.spec),
+          .forces = scene.log_forces,
+          .scene = scene.file.string(),
+          .title = scene.title};
+}
+
+/// Times that may wait to be logged. A row with its forces takes less than a kilobyte, so that a
+/// megabyte holds them unless there are very many bodies.
+std::size_t most_waiting(std::size_t bodies) {
+  constexpr std::size_t kRows = 1024;
+  return std::max<std::size_t>(2, kRows / std::max<std::size_t>(1, bodies));
+}
+
+/// One run: the simulation and what is kept of it.
+class Run {
+ public:
+  Run(const RunOptions& options, const Scene& scene, const Assembly& assembly,
+      const OutputFolder& folder, double wall_added_mass)
+      : options_(options),
+        scene_(scene),
+        assembly_(assembly),
+        folder_(folder),
+        summary_{.scene = scene,
+                 .assembly = assembly,
+                 .overrides = options.overrides,
+                 .wall_added_mass = wall_added_mass},
+        progress_(options.quiet),
+        simulation_(assembly.spec),
+        log_(make_log(options.format, log_subject(scene, assembly), folder.path())),
+        log_due_(scene.log_every.value_or(0)),
+        shots_(scene.render ? scene.render->every : 0, scene.duration,
+               options.video.pictures_a_second()),
+        logging_(assembly.spec.threads, most_waiting(assembly.spec.bodies.size())) {}
+
+  int execute() {
+    remove_earlier_results();
+    if (!options_.quiet)
+      for (const std::string& line :
+           resolved_scene(scene_, assembly_, simulation_.skips(), reason_for_no_pictures(kDone)))
+        say(line);
+    int code = simulate();
+    summary_.pictures_skipped = reason_for_no_pictures(code);
+    if (summary_.pictures_skipped.empty()) code = draw(code);
+    progress_.clear();
+    summary_.wall = summary_.wall_added_mass + clock_.seconds();
+    if (!options_.quiet) report(code);
+    write_summary(summary_, summary_file());
+    return code;
+  }
+
+ private:
+  bool wants_pictures() const { return scene_.render && options_.render; }
+  std::filesystem::path summary_file() const { return folder_.path() / kSummaryFile; }
+
+  /// A folder tells of one run: what an earlier one left goes, should this one be killed or draw
+  /// nothing. Its trajectory has been replaced already.
+  void remove_earlier_results() const {
+    std::filesystem::remove(summary_file());
+    remove_pictures(folder_.path());
+    std::filesystem::remove(folder_.path() / kReportFile);
+  }
+
+  /// Steps to the end, logging. Returns the exit code so far.
+  int simulate() {
+    int code = kDone;
+    try {
+      code = step_to_end();
+    } catch (const OutputError& error) {
+      code = failed(kWrongInput, error.what());
+    }
+    summary_.steps = simulation_.steps();
+    summary_.simulated = simulation_.time();
+    summary_.timings = simulation_.timings();
+    summary_.skips = simulation_.skips();
+    summary_.paths = simulation_.paths();
+    summary_.warnings = simulation_.warnings();
+    return code;
+  }
+
+  /// Returns the exit code so far. @throws OutputError if a row cannot be written, also where a
+  /// later step could not be taken.
+  int step_to_end() {
+    const long steps = step_count(scene_.duration, scene_.step);
+    try {
+      keep();
+      while (simulation_.steps() < steps && !interrupt_.interrupted()) {
+        simulation_.step();
+        keep();
+        if (progress_.due()) show_progress();
+      }
+    } catch (const engine::SimulationError& error) {
+      finish_log();
+      return failed(kCannotGoOn, error.what());
+    }
+    finish_log();
+    return simulation_.steps() < steps ? interrupted() : kDone;
+  }
+
+  int interrupted() {
+    summary_.ended = "interrupted";
+    return kInterrupted;
+  }
+
+  /// Notes and tells what went wrong. The first error is the one that the summary keeps.
+  int failed(ExitCode code, const std::string& error) {
+    summary_.ended = "failed";
+    if (summary_.error.empty()) summary_.error = error;
+    progress_.clear();
+    say("error: " + error);
+    return code;
+  }
+
+  /// Logs the state and remembers it for a picture, if either is due.
+  void keep() {
+    const double time = simulation_.time();
+    if (log_due_.due(time)) {
+      const Stopwatch stopwatch;
+      log(time);
+      summary_.wall_log += stopwatch.seconds();
+    }
+    if (wants_pictures()) shots_.add(time, simulation_.states());
+  }
+
+  /// Hands over a row a body.
+  void log(double time) {
+    std::vector<engine::BodyForces> forces;
+    if (scene_.log_forces) forces = simulation_.forces();
+    logging_.put([this, time, states = simulation_.states(), forces = std::move(forces)] {
+      log_->add(time, states, forces);
+    });
+  }
+
+  /// Waits until all that was logged is in the files.
+  void finish_log() {
+    const Stopwatch stopwatch;
+    logging_.put([this] { log_->finish(); });
+    logging_.finish();
+    summary_.wall_log += stopwatch.seconds();
+  }
+
+  void show_progress() {
+    progress_.show(progress_text(scene_.file.stem().string(), simulation_.time(), scene_.duration,
+                                 clock_.seconds()));
+  }
+
+  /// Empty if there are to be pictures.
+  std::string reason_for_no_pictures(int code) const {
+    if (!scene_.render) return "the scene has no render block";
+    if (!options_.render) return "--no-render";
+    if (code == kInterrupted) return "the run was interrupted";
+    if (code == kWrongInput) return "the trajectory could not be written";
+    return "";
+  }
+
+  /// Draws the shots. Pictures come last: a run that failed is drawn up to there and keeps its own
+  /// exit code.
+  int draw(int code) {
+    const Stopwatch stopwatch;
+    const auto progress = [&](int done, int all) {
+      if (progress_.due())
+        progress_.show(fmt::format("{}: picture {} of {}", scene_.file.stem().string(), done, all));
+      return !interrupt_.interrupted();
+    };
+    try {
+      summary_.pictures = draw_pictures(scene_, assembly_, shots_.shots(),
+                                        {folder_.path(), options_.video}, progress);
+    } catch (const std::exception& error) {
+      summary_.pictures_skipped = "they could not be drawn";
+      const int own = failed(kWrongInput, error.what());
+      return code == kDone ? own : code;
+    }
+    summary_.wall_render = stopwatch.seconds();
+    return code == kDone && !summary_.pictures->complete ? interrupted() : code;
+  }
+
+  void report(int code) const {
+    if (code == kInterrupted)
+      say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
+                      summary_.simulated, scene_.duration, folder_.path().string()));
+    if (code == kInterrupted && options_.video.wanted() && !summary_.pictures)
+      say("no picture was drawn for the video; plimsoll render makes it of what is logged");
+    for (const std::string& warning : summary_.warnings)
+      say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
+    const engine::Timings& t = summary_.timings;
+    say(
+        fmt::format("{}: {} steps, {:g} s simulated in {:.2f} s "
+                    "(hydro {:.2f}, collision {:.2f}, engine {:.2f}, log {:.2f}, pictures {:.2f})",
+                    folder_.path().string(), summary_.steps, summary_.simulated, summary_.wall,
+                    t.hydro, t.collision, t.engine, summary_.wall_log, summary_.wall_render));
+    if (!summary_.pictures) return;
+    if (const auto& names = summary_.pictures->cameras; !names.empty())
+      say(fmt::format("{}: {} pictures, by the cameras {}", folder_.path().string(),
+                      summary_.pictures->frames, enumerate(names, "and")));
+    for (const std::string& line : videos_made(*summary_.pictures)) say(line);
+  }
+
+  const RunOptions& options_;
+  const Scene& scene_;
+  const Assembly& assembly_;
+  const OutputFolder& folder_;
+  RunSummary summary_;
+  Stopwatch clock_;
+  ProgressLine progress_;
+  InterruptGuard interrupt_;
+  engine::Simulation simulation_;
+  std::unique_ptr<Log> log_;
+  Schedule log_due_;
+  ShotList shots_;
+  Background logging_;  ///< Last: it works on the log.
+};
+
+/// Finds the bodies' added mass on the threads of the run. @return how long that took [s].
+double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& assembly,
+                       AddedMassStore& store) {
+  const Stopwatch stopwatch;
+  tbb::task_arena threads(assembly.spec.threads);
+  threads.execute([&] { add_added_mass(scene, assembly, store, options.quiet); });
+  return stopwatch.seconds();
+}
+
+void check_video_of_run(const RunOptions& options, const Scene& scene,
+                        const std::filesystem::path& out) {
+  if (!options.video.wanted()) return;
+  if (!options.render) throw InputError("--video", "is of pictures, and --no-render makes none");
+  if (!scene.render)
+    throw InputError(scene.file,
+                     "has no render block, so there are no pictures for --video; "
+                     "`render: {}` gives it one");
+  check_video(options.video, *scene.render, out, thread_count(options.threads));
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const std::string no_hdf5 = why_no_hdf5();
+  if (options.format == LogFormat::hdf5 && !no_hdf5.empty())
+    throw InputError("--format hdf5", no_hdf5);
+  const Scene scene = read_scene(options.scene, options.overrides);
+  const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
+  check_video_of_run(options, scene, out);
+  Assembly assembly = assemble(scene);
+  assembly.spec.threads = thread_count(options.threads);
+  if (!options.quiet)
+    for (const std::string& note : assembly.notes)
+      say(fmt::format("{}: note: {}", scene.file.string(), note));
+  AddedMassStore store(cache_folder());
+  const double wall_added_mass = find_added_mass(options, scene, assembly, store);
+  const OutputFolder folder(out);
+  const int code = Run(options, scene, assembly, folder, wall_added_mass).execute();
+  keep_surface_nodes(assembly, store);
+  return code;
+}
+
+}  // namespace app

@@ -1,0 +1,142 @@
+#include "app/run/summary.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/base/output_folder.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json path_summary(const engine::Path& path) {
+  return {{"free_steps", path.free},
+          {"constrained_steps", path.constrained},
+          {"pieces", path.pieces},
+          {"implicit_pieces", path.implicit},
+          {"constraint_solutions", path.iterations},
+          {"unconverged_pieces", path.unconverged},
+          {"braked_pieces", path.braked}};
+}
+
+Json to_json(const hydro::Matrix6d& matrix) {
+  Json rows = Json::array();
+  for (int i = 0; i < 6; ++i) {
+    rows.push_back(Json::array());
+    for (int j = 0; j < 6; ++j) rows.back().push_back(matrix(i, j));
+  }
+  return rows;
+}
+
+/// The added mass of the wholly submerged body and where it came from; null if it has none.
+Json to_json(const std::optional<AddedMassReport>& report) {
+  if (!report) return nullptr;
+  if (report->surface)
+    return {{"model", "surface"},
+            {"matrix", to_json(report->matrix)},
+            {"solves", report->surface->solves()}};
+  if (!report->stored) return {{"model", "matrix"}, {"matrix", to_json(report->matrix)}};
+  const hydro::AddedMassSolution& solution = *report->stored->solution;
+  return {{"model", "deep"},
+          {"matrix", to_json(report->matrix)},
+          {"symmetry_error", solution.symmetry_error},
+          {"error_estimate", solution.error_estimate},
+          {"from_store", report->stored->from_store},
+          {"solve_seconds", solution.seconds}};
+}
+
+Json body_summary(const RunSummary& summary, std::size_t i) {
+  const engine::BodySpec& body = summary.assembly.spec.bodies[i];
+  return {{"triangles", body.mesh_B.face_count()},
+          {"mass", body.mass},
+          {"loads_not_computed", unused_loads(body)},
+          {"steps_above_water", summary.skips.dry_steps[i]},
+          {"steps_at_rest", summary.skips.resting_steps[i]},
+          {"steps_asleep", summary.skips.asleep_steps[i]},
+          {"motion", path_summary(summary.paths[i])},
+          {"added_mass", to_json(summary.assembly.added_mass[i])}};
+}
+
+/// Cameras and videos only where there are several, or any.
+Json to_json(const PictureReport& pictures) {
+  Json json = {{"device", pictures.device},
+               {"frames", pictures.frames},
+               {"pressure_max", pictures.pressure_max}};
+  if (!pictures.cameras.empty()) json["cameras"] = pictures.cameras;
+  for (const VideoReport& video : pictures.videos)
+    json["videos"].push_back(
+        {{"file", video.file.string()}, {"pictures", video.pictures}, {"fps", video.fps}});
+  return json;
+}
+
+/// All that the scene can be read again from, wherever the program is started then.
+Json source_of(const RunSummary& s) {
+  Json overrides = Json::array();
+  for (const Override& o : s.overrides) overrides.push_back(o.key_path + "=" + o.value);
+  return {{"file", std::filesystem::absolute(s.scene.file).lexically_normal().string()},
+          {"overrides", overrides},
+          {"text", s.scene.text}};
+}
+
+Json to_json(const RunSummary& s) {
+  Json bodies = Json::object();
+  const engine::SimulationSpec& spec = s.assembly.spec;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    bodies[spec.bodies[i].name] = body_summary(s, i);
+  Json json = {{"version", PLIMSOLL_VERSION},
+               {"scene", s.scene.file.string()},
+               {"title", s.scene.title},
+               {"ended", s.ended}};
+  if (!s.error.empty()) json["error"] = s.error;
+  json.update(
+      {{"steps", s.steps},
+       {"simulated_seconds", s.simulated},
+       {"real_time_factor",
+        s.wall > s.wall_added_mass ? s.simulated / (s.wall - s.wall_added_mass) : 0},
+       {"threads", spec.threads},
+       {"warnings", s.warnings},
+       {"wall_seconds",
+        {{"total", s.wall},
+         {"added_mass", s.wall_added_mass},
+         {"collision", s.timings.collision},
+         {"hydro", s.timings.hydro},
+         {"engine", s.timings.engine},
+         {"render", s.wall_render},
+         {"log", s.wall_log}}},
+       {"skipped",
+        {{"collision", s.skips.collision},
+         {"water", s.skips.water},
+         {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}},
+       {"bodies", bodies}});
+  if (s.pictures) json["pictures"] = to_json(*s.pictures);
+  json["source"] = source_of(s);
+  return json;
+}
+
+}  // namespace
+
+std::vector<std::string> unused_loads(const engine::BodySpec& body) {
+  std::vector<std::string> unused;
+  if (!body.coefficients.buoyancy) unused.emplace_back("buoyancy");
+  if (body.coefficients.pressure_drag.none()) unused.emplace_back("pressure_drag");
+  if (body.coefficients.viscous_drag.none()) unused.emplace_back("viscous_drag");
+  if (body.coefficients.lift == 0) unused.emplace_back("lift");
+  return unused;
+}
+
+void write_summary(const RunSummary& summary, const std::filesystem::path& file) {
+  const std::filesystem::path draft = file.string() + ".part";
+  std::ofstream stream(draft);
+  // A file name may be no UTF-8; its odd bytes become U+FFFD.
+  stream << to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(draft, file, error);
+  if (!stream || error) throw OutputError(file.string() + ": cannot be written; is the disk full?");
+}
+
+}  // namespace app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/assembly/assemble.h"
+#include "app/pictures/pictures.h"
+#include "app/scene/reader.h"
+#include "engine/simulation.h"
+
+namespace app {
+
+/// What `summary.json` tells of a run.
+struct RunSummary {
+  const Scene& scene;
+  const Assembly& assembly;
+  const std::vector<Override>& overrides;  ///< Of the scene's keys.
+  std::string ended = "completed";         ///< Or `interrupted`, `failed`.
+  std::string error;                       ///< Of a failed run.
+  long steps = 0;
+  double simulated = 0;  ///< [s]
+  engine::Timings timings;
+  engine::Skips skips;
+  std::vector<engine::Path> paths;    ///< Per body.
+  std::vector<std::string> warnings;  ///< engine::Simulation::warnings.
+  double wall = 0;                    ///< In all [s].
+  double wall_added_mass = 0;         ///< To find it, before the first step [s].
+  double wall_log = 0;                ///< [s]
+  double wall_render = 0;             ///< [s]
+  std::optional<PictureReport> pictures;
+  std::string pictures_skipped;  ///< Why there are none.
+};
+
+/// Its name in the folder of a run.
+inline constexpr const char* kSummaryFile = "summary.json";
+
+/// The load kinds of a body that are not computed, by their keys.
+std::vector<std::string> unused_loads(const engine::BodySpec& body);
+
+/// Writes the file whole or not at all. @throws OutputError if it cannot be written.
+void write_summary(const RunSummary& summary, const std::filesystem::path& file);
+
+}  // namespace app

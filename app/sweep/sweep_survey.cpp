@@ -1,0 +1,167 @@
+#include "app/sweep/sweep_survey.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "app/assembly/assemble.h"
+#include "app/scene/faults.h"
+
+namespace app {
+namespace {
+
+struct Shape {
+  std::string operator()(const MeshScene& s) const {
+    return fmt::format("mesh {} {}", s.file.string(), s.scale);
+  }
+  std::string operator()(const BoxScene& s) const {
+    return fmt::format("box {} {} {} {}", s.size.x(), s.size.y(), s.size.z(), s.divisions);
+  }
+  std::string operator()(const SphereScene& s) const {
+    return fmt::format("sphere {} {} {}", s.radius, s.slices, s.stacks);
+  }
+  std::string operator()(const IcosphereScene& s) const {
+    return fmt::format("icosphere {} {}", s.radius, s.subdivisions);
+  }
+  std::string operator()(const EllipsoidScene& s) const {
+    return fmt::format("ellipsoid {} {} {} {} {}", s.semi_axes.x(), s.semi_axes.y(),
+                       s.semi_axes.z(), s.slices, s.stacks);
+  }
+  std::string operator()(const CylinderScene& s) const {
+    return fmt::format("cylinder {} {} {} {}", s.radius, s.height, s.slices, s.stacks);
+  }
+};
+
+/// All that a body's solution of added mass depends on; empty if none is looked for.
+std::string added_mass_of(const BodyScene& body) {
+  using Model = AddedMassScene::Model;
+  const AddedMassScene& added_mass = body.hydro.added_mass;
+  if (added_mass.model != Model::automatic && added_mass.model != Model::deep) return "";
+  return fmt::format("{} {}", std::visit(Shape(), body.shape), added_mass.tolerance);
+}
+
+void add_files(const Scene& scene, std::set<std::filesystem::path>& files) {
+  for (const BodyScene& body : scene.bodies)
+    if (const auto* mesh = std::get_if<MeshScene>(&body.shape)) files.insert(mesh->file);
+  if (const auto* mesh = std::get_if<MeshScene>(&scene.ground)) files.insert(mesh->file);
+  if (const auto* heights = std::get_if<HeightFieldScene>(&scene.ground))
+    files.insert(heights->file);
+  if (!scene.water) return;
+  if (const auto* heights = std::get_if<HeightFieldScene>(&scene.water->surface))
+    files.insert(heights->file);
+}
+
+/// Faults of several scenes, each once. Those of values that `--set` does not give are the
+/// parameters'.
+class AllFaults {
+ public:
+  explicit AllFaults(const SweepPlan& plan) : plan_(plan) {}
+
+  void add(const InputError& error) {
+    for (Fault fault : error.faults()) {
+      if (fault.place.file == kOverridePlace && !is_set(fault.key_path))
+        fault.place.file = kVaryPlace;
+      if (known_.insert(to_string(fault)).second) faults_.push_back(std::move(fault));
+    }
+  }
+  void throw_if_any() const {
+    if (!faults_.empty()) throw InputError(faults_);
+  }
+
+ private:
+  bool is_set(const std::string& key_path) const {
+    return std::any_of(
+        plan_.overrides.begin(), plan_.overrides.end(),
+        [&](const Override& override) { return key_path.starts_with(override.key_path); });
+  }
+
+  const SweepPlan& plan_;
+  std::set<std::string> known_;
+  std::vector<Fault> faults_;
+};
+
+/// What was wrong with the scene of each run.
+using RunFaults = std::vector<std::optional<InputError>>;
+
+bool is_right_alone(const SweepPlan& plan, const Override& override) {
+  std::vector<Override> overrides = plan.overrides;
+  overrides.push_back(override);
+  try {
+    read_scene(plan.scene, overrides);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
+/// Looks at every value of one parameter.
+void check_values(const SweepPlan& plan, std::size_t parameter, const RunFaults& faults,
+                  AllFaults& all) {
+  std::map<std::string, std::vector<std::size_t>> runs;  // by value
+  for (std::size_t i = 0; i < plan.points.size(); ++i) runs[plan.points[i][parameter]].push_back(i);
+  for (const auto& [value, its_runs] : runs) {
+    const auto fails = [&](std::size_t run) { return faults[run].has_value(); };
+    if (!std::all_of(its_runs.begin(), its_runs.end(), fails)) continue;
+    if (!is_right_alone(plan, {plan.parameters[parameter].key_path, value}))
+      all.add(*faults[its_runs.front()]);
+  }
+}
+
+/// Says before anything runs what would be wrong with all: a mesh that is not there, say. Most
+/// often the first scene is sound, and no other is looked at.
+void check_assembly(const SweepPlan& plan, const std::vector<std::size_t>& candidates) {
+  AllFaults all(plan);
+  for (const std::size_t run : candidates) {
+    try {
+      assemble(read_scene(plan.scene, plan.overrides_of(run)));
+      return;
+    } catch (const InputError& error) {
+      all.add(error);
+    }
+  }
+  all.throw_if_any();
+}
+
+}  // namespace
+
+std::vector<Override> SweepPlan::overrides_of(std::size_t run) const {
+  std::vector<Override> all = overrides;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    all.push_back({parameters[i].key_path, points[run][i]});
+  return all;
+}
+
+SweepSurvey survey(const SweepPlan& plan) {
+  SweepSurvey survey;
+  std::set<std::string> names, added_masses;
+  std::vector<std::size_t> leaders, others, sound;
+  RunFaults faults(plan.points.size());
+  for (std::size_t i = 0; i < plan.points.size(); ++i) {
+    bool leads = false;
+    try {
+      const Scene scene = read_scene(plan.scene, plan.overrides_of(i));
+      for (const BodyScene& body : scene.bodies) {
+        if (names.insert(body.name).second) survey.bodies.push_back(body.name);
+        const std::string added_mass = added_mass_of(body);
+        if (!added_mass.empty()) leads = added_masses.insert(added_mass).second || leads;
+      }
+      add_files(scene, survey.files);
+      sound.push_back(i);
+    } catch (const InputError& error) {
+      faults[i] = error;
+    }
+    (leads ? leaders : others).push_back(i);
+  }
+  AllFaults all(plan);
+  for (std::size_t i = 0; i < plan.parameters.size(); ++i) check_values(plan, i, faults, all);
+  all.throw_if_any();
+  check_assembly(plan, sound);
+  survey.order = leaders;
+  survey.order.insert(survey.order.end(), others.begin(), others.end());
+  return survey;
+}
+
+}  // namespace app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "hydro/added_mass/added_mass_model.h"
+#include "hydro/loads/loads.h"
+
+namespace hydro {
+
+/// A given matrix while any of the body is wet, and zero while it is dry.
+class ConstantAddedMass final : public AddedMassModel {
+ public:
+  /// @param mesh_B    Its origin the centre of mass.
+  /// @param matrix    About the centre of mass, body axes [kg, kg m, kg m^2]; its symmetric part
+  ///                  without negative eigenvalues is taken. The sea's density does not matter.
+  ConstantAddedMass(TriMesh mesh_B, const Matrix6d& matrix);
+
+  Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
+
+  const Matrix6d& matrix() const { return matrix_; }
+
+ private:
+  Hull hull_;
+  Matrix6d matrix_;
+};
+
+/// True if any point of the mesh lies below the surface, as the loads take it.
+bool is_wet(const Hull& hull, const BodyState& state, const Sea& sea, double time);
+
+}  // namespace hydro

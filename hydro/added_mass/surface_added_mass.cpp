@@ -1,0 +1,143 @@
+#include "hydro/added_mass/surface_added_mass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hydro {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Steps of 90° from axis to axis. Interpolation errors fall with its square, nodes grow with it.
+constexpr int kAttitudes = 12;
+
+/// Steps of the draught from dry to just under, and from there to unbounded fluid.
+constexpr int kPiercing = 12;
+constexpr int kSubmerged = 6;
+constexpr int kUnbounded = kPiercing + kSubmerged;
+
+/// A curved bottom that meets the surface at less than about 20° leaves equation (1) of
+/// surface_solve.h badly conditioned: 0 = 0 where body and image touch. Up to this draught (18 % of
+/// the volume) a solution is checked against what holds exactly, reciprocity and that added mass
+/// grows with draught. One that fails by more than discretisation can is replaced by its
+/// neighbour's, in proportion to the volume.
+constexpr int kShallow = 3;
+constexpr double kMostAsymmetry = 0.05;
+constexpr double kMostExcess = 1.02;
+
+/// Of a body's volume, at a node where it pierces the surface [-].
+double wetted_part(int draught) {
+  const double x = static_cast<double>(draught) / kPiercing;
+  return 1 - std::pow(1 - x * x, 3);
+}
+
+}  // namespace
+
+SurfaceAddedMass::SurfaceAddedMass(TriMesh mesh_B, const std::vector<SurfaceNode>& known,
+                                   int patches)
+    : mesh_B_(std::move(mesh_B)),
+      middle_(bounding_box(mesh_B_).center()),
+      volume_(wetted_volume(mesh_B_, WaterPlane{})),
+      radius_((mesh_B_.vertices.colwise() - middle_).colwise().norm().maxCoeff()),
+      patches_(patches),
+      attitudes_(kAttitudes) {
+  for (const SurfaceNode& one : known) nodes_[{one.attitude, one.draught}] = one.matrix;
+}
+
+Matrix6d SurfaceAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
+  const Vector3d& p = state.position;
+  const WaterPlane plane{state.orientation.conjugate() * Vector3d::UnitZ(),
+                         surface_height(sea, p.x(), p.y(), time) - p.z()};
+  return sea.density * under(plane);
+}
+
+Matrix6d SurfaceAddedMass::under(const WaterPlane& plane) const {
+  const double draught = draught_of(plane);
+  if (draught <= 0) return Matrix6d::Zero();
+  const int lower = std::min(static_cast<int>(draught), kUnbounded - 1);
+  const double upper_part = draught - lower;
+  Matrix6d sum = Matrix6d::Zero();
+  for (const AttitudeGrid::Corner& corner : attitudes_.around(plane.up)) {
+    if (corner.weight == 0) continue;
+    if (upper_part < 1) sum += corner.weight * (1 - upper_part) * node(corner.node, lower);
+    if (upper_part > 0) sum += corner.weight * upper_part * node(corner.node, lower + 1);
+  }
+  return sum;
+}
+
+SurfaceAddedMass::Reach SurfaceAddedMass::reach(const Vector3d& up) const {
+  const Eigen::RowVectorXd heights = up.transpose() * mesh_B_.vertices;
+  return {heights.minCoeff(), heights.maxCoeff()};
+}
+
+/// The draught as a place between the grid's nodes: 0 dry … kUnbounded.
+double SurfaceAddedMass::draught_of(const WaterPlane& plane) const {
+  const double above = plane.height - plane.up.dot(middle_);
+  if (above <= -radius_) return 0;
+  const Reach body = reach(plane.up);
+  if (plane.height <= body.low) return 0;
+  if (plane.height < body.high) {
+    const double wet = std::clamp(wetted_volume(mesh_B_, plane) / volume_, 0.0, 1.0);
+    return kPiercing * std::sqrt(1 - std::cbrt(1 - wet));
+  }
+  const double near = radius_ / (radius_ + (plane.height - body.high));
+  return kPiercing + kSubmerged * std::sqrt(1 - near * near * near);
+}
+
+WaterPlane SurfaceAddedMass::plane_of(int attitude, int draught) const {
+  const Vector3d up = attitudes_.direction(attitude);
+  const Reach body = reach(up);
+  if (draught <= kPiercing) {
+    const double wet = wetted_part(draught);
+    double low = body.low, high = body.high;
+    for (int step = 0; step < 50 && draught < kPiercing; ++step) {
+      const double middle = 0.5 * (low + high);
+      (wetted_volume(mesh_B_, {up, middle}) < wet * volume_ ? low : high) = middle;
+    }
+    return {up, high};
+  }
+  const double x = static_cast<double>(draught - kPiercing) / kSubmerged;
+  return {up, body.high + radius_ * (1 / std::cbrt(1 - x * x) - 1)};
+}
+
+Matrix6d SurfaceAddedMass::solved(int attitude, int draught) const {
+  if (draught == kUnbounded) return solve_under(mesh_B_, WaterPlane{}, patches_).matrix;
+  const SurfaceSolution own = solve_under(mesh_B_, plane_of(attitude, draught), patches_);
+  if (draught > kShallow) return own.matrix;
+  const auto weight = [](const Matrix6d& A) { return A.diagonal().head<3>().sum(); };
+  const Matrix6d& deeper = node(attitude, draught + 1);
+  if (own.symmetry_error < kMostAsymmetry && weight(own.matrix) <= kMostExcess * weight(deeper))
+    return own.matrix;
+  return wetted_part(draught) / wetted_part(draught + 1) * deeper;
+}
+
+/// Two threads that miss the same node both solve it, and find the same: neither has to wait in
+/// the other's loop.
+const Matrix6d& SurfaceAddedMass::node(int attitude, int draught) const {
+  static const Matrix6d kDry = Matrix6d::Zero();
+  if (draught == 0) return kDry;
+  const std::pair<int, int> place(draught == kUnbounded ? 0 : attitude, draught);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = nodes_.find(place); found != nodes_.end()) return found->second;
+  }
+  const Matrix6d matrix = solved(attitude, draught);
+  const std::lock_guard lock(mutex_);
+  const auto [entry, fresh] = nodes_.emplace(place, matrix);
+  solves_ += fresh ? 1 : 0;
+  return entry->second;
+}
+
+std::vector<SurfaceNode> SurfaceAddedMass::nodes() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<SurfaceNode> all;
+  for (const auto& [place, matrix] : nodes_) all.push_back({place.first, place.second, matrix});
+  return all;
+}
+
+int SurfaceAddedMass::solves() const {
+  const std::lock_guard lock(mutex_);
+  return solves_;
+}
+
+}  // namespace hydro

@@ -1,0 +1,206 @@
+#include "hydro/added_mass/surface_patches.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/loads/clip.h"
+
+namespace hydro {
+namespace {
+
+using bem::Element;
+using Eigen::Index;
+using Eigen::Vector3d;
+
+/// Triangles a patch, at least: with fewer the equation is met less well along edges of the hull.
+constexpr double kPanelsAPatch = 3;
+
+/// A patch of more triangles has this many points, if they do.
+constexpr std::size_t kPointsAPatch = 12;
+
+/// Of the mean square of a patch's functions, 1 over its area, the least over its points.
+constexpr double kLeastTold = 0.25;
+
+/// How far apart, in square roots of the wetted area, two opposite faces count when triangles are
+/// grouped: a thin plate's sides, and the faces at an edge, then come to different patches.
+constexpr double kNormalWeight = 0.5;
+
+/// A triangle of less than this part of the largest one's area carries no load worth its round-off.
+constexpr double kLeastArea = 1e-9;
+
+/// Splits at the middle of the longest edge, until no part is larger than `most`.
+void add_split(const Panel& panel, double most, std::vector<Element>& panels) {
+  const double area = area_vector(panel).norm();
+  if (area <= most) {
+    if (area > kLeastArea * most) panels.push_back(bem::make_element(panel[0], panel[1], panel[2]));
+    return;
+  }
+  std::size_t longest = 0;
+  double length = 0;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const double edge = (panel[(e + 1) % 3] - panel[e]).norm();
+    if (edge <= length * (1 + 1e-9)) continue;
+    length = edge;
+    longest = e;
+  }
+  const Vector3d &a = panel[longest], &b = panel[(longest + 1) % 3], &c = panel[(longest + 2) % 3];
+  const Vector3d middle = 0.5 * (a + b);
+  add_split({a, middle, c}, most, panels);
+  add_split({middle, b, c}, most, panels);
+}
+
+/// Calls f with each wet part of a face, its depths with it.
+template <class Function>
+void for_each_wet_part(const TriMesh& mesh_B, const WaterPlane& plane, Function&& f) {
+  for (Index face = 0; face < mesh_B.face_count(); ++face) {
+    Panel panel;
+    Vector3d depth = Vector3d::Ones();
+    for (std::size_t i = 0; i < 3; ++i) {
+      panel[i] = mesh_B.vertices.col(mesh_B.faces(static_cast<Index>(i), face));
+      if (plane.bounded()) depth[static_cast<Index>(i)] = plane.depth(panel[i]);
+    }
+    for (const PanelPart& part : positive_part(panel, depth)) f(part);
+  }
+}
+
+std::vector<Panel> wet_parts(const TriMesh& mesh_B, const WaterPlane& plane) {
+  std::vector<Panel> wet;
+  for_each_wet_part(mesh_B, plane, [&](const PanelPart& part) { wet.push_back(part.panel); });
+  return wet;
+}
+
+using Key = Eigen::Matrix<double, 6, 1>;
+
+/// Where a triangle lies and how it faces, as one point.
+Key key_of(const Element& panel, double normal_weight) {
+  Key key;
+  key << panel.centroid, normal_weight * panel.normal;
+  return key;
+}
+
+/// The slopes of a patch, from the moments of its area: g·extent has a mean square of 1.
+std::array<Vector3d, 2> slopes_of(const Patch& patch) {
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Element& panel : patch.panels)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3d offset = 0.5 * (panel.corners[i] + panel.corners[(i + 1) % 3]) - patch.centre;
+      moments += panel.area / 3 * offset * offset.transpose();
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> extents(moments / patch.area);
+  std::array<Vector3d, 2> slopes;
+  for (Index k = 0; k < 2; ++k) {
+    const double squared = extents.eigenvalues()[2 - k];
+    slopes[static_cast<std::size_t>(k)] = Vector3d::Zero();
+    if (squared > 1e-8 * patch.radius * patch.radius)
+      slopes[static_cast<std::size_t>(k)] = extents.eigenvectors().col(2 - k) / std::sqrt(squared);
+  }
+  return slopes;
+}
+
+/// Three points a triangle: exact for products of two functions, whose mean is then that of 1.
+std::vector<PatchPoint> all_points(const std::vector<Element>& panels) {
+  std::vector<PatchPoint> points;
+  for (const Element& panel : panels)
+    for (const Vector3d& corner : panel.corners)
+      points.push_back({0.5 * (panel.centroid + corner), panel.area / 3});
+  return points;
+}
+
+/// One point for each of kPointsAPatch runs of neighbours.
+std::vector<PatchPoint> few_points(const std::vector<Element>& panels) {
+  std::vector<PatchPoint> points;
+  for (std::size_t run = 0; run < kPointsAPatch; ++run) {
+    const std::size_t first = run * panels.size() / kPointsAPatch;
+    const std::size_t last = (run + 1) * panels.size() / kPointsAPatch;
+    PatchPoint point{panels[(first + last) / 2].centroid, 0};
+    for (std::size_t p = first; p < last; ++p) point.weight += panels[p].area;
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// True if the points tell the patch's functions apart about as well as its whole area does.
+bool tell_apart(const Patch& patch, const std::vector<PatchPoint>& points) {
+  Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
+  for (const PatchPoint& point : points) {
+    const Vector3d f = patch.functions(point.at);
+    mean += point.weight / patch.area * f * f.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> found(mean, Eigen::EigenvaluesOnly);
+  return found.eigenvalues()[0] > kLeastTold;
+}
+
+Patch make_patch(std::vector<Element> panels) {
+  Patch patch{.panels = std::move(panels), .points = {}, .centre = Vector3d::Zero(), .slopes = {}};
+  for (const Element& panel : patch.panels) {
+    patch.area += panel.area;
+    patch.centre += panel.area * panel.centroid;
+  }
+  patch.centre /= patch.area;
+  for (const Element& panel : patch.panels)
+    for (const Vector3d& corner : panel.corners)
+      patch.radius = std::max(patch.radius, (corner - patch.centre).norm());
+  patch.slopes = slopes_of(patch);
+  if (patch.panels.size() > kPointsAPatch) patch.points = few_points(patch.panels);
+  if (patch.points.empty() || !tell_apart(patch, patch.points))
+    patch.points = all_points(patch.panels);
+  return patch;
+}
+
+/// Halves [begin, end) by area across its longest extent again and again, into `count` groups.
+void group(std::vector<Element>& panels, std::size_t begin, std::size_t end, int count,
+           double normal_weight, std::vector<Patch>& patches) {
+  const auto from = panels.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto to = panels.begin() + static_cast<std::ptrdiff_t>(end);
+  if (count <= 1 || end - begin == 1) {
+    patches.push_back(make_patch({from, to}));
+    return;
+  }
+  Key low = key_of(*from, normal_weight), high = low;
+  double whole = 0;
+  for (auto panel = from; panel != to; ++panel) {
+    low = low.cwiseMin(key_of(*panel, normal_weight));
+    high = high.cwiseMax(key_of(*panel, normal_weight));
+    whole += panel->area;
+  }
+  Index axis;
+  (high - low).maxCoeff(&axis);
+  std::stable_sort(from, to, [&](const Element& a, const Element& b) {
+    return key_of(a, normal_weight)[axis] < key_of(b, normal_weight)[axis];
+  });
+  std::size_t middle = begin + 1;
+  double below = from->area;
+  while (middle + 1 < end && below + 0.5 * panels[middle].area < 0.5 * whole)
+    below += panels[middle++].area;
+  const int first = std::clamp(static_cast<int>(std::lround(count * below / whole)), 1, count - 1);
+  group(panels, begin, middle, first, normal_weight, patches);
+  group(panels, middle, end, count - first, normal_weight, patches);
+}
+
+}  // namespace
+
+double wetted_volume(const TriMesh& mesh_B, const WaterPlane& plane) {
+  // The divergence theorem with the field −depth·up; in unbounded fluid with depths below the top.
+  WaterPlane level = plane;
+  if (!plane.bounded()) level.height = (plane.up.transpose() * mesh_B.vertices).maxCoeff();
+  double volume = 0;
+  for_each_wet_part(mesh_B, level, [&](const PanelPart& part) {
+    volume -= part.value.sum() / 3 * area_vector(part.panel).dot(level.up);
+  });
+  return volume;
+}
+
+std::vector<Patch> wetted_patches(const TriMesh& mesh_B, const WaterPlane& plane, int count) {
+  double area = 0;
+  const std::vector<Panel> wet = wet_parts(mesh_B, plane);
+  for (const Panel& panel : wet) area += area_vector(panel).norm();
+  std::vector<Element> panels;
+  for (const Panel& panel : wet) add_split(panel, area / (kPanelsAPatch * count), panels);
+  std::vector<Patch> patches;
+  if (!panels.empty())
+    group(panels, 0, panels.size(), count, kNormalWeight * std::sqrt(area), patches);
+  return patches;
+}
+
+}  // namespace hydro

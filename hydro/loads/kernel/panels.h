@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hydro/loads/kernel/immersion.h"
+#include "hydro/mesh/mesh.h"
+
+/// @file
+/// The faces of a hull as the kernel reads them: in leaves of 32 neighbours, numbers of one kind
+/// side by side.
+///
+/// A face is kept as its centroid c, its unit normal n, a unit vector e_1 in its plane and, with
+/// e_2 = n × e_1, the plane coordinates (x, y) of its vertices r_i = c + x_i e_1 + y_i e_2. Axes
+/// are those of the body: nothing needs to be turned when the body moves, the water is turned
+/// instead.
+///
+/// All fields that a load is made of are polynomials of (x, y). With Σ x_i = Σ y_i = 0, for linear
+/// functions f, g, h that vanish at the centroid,
+///
+///     ∫ f g dA = (A/12) Σ f_i g_i          ∫ f g h dA = (A/30) Σ f_i g_i h_i              (1)
+///
+/// [EM73] Eisenberg, Malvern. On finite element integration in natural co-ordinates.
+///        Int. J. Numer. Methods Eng. 7 (1973) 574-575.
+
+namespace hydro::kernel {
+
+/// Faces of a leaf: a multiple of the lanes of every vector unit.
+inline constexpr int kLeafFaces = 32;
+
+/// Faces in body axes about the centre of mass [m, m^2].
+struct alignas(64) FaceBlock {
+  double c[3][kMostLanes];   ///< Centroids.
+  double n[3][kMostLanes];   ///< Unit normals, out of the body.
+  double e1[3][kMostLanes];  ///< Unit vectors along each face's longest side.
+  double area[kMostLanes];
+  double x[2][kMostLanes];  ///< Of the first two vertices; the third makes the sum zero.
+  double y[2][kMostLanes];
+};
+
+/// Blocks, so that memory is read in its order. A leaf that is not full repeats its last face with
+/// no area. Lanes of a leaf count through its blocks.
+struct Leaf {
+  FaceBlock blocks[kLeafFaces / kMostLanes];
+
+  FaceBlock& block(int lane) { return blocks[lane / kMostLanes]; }
+  const FaceBlock& block(int lane) const { return blocks[lane / kMostLanes]; }
+};
+
+/// One face of a leaf.
+struct Face {
+  Eigen::Vector3d c, n, e1, e2;
+  double area;
+  Eigen::Vector3d x, y;  ///< Of the vertices.
+
+  Eigen::Vector3d corner(int i) const { return c + x[i] * e1 + y[i] * e2; }
+};
+
+Face face_of(const Leaf& leaf, int lane);
+
+/// Vertices of a leaf's faces. With φ the function that is 1 at the vertex, 0 at the others and
+/// linear over each face, and J = (n, r × n), a function h that is linear over each face has
+/// ∫ h J dS = Σ h_i ∫ φ_i J dS.
+struct alignas(64) VertexBlock {
+  double r[3][kMostLanes];  ///< [m]
+  double j[6][kMostLanes];  ///< ∫ φ J dS over the leaf's faces.
+};
+
+/// Where a leaf's vertices are, each of which it has once.
+struct alignas(64) LeafVertices {
+  std::int64_t of_face[3][kLeafFaces] = {};  ///< Places among the leaf's vertices.
+  int first = 0, last = 0;                   ///< Blocks [first, last); the last is filled up.
+};
+
+/// All faces of a mesh that have an area.
+struct Panels {
+  std::vector<Leaf> leaves;
+  std::vector<LeafVertices> vertices;  ///< One for each leaf.
+  std::vector<VertexBlock> blocks;
+  std::vector<int> face;    ///< Of the mesh, in the order of the leaves.
+  double longest_edge = 0;  ///< [m]
+};
+
+/// Orders the faces so that any run of them of a power of two leaves is compact in place and
+/// normal, and lays them out.
+Panels make_panels(const TriMesh& mesh_B);
+
+}  // namespace hydro::kernel

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hydro/loads/kernel/panels.h"
+
+/// @file
+/// Triangles that wait to be cut: a few of each leaf, worked on together so that lanes are full.
+
+namespace hydro::kernel {
+
+/// Pieces of faces in the plane coordinates of their face.
+struct Pieces {
+  static constexpr int kRoom = 4 * kLeafFaces;
+
+  alignas(64) std::int64_t face[kRoom];  ///< In doubles from the first leaf: see `place_of`.
+  alignas(64) double x[3][kRoom];        ///< [m]
+  alignas(64) double y[3][kRoom];
+  alignas(64) double depth[3][kRoom];  ///< Of the vertices, linear between them [m].
+  int count = 0;
+
+  Pieces() {}  // Leaves the arrays as they are: they are large and written before they are read.
+};
+
+/// Repeats the last piece up to `lanes` pieces, so that a vector of them holds proper numbers.
+void pad(Pieces& pieces, int lanes);
+
+/// Where a lane of a leaf has its field, from that of the first leaf, in doubles.
+inline std::int64_t place_of(std::int64_t leaf, int lane) {
+  constexpr std::int64_t kLeaf = sizeof(Leaf) / sizeof(double);
+  constexpr std::int64_t kBlock = sizeof(FaceBlock) / sizeof(double);
+  return leaf * kLeaf + lane / kMostLanes * kBlock + lane % kMostLanes;
+}
+
+/// Adds a piece of the face at `place_of`.
+inline void put_piece(std::int64_t face, const double (&x)[3], const double (&y)[3],
+                      const double (&depth)[3], Pieces& pieces) {
+  const int to = pieces.count++;
+  pieces.face[to] = face;
+  for (int i = 0; i < 3; ++i) {
+    pieces.x[i][to] = x[i];
+    pieces.y[i][to] = y[i];
+    pieces.depth[i][to] = depth[i];
+  }
+}
+
+/// Adds a whole face with the depths at its vertices.
+inline void put_face(const Panels& panels, std::int64_t leaf, int lane,
+                     const std::array<double, 3>& depth, Pieces& pieces) {
+  const FaceBlock& faces = panels.leaves[static_cast<std::size_t>(leaf)].block(lane);
+  const int at = lane % kMostLanes;
+  const int to = pieces.count++;
+  pieces.face[to] = place_of(leaf, lane);
+  for (int i = 0; i < 2; ++i) {
+    pieces.x[i][to] = faces.x[i][at];
+    pieces.y[i][to] = faces.y[i][at];
+  }
+  pieces.x[2][to] = -(faces.x[0][at] + faces.x[1][at]);
+  pieces.y[2][to] = -(faces.y[0][at] + faces.y[1][at]);
+  for (int i = 0; i < 3; ++i) pieces.depth[i][to] = depth[static_cast<std::size_t>(i)];
+}
+
+}  // namespace hydro::kernel

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "hydro/loads/kernel/immersion.h"
+
+/// @file
+/// The kernel's way back to the plain viscous drag, for triangles that fit none of its rules.
+
+namespace hydro::kernel {
+
+/// Reynolds number below which the ITTC line is held, and its C_v there (`viscous_drag.cpp`).
+inline constexpr double kLeastReynolds = 1e4;
+inline constexpr double kHeldCoefficient = 0.075 / 4;
+
+/// Triangles in body axes about the centre of mass, lane by lane.
+struct alignas(64) PlainPanels {
+  double r[3][3][kMostLanes];  ///< Vertex, axis, lane [m].
+  double n[3][kMostLanes];     ///< Unit normals.
+  double counts[kMostLanes];   ///< 0 for a lane that is not wanted.
+};
+
+/// Adds `viscous_drag_load` of each wanted lane.
+void add_plain_viscous(const Immersion& in, const PlainPanels& panels, int lanes, Sums& sums);
+
+}  // namespace hydro::kernel

@@ -1,0 +1,144 @@
+#include "hydro/loads/kernel/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hydro::kernel {
+namespace {
+
+void set_waves(const WaveSurface& sea, const BodyState& state, const Eigen::Matrix3d& R_WB,
+               double time, WaveField& waves) {
+  waves.count = static_cast<int>(sea.components.size() + 7) / 8 * 8;
+  const std::size_t room = static_cast<std::size_t>(std::max(waves.count, 8));
+  double* to = waves.few.data();
+  if (waves.count > WaveField::kRoom) {
+    waves.many.resize(5 * room);
+    to = waves.many.data();
+  }
+  std::fill(to, to + 5 * room, 0.0);
+  for (std::size_t i = 0; i < 5; ++i) waves.row[i] = to + i * room;
+  for (std::size_t i = 0; i < sea.components.size(); ++i) {
+    const WaveComponent& w = sea.components[i];
+    const Eigen::Vector3d k = R_WB.transpose() * Eigen::Vector3d(w.kx, w.ky, 0);
+    to[i] = w.amplitude;
+    for (int axis = 0; axis < 3; ++axis) to[(1 + axis) * room + i] = k[axis];
+    const double phase =
+        w.kx * state.position.x() + w.ky * state.position.y() - w.omega * time + w.phase;
+    to[4 * room + i] = std::remainder(phase, 2 * M_PI);
+    const double squared = w.kx * w.kx + w.ky * w.ky;
+    waves.curvature += std::abs(w.amplitude) * squared;
+    waves.third += std::abs(w.amplitude) * squared * std::sqrt(squared);
+  }
+}
+
+void set_grid(const HeightField& field, const BodyState& state, const Eigen::Matrix3d& R_WB,
+              GridField& grid) {
+  grid.heights = field.heights.data();
+  grid.rows = field.heights.rows();
+  grid.columns = field.heights.cols();
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.e_x[axis] = R_WB(0, axis) / field.cell;
+    grid.e_y[axis] = R_WB(1, axis) / field.cell;
+  }
+  grid.u0 = (state.position.x() - field.origin.x()) / field.cell;
+  grid.v0 = (state.position.y() - field.origin.y()) / field.cell;
+}
+
+}  // namespace
+
+Surface::Surface(const Sea& sea, const BodyState& state, double time, double smallest,
+                 double longest_edge)
+    : sampler(sea, state.position, time, smallest), R_WB(state.orientation.toRotationMatrix()) {
+  if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
+    set_waves(*sum, state, R_WB, time, waves);
+  if (const auto* field = std::get_if<HeightField>(&sea.surface))
+    set_grid(*field, state, R_WB, grid);
+  const SurfaceBounds bounds = surface_bounds(sea);
+  lowest = bounds.lowest - sea.level;
+  highest = bounds.highest - sea.level;
+  bends = sampler.may_bend(longest_edge);
+}
+
+bool bent_over(const Surface& surface, const Leaf& leaf, int lane) {
+  const Face face = face_of(leaf, lane);
+  Panel panel;
+  for (int i = 0; i < 3; ++i) panel[i] = surface.R_WB * face.corner(i);
+  return surface.sampler.bends_between(panel[0], panel[1]) ||
+         surface.sampler.bends_between(panel[1], panel[2]) ||
+         surface.sampler.bends_between(panel[2], panel[0]);
+}
+
+ElevationRange grid_over(const Surface& surface, const double* centre, const double* half) {
+  const ElevationRange all = {surface.lowest, surface.highest};
+  const GridField& grid = surface.grid;
+  double u = grid.u0, v = grid.v0, du = 0, dv = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    u += grid.e_x[axis] * centre[axis];
+    v += grid.e_y[axis] * centre[axis];
+    du += std::abs(grid.e_x[axis]) * half[axis];
+    dv += std::abs(grid.e_y[axis]) * half[axis];
+  }
+  constexpr double kMostLines = 4;  // More take longer than what they spare.
+  if (!(du < kMostLines / 2 && dv < kMostLines / 2)) return all;
+  const auto line = [](double place, std::int64_t lines) {
+    return static_cast<std::int64_t>(std::clamp(place, 0.0, static_cast<double>(lines - 1)));
+  };
+  const std::int64_t u_end = line(std::ceil(u + du), grid.columns);
+  const std::int64_t v_end = line(std::ceil(v + dv), grid.rows);
+  ElevationRange range = {all.high, all.low};
+  for (std::int64_t i = line(std::floor(u - du), grid.columns); i <= u_end; ++i) {
+    for (std::int64_t j = line(std::floor(v - dv), grid.rows); j <= v_end; ++j) {
+      const double height = grid.heights[i * grid.rows + j];
+      range = {std::min(range.low, height), std::max(range.high, height)};
+    }
+  }
+  return range;
+}
+
+namespace {
+
+/// The surface's sampler, with the kernel's waves.
+struct FastSampler {
+  const Surface& surface;
+
+  double elevation(const Eigen::Vector3d& r) const {
+    if (surface.is_grid()) return surface.sampler.elevation(r);
+    const Eigen::Vector3d r_B = surface.R_WB.transpose() * r;
+    return wave_elevation(surface.waves, r_B.data());
+  }
+  bool bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    return surface.sampler.bends_between(a, b);
+  }
+  bool is_small(const Panel& panel) const { return surface.sampler.is_small(panel); }
+};
+
+}  // namespace
+
+void visit_linear_pieces(const Surface& surface, double below, const Face& face,
+                         const double (&depth)[3], VisitPiece visit, void* context) {
+  const Eigen::Vector3d c = surface.R_WB * face.c;
+  const Eigen::Vector3d e1 = surface.R_WB * face.e1, e2 = surface.R_WB * face.e2;
+  Panel panel = {c, c, c};
+  Eigen::Vector3d elevation;
+  for (int i = 0; i < 3; ++i) {
+    panel[i] += face.x[i] * e1 + face.y[i] * e2;
+    elevation[i] = depth[i] - below + panel[i].z();
+  }
+  // Above the highest crest nothing is wet.
+  const auto dry = [&](const Panel& piece) {
+    return std::min({piece[0].z(), piece[1].z(), piece[2].z()}) >= below + surface.highest;
+  };
+  const auto pass_on = [&](const Panel& piece, const Eigen::Vector3d& heights) {
+    FlatPiece flat;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d d = piece[i] - c;
+      flat.x[i] = d.dot(e1);
+      flat.y[i] = d.dot(e2);
+      flat.depth[i] = below + (heights[i] - piece[i].z());
+    }
+    visit(context, flat);
+  };
+  for_each_linear_piece(panel, elevation, FastSampler{surface}, dry, pass_on);
+}
+
+}  // namespace hydro::kernel

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "hydro/loads/kernel/clusters.h"
+#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/panels.h"
+
+/// @file
+/// A tree over the leaves of a hull, whose nodes know the loads on all their faces at once.
+///
+/// With J = (n, r × n) and the twist ν the normal velocity is v·n = J·ν, and
+///
+///     ∫ h n dS            needs ∫ J_a {1, x, y, z} dS            for h = below − up·r      (1)
+///     ∫ (v·n)² J_a dS  =  Σ ν_b ν_c ∫ J_a J_b J_c dS                                       (2)
+///     ∫ |v_t|² J_a dS  =  ∫ |v|² J_a dS − (2), with ∫ J_a {1, x, …, xx, xy, …, zz} dS      (3)
+///
+/// So a branch that is wet all over and whose faces all move into the water, or all out of it, is
+/// one product of 31 numbers with each component: exact on flat water, to round-off. Viscous drag
+/// has no such moments; its branches have points, `clusters.h`.
+
+namespace hydro::kernel {
+
+/// Rows of moments: what J is multiplied with under the integral.
+enum : int {
+  kOne = 0,
+  kPlace = 1,    ///< x, y, z.
+  kSquare = 4,   ///< xx, yy, zz, xy, yz, zx.
+  kNormal = 10,  ///< J_b J_c: b ≤ c, b slowest.
+  kMoments = 31
+};
+
+/// The lane of a row that holds the integral with 1 in place of J: row kOne's is the area.
+inline constexpr int kAreaLane = 6;
+
+struct alignas(64) Node {
+  double moment[kMoments][kMostLanes] = {};  ///< ∫ J_a {…} dS, a in the lanes.
+  double centre[3], half[3];                 ///< Of a box around the vertices [m].
+  double j_centre[6], j_half[6];             ///< Bounds of J over the faces.
+  int first = 0, last = 0;                   ///< Leaves [first, last).
+  int next = 0;  ///< The node after all of this branch; a leaf's is the node behind it.
+
+  bool leaf() const { return last - first == 1; }
+};
+
+struct Tree {
+  std::vector<Node> nodes;        ///< A branch follows its root, first child first.
+  std::vector<Cluster> clusters;  ///< Of the nodes; none in a small tree.
+  int chunk_leaves = 0;           ///< Branches of up to so many leaves are one piece of work.
+};
+
+/// Pieces of work that a tree is cut into, at most.
+inline constexpr int kMostChunks = 128;
+
+Tree make_tree(const Panels& panels);
+
+}  // namespace hydro::kernel

@@ -1,0 +1,285 @@
+// Included once for each processor: no include guard of the usual kind.
+#if defined(PLIMSOLL_KERNEL_VISCOUS) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLIMSOLL_KERNEL_VISCOUS
+#undef PLIMSOLL_KERNEL_VISCOUS
+#else
+#define PLIMSOLL_KERNEL_VISCOUS
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include "hydro/loads/kernel/lanes-inl.h"
+#include "hydro/loads/kernel/plain_viscous.h"
+
+/// @file
+/// Viscous drag in lanes: `viscous_drag.h` in plane coordinates.
+///
+/// With the ratio of the velocity's change over a triangle to the velocity, a triangle is taken
+///   - by the rule of three points below kFlat, of seven below kSmooth, on one side of all kinks;
+///   - cut at the one kink of C_v that lies on it, and then by seven points, below kStraight;
+///   - by the closed form of `rotary_drag.h` where C_v is linear in the speed all over it;
+///   - by `viscous_drag_load` otherwise: a few triangles near the places where v_t vanishes.
+/// The errors are those told there, below 1e-6 of a panel's largest load.
+
+HWY_BEFORE_NAMESPACE();
+namespace hydro::kernel::HWY_NAMESPACE {
+
+/// The first term that three points miss in the force is of third order, in the moment of second
+/// order with a factor 1/60: 1.5e-7.
+inline constexpr double kFlat = 3e-3;
+inline constexpr double kSmooth = 0.2;     ///< The first term missed is of sixth order: 1e-7.
+inline constexpr double kStraight = 0.03;  ///< Of third order, where the cut is: 2e-6.
+
+/// Triangles that slide.
+struct Sliding {
+  const Plane& plane;
+  const Flow& flow;
+  const Triangle& t;
+  V area;  ///< 0 where a lane does not count.
+};
+
+HWY_INLINE V2 velocity(const Flow& flow, const V2& r) {
+  return {flow.along1(r.y), flow.along2(r.x)};
+}
+HWY_INLINE V length(const V2& v) { return hn::Sqrt(hn::MulAdd(v.x, v.x, v.y * v.y)); }
+
+/// ∫ C_v |v_t| v_t dA in the plane and its moment about the centroid along n.
+struct Friction {
+  V2 force;
+  V moment;
+};
+
+HWY_INLINE Friction operator+(const Friction& a, const Friction& b) {
+  return {{a.force.x + b.force.x, a.force.y + b.force.y}, a.moment + b.moment};
+}
+
+/// C_v = constant + slope·v for pieces of the law, or the ITTC line.
+struct Branch {
+  V constant, slope;
+  M logarithmic;
+};
+
+HWY_INLINE Branch branch_at(const ViscousDrag& law, V inside) {
+  const D d;
+  const M none = hn::FirstN(d, 0);
+  if (law.law == ViscousDrag::Law::constant) return {all(law.coefficient), zero(), none};
+  if (law.law == ViscousDrag::Law::ittc57) {
+    const M held = inside * all(law.reynolds_per_speed) < all(kLeastReynolds);
+    return {all(kHeldCoefficient), zero(), hn::Not(held)};
+  }
+  const M slow = inside < all(1), middle = inside < all(2);
+  return {hn::IfThenElse(slow, all(0.1), hn::IfThenElseZero(middle, all(0.2))),
+          hn::IfThenElseZero(hn::AndNot(slow, middle), all(-0.1)), none};
+}
+
+HWY_INLINE V coefficient(const ViscousDrag& law, const Branch& branch, V speed) {
+  const V linear = hn::MulAdd(branch.slope, speed, branch.constant);
+  if (hn::AllFalse(D(), branch.logarithmic)) return linear;
+  const V least = all(kLeastReynolds);
+  const V reynolds = hn::Max(speed * all(law.reynolds_per_speed), all(0.5) * least);
+  const V decades = hn::Log10(D(), reynolds) - all(2);
+  return hn::IfThenElse(branch.logarithmic, all(0.075) / (decades * decades), linear);
+}
+
+/// Adds the traction at a point, with a weight, to a sum of means.
+HWY_INLINE void add_point(const Sliding& s, const ViscousDrag& law, const Branch& branch,
+                          const V2& at, double weight, Friction& sum) {
+  const V2 v = velocity(s.flow, at);
+  const V speed = length(v);
+  const V factor = all(weight) * coefficient(law, branch, speed) * speed;
+  const V2 f = {factor * v.x, factor * v.y};
+  sum.force.x = sum.force.x + f.x;
+  sum.force.y = sum.force.y + f.y;
+  sum.moment = sum.moment + hn::MulSub(at.x, f.y, at.y * f.x);
+}
+
+HWY_INLINE V2 centre_of(const Triangle& t) {
+  return {all(1.0 / 3) * (t.a.x + t.b.x + t.c.x), all(1.0 / 3) * (t.a.y + t.b.y + t.c.y)};
+}
+
+/// Three points on the lines from the centre to the vertices: centre + part·(vertex − centre).
+HWY_INLINE void add_star(const Sliding& s, const ViscousDrag& law, const Branch& branch,
+                         const V2& centre, double part, double weight, Friction& sum) {
+  add_point(s, law, branch, between(centre, s.t.a, all(part)), weight, sum);
+  add_point(s, law, branch, between(centre, s.t.b, all(part)), weight, sum);
+  add_point(s, law, branch, between(centre, s.t.c, all(part)), weight, sum);
+}
+
+HWY_INLINE Friction scaled(V factor, const Friction& f) {
+  return {{factor * f.force.x, factor * f.force.y}, factor * f.moment};
+}
+
+/// The rule of degree 2.
+HWY_INLINE Friction three_points(const Sliding& s, const ViscousDrag& law) {
+  const V2 centre = centre_of(s.t);
+  const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
+  Friction mean{{zero(), zero()}, zero()};
+  add_star(s, law, branch, centre, 0.5, 1.0 / 3, mean);
+  return scaled(s.area, mean);
+}
+
+/// Radon's rule of degree 5: its points lie (1 ± √15·…)/7 of the way to the vertices.
+HWY_NOINLINE Friction seven_points(const Sliding& s, const ViscousDrag& law) {
+  constexpr double kRoot = 3.872983346207417;  // √15
+  const V2 centre = centre_of(s.t);
+  const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
+  Friction mean{{zero(), zero()}, zero()};
+  add_point(s, law, branch, centre, 9.0 / 40, mean);
+  add_star(s, law, branch, centre, (1 + kRoot) / 7, (155 - kRoot) / 1200, mean);
+  add_star(s, law, branch, centre, (1 - kRoot) / 7, (155 + kRoot) / 1200, mean);
+  return scaled(s.area, mean);
+}
+
+/// Cut where the speed, taken as linear, is that of the kink.
+HWY_NOINLINE Friction cut_at_kink(const Sliding& s, const ViscousDrag& law, V kink) {
+  const auto excess_at = [&](const V2& r) HWY_ATTR { return length(velocity(s.flow, r)) - kink; };
+  const Values excess = {excess_at(s.t.a), excess_at(s.t.b), excess_at(s.t.c)};
+  const M crosses = hn::And(lowest(excess) < zero(), highest(excess) > zero());
+  const Cut cut = cut_at_zero(s.t, excess, crosses);
+  const M counts = s.area > zero();
+  const auto friction = [&](const Triangle& part) HWY_ATTR {
+    const V area = hn::IfThenElseZero(counts, area_of(part));
+    return seven_points({s.plane, s.flow, part, area}, law);
+  };
+  return friction(cut.corner) + friction(cut.near) + friction(cut.far);
+}
+
+/// The terms of equations (3) and (4) of rotary_drag.h for one edge from s0 to s1, seen from the
+/// pole, with C_v = a + b d.
+struct PoleMoments {
+  V2 first;
+  V third;
+};
+
+HWY_INLINE PoleMoments operator+(const PoleMoments& a, const PoleMoments& b) {
+  return {{a.first.x + b.first.x, a.first.y + b.first.y}, a.third + b.third};
+}
+
+HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V b) {
+  const V2 edge = {s1.x - s0.x, s1.y - s0.y};
+  const V size = length(edge);
+  const V inverse = hn::IfThenElseZero(size > zero(), all(1) / size);
+  const V2 along = {edge.x * inverse, edge.y * inverse};
+  const V2 out = {along.y, zero() - along.x};
+  const V h = hn::MulAdd(out.x, s0.x, out.y * s0.y), hh = h * h;
+  const V t0 = hn::MulAdd(along.x, s0.x, along.y * s0.y), t1 = t0 + size;
+  const V r0 = hn::Sqrt(hn::MulAdd(t0, t0, hh)), r1 = hn::Sqrt(hn::MulAdd(t1, t1, hh));
+  const V cube0 = r0 * r0 * r0, cube1 = r1 * r1 * r1;
+  const V around = r0 + r1;
+  const M proper = size < around;  // Else the pole is on the edge's line, and h = 0.
+  const V twice_artanh =
+      hn::Log1p(D(), hn::IfThenElseZero(proper, (size + size) / (around - size)));
+  const V rho = all(0.5) * (hn::MulSub(t1, r1, t0 * r0) + hh * twice_artanh);
+  const V rho3 = hn::MulAdd(all(0.75) * hh, rho, all(0.25) * hn::MulSub(t1, cube1, t0 * cube0));
+  const auto rho2_to = [&](V t) HWY_ATTR { return t * hn::MulAdd(t * t, all(1.0 / 3), hh); };
+  const auto rho4_to = [&](V t) HWY_ATTR {
+    const V tt = t * t;
+    return t * hn::MulAdd(tt, hn::MulAdd(tt, all(0.2), hh * all(1 / 1.5)), hh * hh);
+  };
+  const V a4 = a * all(0.25) * h, a5 = a * all(0.2) * h;
+  const V b5 = b * all(0.2) * h, b6 = b * all(1.0 / 6) * h;
+  const V outward = h * hn::MulAdd(a4, rho, b5 * (rho2_to(t1) - rho2_to(t0)));
+  const V onward =
+      hn::MulAdd(a4 * all(1.0 / 3), cube1 - cube0, b5 * all(0.25) * (cube1 * r1 - cube0 * r0));
+  return {
+      {hn::MulAdd(outward, out.x, onward * along.x), hn::MulAdd(outward, out.y, onward * along.y)},
+      hn::MulAdd(a5, rho3, b6 * (rho4_to(t1) - rho4_to(t0)))};
+}
+
+/// The closed form where C_v is linear in the speed all over the triangle.
+HWY_NOINLINE Friction about_pole(const Sliding& s, const ViscousDrag& law, M which) {
+  const V2 centre = centre_of(s.t);
+  const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
+  const V omega = hn::IfThenElse(which, s.flow.spin, all(1)), spin = hn::Abs(omega);
+  const V2 pole = {(zero() - s.flow.b) / omega, s.flow.a / omega};
+  const auto edge = [&](const V2& from, const V2& to) HWY_ATTR {
+    return edge_moments({from.x - pole.x, from.y - pole.y}, {to.x - pole.x, to.y - pole.y},
+                        branch.constant, branch.slope * spin);
+  };
+  const PoleMoments sum = edge(s.t.a, s.t.b) + edge(s.t.b, s.t.c) + edge(s.t.c, s.t.a);
+  const V factor = spin * omega;
+  const V2 force = {zero() - factor * sum.first.y, factor * sum.first.x};
+  const V moment = hn::MulAdd(factor, sum.third, hn::MulSub(pole.x, force.y, pole.y * force.x));
+  return {{hn::IfThenElseZero(which, force.x), hn::IfThenElseZero(which, force.y)},
+          hn::IfThenElseZero(which, moment)};
+}
+
+HWY_INLINE void add_friction(Sums& sums, const Plane& p, V factor, const Friction& f) {
+  const V fx = factor * f.force.x, fy = factor * f.force.y, mz = factor * f.moment;
+  const V3 force = {hn::MulAdd(fx, p.e1.x, fy * p.e2.x), hn::MulAdd(fx, p.e1.y, fy * p.e2.y),
+                    hn::MulAdd(fx, p.e1.z, fy * p.e2.z)};
+  add(sums, kViscousDrag, force);
+  const V3 arm = cross(p.c, force);
+  add(sums, kViscousDrag + 3,
+      V3{hn::MulAdd(mz, p.n.x, arm.x), hn::MulAdd(mz, p.n.y, arm.y), hn::MulAdd(mz, p.n.z, arm.z)});
+}
+
+/// Hands lanes to the plain version.
+HWY_NOINLINE void add_lane_by_lane(Sums& sums, const Immersion& in, const Sliding& s, M which) {
+  const D d;
+  PlainPanels panels;
+  const Plane& p = s.plane;
+  const auto corner = [&](const V2& r, double(&to)[3][kMostLanes]) HWY_ATTR {
+    hn::Store(hn::MulAdd(p.e1.x, r.x, hn::MulAdd(p.e2.x, r.y, p.c.x)), d, to[0]);
+    hn::Store(hn::MulAdd(p.e1.y, r.x, hn::MulAdd(p.e2.y, r.y, p.c.y)), d, to[1]);
+    hn::Store(hn::MulAdd(p.e1.z, r.x, hn::MulAdd(p.e2.z, r.y, p.c.z)), d, to[2]);
+  };
+  corner(s.t.a, panels.r[0]);
+  corner(s.t.b, panels.r[1]);
+  corner(s.t.c, panels.r[2]);
+  hn::Store(s.plane.n.x, d, panels.n[0]);
+  hn::Store(s.plane.n.y, d, panels.n[1]);
+  hn::Store(s.plane.n.z, d, panels.n[2]);
+  hn::Store(hn::IfThenElseZero(which, all(1)), d, panels.counts);
+  add_plain_viscous(in, panels, static_cast<int>(hn::Lanes(d)), sums);
+}
+
+/// Viscous drag on triangles that are wet all over.
+HWY_NOINLINE void add_viscous(Sums& sums, const Immersion& in, const Sliding& s) {
+  const D d;
+  const ViscousDrag& law = *in.viscous;
+  const bool thesis = law.law == ViscousDrag::Law::thesis;
+  const bool ittc = law.law == ViscousDrag::Law::ittc57;
+  const V2 centre = centre_of(s.t);
+  const auto distance2 = [&](const V2& r) HWY_ATTR {
+    const V x = r.x - centre.x, y = r.y - centre.y;
+    return hn::MulAdd(x, x, y * y);
+  };
+  const V size2 = highest({distance2(s.t.a), distance2(s.t.b), distance2(s.t.c)});
+  const V middle = length(velocity(s.flow, centre));
+  const V change = hn::Abs(s.flow.spin) * hn::Sqrt(size2);
+  const V low = hn::Max(zero(), middle - change), high = middle + change;
+  M counts = hn::And(s.area > zero(), high > zero());
+  if (thesis) counts = hn::And(counts, low < all(2));
+  if (hn::AllFalse(d, counts)) return;
+
+  const V first_kink = all(thesis ? 1 : ittc ? kLeastReynolds / law.reynolds_per_speed : -1);
+  const V last_kink = thesis ? all(2) : first_kink;
+  const M at_first = hn::And(low < first_kink, first_kink < high);
+  const M kink = hn::And(counts, hn::Or(at_first, hn::And(low < last_kink, last_kink < high)));
+  const M smooth = hn::AndNot(kink, hn::And(counts, change <= all(kSmooth) * low));
+  const M flat = hn::And(smooth, change <= all(kFlat) * low);
+  const M straight = hn::And(kink, change <= all(kStraight) * low);
+  M linear = hn::AndNot(hn::Or(kink, smooth), counts);
+  if (ittc) linear = hn::And(linear, high <= first_kink);
+
+  Friction sum{{zero(), zero()}, zero()};
+  const auto only = [&](M which) HWY_ATTR { return hn::IfThenElseZero(which, s.area); };
+  if (hn::AllTrue(d, hn::Or(flat, hn::Not(smooth))))
+    sum = three_points({s.plane, s.flow, s.t, only(flat)}, law);
+  else
+    sum = seven_points({s.plane, s.flow, s.t, only(smooth)}, law);
+  if (!hn::AllFalse(d, straight)) {
+    const V at = hn::IfThenElse(at_first, first_kink, last_kink);
+    sum = sum + cut_at_kink({s.plane, s.flow, s.t, only(straight)}, law, at);
+  }
+  if (!hn::AllFalse(d, linear)) sum = sum + about_pole(s, law, linear);
+  add_friction(sums, s.plane, all(-in.half_density), sum);
+  const M others = hn::AndNot(hn::Or(hn::Or(smooth, straight), linear), counts);
+  if (!hn::AllFalse(d, others)) add_lane_by_lane(sums, in, s, others);
+}
+
+}  // namespace hydro::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

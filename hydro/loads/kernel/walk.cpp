@@ -1,0 +1,195 @@
+#include "hydro/loads/kernel/walk.h"
+
+// A vector whose length is not known when compiling (SVE) cannot be a member of a struct; NEON can.
+// Of the steps between the units of x86-64 some are left out: they gain nothing here.
+#ifndef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hydro/loads/kernel/walk.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
+
+#include "hydro/loads/kernel/clusters-inl.h"
+#include "hydro/loads/kernel/faces-inl.h"
+#include "hydro/loads/kernel/local-inl.h"
+#include "hydro/loads/kernel/tree-inl.h"
+#include "hydro/loads/kernel/waves-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hydro::kernel::HWY_NAMESPACE {
+
+/// True if C_v is zero all over a branch: the thesis's law above 2 m/s. |v_t|² = |v|² − (v·n)².
+inline bool without_viscous_drag(const Node& node, const Immersion& in) {
+  if (!in.viscous) return true;
+  if (in.viscous->law != ViscousDrag::Law::thesis) return false;
+  const double* w = in.angular;
+  double speed2 = 0, reach2 = 0, turning2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double v = in.linear[i] + w[j] * node.centre[k] - w[k] * node.centre[j];
+    speed2 += v * v;
+    reach2 += node.half[i] * node.half[i];
+    turning2 += w[i] * w[i];
+  }
+  const double least = std::sqrt(speed2) - std::sqrt(turning2 * reach2);
+  const Range normal = normal_speed_range(node, in);
+  const double most_normal2 = std::max(normal.low * normal.low, normal.high * normal.high);
+  return least > 0 && least * least - most_normal2 >= 4;
+}
+
+/// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
+/// the sign of the motion.
+HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag) {
+  drag = 0;
+  if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
+  const Range normal = normal_speed_range(node, in);
+  drag = normal.high > 0 ? in.drag_front : -in.drag_back;
+  return normal.low >= 0 || normal.high <= 0;
+}
+
+/// Adds the viscous drag of a node that is wet all over if it is none, or its points give it.
+HWY_INLINE bool add_viscous_whole(Work& work, const Tree& tree, int node) {
+  const auto i = static_cast<std::size_t>(node);
+  if (without_viscous_drag(tree.nodes[i], work.in)) return true;
+  return work.in.viscous_error > 0 && !tree.clusters.empty() &&
+         add_cluster(tree.clusters[i], work.in, work.sums);
+}
+
+/// Adds the viscous drag of a branch that is wet all over.
+HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch) {
+  const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
+  for (int i = branch; i < end;) {
+    const Node& node = tree.nodes[static_cast<std::size_t>(i)];
+    if (add_viscous_whole(work, tree, i)) {
+      i = node.next;
+    } else {
+      if (node.leaf()) add_viscous_of_leaf(work, node.first);
+      ++i;
+    }
+  }
+}
+
+/// Adds the buoyancy of a branch that is wet all over and that the surface does not bend over.
+HWY_NOINLINE void add_buoyancy_of_branch(Work& work, Factors& factors, const Tree& tree,
+                                         int branch) {
+  const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
+  for (int i = branch; i < end;) {
+    const Node& node = tree.nodes[static_cast<std::size_t>(i)];
+    const bool whole = set_local_depth(node, work.in, factors.depth);
+    if (whole) add_branch_buoyancy(node, factors, work.in, work.sums);
+    if (!whole && node.leaf()) add_buoyancy_of_leaf(work, node);
+    i = whole ? node.next : i + 1;
+  }
+}
+
+/// Takes a wet branch whole if it can be.
+HWY_INLINE bool take_whole(Work& work, Factors& factors, const Tree& tree, int branch) {
+  const Immersion& in = work.in;
+  const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
+  double drag;
+  if (!of_one_sign(node, in, drag)) return false;
+  if (!in.surface || set_local_depth(node, in, factors.depth)) {
+    add_branch_buoyancy(node, factors, in, work.sums);
+  } else {
+    if (in.surface->bends) return false;
+    // Cheaper than to ask each branch of it for the sign of its motion, too.
+    add_buoyancy_of_branch(work, factors, tree, branch);
+  }
+  add_branch_motion(node, factors, in, drag, work.sums);
+  if (in.moving && in.viscous) add_viscous_of_branch(work, tree, branch);
+  return true;
+}
+
+/// What is known of a branch and the waterline.
+enum class Wetness { dry, mixed, wet };
+
+HWY_INLINE Wetness wetness(const Node& node, const Immersion& in) {
+  if (in.wet) return Wetness::wet;
+  Range depth = depth_range(node, in);
+  if (in.surface && depth.high + in.surface->highest <= 0) return Wetness::dry;
+  if (in.surface && depth.low + in.surface->lowest >= 0) return Wetness::wet;
+  if (in.surface) {
+    const ElevationRange elevation = in.surface->is_grid()
+                                         ? grid_over(*in.surface, node.centre, node.half)
+                                         : waves_over(in.surface->waves, node.centre, node.half);
+    depth = {depth.low + elevation.low, depth.high + elevation.high};
+  }
+  if (depth.high <= 0) return Wetness::dry;
+  return depth.low >= 0 ? Wetness::wet : Wetness::mixed;
+}
+
+/// Goes through the nodes [node, end). Branches that fit in a chunk go to `chunks`, if it is there.
+HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* chunks) {
+  const Immersion& in = work.in;
+  Factors factors = factors_of(in);
+  while (node < end) {
+    const Node& here = tree.nodes[static_cast<std::size_t>(node)];
+    const bool asks = in.branches || here.leaf();
+    const Wetness wet = asks ? wetness(here, in) : Wetness::mixed;
+    if (wet == Wetness::dry) {
+      node = here.next;
+    } else if (in.branches && wet == Wetness::wet && take_whole(work, factors, tree, node)) {
+      node = here.next;
+    } else if (chunks && here.last - here.first <= tree.chunk_leaves) {
+      chunks->node[static_cast<std::size_t>(chunks->count++)] = node;
+      node = here.next;
+    } else {
+      Known known = {.wet = wet == Wetness::wet};
+      const bool uncut = known.wet && !(in.surface && in.surface->bends);
+      if (here.leaf() && in.branches && in.moving && uncut)
+        known.viscous = add_viscous_whole(work, tree, node);
+      if (here.leaf())
+        in.surface ? add_leaf_in_waves(work, here, known) : add_leaf(work, here.first, known);
+      ++node;
+    }
+  }
+}
+
+void sum_top_here(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums,
+                  Chunks& chunks) {
+  Work work{panels, in, sums, {}, {}};
+  walk(work, tree, 0, static_cast<int>(tree.nodes.size()), &chunks);
+}
+
+void sum_branch_here(const Panels& panels, const Tree& tree, const Immersion& in, int node,
+                     Sums& sums) {
+  Work work{panels, in, sums, {}, {}};
+  walk(work, tree, node, tree.nodes[static_cast<std::size_t>(node)].next, nullptr);
+  drain(work, true);
+}
+
+double wave_elevation_here(const WaveField& waves, const double* r) {
+  V sum = zero();
+  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D())))
+    sum = hn::MulAdd(row(waves, 0, i), hn::Cos(D(), phases(waves, r, i)), sum);
+  return total(sum);
+}
+
+}  // namespace hydro::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hydro::kernel {
+
+HWY_EXPORT(sum_top_here);
+HWY_EXPORT(sum_branch_here);
+HWY_EXPORT(wave_elevation_here);
+
+double wave_elevation(const WaveField& waves, const double* r) {
+  return HWY_DYNAMIC_DISPATCH(wave_elevation_here)(waves, r);
+}
+
+Chunks sum_top(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums) {
+  Chunks chunks;
+  HWY_DYNAMIC_DISPATCH(sum_top_here)(panels, tree, in, sums, chunks);
+  return chunks;
+}
+
+void sum_branch(const Panels& panels, const Tree& tree, const Immersion& in, int node, Sums& sums) {
+  HWY_DYNAMIC_DISPATCH(sum_branch_here)(panels, tree, in, node, sums);
+}
+
+}  // namespace hydro::kernel
+#endif

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/panels.h"
+#include "hydro/loads/kernel/tree.h"
+
+/// @file
+/// The kernel: the walk through a hull's tree that adds up its loads, by the best vector unit that
+/// the processor has. It is done in two parts, so that several threads can share the second: what
+/// the walk adds and which branches it leaves depends on the hull and the water alone.
+
+namespace hydro::kernel {
+
+/// Branches that still have to be looked into: each is one piece of work.
+struct Chunks {
+  std::array<int, kMostChunks> node;
+  int count = 0;
+};
+
+/// Adds the loads on branches that can be taken whole near the root, and lists the others.
+Chunks sum_top(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums);
+
+/// Adds the loads on one branch.
+void sum_branch(const Panels& panels, const Tree& tree, const Immersion& in, int node, Sums& sums);
+
+}  // namespace hydro::kernel

@@ -1,0 +1,96 @@
+#include "hydro/loads/load_jacobian.h"
+
+#include <algorithm>
+
+#include "hydro/loads/clip.h"
+#include "hydro/loads/refine.h"
+#include "hydro/loads/viscous_drag.h"
+
+namespace hydro {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What the sum over the panels needs.
+struct Motion {
+  const Coefficients& coefficients;
+  Twist twist;       ///< Relative to the water.
+  double scale = 1;  ///< Of the pressure drag, by its calibration.
+};
+
+/// Adds `weight` times b bᵀ, b being how a force along d at r counts: (d, r × d).
+void add_along(const Vector3d& d, const Vector3d& r, double weight, Matrix6d& sum) {
+  Vector6d b;
+  b << d, r.cross(d);
+  sum.noalias() += weight * b * b.transpose();
+}
+
+/// Adds the integrand of (2) with `weight` for −½ρ C_v: 1 − n nᵀ + t tᵀ = 2 t tᵀ + s sᵀ, s = n × t.
+void add_friction(const Vector3d& r, const Vector3d& n, const Vector3d& v_t, double weight,
+                  Matrix6d& sum) {
+  const double speed = v_t.norm();
+  if (speed == 0) return;
+  const Vector3d t = v_t / speed;
+  add_along(t, r, 2 * speed * weight, sum);
+  add_along(n.cross(t), r, speed * weight, sum);
+}
+
+/// Adds (1), (2) per ρ and (3) per ρ g of a wet panel.
+void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
+  const Vector3d a = area_vector(panel);
+  const double area = a.norm();
+  if (area == 0) return;
+  const Vector3d n = a / area;
+  const PressureDrag& drag = motion.coefficients.pressure_drag;
+  const ViscousDrag& law = motion.coefficients.viscous_drag;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d r = (panel[i] + panel[(i + 1) % 3]) / 2;
+    const Vector3d v = motion.twist.at(r);
+    const double v_n = v.dot(n);
+    const double C_p = motion.scale * (v_n > 0 ? drag.front : drag.back);
+    add_along(n, r, -area / 3 * C_p * std::abs(v_n), sum.drag);
+    if (!law.none()) {
+      const Vector3d v_t = v - v_n * n;
+      add_friction(r, n, v_t, -area / 6 * viscous_coefficient(law, v_t.norm()), sum.drag);
+    }
+    add_along(Vector3d::UnitZ(), r, a.z() / 3, sum.waterplane);
+  }
+}
+
+}  // namespace
+
+LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                           const Coefficients& coefficients) {
+  const Motion motion{.coefficients = coefficients,
+                      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
+                      .scale = drag_scale(coefficients, state, sea.current)};
+  const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
+  const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * hull.radius);
+  const double level = sea.level - state.position.z();
+  const SurfaceBounds bounds = surface_bounds(sea);
+  const double always_wet = bounds.lowest - state.position.z();
+  const double always_dry = bounds.highest - state.position.z();
+  LoadJacobian sum;
+  const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
+    const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
+    const Vector3d depth = (elevation - z).array() + level;
+    for (const PanelPart& wet : positive_part(piece, depth)) add_panel(motion, wet.panel, sum);
+  };
+  for (const auto& face : hull.mesh_B.faces.colwise()) {
+    const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
+    const auto [low, high] = std::minmax({panel[0].z(), panel[1].z(), panel[2].z()});
+    if (low >= always_dry) continue;
+    if (high <= always_wet) {
+      add_panel(motion, panel, sum);
+      continue;
+    }
+    const Vector3d elevation(surface.elevation(panel[0]), surface.elevation(panel[1]),
+                             surface.elevation(panel[2]));
+    for_each_linear_piece(panel, elevation, surface, add_piece);
+  }
+  sum.drag *= sea.density;
+  sum.waterplane *= coefficients.buoyancy ? sea.density * sea.gravity : 0;
+  return sum;
+}
+
+}  // namespace hydro

@@ -1,0 +1,165 @@
+#include "hydro/loads/loads.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "hydro/loads/kernel/surface.h"
+#include "hydro/loads/kernel/walk.h"
+#include "hydro/loads/viscous_drag.h"
+#include "hydro/parallel.h"
+
+namespace hydro {
+namespace {
+
+/// Motion slower than this has no drag: its square would be a denormal number, slow to work with.
+constexpr double kLeastSpeed = 1e-120;
+
+/// Volume over area [m]: an error of the elevation that is the same part of it makes an error of
+/// the force that is that part of the buoyancy at most.
+double size_of(const Hull& hull) {
+  const auto& moment = hull.tree.nodes[0].moment;
+  return moment[kernel::kPlace + 2][2] / moment[kernel::kOne][kernel::kAreaLane];
+}
+
+/// A hull that dips less deep than this part of its radius is dry: roundings are as large.
+constexpr double kLeastDip = 1e-13;
+
+/// True if no point of the hull's box is below the highest water.
+bool all_dry(const Hull& hull, const kernel::Immersion& in, double highest_elevation) {
+  const kernel::Node& root = hull.tree.nodes[0];
+  double deepest = in.below + highest_elevation;
+  for (int axis = 0; axis < 3; ++axis)
+    deepest += std::abs(in.up[axis]) * root.half[axis] - in.up[axis] * root.centre[axis];
+  return deepest <= kLeastDip * hull.radius;
+}
+
+void set(double (&to)[3], const Eigen::Vector3d& v) {
+  for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
+}
+
+/// The largest C_v v² up to a speed [m^2/s^2].
+double most_traction(const ViscousDrag& law, double fastest) {
+  // That of the thesis, 0.2 v² − 0.1 v³ from 1 m/s on, is largest at 4/3 m/s; others grow.
+  const double at = law.law == ViscousDrag::Law::thesis ? std::min(fastest, 4.0 / 3) : fastest;
+  return viscous_coefficient(law, at) * at * at;
+}
+
+void set_motion(const Hull& hull, const Twist& motion_B, double density,
+                const Coefficients& coefficients, double tolerance, kernel::Immersion& in) {
+  set(in.linear, motion_B.linear);
+  set(in.angular, motion_B.angular);
+  in.moving = motion_B.linear.norm() + hull.radius * motion_B.angular.norm() > kLeastSpeed;
+  in.half_density = 0.5 * density;
+  in.drag_front = in.half_density * coefficients.pressure_drag.front;
+  in.drag_back = in.half_density * coefficients.pressure_drag.back;
+  in.lift = in.half_density * coefficients.lift;
+  in.radius = hull.radius;
+  if (coefficients.viscous_drag.none()) return;
+  in.viscous = &coefficients.viscous_drag;
+  const double fastest = motion_B.linear.norm() + hull.radius * motion_B.angular.norm();
+  in.viscous_error = tolerance * most_traction(coefficients.viscous_drag, fastest);
+}
+
+Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) {
+  const auto vector = [&](int from) {
+    return Eigen::Vector3d(sums.total(from), sums.total(from + 1), sums.total(from + 2));
+  };
+  return {R_WB * vector(which), R_WB * vector(which + 3)};
+}
+
+/// From how many leaves on several threads share a body: below they take longer to wake than to
+/// work. With whole branches and no viscous drag few leaves are looked into.
+int shared_from(const kernel::Immersion& in) {
+  return in.branches && !in.surface && !(in.moving && in.viscous) ? 8192 : 256;
+}
+
+/// The sum over all faces. Chunks are added in their order, whichever thread made them.
+kernel::Sums sum_hull(const Hull& hull, const kernel::Immersion& in) {
+  kernel::Sums sums;
+  const bool shared = static_cast<int>(hull.panels.leaves.size()) >= shared_from(in);
+  if (!shared) {
+    kernel::sum_branch(hull.panels, hull.tree, in, 0, sums);
+    return sums;
+  }
+  const kernel::Chunks chunks = kernel::sum_top(hull.panels, hull.tree, in, sums);
+  std::array<std::array<double, kernel::kSums>, kernel::kMostChunks> parts;
+  const auto work = [&](std::size_t i) {
+    kernel::Sums part;
+    kernel::sum_branch(hull.panels, hull.tree, in, chunks.node[i], part);
+    for (int k = 0; k < kernel::kSums; ++k) parts[i][k] = part.total(k);
+  };
+  const auto count = static_cast<std::size_t>(chunks.count);
+  parallel_for(count, work);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int k = 0; k < kernel::kSums; ++k) sums.lane[k][0] += parts[i][k];
+  return sums;
+}
+
+}  // namespace
+
+Loads& Loads::operator+=(const Loads& other) {
+  buoyancy += other.buoyancy;
+  pressure_drag += other.pressure_drag;
+  viscous_drag += other.viscous_drag;
+  lift += other.lift;
+  wetted_area += other.wetted_area;
+  displaced_volume += other.displaced_volume;
+  return *this;
+}
+
+Hull make_hull(TriMesh mesh_B, bool clusters) {
+  Hull hull{.mesh_B = std::move(mesh_B)};
+  if (hull.mesh_B.vertex_count() > 0)
+    hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
+  hull.panels = kernel::make_panels(hull.mesh_B);
+  hull.tree = kernel::make_tree(hull.panels);
+  if (clusters) hull.tree.clusters = kernel::make_clusters(hull.panels, hull.tree.nodes);
+  return hull;
+}
+
+double drag_scale(const Coefficients& coefficients, const BodyState& state,
+                  const Eigen::Vector3d& current) {
+  if (!coefficients.calibration) return 1;
+  const Eigen::Quaterniond to_body = state.orientation.conjugate();
+  return drag_factor(*coefficients.calibration, {to_body * (state.linear_velocity - current),
+                                                 to_body * state.angular_velocity});
+}
+
+Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                    const Coefficients& coefficients, const Summation& how) {
+  const SurfaceBounds bounds = surface_bounds(sea);
+  if (state.position.z() - hull.radius >= bounds.highest || hull.tree.nodes.empty()) return {};
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  kernel::Immersion in;
+  // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
+  // then taken from the level of the centre of mass, so that a deep body loses no digits.
+  in.wet = state.position.z() + hull.radius < bounds.lowest;
+  in.below = in.wet ? 0 : sea.level - state.position.z();
+  in.branches = how.branches;
+  set(in.up, R_WB.row(2));
+  if (!in.wet && all_dry(hull, in, bounds.highest - sea.level)) return {};
+  set_motion(hull,
+             {R_WB.transpose() * (state.linear_velocity - sea.current),
+              R_WB.transpose() * state.angular_velocity},
+             sea.density, coefficients, how.wave_tolerance, in);
+  std::optional<kernel::Surface> surface;
+  if (!is_flat(sea)) {
+    surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);
+    in.surface = &*surface;
+    in.wave_error = how.wave_tolerance * size_of(hull);
+  }
+  const kernel::Sums sums = sum_hull(hull, in);
+  Loads loads{.buoyancy = wrench(sums, kernel::kBuoyancy, R_WB),
+              .pressure_drag = wrench(sums, kernel::kPressureDrag, R_WB),
+              .viscous_drag = wrench(sums, kernel::kViscousDrag, R_WB),
+              .lift = wrench(sums, kernel::kLift, R_WB),
+              .wetted_area = sums.total(kernel::kArea)};
+  loads.displaced_volume = loads.buoyancy.force.z();
+  loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
+  loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
+  return loads;
+}
+
+}  // namespace hydro

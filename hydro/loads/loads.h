@@ -1,0 +1,69 @@
+#pragma once
+
+#include "hydro/loads/coefficients.h"
+#include "hydro/loads/kernel/panels.h"
+#include "hydro/loads/kernel/tree.h"
+#include "hydro/mesh/mesh.h"
+#include "hydro/sea.h"
+#include "hydro/spatial.h"
+
+/// @file
+/// The load of the water on a body: the sum over its wetted triangles.
+
+namespace hydro {
+
+/// A body's wetted skin, as the water sees it. Constant.
+struct Hull {
+  TriMesh mesh_B;     ///< Closed, outward; in B, its origin the centre of mass.
+  double radius = 0;  ///< Of the smallest sphere about the centre of mass that holds the mesh [m].
+  kernel::Panels panels;  ///< The mesh as the kernel reads it.
+  kernel::Tree tree;
+};
+
+/// Builds a hull from a closed mesh in B.
+/// @param clusters   With what gives the viscous drag of large hulls sooner (kernel/clusters.h),
+///                   which takes some 8 µs a triangle to make.
+Hull make_hull(TriMesh mesh_B, bool clusters = true);
+
+/// Loads by kind, moments about the centre of mass, in W; the sum is what the water does.
+struct Loads {
+  Wrench buoyancy;
+  Wrench pressure_drag;
+  Wrench viscous_drag;
+  Wrench lift;
+  double wetted_area = 0;       ///< [m^2]
+  double displaced_volume = 0;  ///< [m^3]; exact in still water.
+
+  Loads& operator+=(const Loads& other);
+  Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift; }
+};
+
+/// What the calibration of a body's drag multiplies it with in the given motion [-]; 1 without one.
+/// @param current   Velocity of the water [m/s].
+double drag_scale(const Coefficients& coefficients, const BodyState& state,
+                  const Eigen::Vector3d& current);
+
+/// How the sum over the panels is made.
+struct Summation {
+  /// Whole branches of the tree at once. On flat water the result is the same, but for viscous
+  /// drag.
+  bool branches = true;
+  /// In waves a branch is taken whole where the error in the force that this makes is bounded by
+  /// this part of the wholly submerged body's buoyancy [-]; and anywhere its viscous drag where the
+  /// error is bounded by this part of the largest that the body's skin could have: all of it under
+  /// the largest ½ρ C_v v² up to the speed |v| + |ω|·radius. That falls with the motion as the drag
+  /// itself does, so slow motions are damped as they should be, which a part of the buoyancy would
+  /// not ensure. Either is shared out by area. With 0 nothing of this is done.
+  double wave_tolerance = 1e-4;
+};
+
+/// The load on a hull in the given state of motion at a time.
+///
+/// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
+/// its largest component and, on hulls of many faces, `wave_tolerance`. In waves the surface is
+/// taken as linear over panels that are split until it departs from linear by less than a
+/// tolerance.
+Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                    const Coefficients& coefficients, const Summation& how = {});
+
+}  // namespace hydro

@@ -1,0 +1,52 @@
+#include "hydro/loads/panel_loads.h"
+
+#include <Eigen/Geometry>
+
+namespace hydro {
+namespace {
+
+/// Equation (2).
+Eigen::Vector3d product_weights(const Eigen::Matrix3d& q) {
+  Eigen::Vector3d w;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    w[i] = (3 * q(i, i) + q(j, j) + q(k, k) + 2 * (q(i, j) + q(i, k)) + q(j, k)) / 30;
+  }
+  return w;
+}
+
+/// The load −k ∫ q n dA of a normal traction, equation (3).
+Wrench normal_load(const Panel& panel, const Eigen::Vector3d& normal, const Eigen::Matrix3d& q,
+                   double k) {
+  const Eigen::Vector3d w = product_weights(q);
+  const Eigen::Vector3d weighted_r = w[0] * panel[0] + w[1] * panel[1] + w[2] * panel[2];
+  const Eigen::Vector3d traction = -k * area_vector(panel).norm() * normal;
+  return {.force = w.sum() * traction, .moment = weighted_r.cross(traction)};
+}
+
+}  // namespace
+
+Wrench pressure_load(const Panel& panel, const Eigen::Vector3d& pressure) {
+  const Eigen::Vector3d a = area_vector(panel);
+  const double sum = pressure.sum();
+  Eigen::Vector3d first_moment = Eigen::Vector3d::Zero();  // 12/A times the integral of p r
+  for (int i = 0; i < 3; ++i) first_moment += (sum + pressure[i]) * panel[i];
+  return {.force = -sum / 3 * a, .moment = -first_moment.cross(a) / 12};
+}
+
+Wrench pressure_drag_load(const Panel& panel, const Eigen::Vector3d& normal,
+                          const Eigen::Vector3d& normal_speed, double sign, double k) {
+  return normal_load(panel, normal, normal_speed * normal_speed.transpose(), sign * k);
+}
+
+Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion, double k) {
+  Eigen::Matrix3d tangential;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d v = motion.at(panel[i]);
+    tangential.col(i) = v - v.dot(normal) * normal;
+  }
+  return normal_load(panel, normal, tangential.transpose() * tangential, k);
+}
+
+}  // namespace hydro

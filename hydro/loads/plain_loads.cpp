@@ -1,0 +1,133 @@
+#include "hydro/loads/plain_loads.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "hydro/loads/clip.h"
+#include "hydro/loads/panel_loads.h"
+#include "hydro/loads/refine.h"
+#include "hydro/loads/viscous_drag.h"
+#include "hydro/parallel.h"
+
+namespace hydro {
+namespace {
+
+/// Faces summed as one piece of work. Pieces are added in their order, so the sum does not depend
+/// on the number of threads.
+constexpr Eigen::Index kFacesAPiece = 1024;
+
+/// Everything that the sum over the panels needs, with the vertices in W axes about the centre of
+/// mass.
+struct Immersion {
+  const Hull& hull;
+  const Sea& sea;
+  const Coefficients& coefficients;
+  SurfaceSampler surface;
+  Eigen::Matrix3Xd r;         ///< 3×V [m].
+  Eigen::VectorXd elevation;  ///< Of the surface over each vertex, above the level [m].
+  Twist motion;               ///< Relative to the water.
+  double level;               ///< Of the still water above the centre of mass [m].
+  bool moving;                ///< Relative to the water.
+};
+
+Immersion immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                  const Coefficients& coefficients) {
+  Immersion in{.hull = hull,
+               .sea = sea,
+               .coefficients = coefficients,
+               .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
+               .r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices,
+               .elevation = Eigen::VectorXd::Zero(hull.mesh_B.vertex_count()),
+               .motion = {state.linear_velocity - sea.current, state.angular_velocity},
+               .level = sea.level - state.position.z(),
+               .moving = false};
+  in.moving = !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
+  if (in.surface.flat()) return in;
+  parallel_for(static_cast<std::size_t>(in.r.cols()),
+               [&](std::size_t i) { in.elevation[i] = in.surface.elevation(in.r.col(i)); });
+  return in;
+}
+
+/// Drag and lift on a wet panel of the given unit normal.
+void add_motion_loads(const Immersion& in, const Panel& panel, const Eigen::Vector3d& normal,
+                      Loads& loads) {
+  const double half_density = 0.5 * in.sea.density;
+  const PressureDrag& drag = in.coefficients.pressure_drag;
+  if (!drag.none()) {
+    Eigen::Vector3d normal_speed;
+    for (int i = 0; i < 3; ++i) normal_speed[i] = in.motion.at(panel[i]).dot(normal);
+    for (const PanelPart& front : positive_part(panel, normal_speed))
+      loads.pressure_drag +=
+          pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
+    for (const PanelPart& back : positive_part(panel, -normal_speed))
+      loads.pressure_drag +=
+          pressure_drag_load(back.panel, normal, back.value, -1, half_density * drag.back);
+  }
+  if (in.coefficients.lift != 0)
+    loads.lift += lift_load(panel, normal, in.motion, half_density * in.coefficients.lift);
+  if (!in.coefficients.viscous_drag.none())
+    loads.viscous_drag +=
+        viscous_drag_load(panel, normal, in.motion, in.coefficients.viscous_drag, half_density);
+}
+
+/// All loads on a wet panel with the given depths at its vertices.
+void add_wet_panel(const Immersion& in, const Panel& panel, const Eigen::Vector3d& depth,
+                   const Eigen::Vector3d& normal, Loads& loads) {
+  const Wrench depth_load = pressure_load(panel, depth);
+  loads.buoyancy += depth_load;
+  loads.displaced_volume += depth_load.force.z();
+  loads.wetted_area += area_vector(panel).norm();
+  if (in.moving) add_motion_loads(in, panel, normal, loads);
+}
+
+/// One face, split where the surface bends over it and cut at the waterline. `below` is what the
+/// depth of a point at z = 0 over flat water is taken as.
+void add_face(const Immersion& in, Eigen::Index face, double below, bool all_wet, Loads& loads) {
+  const auto vertex = in.hull.mesh_B.faces.col(face);
+  const Panel panel = {in.r.col(vertex[0]), in.r.col(vertex[1]), in.r.col(vertex[2])};
+  const Eigen::Vector3d elevation(in.elevation[vertex[0]], in.elevation[vertex[1]],
+                                  in.elevation[vertex[2]]);
+  const Eigen::Vector3d normal = area_vector(panel).normalized();
+  const auto add_piece = [&](const Panel& piece, const Eigen::Vector3d& piece_elevation) {
+    Eigen::Vector3d depth;
+    for (int i = 0; i < 3; ++i) depth[i] = below + (piece_elevation[i] - piece[i].z());
+    if (all_wet) return add_wet_panel(in, piece, depth, normal, loads);
+    for (const PanelPart& wet : positive_part(piece, depth))
+      add_wet_panel(in, wet.panel, wet.value, normal, loads);
+  };
+  for_each_linear_piece(panel, elevation, in.surface, add_piece);
+}
+
+/// The sum over all faces, piece by piece.
+Loads sum_faces(const Immersion& in, double below, bool all_wet) {
+  const Eigen::Index faces = in.hull.mesh_B.face_count();
+  std::vector<Loads> pieces((faces + kFacesAPiece - 1) / kFacesAPiece);
+  parallel_for(pieces.size(), [&](std::size_t piece) {
+    const Eigen::Index begin = static_cast<Eigen::Index>(piece) * kFacesAPiece;
+    const Eigen::Index end = std::min(begin + kFacesAPiece, faces);
+    for (Eigen::Index face = begin; face < end; ++face)
+      add_face(in, face, below, all_wet, pieces[piece]);
+  });
+  Loads sum;
+  for (const Loads& piece : pieces) sum += piece;
+  return sum;
+}
+
+}  // namespace
+
+Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                  const Coefficients& coefficients) {
+  const SurfaceBounds bounds = surface_bounds(sea);
+  if (state.position.z() - hull.radius >= bounds.highest) return {};
+  const Immersion in = immerse(hull, state, sea, time, coefficients);
+  if (in.r.row(2).minCoeff() + state.position.z() >= bounds.highest) return {};
+  // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
+  // then taken from the level of the centre of mass, so that a deep body loses no digits.
+  const bool all_wet = in.r.row(2).maxCoeff() + state.position.z() < bounds.lowest;
+  Loads loads = sum_faces(in, all_wet ? 0 : in.level, all_wet);
+  loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
+  loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
+  return loads;
+}
+
+}  // namespace hydro

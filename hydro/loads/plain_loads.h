@@ -1,0 +1,16 @@
+#pragma once
+
+#include "hydro/loads/loads.h"
+
+/// @file
+/// The loads, panel by panel, as the equations are written: what the kernel is held against.
+
+namespace hydro {
+
+/// The same as `compute_loads` by the shortest way in the code: each face is split where the
+/// surface bends over it, cut at the waterline and at v·n = 0, and summed by the functions of
+/// `panel_loads.h` and `viscous_drag.h`. Some twenty times slower than the kernel.
+Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                  const Coefficients& coefficients);
+
+}  // namespace hydro

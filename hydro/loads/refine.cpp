@@ -1,0 +1,78 @@
+#include "hydro/loads/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hydro {
+SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time,
+                               double smallest)
+    : sea_(sea),
+      p_WB_(p_WB),
+      time_(time),
+      smallest_squared_(smallest * smallest),
+      flat_(is_flat(sea)) {
+  if (const auto* waves = std::get_if<WaveSurface>(&sea.surface)) {
+    double variance = 0;
+    for (const WaveComponent& w : waves->components) {
+      const double energy = w.amplitude * w.amplitude / 2;
+      const double xx = w.kx * w.kx;
+      const double yy = w.ky * w.ky;
+      variance += energy;
+      quartic_[0] += energy * xx * xx;
+      quartic_[1] += energy * 4 * xx * w.kx * w.ky;
+      quartic_[2] += energy * 6 * xx * yy;
+      quartic_[3] += energy * 4 * w.kx * w.ky * yy;
+      quartic_[4] += energy * yy * yy;
+    }
+    tolerance_ = kSagTolerance * std::sqrt(variance);
+  } else if (const auto* field = std::get_if<HeightField>(&sea.surface)) {
+    tolerance_ = kSagTolerance * field->deviation;
+  }
+}
+
+/// Half way along a step the chord of a wave a·cos lies a (k·d)²/8 off its crest; the quartic is
+/// that for all components together, squared and averaged over their phases.
+bool SurfaceSampler::waves_bend(double dx, double dy) const {
+  const double square = quartic_[0] * dx * dx * dx * dx + quartic_[1] * dx * dx * dx * dy +
+                        quartic_[2] * dx * dx * dy * dy + quartic_[3] * dx * dy * dy * dy +
+                        quartic_[4] * dy * dy * dy * dy;
+  return square > 64 * tolerance_ * tolerance_;
+}
+
+bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+  if (flat_) return false;
+  const double dx = b.x() - a.x();
+  const double dy = b.y() - a.y();
+  const double squared = dx * dx + dy * dy;
+  if (squared <= smallest_squared_) return false;
+  if (const auto* field = std::get_if<HeightField>(&sea_.surface)) return grid_bends(*field, a, b);
+  return waves_bend(dx, dy);
+}
+
+bool SurfaceSampler::may_bend(double length) const {
+  if (flat_ || length * length <= smallest_squared_) return false;
+  if (const auto* field = std::get_if<HeightField>(&sea_.surface)) {
+    const double cells = length / field->cell;
+    // A shorter edge bends less, but up to one cell the bound is the weaker one.
+    return cells * cells * field->bend > 8 * tolerance_ ||
+           std::min(cells, 1.0) * field->bend > 4 * tolerance_;
+  }
+  // (k·d)⁴ is |k|⁴|d|⁴ at most: the quartic's coefficients hold Σ ½a²|k|⁴.
+  const double fourth = quartic_[0] + quartic_[2] / 3 + quartic_[4];
+  return fourth * std::pow(length, 4) > 64 * tolerance_ * tolerance_;
+}
+
+/// Over n > 1 cells second differences up to `bend` add to a sag of n² bend / 8; within a cell or
+/// two there is one kink at most, which gives n bend / 4. Only where such a bound is too large is
+/// the surface itself looked at, and only for steps that cannot hide anything between their ends
+/// and their middle.
+bool SurfaceSampler::grid_bends(const HeightField& field, const Eigen::Vector3d& a,
+                                const Eigen::Vector3d& b) const {
+  const double cells = (b - a).head<2>().norm() / field.cell;
+  if (cells > 1) return cells * cells * field.bend > 8 * tolerance_;
+  if (cells * field.bend <= 4 * tolerance_) return false;
+  const double sag = elevation(0.5 * (a + b)) - 0.5 * (elevation(a) + elevation(b));
+  return std::abs(sag) > tolerance_;
+}
+
+}  // namespace hydro

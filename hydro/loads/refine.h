@@ -1,0 +1,112 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <utility>
+
+#include "hydro/loads/clip.h"
+#include "hydro/sea.h"
+
+/// @file
+/// Splitting of panels on which the water surface is not linear.
+///
+/// Depth is taken as linear over a panel. On a large panel in short waves that is wrong, so its
+/// edges are halved until the surface departs from linear along each by less than a tolerance.
+/// Whether an edge is halved depends on that edge alone: neighbours agree and no cracks open, down
+/// to slivers of less than `smallest`² that are left as they are.
+
+namespace hydro {
+
+/// Loads split no panel to edges shorter than this part of the body's radius [-]. Smaller costs
+/// more in a rough sea, larger loses waves of a few such lengths.
+inline constexpr double kSmallestPanel = 1.0 / 256;
+
+/// The water surface as seen from a body: elevations over points relative to its centre of mass.
+class SurfaceSampler {
+ public:
+  /// @param smallest   Edges shorter than this are never halved [m], > 0: it bounds the work.
+  SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time, double smallest);
+
+  /// Height of the surface over `r` above the still water level [m].
+  double elevation(const Eigen::Vector3d& r) const {
+    return flat_ ? 0 : surface_elevation(sea_, p_WB_.x() + r.x(), p_WB_.y() + r.y(), time_);
+  }
+
+  /// True if the surface departs from linear between two points by more than the tolerance, which
+  /// is kSagTolerance of the surface's standard deviation.
+  bool bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
+  /// False if no edge of the given length bends [m].
+  bool may_bend(double length) const;
+
+  bool flat() const { return flat_; }
+
+  /// True if a panel has less than smallest² of area: it is not worth splitting.
+  bool is_small(const Panel& panel) const {
+    return area_vector(panel).squaredNorm() < smallest_squared_ * smallest_squared_;
+  }
+
+ private:
+  bool waves_bend(double dx, double dy) const;
+  bool grid_bends(const HeightField& field, const Eigen::Vector3d& a,
+                  const Eigen::Vector3d& b) const;
+
+  const Sea& sea_;
+  Eigen::Vector3d p_WB_;
+  double time_;
+  double smallest_squared_;
+  bool flat_;
+  /// Waves: the mean square over their phases of the surface's second difference over a step (dx,
+  /// dy) is the quartic Σ_j quartic_[j] dx^(4−j) dy^j.
+  std::array<double, 5> quartic_ = {};
+  double tolerance_ = 0;  ///< [m]
+};
+
+/// Largest departure of the surface from linear along a panel's edge, as a part of the surface's
+/// standard deviation [-]. The error of the wave's part of a load is about two thirds of it.
+inline constexpr double kSagTolerance = 5e-3;
+
+/// Splits a panel until the surface is linear over each piece, within the tolerance.
+///
+/// @param elevation   Of the surface over the three vertices [m].
+/// @param skips       skips(piece): true for a piece that is of no interest, nor any part of it.
+/// @param visit       Called as visit(piece, elevation) for each piece.
+/// @param surface     A SurfaceSampler, or what has its functions.
+template <class Sampler, class Skips, class Visit>
+void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
+                           const Sampler& surface, Skips&& skips, Visit&& visit) {
+  if (skips(panel)) return;
+  int longest = -1;
+  double length_squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d& a = panel[i];
+    const Eigen::Vector3d& b = panel[(i + 1) % 3];
+    const double squared = (b - a).squaredNorm();
+    if (squared <= length_squared || !surface.bends_between(a, b)) continue;
+    longest = i;
+    length_squared = squared;
+  }
+  if (longest < 0 || surface.is_small(panel)) {
+    visit(panel, elevation);
+    return;
+  }
+  const int i = longest;
+  const int j = (i + 1) % 3;
+  const int k = (i + 2) % 3;
+  const Eigen::Vector3d middle = 0.5 * (panel[i] + panel[j]);
+  const double height = surface.elevation(middle);
+  for_each_linear_piece({panel[i], middle, panel[k]}, {elevation[i], height, elevation[k]}, surface,
+                        skips, visit);
+  for_each_linear_piece({middle, panel[j], panel[k]}, {height, elevation[j], elevation[k]}, surface,
+                        skips, visit);
+}
+
+/// The same for all pieces.
+template <class Visit>
+void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
+                           const SurfaceSampler& surface, Visit&& visit) {
+  for_each_linear_piece(
+      panel, elevation, surface, [](const Panel&) { return false; }, visit);
+}
+
+}  // namespace hydro

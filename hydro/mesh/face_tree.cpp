@@ -1,0 +1,154 @@
+#include "hydro/mesh/face_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace hydro {
+namespace {
+
+constexpr int kLeafFaces = 4;
+constexpr int kDepth = 64;  // halving 2^31 faces needs 31 levels
+
+Eigen::AlignedBox3d face_box(const TriMesh& mesh, int face) {
+  Eigen::AlignedBox3d box;
+  for (const int v : mesh.faces.col(face)) box.extend(mesh.vertices.col(v));
+  return box;
+}
+
+/// The lower 16 bits of n with two zeros between neighbours.
+std::uint64_t spread(std::uint64_t n) {
+  n = (n | n << 16) & 0x0000FF0000FF;
+  n = (n | n << 8) & 0x00F00F00F00F;
+  n = (n | n << 4) & 0x0C30C30C30C3;
+  return (n | n << 2) & 0x249249249249;
+}
+
+/// Place of a point on the Z-order curve through a box of 2^16 cells a side.
+std::uint64_t curve_place(const Eigen::Vector3d& p, const Eigen::AlignedBox3d& box, double cell) {
+  std::uint64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    place |= spread(static_cast<std::uint64_t>((p[axis] - box.min()[axis]) / cell)) << axis;
+  return place;
+}
+
+std::vector<int> curve_order(const TriMesh& mesh) {
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
+  const double extent = std::max(box.sizes().maxCoeff(), 1e-300);
+  std::vector<std::pair<std::uint64_t, int>> places;
+  places.reserve(static_cast<std::size_t>(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f)
+    places.emplace_back(curve_place(face_box(mesh, f).center(), box, extent / 65535), f);
+  std::sort(places.begin(), places.end());
+  std::vector<int> order;
+  order.reserve(places.size());
+  for (const auto& [place, face] : places) order.push_back(face);
+  return order;
+}
+
+/// The ray's part with parameter >= 0 passes the box.
+bool meets(const Eigen::AlignedBox3d& box, const Eigen::Array3d& start,
+           const Eigen::Array3d& inverse_direction) {
+  const Eigen::Array3d a = (box.min().array() - start) * inverse_direction;
+  const Eigen::Array3d b = (box.max().array() - start) * inverse_direction;
+  return a.max(b).minCoeff() >= std::max(a.min(b).maxCoeff(), 0.0);
+}
+
+/// Möller and Trumbore, Fast, minimum storage ray-triangle intersection (1997).
+bool crosses(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
+             const Eigen::Matrix3d& corners) {
+  const Eigen::Vector3d e1 = corners.col(1) - corners.col(0);
+  const Eigen::Vector3d e2 = corners.col(2) - corners.col(0);
+  const Eigen::Vector3d p = direction.cross(e2);
+  const double determinant = e1.dot(p);
+  if (determinant == 0) return false;
+  const Eigen::Vector3d to_start = start - corners.col(0);
+  const Eigen::Vector3d q = to_start.cross(e1);
+  const double u = to_start.dot(p) / determinant, v = direction.dot(q) / determinant;
+  return u >= 0 && v >= 0 && u + v <= 1 && e2.dot(q) / determinant > 0;
+}
+
+}  // namespace
+
+FaceTree::FaceTree(const TriMesh& mesh) : mesh_(mesh), order_(curve_order(mesh)) {
+  boxes_.reserve(order_.size());
+  for (const int face : order_) boxes_.push_back(face_box(mesh, face));
+  nodes_.reserve(order_.size());
+  if (!order_.empty()) build(0, static_cast<int>(order_.size()));
+}
+
+int FaceTree::build(int first, int last) {
+  const int index = static_cast<int>(nodes_.size());
+  nodes_.push_back({{}, first, last});
+  Eigen::AlignedBox3d box;
+  if (last - first <= kLeafFaces) {
+    for (int i = first; i < last; ++i) box.extend(boxes_[i]);
+    leaves_.push_back(index);
+  } else {
+    const int middle = first + (last - first) / 2;
+    box = nodes_[build(first, middle)].box;
+    const int right = build(middle, last);
+    box.extend(nodes_[right].box);
+    nodes_[index].right = right;
+  }
+  nodes_[index].box = box;
+  return index;
+}
+
+bool FaceTree::visit_faces(const Node& leaf, const Node& other, int& budget,
+                           const std::function<void(int, int)>& visit) const {
+  for (int i = leaf.first; i < leaf.last; ++i) {
+    for (int j = std::max(other.first, i + 1); j < other.last; ++j) {
+      if (!boxes_[i].intersects(boxes_[j])) continue;
+      if (budget-- == 0) return false;
+      visit(order_[i], order_[j]);
+    }
+  }
+  return true;
+}
+
+int FaceTree::most_pairs() const { return std::max(256, 50'000'000 / std::max(1, leaf_count())); }
+
+void FaceTree::visit_pairs(int leaf, const std::function<void(int, int)>& visit) const {
+  const Node& own = nodes_[leaves_[leaf]];
+  int budget = most_pairs();
+  int stack[kDepth] = {0}, size = 1;
+  while (size > 0) {
+    const int index = stack[--size];
+    const Node& node = nodes_[index];
+    if (node.last <= own.first || !node.box.intersects(own.box)) continue;
+    if (node.right == 0) {
+      if (!visit_faces(own, node, budget, visit)) return;
+    } else {
+      stack[size++] = node.right;
+      stack[size++] = index + 1;
+    }
+  }
+}
+
+int FaceTree::crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
+                        const std::function<bool(int)>& counts) const {
+  const Eigen::Array3d inverse = direction.array().inverse();
+  int count = 0;
+  int stack[kDepth] = {0}, size = nodes_.empty() ? 0 : 1;
+  while (size > 0) {
+    const int index = stack[--size];
+    const Node& node = nodes_[index];
+    if (!meets(node.box, start, inverse)) continue;
+    if (node.right != 0) {
+      stack[size++] = node.right;
+      stack[size++] = index + 1;
+      continue;
+    }
+    for (int i = node.first; i < node.last; ++i) {
+      if (!counts(order_[i])) continue;
+      Eigen::Matrix3d corners;
+      for (int k = 0; k < 3; ++k) corners.col(k) = mesh_.vertices.col(mesh_.faces(k, order_[i]));
+      if (crosses(start, direction, corners)) ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace hydro

@@ -1,0 +1,111 @@
+#include "hydro/mesh/mesh_parts.h"
+
+#include <numeric>
+
+namespace hydro {
+namespace {
+
+/// Faces joined into sets, each named by its lowest face.
+class FaceSets {
+ public:
+  explicit FaceSets(Eigen::Index faces) : parent_(static_cast<std::size_t>(faces)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int of(int face) {
+    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
+    return face;
+  }
+  void join(int f, int g) {
+    f = of(f);
+    g = of(g);
+    parent_[std::max(f, g)] = std::min(f, g);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+struct PartTable {
+  std::vector<MeshPart> parts;
+  std::vector<int> part_of_face;             ///< −1 for a face that names a vertex twice.
+  std::vector<std::vector<int>> some_faces;  ///< Of each part: the first, a middle and the last.
+};
+
+std::vector<int> label_faces(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
+  FaceSets sets(mesh.face_count());
+  for (std::size_t i = 0; i < edges.size(); i = edge_end(edges, i))
+    for (std::size_t j = i + 1, end = edge_end(edges, i); j < end; ++j)
+      sets.join(edges[i].face, edges[j].face);
+  std::vector<int> labels;
+  for (int f = 0; f < mesh.face_count(); ++f)
+    labels.push_back(repeats_vertex(mesh, f) ? -1 : sets.of(f));
+  return labels;
+}
+
+/// Six times the volume of the tetrahedron between a face and a point [m^3].
+double spanned(const TriMesh& mesh, int face, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d a = mesh.vertices.col(mesh.faces(0, face)) - p;
+  const Eigen::Vector3d b = mesh.vertices.col(mesh.faces(1, face)) - p;
+  const Eigen::Vector3d c = mesh.vertices.col(mesh.faces(2, face)) - p;
+  return a.dot(b.cross(c));
+}
+
+PartTable part_table(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
+  PartTable table{.parts = {}, .part_of_face = label_faces(mesh, edges), .some_faces = {}};
+  std::vector<int> faces_in;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    int& label = table.part_of_face[f];
+    if (label < 0) continue;
+    if (label == f) {
+      label = static_cast<int>(table.parts.size());
+      table.parts.push_back({.first_face = f});
+      faces_in.push_back(0);
+    } else {
+      label = table.part_of_face[label];
+    }
+    ++faces_in[label];
+    MeshPart& part = table.parts[label];
+    part.volume += spanned(mesh, f, mesh.vertices.col(mesh.faces(0, part.first_face))) / 6;
+  }
+  table.some_faces.resize(table.parts.size());
+  std::vector<int> seen(table.parts.size(), 0);
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const int label = table.part_of_face[f];
+    if (label < 0) continue;
+    const int i = seen[label]++;
+    if (i == 0 || i == faces_in[label] / 2 || i == faces_in[label] - 1)
+      table.some_faces[label].push_back(f);
+  }
+  return table;
+}
+
+/// A ray from a face's middle meets the faces of other parts an odd number of times.
+bool starts_inside(const TriMesh& mesh, const FaceTree& tree, const PartTable& table, int face) {
+  // No axis, diagonal or other likely direction of an edge.
+  const Eigen::Vector3d direction(0.5403023058681398, 0.2983386154170817, 0.7867955282450121);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int v : mesh.faces.col(face)) middle += mesh.vertices.col(v) / 3;
+  const int own = table.part_of_face[face];
+  const auto other = [&](int f) {
+    return table.part_of_face[f] >= 0 && table.part_of_face[f] != own;
+  };
+  return tree.crossings(middle, direction, other) % 2 == 1;
+}
+
+}  // namespace
+
+std::vector<MeshPart> closed_parts(const TriMesh& mesh, const std::vector<HalfEdge>& edges,
+                                   const FaceTree& tree) {
+  PartTable table = part_table(mesh, edges);
+  if (table.parts.size() == 1) return table.parts;
+  for (std::size_t i = 0; i < table.parts.size(); ++i) {
+    // Three faces vote, because one of them may lie on the skin of a part that touches.
+    int inside = 0;
+    for (const int face : table.some_faces[i])
+      inside += starts_inside(mesh, tree, table, face) ? 1 : -1;
+    table.parts[i].in_other = inside > 0;
+  }
+  return table.parts;
+}
+
+}  // namespace hydro

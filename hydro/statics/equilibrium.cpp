@@ -1,0 +1,188 @@
+#include "hydro/statics/equilibrium.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "hydro/statics/trust_region.h"
+
+namespace hydro {
+namespace {
+
+constexpr double kLongestStep = 0.2;  ///< [rad] Keeps the search in the valley where it began.
+constexpr double kProbe = 1e-3;       ///< [rad] Turn of the attitudes tried around a result.
+constexpr int kMostSteps = 500;       ///< Of one search; a search takes some ten.
+constexpr int kMostSearches = 100;    ///< Each starts lower than the last; nearly always one.
+constexpr double kRoundOff = 1e-15;   ///< Of arms of the moment, over the radius.
+constexpr double kFlat = 1e-9;        ///< Metacentric heights that count as zero, over the radius.
+constexpr double kEnergyNoise =
+    1e-12;  ///< Differences of energy that mean nothing, over the radius.
+
+/// What a search may turn about.
+enum class Freedom { all, pitch_only };
+
+/// Energy over weight as a function of small turns about the horizontal axes [m].
+struct Model {
+  double energy = 0;
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+};
+
+/// A held axis has no gradient and is stiff, so that no step turns about it.
+Model model_of(const Flotation& flotation, Freedom freedom) {
+  Model model{.energy = -flotation.hydrostatics.centre_of_buoyancy.z(),
+              .gradient = flotation.gradient(),
+              .hessian = metacentric_heights(flotation.hydrostatics)};
+  if (freedom == Freedom::all) return model;
+  model.gradient[0] = 0;
+  model.hessian(0, 1) = model.hessian(1, 0) = 0;
+  model.hessian(0, 0) = 1 + std::abs(model.hessian(1, 1));
+  return model;
+}
+
+double lowest_eigenvalue(const Eigen::Matrix2d& m) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Vector2d& turn) {
+  const double angle = turn.norm();
+  if (angle == 0) return orientation;
+  const Eigen::Vector3d axis(turn.x() / angle, turn.y() / angle, 0);
+  return (Eigen::AngleAxisd(angle, axis) * orientation).normalized();
+}
+
+/// One body's search for an attitude of least energy.
+class Descent {
+ public:
+  Descent(const TriMesh& mesh_B, double volume, Freedom freedom)
+      : mesh_B_(mesh_B),
+        volume_(volume),
+        freedom_(freedom),
+        size_(mesh_B.vertices.colwise().norm().maxCoeff()) {}
+
+  Flotation from(const Eigen::Quaterniond& start) const {
+    Flotation found = search(afloat(mesh_B_, volume_, start));
+    for (int i = 1; i < kMostSearches; ++i) {
+      const std::optional<Flotation> lower = lower_nearby(found);
+      if (!lower) break;
+      found = search(*lower);
+    }
+    return found;
+  }
+
+ private:
+  bool settled(const Model& m) const {
+    return m.gradient.norm() <= kRoundOff * size_ && lowest_eigenvalue(m.hessian) >= -kFlat * size_;
+  }
+
+  /// How well a step of the model turned out: real over foreseen decrease of energy. Where both are
+  /// lost in round-off the moment decides.
+  double merit(const Model& before, const Model& after, const Eigen::Vector2d& step) const {
+    const double foreseen = -(before.gradient.dot(step) + 0.5 * step.dot(before.hessian * step));
+    if (foreseen > kEnergyNoise * size_) return (before.energy - after.energy) / foreseen;
+    return after.gradient.norm() < before.gradient.norm() ? 1 : -1;
+  }
+
+  Flotation search(Flotation here) const {
+    double reach = kLongestStep;
+    Model model = model_of(here, freedom_);
+    for (int i = 0; i < kMostSteps && reach > 1e-16 && !settled(model); ++i) {
+      const Eigen::Vector2d step =
+          trust_region_step(model.gradient, model.hessian, reach, kEnergyNoise * size_);
+      const Flotation there = afloat(mesh_B_, volume_, turned(here.orientation, step));
+      const Model model_there = model_of(there, freedom_);
+      const double quality = merit(model, model_there, step);
+      if (quality < 0.25) reach = 0.25 * std::min(reach, step.norm());
+      if (quality > 0.75) reach = std::min(std::max(reach, 2 * step.norm()), kLongestStep);
+      if (quality < 0.01) continue;
+      here = there;
+      model = model_there;
+    }
+    return here;
+  }
+
+  /// The lowest of the attitudes tried around `found`, if it is lower.
+  std::optional<Flotation> lower_nearby(const Flotation& found) const {
+    std::optional<Flotation> lowest;
+    double least = model_of(found, freedom_).energy - kEnergyNoise * size_;
+    for (int k = 0; k < 8; ++k) {
+      if (freedom_ == Freedom::pitch_only && k % 4 != 2) continue;
+      const Eigen::Vector2d turn = kProbe * Eigen::Vector2d(std::cos(k * std::numbers::pi / 4),
+                                                            std::sin(k * std::numbers::pi / 4));
+      const Eigen::Vector2d allowed =
+          freedom_ == Freedom::all ? turn : Eigen::Vector2d(0, turn.y());
+      const Flotation there = afloat(mesh_B_, volume_, turned(found.orientation, allowed));
+      const double energy = model_of(there, freedom_).energy;
+      if (energy >= least) continue;
+      least = energy;
+      lowest = there;
+    }
+    return lowest;
+  }
+
+  const TriMesh& mesh_B_;
+  double volume_;
+  Freedom freedom_;
+  double size_;  ///< The body's radius [m].
+};
+
+}  // namespace
+
+Eigen::Vector2d Flotation::gradient() const {
+  return {-hydrostatics.centre_of_buoyancy.y(), hydrostatics.centre_of_buoyancy.x()};
+}
+
+Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation) {
+  const TriMesh mesh_G{orientation.toRotationMatrix() * mesh_B.vertices, mesh_B.faces};
+  Flotation flotation{.orientation = orientation, .height = floating_height(mesh_G, volume)};
+  flotation.draught = -flotation.height - mesh_G.vertices.row(2).minCoeff();
+  flotation.hydrostatics = hydrostatics(mesh_G, flotation.height);
+  return flotation;
+}
+
+Stability stability(const TriMesh& mesh_B, const Flotation& flotation) {
+  const double size = mesh_B.vertices.colwise().norm().maxCoeff();
+  const double lowest = lowest_eigenvalue(metacentric_heights(flotation.hydrostatics));
+  if (lowest < -kFlat * size) return Stability::unstable;
+  return lowest > kFlat * size ? Stability::stable : Stability::neutral;
+}
+
+Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start) {
+  return Descent(mesh_B, volume, Freedom::all).from(start);
+}
+
+std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
+                                       const std::vector<double>& heels) {
+  const Descent descent(mesh_B, volume, Freedom::pitch_only);
+  std::vector<RightingArm> arms;
+  double trim = 0;
+  for (const double heel : heels) {
+    const Eigen::Quaterniond start(Eigen::AngleAxisd(trim, Eigen::Vector3d::UnitY()) *
+                                   Eigen::AngleAxisd(heel, Eigen::Vector3d::UnitX()));
+    const Flotation found = descent.from(start);
+    const Eigen::Vector3d x_axis = found.orientation * Eigen::Vector3d::UnitX();
+    trim = std::atan2(-x_axis.z(), x_axis.x());
+    arms.push_back({.heel = heel,
+                    .trim = trim,
+                    .draught = found.draught,
+                    .lever = -found.hydrostatics.centre_of_buoyancy.y()});
+  }
+  return arms;
+}
+
+Eigen::Vector3d euler_angles(const Eigen::Quaterniond& orientation) {
+  const Eigen::Matrix3d R = orientation.toRotationMatrix();
+  const double pitch = std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2)));
+  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+Eigen::Quaterniond with_heading(const Eigen::Quaterniond& orientation, double heading) {
+  const Eigen::Vector3d x_axis = orientation * Eigen::Vector3d::UnitX();
+  if (x_axis.head<2>().norm() < 1e-9) return orientation;
+  const double turn = heading - std::atan2(x_axis.y(), x_axis.x());
+  return (Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * orientation).normalized();
+}
+
+}  // namespace hydro

@@ -1,0 +1,58 @@
+#include "hydro/statics/trust_region.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace hydro {
+namespace {
+
+/// −(Λ + shift)⁻¹ g, with 0 for a component without a gradient.
+Eigen::Vector2d shifted_step(const Eigen::Vector2d& g, const Eigen::Vector2d& eigenvalues,
+                             double shift) {
+  Eigen::Vector2d s;
+  for (int i = 0; i < 2; ++i) s[i] = g[i] == 0 ? 0 : -g[i] / (eigenvalues[i] + shift);
+  return s;
+}
+
+/// The step of length `radius` for the shift that gives it, which lies above `least`.
+Eigen::Vector2d boundary_step(const Eigen::Vector2d& g, const Eigen::Vector2d& eigenvalues,
+                              double radius, double least) {
+  double lo = least;
+  double hi = least + g.norm() / radius;
+  for (int i = 0; i < 100; ++i) {
+    const double shift = (lo + hi) / 2;
+    (shifted_step(g, eigenvalues, shift).norm() > radius ? lo : hi) = shift;
+  }
+  return shifted_step(g, eigenvalues, hi);
+}
+
+/// +1 or −1, so that the larger component of `v` comes out positive.
+double sign_of_larger(const Eigen::Vector2d& v) {
+  Eigen::Index larger;
+  v.cwiseAbs().maxCoeff(&larger);
+  return v[larger] < 0 ? -1 : 1;
+}
+
+}  // namespace
+
+Eigen::Vector2d trust_region_step(const Eigen::Vector2d& gradient, const Eigen::Matrix2d& hessian,
+                                  double radius, double negligible) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(hessian);
+  const Eigen::Vector2d& lambda = eigen.eigenvalues();  // ascending
+  Eigen::Vector2d g = eigen.eigenvectors().transpose() * gradient;
+  if (lambda[0] > 0) {
+    const Eigen::Vector2d newton = shifted_step(g, lambda, 0);
+    if (newton.norm() <= radius) return eigen.eigenvectors() * newton;
+  } else if (std::abs(g[0]) <= negligible) {
+    g[0] = 0;
+    Eigen::Vector2d s(0, g[1] == 0 ? 0 : -g[1] / (lambda[1] - lambda[0]));
+    if (std::abs(s[1]) < radius) {
+      s[0] = std::sqrt(radius * radius - s[1] * s[1]) * sign_of_larger(eigen.eigenvectors().col(0));
+      return eigen.eigenvectors() * s;
+    }
+  }
+  return eigen.eigenvectors() * boundary_step(g, lambda, radius, std::max(0.0, -lambda[0]));
+}
+
+}  // namespace hydro
