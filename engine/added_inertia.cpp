@@ -43,7 +43,7 @@ struct Split {
 };
 
 /// (1) in the ways N that are left. The inertia of the result is right for u = N q' alone.
-InertiaChange change_along(const Ways& N, const Matrix6d& inertia, const Matrix6d& change,
+InertiaChange change_along(const Subspace& N, const Matrix6d& inertia, const Matrix6d& change,
                            const Vector6d& u) {
   // Rates that are not there are added, with a unit of inertia that does not change.
   Matrix6d all = Matrix6d::Zero();
@@ -67,10 +67,10 @@ Matrix6d rigid_inertia(const BodySpec& body) {
 }
 
 InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
-                             const Freedom& freedom, const Vector6d& u) {
+                             const Mobility& mobility, const Vector6d& u) {
   if (change.isZero(0)) return {.inertia = inertia, .velocity = u};
-  if (freedom.ways) return change_along(*freedom.ways, inertia, change, u);
-  const DofMask& locked = freedom.locked;
+  if (mobility.subspace) return change_along(*mobility.subspace, inertia, change, u);
+  const DofMask& locked = mobility.locked;
   const Split split(uncoupled(inertia, locked, 1), uncoupled(change, locked, 0));
   InertiaChange result{.inertia = split.inertia(), .velocity = split.velocity(u)};
   for (int i = 0; i < 6; ++i)
@@ -78,15 +78,15 @@ InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
   return result;
 }
 
-Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Freedom& freedom) {
-  if (freedom.ways) {
-    const Ways& N = *freedom.ways;
+Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Mobility& mobility) {
+  if (mobility.subspace) {
+    const Subspace& N = *mobility.subspace;
     if (N.cols() == 1) return N * (N.col(0).dot(rhs) / N.col(0).dot(matrix * N.col(0)));
     const Eigen::Matrix3d reduced = N.transpose() * matrix * N;
     return N * reduced.llt().solve(N.transpose() * rhs);
   }
-  const DofMask& locked = freedom.locked;
-  if (partly_held(locked)) matrix = uncoupled(matrix, locked, 1);
+  const DofMask& locked = mobility.locked;
+  if (partly_locked(locked)) matrix = uncoupled(matrix, locked, 1);
   for (int i = 0; i < 6; ++i)
     if (locked[static_cast<std::size_t>(i)]) rhs[i] = 0;
   return hydro::Cholesky6(matrix).solve(rhs);

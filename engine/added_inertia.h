@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/six.h"
+#include "engine/spatial_vector.h"
 #include "engine/spec.h"
 
 /// @file
@@ -12,7 +12,7 @@
 /// the water. As the body enters, A grows and the momentum stays; as it leaves, the water keeps its
 /// share and u stays. A change ΔA over a step is both at once in different directions: in the basis
 /// x_i in which ΔA x_i = μ_i (M + A) x_i and x_i·(M + A) x_j = δ_ij, growth is the part with μ_i >
-/// 0. Half of the change, the step's kick with the inertia M + A + ½ΔA, and the other half give
+/// 0. Half of the change, the step's update with the inertia M + A + ½ΔA, and the other half give
 ///
 ///     u⁺ = Σ x_i c_i / (1 + max(μ_i, 0)) + S⁻¹ h F,        u = Σ x_i c_i,                   (1)
 ///
@@ -28,12 +28,12 @@
 namespace engine {
 
 /// Velocities that are left to a body, one a column.
-using Ways = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 3>;
+using Subspace = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 3>;
 
 /// How a body by itself may go, in the axes of what it is given with.
-struct Freedom {
-  DofMask locked = {};       ///< Not so,
-  std::optional<Ways> ways;  ///< and only so, where they are given: N of guide.h.
+struct Mobility {
+  DofMask locked = {};               ///< Not so,
+  std::optional<Subspace> subspace;  ///< and only so, where they are given: N of reduced_joint.h.
 };
 
 /// M about the centre of mass, body axes.
@@ -47,12 +47,12 @@ struct InertiaChange {
 
 /// @param inertia   M + A at the start of the step.
 /// @param change    ΔA over the step.
-/// @param freedom   What is not free takes no part.
+/// @param mobility   What is not free takes no part.
 InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
-                             const Freedom& freedom, const Vector6d& u);
+                             const Mobility& mobility, const Vector6d& u);
 
 /// Solves matrix·x = rhs for what is free; x is zero in the rest. The matrix is symmetric and
 /// positive definite.
-Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Freedom& freedom);
+Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Mobility& mobility);
 
 }  // namespace engine

@@ -5,15 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/faults.h"
+#include "engine/constants.h"
+#include "engine/state_checks.h"
 #include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
-
-// Inertias come from sums over triangles or from a file with a few digits.
-constexpr double kInertiaTolerance = 1e-6;
-constexpr double kUnitTolerance = 1e-9;
 
 [[noreturn]] void refuse(const BodySpec& spec, const std::string& what) {
   throw std::invalid_argument(fmt::format("body '{}': {}", spec.name, what));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/six.h"
+#include "engine/spatial_vector.h"
 #include "engine/stopwatch.h"
 #include "engine/world.h"
 #include "hydro/decompositions.h"
@@ -16,10 +16,6 @@ namespace {
 // ODE counts the contacts of one pair in 16 bits.
 constexpr std::size_t kMostPoints = 0xffff;
 constexpr std::size_t kUsualPoints = 256;
-// Steps in which an overlap can have come about before it is told from an artefact. Fewer would let
-// a fast edge through a wall that it meets where it also touches the ground.
-constexpr double kReachInSteps = 3;
-
 /// All overlaps of two geometries.
 std::vector<dContactGeom> overlaps(dxGeom* first, dxGeom* second) {
   std::vector<dContactGeom> points;
@@ -52,7 +48,7 @@ std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overla
   return points;
 }
 
-/// Least overlap along a world axis of the boxes around two solids [m].
+/// Least overlap along a world axis of the boxes environment two solids [m].
 double box_overlap(dxGeom* first, dxGeom* second) {
   std::array<dReal, 6> a{}, b{};
   dGeomGetAABB(first, a.data());
@@ -200,7 +196,7 @@ ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::
     const hydro::BodyState now = state(id);
     hydro::Vector6d push;
     push << point.normal_W, (point.position_W - now.position).cross(point.normal_W);
-    push = turned(now.orientation.conjugate().toRotationMatrix(), push);
+    push = rotate(now.orientation.conjugate().toRotationMatrix(), push);
     lightness += mass * push.dot(hydro::Cholesky6(body.inertia->matrix_B).solve(push));
   }
   return halfway_weights(points, step, lightness);

@@ -6,18 +6,10 @@
 #include "engine/world.h"
 
 namespace engine {
-namespace {
-
-// Least mass and moment of inertia as numbers in SI that the solver is trusted with as they are.
-// With those of bodies of a millimetre, 1e-20, it fails in contacts that it solves for the same
-// bodies a thousand million times as heavy.
-constexpr double kLeastMass = 1e-6;
-
-}  // namespace
-
 void World::only_constrain() {
-  // A power of two: numbers keep their digits.
-  if (lightest_ < kLeastMass) unit_ = std::exp2(-std::floor(std::log2(lightest_)));
+  // ODE fails on contacts of bodies of a millimetre, with moments of inertia of 1e-20, that it
+  // solves for the same bodies made heavier. A power of two keeps the digits of all numbers.
+  if (lightest_ < kLeastSolverMass) unit_ = std::exp2(-std::floor(std::log2(lightest_)));
   dWorldSetCFM(world_.get(), dWorldGetCFM(world_.get()) / unit_);
   dWorldSetGravity(world_.get(), 0, 0, 0);
   for (const Body& body : bodies_) {
@@ -52,7 +44,7 @@ std::vector<hydro::Twist> World::held_velocities(const std::vector<SolverBody>& 
   };
   ready();
   for (const Contact& contact : contacts) join(contact);
-  if (step_or_compromise(world_.get(), ready, step)) ++compromises_;
+  if (step_or_fall_back(world_.get(), ready, step)) ++fallback_steps_;
   dJointGroupEmpty(contact_joints_.get());
   std::vector<hydro::Twist> velocities;
   for (const SolverBody& b : bodies) {

@@ -9,8 +9,6 @@
 namespace engine {
 namespace {
 
-// Regularisation of friction relative to the inertia it works on: equation (3).
-constexpr double kSlip = 1e-6;
 // Extent of points that are all one [m]; its square can still be divided by.
 constexpr double kLeastExtent = 1e-100;
 
@@ -28,7 +26,7 @@ bool explains(const ContactPoint& shallow, const ContactPoint& deep) {
              1.5 * shallow.depth;
 }
 
-double extent_of(const std::vector<ContactPoint>& points) {
+double vertical_extent(const std::vector<ContactPoint>& points) {
   Eigen::AlignedBox3d box;
   for (const ContactPoint& point : points) box.extend(point.position_W);
   return std::max(box.diagonal().norm(), kLeastExtent);
@@ -70,7 +68,7 @@ std::vector<std::size_t> representative(const std::vector<ContactPoint>& points,
   const auto deeper = [](const auto& a, const auto& b) { return a.depth < b.depth; };
   auto next = static_cast<std::size_t>(std::max_element(points.begin(), points.end(), deeper) -
                                        points.begin());
-  const double extent = extent_of(points);
+  const double extent = vertical_extent(points);
 
   std::vector<std::size_t> taken;
   std::vector<double> gap(points.size(), std::numeric_limits<double>::infinity());

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/constants.h"
+
 /// @file
 /// The model of a contact: what is kept of the points where two bodies overlap, and how stiff they
 /// are.
@@ -17,9 +19,9 @@
 ///     speed = −(1 − w) c v⁻ CFM/n = −2 (1 − w) τ v⁻ / (α h + 2 w τ)
 ///
 /// that is the force k d − α h k v⁺ − c ((1 − w) v⁻ + w v⁺), where d is the depth and v⁻, v⁺ the
-/// speeds at which the point parts before and after the kick. With α = w = 1 it is that of the end
-/// of the step, of first order and without any bound on h. Where d is the depth halfway through a
-/// step that is shorter than τ, the split step takes the weights
+/// speeds at which the point parts before and after the update. With α = w = 1 it is that of the
+/// end of the step, of first order and without any bound on h. Where d is the depth halfway through
+/// a step that is shorter than τ, the split step takes the weights
 ///
 ///     α = h/τ,    w = max(h/τ, 1/(1 − exp(−z)) − 1/z),    z = (c/n) h/µ,                  (5)
 ///
@@ -49,12 +51,6 @@
 /// points solvable.
 
 namespace engine {
-
-inline constexpr double kFriction = 0.5;           ///< µ [-].
-inline constexpr double kShortestContact = 0.01;   ///< Least τ [s].
-inline constexpr double kLeastGravity = 1;         ///< In (4), where there is none [m/s^2].
-inline constexpr std::size_t kContactsOfPair = 8;  ///< Of meshes, whose points scatter.
-inline constexpr std::size_t kContactsOfFace = 4;  ///< Of boxes and planes: corners of a flat face.
 
 /// A point where two bodies overlap.
 struct ContactPoint {

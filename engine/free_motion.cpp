@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/added_inertia.h"
+#include "engine/constants.h"
 #include "engine/locks.h"
 #include "hydro/decompositions.h"
 
@@ -15,19 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kMostIterations = 40;
-constexpr double kSlow = 0.1;             // of the residual, left by one substitution
-constexpr double kLargestSolvedTurn = 1;  // in one solution of (2) [rad]
-constexpr int kMostParts = 1024;
-constexpr int kMostHalves = 6;
-// Of half a turn, squared: below it the series of sine and cosine are exact to round-off.
-constexpr double kShortTurn = 0.01;
-constexpr double kConverged = 1e-15;  // of the momentum
-constexpr double kRoundOff = 1e-12;   // of the momentum, of ill-conditioned inertia at most
-constexpr double kKept = 1e-9;        // of the energy, where that is not reached
-constexpr double kHeldKept = 1e-3;    // of the free energy in (5), in a step of (4)
-
-/// a of equation (2).
+/// a of (E2).
 double half_step(double speed, double time) {
   const double half = speed * time / 2;
   return half < 1e-4 ? time / 2 * (1 + half * half / 3) : std::tan(half) / speed;
@@ -35,7 +24,8 @@ double half_step(double speed, double time) {
 
 /// Number of equal pieces in which no rate [rad/s] turns further than kLargestTurn.
 int pieces(double rate, double time) {
-  return static_cast<int>(std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostParts));
+  return static_cast<int>(
+      std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostDriftParts));
 }
 
 /// What turns with the body in (2): momentum in B and the attitude.
@@ -49,7 +39,7 @@ struct Momentum {
 /// Rate of change of p by (1).
 Vector6d kirchhoff(const Vector6d& p, const Vector6d& u) {
   const Vector3d P = p.head<3>(), L = p.tail<3>(), v = u.head<3>(), w = u.tail<3>();
-  return stacked(P.cross(w), L.cross(w) + P.cross(v));
+  return to_vector6(P.cross(w), L.cross(w) + P.cross(v));
 }
 
 /// Displacement (3) in B axes of the start.
@@ -65,7 +55,7 @@ Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, 
 /// True if the momentum p₁ has the energy of p₀, which an exact solution of (2) keeps.
 bool keeps_energy(const Matrix6d& S_inverse, const Vector6d& p0, const Vector6d& p1) {
   const double before = p0.dot(S_inverse * p0);
-  return std::abs(p1.dot(S_inverse * p1) - before) <= kKept * before;
+  return std::abs(p1.dot(S_inverse * p1) - before) <= kDriftEnergyKept * before;
 }
 
 /// [v]×, the matrix of v × .
@@ -98,16 +88,16 @@ std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, dou
   Mean mean{.p = p};
   std::optional<Eigen::PartialPivLU<Matrix6d>> newton;
   double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostDriftSolves; ++i) {
     mean.u = S_inverse * mean.p;
     const double speed = mean.u.tail<3>().norm();
     if (!(speed * time < kLargestSolvedTurn)) return std::nullopt;  // the tangent has a pole
     mean.a = half_step(speed, time);
     const Vector6d rest = p + mean.a * kirchhoff(mean.p, mean.u) - mean.p;
     const double size = rest.norm();
-    if (size <= kConverged * mean.p.norm()) return mean;
-    if (size >= last && size <= kRoundOff * mean.p.norm()) break;
-    if (size > kSlow * last) newton.emplace(slope(S_inverse, mean.p, mean.u, mean.a));
+    if (size <= kDriftConverged * mean.p.norm()) return mean;
+    if (size >= last && size <= kDriftRoundOff * mean.p.norm()) break;
+    if (size > kSlowConvergence * last) newton.emplace(slope(S_inverse, mean.p, mean.u, mean.a));
     last = size;
     mean.p += newton ? newton->solve(rest) : rest;
   }
@@ -143,12 +133,12 @@ Vector3d turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vect
                           double time) {
   const Vector3d L = inertia * w;
   Vector3d mean = L;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostDriftSolves; ++i) {
     const Vector3d rate = inverse * mean;
     const Vector3d next = L + half_step(rate.norm(), time) * mean.cross(rate);
     const double change = (next - mean).squaredNorm();
     mean = next;
-    if (change <= kConverged * kConverged * L.squaredNorm()) break;
+    if (change <= kDriftConverged * kDriftConverged * L.squaredNorm()) break;
   }
   w = inverse * (2 * mean - L);
   return inverse * mean;
@@ -156,16 +146,16 @@ Vector3d turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vect
 
 /// (0, −v × P) in W.
 Vector6d gyration(const Vector6d& u, const Vector6d& p) {
-  return stacked(Vector3d::Zero(), -u.head<3>().cross(p.head<3>()));
+  return to_vector6(Vector3d::Zero(), -u.head<3>().cross(p.head<3>()));
 }
 
 /// A body some of whose degrees of freedom are held.
-struct HeldBody {
+struct PartlyLockedBody {
   const Matrix6d& inertia_B;
   const DofMask& locked;
 
   Matrix6d inertia(const Eigen::Quaterniond& q) const {
-    return turned_matrix(q.toRotationMatrix(), inertia_B);
+    return rotate_tensor(q.toRotationMatrix(), inertia_B);
   }
 };
 
@@ -176,11 +166,12 @@ struct HeldMotion {
 };
 
 /// One midpoint step of (4) by repeated substitution; nothing where that leads nowhere.
-std::optional<HeldMotion> solve_held(const HeldBody& body, const HeldMotion& start, double time) {
+std::optional<HeldMotion> solve_held(const PartlyLockedBody& body, const HeldMotion& start,
+                                     double time) {
   const Vector6d p0 = body.inertia(start.q) * start.u;
   HeldMotion end = start;
   double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostDriftSolves; ++i) {
     const Vector6d mean = (start.u + end.u) / 2;
     end.q = (exponential(time * mean.tail<3>()) * start.q).normalized();
     const Matrix6d S = body.inertia(end.q);
@@ -188,8 +179,8 @@ std::optional<HeldMotion> solve_held(const HeldBody& body, const HeldMotion& sta
     const Vector6d change = solve_free(S, rest, {.locked = body.locked});
     end.u += change;
     const double size = change.norm();
-    if (size <= kConverged * end.u.norm()) return end;
-    if (size >= last && size <= kRoundOff * end.u.norm()) return end;
+    if (size <= kDriftConverged * end.u.norm()) return end;
+    if (size >= last && size <= kDriftRoundOff * end.u.norm()) return end;
     if (!std::isfinite(size)) break;
     last = size;
   }
@@ -202,7 +193,7 @@ struct HeldEnergy {
   double held = 0;
 };
 
-HeldEnergy held_energy(const HeldBody& body, const HeldMotion& motion) {
+HeldEnergy held_energy(const PartlyLockedBody& body, const HeldMotion& motion) {
   Vector6d free = motion.u, held = motion.u;
   for (int i = 0; i < 6; ++i) (body.locked[static_cast<std::size_t>(i)] ? free : held)[i] = 0;
   const Matrix6d S = body.inertia(motion.q);
@@ -210,18 +201,18 @@ HeldEnergy held_energy(const HeldBody& body, const HeldMotion& motion) {
 }
 
 /// True if (5) is kept well enough.
-bool keeps_energy(const HeldBody& body, const HeldMotion& before, const HeldMotion& after) {
+bool keeps_energy(const PartlyLockedBody& body, const HeldMotion& before, const HeldMotion& after) {
   const HeldEnergy first = held_energy(body, before), last = held_energy(body, after);
   const double change = (last.free - last.held) - (first.free - first.held);
   // An energy beyond all numbers would be within any part of itself.
   return std::isfinite(change) &&
-         std::abs(change) <= kHeldKept * std::max(first.free, last.free) +
-                                 kRoundOff * std::max(first.held, last.held);
+         std::abs(change) <= kLockedEnergyKept * std::max(first.free, last.free) +
+                                 kDriftRoundOff * std::max(first.held, last.held);
 }
 
 /// A step of (4) and how far it goes relative to the water; in halves where one cannot be solved or
 /// does not keep (5). Should no half do, the body goes on as it does without turning, which does.
-Vector3d advance_held(const HeldBody& body, HeldMotion& motion, double time, int halvings) {
+Vector3d advance_held(const PartlyLockedBody& body, HeldMotion& motion, double time, int halvings) {
   const std::optional<HeldMotion> end = solve_held(body, motion, time);
   if (!end || !keeps_energy(body, motion, *end)) {
     if (halvings == 0) return time * motion.u.head<3>();
@@ -265,12 +256,12 @@ double turning_rate(const Matrix6d& S, const Vector6d& u) {
 hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& state,
                          const Vector3d& current, double time) {
   Momentum m{.R = state.orientation.toRotationMatrix(), .q = state.orientation};
-  const Vector6d u_B = turned(m.R.transpose(), velocity(state, current));
+  const Vector6d u_B = rotate(m.R.transpose(), velocity(state, current));
   m.p = inertia_B * u_B;
   const Matrix6d S_inverse = hydro::Cholesky6(inertia_B).inverse();
   const int count = pieces(turning_rate(inertia_B, u_B), time);
-  for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostHalves);
-  hydro::BodyState next = with_velocity(state, turned(m.R, Vector6d(S_inverse * m.p)), current);
+  for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostDriftHalvings);
+  hydro::BodyState next = with_velocity(state, rotate(m.R, Vector6d(S_inverse * m.p)), current);
   next.position += m.x + time * current;
   next.orientation = m.q;
   return next;
@@ -310,17 +301,17 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
     next.position += time * state.linear_velocity;
     return next;
   }
-  const HeldBody body{.inertia_B = inertia_B, .locked = locked};
+  const PartlyLockedBody body{.inertia_B = inertia_B, .locked = locked};
   HeldMotion motion{.q = state.orientation, .u = velocity(state, current)};
   // What is held can make the body turn ever faster: each piece is chosen by the motion it starts
   // with.
-  const double shortest = time / kMostParts;
+  const double shortest = time / kMostDriftParts;
   double rest = time;
   while (rest > 0) {
     const Matrix3d R_BW = motion.q.conjugate().toRotationMatrix();
-    const int count = pieces(turning_rate(inertia_B, turned(R_BW, motion.u)), rest);
+    const int count = pieces(turning_rate(inertia_B, rotate(R_BW, motion.u)), rest);
     const double piece = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
-    next.position += advance_held(body, motion, piece, kMostHalves) + piece * current;
+    next.position += advance_held(body, motion, piece, kMostDriftHalvings) + piece * current;
     rest = count == 1 ? 0 : rest - piece;
   }
   next.orientation = motion.q;

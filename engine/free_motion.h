@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/six.h"
+#include "engine/spatial_vector.h"
 #include "engine/spec.h"
 
 /// @file
@@ -30,9 +30,6 @@
 /// [L32] Lamb. Hydrodynamics. 6th ed., Cambridge (1932).
 
 namespace engine {
-
-/// Largest turn, or change of direction of the momentum, in one application of (2) [rad].
-inline constexpr double kLargestTurn = 0.1;
 
 /// Rate at which (1) turns the velocity u in B and its momentum, with S in B [rad/s].
 double turning_rate(const Matrix6d& S, const Vector6d& u);

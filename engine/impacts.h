@@ -3,81 +3,72 @@
 #include <optional>
 #include <vector>
 
-#include "engine/body.h"
-#include "engine/world.h"
+#include "engine/substep.h"
 
 /// @file
-/// Impacts: steps that end where bodies begin to touch, and short ones after it.
+/// Impacts: substeps that end where bodies begin to touch, and short substeps after that.
 ///
-/// A contact's force sets in with a jump, c v of its damper, and wears off within its time τ
-/// (contacts.h), that of a corner within τ/10. A step that finds an overlap somewhere on its way
-/// misses when it began by up to its own length: whatever its method, its error is of first order,
-/// and as large as all that the impact changes once the step is longer than τ. So where two bodies
-/// are about to touch faster than
+/// The force of a contact sets in with a jump, c v of its damper, and decays within its time τ
+/// (contacts.h), that of a corner within τ/10. A substep that only detects an overlap knows its
+/// onset to within h. Whatever the scheme, the error is then O(h), and for h > τ as large as the
+/// impact itself. So where two bodies are about to touch faster than
 ///
-///     g τ                                                                                  (1)
+///     g τ                                                                                  (E15)
 ///
-/// the step ends where they begin to, found from depth over speed of the overlap that the bodies
-/// drift into; and the next piece is kFirstPiece τ long (or of the step, if that is shorter), each
-/// further one longer by kGrowth, until pieces are as long as steps again. That costs some dozen
-/// pieces an impact, whatever the step, of the bodies near enough to have to do with it.
+/// the substep ends where they begin to, found from depth over speed of the overlap that the bodies
+/// drift into. The next substep is kFirstAfterImpact τ long (or that part of the step, if it is
+/// shorter), and each further one longer by kImpactGrowth until it is a step: some dozen substeps
+/// per impact, whatever the step, of the bodies near enough to have to do with it.
 ///
-/// Where more than kMostPairs pairs of bodies touch each other, what a body does depends on all
-/// their contacts more than on the time of one: heaps take whole steps. And no step of a cluster is
-/// cut for more than kMostImpacts, so that bodies which rattle cannot make it stall.
+/// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
+/// more than on the time of one: heaps take whole steps. No step of a group is cut for more than
+/// kMostImpacts, so that bodies which rattle cannot stall it.
 
 namespace engine {
 
-/// Bodies that joints hold together or that may touch each other in a step.
-struct Cluster {
+/// Bodies that joints connect or that may touch each other in a step.
+struct Group {
   std::vector<BodyId> bodies;  ///< Ascending; all can move.
-  std::vector<Pair> joints;    ///< Of them, with each other or with what cannot move.
-  std::vector<Pair> near;      ///< That may touch; ascending.
+  std::vector<Pair> joints;    ///< Of these bodies, with each other or with what cannot move.
+  std::vector<Pair> near;      ///< Pairs that may touch; ascending.
 };
 
 class Impacts {
  public:
-  static constexpr double kFirstPiece = 1.0 / 32;
-  static constexpr double kGrowth = 1.2;
-  static constexpr std::size_t kMostPairs = 4;
-  static constexpr int kMostImpacts = 4;
+  /// What it refers to must outlive it.
+  /// @param touching   Pairs in contact at the end of the last step, ascending.
+  Impacts(const StepContext& context, const Group& group, const std::vector<Pair>& touching,
+          double step);
 
-  /// All must outlive it.
-  /// @param met   Pairs that were in contact at the end of the last step, ascending.
-  Impacts(World& world, std::vector<Body>& bodies, const Surroundings& around,
-          const Cluster& cluster, const std::vector<Pair>& met, double step);
+  /// Longest substep that past impacts leave [s].
+  double longest_substep() const;
 
-  /// Longest piece that past impacts leave [s].
-  double longest_piece() const;
+  /// Time within the next substep of length h at which a pair begins to touch fast, where the
+  /// substep is to end; a pair that has just begun to leaves it the first length after an impact.
+  /// None: the substep may be taken as it is.
+  /// @param touching   Pairs that touch halfway through the substep, ascending.
+  std::optional<double> next(double h, const std::vector<Pair>& touching);
 
-  /// Where in the next piece a pair begins to touch fast, which is then where the piece is to end;
-  /// one that has just begun to leaves it a first piece. None: it may be taken as it is.
-  /// @param touching   Pairs that touch halfway through the piece, ascending.
-  std::optional<double> next(double piece, const std::vector<Pair>& touching);
-
-  /// The piece is taken.
+  /// The substep is taken.
   void accept(const std::vector<Pair>& touching);
 
-  /// Pairs that are in contact now, ascending.
-  const std::vector<Pair>& met() const { return met_; }
+  /// Pairs in contact, ascending.
+  const std::vector<Pair>& touching() const { return touching_; }
 
  private:
-  Body& body(BodyId id) { return bodies_[static_cast<std::size_t>(id)]; }
-  const Body& body(BodyId id) const { return bodies_[static_cast<std::size_t>(id)]; }
+  MovingBody& body(BodyId id) const { return context_->bodies[static_cast<std::size_t>(id)]; }
   bool may_meet_fast(const Pair& pair) const;
   std::optional<double> onset(const Pair& pair, double time) const;
 
-  World& world_;
-  std::vector<Body>& bodies_;
-  const Surroundings& around_;
-  const Cluster& cluster_;
-  double first_piece_;  ///< After an impact [s].
-  double begun_;        ///< An impact nearer to the start of a piece has begun with it [s].
+  const StepContext* context_;
+  const Group* group_;
+  double first_;  ///< Length of the first substep after an impact [s].
+  double begun_;  ///< An impact nearer to the start of a substep has begun with it [s].
   double step_;
-  double slow_;             ///< Speed of (1) [m/s].
-  int count_ = 0;           ///< Of impacts in this step.
-  std::vector<Pair> met_;   ///< Ascending.
-  std::vector<Pair> meet_;  ///< At the end of the next piece or at its start.
+  double slow_;                   ///< Speed of (E15) [m/s].
+  int count_ = 0;                 ///< Impacts in this step.
+  std::vector<Pair> touching_;    ///< Ascending.
+  std::vector<Pair> will_touch_;  ///< At the end of the next substep, or at its start.
 };
 
 }  // namespace engine

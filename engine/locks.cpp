@@ -5,8 +5,8 @@
 namespace engine {
 namespace {
 
-Eigen::Quaterniond held_orientation(const DofMask& locked, const Eigen::Quaterniond& initial,
-                                    const Eigen::Quaterniond& orientation) {
+Eigen::Quaterniond locked_orientation(const DofMask& locked, const Eigen::Quaterniond& initial,
+                                      const Eigen::Quaterniond& orientation) {
   const auto count = std::count(locked.begin() + 3, locked.end(), true);
   if (count == 3) return initial;
   if (count < 2) return orientation;
@@ -27,7 +27,7 @@ bool immovable(const DofMask& locked) {
   return std::all_of(locked.begin(), locked.end(), [](bool lock) { return lock; });
 }
 
-bool partly_held(const DofMask& locked) {
+bool partly_locked(const DofMask& locked) {
   return std::any_of(locked.begin(), locked.end(), [](bool lock) { return lock; });
 }
 
@@ -39,12 +39,12 @@ hydro::BodyState without_locked_motion(const DofMask& locked, hydro::BodyState s
   return state;
 }
 
-hydro::BodyState held(const DofMask& locked, const hydro::BodyState& initial,
-                      hydro::BodyState state) {
+hydro::BodyState project_onto_locks(const DofMask& locked, const hydro::BodyState& initial,
+                                    hydro::BodyState state) {
   for (int i = 0; i < 3; ++i) {
     if (locked[i]) state.position[i] = initial.position[i];
   }
-  state.orientation = held_orientation(locked, initial.orientation, state.orientation);
+  state.orientation = locked_orientation(locked, initial.orientation, state.orientation);
   return without_locked_motion(locked, state);
 }
 

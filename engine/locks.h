@@ -3,7 +3,7 @@
 #include "engine/spec.h"
 
 /// @file
-/// Degrees of freedom that are held. World axes.
+/// Degrees of mobility that are held. World axes.
 ///
 /// A locked translation keeps the coordinate of the centre of mass and its velocity at zero. A
 /// locked rotation keeps that component of the angular velocity at zero; with two of them the body
@@ -17,7 +17,7 @@ namespace engine {
 bool immovable(const DofMask& locked);
 
 /// True if at least one is locked.
-bool partly_held(const DofMask& locked);
+bool partly_locked(const DofMask& locked);
 
 /// The part of a turn that is about the unit vector `axis`: the twist of its swing and twist.
 Eigen::Quaterniond twist(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis);
@@ -27,7 +27,7 @@ hydro::BodyState without_locked_motion(const DofMask& locked, hydro::BodyState s
 
 /// The state moved to the nearest one that the locks allow for a body that was `initial` at the
 /// start: locked coordinates exactly those of `initial`, locked velocities zero.
-hydro::BodyState held(const DofMask& locked, const hydro::BodyState& initial,
-                      hydro::BodyState state);
+hydro::BodyState project_onto_locks(const DofMask& locked, const hydro::BodyState& initial,
+                                    hydro::BodyState state);
 
 }  // namespace engine

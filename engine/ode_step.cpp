@@ -5,38 +5,42 @@
 namespace engine {
 namespace {
 
-void apply_loads(World& world, Body& body, BodyId id, const Surroundings& around, double time,
-                 double step) {
-  hydro::Wrench load = find_loads(body, around, body.motion.state, time);
-  if (const auto fault = motion_fault(*body.spec, body.motion.state, load, step))
-    throw MotionFault(body, *fault + " after the step; " + largest_load(body.loads));
-  load += -1.0 * body.loads.weight;  // ODE's own
+void apply_loads(World& world, MovingBody& moving, BodyId id, const Environment& environment,
+                 double time, double step) {
+  const hydro::BodyState& state = moving.motion.state;
+  world.set_state(id, state);
+  hydro::Wrench load = find_loads(moving, environment, state, time);
+  if (const auto fault = motion_fault(*moving.body.spec, state, load, step))
+    throw MotionFault(moving.body, *fault + " after the step; " + largest_load(moving.cache.loads));
+  load += -1.0 * moving.cache.loads.weight;  // ODE's own
   world.apply(id, load);
 }
 
 }  // namespace
 
-void ode_step(World& world, std::vector<Body>& bodies, const Surroundings& around, double time,
-              double step, bool collides) {
+void ode_step(const StepContext& context, double time, double step) {
+  World& world = context.world;
+  std::vector<MovingBody>& bodies = context.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].movable)
-      apply_loads(world, bodies[i], static_cast<BodyId>(i), around, time, step);
-  if (collides) world.collide(step);
+    if (bodies[i].body.movable)
+      apply_loads(world, bodies[i], static_cast<BodyId>(i), context.environment, time, step);
+  if (context.collides) world.collide(step);
   world.advance(step);
   const std::vector<bool> touching = world.touching();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    Body& body = bodies[i];
+    MovingBody& moving = bodies[i];
+    const Body& body = moving.body;
     const auto id = static_cast<BodyId>(i);
     hydro::BodyState next = world.state(id);
-    if (body.locked) next = held(body.spec->locked, body.spec->initial, next);
-    check_state(body, next);
-    if (body.locked) world.set_state(id, next);
-    const Motion before = body.motion;
-    body.motion.state = next;
-    if (body.motion.ledger)
-      book_ode_step(body, before, step, body.jointed || body.locked || touching[i], body.motion);
-    ++body.cost.constrained_steps;
-    ++body.cost.substeps;
+    if (body.locked) next = project_onto_locks(body.spec->locked, body.spec->initial, next);
+    check_state(moving, next);
+    const Motion before = moving.motion;
+    moving.motion.state = next;
+    if (moving.motion.work)
+      record_ode_step(moving, before, step, body.jointed || body.locked || touching[i],
+                      moving.motion);
+    ++moving.counts.constrained;
+    ++moving.counts.substeps;
   }
 }
 

@@ -1,15 +1,13 @@
 #pragma once
 
-#include "engine/body.h"
-#include "engine/world.h"
+#include "engine/substep.h"
 
 namespace engine {
 
 /// A step of all bodies as ODE takes it: semi-implicit Euler, first order, with the loads of its
-/// start. Added mass has no part in it, and nothing keeps stiff drag from adding energy: it is what
-/// the split step is measured against.
+/// start. It knows no added mass, and stiff drag may add energy: it is the plain method that the
+/// split step is measured against.
 /// @throws MotionFault, OdeFault
-void ode_step(World& world, std::vector<Body>& bodies, const Surroundings& around, double time,
-              double step, bool collides);
+void ode_step(const StepContext& context, double time, double step);
 
 }  // namespace engine

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/six.h"
+#include "engine/spatial_vector.h"
 
 /// @file
 /// A hand that draws a body by one of its points.
@@ -22,10 +22,6 @@ struct Pull {
   Eigen::Vector3d to_W = Eigen::Vector3d::Zero();  ///< Where that point is drawn to [m].
   double rate = 10;                                ///< ω [1/s], > 0.
 };
-
-/// The largest rate that steps follow, times the step [-]. Of the damping 2 ω, kick.h's explicit
-/// form allows h times ½.
-inline constexpr double kFastestPull = 0.2;
 
 /// Its load on a body: moment about the centre of mass, in W.
 /// @param inertia_W   S, of the body with the water that moves with it.

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/body.h"
-#include "engine/encounter.h"
+#include "engine/constants.h"
+#include "engine/locks.h"
 #include "engine/ode_step.h"
-#include "engine/split_step.h"
+#include "engine/state_data.h"
 #include "engine/stopwatch.h"
-#include "engine/world.h"
+#include "engine/wave_resolution.h"
 #include "hydro/parallel.h"
 
 namespace engine {
@@ -38,11 +38,25 @@ World make_world(const SimulationSpec& spec) {
   World world(spec.gravity);
   const bool meets = has_a_pair(spec);
   for (const BodySpec& body : spec.bodies) world.add_body(body, meets);
-  // Before the joints: some keep the compliance that the world has when they are made.
+  // Joints take some of the world's compliance when they are made, so this comes before them.
   if (spec.integrator.method == Integrator::Method::split) world.only_constrain();
   for (const JointSpec& joint : spec.joints) world.add_joint(joint);
   world.add_ground(spec.ground);
   return world;
+}
+
+std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec) {
+  std::vector<MovingBody> moving;
+  for (Body& body : make_bodies(spec)) {
+    const hydro::BodyState initial = without_locked_motion(body.spec->locked, body.spec->initial);
+    Motion motion = motion_at(body, spec, initial, 0);
+    moving.push_back({.body = std::move(body),
+                      .motion = std::move(motion),
+                      .inputs = {},
+                      .cache = {},
+                      .counts = {}});
+  }
+  return moving;
 }
 
 }  // namespace
@@ -53,167 +67,145 @@ SimulationError::SimulationError(double time, std::string body, const std::strin
 struct Simulation::Impl {
   explicit Impl(SimulationSpec description);
 
-  void step();
-  void pull(BodyId body, const std::optional<Pull>& pull);
-  std::vector<BodyForces> forces();
-
   double time() const { return static_cast<double>(steps) * spec.step; }
-  std::size_t count() const { return spec.bodies.size(); }
+  MovingBody& body(BodyId id);
+  std::vector<BodyForces> forces();
+  SimulationState state() const;
+  void restore(const SimulationState::Data& data);
 
-  // The stages of a step, in their order.
+  // The stages of a step.
   void advance();
-  void accept_states();
-  void warn();
-  void note_costs();
-
-  double load_seconds() const;
+  void accept();
+  void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
 
   SimulationSpec spec;
   World world;
   tbb::task_arena threads;
-  Surroundings around;
-  std::vector<Body> bodies;
-  std::unique_ptr<SplitStep> split;
+  Environment environment;
+  std::vector<MovingBody> bodies;
+  StepContext context;
+  Stepper stepper;
   std::vector<hydro::BodyState> states;
   long steps = 0;
   bool broken = false;  ///< A step stopped halfway.
   Timings timings;
-  double loads_so_far = 0;  ///< load_seconds() after the last step.
-  Skips skips;
-  std::vector<Path> paths;
+  double loads_so_far = 0;  ///< Seconds of all bodies' loads after the last step.
   std::vector<std::string> warnings;
+  std::optional<SimulationState> start;
 };
 
 Simulation::Impl::Impl(SimulationSpec description)
     : spec(std::move(description)),
       world(make_world(spec)),
       threads(std::max(1, spec.threads)),
-      around(surroundings(spec)),
-      bodies(make_bodies(spec)) {
-  for (const Body& body : bodies) states.push_back(body.motion.state);
-  skips.collision = !world.can_collide();
-  skips.water = std::none_of(bodies.begin(), bodies.end(),
-                             [](const Body& body) { return body.wet || body.adds; });
-  skips.dry_steps.assign(count(), 0);
-  skips.resting_steps.assign(count(), 0);
-  skips.asleep_steps.assign(count(), 0);
-  paths.resize(count());
-  const ForEach for_each = [this](std::size_t n, const std::function<void(std::size_t)>& f) {
-    threads.execute([&] { hydro::parallel_for(n, f); });
-  };
-  split = std::make_unique<SplitStep>(Stepping{.world = world,
-                                               .bodies = bodies,
-                                               .around = around,
-                                               .for_each = for_each,
-                                               .collides = !skips.collision,
-                                               .tolerance = spec.integrator.tolerance},
-                                      spec.integrator.sleep);
+      environment(make_environment(spec)),
+      bodies(make_moving_bodies(spec)),
+      context{.world = world,
+              .bodies = bodies,
+              .environment = environment,
+              .parallel_for =
+                  [this](std::size_t n, const std::function<void(std::size_t)>& f) {
+                    threads.execute([&] { hydro::parallel_for(n, f); });
+                  },
+              .collides = world.can_collide(),
+              .tolerance = spec.integrator.tolerance},
+      stepper(context, spec.step) {
+  for (const MovingBody& moving : bodies) states.push_back(moving.motion.state);
+  start = state();
 }
 
-void Simulation::Impl::step() {
-  if (broken) throw SimulationError(time(), "", "the simulation has stopped on an earlier error");
-  broken = true;
-  try {
-    advance();
-    accept_states();
-  } catch (const MotionFault& fault) {
-    throw SimulationError(time(), fault.body(), fault.what());
-  } catch (const OdeFault& fault) {
-    give_up(fault);
-  }
-  broken = false;
-  ++steps;
-  if (warnings.empty()) warn();
-}
-
-void Simulation::Impl::pull(BodyId body, const std::optional<Pull>& pull) {
-  std::optional<Pull>& held = bodies[static_cast<std::size_t>(body)].pull;
-  held = pull;
-  if (!held) return;
-  held->rate = std::min(held->rate, kFastestPull / spec.step);
-  split->rouse(body);
+MovingBody& Simulation::Impl::body(BodyId id) {
+  if (id < 0 || id >= static_cast<BodyId>(bodies.size()))
+    throw std::invalid_argument(fmt::format("there is no body {}", id));
+  return bodies[static_cast<std::size_t>(id)];
 }
 
 void Simulation::Impl::advance() {
-  if (spec.books)
-    for (Body& body : bodies)
-      body.motion.ledger->added_impulse = body.motion.ledger->constraint_impulse = Vector6d::Zero();
-  const double collisions_before = world.collision_seconds();
+  for (MovingBody& moving : bodies)
+    if (moving.motion.work) moving.motion.work->start_step();
+  const double collision_before = world.collision_seconds();
   double wall = 0;
   {
     const Stopwatch stopwatch(wall);
     if (spec.integrator.method == Integrator::Method::split)
-      split->advance(time(), spec.step);
+      stepper.advance(time());
     else
-      ode_step(world, bodies, around, time(), spec.step, !skips.collision);
+      ode_step(context, time(), spec.step);
   }
-  // Loads of several bodies are found at once: what they take of the step is an average. That of
-  // one body is its own, whatever the number of threads.
-  const double collision = world.collision_seconds() - collisions_before;
-  const double loads_before = std::exchange(loads_so_far, load_seconds());
-  const auto at_once =
-      std::clamp(static_cast<double>(count()), 1.0, std::max(1.0, 1.0 * spec.threads));
-  const double loads = std::min(wall - collision, (loads_so_far - loads_before) / at_once);
-  timings.collision += collision;
-  timings.hydro += loads;
-  timings.engine += wall - collision - loads;
+  book_time(wall, world.collision_seconds() - collision_before);
 }
 
-void Simulation::Impl::accept_states() {
-  for (std::size_t i = 0; i < count(); ++i) states[i] = bodies[i].motion.state;
+void Simulation::Impl::book_time(double wall, double collision) {
+  double loads = -loads_so_far;
+  for (const MovingBody& moving : bodies) loads += moving.cache.seconds;
+  loads_so_far += loads;
+  // Loads of several bodies are found at once: their share of the step is an average.
+  const double at_once =
+      std::clamp(static_cast<double>(bodies.size()), 1.0, std::max(1.0, 1.0 * spec.threads));
+  const double hydro = std::min(wall - collision, loads / at_once);
+  timings.collision += collision;
+  timings.hydro += hydro;
+  timings.engine += wall - collision - hydro;
+}
+
+void Simulation::Impl::accept() {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    states[i] = bodies[i].motion.state;
+    bodies[i].inputs.loads.clear();
+  }
+  ++steps;
+  for (std::size_t i = 0; i < bodies.size() && warnings.empty(); ++i)
+    if (const auto warning =
+            wave_resolution_warning(bodies[i].body, states[i], environment, spec.step))
+      warnings.push_back(*warning);
 }
 
 std::vector<BodyForces> Simulation::Impl::forces() {
-  if (!spec.books) throw std::logic_error("the simulation keeps no books of forces");
-  std::vector<BodyForces> forces(count());
-  threads.execute([&] {
-    hydro::parallel_for(count(), [&](std::size_t i) {
-      forces[i] = forces_on(bodies[i], around, time(), spec.step,
-                            split->sleep().asleep(static_cast<BodyId>(i)));
-    });
+  if (!spec.record_work) throw std::logic_error("the simulation keeps no record of work");
+  std::vector<BodyForces> forces(bodies.size());
+  context.parallel_for(bodies.size(), [&](std::size_t i) {
+    forces[i] = forces_on(bodies[i], environment, time(), spec.step);
   });
   return forces;
 }
 
-void Simulation::Impl::warn() {
-  for (const Body& body : bodies) {
-    const auto warning = encounter_warning(body, around, spec.step);
-    if (!warning) continue;
-    warnings.push_back(*warning);
-    return;
-  }
+SimulationState Simulation::Impl::state() const {
+  auto data = std::make_shared<SimulationState::Data>();
+  data->steps = steps;
+  for (const MovingBody& moving : bodies)
+    data->bodies.push_back(
+        {.motion = moving.motion, .inputs = moving.inputs, .counts = moving.counts});
+  data->stepper = stepper.state();
+  data->warnings = warnings;
+  return SimulationState(std::move(data));
 }
 
-void Simulation::Impl::note_costs() {
-  for (std::size_t i = 0; i < count(); ++i) {
-    const Cost& cost = bodies[i].cost;
-    skips.dry_steps[i] = cost.dry;
-    skips.resting_steps[i] = cost.resting;
-    skips.asleep_steps[i] = split->sleep().steps(static_cast<BodyId>(i));
-    paths[i] = {.free = cost.free_steps,
-                .constrained = cost.constrained_steps,
-                .pieces = cost.substeps,
-                .implicit = cost.implicit,
-                .iterations = cost.iterations,
-                .unconverged = cost.unconverged,
-                .braked = cost.braked};
+void Simulation::Impl::restore(const SimulationState::Data& data) {
+  if (data.bodies.size() != bodies.size() || !stepper.fits(data.stepper))
+    throw std::invalid_argument(
+        fmt::format("the state is that of another scene: it has {} bodies, the simulation {}",
+                    data.bodies.size(), bodies.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].motion = data.bodies[i].motion;
+    bodies[i].inputs = data.bodies[i].inputs;
+    bodies[i].counts = data.bodies[i].counts;
+    bodies[i].cache.water_state.reset();
+    states[i] = bodies[i].motion.state;
   }
-}
-
-double Simulation::Impl::load_seconds() const {
-  double sum = 0;
-  for (const Body& body : bodies) sum += body.cost.load_seconds;
-  return sum;
+  stepper.restore(data.stepper);
+  steps = data.steps;
+  warnings = data.warnings;
+  broken = false;
 }
 
 void Simulation::Impl::give_up(const OdeFault& fault) {
-  for (std::size_t i = 0; i < count(); ++i) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto state = state_fault(world.state(static_cast<BodyId>(i)));
     if (!state) continue;
     throw SimulationError(
         time(), spec.bodies[i].name,
-        fmt::format("{}; {} ({})", *state, largest_load(bodies[i].loads), fault.what()));
+        fmt::format("{}; {} ({})", *state, largest_load(bodies[i].cache.loads), fault.what()));
   }
   throw SimulationError(time(), "", fault.what());
 }
@@ -235,17 +227,69 @@ long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
-const Skips& Simulation::skips() const {
-  impl_->note_costs();
-  return impl_->skips;
-}
-const std::vector<Path>& Simulation::paths() const {
-  impl_->note_costs();
-  return impl_->paths;
-}
 const std::vector<std::string>& Simulation::warnings() const { return impl_->warnings; }
 
-void Simulation::pull(BodyId body, const std::optional<Pull>& pull) { impl_->pull(body, pull); }
-void Simulation::step() { impl_->step(); }
+Skips Simulation::skips() const {
+  const auto feels_water = [](const MovingBody& moving) {
+    return moving.body.wet || moving.body.has_added_mass;
+  };
+  return {.collision = !impl_->context.collides,
+          .water = std::none_of(impl_->bodies.begin(), impl_->bodies.end(), feels_water)};
+}
+
+std::vector<Counts> Simulation::counts() const {
+  std::vector<Counts> counts;
+  for (const MovingBody& moving : impl_->bodies) counts.push_back(moving.counts);
+  return counts;
+}
+
+void Simulation::apply(BodyId body, const hydro::Wrench& wrench, Frame frame,
+                       const Eigen::Vector3d& at_B) {
+  MovingBody& moving = impl_->body(body);
+  if (!wrench.force.allFinite() || !wrench.moment.allFinite() || !at_B.allFinite())
+    throw std::invalid_argument(
+        fmt::format("the load on body '{}' is not finite", moving.body.spec->name));
+  moving.inputs.loads.push_back({.force = wrench.force,
+                                 .torque = wrench.moment,
+                                 .in_body_frame = frame == Frame::body,
+                                 .at_B = at_B});
+}
+
+void Simulation::pull(BodyId body, const std::optional<Pull>& pull) {
+  std::optional<Pull>& input = impl_->body(body).inputs.pull;
+  input = pull;
+  if (input) input->rate = std::min(input->rate, kFastestPull / impl_->spec.step);
+}
+
+void Simulation::set_motion(BodyId body, const hydro::BodyState& state) {
+  MovingBody& moving = impl_->body(body);
+  if (const auto fault = state_fault(state))
+    throw std::invalid_argument(
+        fmt::format("the state of body '{}': {}", moving.body.spec->name, *fault));
+  const hydro::BodyState allowed = displaced(moving.body, state, Vector6d::Zero());
+  moving.motion = motion_at(moving.body, impl_->spec, allowed, impl_->time());
+  impl_->stepper.forget(body);
+  impl_->states[static_cast<std::size_t>(body)] = moving.motion.state;
+}
+
+SimulationState Simulation::state() const { return impl_->state(); }
+void Simulation::restore(const SimulationState& state) { impl_->restore(state.data()); }
+void Simulation::reset() { impl_->restore(impl_->start->data()); }
+
+void Simulation::step() {
+  Impl& impl = *impl_;
+  if (impl.broken)
+    throw SimulationError(time(), "", "the simulation has stopped on an earlier error");
+  impl.broken = true;
+  try {
+    impl.advance();
+  } catch (const MotionFault& fault) {
+    throw SimulationError(time(), fault.body(), fault.what());
+  } catch (const OdeFault& fault) {
+    impl.give_up(fault);
+  }
+  impl.broken = false;
+  impl.accept();
+}
 
 }  // namespace engine

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "engine/force_log.h"
+#include "engine/body_forces.h"
+#include "engine/counts.h"
 #include "engine/pull.h"
+#include "engine/simulation_state.h"
 #include "engine/spec.h"
 
 namespace engine {
 
-/// The simulation cannot go on: a state or load that is not finite, or the engine's refusal.
+/// The simulation cannot go on: a state or load is not finite, or the mechanics engine refuses it.
 class SimulationError : public std::runtime_error {
  public:
   SimulationError(double time, std::string body, const std::string& what);
@@ -24,32 +26,23 @@ class SimulationError : public std::runtime_error {
   std::string body_;
 };
 
-/// Wall time spent so far, by stage [s].
+/// Wall time spent so far, by stage [s]. Added mass counts as water.
 struct Timings {
   double collision = 0;
   double hydro = 0;
   double engine = 0;
 };
 
-/// What the steps so far did not compute because the scene did not need it.
+/// What no step computes because the scene does not need it.
 struct Skips {
-  bool collision = false;           ///< Nothing in the scene can collide.
-  bool water = false;               ///< No water, or no body that it acts on.
-  std::vector<long> dry_steps;      ///< Per body: load evaluations above the highest water.
-  std::vector<long> resting_steps;  ///< Per body: evaluations that took over the last load, since
-                                    ///< neither the body nor the water had moved.
-  std::vector<long> asleep_steps;   ///< Per body: steps that it slept through (sleep.h).
+  bool collision = false;  ///< Nothing in the scene can collide.
+  bool water = false;      ///< There is no water, or no body that it acts on.
 };
 
-/// How a body's motion was found, in steps and pieces of steps so far.
-struct Path {
-  long free = 0;         ///< Steps by itself, or along a joint to the world (guide.h).
-  long constrained = 0;  ///< Steps under other joints, or contacts.
-  long pieces = 0;       ///< That those steps were cut in.
-  long implicit = 0;     ///< Pieces too long for its loads to be taken explicitly (kick.h).
-  long iterations = 0;   ///< Solutions of its constraints, one a piece without added mass.
-  long unconverged = 0;  ///< Pieces in which they did not reach their tolerance.
-  long braked = 0;       ///< Pieces slowed so that still water gives no energy (free_step.h).
+/// The axes of a load.
+enum class Frame {
+  world,  ///< The axes of W.
+  body,   ///< The axes of the body's mesh; the load turns with the body.
 };
 
 /// Bodies in the sea, moved step by step. Owns the mechanics engine.
@@ -67,20 +60,40 @@ class Simulation {
   long steps() const;
   const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
   /// What acts on each body in its present state, and the works so far.
-  /// @throws std::logic_error unless the specification asks for books.
+  /// @throws std::logic_error unless the specification asks for a record of work.
   std::vector<BodyForces> forces() const;
   const Timings& timings() const;
-  const Skips& skips() const;
-  const std::vector<Path>& paths() const;  ///< Per body.
+  Skips skips() const;
+  std::vector<Counts> counts() const;  ///< Per body.
   /// What the user should know of the run so far, each once, as whole sentences.
   const std::vector<std::string>& warnings() const;
 
-  /// Draws the body by one of its points in all steps to come; none lets it go. At most one pull a
-  /// body, at a rate of at most kFastestPull a step; a body that cannot move does not.
+  /// Adds a load that acts in the next step only. Calls add up.
+  /// @param wrench   Force [N] at the point, and torque [N m] beside it, in the axes of `frame`.
+  /// @param at_B     Point where the force acts, in B [m]: by default the centre of mass.
+  /// @throws std::invalid_argument for a load that is not finite, or an unknown body.
+  void apply(BodyId body, const hydro::Wrench& wrench, Frame frame = Frame::world,
+             const Eigen::Vector3d& at_B = Eigen::Vector3d::Zero());
+
+  /// Pulls the body by one of its points in all steps to come; none lets it go. A body has at most
+  /// one pull, at a rate of at most kFastestPull a step; one that cannot move stays.
   void pull(BodyId body, const std::optional<Pull>& pull);
 
-  /// One step. The state before it is kept if it throws; every later step then throws too.
-  /// @throws SimulationError
+  /// Puts a body in another state, as far as its locks and a joint to the world allow. Its history
+  /// and its record of work start anew. @throws std::invalid_argument for an impossible state.
+  void set_motion(BodyId body, const hydro::BodyState& state);
+
+  /// Everything that changes, for restore() in this simulation or another of the same
+  /// specification. A run continued from a restored state gives the same bytes as one that was
+  /// never interrupted.
+  SimulationState state() const;
+  /// @throws std::invalid_argument if the state is that of other bodies.
+  void restore(const SimulationState& state);
+  /// Back to time 0.
+  void reset();
+
+  /// One step. The state before it is kept if it throws; until restore() every later step then
+  /// throws too. @throws SimulationError
   void step();
 
  private:

@@ -28,10 +28,10 @@ enum class CollisionShape {
   none,    ///< It passes through everything.
   mesh,    ///< Its own triangles.
   box,     ///< The axis-aligned box around its mesh, in B.
-  sphere,  ///< The smallest sphere around the centre of the mesh's bounding box that holds it.
+  sphere,  ///< The smallest sphere environment the centre of the mesh's bounding box that holds it.
 };
 
-/// Degrees of freedom of a body, world axes: x, y, z, roll, pitch, yaw.
+/// Degrees of mobility of a body, world axes: x, y, z, roll, pitch, yaw.
 using DofMask = std::array<bool, 6>;
 
 /// A load given by the scene: constant or sinusoidal, between two times.
@@ -90,15 +90,13 @@ using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 struct Integrator {
   enum class Method {
     split,  ///< Inertia, loads and constraints in turn, with added mass; second order
-            ///< (split_step.h).
+            ///< (stepper.h).
     ode  ///< ODE's own step, loads once a step, no added mass: the plain method, to compare with.
   };
   Method method = Method::split;
   /// Largest error of a free body's pose in a second, as a part of its radius and in rad, by which
   /// steps are cut; 0: they are not cut for it.
   double tolerance = 0;
-  /// Bodies whose points are all slower than this fall asleep (sleep.h); 0: none. Of `split` [m/s].
-  double sleep = 0;
 };
 
 struct SimulationSpec {
@@ -109,8 +107,8 @@ struct SimulationSpec {
   Ground ground;
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
-  int threads = 1;     ///< At most this many; results do not depend on it.
-  bool books = false;  ///< Impulses and works are kept, for Simulation::forces.
+  int threads = 1;           ///< At most this many; results do not depend on it.
+  bool record_work = false;  ///< Impulses and works are kept, for Simulation::forces.
 };
 
 }  // namespace engine

@@ -8,20 +8,11 @@
 #include <limits>
 
 #include "engine/body_check.h"
+#include "engine/constants.h"
 #include "engine/locks.h"
 
 namespace engine {
 namespace {
-
-// Share of a joint's misalignment that a step takes back. The step is solved exactly, so that a
-// large share is stable; what is left of a joint is then little more than the step's own error.
-constexpr double kJointErp = 0.8;
-// Compliance of joints and locks in terms of the world's smallest and largest inertia, masses and
-// moments alike as numbers in SI [s]. The first makes joints that hold the same motion twice
-// solvable; the second, where inertias are very different, bounds what the heaviest body's joint
-// sinks in under its weight to 1e-6 g h [m].
-constexpr double kComplianceOfLightest = 1e-12;
-constexpr double kComplianceOfHeaviest = 1e-6;
 
 Eigen::Isometry3d pose(const hydro::BodyState& state) {
   return Eigen::Translation3d(state.position) * state.orientation;
@@ -60,7 +51,7 @@ BodyId World::add_body(const BodySpec& spec, bool meets) {
             .load = {},
             .inertia = {}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
-  body.held = partly_held(spec.locked);
+  body.held = partly_locked(spec.locked);
   const Shape shape = meets ? create_shape(spec) : Shape{};
   body.geom = shape.geom;
   if (body.geom) {
@@ -80,7 +71,7 @@ dxBody* World::create_body(const BodySpec& spec) {
   // Turns by exactly |ω| h about ω; ODE's default, a normalised first-order step, turns by less.
   dBodySetFiniteRotationMode(body, 1);
   place(body, without_locked_motion(spec.locked, spec.initial));
-  if (partly_held(spec.locked)) add_lock_motors(body, spec);
+  if (partly_locked(spec.locked)) add_lock_motors(body, spec);
   return body;
 }
 
@@ -219,7 +210,7 @@ void World::advance(double step) {
     set_all_states(before);
     hand_over_loads();
   };
-  if (step_or_compromise(world_.get(), again, step)) ++compromises_;
+  if (step_or_fall_back(world_.get(), again, step)) ++fallback_steps_;
   for (Body& body : bodies_) body.load = {};
 }
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/broad_phase.h"
 #include "engine/contacts.h"
-#include "engine/groups.h"
+#include "engine/island_solver.h"
 #include "engine/ode_handles.h"
-#include "engine/solver_world.h"
 #include "engine/spec.h"
 
 namespace engine {
@@ -50,7 +50,7 @@ class World {
   /// Moves the bodies over `step` [s] under loads, gravity, joints and contacts; uses up the loads.
   void advance(double step);
   /// Steps in which constraints contradicted each other and were each met in part.
-  long compromises() const { return compromises_ + apart_.compromises(); }
+  long fallback_steps() const { return fallback_steps_ + apart_.fallback_steps(); }
 
   /// From now on bodies move only where they are set: no gravity, no motion of their own.
   void only_constrain();
@@ -162,7 +162,7 @@ class World {
   double lightest_ = std::numeric_limits<double>::infinity();  ///< Least mass or moment of inertia.
   double heaviest_ = 0;                                        ///< Largest mass or moment.
   double unit_ = 1;  ///< What masses, moments and loads are multiplied with for the solver.
-  long compromises_ = 0;
+  long fallback_steps_ = 0;
   double collision_seconds_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
   std::unique_ptr<std::mutex> answering_ = std::make_unique<std::mutex>();
@@ -170,7 +170,7 @@ class World {
   SpaceHandle space_;
   JointGroupHandle contact_joints_;  ///< Of the step that is being taken.
   Contacts contacts_;                ///< The same, where the world steps by itself.
-  SolverWorlds apart_;
+  IslandSolver apart_;
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Sorted.
   std::vector<Pair> joints_;

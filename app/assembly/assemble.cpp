@@ -269,10 +269,9 @@ Assembly assemble(const Scene& scene) {
   engine::SimulationSpec& spec = assembly.spec;
   spec.step = scene.step;
   spec.gravity = scene.gravity;
-  spec.books = scene.log_forces;
+  spec.record_work = scene.log_forces;
   spec.integrator = {.method = static_cast<engine::Integrator::Method>(scene.integrator.method),
-                     .tolerance = scene.integrator.tolerance.value_or(0),
-                     .sleep = scene.integrator.sleep};
+                     .tolerance = scene.integrator.tolerance.value_or(0)};
   if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
   spec.ground = assemble_ground(scene.ground, log);
   check_ground(spec.ground, log);

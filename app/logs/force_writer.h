@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/logs/row_file.h"
-#include "engine/force_log.h"
+#include "engine/body_forces.h"
 
 /// @file
 /// The log of forces as CSV: one row a body a time.
@@ -14,7 +14,7 @@
 /// the centre of mass, in W; `wetted_area` [m^2], `displaced_volume` [m^3]; `kinetic_energy`,
 /// `added_kinetic_energy`, `potential_energy` [J]; `work_<load>` [J] since the start, `work_brake`
 /// last. The loads are buoyancy, pressure_drag, viscous_drag, lift, added_mass, applied, weight and
-/// constraint. What each means: engine/force_log.h.
+/// constraint. What each means: engine/body_forces.h.
 
 namespace app {
 

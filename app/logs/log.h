@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/force_log.h"
+#include "engine/body_forces.h"
 #include "hydro/spatial.h"
 
 /// @file

@@ -124,7 +124,7 @@ class Run {
     summary_.simulated = simulation_.time();
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
-    summary_.paths = simulation_.paths();
+    summary_.counts = simulation_.counts();
     summary_.warnings = simulation_.warnings();
     return code;
   }

@@ -13,14 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json path_summary(const engine::Path& path) {
-  return {{"free_steps", path.free},
-          {"constrained_steps", path.constrained},
-          {"pieces", path.pieces},
-          {"implicit_pieces", path.implicit},
-          {"constraint_solutions", path.iterations},
-          {"unconverged_pieces", path.unconverged},
-          {"braked_pieces", path.braked}};
+Json motion_summary(const engine::Counts& counts) {
+  return {{"free_steps", counts.free},
+          {"constrained_steps", counts.constrained},
+          {"pieces", counts.substeps},
+          {"implicit_pieces", counts.implicit},
+          {"constraint_solutions", counts.iterations},
+          {"unconverged_pieces", counts.unconverged},
+          {"braked_pieces", counts.clamped}};
 }
 
 Json to_json(const hydro::Matrix6d& matrix) {
@@ -54,10 +54,9 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
   return {{"triangles", body.mesh_B.face_count()},
           {"mass", body.mass},
           {"loads_not_computed", unused_loads(body)},
-          {"steps_above_water", summary.skips.dry_steps[i]},
-          {"steps_at_rest", summary.skips.resting_steps[i]},
-          {"steps_asleep", summary.skips.asleep_steps[i]},
-          {"motion", path_summary(summary.paths[i])},
+          {"steps_above_water", summary.counts[i].dry},
+          {"steps_at_rest", summary.counts[i].resting},
+          {"motion", motion_summary(summary.counts[i])},
           {"added_mass", to_json(summary.assembly.added_mass[i])}};
 }
 

@@ -22,7 +22,7 @@ struct RunSummary {
   double simulated = 0;  ///< [s]
   engine::Timings timings;
   engine::Skips skips;
-  std::vector<engine::Path> paths;    ///< Per body.
+  std::vector<engine::Counts> counts;  ///< Per body.
   std::vector<std::string> warnings;  ///< engine::Simulation::warnings.
   double wall = 0;                    ///< In all [s].
   double wall_added_mass = 0;         ///< To find it, before the first step [s].

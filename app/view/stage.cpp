@@ -43,7 +43,7 @@ Stage::Stage(const Scene& scene, const Assembly& assembly)
       scale_(pressure_scale(*scene.render, range_)) {}
 
 void Stage::restart() {
-  simulation_ = engine::Simulation(spec_);
+  simulation_.reset();
   held_.reset();
 }
 

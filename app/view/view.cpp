@@ -119,7 +119,7 @@ int view(const ViewOptions& options) {
   Scene scene = read_scene(options.scene, options.overrides);
   Assembly assembly = assemble(scene);
   assembly.spec.threads = thread_count(options.threads);
-  assembly.spec.books = false;
+  assembly.spec.record_work = false;
   if (!scene.render) {
     const render::Camera camera = framing(assembly.spec);
     scene.render.emplace().camera = {

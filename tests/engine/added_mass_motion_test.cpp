@@ -130,12 +130,12 @@ TEST(FreeMotion, KeepsEnergyAndBothMomentaForAnyStep) {
     const hydro::BodyState end = engine::drifted(S, start, none, time);
     const auto momentum = [&](const hydro::BodyState& state) {
       const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-      const Vector6d p = engine::turned_matrix(R_WB, S) * engine::velocity(state, none);
-      return engine::stacked(p.head<3>(), p.tail<3>() + state.position.cross(p.head<3>()));
+      const Vector6d p = engine::rotate_tensor(R_WB, S) * engine::velocity(state, none);
+      return engine::to_vector6(p.head<3>(), p.tail<3>() + state.position.cross(p.head<3>()));
     };
     const auto energy = [&](const hydro::BodyState& state) {
       const Eigen::Matrix3d R_BW = state.orientation.conjugate().toRotationMatrix();
-      const Vector6d u = engine::turned(R_BW, engine::velocity(state, none));
+      const Vector6d u = engine::rotate(R_BW, engine::velocity(state, none));
       return u.dot(S * u) / 2;
     };
     EXPECT_NEAR(energy(end), energy(start), tolerance(1e-12 * energy(start)));
@@ -156,7 +156,7 @@ TEST(FreeMotion, KeepsEnergyWhereItsEquationCannotBeSolved) {
     hydro::BodyState state{.orientation = random.rotation(), .linear_velocity = random.vector(30)};
     const auto energy = [&](const hydro::BodyState& s) {
       const Vector6d u = engine::velocity(s, Vector3d::Zero());
-      const Matrix6d S_W = engine::turned_matrix(s.orientation.toRotationMatrix(), S);
+      const Matrix6d S_W = engine::rotate_tensor(s.orientation.toRotationMatrix(), S);
       return u.dot(S_W * u) / 2;
     };
     const double before = energy(state);
@@ -177,7 +177,7 @@ TEST(FreeMotion, WithHeldDegreesOfFreedomKeepsTheEnergyThatTheyLeave) {
     const hydro::BodyState state{.orientation = random.rotation(),
                                  .angular_velocity = {60, -20, 0}};
     const auto energy = [&](const hydro::BodyState& s) {
-      const Matrix6d S_W = engine::turned_matrix(s.orientation.toRotationMatrix(), S);
+      const Matrix6d S_W = engine::rotate_tensor(s.orientation.toRotationMatrix(), S);
       Vector6d free = engine::velocity(s, current), held = free;
       for (const int i : {0, 1, 5}) free[i] = 0;
       for (const int i : {2, 3, 4}) held[i] = 0;

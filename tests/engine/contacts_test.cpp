@@ -158,7 +158,7 @@ TEST(ContactWeights, AreThoseOfTheEndInLongStepsAndOfTheMiddleInShortOnes) {
   }
 }
 
-/// Depth of a mass that runs at 1 m/s into a contact, a time later [m], with half a drift, a kick
+/// Depth of a mass that runs at 1 m/s into a contact, a time later [m], with half a drift, a update
 /// and half a drift in each step.
 double depth_after(double time, int steps, double mass, double resisting) {
   const double step = time / steps;

@@ -133,7 +133,7 @@ TEST(Floating, DampedBobbingConvergesToItsEquationOfMotion) {
   }
   // The amplitude of 0.3 m times the phase error (ω h)²/24 of 5 s, ω = 4.4 1/s: 5e-4 m.
   EXPECT_LT(errors[0], tolerance(5e-4));
-  // Order 1.9, as |z'| z' has a kink where the motion turns around.
+  // Order 1.9, as |z'| z' has a kink where the motion turns environment.
   EXPECT_GT(errors[0] / errors[1], 3.7) << errors[0];
   EXPECT_GT(errors[1] / errors[2], 3.7) << errors[1];
 }

@@ -81,7 +81,7 @@ TEST(Universal, SwingsWithThePeriodOfThePendulumToSecondOrder) {
                 tolerance(0.2));
 }
 
-// To the world they are guides (guide.h). What is left is the straight line through two steps by
+// To the world they are guides (reduced_joint.h). What is left is the straight line through two steps by
 // which the crossing is found: (ω h)³/60 of the angle.
 TEST(HingeAndBall, SwingWithThePeriodOfThePendulum) {
   EXPECT_LT(period_error(0.01, Type::hinge), tolerance(1e-6));

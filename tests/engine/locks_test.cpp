@@ -21,7 +21,7 @@ DofMask mask(int bits) {
   return locked;
 }
 
-/// A body that spins, flies and is pushed in all six degrees of freedom.
+/// A body that spins, flies and is pushed in all six degrees of mobility.
 BodySpec driven_body(const DofMask& locked) {
   support::Random random(4);
   BodySpec body = support::box_body("driven", {1, 2, 3}, 100, {4, -5, 6});
@@ -123,7 +123,7 @@ TEST(Locks, ProjectionKeepsTheTurnAboutTheFreeAxis) {
   hydro::BodyState moved = start;
   moved.orientation = Eigen::AngleAxisd(1e-6, Vector3d::UnitX()) *
                       Eigen::AngleAxisd(2.5, Vector3d::UnitZ()) * start.orientation;
-  const hydro::BodyState state = engine::held(mask(0b011000), start, moved);
+  const hydro::BodyState state = engine::project_onto_locks(mask(0b011000), start, moved);
   const Quaterniond expected(Eigen::AngleAxisd(2.5, Vector3d::UnitZ()) * start.orientation);
   // The turn of 1e-6 about the locked axis is taken out; what is left is of its second order.
   EXPECT_LT((state.orientation * expected.conjugate()).vec().norm(), tolerance(1e-12));

@@ -52,8 +52,8 @@ TEST(Stress, ContradictoryConstraintsDoNotEndASimulation) {
 }
 
 TEST(Stress, AStepThatTheExactSolverGivesUpIsStillTaken) {
-  long compromises = 0;
-  for (unsigned seed = 1; compromises == 0; ++seed) {
+  long fallback_steps = 0;
+  for (unsigned seed = 1; fallback_steps == 0; ++seed) {
     ASSERT_LE(seed, 60U) << "no world was contradictory enough";
     const SimulationSpec spec = tangle(seed, 1e12);
     World world(spec.gravity);
@@ -61,10 +61,10 @@ TEST(Stress, AStepThatTheExactSolverGivesUpIsStillTaken) {
     for (const JointSpec& joint : spec.joints) world.add_joint(joint);
     world.add_ground(spec.ground);
     try {
-      for (int i = 0; i < 200 && compromises == 0; ++i) {
+      for (int i = 0; i < 200 && fallback_steps == 0; ++i) {
         world.collide(kStep);
         world.advance(kStep);
-        compromises = world.compromises();
+        fallback_steps = world.fallback_steps();
       }
     } catch (const engine::OdeFault&) {
       continue;  // beyond what either solver can do

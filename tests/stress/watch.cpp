@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/energy.h"
-#include "engine/faults.h"
+#include "engine/state_checks.h"
 #include "tests/stress/waters.h"
 
 namespace stress {

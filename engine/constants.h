@@ -1,0 +1,174 @@
+#pragma once
+
+#include <cstddef>
+
+/// @file
+/// Every tolerance of the stepping: its unit, and what a change of it does. Each was chosen by
+/// measurement (tests/benchmarks/README.md, tests/stress/README.md); "step" is the scene's step.
+
+namespace engine {
+
+// ── Length of a substep (substep_limit.h) ───────────────────────────────────────────────────────
+
+/// Largest turn of a wet body in a substep [rad]. Larger: loads halfway miss those on the way.
+inline constexpr double kLargestWetTurn = 0.5;
+/// Largest rise through the water surface in a substep, over the body's height [-]. Larger: entry
+/// and exit are missed.
+inline constexpr double kLargestCrossing = 0.5;
+/// Largest phase of a resolved oscillation in a substep [rad]. Larger: its phase error grows as the
+/// square; smaller: floating bodies cost more.
+inline constexpr double kLargestSwing = 0.25;
+/// Least amplitude per substep, over the radius, for which an oscillation is resolved [-].
+inline constexpr double kSmallestSwing = 1e-6;
+/// Shortest substep that an oscillation asks for, over the step [-].
+inline constexpr double kShortestSwing = 1.0 / 8;
+/// Largest turn, by its own inertia, of a body under joints or contacts in a substep [rad]. Larger:
+/// joints drift apart, since their solver does not see that turn.
+inline constexpr double kLargestConstrainedTurn = 0.25;
+/// Substeps that the motion can ask for in a step [-]. More: bodies that spin fast cost more.
+inline constexpr int kMostSubsteps = 64;
+/// First substeps of a motion without history, over the step [-]. They are of lower order.
+inline constexpr double kStartingPart = 1.0 / 8;
+/// Shortest substep that energy, surface or tolerance ask for, over the step [-]. Smaller: stiff
+/// motions are halved more often before they are clamped.
+inline constexpr double kShortestPart = 1.0 / 256;
+/// Rest of a step that may be left out, over the step [-]: the round-off of a sum of substeps.
+inline constexpr double kRoundOffPart = 1e-12;
+
+// ── Which substeps are judged (substep.h, energy_limiter.h) ─────────────────────────────────────
+
+/// Change of velocity beyond the extrapolated one, over the velocity, that is abrupt [-].
+inline constexpr double kAbruptLoad = 0.01;
+/// Rise through the water surface in a substep, over the height, that is abrupt [-].
+inline constexpr double kAbruptCrossing = 0.1;
+/// Rise by loads through the water surface, over the height, after which a substep is halved [-].
+inline constexpr double kLargestOvershoot = 2;
+/// Turn in a substep beyond which halves tell no more of a body's energy [rad].
+inline constexpr double kFollowedTurn = 8;
+/// Phase per substep below which a jointed group keeps its energy by itself [rad].
+inline constexpr double kSmoothSwing = 0.3;
+/// Half the energy gain that still water may give, over the largest energy so far [-]. Larger:
+/// light bodies bounce on the surface; smaller: resolved motions are slowed.
+inline constexpr double kEnergyGain = 2.5e-4;
+/// Energy that joints may have given a group in moving water, over its kinetic energy [-].
+inline constexpr double kJointGain = 0.1;
+
+// ── Drift by inertia (free_motion.h) ────────────────────────────────────────────────────────────
+
+/// Largest turn, or change of direction of the momentum, in one application of (E2) [rad]. Larger:
+/// its phase error grows as the square.
+inline constexpr double kLargestTurn = 0.1;
+inline constexpr double kLargestSolvedTurn = 1;  ///< That one solution of (E2) is tried for [rad].
+inline constexpr int kMostDriftParts = 1024;     ///< Applications of (E2) in a drift.
+inline constexpr int kMostDriftHalvings = 6;     ///< Of one that does not converge.
+inline constexpr int kMostDriftSolves = 40;      ///< Substitutions in an application of (E2).
+/// Part of the residual that a substitution leaves, beyond which Newton's method is taken [-].
+inline constexpr double kSlowConvergence = 0.1;
+/// Square of half a turn below which the series of sine and cosine are exact [rad^2].
+inline constexpr double kShortTurn = 0.01;
+inline constexpr double kDriftConverged = 1e-15;   ///< Residual over the momentum [-].
+inline constexpr double kDriftRoundOff = 1e-12;    ///< The same of ill-conditioned inertia [-].
+inline constexpr double kDriftEnergyKept = 1e-9;   ///< Of the energy, where that is missed [-].
+inline constexpr double kLockedEnergyKept = 1e-3;  ///< Change of (E3b) in a part of a drift [-].
+
+// ── Update of the velocity (velocity_update.h) ──────────────────────────────────────────────────
+
+/// Stiffness ζ of the drag above which the update is implicit [-]. Explicit is stable below ½.
+inline constexpr double kStiffDrag = 0.3;
+/// (h ω)² of the waterplane above which the update is implicit [-]. Explicit is stable below 4.
+inline constexpr double kStiffWaterplane = 0.5;
+/// Change of velocity that extrapolation may miss, over the larger of both, before loads are found
+/// a second time [-].
+inline constexpr double kPredicted = 0.3;
+/// Largest shift of the pose in (E5), over the radius [-]. Oscillations that a substep resolves
+/// need less.
+inline constexpr double kLargestShift = 0.02;
+inline constexpr int kMostNewtonSteps = 30;       ///< Of the implicit update.
+inline constexpr double kNewtonTolerance = 1e-3;  ///< Of the change; its error is the square [-].
+inline constexpr double kNewtonRoundOff = 1e-12;  ///< Of the velocity, where it is balanced [-].
+
+// ── Added mass at the end of a substep (body.h) ─────────────────────────────────────────────────
+
+/// Passes until the added mass of the final pose is the one of the update: of a body that moves
+/// freely, and of an island under constraints, whose passes solve them anew.
+inline constexpr int kMostFreePasses = 3;
+inline constexpr int kMostConstrainedPasses = 2;
+/// Difference of two added masses that is round-off, over the inertia [-].
+inline constexpr double kEqualAddedMass = 1e-9;
+/// Difference after the last pass, over the inertia, that leaves the energy alone [-].
+inline constexpr double kUnmatchedAddedMass = 1e-4;
+/// Part of the body's own inertia that extrapolated added mass must leave positive [-].
+inline constexpr double kLeastInertia = 0.99;
+
+// ── History of accelerations (acceleration_history.h) ───────────────────────────────────────────
+
+/// Error of extrapolation, over the largest acceleration, of a motion that is resolved [-].
+inline constexpr double kResolved = 0.25;
+/// What a substep without curvature leaves of the dominant frequency [-]. Half a period passes
+/// between two largest accelerations.
+inline constexpr double kFrequencyKept = 0.9;
+
+// ── Constraints (constrained_update.h) ──────────────────────────────────────────────────────────
+
+/// Error of the reactions, as a change of velocity in the metric of M_o, over the motion [-].
+inline constexpr double kReactionTolerance = 1e-9;
+inline constexpr int kMostSolves = 24;             ///< For one linearisation of the loads.
+inline constexpr int kContractingSolves = 8;       ///< Of these, kept for plain contraction.
+inline constexpr int kMostLinearisations = 6;      ///< Of the loads in an update.
+inline constexpr int kFullNewtonSteps = 3;         ///< Later linearisations take half steps.
+inline constexpr int kMostSolvesInAll = 12;        ///< After which loads are not linearised again.
+inline constexpr std::size_t kAndersonDepth = 12;  ///< Differences that acceleration remembers.
+inline constexpr int kMostIdleSolves = 12;         ///< Without progress, then M_o is chosen anew.
+inline constexpr double kProgress = 0.8;           ///< Of the least error, that counts as progress.
+
+// ── Contacts (contacts.h) and impacts (impacts.h) ───────────────────────────────────────────────
+
+inline constexpr double kFriction = 0.5;           ///< Coulomb's µ of every pair [-].
+inline constexpr double kShortestContact = 0.01;   ///< Least time τ of a contact's spring [s].
+inline constexpr double kLeastGravity = 1;         ///< In (E13), where there is none [m/s^2].
+inline constexpr std::size_t kContactsOfPair = 8;  ///< Points kept of two meshes.
+inline constexpr std::size_t kContactsOfFace = 4;  ///< Points kept of boxes and planes.
+/// Creep on a slope is below this times g h [-]. Zero makes many points unsolvable.
+inline constexpr double kSlip = 1e-6;
+/// First substep after an impact, over the contact's time [-], and growth of those after it.
+inline constexpr double kFirstAfterImpact = 1.0 / 32;
+inline constexpr double kImpactGrowth = 1.2;
+/// Onset of an impact, over that first substep, that counts as the start of the substep [-].
+inline constexpr double kImpactBegun = 1.0 / 8;
+inline constexpr std::size_t kMostImpactPairs = 4;  ///< Larger heaps take whole steps.
+inline constexpr int kMostImpacts = 4;              ///< That end a substep, in a step.
+inline constexpr int kMostOnsetLooks = 4;           ///< To find the onset of an impact.
+/// Reach of trusted contact points, in steps of the relative motion [-].
+inline constexpr double kReachInSteps = 3;
+/// Margin of broad-phase boxes, over their longest side [-]. Larger: fewer searches, more pairs.
+inline constexpr double kBroadPhaseMargin = 0.25;
+
+// ── ODE (world.h, island_solver.h) ──────────────────────────────────────────────────────────────
+
+/// Part of a joint's misalignment that a step takes back [-]. The step is solved exactly, so a
+/// large part is stable.
+inline constexpr double kJointErp = 0.8;
+/// Compliance of joints and locks over the inverse of the world's smallest and of its largest
+/// inertia, masses and moments alike as numbers in SI [s]. The first makes joints that hold the
+/// same motion twice solvable; the second bounds what the heaviest body's joint sinks in under its
+/// weight to 1e-6 g h [m].
+inline constexpr double kComplianceOfLightest = 1e-12;
+inline constexpr double kComplianceOfHeaviest = 1e-6;
+inline constexpr std::size_t kMostDirectContacts = 32;  ///< Points that are solved exactly.
+inline constexpr int kHeapIterations = 50;              ///< Of the iterative solver, beyond those.
+inline constexpr int kFallbackIterations = 200;         ///< Where the exact solver gives up.
+inline constexpr double kLeastSolverMass = 1e-6;        ///< Of the mass unit handed to ODE [kg].
+
+// ── Input (state_checks.h, body_check.h, pull.h, wave_resolution.h) ─────────────────────────────
+
+/// Largest coordinate, speed and angular speed of a body [m, m/s, rad/s]. Beyond it ODE can no
+/// longer number its collision cells.
+inline constexpr double kLargestState = 1e9;
+inline constexpr double kInertiaTolerance = 1e-6;  ///< Of the triangle inequality of moments [-].
+inline constexpr double kUnitTolerance = 1e-9;     ///< Of a unit vector or quaternion [-].
+/// Largest rate of a pull, times the step [-]: the explicit update allows ½ of twice the rate.
+inline constexpr double kFastestPull = 0.2;
+/// Steps per period of encounter below which a warning is given [-].
+inline constexpr double kStepsPerWave = 8;
+
+}  // namespace engine

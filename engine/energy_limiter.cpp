@@ -1,0 +1,122 @@
+#include "engine/energy_limiter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/constants.h"
+#include "engine/energy.h"
+
+namespace engine {
+namespace {
+
+/// Kinetic energy of a motion in W, whatever the water does [J].
+double absolute_energy(const Body& body, const Motion& motion) {
+  return kinetic_energy(body, Environment{}, motion);
+}
+
+/// True if a free substep must be judged, or one under joints goes through a swing that is too
+/// large for it to keep its energy by itself.
+bool is_suspect(const SubstepBody& b, double h) {
+  if (!b.end.constrained) return b.abrupt;
+  const AccelerationHistory& history = b.end.accelerations;
+  return !history.resolved() || history.dominant_frequency() * h > kSmoothSwing;
+}
+
+}  // namespace
+
+void EnergyRange::extend(double energy, double potential) {
+  lowest = std::min(lowest, energy);
+  highest = std::max(highest, energy);
+  lowest_potential = std::min(lowest_potential, potential);
+}
+
+EnergyLimiter::EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies,
+                             const Environment& environment)
+    : group_(std::move(group)) {
+  for (const BodyId id : group_) {
+    const Body& body = bodies[static_cast<std::size_t>(id)].body;
+    floor_ += least_energy_scale(body, environment);
+    in_still_water_ = in_still_water_ && must_not_gain_energy(body, environment);
+  }
+}
+
+bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, const Environment& environment,
+                          double h, bool halves) {
+  excess_ = 0;
+  next_ = range_;
+  if (std::any_of(members.begin(), members.end(), [](const auto* b) { return b->touching; })) {
+    next_ = {};
+    return false;
+  }
+  const auto suspect = [h](const SubstepBody* b) { return is_suspect(*b, h); };
+  if (!halves && std::none_of(members.begin(), members.end(), suspect)) return false;
+  if (in_still_water_)
+    judge_energy(members, environment, h);
+  else if (members.front()->end.constrained)
+    judge_joints(members);
+  return excess_ > allowed_;
+}
+
+void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members,
+                                 const Environment& environment, double h) {
+  double before = 0, potential_before = 0, potential = 0, work = 0;
+  bool driven = false;
+  kinetic_ = 0;
+  for (const SubstepBody* b : members) {
+    const Motion& start = b->moving->motion;
+    const double stored = potential_energy(b->body(), environment, start.state);
+    potential_before += stored;
+    before += stored + kinetic_energy(b->body(), environment, start);
+    potential += potential_energy(b->body(), environment, b->end.state);
+    kinetic_ += kinetic_energy(b->body(), environment, b->end);
+    driven = driven || is_driven(*b->moving);
+    work += work_done(*b->moving, environment, start.state, b->end.state, h);
+  }
+  next_.extend(before, potential_before);
+  if (driven) next_.lowest = before + work;
+  const double energy = potential + kinetic_;
+  allowed_ = kEnergyGain * std::max(next_.highest - next_.lowest_potential, floor_);
+  excess_ = energy - next_.lowest - allowed_;
+  next_.extend(std::min(energy, energy - excess_), potential);
+}
+
+void EnergyLimiter::judge_joints(const std::vector<SubstepBody*>& members) {
+  double start = 0, end = 0, gain = 0;
+  for (const SubstepBody* b : members) {
+    start += absolute_energy(b->body(), b->moving->motion);
+    end += absolute_energy(b->body(), b->end);
+    gain += b->reaction_work;
+  }
+  // Drag may take at once what joints add; what loads take later they take of the gain, too.
+  if (gain > 0) gain = std::min(gain, std::max(0.0, end - start));
+  const double own = std::max(0.0, end - gain);
+  const double left = start > 0 ? std::min(1.0, own / start) : 1;
+  next_.given_by_joints = std::max(0.0, left * range_.given_by_joints + gain);
+  kinetic_ = end;
+  allowed_ = kJointGain * std::max({start, own, floor_});
+  excess_ = next_.given_by_joints - allowed_;
+  if (excess_ > 0) next_.given_by_joints -= std::min(excess_, end);
+}
+
+void EnergyLimiter::clamp(const std::vector<SubstepBody*>& members,
+                          const Environment& environment) {
+  range_ = next_;
+  if (!(excess_ > 0)) return;
+  const bool enough = kinetic_ > excess_;
+  const bool much = excess_ > allowed_;
+  if (!enough && !much) return;
+  const double part = enough ? std::sqrt(1 - excess_ / kinetic_) : 0;
+  const Eigen::Vector3d frame =
+      in_still_water_ ? environment.current() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  for (SubstepBody* b : members) {
+    if (!enough) b->end = b->moving->motion;
+    const Motion fast = b->end;
+    b->end.state = with_velocity(fast.state, part * velocity(fast.state, frame), frame);
+    if (b->end.work) record_clamp(b->body(), environment, fast, b->end);
+    if (!much) continue;
+    b->end.accelerations.clear();
+    ++b->moving->counts.clamped;
+  }
+}
+
+}  // namespace engine

@@ -1,0 +1,244 @@
+#include "engine/group_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/constants.h"
+#include "engine/processing_correction.h"
+#include "engine/step_controller.h"
+#include "engine/substep_limit.h"
+
+namespace engine {
+namespace {
+
+/// A body where contacts are looked for.
+World::Placed placed(const SubstepBody& b, const Environment& environment) {
+  const Motion& motion = b.moving->motion;
+  return {.body = b.id,
+          .state = b.halfway.state,
+          .inertia = {.mass = contact_mass(b.body(), motion),
+                      .fall = contact_fall(b.body(), motion),
+                      .acceleration = motion.load_acceleration_W.value_or(-environment.gravity *
+                                                                          Eigen::Vector3d::UnitZ()),
+                      .matrix_B = b.body().rigid_B + motion.added()}};
+}
+
+/// True if the motion has no history yet and is about to get one.
+bool starts(const MovingBody& moving, const Environment& environment) {
+  return moving.motion.accelerations.empty() && shows_trend(moving.body, moving.motion) &&
+         (moving.body.reduced_joint || may_be_wet(moving.body, environment, moving.motion.state));
+}
+
+}  // namespace
+
+GroupStepper::GroupStepper(const StepContext& context, Group group,
+                           std::vector<EnergyLimiter*> limiters, std::vector<GroupStepper>& alone,
+                           const std::vector<Pair>& touching, double step)
+    : context_(context),
+      group_(std::move(group)),
+      alone_(&alone),
+      is_alone_(group_.bodies.size() == 1 && group_.joints.empty() && group_.near.empty()),
+      step_(step),
+      shortest_(kShortestPart * step),
+      impacts_(context_, group_, touching, step),
+      members_(group_.bodies.size()) {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].id = group_.bodies[i];
+    members_[i].moving = &context_.bodies[static_cast<std::size_t>(group_.bodies[i])];
+    members_[i].in_island = is_alone_;
+  }
+  for (EnergyLimiter* limiter : limiters) {
+    judged_.push_back({.limiter = limiter, .members = {}});
+    for (const BodyId id : limiter->group()) judged_.back().members.push_back(&member(id));
+  }
+  if (is_alone_)
+    islands_.push_back({.bodies = {&members_.front()}, .contacts = {}, .constrained = false});
+}
+
+GroupStepper::Member& GroupStepper::member(BodyId id) {
+  const auto place = std::lower_bound(group_.bodies.begin(), group_.bodies.end(), id);
+  return members_[static_cast<std::size_t>(place - group_.bodies.begin())];
+}
+
+void GroupStepper::advance(double time, double length) {
+  if (is_alone_) {
+    MovingBody& moving = *members_.front().moving;
+    ++moving.counts.free;
+    if (moving.motion.constrained) moving.motion.accelerations.clear();
+    moving.motion.constrained = false;
+    step_ = length;
+  }
+  if (context_.tolerance > 0)
+    advance_within_tolerance(time, length);
+  else
+    advance_in_substeps(time, length, false);
+}
+
+void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
+  const bool starting =
+      is_alone_ && !halves && starts(*members_.front().moving, context_.environment);
+  double done = 0;
+  for (int i = 0;; ++i) {
+    const double h = next_length(length - done, starting && i < AccelerationHistory::kTrend);
+    take_limited_substep(time + done, h, halves);
+    done += h;
+    if (length - done <= kRoundOffPart * step_) return;
+  }
+}
+
+void GroupStepper::advance_within_tolerance(double time, double length) {
+  double done = 0;
+  double h = length;
+  while (true) {
+    h = fitting_length(std::min(h, length - done));
+    const Snapshot before = snapshot();
+    take_substeps(time + done, h);
+    std::vector<std::pair<const Member*, Motion>> whole;
+    for (const Member& m : members_)
+      if (m.in_island) whole.emplace_back(&m, m.end);
+    for (const double start : {done, done + h / 2}) advance_in_substeps(time + start, h / 2, false);
+    double error = 0;
+    for (const auto& [m, end] : whole)
+      if (!m->touching)
+        error = std::max(error,
+                         estimated_error(m->body(), end, m->moving->motion, h, context_.tolerance));
+    if (error <= 1 || h <= shortest_)
+      done += h;
+    else
+      restore(before);
+    if (length - done <= kRoundOffPart * step_) return;
+    h = std::max(length_for_error(h, error), shortest_);
+  }
+}
+
+void GroupStepper::take_limited_substep(double time, double h, bool halves) {
+  take_substeps(time, h);
+  if (!must_halve(h, halves)) return accept(time, h);
+  advance_in_substeps(time, h / 2, true);
+  advance_in_substeps(time + h / 2, h / 2, true);
+}
+
+void GroupStepper::take_substeps(double time, double h) {
+  if (islands_.size() == 1) return take_substep(context_, islands_.front(), time, h);
+  parallel_for_rethrow(context_.parallel_for, islands_.size(),
+                       [&](std::size_t i) { take_substep(context_, islands_[i], time, h); });
+}
+
+bool GroupStepper::must_halve(double h, bool halves) {
+  bool gained = false, followed = true, overshot = false;
+  for (const Judged& judged : judged_) {
+    if (!member(judged.members.front()->id).in_island) continue;
+    gained = judged.limiter->judge(judged.members, context_.environment, h, halves) || gained;
+  }
+  if (h / 2 < shortest_) return false;
+  for (const Member& m : members_) {
+    if (!m.in_island || !(gained || m.abrupt)) continue;
+    const Motion& before = m.moving->motion;
+    followed = followed && can_be_followed(m.body(), context_.environment, before, h);
+    overshot = overshot ||
+               (m.abrupt && m.body().wet &&
+                overshoots_surface(m.body(), context_.environment, before.state, m.end.state, h));
+  }
+  return overshot || (gained && followed);
+}
+
+void GroupStepper::accept(double time, double h) {
+  for (const Judged& judged : judged_)
+    if (member(judged.members.front()->id).in_island)
+      judged.limiter->clamp(judged.members, context_.environment);
+  for (Member& m : members_)
+    if (m.in_island) m.moving->motion = m.end;
+  if (is_alone_) return;
+  parallel_for_rethrow(context_.parallel_for, members_.size(), [&](std::size_t i) {
+    if (!members_[i].in_island)
+      (*alone_)[static_cast<std::size_t>(members_[i].id)].advance(time, h);
+  });
+  impacts_.accept(contacts_.pairs);
+}
+
+GroupStepper::Snapshot GroupStepper::snapshot() const {
+  Snapshot snapshot{.motions = {}, .ranges = {}, .impacts = impacts_};
+  for (const Member& m : members_) snapshot.motions.push_back(m.moving->motion);
+  for (const Judged& judged : judged_) snapshot.ranges.push_back(judged.limiter->range());
+  return snapshot;
+}
+
+void GroupStepper::restore(const Snapshot& snapshot) {
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    members_[i].moving->motion = snapshot.motions[i];
+  for (std::size_t i = 0; i < judged_.size(); ++i) judged_[i].limiter->restore(snapshot.ranges[i]);
+  impacts_ = snapshot.impacts;
+}
+
+double GroupStepper::next_length(double rest, bool starting) {
+  const double h = fitting_length(rest);
+  if (is_alone_) return starting ? std::min(h, kStartingPart * step_) : h;
+  return shortened(h, impacts_.next(h, contacts_.pairs).value_or(h));
+}
+
+double GroupStepper::fitting_length(double rest) {
+  if (is_alone_) return longest_substep(rest);
+  // The islands of the last substep are likely to be those of the next one.
+  const double h = std::min(longest_substep(rest), impacts_.longest_substep());
+  find_contacts(h);
+  return shortened(h, longest_substep(h));
+}
+
+double GroupStepper::shortened(double h, double longest) {
+  if (longest >= h) return h;
+  find_contacts(longest);
+  return longest;
+}
+
+double GroupStepper::longest_substep(double rest) const {
+  double h = rest;
+  for (const Island& island : islands_)
+    for (const SubstepBody* b : island.bodies)
+      h = std::min(h, substep_limit(b->body(), context_.environment, b->moving->motion, rest, step_,
+                                    island.constrained));
+  return h;
+}
+
+void GroupStepper::find_contacts(double h) {
+  std::vector<World::Placed> bodies;
+  for (Member& m : members_) {
+    drift_halfway(m, context_.environment, h);
+    m.touching = false;
+    if (context_.collides) bodies.push_back(placed(m, context_.environment));
+  }
+  if (context_.collides) contacts_ = context_.world.collide(bodies, group_.near, h);
+  for (const Pair& pair : contacts_.pairs)
+    for (const BodyId id : {pair.first, pair.second})
+      if (can_move(context_.bodies, id)) member(id).touching = true;
+  find_islands();
+}
+
+void GroupStepper::find_islands() {
+  std::vector<Pair> pairs = group_.joints;
+  pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
+  islands_.clear();
+  for (Member& m : members_) m.in_island = false;
+  std::vector<std::size_t> home(members_.size());
+  const auto index = [this](BodyId id) {
+    return static_cast<std::size_t>(&member(id) - members_.data());
+  };
+  for (const std::vector<BodyId>& connected : connected_components(group_.bodies, pairs)) {
+    const Member& first = member(connected.front());
+    if (connected.size() == 1 && first.body().reduced_joint && !first.touching) continue;
+    Island island;
+    for (const BodyId id : connected) {
+      member(id).in_island = true;
+      home[index(id)] = islands_.size();
+      island.bodies.push_back(&member(id));
+    }
+    islands_.push_back(std::move(island));
+  }
+  for (const Contact& contact : contacts_.points) {
+    const auto& [first, second] = contact.pair;
+    const BodyId movable = can_move(context_.bodies, first) ? first : second;
+    islands_[home[index(movable)]].contacts.push_back(contact);
+  }
+}
+
+}  // namespace engine

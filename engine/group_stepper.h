@@ -1,0 +1,86 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/energy_limiter.h"
+#include "engine/impacts.h"
+#include "engine/substep.h"
+
+/// @file
+/// A step of bodies that may have to do with each other, in substeps of their own.
+///
+/// Each substep is as long as the motion (substep_limit.h) and impacts (impacts.h) allow. Halfway
+/// through it contacts are found; joints and contacts make islands, which are moved (substep.h),
+/// judged (energy_limiter.h), and either accepted or repeated in halves. Bodies in no island take
+/// the substep each as a group of its own. A group of one body that nothing can touch and no joint
+/// of ODE's holds is the most frequent one: its island is itself.
+///
+/// With a tolerance a substep is compared with its halves, which are kept (step_controller.h).
+
+namespace engine {
+
+class GroupStepper {
+ public:
+  /// @param group      What it refers to must outlive the stepper.
+  /// @param limiters   Of the bodies of the group, each once.
+  /// @param alone      Per body of the simulation: the stepper that moves it as a group of one.
+  /// @param touching   Pairs in contact at the start, ascending.
+  /// @param step       The scene's step [s].
+  GroupStepper(const StepContext& context, Group group, std::vector<EnergyLimiter*> limiters,
+               std::vector<GroupStepper>& alone, const std::vector<Pair>& touching, double step);
+
+  /// Advances the bodies by a step, or a part of one [s]. @throws MotionFault, OdeFault
+  void advance(double time, double length);
+
+  /// Pairs in contact, ascending.
+  const std::vector<Pair>& touching() const { return impacts_.touching(); }
+
+ private:
+  struct Member : SubstepBody {
+    bool in_island = false;  ///< Of the present substep.
+  };
+  /// Bodies that one limiter judges.
+  struct Judged {
+    EnergyLimiter* limiter;
+    std::vector<SubstepBody*> members;
+  };
+  struct Snapshot {
+    std::vector<Motion> motions;
+    std::vector<EnergyRange> ranges;
+    Impacts impacts;
+  };
+
+  Member& member(BodyId id);
+  void advance_in_substeps(double time, double length, bool halves);
+  void advance_within_tolerance(double time, double length);
+  /// Moves the islands by one substep and accepts it, or takes it in halves.
+  void take_limited_substep(double time, double h, bool halves);
+  void take_substeps(double time, double h);
+  bool must_halve(double h, bool halves);
+  void accept(double time, double h);
+  Snapshot snapshot() const;
+  void restore(const Snapshot& snapshot);
+
+  /// Length of the next substep, with its contacts and islands found.
+  double next_length(double rest, bool starts);
+  double fitting_length(double rest);
+  double shortened(double h, double longest);
+  double longest_substep(double rest) const;
+  void find_contacts(double h);
+  void find_islands();
+
+  const StepContext& context_;
+  Group group_;
+  std::vector<GroupStepper>* alone_;
+  bool is_alone_;
+  double step_;      ///< The scene's, or, of a group of one, the part of it that is advanced [s].
+  double shortest_;  ///< Substep that is not halved any more [s].
+  Impacts impacts_;
+  World::Contacts contacts_;
+  std::vector<Member> members_;
+  std::vector<Judged> judged_;
+  std::vector<Island> islands_;  ///< Of the present substep.
+};
+
+}  // namespace engine

@@ -1,0 +1,71 @@
+#include "engine/moving_body.h"
+
+#include "engine/applied_load.h"
+#include "engine/stopwatch.h"
+#include "engine/vertical_extent.h"
+
+namespace engine {
+namespace {
+
+/// The water's loads: none above the highest water, those of the cache where neither body nor water
+/// has moved, or new ones.
+void find_water_loads(MovingBody& moving, const Environment& environment,
+                      const hydro::BodyState& state, double time) {
+  LoadCache& cache = moving.cache;
+  if (!may_be_wet(moving.body, environment, state)) {
+    ++moving.counts.dry;
+    cache.loads.water = {};
+    cache.water_state.reset();
+  } else if (cache.water_state == state && !hydro::changes_with_time(*environment.sea)) {
+    ++moving.counts.resting;
+  } else {
+    const BodySpec& spec = *moving.body.spec;
+    cache.loads.water = hydro::compute_loads(*moving.body.hull, state, *environment.sea, time,
+                                             spec.coefficients, spec.summation);
+    cache.water_state = state;
+  }
+}
+
+}  // namespace
+
+std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
+                                         double time) {
+  std::vector<hydro::Wrench> loads;
+  for (const AppliedLoad& load : moving.body.spec->loads)
+    loads.push_back(wrench(load, state, time));
+  for (const AppliedLoad& load : moving.inputs.loads) loads.push_back(wrench(load, state, time));
+  if (moving.inputs.pull) {
+    const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+    loads.push_back(
+        wrench(*moving.inputs.pull, inertia_W(moving.body, moving.motion, R_WB), state));
+  }
+  return loads;
+}
+
+hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
+                         const hydro::BodyState& state, double time) {
+  BodyLoads& loads = moving.cache.loads;
+  loads.applied = applied_loads(moving, state, time);
+  loads.weight = {.force = {0, 0, -moving.body.spec->mass * environment.gravity}};
+  if (moving.body.wet) {
+    const Stopwatch stopwatch(moving.cache.seconds);
+    find_water_loads(moving, environment, state, time);
+  }
+  const hydro::Wrench total = loads.total();
+  if (!total.force.allFinite() || !total.moment.allFinite())
+    throw MotionFault(moving.body, load_fault(loads).value());
+  return total;
+}
+
+Matrix6d find_added_mass(MovingBody& moving, const Environment& environment,
+                         const hydro::BodyState& state, double time) {
+  const Stopwatch stopwatch(moving.cache.seconds);
+  return added_mass(moving.body, environment, state, time);
+}
+
+void check_state(const MovingBody& moving, const hydro::BodyState& state) {
+  if (const auto fault = state_fault(state))
+    throw MotionFault(moving.body, *fault + " after the step; " + largest_load(moving.cache.loads));
+}
+
+}  // namespace engine

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/body.h"
+#include "engine/counts.h"
+#include "engine/pull.h"
+#include "engine/state_checks.h"
+
+/// @file
+/// A body in a simulation: its constants, its motion, what acts on it from outside, and its loads.
+
+namespace engine {
+
+/// What a program does to a body, beside the loads of the scene.
+struct Inputs {
+  std::optional<Pull> pull;        ///< Until it is let go.
+  std::vector<AppliedLoad> loads;  ///< For the next step only.
+};
+
+/// The loads of the last evaluation. They follow from the motion, and are no part of it.
+struct LoadCache {
+  BodyLoads loads;
+  std::optional<hydro::BodyState> water_state;  ///< State of the water's loads; none above water.
+  double seconds = 0;                           ///< Wall time of loads and added mass so far [s].
+};
+
+struct MovingBody {
+  Body body;
+  Motion motion;
+  Inputs inputs;
+  LoadCache cache;
+  Counts counts;
+};
+
+/// True for a body that can move; false for kWorld.
+inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
+  return id != kWorld && bodies[static_cast<std::size_t>(id)].body.movable;
+}
+
+/// All loads on the body in a state, its weight included; they stay in the cache.
+/// @throws MotionFault if they are not finite.
+hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
+                         const hydro::BodyState& state, double time);
+
+/// The loads of the scene and of the program on the body in a state.
+std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
+                                         double time);
+
+/// A of the body in a state, in B; its wall time counts as the water's.
+Matrix6d find_added_mass(MovingBody& moving, const Environment& environment,
+                         const hydro::BodyState& state, double time);
+
+/// A load or a state of a body is not finite, or beyond all bounds.
+class MotionFault : public std::runtime_error {
+ public:
+  MotionFault(const Body& body, const std::string& what)
+      : std::runtime_error(what), body_(body.spec->name) {}
+  const std::string& body() const { return body_; }
+
+ private:
+  std::string body_;
+};
+
+/// @throws MotionFault if the state is out of bounds, naming the largest load.
+void check_state(const MovingBody& moving, const hydro::BodyState& state);
+
+}  // namespace engine

@@ -1,0 +1,169 @@
+#include "engine/simulation_state.h"
+
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+#include "engine/state_data.h"
+
+namespace engine {
+namespace {
+
+// Begins the bytes of a state; the last digit counts the changes of their layout.
+constexpr std::string_view kMagic = "plimsoll state 1";
+
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+
+class Writer {
+ public:
+  void bytes(void* data, std::size_t size) { out.append(static_cast<const char*>(data), size); }
+  std::uint64_t count(std::size_t size) {
+    std::uint64_t n = size;
+    bytes(&n, sizeof n);
+    return n;
+  }
+
+  std::string out;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string_view in) : in_(in) {}
+  void bytes(void* data, std::size_t size) {
+    if (size > in_.size()) throw std::invalid_argument("the state of a simulation is cut short");
+    std::memcpy(data, in_.data(), size);
+    in_.remove_prefix(size);
+  }
+  std::uint64_t count(std::size_t) {
+    std::uint64_t n = 0;
+    bytes(&n, sizeof n);
+    // Every element takes a byte at least, which bounds what is allocated.
+    if (n > in_.size()) throw std::invalid_argument("the state of a simulation is cut short");
+    return n;
+  }
+  bool at_end() const { return in_.empty(); }
+
+ private:
+  std::string_view in_;
+};
+
+// visit() names every part of a value once, for both directions.
+
+template <class Archive, Number T>
+void visit(Archive& a, T& number) {
+  a.bytes(&number, sizeof number);
+}
+template <class Archive, class Derived>
+void visit(Archive& a, Eigen::PlainObjectBase<Derived>& matrix) {
+  a.bytes(matrix.data(), sizeof(double) * static_cast<std::size_t>(matrix.size()));
+}
+template <class Archive>
+void visit(Archive& a, Eigen::Quaterniond& q) {
+  visit(a, q.coeffs());
+}
+template <class Archive, class T>
+void visit(Archive& a, std::optional<T>& value) {
+  bool present = value.has_value();
+  visit(a, present);
+  if (present && !value) value.emplace();
+  if (!present) value.reset();
+  if (value) visit(a, *value);
+}
+template <class Archive>
+void visit(Archive& a, std::string& text) {
+  text.resize(a.count(text.size()));
+  a.bytes(text.data(), text.size());
+}
+template <class Archive, class T>
+void visit(Archive& a, std::vector<T>& values) {
+  values.resize(a.count(values.size()));
+  for (T& value : values) visit(a, value);
+}
+template <class Archive, class... T>
+void visit_all(Archive& a, T&... parts) {
+  (visit(a, parts), ...);
+}
+
+template <class Archive>
+void visit(Archive& a, Pair& pair) {
+  visit_all(a, pair.first, pair.second);
+}
+template <class Archive>
+void visit(Archive& a, hydro::BodyState& s) {
+  visit_all(a, s.position, s.orientation, s.linear_velocity, s.angular_velocity);
+}
+template <class Archive>
+void visit(Archive& a, AccelerationHistory& history) {
+  history.visit_parts([&a](auto&... parts) { visit_all(a, parts...); });
+}
+template <class Archive, std::size_t N>
+void visit(Archive& a, std::array<double, N>& numbers) {
+  for (double& number : numbers) visit(a, number);
+}
+template <class Archive>
+void visit(Archive& a, WorkRecord& w) {
+  Works& works = w.works;
+  visit_all(a, works.buoyancy, works.pressure_drag, works.viscous_drag, works.lift,
+            works.added_mass, works.applied, works.weight, works.constraint, works.brake,
+            w.added_energy_at_start, w.added_impulse, w.constraint_impulse);
+}
+template <class Archive>
+void visit(Archive& a, Motion& m) {
+  visit_all(a, m.state, m.added_B, m.added_rate_B, m.accelerations, m.constrained, m.reaction_B,
+            m.load_acceleration_W, m.longest_after_impact, m.work);
+}
+template <class Archive>
+void visit(Archive& a, Pull& p) {
+  visit_all(a, p.at_B, p.to_W, p.rate);
+}
+template <class Archive>
+void visit(Archive& a, AppliedLoad::Sine& sine) {
+  visit_all(a, sine.frequency, sine.phase);
+}
+template <class Archive>
+void visit(Archive& a, AppliedLoad& l) {
+  visit_all(a, l.force, l.torque, l.in_body_frame, l.at_B, l.start, l.end, l.sine);
+}
+template <class Archive>
+void visit(Archive& a, Counts& c) {
+  visit_all(a, c.free, c.constrained, c.substeps, c.implicit, c.iterations, c.unconverged,
+            c.clamped, c.dry, c.resting);
+}
+template <class Archive>
+void visit(Archive& a, BodyRecord& body) {
+  visit_all(a, body.motion, body.inputs.pull, body.inputs.loads, body.counts);
+}
+template <class Archive>
+void visit(Archive& a, EnergyRange& r) {
+  visit_all(a, r.lowest, r.highest, r.lowest_potential, r.given_by_joints);
+}
+template <class Archive>
+void visit(Archive& a, SimulationState::Data& data) {
+  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges, data.warnings);
+}
+
+}  // namespace
+
+long SimulationState::steps() const { return data_->steps; }
+
+std::string SimulationState::to_bytes() const {
+  Writer writer{.out = std::string(kMagic)};
+  Data copy = *data_;
+  visit(writer, copy);
+  return writer.out;
+}
+
+SimulationState SimulationState::from_bytes(std::string_view bytes) {
+  if (!bytes.starts_with(kMagic))
+    throw std::invalid_argument("this is no state of a simulation, or one of another version");
+  Reader reader(bytes.substr(kMagic.size()));
+  auto data = std::make_shared<Data>();
+  visit(reader, *data);
+  if (!reader.at_end())
+    throw std::invalid_argument("the state of a simulation has bytes beyond its end");
+  return SimulationState(std::move(data));
+}
+
+}  // namespace engine

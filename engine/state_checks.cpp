@@ -1,0 +1,101 @@
+#include "engine/state_checks.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <utility>
+
+namespace engine {
+namespace {
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+std::optional<std::string> vector_fault(const char* name, const Eigen::Vector3d& vector) {
+  if ((vector.array().abs() <= kLargestState).all()) return std::nullopt;
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(vector[i]))
+      return fmt::format("the {}'s {} is {}", name, kAxes[i], vector[i]);
+    if (std::abs(vector[i]) > kLargestState) {
+      return fmt::format("the {}'s {} is {:g}, beyond all bounds", name, kAxes[i], vector[i]);
+    }
+  }
+  return std::nullopt;
+}
+
+using NamedWrench = std::pair<std::string, hydro::Wrench>;
+
+constexpr const char* kComponents[] = {"force x",  "force y",  "force z",
+                                       "moment x", "moment y", "moment z"};
+
+double component(const hydro::Wrench& wrench, int i) {
+  return i < 3 ? wrench.force[i] : wrench.moment[i - 3];
+}
+
+std::vector<NamedWrench> by_name(const BodyLoads& loads) {
+  std::vector<NamedWrench> named;
+  for (std::size_t i = 0; i < loads.applied.size(); ++i) {
+    named.emplace_back(fmt::format("applied load {}", i + 1), loads.applied[i]);
+  }
+  named.emplace_back("buoyancy", loads.water.buoyancy);
+  named.emplace_back("pressure drag", loads.water.pressure_drag);
+  named.emplace_back("viscous drag", loads.water.viscous_drag);
+  named.emplace_back("lift", loads.water.lift);
+  named.emplace_back("weight", loads.weight);
+  return named;
+}
+
+}  // namespace
+
+std::optional<std::string> state_fault(const hydro::BodyState& state) {
+  if (auto fault = vector_fault("position", state.position)) return fault;
+  if (auto fault = vector_fault("linear velocity", state.linear_velocity)) return fault;
+  if (auto fault = vector_fault("angular velocity", state.angular_velocity)) return fault;
+  if (!state.orientation.coeffs().allFinite()) return "the orientation is not finite";
+  return std::nullopt;
+}
+
+std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyState& state,
+                                        const hydro::Wrench& load, double step) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d moment_B = R_WB.transpose() * load.moment;
+  hydro::BodyState next = state;
+  next.linear_velocity += step / body.mass * load.force;
+  next.angular_velocity += step * (R_WB * body.inertia_B.ldlt().solve(moment_B));
+  next.position += step * next.linear_velocity;
+  return state_fault(next);
+}
+
+hydro::Wrench BodyLoads::total() const {
+  hydro::Wrench sum = water.total() + weight;
+  for (const hydro::Wrench& load : applied) sum += load;
+  return sum;
+}
+
+std::optional<std::string> load_fault(const BodyLoads& loads) {
+  const hydro::Wrench sum = loads.total();
+  if (sum.force.allFinite() && sum.moment.allFinite()) return std::nullopt;
+  for (const auto& [name, load] : by_name(loads)) {
+    for (int i = 0; i < 6; ++i) {
+      if (std::isfinite(component(load, i))) continue;
+      return fmt::format("the {} of {} is {}", kComponents[i], name, component(load, i));
+    }
+  }
+  return "the sum of the loads is not finite";
+}
+
+std::string largest_load(const BodyLoads& loads) {
+  double largest = 0;
+  std::string text = "no load acted on it";
+  for (const auto& [name, load] : by_name(loads)) {
+    for (int i = 0; i < 6; ++i) {
+      if (std::abs(component(load, i)) <= largest) continue;
+      largest = std::abs(component(load, i));
+      text = fmt::format("the largest load was {}, {} = {:g} {}", name, kComponents[i],
+                         component(load, i), i < 3 ? "N" : "N m");
+    }
+  }
+  return text;
+}
+
+}  // namespace engine

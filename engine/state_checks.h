@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/constants.h"
+#include "engine/spec.h"
+
+/// @file
+/// What is wrong with a state or a load, in words that say which part of it.
+
+namespace engine {
+
+/// "the position's z is inf" or nothing if the state is finite and within kLargestState.
+std::optional<std::string> state_fault(const hydro::BodyState& state);
+
+/// "the angular velocity's x is 1e+40, beyond all bounds" or nothing if the body, were it free and
+/// of its own mass alone, would stay within bounds over a step [s] under the load. The mechanics
+/// engine cannot take larger ones.
+std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyState& state,
+                                        const hydro::Wrench& load, double step);
+
+/// The loads on a body in one step, by where they come from.
+struct BodyLoads {
+  std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`; last, the pull.
+  hydro::Loads water;
+  hydro::Wrench weight;  ///< Of the body's own mass.
+
+  hydro::Wrench total() const;
+};
+
+/// "the pressure drag's force y is nan" or nothing if all components are finite.
+std::optional<std::string> load_fault(const BodyLoads& loads);
+
+/// "the largest load is buoyancy, force z = 9810 N", or that there is none.
+std::string largest_load(const BodyLoads& loads);
+
+}  // namespace engine

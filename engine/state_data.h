@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/moving_body.h"
+#include "engine/simulation_state.h"
+#include "engine/stepper.h"
+
+namespace engine {
+
+/// What a simulation state holds of one body.
+struct BodyRecord {
+  Motion motion;
+  Inputs inputs;
+  Counts counts;
+};
+
+struct SimulationState::Data {
+  long steps = 0;
+  std::vector<BodyRecord> bodies;
+  StepperState stepper;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace engine

@@ -1,0 +1,132 @@
+#include "engine/stepper.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace engine {
+
+Stepper::Stepper(StepContext context, double step) : context_(std::move(context)), step_(step) {
+  const std::vector<MovingBody>& bodies = context_.bodies;
+  const auto is_reduced = [&](BodyId id) {
+    return id != kWorld && bodies[static_cast<std::size_t>(id)].body.reduced_joint;
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].body.movable) movable_.push_back(static_cast<BodyId>(i));
+  for (const Pair& pair : context_.world.joints())
+    if (!is_reduced(pair.first) && !is_reduced(pair.second)) joints_.push_back(pair);
+  limiter_of_.resize(bodies.size());
+  std::vector<bool> jointed(bodies.size(), false);
+  std::vector<std::vector<BodyId>> groups = connected_components(movable_, joints_);
+  for (const std::vector<BodyId>& group : groups)
+    for (const BodyId id : group) jointed[static_cast<std::size_t>(id)] = true;
+  for (const BodyId id : movable_)
+    if (!jointed[static_cast<std::size_t>(id)]) groups.push_back({id});
+  for (std::vector<BodyId>& group : groups) {
+    for (const BodyId id : group) limiter_of_[static_cast<std::size_t>(id)] = limiters_.size();
+    limiters_.emplace_back(std::move(group), bodies, context_.environment);
+  }
+  alone_.reserve(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Group group{.bodies = {static_cast<BodyId>(i)}, .joints = {}, .near = {}};
+    std::vector<EnergyLimiter*> limiters;
+    if (bodies[i].body.movable && !jointed[i]) limiters.push_back(&limiters_[limiter_of_[i]]);
+    alone_.emplace_back(context_, group, std::move(limiters), alone_, std::vector<Pair>{}, step_);
+  }
+}
+
+void Stepper::advance(double time) {
+  std::vector<Group> groups = find_groups(near_pairs());
+  const std::vector<BodyId> free = free_bodies(groups);
+  std::vector<std::vector<Pair>> touching(groups.size());
+  parallel_for_rethrow(context_.parallel_for, groups.size() + free.size(), [&](std::size_t i) {
+    if (i >= groups.size())
+      return alone_[static_cast<std::size_t>(free[i - groups.size()])].advance(time, step_);
+    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), alone_, touching_, step_);
+    stepper.advance(time, step_);
+    touching[i] = stepper.touching();
+  });
+  touching_.clear();
+  for (const std::vector<Pair>& pairs : touching)
+    touching_.insert(touching_.end(), pairs.begin(), pairs.end());
+  std::sort(touching_.begin(), touching_.end());
+}
+
+std::vector<Pair> Stepper::near_pairs() {
+  if (!context_.collides) return {};
+  const World& world = context_.world;
+  const std::vector<MovingBody>& bodies = context_.bodies;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    boxes.push_back(swept_box(world.shape_box(static_cast<BodyId>(i)), bodies[i].motion.state,
+                              context_.environment.gravity, step_));
+  boxes.push_back(world.ground_box());
+  std::vector<Pair> pairs;
+  for (const auto& [first, second] : broad_phase_.find(boxes)) {
+    const auto a = static_cast<BodyId>(first), b = static_cast<BodyId>(second);
+    const Pair pair = second == bodies.size() ? Pair(kWorld, a) : Pair(a, b);
+    if (world.may_touch(pair)) pairs.push_back(pair);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {
+  std::vector<Pair> connections = near;
+  connections.insert(connections.end(), joints_.begin(), joints_.end());
+  std::vector<Group> groups;
+  if (connections.empty()) return groups;
+  std::vector<Group*> home(context_.bodies.size(), nullptr);
+  std::vector<std::vector<BodyId>> connected = connected_components(movable_, connections);
+  groups.reserve(connected.size());
+  for (std::vector<BodyId>& bodies : connected) {
+    groups.push_back({.bodies = std::move(bodies), .joints = {}, .near = {}});
+    for (const BodyId id : groups.back().bodies)
+      home[static_cast<std::size_t>(id)] = &groups.back();
+  }
+  const auto home_of = [&](const Pair& pair) {
+    return home[static_cast<std::size_t>(can_move(context_.bodies, pair.first) ? pair.first
+                                                                               : pair.second)];
+  };
+  // A body on a reduced joint is in a group only where something is near.
+  for (const Pair& pair : context_.world.joints())
+    if (Group* group = home_of(pair)) group->joints.push_back(pair);
+  for (const Pair& pair : near) home_of(pair)->near.push_back(pair);
+  return groups;
+}
+
+std::vector<EnergyLimiter*> Stepper::limiters_of(const Group& group) {
+  std::vector<EnergyLimiter*> limiters;
+  for (const BodyId id : group.bodies) {
+    EnergyLimiter& limiter = limiters_[limiter_of_[static_cast<std::size_t>(id)]];
+    if (limiter.group().front() == id) limiters.push_back(&limiter);
+  }
+  return limiters;
+}
+
+std::vector<BodyId> Stepper::free_bodies(const std::vector<Group>& groups) const {
+  std::vector<bool> alone(context_.bodies.size(), true);
+  for (const Group& group : groups)
+    for (const BodyId id : group.bodies) alone[static_cast<std::size_t>(id)] = false;
+  std::vector<BodyId> free;
+  for (const BodyId id : movable_)
+    if (alone[static_cast<std::size_t>(id)]) free.push_back(id);
+  return free;
+}
+
+StepperState Stepper::state() const {
+  StepperState state{.touching = touching_, .ranges = {}};
+  for (const EnergyLimiter& limiter : limiters_) state.ranges.push_back(limiter.range());
+  return state;
+}
+
+void Stepper::restore(const StepperState& state) {
+  touching_ = state.touching;
+  for (std::size_t i = 0; i < limiters_.size(); ++i) limiters_[i].restore(state.ranges[i]);
+}
+
+void Stepper::forget(BodyId body) {
+  if (context_.bodies[static_cast<std::size_t>(body)].body.movable)
+    limiters_[limiter_of_[static_cast<std::size_t>(body)]].restore({});
+}
+
+}  // namespace engine

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/broad_phase.h"
+#include "engine/group_stepper.h"
+
+/// @file
+/// A step of all bodies: engine/README.md tells the whole scheme.
+///
+/// Bodies that joints connect or that may touch each other in a step form groups, which are
+/// advanced independently of each other; most have one body.
+
+namespace engine {
+
+/// What the steps so far leave to the next one, beside the bodies' motions.
+struct StepperState {
+  std::vector<Pair> touching;       ///< Pairs in contact, ascending.
+  std::vector<EnergyRange> ranges;  ///< Of the energy limiters, in their order.
+};
+
+class Stepper {
+ public:
+  /// What the context refers to must outlive the stepper.
+  /// @param step   The scene's step [s].
+  Stepper(StepContext context, double step);
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
+  /// @throws MotionFault, OdeFault
+  void advance(double time);
+
+  StepperState state() const;
+  /// True if the state has as many energy ranges as there are limiters.
+  bool fits(const StepperState& state) const { return state.ranges.size() == limiters_.size(); }
+  void restore(const StepperState& state);
+  /// Starts the energies of the body's group anew, as after an intervention.
+  void forget(BodyId body);
+
+ private:
+  /// Pairs that may touch in the next step, ascending.
+  std::vector<Pair> near_pairs();
+  /// Groups of bodies that joints of ODE's or nearness connect.
+  std::vector<Group> find_groups(const std::vector<Pair>& near) const;
+  std::vector<EnergyLimiter*> limiters_of(const Group& group);
+  /// Movable bodies that are in no group.
+  std::vector<BodyId> free_bodies(const std::vector<Group>& groups) const;
+
+  StepContext context_;
+  double step_;
+  std::vector<BodyId> movable_;  ///< Ascending.
+  std::vector<Pair> joints_;     ///< That ODE solves.
+  std::vector<EnergyLimiter> limiters_;
+  std::vector<std::size_t> limiter_of_;  ///< Per body.
+  std::vector<GroupStepper> alone_;      ///< Per body, as a group of one.
+  std::vector<Pair> touching_;           ///< Ascending.
+  BroadPhase broad_phase_;
+};
+
+}  // namespace engine

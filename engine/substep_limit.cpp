@@ -1,0 +1,104 @@
+#include "engine/substep_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/constants.h"
+#include "engine/free_motion.h"
+#include "engine/vertical_extent.h"
+
+namespace engine {
+namespace {
+
+/// Length of the equal parts of `rest`, as few as keep each below `longest`.
+double equal_part(double rest, double longest) {
+  return rest / std::max(1.0, std::ceil(rest / longest));
+}
+
+/// Limit by the turn of a wet body and by its way through the water surface.
+double crossing_limit(const Body& body, const Environment& environment, const Motion& motion,
+                      double rest, double shortest) {
+  if (!body.wet) return rest;
+  const hydro::BodyState& state = motion.state;
+  const auto [low, height] = vertical_extent(body.box_B, state);
+  const double rise = state.linear_velocity.z() * rest;
+  // A body that turns about a fixed point comes round, wherever it moves now.
+  const bool turns = body.reduced_joint && body.reduced_joint->turns();
+  const double round = turns ? state.linear_velocity.norm() * rest : 0;
+  if (std::min(low, low + rise) - round >= environment.highest) return rest;
+  double rate = state.angular_velocity.norm() / kLargestWetTurn;
+  if (std::max(low, low + rise) + height > environment.lowest)
+    rate = std::max(rate, std::abs(state.linear_velocity.z()) / (kLargestCrossing * height));
+  return equal_part(rest, std::max(shortest, rate > 0 ? 1 / rate : rest));
+}
+
+/// Limit by the oscillation that the last accelerations show.
+double swing_limit(const Body& body, const Motion& motion, double rest, double shortest) {
+  const double frequency = motion.accelerations.dominant_frequency();
+  if (!body.wet || frequency * rest <= kLargestSwing) return rest;
+  const Eigen::Vector3d a = motion.accelerations.expected(0).head<3>();
+  if (a.norm() * rest * rest < kSmallestSwing * body.radius) return rest;
+  return equal_part(rest, std::max(shortest, kLargestSwing / frequency));
+}
+
+/// Rate at which a body and its momentum turn by its own inertia and that of the water [rad/s].
+double own_turning_rate(const Body& body, const Environment& environment, const Motion& motion) {
+  const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
+  return turning_rate(body.rigid_B + motion.added(),
+                      rotate(R_BW, velocity(motion.state, environment.current())));
+}
+
+double turn_limit(const Body& body, const Environment& environment, const Motion& motion,
+                  double rest, double shortest) {
+  const double rate = own_turning_rate(body, environment, motion);
+  return equal_part(rest, std::max(shortest, rate > 0 ? kLargestConstrainedTurn / rate : rest));
+}
+
+/// The way of a body relative to the heights that the water surface never leaves.
+struct SurfaceCrossing {
+  bool meets;     ///< The body may have met the surface.
+  bool reaches;   ///< It may have come to the surface, or left it.
+  double rise;    ///< [m]
+  double height;  ///< The body's own [m].
+};
+
+SurfaceCrossing surface_crossing(const Body& body, const Environment& environment,
+                                 const hydro::BodyState& before, const hydro::BodyState& after) {
+  const double first = lowest_point(body.box_B, before);
+  const auto [last, height] = vertical_extent(body.box_B, after);
+  return {.meets = std::min(first, last) < environment.highest &&
+                   std::max(first, last) + height > environment.lowest,
+          .reaches = std::max(first, last) >= environment.highest,
+          .rise = last - first,
+          .height = height};
+}
+
+}  // namespace
+
+double substep_limit(const Body& body, const Environment& environment, const Motion& motion,
+                     double rest, double step, bool constrained) {
+  const double shortest = step / kMostSubsteps;
+  const double own = constrained ? turn_limit(body, environment, motion, rest, shortest)
+                                 : swing_limit(body, motion, rest, kShortestSwing * step);
+  return std::min(own, crossing_limit(body, environment, motion, rest, shortest));
+}
+
+bool can_be_followed(const Body& body, const Environment& environment, const Motion& motion,
+                     double h) {
+  return own_turning_rate(body, environment, motion) * h < kFollowedTurn;
+}
+
+bool crosses_surface(const Body& body, const Environment& environment,
+                     const hydro::BodyState& before, const hydro::BodyState& after) {
+  const SurfaceCrossing c = surface_crossing(body, environment, before, after);
+  return c.meets && (c.reaches || std::abs(c.rise) > kAbruptCrossing * c.height);
+}
+
+bool overshoots_surface(const Body& body, const Environment& environment,
+                        const hydro::BodyState& before, const hydro::BodyState& after, double h) {
+  const SurfaceCrossing c = surface_crossing(body, environment, before, after);
+  const double thrown = h / 2 * (after.linear_velocity.z() - before.linear_velocity.z());
+  return c.meets && std::min(std::abs(c.rise), std::abs(thrown)) > kLargestOvershoot * c.height;
+}
+
+}  // namespace engine

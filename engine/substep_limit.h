@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/body.h"
+
+/// @file
+/// How long a substep may be, by the motion of a body at its start, and what in a substep tells
+/// that it was too long.
+
+namespace engine {
+
+/// Length of the first of the equal substeps in which a body takes the rest of a step [s].
+///
+/// A wet body turns by at most kLargestWetTurn in a substep and crosses the water surface by at
+/// most kLargestCrossing of its height. A free one goes through at most kLargestSwing of a resolved
+/// oscillation; one under constraints turns by at most kLargestConstrainedTurn by its own inertia,
+/// which the constraint solver does not see. A step has at most kMostSubsteps of them.
+///
+/// @param rest          Rest of the step [s].
+/// @param step          The step [s].
+/// @param constrained   Joints or contacts hold the body.
+double substep_limit(const Body& body, const Environment& environment, const Motion& motion,
+                     double rest, double step, bool constrained);
+
+/// True if a body turns, in a time h [s], by less than kFollowedTurn: halves of a substep then tell
+/// more of its energy than the whole.
+bool can_be_followed(const Body& body, const Environment& environment, const Motion& motion,
+                     double h);
+
+/// True if the body moves through the surface by much of its height, or reaches or leaves it.
+bool crosses_surface(const Body& body, const Environment& environment,
+                     const hydro::BodyState& before, const hydro::BodyState& after);
+
+/// True if loads have moved a body through the water surface by more than kLargestOvershoot of its
+/// height in a time h [s]: they were not the loads on its way.
+bool overshoots_surface(const Body& body, const Environment& environment,
+                        const hydro::BodyState& before, const hydro::BodyState& after, double h);
+
+}  // namespace engine

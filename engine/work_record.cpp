@@ -1,0 +1,185 @@
+#include "engine/work_record.h"
+
+#include "engine/energy.h"
+#include "engine/velocity_update.h"
+
+namespace engine {
+namespace {
+
+Eigen::Matrix3d turn_of(const Motion& motion) {
+  return motion.state.orientation.toRotationMatrix();
+}
+
+Vector6d carried(const Environment& environment) {
+  return to_vector6(environment.current(), Eigen::Vector3d::Zero());
+}
+
+/// ½ u·X u.
+double half_square(const Matrix6d& X, const Vector6d& u) { return u.dot(X * u) / 2; }
+
+/// Momentum of the body's own mass, in W, for a velocity in W.
+Vector6d own_momentum(const Body& body, const Motion& motion, const Vector6d& u) {
+  const Eigen::Matrix3d R_WB = turn_of(motion);
+  return rotate(R_WB, body.rigid_B * rotate(R_WB.transpose(), u));
+}
+
+/// That of the water that moves with it.
+Vector6d added_momentum(const Motion& motion, const Vector6d& u) {
+  const Eigen::Matrix3d R_WB = turn_of(motion);
+  return rotate(R_WB, motion.added() * rotate(R_WB.transpose(), u));
+}
+
+double own_kinetic_energy(const Body& body, const Motion& motion) {
+  const Vector6d v = velocity(motion.state, Eigen::Vector3d::Zero());
+  return v.dot(own_momentum(body, motion, v)) / 2;
+}
+
+/// K + E_A.
+double whole_kinetic_energy(const Body& body, const Environment& environment,
+                            const Motion& motion) {
+  return own_kinetic_energy(body, motion) + added_kinetic_energy(body, environment, motion);
+}
+
+/// Enters an impulse of the water that moves with a body: a current that carries the body along
+/// does work by it.
+void add_added_impulse(const Environment& environment, const Vector6d& impulse,
+                       WorkRecord& record) {
+  record.added_impulse += impulse;
+  record.works.added_mass += environment.current().dot(impulse.head<3>());
+}
+
+/// Enters the works of the loads at the mean velocity `w` over a time h. @return their impulse.
+Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works& works) {
+  Vector6d sum = Vector6d::Zero();
+  const auto add = [&](const hydro::Wrench& load, double& work) {
+    const Vector6d impulse = h * to_vector6(load);
+    work += impulse.dot(w);
+    sum += impulse;
+  };
+  add(loads.water.buoyancy, works.buoyancy);
+  add(loads.water.pressure_drag, works.pressure_drag);
+  add(loads.water.viscous_drag, works.viscous_drag);
+  add(loads.water.lift, works.lift);
+  for (const hydro::Wrench& load : loads.applied) add(load, works.applied);
+  add(loads.weight, works.weight);
+  return sum;
+}
+
+/// True if locks or a reduced joint hold the body without reactions.
+bool is_projected(const Body& body) { return body.locked || body.reduced_joint; }
+
+}  // namespace
+
+double added_kinetic_energy(const Body& body, const Environment& environment,
+                            const Motion& motion) {
+  if (!body.has_added_mass) return 0;
+  const Vector6d u = velocity(motion.state, environment.current());
+  return half_square(motion.added(), rotate(turn_of(motion).transpose(), u));
+}
+
+void record_update(const MovingBody& moving, const Environment& environment,
+                   const MidpointState& midpoint, const UpdateRecord& update, Motion& after) {
+  const Body& body = moving.body;
+  WorkRecord& record = *after.work;
+  const Matrix6d S = inertia_W(body, midpoint);
+  const Vector6d u = midpoint.after + update.change;
+  const Vector6d mean = (midpoint.before + u) / 2;
+  const Vector6d w = mean + carried(environment);
+  const Vector6d impulse = S * update.change;
+  Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
+  if (update.reaction) {
+    const Vector6d reaction = update.h * *update.reaction;
+    record.constraint_impulse += reaction;
+    record.works.constraint += reaction.dot(w);
+    rest -= reaction;
+  } else if (is_projected(body)) {
+    record.constraint_impulse += rest;
+  }
+  // The rest is the part of the buoyancy that an update took implicitly, or the difference of loads
+  // on a reduced joint to those of the pose halfway.
+  if (update.implicit)
+    record.works.buoyancy += rest.dot(w);
+  else if (update.reaction || is_projected(body))
+    record.works.constraint += rest.dot(w);
+  if (!body.has_added_mass) return;
+  record.works.added_mass += half_square(inertia_W(body, after), u) -
+                             half_square(inertia_W(body, *midpoint.motion), midpoint.before) -
+                             impulse.dot(mean);
+  add_added_impulse(environment, own_momentum(body, after, u - midpoint.before) - impulse, record);
+}
+
+void record_drift(const Body& body, const Environment& environment, const Motion& before,
+                  double time, Motion& after) {
+  const bool projected = is_projected(body);
+  if (!projected && !before.added_B) return;
+  const Vector6d u0 = velocity(before.state, environment.current());
+  const Vector6d u1 = velocity(after.state, environment.current());
+  const Vector6d own = own_momentum(body, after, u1) - own_momentum(body, before, u0);
+  if (!projected) return add_added_impulse(environment, own, *after.work);
+  Vector6d water = Vector6d::Zero();
+  if (before.added_B) {
+    const Vector6d p0 = added_momentum(before, u0);
+    const Vector6d p1 = added_momentum(after, u1);
+    const Eigen::Vector3d v = (u0 + u1).head<3>() / 2;
+    const Eigen::Vector3d P = (p0 + p1).head<3>() / 2;
+    water = p0 - p1;
+    water.tail<3>() -= time * v.cross(P);  // about a centre of mass that moves on
+    add_added_impulse(environment, water, *after.work);
+  }
+  after.work->constraint_impulse += own - water;
+}
+
+void record_added_mass(const Body& body, const Environment& environment, const Motion& before,
+                       Motion& after) {
+  const Vector6d change =
+      velocity(after.state, environment.current()) - velocity(before.state, environment.current());
+  after.work->works.added_mass +=
+      kinetic_energy(body, environment, after) - kinetic_energy(body, environment, before);
+  add_added_impulse(environment, own_momentum(body, after, change), *after.work);
+}
+
+void record_clamp(const Body& body, const Environment& environment, const Motion& before,
+                  Motion& after) {
+  after.work->works.brake += whole_kinetic_energy(body, environment, after) -
+                             whole_kinetic_energy(body, environment, before);
+}
+
+void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,
+                     Motion& after) {
+  const Vector6d v0 = velocity(before.state, Eigen::Vector3d::Zero());
+  const Vector6d v1 = velocity(after.state, Eigen::Vector3d::Zero());
+  const Vector6d w = (v0 + v1) / 2;
+  WorkRecord& record = *after.work;
+  const Vector6d impulse = record_loads(moving.cache.loads, w, step, record.works);
+  if (!constrained) return;
+  const Vector6d rest =
+      own_momentum(moving.body, after, v1) - own_momentum(moving.body, before, v0) - impulse;
+  record.constraint_impulse += rest;
+  record.works.constraint += rest.dot(w);
+}
+
+BodyForces forces_on(const MovingBody& moving, const Environment& environment, double time,
+                     double step) {
+  const Body& body = moving.body;
+  const Motion& motion = moving.motion;
+  const hydro::BodyState& state = motion.state;
+  const WorkRecord& record = *motion.work;
+  BodyForces forces{.works = record.works};
+  for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
+  forces.weight.force.z() = -body.spec->mass * environment.gravity;
+  if (body.wet && may_be_wet(body, environment, state))
+    forces.water = hydro::compute_loads(*body.hull, state, *environment.sea, time,
+                                        body.spec->coefficients, body.spec->summation);
+  forces.added_mass = to_wrench(record.added_impulse / step);
+  forces.constraint = to_wrench(record.constraint_impulse / step);
+  if (!body.movable)
+    forces.constraint = -1.0 * (forces.weight + forces.applied + forces.water.total());
+  forces.kinetic_energy = own_kinetic_energy(body, motion);
+  forces.added_kinetic_energy = added_kinetic_energy(body, environment, motion);
+  const double level = environment.sea ? environment.sea->level : 0;
+  forces.potential_energy = body.spec->mass * environment.gravity * (state.position.z() - level);
+  forces.works.added_mass += record.added_energy_at_start - forces.added_kinetic_energy;
+  return forces;
+}
+
+}  // namespace engine

@@ -1,0 +1,283 @@
+#include "engine/velocity_update.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/anderson.h"
+#include "engine/energy.h"
+#include "hydro/loads/load_jacobian.h"
+#include "tests/engine/specs.h"
+#include "tests/support/random_pose.h"
+#include "tests/support/tolerance.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using engine::BodySpec;
+using engine::Simulation;
+using engine::SimulationSpec;
+using hydro::Vector6d;
+using support::tolerance;
+
+constexpr double kFrame = 1.0 / 60;
+constexpr double kDensity = 1000;  // of the water [kg/m^3]
+
+hydro::Sea deep_water() {
+  return {.density = kDensity, .gravity = support::kGravity, .level = 1000};
+}
+
+/// A box that meets pressure drag alone, submerged.
+BodySpec dragged_box(const Vector3d& size, double density) {
+  BodySpec body = support::box_body("box", size, density, {0, 0, 0}, 2);
+  body.wet = true;
+  body.coefficients.buoyancy = false;
+  body.coefficients.lift = 0;
+  body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  return body;
+}
+
+/// The body without gravity in water that stands still.
+SimulationSpec in_still_water(const BodySpec& body, double step = kFrame) {
+  SimulationSpec spec = support::dry_world({body}, step);
+  spec.gravity = 0;
+  spec.sea = deep_water();
+  return spec;
+}
+
+TEST(StiffDrag, NeverAddsEnergyHoweverLightTheBody) {
+  support::Random random(5);
+  for (const double density : {1e-3, 0.01, 1.0, 10.0}) {
+    BodySpec box = dragged_box({1, 0.7, 0.05}, density);
+    box.initial = random.state(1, 20);
+    const SimulationSpec spec = in_still_water(box);
+    Simulation simulation(spec);
+    double before = support::energy(spec, simulation.states());
+    const double start = before;
+    for (int i = 0; i < 100; ++i) {
+      simulation.step();
+      const double now = support::energy(spec, simulation.states());
+      ASSERT_LE(now, before * (1 + 1e-12)) << density << ", step " << i;
+      before = now;
+    }
+    EXPECT_LT(before, 0.01 * start);
+    EXPECT_GT(simulation.paths()[0].implicit, 0);
+  }
+}
+
+TEST(StiffDrag, LiftThatIsStrongerThanItBendsTheWayAndAddsNoEnergy) {
+  support::Random random(11);
+  for (const double density : {1e-4, 1e-2, 1.0})
+    for (int i = 0; i < 20; ++i) {
+      BodySpec box = dragged_box({1, 0.7, 0.05}, density);
+      box.coefficients.lift = 10;
+      box.initial = random.state(1, 20);
+      const SimulationSpec spec = in_still_water(box);
+      engine::Body body = engine::make_body(spec, 0);
+      const engine::Environment environment = engine::make_environment(spec);
+      const engine::MidpointState middle =
+          engine::make_midpoint(body, environment, body.motion, body.motion.added(), engine::Mobility{});
+      const engine::VelocityUpdate update = engine::free_update(body, environment, middle, 0, kFrame);
+      ASSERT_TRUE(update.implicit);
+      const engine::Matrix6d S = engine::inertia_W(body, middle);
+      const auto energy = [&](const Vector6d& u) { return u.dot(S * u) / 2; };
+      // Newton's method ends within 1e-3 of the change, whose energy is four times that before.
+      EXPECT_LE(energy(middle.after + update.change), (1 + 4e-3) * energy(middle.after))
+          << density << ", " << i;
+    }
+}
+
+TEST(StiffDrag, ABodyMuchLighterThanWaterRisesAtItsTerminalVelocity) {
+  for (const double density : {0.01, 1.0, 20.0, 80.0}) {
+    BodySpec cube = dragged_box({0.1, 0.1, 0.1}, density);
+    cube.coefficients.buoyancy = true;
+    cube.locked = {false, false, false, true, true, true};  // face-on is not a stable attitude
+    SimulationSpec spec = support::dry_world({cube}, kFrame);
+    spec.sea = deep_water();
+    Simulation simulation(spec);
+    const hydro::PressureDrag& c = cube.coefficients.pressure_drag;
+    const double balance = (kDensity - density) * support::kGravity * 0.1;
+    const double terminal = std::sqrt(balance / (0.5 * kDensity * (c.front + c.back)));
+    for (int i = 0; i < 120; ++i) {
+      simulation.step();
+      // It never overshoots by more than the implicit step's tolerance.
+      EXPECT_LT(simulation.states()[0].linear_velocity.z(), terminal * (1 + 1e-3)) << density;
+    }
+    // 2 s are 20 and more times m/(2 k v): what is left of the start is below 1e-9; Newton's method
+    // leaves the square of its tolerance.
+    EXPECT_NEAR(simulation.states()[0].linear_velocity.z(), terminal, tolerance(2e-6 * terminal))
+        << density;
+  }
+}
+
+TEST(StiffDrag, BodiesHeavyForTheirSizeAreLeftToTheExplicitStep) {
+  BodySpec cube = dragged_box({1, 1, 1}, 500);
+  cube.initial.linear_velocity = {0, 0, -6};
+  EXPECT_EQ(support::after(in_still_water(cube), 50).paths()[0].implicit, 0);
+}
+
+TEST(StiffDrag, OfAJointedBodyIsTakenImplicitlyToo) {
+  BodySpec light = dragged_box({1, 1, 0.1}, 1);
+  light.initial.position = {1, 0, 0};
+  light.initial.linear_velocity = {0, 0, 20};
+  light.initial.angular_velocity = {0, -20, 0};
+  SimulationSpec spec = in_still_water(light);
+  spec.joints = {{.type = engine::JointSpec::Type::hinge, .first = 0, .axis_W = Vector3d::UnitY()}};
+  Simulation simulation(spec);
+  const double start = support::energy(spec, simulation.states());
+  double lowest = start;
+  for (int i = 0; i < 200; ++i) {
+    simulation.step();
+    const double now = support::energy(spec, simulation.states());
+    // The joint takes back what the body has strayed from it in the turn of a step.
+    ASSERT_LE(now, lowest + engine::kEnergyGain * start) << i;
+    lowest = std::min(lowest, now);
+  }
+  EXPECT_LT(lowest, 1e-3 * start);
+  EXPECT_GT(simulation.paths()[0].implicit, 0);
+}
+
+TEST(StiffWaterplane, AThinLightPlateFloatsWithoutGainingEnergy) {
+  for (const double density : {1.0, 50.0, 500.0}) {
+    BodySpec plate = support::box_body("plate", {1, 0.7, 0.01}, density, {0, 0, 0.3}, 2);
+    plate.wet = true;
+    plate.coefficients.lift = 0;
+    plate.initial.orientation = Eigen::AngleAxisd(0.3, Vector3d(1, 0.4, 0).normalized());
+    SimulationSpec spec = support::dry_world({plate}, 1.0 / 15);
+    spec.sea.emplace();
+    Simulation simulation(spec);
+    double top = engine::total_energy(spec, simulation.states());
+    const double scale = top;  // above the still water level
+    for (int i = 0; i < 150; ++i) {
+      simulation.step();
+      const double now = engine::total_energy(spec, simulation.states());
+      ASSERT_LE(now, top + 1e-3 * scale) << density << ", step " << i;
+      top = std::max(top, now);
+    }
+    EXPECT_NEAR(simulation.states()[0].position.z(), 0, 0.3) << density;
+  }
+}
+
+hydro::Hull star(unsigned seed) {
+  BodySpec body = support::sphere_body("ball", 1, 500, {0, 0, 0});
+  support::Random random(seed);
+  for (auto vertex : body.mesh_B.vertices.colwise()) vertex *= random.uniform(0.6, 1.4);
+  return hydro::make_hull(body.mesh_B);
+}
+
+Vector6d drag(const hydro::Hull& hull, const hydro::BodyState& state,
+              const hydro::Coefficients& coefficients) {
+  const hydro::Loads loads = hydro::compute_loads(hull, state, hydro::Sea{}, 0, coefficients);
+  return engine::to_vector6(loads.pressure_drag + loads.viscous_drag);
+}
+
+TEST(LoadJacobian, IsTheDerivativeOfTheDrag) {
+  support::Random random(2);
+  const hydro::Hull hull = star(3);
+  hydro::Coefficients coefficients;
+  coefficients.viscous_drag = {.law = hydro::ViscousDrag::Law::constant, .coefficient = 0.1};
+  const hydro::BodyState state = random.state(0.3, 2);
+  const hydro::LoadJacobian J = hydro::load_jacobian(hull, state, hydro::Sea{}, 0, coefficients);
+  for (int i = 0; i < 6; ++i) {
+    const Vector6d change = 1e-5 * Vector6d::Unit(i);
+    const Vector6d u = engine::velocity(state, Vector3d::Zero());
+    const auto at = [&](const Vector6d& v) {
+      return drag(hull, engine::with_velocity(state, v, Vector3d::Zero()), coefficients);
+    };
+    const Vector6d expected = (at(u + change) - at(u - change)) / 2e-5;
+    // The rule of edge midpoints on faces of 0.3 m of a body of 1 m: (0.3)² of a kinked integrand.
+    EXPECT_LT((J.drag.col(i) - expected).norm(), tolerance(0.03 * expected.norm())) << i;
+  }
+  EXPECT_LT((J.drag - J.drag.transpose()).norm(), tolerance(1e-12 * J.drag.norm()));
+}
+
+TEST(LoadJacobian, KnowsTheWavesThatAPanelIsLongerThan) {
+  // The bottom's corners are dry; the crests of a short wave wet its middle.
+  const BodySpec box = support::box_body("box", {4, 3, 1}, 500, {0, 0, 0.55}, 1);
+  const hydro::Hull hull = hydro::make_hull(box.mesh_B);
+  hydro::Sea sea;
+  sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.1, 1.7, 0.3, 0, sea.gravity)}};
+  hydro::Coefficients coefficients;
+  coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  const auto drag_at = [&](double speed) {
+    hydro::BodyState state = box.initial;
+    state.linear_velocity.z() = speed;
+    return hydro::compute_loads(hull, state, sea, 0, coefficients).pressure_drag.force.z();
+  };
+  hydro::BodyState sinking = box.initial;
+  sinking.linear_velocity.z() = -1;
+  const hydro::LoadJacobian J = hydro::load_jacobian(hull, sinking, sea, 0, coefficients);
+  const double slope = (drag_at(-1.001) - drag_at(-0.999)) / -0.002;
+  ASSERT_LT(slope, -100);
+  // Drag's surface is cut by the same pieces as the slope's, but those of its tree's tolerance.
+  EXPECT_NEAR(J.drag(2, 2), slope, tolerance(1e-2 * std::abs(slope)));
+}
+
+TEST(LoadJacobian, OfTheWaterplaneIsThatOfAWallSidedBody) {
+  BodySpec box = support::box_body("box", {4, 3, 1}, 500, {0, 0, 0.1}, 2);
+  const hydro::LoadJacobian J = hydro::load_jacobian(hydro::make_hull(box.mesh_B), box.initial,
+                                                     hydro::Sea{}, 0, box.coefficients);
+  const double weight = 1000 * 9.80665;
+  Vector6d expected = Vector6d::Zero();
+  expected[2] = -weight * 12;
+  expected[3] = -weight * 4 * 27 / 12;
+  expected[4] = -weight * 3 * 64 / 12;
+  EXPECT_LT((J.waterplane - hydro::Matrix6d(expected.asDiagonal())).norm(),
+            tolerance(1e-12 * expected.norm()));
+}
+
+TEST(Energy, OfBuoyancyIsTheWorkAgainstIt) {
+  support::Random random(9);
+  BodySpec body = support::box_body("box", {2, 1, 0.5}, 300, {0, 0, 0}, 1);
+  body.wet = true;
+  SimulationSpec spec = support::dry_world({body}, 0.01);
+  spec.sea.emplace();
+  for (int i = 0; i < 10; ++i) {
+    hydro::BodyState state = random.state(0.5, 0);
+    constexpr double kChange = 1e-5;
+    const auto at = [&](double dz) {
+      hydro::BodyState moved = state;
+      moved.position.z() += dz;
+      return engine::total_energy(spec, {moved});
+    };
+    const double slope = (at(kChange) - at(-kChange)) / (2 * kChange);
+    const double force =
+        hydro::compute_loads(hydro::make_hull(body.mesh_B), state, *spec.sea, 0, body.coefficients)
+            .buoyancy.force.z() -
+        body.mass * support::kGravity;
+    // Central differences of a function with a jump of curvature: dz times the waterplane's weight.
+    EXPECT_NEAR(slope, -force, tolerance(kChange * 1e4 * 3)) << i;
+  }
+}
+
+TEST(Energy, IsBoundedInACurrentOnlyWhereNothingHoldsTheBody) {
+  BodySpec body = support::box_body("box", {2, 1, 0.5}, 300, {0, 0, 0}, 1);
+  body.wet = true;
+  SimulationSpec spec = support::dry_world({body}, 0.01);
+  spec.sea = {.current = {1, 0, 0}};
+  const auto bounded = [&] {
+    return engine::must_not_gain_energy(engine::make_body(spec, 0), engine::make_environment(spec));
+  };
+  EXPECT_TRUE(bounded());
+  spec.bodies[0].locked[0] = true;
+  EXPECT_FALSE(bounded());
+  spec.bodies[0].locked[0] = false;
+  spec.joints = {{.type = engine::JointSpec::Type::hinge, .first = 0, .axis_W = Vector3d::UnitY()}};
+  EXPECT_FALSE(bounded());
+  spec.sea->current.setZero();
+  EXPECT_TRUE(bounded());
+}
+
+TEST(Anderson, EndsOnAnAffineMapAfterAsManyStepsAsItHasDimensions) {
+  Eigen::MatrixXd map(3, 3);
+  map << 3, 1, 0,  //
+      0, -2, 1,    //
+      1, 0, 5;     // plain iteration diverges
+  const Eigen::VectorXd offset = Eigen::VectorXd::LinSpaced(3, 1, 3);
+  engine::Anderson anderson(5);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
+  for (int i = 0; i < 5; ++i) x = anderson.next(x, map * x + offset);
+  EXPECT_LT((map * x + offset - x).norm(), tolerance(1e-10));
+}
+
+}  // namespace
