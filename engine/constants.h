@@ -69,7 +69,7 @@ inline constexpr double kShortTurn = 0.01;
 inline constexpr double kDriftConverged = 1e-15;   ///< Residual over the momentum [-].
 inline constexpr double kDriftRoundOff = 1e-12;    ///< The same of ill-conditioned inertia [-].
 inline constexpr double kDriftEnergyKept = 1e-9;   ///< Of the energy, where that is missed [-].
-inline constexpr double kLockedEnergyKept = 1e-3;  ///< Change of (E3b) in a part of a drift [-].
+inline constexpr double kLockedEnergyKept = 1e-3;  ///< Change of (E3a) in a part of a drift [-].
 
 // ── Update of the velocity (velocity_update.h) ──────────────────────────────────────────────────
 
