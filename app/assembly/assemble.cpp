@@ -5,10 +5,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "app/assembly/assemble_shape.h"
 #include "app/assembly/assemble_start.h"
-#include "app/logs/schedule.h"
+#include "app/base/schedule.h"
 #include "engine/body_check.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/terrain.h"
@@ -58,7 +59,7 @@ engine::Ground assemble_ground(const GroundScene& ground, AssemblyLog& log) {
       return engine::MeshGround{
           hydro::terrain_mesh(height_field(*field, "ground.heightfield", log))};
     } catch (const std::invalid_argument& error) {
-      log.faults.add(log.scene, "ground.heightfield", error.what());
+      log.faults.add(log.scene.places, "ground.heightfield", error.what());
     }
   }
   if (const auto* file = std::get_if<MeshScene>(&ground)) {
@@ -125,7 +126,7 @@ bool mass_is_usable(const MassProperties& p, const std::string& path, AssemblyLo
                       p.inertia.allFinite() && p.inertia.diagonal().minCoeff() > 1e-60;
   if (!usable)
     log.faults.add(
-        log.scene, path,
+        log.scene.places, path,
         fmt::format("its mass comes to {:.3g} kg and its least inertia to {:.3g} kg m^2; "
                     "expected a mesh and a density of a usable size",
                     p.mass, p.inertia.diagonal().minCoeff()));
@@ -137,7 +138,7 @@ void check_motion(const engine::BodySpec& spec, const std::string& path, Assembl
   try {
     engine::check_body(spec);
   } catch (const std::invalid_argument& error) {
-    log.faults.add(log.scene, path, error.what());
+    log.faults.add(log.scene.places, path, error.what());
   }
 }
 
@@ -145,7 +146,7 @@ void check_motion(const engine::BodySpec& spec, const std::string& path, Assembl
 void check_step_count(AssemblyLog& log) {
   const double steps = log.scene.duration / log.scene.step;
   if (!(steps <= kMostSteps))
-    log.faults.add(log.scene, "duration",
+    log.faults.add(log.scene.places, "duration",
                    fmt::format("{:g} s in steps of {:g} s are {:.3g} steps, expected at most {:g}",
                                log.scene.duration, log.scene.step, steps, kMostSteps));
 }
@@ -155,7 +156,7 @@ void check_ground(const engine::Ground& ground, AssemblyLog& log) {
   try {
     engine::check_ground(ground);
   } catch (const std::invalid_argument& error) {
-    log.faults.add(log.scene, "ground", error.what());
+    log.faults.add(log.scene.places, "ground", error.what());
   }
 }
 
@@ -186,7 +187,7 @@ hydro::Coefficients assemble_coefficients(const BodyScene& body, const hydro::Tr
     coefficients.calibration =
         hydro::calibrate_drag(mesh_B, coefficients.pressure_drag, *body.calibrated_drag);
   } catch (const std::invalid_argument& error) {
-    log.faults.add(log.scene, path + ".calibrate.drag", error.what());
+    log.faults.add(log.scene.places, path + ".calibrate.drag", error.what());
   }
   return coefficients;
 }
@@ -245,9 +246,36 @@ Eigen::Vector3d some_normal(const Eigen::Vector3d& axis) {
   return (e - e.dot(axis) * axis).normalized();
 }
 
+engine::JointSpec::Type joint_type(JointScene::Type type) {
+  using Type = engine::JointSpec::Type;
+  switch (type) {
+    case JointScene::Type::ball:
+      return Type::ball;
+    case JointScene::Type::hinge:
+      return Type::hinge;
+    case JointScene::Type::slider:
+      return Type::slider;
+    case JointScene::Type::fixed:
+      return Type::fixed;
+    case JointScene::Type::universal:
+      return Type::universal;
+  }
+  throw std::logic_error("unknown type of joint");
+}
+
+engine::Integrator::Method integration_method(IntegratorScene::Method method) {
+  switch (method) {
+    case IntegratorScene::Method::split:
+      return engine::Integrator::Method::split;
+    case IntegratorScene::Method::ode:
+      return engine::Integrator::Method::ode;
+  }
+  throw std::logic_error("unknown integration method");
+}
+
 engine::JointSpec assemble_joint(const Scene& scene, const JointScene& joint) {
   engine::JointSpec spec{.name = joint.name,
-                         .type = static_cast<engine::JointSpec::Type>(joint.type),
+                         .type = joint_type(joint.type),
                          .first = body_id(scene, joint.bodies[0]),
                          .second = body_id(scene, joint.bodies[1])};
   if (joint.anchor) spec.anchor_W = *joint.anchor;
@@ -270,7 +298,7 @@ Assembly assemble(const Scene& scene) {
   spec.step = scene.step;
   spec.gravity = scene.gravity;
   spec.record_work = scene.log_forces;
-  spec.integrator = {.method = static_cast<engine::Integrator::Method>(scene.integrator.method),
+  spec.integrator = {.method = integration_method(scene.integrator.method),
                      .tolerance = scene.integrator.tolerance.value_or(0)};
   if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
   spec.ground = assemble_ground(scene.ground, log);

@@ -12,7 +12,7 @@
 #include "app/base/console.h"
 #include "app/base/file_lock.h"
 #include "app/base/progress.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
@@ -151,7 +151,7 @@ void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& stor
           body.name, solid.mesh_C, {.tolerance = added_mass.tolerance}, store, quiet);
       assembly.added_mass[i] = add_deep(solid, stored, assembly.spec.sea->density, models, body);
     } catch (const std::invalid_argument& error) {
-      faults.add(scene, fmt::format("bodies[{}].hydro.added_mass", i), error.what());
+      faults.add(scene.places, fmt::format("bodies[{}].hydro.added_mass", i), error.what());
     }
   }
   faults.throw_if_any();

@@ -52,7 +52,8 @@ hydro::TriMesh mesh_from_file(const MeshScene& mesh, const std::string& key_path
     return hydro::scaled(read_mesh(mesh.file), mesh.scale);
   } catch (const InputError& error) {
     for (const Fault& fault : error.faults())
-      log.faults.add(log.scene, key_path + ".file", to_string({fault.place, "", fault.message}));
+      log.faults.add(log.scene.places, key_path + ".file",
+                     to_string({fault.place, "", fault.message}));
   }
   return {};
 }
@@ -63,7 +64,7 @@ hydro::TriMesh shape_mesh(const ShapeScene& shape, const std::string& key_path, 
   try {
     return primitive(shape);
   } catch (const std::invalid_argument& error) {
-    log.faults.add(log.scene, key, error.what());
+    log.faults.add(log.scene.places, key, error.what());
     return {};
   }
 }
@@ -76,7 +77,7 @@ bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_p
   for (const std::string& note : repaired.notes)
     log.notes.push_back(fmt::format("{}: {}", key_path, note));
   const std::vector<std::string> faults = hydro::describe(relevant(repaired.report, needed));
-  for (const std::string& fault : faults) log.faults.add(log.scene, key_path, fault);
+  for (const std::string& fault : faults) log.faults.add(log.scene.places, key_path, fault);
   return faults.empty();
 }
 
@@ -87,9 +88,10 @@ hydro::HeightField height_field(const HeightFieldScene& field, const std::string
                                     field.origin);
   } catch (const InputError& error) {
     for (const Fault& fault : error.faults())
-      log.faults.add(log.scene, key_path + ".file", to_string({fault.place, "", fault.message}));
+      log.faults.add(log.scene.places, key_path + ".file",
+                     to_string({fault.place, "", fault.message}));
   } catch (const std::invalid_argument& error) {
-    log.faults.add(log.scene, key_path, error.what());
+    log.faults.add(log.scene.places, key_path, error.what());
   }
   return hydro::make_height_field(Eigen::MatrixXd::Zero(2, 2), 1, field.origin);
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "app/scene/scene.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/sea.h"

@@ -22,7 +22,7 @@ void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
   const WaterScene& water = *log.scene.water;
   const double volume = hydro::solid_properties(body.mesh_B).volume;
   const std::string reason = why_not_afloat(body.mass, volume, water.density);
-  if (!reason.empty()) return log.faults.add(log.scene, key_path + ".start", reason);
+  if (!reason.empty()) return log.faults.add(log.scene.places, key_path + ".start", reason);
   hydro::BodyState& state = body.initial;
   const double heading = hydro::euler_angles(state.orientation)[2];
   const hydro::Flotation rest =

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/assembly/ply_head.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "hydro/mesh/weld.h"
 
 namespace app {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

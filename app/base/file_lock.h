@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "app/base/locked_file.h"
+
 namespace app {
 
 /// Work that one process at a time does: a file that is there, and locked, while it is done. File
@@ -23,7 +25,7 @@ class FileLock {
   bool try_lock();
 
   std::filesystem::path file_;
-  int handle_ = -1;
+  LockedFile lock_;
   bool waited_ = false;
 };
 

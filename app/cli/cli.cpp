@@ -7,10 +7,21 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/base/exit_code.h"
 #include "app/cli/completion.h"
-#include "app/commands/commands.h"
-#include "app/scene/faults.h"
-#include "app/sweep/sweep.h"
+#include "app/cli/sweep_cli.h"
+#include "app/commands/addedmass.h"
+#include "app/commands/check.h"
+#include "app/commands/new_scene.h"
+#include "app/commands/probe.h"
+#include "app/commands/render_trajectory.h"
+#include "app/commands/schema_command.h"
+#include "app/compare/compare.h"
+#include "app/hydrostatics/hydrostatics.h"
+#include "app/report/report.h"
+#include "app/run/run.h"
+#include "app/scene/diagnostics.h"
+#include "app/view/view.h"
 
 namespace app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/commands.h"
+#include "app/base/exit_code.h"
 #include "app/scene/key_catalogue.h"
 
 namespace app {

@@ -8,9 +8,9 @@
 #endif
 
 #include "app/base/console.h"
+#include "app/base/exit_code.h"
 #include "app/cli/cli.h"
-#include "app/commands/commands.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
 
 namespace {

@@ -1,6 +1,7 @@
+#include "app/cli/sweep_cli.h"
+
 #include <CLI/CLI.hpp>
 
-#include "app/sweep/sweep.h"
 #include "app/sweep/sweep_parameters.h"
 
 namespace app {

@@ -1,3 +1,5 @@
+#include "app/commands/addedmass.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -6,8 +8,9 @@
 #include "app/assembly/assemble_added_mass.h"
 #include "app/assembly/mesh_io.h"
 #include "app/base/console.h"
-#include "app/commands/commands.h"
-#include "app/scene/faults.h"
+#include "app/base/exit_code.h"
+#include "app/base/json_rows.h"
+#include "app/scene/diagnostics.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/mesh/mass_properties.h"
@@ -76,8 +79,7 @@ std::vector<Submerged> bodies_of(const AddedMassCommand& o) {
   if (!(o.options.tolerance > 0 && std::isfinite(o.options.tolerance)))
     throw InputError("--tolerance",
                      fmt::format("found {:g}, expected a positive number", o.options.tolerance));
-  const bool is_scene = o.file.extension() == ".yaml" || o.file.extension() == ".yml";
-  if (is_scene) return bodies_of_scene(o);
+  if (is_scene_file(o.file)) return bodies_of_scene(o);
   return {body_of_mesh(o)};
 }
 
@@ -89,16 +91,11 @@ struct Found {
 
 Json to_json(const Submerged& body, const Found& found) {
   const hydro::AddedMassSolution& solution = found.solution;
-  Json rows = Json::array();
-  for (int i = 0; i < 6; ++i) {
-    Json row = Json::array();
-    for (int j = 0; j < 6; ++j) row.push_back(body.density * solution.matrix(i, j));
-    rows.push_back(row);
-  }
+  const hydro::Matrix6d matrix = body.density * solution.matrix;
   return {{"volume", hydro::solid_properties(body.solid.mesh_C).volume},
           {"com", {body.com_M.x(), body.com_M.y(), body.com_M.z()}},
           {"density", body.density},
-          {"added_mass", rows},
+          {"added_mass", json_rows(matrix)},
           {"error_estimate", solution.error_estimate},
           {"symmetry_error", solution.symmetry_error},
           {"panels", solution.panels},

@@ -1,9 +1,11 @@
+#include "app/commands/check.h"
+
 #include <fmt/format.h>
 
 #include "app/assembly/assemble.h"
 #include "app/base/console.h"
-#include "app/commands/commands.h"
-#include "app/scene/faults.h"
+#include "app/base/exit_code.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

@@ -1,10 +1,12 @@
+#include "app/commands/new_scene.h"
+
 #include <fmt/format.h>
 
 #include <string_view>
 
 #include "app/base/atomic_file.h"
-#include "app/commands/commands.h"
-#include "app/scene/faults.h"
+#include "app/base/exit_code.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

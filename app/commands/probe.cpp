@@ -1,9 +1,12 @@
+#include "app/commands/probe.h"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "app/assembly/assemble_added_mass.h"
-#include "app/commands/commands.h"
+#include "app/base/exit_code.h"
+#include "app/base/json_rows.h"
 #include "hydro/mesh/mesh_check.h"
 
 namespace app {
@@ -17,23 +20,12 @@ Json to_json(const hydro::Wrench& w) {
   return {{"force", to_json(w.force)}, {"torque", to_json(w.moment)}};
 }
 
-Json to_json(const Eigen::Matrix3d& m) {
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back(to_json(Eigen::Vector3d(m.row(i))));
-  return rows;
-}
-
 /// A matrix of six turned from body axes into world axes.
 Json in_world_axes(const hydro::Matrix6d& matrix_B, const Eigen::Matrix3d& R_WB) {
   hydro::Matrix6d turn = hydro::Matrix6d::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R_WB;
   const hydro::Matrix6d matrix = turn * matrix_B * turn.transpose();
-  Json rows = Json::array();
-  for (int i = 0; i < 6; ++i) {
-    rows.push_back(Json::array());
-    for (int j = 0; j < 6; ++j) rows.back().push_back((matrix(i, j) + matrix(j, i)) / 2);
-  }
-  return rows;
+  return json_rows((matrix + matrix.transpose()) / 2);
 }
 
 Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
@@ -46,7 +38,7 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
   if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);
   return {{"com", to_json(body.initial.position)},
           {"mass", body.mass},
-          {"inertia", to_json(Eigen::Matrix3d(R * body.inertia_B * R.transpose()))},
+          {"inertia", json_rows(R * body.inertia_B * R.transpose())},
           {"displaced_volume", loads.displaced_volume},
           {"wetted_area", loads.wetted_area},
           {"buoyancy", to_json(loads.buoyancy)},

@@ -1,6 +1,8 @@
+#include "app/commands/schema_command.h"
+
 #include <fmt/format.h>
 
-#include "app/commands/commands.h"
+#include "app/base/exit_code.h"
 #include "app/scene/schema.h"
 
 namespace app {

@@ -1,3 +1,5 @@
+#include "app/compare/compare.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -5,18 +7,18 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/console.h"
-#include "app/commands/commands.h"
+#include "app/base/exit_code.h"
+#include "app/base/words.h"
 #include "app/compare/comparison.h"
+#include "app/compare/comparison_data.h"
 #include "app/compare/comparison_report.h"
-#include "app/report/comparison_data.h"
-#include "app/report/page_file.h"
-#include "app/scene/faults.h"
-#include "app/scene/reader_nearest.h"
+#include "app/logs/read_log.h"
+#include "app/logs/run_files.h"
+#include "app/pages/page_file.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
-
-const char* const kTolerancesOfRun = "tolerances.yaml";
 
 void check_quantities(const std::map<std::string, double>& tolerances) {
   std::vector<std::string> known;
@@ -35,7 +37,7 @@ Tolerances tolerances_of(const CompareOptions& options) {
   if (!options.tolerances.empty()) return {.all = options.tolerances, .bodies = {}};
   if (!options.tolerance_file.empty()) return read_tolerances(options.tolerance_file);
   for (const std::filesystem::path& folder : {options.a, options.b})
-    if (const auto file = folder / kTolerancesOfRun; std::filesystem::exists(file))
+    if (const auto file = folder / kTolerancesFile; std::filesystem::exists(file))
       return read_tolerances(file);
   return {};
 }

@@ -9,15 +9,12 @@
 #include "app/assembly/assemble_start.h"
 #include "app/assembly/mesh_io.h"
 #include "app/base/console.h"
+#include "app/base/exit_code.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
 namespace app {
 namespace {
-
-bool is_scene(const std::filesystem::path& file) {
-  return file.extension() == ".yaml" || file.extension() == ".yml";
-}
 
 void refuse_if(bool given, const std::string& option, const std::string& message) {
   if (given) throw InputError(option, message);
@@ -86,8 +83,9 @@ std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   check_scene_options(o);
   const Scene scene = read_scene(o.file, o.overrides);
   Faults faults;
-  if (!scene.water) faults.add(scene, "water", "missing, and without water nothing floats");
-  if (scene.gravity == 0) faults.add(scene, "gravity", "found 0, and without it nothing floats");
+  if (!scene.water) faults.add(scene.places, "water", "missing, and without water nothing floats");
+  if (scene.gravity == 0)
+    faults.add(scene.places, "gravity", "found 0, and without it nothing floats");
   faults.throw_if_any();
   const Assembly assembly = assemble(scene);
   for (const std::string& note : assembly.notes)
@@ -129,7 +127,7 @@ void check_that_one_floats(const std::vector<FloatingReport>& reports,
 }  // namespace
 
 std::vector<FloatingBody> floating_bodies(const HydrostaticsOptions& options) {
-  if (is_scene(options.file)) return bodies_of_scene(options);
+  if (is_scene_file(options.file)) return bodies_of_scene(options);
   return {body_of_mesh(options)};
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/commands/commands.h"
+#include "app/scene/reader.h"
 #include "hydro/statics/equilibrium.h"
 
 /// @file
@@ -12,6 +14,23 @@
 /// and how it is written.
 
 namespace app {
+
+struct HydrostaticsOptions {
+  std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, otherwise a mesh.
+  /// Of a mesh. Exactly one of these two; a draught is that with the mesh's z axis up.
+  std::optional<double> mass;                     ///< [kg]
+  std::optional<double> draught;                  ///< [m]
+  std::optional<double> density;                  ///< Of the water [kg/m^3]; none: 1000.
+  std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
+  std::vector<Override> overrides;                ///< Of a scene.
+  std::vector<double> heels;                      ///< Of the curve [rad].
+  bool json = false;
+  bool csv = false;
+};
+
+/// Prints the floating position, stability and curve of righting arms of a mesh or of a scene's
+/// bodies. @return the exit code
+int hydrostatics(const HydrostaticsOptions& options);
 
 /// A body and the water it is put in.
 struct FloatingBody {

@@ -1,30 +1,62 @@
 #include "app/logs/force_log.h"
 
-#include "app/logs/force_writer.h"
-#include "app/logs/hdf5_log.h"
-#include "app/logs/log_rows.h"
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
 
 namespace app {
 namespace {
 
-/// CSV.
-ForceLog read_force_rows(const std::filesystem::path& file) {
-  ForceLog log;
-  std::vector<double> numbers(force_columns().size());
-  read_log(file, force_header(), "a log of forces", [&](std::string_view text, int line) {
-    const LogRow row = read_log_row(text, file, line, numbers);
-    ForceTrack& track = log[std::string(row.body)];
-    track.columns.resize(numbers.size());
-    track.times.push_back(row.time);
-    for (std::size_t i = 0; i < numbers.size(); ++i) track.columns[i].push_back(numbers[i]);
-  });
-  return log;
+/// A load by its name in the log.
+struct NamedLoad {
+  std::string_view name;
+  hydro::Wrench load;
+  double work = 0;  ///< [J]
+};
+
+std::array<NamedLoad, 8> named_loads(const engine::BodyForces& f) {
+  const engine::Works& w = f.works;
+  return {{{"buoyancy", f.water.buoyancy, w.buoyancy},
+           {"pressure_drag", f.water.pressure_drag, w.pressure_drag},
+           {"viscous_drag", f.water.viscous_drag, w.viscous_drag},
+           {"lift", f.water.lift, w.lift},
+           {"added_mass", f.added_mass, w.added_mass},
+           {"applied", f.applied, w.applied},
+           {"weight", f.weight, w.weight},
+           {"constraint", f.constraint, w.constraint}}};
+}
+
+/// The numbers of a row, and the names of their columns if these are asked for.
+std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::string>* columns) {
+  std::vector<double> row;
+  const auto put = [&](const std::string& column, double number) {
+    row.push_back(number == 0 ? 0 : number);  // no -0: it would tell two equal loads apart
+    if (columns) columns->push_back(column);
+  };
+  const std::array<NamedLoad, 8> loads = named_loads(forces);
+  for (const NamedLoad& n : loads) {
+    for (int i = 0; i < 3; ++i) put(fmt::format("{}_f{}", n.name, "xyz"[i]), n.load.force[i]);
+    for (int i = 0; i < 3; ++i) put(fmt::format("{}_t{}", n.name, "xyz"[i]), n.load.moment[i]);
+  }
+  put("wetted_area", forces.water.wetted_area);
+  put("displaced_volume", forces.water.displaced_volume);
+  put("kinetic_energy", forces.kinetic_energy);
+  put("added_kinetic_energy", forces.added_kinetic_energy);
+  put("potential_energy", forces.potential_energy);
+  for (const NamedLoad& n : loads) put(fmt::format("work_{}", n.name), n.work);
+  put("work_brake", forces.works.brake);
+  return row;
 }
 
 }  // namespace
 
-std::optional<ForceLog> read_forces(const std::filesystem::path& file) {
-  return is_hdf5(file) ? read_hdf5_forces(file) : read_force_rows(file);
+std::vector<std::string> force_columns() {
+  std::vector<std::string> columns;
+  row_of({}, &columns);
+  return columns;
 }
+
+std::vector<double> force_row(const engine::BodyForces& forces) { return row_of(forces, nullptr); }
 
 }  // namespace app

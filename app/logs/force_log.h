@@ -1,15 +1,27 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/body_forces.h"
+
 /// @file
-/// The log of forces, read back: CSV (force_writer.h) or HDF5 (hdf5_log.h).
+/// The forces on bodies over time, and the columns in which a log has them.
+///
+/// Columns: of each load `<load>_fx` … `_fz` [N] and `<load>_tx` … `_tz` [N m], about the centre of
+/// mass, in W; `wetted_area` [m^2], `displaced_volume` [m^3]; `kinetic_energy`,
+/// `added_kinetic_energy`, `potential_energy` [J]; `work_<load>` [J] since the start, `work_brake`
+/// last. The loads are buoyancy, pressure_drag, viscous_drag, lift, added_mass, applied, weight and
+/// constraint. engine/body_forces.h says what each means.
 
 namespace app {
+
+/// The names of the columns.
+std::vector<std::string> force_columns();
+
+/// The numbers of one body at one time, in the order of force_columns().
+std::vector<double> force_row(const engine::BodyForces& forces);
 
 /// The loads on one body over time.
 struct ForceTrack {
@@ -18,9 +30,5 @@ struct ForceTrack {
 };
 
 using ForceLog = std::map<std::string, ForceTrack>;  ///< By the name of the body.
-
-/// The forces in a log; none in an HDF5 log that has the motion alone.
-/// @throws InputError with the line or row at fault.
-std::optional<ForceLog> read_forces(const std::filesystem::path& file);
 
 }  // namespace app

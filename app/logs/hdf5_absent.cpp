@@ -1,5 +1,5 @@
 #include "app/logs/hdf5_file.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 /// In the place of hdf5_file.cpp where there was no library to build it with.
 

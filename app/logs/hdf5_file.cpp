@@ -13,8 +13,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "app/base/output_folder.h"
-#include "app/scene/faults.h"
+#include "app/base/output_error.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

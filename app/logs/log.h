@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,16 +10,6 @@
 /// What a run writes of its motion, and of the forces where the scene asks for them.
 
 namespace app {
-
-enum class LogFormat {
-  csv,  ///< trajectory.csv and forces.csv: every row is in the file once it is added.
-  hdf5  ///< run.h5: smaller, and faster to read, where there are many rows.
-};
-
-/// Names in the folder of a run.
-inline constexpr const char* kTrajectoryLog = "trajectory.csv";
-inline constexpr const char* kForceLog = "forces.csv";
-inline constexpr const char* kHdf5Log = "run.h5";
 
 /// What a log is of.
 struct LogSubject {
@@ -44,10 +32,5 @@ class Log {
   /// No more rows come: all are in the file when it returns. @throws OutputError
   virtual void finish() = 0;
 };
-
-/// The log of a run in its folder, where nothing stays of an earlier one in either format.
-/// @throws InputError if it cannot be written
-std::unique_ptr<Log> make_log(LogFormat format, const LogSubject& subject,
-                              const std::filesystem::path& folder);
 
 }  // namespace app

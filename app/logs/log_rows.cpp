@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
@@ -47,8 +47,8 @@ LogRow read_log_row(std::string_view text, const std::filesystem::path& file, in
   return {time, fields[1]};
 }
 
-void read_log(const std::filesystem::path& file, std::string_view header, const std::string& kind,
-              const std::function<void(std::string_view row, int line)>& read) {
+void read_rows(const std::filesystem::path& file, std::string_view header, const std::string& kind,
+               const std::function<void(std::string_view row, int line)>& read) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
     throw InputError(

@@ -31,7 +31,7 @@ LogRow read_log_row(std::string_view text, const std::filesystem::path& file, in
 /// Hands each row of a log to `read`, with the number of its line. A last line that was cut off is
 /// left out. @param kind   Of the log, as a fault names it: `a trajectory`.
 /// @throws InputError if the file cannot be read or begins with another header.
-void read_log(const std::filesystem::path& file, std::string_view header, const std::string& kind,
-              const std::function<void(std::string_view row, int line)>& read);
+void read_rows(const std::filesystem::path& file, std::string_view header, const std::string& kind,
+               const std::function<void(std::string_view row, int line)>& read);
 
 }  // namespace app

@@ -3,8 +3,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/base/output_folder.h"
-#include "app/scene/faults.h"
+#include "app/base/output_error.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 

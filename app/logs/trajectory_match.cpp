@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 

@@ -4,12 +4,12 @@
 
 #include <vector>
 
+#include "app/logs/run_files.h"
+
 namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* const kFramesFolder = "frames";
 
 bool is_png(const fs::path& file, const char* begin) {
   return file.filename().string().starts_with(begin) && file.extension() == ".png";
@@ -36,7 +36,7 @@ fs::path frame_file(const fs::path& folder, const std::string& camera, std::size
 }
 
 fs::path sheet_file(const fs::path& folder, const std::string& camera) {
-  return folder / (camera.empty() ? "sheet.png" : fmt::format("sheet_{}.png", camera));
+  return folder / (camera.empty() ? kSheetFile : fmt::format("sheet_{}.png", camera));
 }
 
 fs::path video_file(const fs::path& file, const std::string& camera) {
@@ -47,7 +47,7 @@ fs::path video_file(const fs::path& file, const std::string& camera) {
 
 void remove_pictures(const fs::path& folder) {
   for (const fs::path& file : entries_of(folder))
-    if (file.filename() == "sheet.png" || is_png(file, "sheet_")) fs::remove(file);
+    if (file.filename() == kSheetFile || is_png(file, "sheet_")) fs::remove(file);
   for (const fs::path& entry : entries_of(folder / kFramesFolder))
     if (fs::is_directory(entry) && !fs::is_symlink(entry)) remove_frames(entry);
   remove_frames(folder / kFramesFolder);

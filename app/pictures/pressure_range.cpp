@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "hydro/loads/loads.h"
 
@@ -11,16 +12,15 @@ namespace {
 
 /// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
 void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
-                  const hydro::Sea& sea, double time, render::Pressure shows,
-                  PressureRange& range) {
+                  const hydro::Sea& sea, double time, ShownPressure shows, PressureRange& range) {
   const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
   const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
   const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
   const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
-  const double scale = shows == render::Pressure::hydrostatic
+  const double scale = shows == ShownPressure::hydrostatic
                            ? 0
                            : hydro::drag_scale(body.coefficients, state, sea.current);
-  const double gravity = shows == render::Pressure::dynamic ? 0 : sea.gravity;
+  const double gravity = shows == ShownPressure::dynamic ? 0 : sea.gravity;
   for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
     const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
     for (int i = 0; i < 3; ++i) {
@@ -33,6 +33,37 @@ void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
       range.include(sea.density * (gravity * depth + 0.5 * scale * c_p * u * std::abs(u)));
     }
   }
+}
+
+render::ColorMap color_map(Colors colors) {
+  using render::ColorMap;
+  switch (colors) {
+    case Colors::turbo:
+      return ColorMap::turbo;
+    case Colors::viridis:
+      return ColorMap::viridis;
+    case Colors::cividis:
+      return ColorMap::cividis;
+    case Colors::coolwarm:
+      return ColorMap::coolwarm;
+    case Colors::gray:
+      return ColorMap::gray;
+    case Colors::thesis:
+      return ColorMap::thesis;
+  }
+  throw std::logic_error("unknown colour scale");
+}
+
+render::Pressure shown_pressure(ShownPressure shows) {
+  switch (shows) {
+    case ShownPressure::total:
+      return render::Pressure::total;
+    case ShownPressure::hydrostatic:
+      return render::Pressure::hydrostatic;
+    case ShownPressure::dynamic:
+      return render::Pressure::dynamic;
+  }
+  throw std::logic_error("unknown part of the pressure");
 }
 
 /// The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten, away from zero: an end for
@@ -54,7 +85,7 @@ void PressureRange::include(double pressure) {
 }
 
 PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
-                             render::Pressure shows) {
+                             ShownPressure shows) {
   PressureRange range;
   if (!spec.sea) return range;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
@@ -69,8 +100,8 @@ render::PressureScale pressure_scale(const RenderScene& look, const PressureRang
                                                              : std::max(lowest + 1000, 0.0);
   return {.min = lowest,
           .max = look.pressure_max.value_or(highest),
-          .colors = look.colors,
-          .shows = look.shows};
+          .colors = color_map(look.colors),
+          .shows = shown_pressure(look.shows)};
 }
 
 render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,

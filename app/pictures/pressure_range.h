@@ -2,7 +2,7 @@
 
 #include "app/pictures/shot_store.h"
 #include "app/render/color_scale.h"
-#include "app/scene/scene.h"
+#include "app/scene/render.h"
 #include "engine/spec.h"
 
 /// @file
@@ -18,7 +18,7 @@ struct PressureRange {
 
 /// Over the bodies' wetted vertices, and 0.
 PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
-                             render::Pressure shows);
+                             ShownPressure shows);
 
 /// The scale that a scene asks for; ends that are to be found hold the range, at round values.
 render::PressureScale pressure_scale(const RenderScene& look, const PressureRange& range);

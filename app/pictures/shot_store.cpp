@@ -8,7 +8,7 @@
 #include <cstring>
 #include <tuple>
 
-#include "app/base/output_folder.h"
+#include "app/base/output_error.h"
 #include "app/logs/trajectory.h"
 
 namespace app {

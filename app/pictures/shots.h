@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/logs/schedule.h"
+#include "app/base/schedule.h"
 #include "app/pictures/shot_store.h"
 #include "hydro/spatial.h"
 

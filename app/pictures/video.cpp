@@ -7,7 +7,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "app/base/output_folder.h"
+#include "app/base/output_error.h"
 
 namespace app {
 namespace {

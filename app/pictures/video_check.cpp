@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/base/words.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/picture_files.h"
-#include "app/scene/faults.h"
-#include "app/scene/reader_nearest.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

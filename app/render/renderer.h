@@ -29,14 +29,6 @@
 
 namespace render {
 
-struct Camera {
-  Eigen::Vector3d from = {6, -8, 3};  ///< In W [m].
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();
-  double field_of_view = 0.6108652381980153;  ///< Vertical [rad].
-
-  bool operator==(const Camera&) const = default;
-};
-
 /// A body as it is drawn: constant over a sequence.
 struct BodyLook {
   hydro::TriMesh mesh_B;

@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "app/render/renderer.h"
-
 namespace render {
 namespace {
 

@@ -10,7 +10,13 @@
 
 namespace render {
 
-struct Camera;
+struct Camera {
+  Eigen::Vector3d from = {6, -8, 3};  ///< In W [m].
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  double field_of_view = 0.6108652381980153;  ///< Vertical [rad].
+
+  bool operator==(const Camera&) const = default;
+};
 
 struct View {
   Eigen::Vector3d eye_W = Eigen::Vector3d::Zero();

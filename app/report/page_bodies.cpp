@@ -1,6 +1,6 @@
 #include <cstdint>
 
-#include "app/report/packing.h"
+#include "app/pages/packing.h"
 #include "app/report/page_data.h"
 
 namespace app {
@@ -50,7 +50,7 @@ Json ground_of(const engine::MeshGround& ground, const PageLimits& limits) {
 
 }  // namespace
 
-Json page_bodies(const RunFolder& run, const Shapes& shapes) {
+Json page_bodies(const LoggedRun& run, const Shapes& shapes) {
   Json bodies = Json::array();
   for (std::size_t i = 0; i < run.scene.bodies.size(); ++i) {
     const engine::BodySpec& body = run.assembly.spec.bodies[i];

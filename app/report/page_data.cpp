@@ -1,7 +1,7 @@
 #include "app/report/page_data.h"
 
+#include "app/pages/packing.h"
 #include "app/pictures/cameras.h"
-#include "app/report/packing.h"
 
 namespace app {
 namespace {
@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 /// The place that the replay's single-precision numbers are relative to: where the first body
 /// starts, at the water's level.
-Eigen::Vector3d replay_origin(const RunFolder& run) {
+Eigen::Vector3d replay_origin(const LoggedRun& run) {
   Eigen::Vector3d origin = run.assembly.spec.bodies.empty()
                                ? Eigen::Vector3d::Zero()
                                : run.assembly.spec.bodies[0].initial.position;
@@ -28,7 +28,7 @@ Json page_camera(const Scene& scene) {
 
 }  // namespace
 
-Json page_data(const RunFolder& run, const PageLimits& limits) {
+Json page_data(const LoggedRun& run, const PageLimits& limits) {
   const Shapes shapes = find_shapes(run.assembly.spec.bodies, limits.faces);
   const Eigen::Vector3d origin = replay_origin(run);
   Json summary = run.summary;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/report/run_folder.h"
+#include "app/report/logged_run.h"
 #include "app/report/shapes.h"
 
 /// @file
@@ -22,22 +22,22 @@ struct PageLimits {
 };
 
 /// The whole of it.
-nlohmann::ordered_json page_data(const RunFolder& run, const PageLimits& limits = {});
+nlohmann::ordered_json page_data(const LoggedRun& run, const PageLimits& limits = {});
 
 /// Its parts. What there is to say of bodies, shapes, water and ground:
-nlohmann::ordered_json page_bodies(const RunFolder& run, const Shapes& shapes);
+nlohmann::ordered_json page_bodies(const LoggedRun& run, const Shapes& shapes);
 nlohmann::ordered_json page_shapes(const Shapes& shapes);
 nlohmann::ordered_json page_water(const engine::SimulationSpec& spec, const PageLimits& limits);
 nlohmann::ordered_json page_ground(const engine::Ground& ground, const PageLimits& limits);
 
 /// Poses for the replay, relative to `origin`.
-nlohmann::ordered_json page_poses(const RunFolder& run, const Eigen::Vector3d& origin,
+nlohmann::ordered_json page_poses(const LoggedRun& run, const Eigen::Vector3d& origin,
                                   const PageLimits& limits);
 
 /// Columns for the plots.
-nlohmann::ordered_json page_series(const RunFolder& run, const PageLimits& limits);
+nlohmann::ordered_json page_series(const LoggedRun& run, const PageLimits& limits);
 
 /// Pictures of the first camera with their times; null if there are none.
-nlohmann::ordered_json page_frames(const RunFolder& run, const PageLimits& limits);
+nlohmann::ordered_json page_frames(const LoggedRun& run, const PageLimits& limits);
 
 }  // namespace app

@@ -2,12 +2,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/logs/schedule.h"
+#include "app/base/schedule.h"
+#include "app/pages/packing.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/picture_files.h"
-#include "app/report/packing.h"
 #include "app/report/page_data.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
@@ -45,7 +45,7 @@ std::string bytes_of(const fs::path& file) {
 
 }  // namespace
 
-Json page_frames(const RunFolder& run, const PageLimits& limits) {
+Json page_frames(const LoggedRun& run, const PageLimits& limits) {
   if (!run.scene.render) return nullptr;
   const std::vector<fs::path> files =
       frame_files(run.path, cameras_of(*run.scene.render).front().name);

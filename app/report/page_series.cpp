@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/logs/force_writer.h"
-#include "app/report/motion_columns.h"
-#include "app/report/packing.h"
+#include "app/logs/force_csv.h"
+#include "app/pages/motion_columns.h"
+#include "app/pages/packing.h"
+#include "app/pages/thinning.h"
 #include "app/report/page_data.h"
-#include "app/report/thinning.h"
 
 namespace app {
 namespace {
@@ -21,7 +21,7 @@ bool varies(const std::vector<double>& column) {
 
 /// Everything that is plotted of a body, column by column.
 using EachColumn = std::function<void(const std::vector<double>& column)>;
-void each_column(const RunFolder& run, const std::string& body, const EachColumn& visit) {
+void each_column(const LoggedRun& run, const std::string& body, const EachColumn& visit) {
   for (const std::vector<double>& column : motion_of(run.trajectory.tracks.at(body))) visit(column);
   if (!run.forces) return;
   for (const std::vector<double>& column : run.forces->at(body).columns) visit(column);
@@ -29,7 +29,7 @@ void each_column(const RunFolder& run, const std::string& body, const EachColumn
 
 }  // namespace
 
-Json page_poses(const RunFolder& run, const Eigen::Vector3d& origin, const PageLimits& limits) {
+Json page_poses(const LoggedRun& run, const Eigen::Vector3d& origin, const PageLimits& limits) {
   const std::size_t bodies = std::max<std::size_t>(run.scene.bodies.size(), 1);
   const std::vector<std::size_t> kept =
       spread_rows(run.rows, std::max(kLeastRows, limits.poses / (kPoseNumbers * bodies)));
@@ -50,7 +50,7 @@ Json page_poses(const RunFolder& run, const Eigen::Vector3d& origin, const PageL
   return {{"times", packed<double>(times)}, {"bodies", tracks}};
 }
 
-Json page_series(const RunFolder& run, const PageLimits& limits) {
+Json page_series(const LoggedRun& run, const PageLimits& limits) {
   std::size_t varying = 1;
   for (const BodyScene& body : run.scene.bodies)
     each_column(run, body.name, [&](const std::vector<double>& c) { varying += varies(c); });

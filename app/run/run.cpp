@@ -1,3 +1,5 @@
+#include "app/run/run.h"
+
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
@@ -11,22 +13,24 @@
 #include "app/assembly/assemble_added_mass.h"
 #include "app/base/background.h"
 #include "app/base/console.h"
+#include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
-#include "app/base/output_folder.h"
+#include "app/base/output_error.h"
 #include "app/base/progress.h"
+#include "app/base/schedule.h"
 #include "app/base/thread_count.h"
-#include "app/commands/commands.h"
+#include "app/base/words.h"
 #include "app/logs/hdf5_file.h"
-#include "app/logs/log.h"
-#include "app/logs/schedule.h"
+#include "app/logs/make_log.h"
+#include "app/logs/output_folder.h"
+#include "app/logs/run_files.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/shots.h"
 #include "app/pictures/video_check.h"
-#include "app/run/run_report.h"
+#include "app/run/resolved_scene.h"
 #include "app/run/summary.h"
-#include "app/scene/faults.h"
-#include "app/scene/reader_nearest.h"
+#include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
 
 namespace app {

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <system_error>
+#include <stdexcept>
 
-#include "app/base/output_folder.h"
+#include "app/base/atomic_file.h"
+#include "app/base/json_rows.h"
+#include "app/base/output_error.h"
 
 namespace app {
 namespace {
@@ -23,26 +24,17 @@ Json motion_summary(const engine::Counts& counts) {
           {"braked_pieces", counts.clamped}};
 }
 
-Json to_json(const hydro::Matrix6d& matrix) {
-  Json rows = Json::array();
-  for (int i = 0; i < 6; ++i) {
-    rows.push_back(Json::array());
-    for (int j = 0; j < 6; ++j) rows.back().push_back(matrix(i, j));
-  }
-  return rows;
-}
-
 /// The added mass of the wholly submerged body and where it came from; null if it has none.
 Json to_json(const std::optional<AddedMassReport>& report) {
   if (!report) return nullptr;
   if (report->surface)
     return {{"model", "surface"},
-            {"matrix", to_json(report->matrix)},
+            {"matrix", json_rows(report->matrix)},
             {"solves", report->surface->solves()}};
-  if (!report->stored) return {{"model", "matrix"}, {"matrix", to_json(report->matrix)}};
+  if (!report->stored) return {{"model", "matrix"}, {"matrix", json_rows(report->matrix)}};
   const hydro::AddedMassSolution& solution = *report->stored->solution;
   return {{"model", "deep"},
-          {"matrix", to_json(report->matrix)},
+          {"matrix", json_rows(report->matrix)},
           {"symmetry_error", solution.symmetry_error},
           {"error_estimate", solution.error_estimate},
           {"from_store", report->stored->from_store},
@@ -128,14 +120,13 @@ std::vector<std::string> unused_loads(const engine::BodySpec& body) {
 }
 
 void write_summary(const RunSummary& summary, const std::filesystem::path& file) {
-  const std::filesystem::path draft = file.string() + ".part";
-  std::ofstream stream(draft);
   // A file name may be no UTF-8; its odd bytes become U+FFFD.
-  stream << to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(draft, file, error);
-  if (!stream || error) throw OutputError(file.string() + ": cannot be written; is the disk full?");
+  const std::string text = to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
+  try {
+    write_whole(file, text + '\n');
+  } catch (const std::runtime_error& error) {
+    throw OutputError(error.what());
+  }
 }
 
 }  // namespace app

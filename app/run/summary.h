@@ -32,9 +32,6 @@ struct RunSummary {
   std::string pictures_skipped;  ///< Why there are none.
 };
 
-/// Its name in the folder of a run.
-inline constexpr const char* kSummaryFile = "summary.json";
-
 /// The load kinds of a body that are not computed, by their keys.
 std::vector<std::string> unused_loads(const engine::BodySpec& body);
 

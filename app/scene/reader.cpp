@@ -192,6 +192,10 @@ void read(MapReader& map, Scene& scene) {
   check_starts(map, scene);
 }
 
+bool is_scene_file(const std::filesystem::path& file) {
+  return file.extension() == ".yaml" || file.extension() == ".yml";
+}
+
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
   return parse_scene(read_text(file), file, overrides);
 }

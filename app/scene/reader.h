@@ -4,19 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/faults.h"
+#include "app/scene/override.h"
 #include "app/scene/scene.h"
 
 namespace app {
 
-/// A value that replaces or adds one key of a scene: `--set bodies[0].density=700`.
-struct Override {
-  std::string key_path;  ///< Entries of a list by index or by name: `bodies[teapot].density`.
-  std::string value;     ///< YAML.
-};
-
-/// Splits `KEY.PATH=VALUE`. @throws InputError if there is no `=` or no key.
-Override parse_override(const std::string& argument);
+/// True if the extension of a file is that of scenes, .yaml or .yml.
+bool is_scene_file(const std::filesystem::path& file);
 
 /// Reads and checks a scene file.
 /// @throws InputError with every fault found, in the order of the file; those of overrides first.

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "app/scene/reader_nearest.h"
+#include "app/base/words.h"
 
 namespace app {
 
@@ -159,22 +159,6 @@ YamlNode parse_value(const std::string& value) {
 }
 
 }  // namespace
-
-Override parse_override(const std::string& argument) {
-  const std::size_t bracket = argument.find(']');
-  const std::size_t equals = argument.find('=');
-  // A name in brackets may itself hold an equals sign.
-  const bool in_brackets = equals != std::string::npos && argument.find('[') < equals &&
-                           bracket != std::string::npos && equals < bracket;
-  const std::size_t end = in_brackets ? argument.find('=', bracket) : equals;
-  if (end == std::string::npos || end == 0)
-    throw InputError(
-        {Fault{{kOverridePlace},
-               "",
-               fmt::format("found {}, expected KEY.PATH=VALUE, as in bodies[0].density=700",
-                           argument.empty() ? "nothing" : argument)}});
-  return {argument.substr(0, end), argument.substr(end + 1)};
-}
 
 void apply_override(const Override& override, YamlNode& root, Faults& faults) {
   try {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/scene/faults.h"
-#include "app/scene/reader.h"
+#include "app/scene/diagnostics.h"
+#include "app/scene/override.h"
 #include "app/scene/yaml_reader.h"
 
 namespace app {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "app/base/words.h"
 #include "app/scene/reader_blocks.h"
-#include "app/scene/reader_nearest.h"
 
 namespace app {
 
@@ -23,19 +23,24 @@ void read_end(MapReader& map, const char* key, const char* fallback, std::option
 /// The colour scale.
 struct PressureBlock {
   std::optional<double> min = 0, max;
-  render::ColorMap colors = render::ColorMap::turbo;
-  render::Pressure shows = render::Pressure::total;
+  Colors colors = Colors::turbo;
+  ShownPressure shows = ShownPressure::total;
 };
 
 void read(MapReader& map, PressureBlock& pressure) {
-  using render::Pressure;
-  const ChoiceRule<Pressure> what{{{"total", Pressure::total},
-                                   {"hydrostatic", Pressure::hydrostatic},
-                                   {"dynamic", Pressure::dynamic}}};
+  const ChoiceRule<ShownPressure> what{{{"total", ShownPressure::total},
+                                        {"hydrostatic", ShownPressure::hydrostatic},
+                                        {"dynamic", ShownPressure::dynamic}}};
+  const ChoiceRule<Colors> scales{{{"turbo", Colors::turbo},
+                                   {"viridis", Colors::viridis},
+                                   {"cividis", Colors::cividis},
+                                   {"coolwarm", Colors::coolwarm},
+                                   {"gray", Colors::gray},
+                                   {"thesis", Colors::thesis}}};
   map.optional("shows", pressure.shows, what);
-  map.optional("colors", pressure.colors, ChoiceRule<render::ColorMap>{render::color_maps()});
+  map.optional("colors", pressure.colors, scales);
   // Dynamic pressure is below that of the still water where a surface leaves it.
-  if (pressure.shows == Pressure::dynamic) pressure.min.reset();
+  if (pressure.shows == ShownPressure::dynamic) pressure.min.reset();
   read_end(map, "min", "0; auto if shows is dynamic", pressure.min);
   read_end(map, "max", "auto", pressure.max);
   if (pressure.min && pressure.max && *pressure.max <= *pressure.min)

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/scene/faults.h"
+#include "app/base/words.h"
+#include "app/scene/diagnostics.h"
 #include "app/scene/key_catalogue.h"
-#include "app/scene/reader_nearest.h"
 #include "app/scene/scene.h"
 #include "app/scene/yaml_reader.h"
 
@@ -34,7 +34,7 @@ struct UnknownKey {
 /// What the readers of one scene's blocks share.
 struct Reading {
   std::filesystem::path file;
-  std::map<std::string, Place> places;  ///< Of every key, by key path.
+  Places places;  ///< Of every key.
   Faults faults;
   std::vector<UnknownKey> unknown_keys;
   KeyCatalogue catalogue;  ///< Of every key that was asked for, where keys are listed.

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 

@@ -13,10 +13,10 @@
 #include "app/base/atomic_file.h"
 #include "app/base/child_process.h"
 #include "app/base/console.h"
+#include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/base/progress.h"
 #include "app/base/thread_count.h"
-#include "app/commands/commands.h"
 #include "app/sweep/ranks.h"
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_outcome.h"
@@ -49,7 +49,7 @@ bool ended_by_itself(const RunOutcome& outcome) {
 /// A run that goes on.
 struct Going {
   std::size_t run;
-  RunFolder folder;
+  RunSlot folder;
   Clock::time_point start;
 };
 
@@ -145,7 +145,7 @@ class Sweep {
   void start_next() {
     const std::size_t run = waiting_.front();
     waiting_.pop_front();
-    RunFolder run_folder(folder_.run_folder(run));
+    RunSlot run_folder(folder_.run_folder(run));
     std::vector<std::string> words = {
         "run",         plan_.scene.string(), "--out", run_folder.path().string(),
         "--no-render", "--threads",          "1"};

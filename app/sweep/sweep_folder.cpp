@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,9 +14,8 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/checked_file.h"
-#include "app/logs/log.h"
-#include "app/run/summary.h"
-#include "app/scene/faults.h"
+#include "app/logs/run_files.h"
+#include "app/scene/diagnostics.h"
 #include "app/sweep/sweep_outcome.h"
 
 namespace app {
@@ -27,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Results in the folder of a run.
-constexpr const char* kResults[] = {"outcome.json", kTrajectoryLog, kForceLog, kSummaryFile};
+constexpr const char* kResults[] = {kOutcomeFile, kTrajectoryLog, kForceLog, kSummaryFile};
 
 /// A number of the content of a file; of a missing one, that of an empty one.
 std::string fingerprint(const fs::path& file) {
@@ -59,30 +57,20 @@ std::string changed_part(const Json& manifest, const SweepIdentity& identity) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path path) : path_(std::move(path)) {
+RunSlot::RunSlot(fs::path path) : path_(std::move(path)) {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputError(path_, fmt::format("cannot be made: {}", error.message()));
   constexpr mode_t kReadByAll = 0644;
-  messages_ =
-      ::open(messages_file().c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kReadByAll);
-  if (messages_ < 0)
+  messages_ = LockedFile(
+      ::open(messages_file().c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kReadByAll));
+  if (!messages_.is_open())
     throw InputError(messages_file(), fmt::format("cannot be written: {}", std::strerror(errno)));
-  // File systems that know no locks get none.
-  if (::flock(messages_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(messages_);
+  if (!messages_.try_lock(LockedFile::Lock::exclusive))
     throw InputError(path_, "another sweep is doing this run");
-  }
   for (const char* result : kResults) fs::remove(path_ / result, error);
-  if (::ftruncate(messages_, 0) != 0)
+  if (::ftruncate(messages(), 0) != 0)
     throw InputError(messages_file(), fmt::format("cannot be written: {}", std::strerror(errno)));
-}
-
-RunFolder::RunFolder(RunFolder&& other) noexcept
-    : path_(std::move(other.path_)), messages_(std::exchange(other.messages_, -1)) {}
-
-RunFolder::~RunFolder() {
-  if (messages_ >= 0) ::close(messages_);
 }
 
 SweepFolder::SweepFolder(const fs::path& path, OutputFolder::Use use)
@@ -90,9 +78,7 @@ SweepFolder::SweepFolder(const fs::path& path, OutputFolder::Use use)
 
 fs::path SweepFolder::run_folder(std::size_t run) const { return path() / "runs" / run_name(run); }
 
-fs::path SweepFolder::outcome_file(std::size_t run) const {
-  return run_folder(run) / "outcome.json";
-}
+fs::path SweepFolder::outcome_file(std::size_t run) const { return run_folder(run) / kOutcomeFile; }
 
 void SweepFolder::clear() const {
   if (!fs::exists(manifest_file())) return;

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/base/output_folder.h"
+#include "app/logs/output_folder.h"
+#include "app/logs/run_files.h"
 
 namespace app {
 
@@ -21,22 +22,19 @@ struct SweepIdentity {
 };
 
 /// A run's folder while the run is done: others that want it meanwhile are refused.
-class RunFolder {
+class RunSlot {
  public:
   /// Makes the folder or empties it. @throws InputError if it cannot be made or is in use
-  explicit RunFolder(std::filesystem::path path);
-  RunFolder(RunFolder&& other) noexcept;
-  RunFolder& operator=(RunFolder&&) = delete;
-  ~RunFolder();
+  explicit RunSlot(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path messages_file() const { return path_ / "messages.txt"; }
+  std::filesystem::path messages_file() const { return path_ / kMessagesFile; }
   /// Of the messages, for writing.
-  int messages() const { return messages_; }
+  int messages() const { return messages_.descriptor(); }
 
  private:
   std::filesystem::path path_;
-  int messages_ = -1;  ///< Locked.
+  LockedFile messages_;
 };
 
 /// The folder of a sweep: `sweep.json`, which says what it is of, `sweep.csv`, and `runs/0000`….

@@ -11,9 +11,9 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/child_process.h"
-#include "app/commands/commands.h"
-#include "app/logs/log.h"
-#include "app/run/summary.h"
+#include "app/base/exit_code.h"
+#include "app/logs/read_log.h"
+#include "app/logs/run_files.h"
 
 namespace app {
 namespace {

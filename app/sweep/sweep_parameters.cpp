@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "app/scene/reader.h"
 
 namespace app {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/sweep/sweep.h"
+#include "app/sweep/sweep_options.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/assembly/assemble.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {

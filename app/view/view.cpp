@@ -1,3 +1,5 @@
+#include "app/view/view.h"
+
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
@@ -7,10 +9,10 @@
 
 #include "app/assembly/assemble_added_mass.h"
 #include "app/base/console.h"
+#include "app/base/exit_code.h"
 #include "app/base/program_files.h"
+#include "app/base/schedule.h"
 #include "app/base/thread_count.h"
-#include "app/commands/commands.h"
-#include "app/logs/schedule.h"
 #include "app/pictures/cameras.h"
 #include "app/render/png.h"
 #include "app/view/stage.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "hydro/mesh/mass_properties.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"

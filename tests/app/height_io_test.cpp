@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "tests/support/tolerance.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/primitives.h"

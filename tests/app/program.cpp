@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "app/cli/cli.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "tests/support/files.h"
 
 namespace support {

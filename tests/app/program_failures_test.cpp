@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
 #include "tests/app/program.h"
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/logs/hdf5_file.h"
+#include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
 #include "tests/app/page.h"
 #include "tests/app/program.h"

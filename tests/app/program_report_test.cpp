@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
 #include "tests/app/page.h"
 #include "tests/app/program.h"

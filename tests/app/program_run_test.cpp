@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/logs/force_writer.h"
+#include "app/logs/force_csv.h"
+#include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
 #include "tests/app/program.h"
 #include "tests/support/files.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/packing.h"
+#include "app/pages/packing.h"
+#include "app/pages/thinning.h"
 #include "app/report/shapes.h"
-#include "app/report/thinning.h"
 #include "hydro/mesh/primitives.h"
 
 /// What keeps the page of a report small: fewer rows, fewer triangles, packed numbers.

@@ -1,11 +1,10 @@
-#include "app/run/run_report.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/assembly/assemble_added_mass.h"
 #include "app/base/progress.h"
+#include "app/run/resolved_scene.h"
 #include "tests/app/scene_text.h"
 
 namespace {

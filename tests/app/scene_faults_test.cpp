@@ -105,10 +105,10 @@ TEST(SceneFaults, FaultsFoundLaterStandAtTheNearestBlockInTheFile) {
   const app::Scene scene = support::read_scene_text(kSmallScene, {"bodies[0].color=[0, 0, 0]"});
   app::Faults faults;
   EXPECT_NO_THROW(faults.throw_if_any());
-  faults.add(scene, "bodies[0].density", "second");
-  faults.add(scene, "bodies[0].box.divisions", "first");
-  faults.add(scene, "bodies[0].color[1]", "of the command line");
-  faults.add(scene, "nowhere", "of the file");
+  faults.add(scene.places, "bodies[0].density", "second");
+  faults.add(scene.places, "bodies[0].box.divisions", "first");
+  faults.add(scene.places, "bodies[0].color[1]", "of the command line");
+  faults.add(scene.places, "nowhere", "of the file");
   try {
     faults.throw_if_any();
     FAIL() << "no fault";

@@ -343,8 +343,8 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_EQ(render->sheet_columns, 5);
   EXPECT_EQ(render->pressure_min, -100);
   EXPECT_EQ(render->pressure_max, 5e3);
-  EXPECT_EQ(render->shows, render::Pressure::dynamic);
-  EXPECT_EQ(render->colors, render::ColorMap::coolwarm);
+  EXPECT_EQ(render->shows, app::ShownPressure::dynamic);
+  EXPECT_EQ(render->colors, app::Colors::coolwarm);
   EXPECT_TRUE(render->show.forces && render->show.wireframe);
   EXPECT_FALSE(render->show.centres || render->show.waterline);
 }

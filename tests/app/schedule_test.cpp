@@ -1,4 +1,4 @@
-#include "app/logs/schedule.h"
+#include "app/base/schedule.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "app/base/file_lock.h"
-#include "app/scene/faults.h"
+#include "app/scene/diagnostics.h"
 #include "app/sweep/ranks.h"
 #include "app/sweep/sweep_outcome.h"
 #include "app/sweep/sweep_parameters.h"

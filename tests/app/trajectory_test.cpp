@@ -7,8 +7,10 @@
 #include <fstream>
 #include <limits>
 
-#include "app/base/output_folder.h"
-#include "app/scene/faults.h"
+#include "app/base/output_error.h"
+#include "app/logs/read_log.h"
+#include "app/logs/trajectory_csv.h"
+#include "app/scene/diagnostics.h"
 #include "tests/app/program.h"
 #include "tests/support/files.h"
 #include "tests/support/random_pose.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/assembly/mesh_io.h"
-#include "app/commands/commands.h"
+#include "app/run/run.h"
 #include "tests/benchmarks/benches.h"
 
 /// @file

@@ -7,7 +7,7 @@
 
 #include "app/assembly/assemble.h"
 #include "app/base/program_files.h"
-#include "app/logs/trajectory.h"
+#include "app/logs/read_log.h"
 #include "app/logs/trajectory_match.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/pictures.h"

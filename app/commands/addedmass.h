@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/scene/reader.h"
+#include "hydro/added_mass/added_mass.h"
+
+namespace app {
+
+struct AddedMassCommand {
+  std::filesystem::path file;       ///< A scene if its extension is .yaml or .yml, else a mesh.
+  std::optional<double> density;    ///< Of the water [kg/m^3]; none: the scene's, or 1000.
+  std::vector<Override> overrides;  ///< Of a scene.
+  hydro::AddedMassOptions options;
+  bool store = true;  ///< Solutions are taken from the store and kept there.
+  bool json = false;
+};
+
+/// Prints the added mass of a mesh or of a scene's bodies, each wholly submerged and alone.
+/// @return the exit code
+int addedmass(const AddedMassCommand& command);
+
+}  // namespace app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/scene/reader.h"
+
+namespace app {
+
+/// Prints the forces on every body in its initial state, as JSON. @return the exit code
+int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);
+
+}  // namespace app

@@ -1,0 +1,72 @@
+#include "app/commands/render_trajectory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/assembly/assemble.h"
+#include "app/base/console.h"
+#include "app/base/exit_code.h"
+#include "app/base/interrupt.h"
+#include "app/base/progress.h"
+#include "app/base/thread_count.h"
+#include "app/logs/output_folder.h"
+#include "app/logs/read_log.h"
+#include "app/logs/trajectory_match.h"
+#include "app/pictures/pictures.h"
+#include "app/pictures/shots.h"
+#include "app/pictures/video_check.h"
+#include "app/scene/diagnostics.h"
+
+namespace app {
+namespace {
+
+/// The logged states that are to be drawn, as a run of the scene would have drawn them.
+ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const Scene& scene,
+                      const engine::SimulationSpec& spec, const VideoOptions& video) {
+  const std::vector<double>& times = trajectory.tracks.begin()->second.times;
+  const double end = std::max(scene.duration, times[rows - 1]);
+  ShotList shots(scene.render->every, end, video.pictures_a_second());
+  for (std::size_t i = 0; i < rows; ++i) shots.add(times[i], states_at(trajectory, spec, i));
+  return shots;
+}
+
+void say_what_was_drawn(const PictureReport& report, const ShotStore& shots,
+                        const std::filesystem::path& folder) {
+  const std::size_t cameras = std::max<std::size_t>(1, report.cameras.size());
+  say(fmt::format(
+      "{}: {} of {} pictures and {}, drawn on {}", folder.string(), report.frames,
+      shots.frames() * cameras,
+      cameras == 1 ? "sheet.png" : fmt::format("a sheet for each of {} cameras", cameras),
+      report.device));
+  for (const std::string& line : videos_made(report)) say(line);
+}
+
+}  // namespace
+
+int render_trajectory(const RenderOptions& options) {
+  Scene scene = read_scene(options.scene, options.overrides);
+  if (!scene.render) scene.render.emplace();
+  check_video(options.video, *scene.render, options.out, thread_count(0));
+  Assembly assembly = assemble(scene);
+  assembly.spec.threads = thread_count(0);
+  const std::filesystem::path file = trajectory_of(options.trajectory);
+  const Trajectory trajectory = read_trajectory(file);
+  check_same_bodies(trajectory, assembly.spec, file);
+  const ShotList list =
+      choose_shots(trajectory, common_rows(trajectory, file), scene, assembly.spec, options.video);
+  const ShotStore& shots = list.shots();
+  const OutputFolder folder(options.out);
+  const InterruptGuard interrupt;
+  ProgressLine progress(options.quiet);
+  const PictureReport report =
+      draw_pictures(scene, assembly, shots, {folder.path(), options.video}, [&](int done, int all) {
+        if (progress.due()) progress.show(fmt::format("picture {} of {}", done, all));
+        return !interrupt.interrupted();
+      });
+  progress.clear();
+  if (!options.quiet) say_what_was_drawn(report, shots, folder.path());
+  return report.complete ? kDone : kInterrupted;
+}
+
+}  // namespace app

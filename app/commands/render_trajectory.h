@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/pictures/video.h"
+#include "app/scene/reader.h"
+
+namespace app {
+
+struct RenderOptions {
+  std::filesystem::path trajectory;
+  std::filesystem::path scene;
+  std::filesystem::path out;
+  std::vector<Override> overrides;
+  VideoOptions video;
+  bool quiet = false;
+};
+
+/// Draws the pictures of a logged trajectory, as a run of its scene draws them. @return the exit
+/// code
+int render_trajectory(const RenderOptions& options);
+
+}  // namespace app

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace app {
+
+/// Prints the scene format for editors, as a JSON Schema. @param markdown   The tables of keys of
+/// scenes/README.md instead. @return the exit code
+int schema(bool markdown);
+
+}  // namespace app

@@ -1,0 +1,87 @@
+#include "app/compare/comparison_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pages/motion_columns.h"
+#include "app/pages/packing.h"
+#include "app/pages/thinning.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Columns = std::vector<std::vector<double>>;
+
+constexpr std::size_t kLeastComparedRows = 16;  ///< Fewer say nothing about a motion.
+
+/// Columns at their times, made fewer.
+Json packed_rows(const std::vector<double>& times, const Columns& columns, std::size_t most) {
+  if (times.empty()) return nullptr;
+  const Thinning thinning(times.size(), most);
+  Json packed_columns = Json::array();
+  for (const std::vector<double>& column : columns)
+    packed_columns.push_back(packed_column(thinning.values(column)));
+  return {{"rows", times.size()},
+          {"times", packed<double>(thinning.times(times))},
+          {"columns", packed_columns}};
+}
+
+/// Shifts angles of B by whole turns, so that they start beside A's.
+void start_alike(const Columns& a, Columns& b) {
+  constexpr double kTurn = 360;
+  for (std::size_t k = 3; k < 6; ++k) {
+    const double shift = kTurn * std::round((a[k].front() - b[k].front()) / kTurn);
+    for (double& angle : b[k]) angle += shift;
+  }
+}
+
+Json differences_of(const BodyComparison& body) {
+  Json all = Json::array();
+  for (std::size_t k = 0; k < kComparedQuantities.size(); ++k) {
+    const Difference& d = body.differences[k];
+    all.push_back({{"quantity", kComparedQuantities[k].name},
+                   {"unit", kComparedQuantities[k].unit},
+                   {"largest", d.largest},
+                   {"at", d.when_largest},
+                   {"tolerance", d.judged() ? Json(d.tolerance) : Json(nullptr)},
+                   {"first_beyond", d.within() ? Json(nullptr) : Json(d.first_beyond)},
+                   {"verdict", verdict(d)}});
+  }
+  return all;
+}
+
+}  // namespace
+
+Json comparison_data(const Comparison& comparison, const ComparedFiles& files, const Trajectory& a,
+                     const Trajectory& b, const ComparisonLimits& limits) {
+  const std::size_t columns = 2 * motion_columns().size() + kComparedQuantities.size();
+  const std::size_t bodies = std::max<std::size_t>(comparison.bodies.size(), 1);
+  const std::size_t most = std::max(kLeastComparedRows, limits.numbers / (columns * bodies));
+  Json all = Json::array();
+  for (const BodyComparison& body : comparison.bodies) {
+    Json& one = all.emplace_back(Json{{"name", body.name}, {"same", body.same()}});
+    one["note"] = coverage(body, files);
+    one["interpolated"] = body.interpolated;
+    one["times"] = body.times.size();
+    Columns motion_a, motion_b;
+    if (const auto track = a.tracks.find(body.name); track != a.tracks.end()) {
+      motion_a = motion_of(track->second);
+      one["a"] = packed_rows(track->second.times, motion_a, most);
+    }
+    if (const auto track = b.tracks.find(body.name); track != b.tracks.end()) {
+      motion_b = motion_of(track->second);
+      if (!motion_a.empty()) start_alike(motion_a, motion_b);
+      one["b"] = packed_rows(track->second.times, motion_b, most);
+    }
+    if (body.in != BodyComparison::In::both) continue;
+    one["differences"] = differences_of(body);
+    one["over"] =
+        packed_rows(body.times, {body.difference_over.begin(), body.difference_over.end()}, most);
+  }
+  return {
+      {"program", PLIMSOLL_VERSION}, {"a", files.a}, {"b", files.b}, {"same", comparison.same()},
+      {"columns", motion_columns()}, {"bodies", all}};
+}
+
+}  // namespace app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/logs/force_log.h"
+#include "app/logs/row_file.h"
+
+/// @file
+/// The log of forces as CSV: `time,body` and the columns of force_log.h, one row a body a time.
+
+namespace app {
+
+/// The header line.
+std::string force_header();
+
+/// Writes forces while they are found. What was added is in the file when `add` returns.
+class ForceWriter {
+ public:
+  /// Replaces the file. @throws InputError if it cannot be written.
+  ForceWriter(const std::filesystem::path& file, std::vector<std::string> names);
+
+  /// Adds one row a body, in the order of the names, with digits that read back to the same
+  /// numbers. @throws OutputError if the disk is full.
+  void add(double time, const std::vector<engine::BodyForces>& forces);
+
+ private:
+  std::vector<std::string> names_;
+  RowFile file_;
+};
+
+/// Reads what ForceWriter has written. @throws InputError with the line at fault.
+ForceLog read_force_csv(const std::filesystem::path& file);
+
+}  // namespace app

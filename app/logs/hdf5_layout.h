@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "app/logs/hdf5_file.h"
+
+/// @file
+/// The log of a run as HDF5: T times of N bodies.
+///
+///     time                T                                   [s]
+///     body                N names
+///     position            T × N × 3: x, y, z                  [m]
+///     orientation         T × N × 4: qw, qx, qy, qz
+///     linear_velocity     T × N × 3: vx, vy, vz               [m/s]
+///     angular_velocity    T × N × 3: wx, wy, wz               [rad/s]
+///     buoyancy, …         T × N × 6: <load>_fx … _fz [N], <load>_tx … _tz [N m]
+///     wetted_area, …      T × N, each further column of forces.csv
+///
+/// All bodies are in one dataset: a group for each of a thousand bodies takes longer than the CSV
+/// files. Datasets have the attribute `units`, and `columns` for what their last dimension is, by
+/// the names of the CSV files; the file has `format`, `plimsoll`, `scene` and `title`.
+
+namespace app {
+
+/// The datasets of the motion of so many bodies, in the order of the columns of trajectory.csv.
+std::vector<Hdf5Series> state_series(std::size_t bodies);
+
+/// The datasets of the forces, in the order of force_columns(), the six columns of a load in one.
+std::vector<Hdf5Series> force_series(std::size_t bodies);
+
+/// How many numbers of a body a row of the series has.
+std::size_t width_of(const Hdf5Series& series);
+
+}  // namespace app

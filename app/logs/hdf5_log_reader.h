@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/logs/force_log.h"
+#include "app/logs/trajectory.h"
+
+/// @file
+/// The log of a run as HDF5 (hdf5_layout.h), read back.
+
+namespace app {
+
+/// True if the file starts as an HDF5 file does.
+bool is_hdf5(const std::filesystem::path& file);
+
+/// The trajectory in a log, with as many rows as the log has times. @throws InputError
+Trajectory read_hdf5_trajectory(const std::filesystem::path& file);
+
+/// The forces in a log, with as many rows; none if they were not logged. @throws InputError
+std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file);
+
+}  // namespace app

@@ -1,0 +1,127 @@
+#include "app/logs/hdf5_log_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "app/base/output_error.h"
+#include "app/logs/force_log.h"
+#include "app/logs/hdf5_layout.h"
+#include "app/logs/trajectory.h"
+
+namespace app {
+namespace {
+
+const char* const kFormat = "1";  ///< Of the layout.
+
+/// Bodies of a chunk, so that to read one of very many is not to read all.
+constexpr std::size_t kChunkBodies = 16;
+
+/// Rows of a chunk. More of them make the file little smaller, and are lost by a program that is
+/// killed.
+constexpr std::size_t kMostRows = 128;
+constexpr std::size_t kFewestRows = 16;
+constexpr std::size_t kMostWaiting = std::size_t{64} << 20;  ///< [bytes], but for the fewest rows.
+
+constexpr std::chrono::seconds kBetweenFlushes(1);
+
+/// All of them, by the number of bodies and whether forces are logged.
+std::vector<Hdf5Series> all_series(const LogSubject& subject) {
+  const std::size_t bodies = subject.bodies.size();
+  std::vector<Hdf5Series> all = state_series(bodies);
+  if (subject.forces)
+    for (Hdf5Series& series : force_series(bodies)) all.push_back(std::move(series));
+  return all;
+}
+
+std::size_t chunk_rows(const LogSubject& subject) {
+  std::size_t numbers = 0;
+  for (const Hdf5Series& series : all_series(subject)) numbers += width_of(series);
+  const std::size_t row =
+      sizeof(double) * numbers * std::max<std::size_t>(1, subject.bodies.size());
+  return std::clamp(kMostWaiting / row, kFewestRows, kMostRows);
+}
+
+}  // namespace
+
+Hdf5Log::Hdf5Log(const LogSubject& subject, const std::filesystem::path& file)
+    : subject_(subject), chunk_(chunk_rows(subject)), file_(file) {}
+
+Hdf5Log::~Hdf5Log() {
+  try {
+    finish();
+  } catch (const OutputError&) {
+    // Whoever wants to know has called `finish`.
+  }
+}
+
+/// With the first row, so that a disk that is full already is an error of the log's.
+void Hdf5Log::make_structure() {
+  const std::array<std::size_t, 2> chunk = {chunk_, kChunkBodies};
+  file_.set_attributes({{"format", kFormat},
+                        {"plimsoll", PLIMSOLL_VERSION},
+                        {"scene", subject_.scene},
+                        {"title", subject_.title}});
+  times_.number = file_.add_series({"time", "s", {}, {}}, chunk);
+  file_.add_texts("body", subject_.bodies);
+  for (const Hdf5Series& series : all_series(subject_))
+    series_.push_back({.number = file_.add_series(series, chunk), .columns = width_of(series)});
+  file_.flush();
+  started_ = true;
+}
+
+void Hdf5Log::add(double time, const std::vector<hydro::BodyState>& states,
+                  const std::vector<engine::BodyForces>& forces) {
+  try {
+    if (!started_) make_structure();
+    wait(time, states, forces);
+    if (times_.waiting.size() == chunk_) write_waiting();
+  } catch (const OutputError&) {
+    ended_ = true;
+    throw;
+  }
+}
+
+void Hdf5Log::wait(double time, const std::vector<hydro::BodyState>& states,
+                   const std::vector<engine::BodyForces>& forces) {
+  times_.waiting.push_back(time);
+  for (std::size_t body = 0; body < states.size(); ++body) {
+    const StateRow state = row_of(states[body]);
+    std::vector<double> row(state.begin(), state.end());
+    if (subject_.forces) std::ranges::copy(force_row(forces[body]), std::back_inserter(row));
+    auto next = row.begin();
+    for (Series& series : series_) {
+      series.waiting.insert(series.waiting.end(), next, next + series.columns);
+      next += series.columns;
+    }
+  }
+}
+
+/// The times last: of what they tell nothing is missing.
+void Hdf5Log::write_waiting() {
+  const auto write = [&](Series& series) {
+    file_.append(series.number, series.waiting);
+    series.waiting.clear();
+  };
+  if (times_.waiting.empty()) return;
+  std::size_t numbers = times_.waiting.size();
+  for (const Series& series : series_) numbers += series.waiting.size();
+  file_.reserve(sizeof(double) * numbers);
+  std::ranges::for_each(series_, write);
+  write(times_);
+  if (std::chrono::steady_clock::now() - flushed_ > kBetweenFlushes) flush();
+}
+
+void Hdf5Log::flush() {
+  file_.flush();
+  flushed_ = std::chrono::steady_clock::now();
+}
+
+void Hdf5Log::finish() {
+  if (std::exchange(ended_, true)) return;
+  if (started_) write_waiting();
+  file_.close();
+}
+
+}  // namespace app

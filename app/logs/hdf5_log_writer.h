@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/logs/hdf5_file.h"
+#include "app/logs/log.h"
+
+/// @file
+/// The log of a run as HDF5 (hdf5_layout.h), written while the run goes on.
+
+namespace app {
+
+/// Writes run.h5. Rows wait until a chunk is full, and `finish` writes the rest: where the program
+/// is killed a chunk is lost at most, and what was written in the last second.
+class Hdf5Log : public Log {
+ public:
+  /// @throws InputError if the file cannot be written, or the program has no HDF5
+  Hdf5Log(const LogSubject& subject, const std::filesystem::path& file);
+  /// Writes what waits, if that is possible.
+  ~Hdf5Log() override;
+
+  void add(double time, const std::vector<hydro::BodyState>& states,
+           const std::vector<engine::BodyForces>& forces) override;
+  void finish() override;
+
+ private:
+  /// One dataset, and its rows that wait.
+  struct Series {
+    std::size_t number = 0;   ///< In the file.
+    std::size_t columns = 1;  ///< Numbers of a body.
+    std::vector<double> waiting;
+  };
+
+  void make_structure();
+  void wait(double time, const std::vector<hydro::BodyState>& states,
+            const std::vector<engine::BodyForces>& forces);
+  void write_waiting();
+  void flush();
+
+  LogSubject subject_;
+  std::size_t chunk_;  ///< Rows.
+  Hdf5Writer file_;
+  bool started_ = false;
+  std::chrono::steady_clock::time_point flushed_;
+  bool ended_ = false;  ///< Closed, or failed: not to be touched again.
+  Series times_;
+  std::vector<Series> series_;  ///< Of the bodies.
+};
+
+}  // namespace app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/logs/force_log.h"
+#include "app/logs/trajectory.h"
+
+/// @file
+/// The logs of a run read back, CSV or HDF5.
+
+namespace app {
+
+/// The trajectory in the folder of a run; a path that is no folder is returned as it is.
+std::filesystem::path trajectory_of(const std::filesystem::path& given);
+
+/// Reads a trajectory of at least one row. @throws InputError with the line or row at fault.
+Trajectory read_trajectory(const std::filesystem::path& file);
+
+/// Reads the forces in a log; an HDF5 log may have none.
+/// @throws InputError with the line or row at fault.
+std::optional<ForceLog> read_forces(const std::filesystem::path& file);
+
+}  // namespace app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/logs/row_file.h"
+#include "app/logs/trajectory.h"
+
+/// @file
+/// Trajectories as CSV: `time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz`, one row a body a time.
+
+namespace app {
+
+/// Writes a trajectory while it is made. What was added is in the file when `add` returns.
+class TrajectoryWriter {
+ public:
+  /// Replaces the file. @throws InputError if it cannot be written.
+  TrajectoryWriter(const std::filesystem::path& file, std::vector<std::string> names);
+
+  /// Adds one row a body, in the order of the names, with digits that read back to the same
+  /// numbers. @throws OutputError if the disk is full.
+  void add(double time, const std::vector<hydro::BodyState>& states);
+
+ private:
+  std::vector<std::string> names_;
+  RowFile file_;
+};
+
+/// Reads a trajectory, which may be without rows. A last line that was cut off is left out.
+/// @throws InputError with the line at fault.
+Trajectory read_trajectory_csv(const std::filesystem::path& file);
+
+}  // namespace app

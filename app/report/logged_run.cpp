@@ -1,0 +1,136 @@
+#include "app/report/logged_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/logs/hdf5_log_reader.h"
+#include "app/logs/read_log.h"
+#include "app/logs/run_files.h"
+#include "app/logs/trajectory_match.h"
+#include "app/scene/diagnostics.h"
+#include "app/scene/reader.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// Null if there is none.
+Json read_summary(const fs::path& file) {
+  if (!fs::exists(file)) return nullptr;
+  std::ifstream stream(file);
+  Json summary = Json::parse(stream, nullptr, false);
+  if (!summary.is_object())
+    throw InputError(file, "is no summary that plimsoll run has written: not JSON, or cut off");
+  return summary;
+}
+
+/// Where the scene was read from, its text and what the command line put over it.
+struct Source {
+  fs::path file;
+  std::string text;
+  std::vector<std::string> overrides;
+};
+
+std::optional<Source> source_in(const Json& summary, const fs::path& file) {
+  if (!summary.is_object() || !summary.contains("source")) return std::nullopt;
+  try {
+    const Json& source = summary["source"];
+    return Source{source.at("file").get<std::string>(), source.at("text").get<std::string>(),
+                  source.at("overrides").get<std::vector<std::string>>()};
+  } catch (const Json::exception&) {
+    throw InputError(file,
+                     "source: expected file, text and overrides, as plimsoll run writes them");
+  }
+}
+
+/// Reads the scene as it was run and the meshes it names.
+void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
+  const fs::path summary = run.path / kSummaryFile;
+  const std::optional<Source> source = source_in(run.summary, summary);
+  if (!source && moved_to.empty())
+    throw InputError(summary, run.summary.is_null()
+                                  ? "is missing: the run was stopped; name its scene with --scene"
+                                  : "does not tell its scene; name it with --scene");
+  if (!source) {
+    run.scene = read_scene(moved_to);
+    run.assembly = assemble(run.scene);
+    return;
+  }
+  run.overrides = source->overrides;
+  std::vector<Override> overrides;
+  for (const std::string& o : run.overrides) overrides.push_back(parse_override(o));
+  const fs::path file = moved_to.empty() ? source->file : moved_to;
+  if (!moved_to.empty() && !fs::exists(moved_to))
+    throw InputError(moved_to, "there is no such file");
+  try {
+    run.scene = parse_scene(source->text, file, overrides);
+    run.assembly = assemble(run.scene);
+  } catch (const InputError&) {
+    if (fs::exists(file)) throw;
+    throw InputError(summary, fmt::format("the scene {} and what it names are no longer there; say "
+                                          "with --scene where the scene lies now",
+                                          file.string()));
+  }
+}
+
+/// The log of forces that belongs to a trajectory; empty if there is none.
+fs::path forces_beside(const fs::path& trajectory) {
+  if (is_hdf5(trajectory)) return trajectory;
+  const fs::path file = trajectory.parent_path() / kForceLog;
+  return fs::exists(file) ? file : "";
+}
+
+/// Forces of as many rows as the trajectory has, at its times.
+void check_forces(const fs::path& file, LoggedRun& run) {
+  for (const auto& [name, track] : run.trajectory.tracks) {
+    const auto found = run.forces->find(name);
+    if (found == run.forces->end())
+      throw InputError(file, fmt::format("has no rows of body {}", name));
+    const std::vector<double>& times = found->second.times;
+    run.rows = std::min(run.rows, times.size());
+    for (std::size_t i = 0; i < run.rows; ++i)
+      if (times[i] != track.times[i])
+        throw InputError(file,
+                         fmt::format("row {} of body {} is of {} s and that of trajectory.csv "
+                                     "of {} s; expected both of one run",
+                                     i + 1, name, times[i], track.times[i]));
+  }
+}
+
+/// What a killed run has of one body or log alone goes.
+void keep_common_rows(LoggedRun& run) {
+  for (auto& [name, track] : run.trajectory.tracks) {
+    track.times.resize(run.rows);
+    track.states.resize(run.rows);
+  }
+  if (!run.forces) return;
+  for (auto& [name, track] : *run.forces) {
+    track.times.resize(run.rows);
+    for (std::vector<double>& column : track.columns) column.resize(run.rows);
+  }
+}
+
+}  // namespace
+
+LoggedRun read_run(const fs::path& folder, const fs::path& scene) {
+  if (!fs::is_directory(folder))
+    throw InputError(folder, "there is no such folder; expected one that plimsoll run has written");
+  LoggedRun run{.path = folder};
+  const fs::path log = trajectory_of(folder);
+  run.trajectory = read_trajectory(log);
+  run.rows = common_rows(run.trajectory, log);
+  run.summary = read_summary(folder / kSummaryFile);
+  read_scene_of_run(scene, run);
+  check_same_bodies(run.trajectory, run.assembly.spec, log);
+  const fs::path forces = forces_beside(log);
+  if (!forces.empty()) run.forces = read_forces(forces);
+  if (run.forces) check_forces(forces, run);
+  keep_common_rows(run);
+  return run;
+}
+
+}  // namespace app

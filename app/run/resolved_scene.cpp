@@ -1,0 +1,285 @@
+#include "app/run/resolved_scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+
+#include "app/base/console.h"
+#include "app/base/table.h"
+#include "app/run/summary.h"
+#include "engine/locks.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/mesh.h"
+
+namespace app {
+namespace {
+
+/// Kinds of bodies that have a row of their own.
+constexpr std::size_t kMostKinds = 3;
+
+/// Some digits of a number and all of those before the point, without an exponent unless it is very
+/// long or very small.
+std::string number_text(double value, int digits) {
+  constexpr double kLongest = 1e9;
+  const bool fits = std::abs(value) < kLongest && std::abs(value) >= std::pow(10, digits);
+  return fits ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+}
+
+/// Least and largest of a quantity over some bodies.
+struct Spread {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void add(double value) {
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+  void add(const Spread& range) {
+    add(range.least);
+    add(range.largest);
+  }
+  std::string text() const {
+    const std::string from = number_text(least, 3), to = number_text(largest, 3);
+    return from == to ? from : from + " to " + to;
+  }
+  /// Of a height; that of bodies which are all on the other side is told as a distance.
+  std::string text_or(const char* other_side) const {
+    if (largest >= 0) return text();
+    return fmt::format("{} {}", Spread{-largest, -least}.text(), other_side);
+  }
+};
+
+/// How far a body in its initial pose reaches up and down.
+Spread height_of(const engine::BodySpec& body) {
+  const Eigen::RowVector3d up = body.initial.orientation.toRotationMatrix().row(2);
+  Spread range;
+  for (const auto& vertex : body.mesh_B.vertices.colwise())
+    range.add(body.initial.position.z() + up * vertex);
+  return range;
+}
+
+std::string size_of(const hydro::TriMesh& mesh) {
+  const Eigen::Vector3d size = hydro::bounding_box(mesh).sizes();
+  return fmt::format("{} x {} x {}", number_text(size[0], 3), number_text(size[1], 3),
+                     number_text(size[2], 3));
+}
+
+/// Where a body's added mass comes from.
+std::string source_of(const AddedMassReport& report) {
+  if (report.surface) return "surface";
+  if (!report.stored) return "given";
+  return report.stored->from_store ? "deep, from store" : "deep, solved now";
+}
+
+/// Bodies of which all that is told is the same, but for where they are.
+struct BodyKind {
+  Cells body;        ///< Triangles, size, volume, mass, start.
+  Cells added_mass;  ///< Source and diagonal; empty if they have none.
+  std::vector<std::string> names;
+  Spread draught;    ///< Of the lowest point below the still water [m].
+  Spread freeboard;  ///< Of the highest point above it [m].
+  Spread triangles;
+  Spread mass;  ///< [kg]
+
+  /// A body's name, and how many are like it.
+  std::string title() const {
+    return names.size() == 1 ? names.front()
+                             : fmt::format("{} like {}", names.size(), names.front());
+  }
+};
+
+Cells body_row(const BodyScene& scene, const engine::BodySpec& body) {
+  const double volume = hydro::solid_properties(body.mesh_B).volume;
+  return {std::to_string(body.mesh_B.face_count()), size_of(body.mesh_B), number_text(volume, 4),
+          number_text(body.mass, 5), scene.start == Start::equilibrium ? "afloat" : "given"};
+}
+
+/// The method `ode` leaves out added mass that was found.
+bool has_added_mass(const Assembly& assembly, std::size_t body) {
+  return assembly.spec.integrator.method != engine::Integrator::Method::ode &&
+         assembly.added_mass[body].has_value();
+}
+
+Cells added_mass_row(const AddedMassReport& report) {
+  Cells row = {source_of(report)};
+  for (int i = 0; i < 6; ++i) row.push_back(number_text(report.matrix(i, i), 3));
+  return row;
+}
+
+/// The kinds of bodies, the most frequent first.
+std::vector<BodyKind> kinds_of(const Scene& scene, const Assembly& assembly) {
+  std::vector<BodyKind> kinds;
+  std::map<std::pair<Cells, Cells>, std::size_t> known;
+  const double level = scene.water ? scene.water->level : 0;
+  for (std::size_t i = 0; i < assembly.spec.bodies.size(); ++i) {
+    const engine::BodySpec& body = assembly.spec.bodies[i];
+    const Cells row = body_row(scene.bodies[i], body);
+    const Cells added_mass =
+        has_added_mass(assembly, i) ? added_mass_row(*assembly.added_mass[i]) : Cells();
+    const auto [place, is_new] = known.emplace(std::pair(row, added_mass), kinds.size());
+    if (is_new) kinds.push_back({.body = row, .added_mass = added_mass, .names = {}});
+    BodyKind& kind = kinds[place->second];
+    kind.names.push_back(body.name);
+    const Spread height = height_of(body);
+    kind.draught.add(level - height.least);
+    kind.freeboard.add(height.largest - level);
+    kind.triangles.add(static_cast<double>(body.mesh_B.face_count()));
+    kind.mass.add(body.mass);
+  }
+  std::stable_sort(kinds.begin(), kinds.end(), [](const BodyKind& a, const BodyKind& b) {
+    return a.names.size() > b.names.size();
+  });
+  return kinds;
+}
+
+std::string water_text(const Scene& scene) {
+  if (!scene.water) return "no water";
+  const SurfaceScene& surface = scene.water->surface;
+  const auto* waves = std::get_if<std::vector<WaveScene>>(&surface);
+  const std::string shape = waves != nullptr ? counted(waves->size(), "wave", "waves")
+                            : std::holds_alternative<SpectrumScene>(surface)    ? "a spectrum"
+                            : std::holds_alternative<HeightFieldScene>(surface) ? "a height field"
+                                                                                : "flat";
+  return fmt::format("water of {:g} kg/m^3 ({})", scene.water->density, shape);
+}
+
+std::string headline(const Scene& scene, const Assembly& assembly) {
+  const engine::SimulationSpec& spec = assembly.spec;
+  std::string text = fmt::format("{}: {}", scene.file.stem().string(),
+                                 counted(spec.bodies.size(), "body", "bodies"));
+  if (!spec.joints.empty()) text += ", " + counted(spec.joints.size(), "joint", "joints");
+  return text + fmt::format("; {:g} s in steps of {:.4g} s; {}; {}", scene.duration, scene.step,
+                            water_text(scene), counted(spec.threads, "thread", "threads"));
+}
+
+/// The bodies of a list by name; of many how many they are.
+std::string named_bodies(const std::vector<std::string>& names, std::size_t all) {
+  constexpr std::size_t kMostNames = 3;
+  if (names.size() == all && all > 1) return "all bodies";
+  if (names.size() > kMostNames) return fmt::format("{} bodies", names.size());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Why the bodies have no added mass, where they have none.
+std::string reason_for_no_added_mass(const engine::SimulationSpec& spec,
+                                     const engine::BodySpec& body) {
+  if (spec.integrator.method == engine::Integrator::Method::ode) return "method ode has none";
+  if (!body.wet) return "the water does nothing to it";
+  if (engine::immovable(body.locked)) return "held in all six";
+  return "added_mass: none";
+}
+
+/// Something that is not computed of some bodies.
+struct Omission {
+  std::string what;
+  std::string reason;
+  std::vector<std::string> names;
+};
+
+void note_omission(const std::string& what, const std::string& reason, const std::string& name,
+                   std::vector<Omission>& omissions) {
+  auto found = std::find_if(omissions.begin(), omissions.end(), [&](const Omission& omission) {
+    return omission.what == what && omission.reason == reason;
+  });
+  if (found == omissions.end()) found = omissions.insert(found, {what, reason, {}});
+  found->names.push_back(name);
+}
+
+/// What is not computed of single bodies.
+std::vector<Omission> body_omissions(const Assembly& assembly) {
+  std::vector<Omission> omissions;
+  const engine::SimulationSpec& spec = assembly.spec;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+    const engine::BodySpec& body = spec.bodies[i];
+    for (const std::string& load : unused_loads(body))
+      note_omission(load, "switched off", body.name, omissions);
+    if (!has_added_mass(assembly, i))
+      note_omission("added mass", reason_for_no_added_mass(spec, body), body.name, omissions);
+  }
+  return omissions;
+}
+
+std::vector<std::string> omission_texts(const Assembly& assembly, const engine::Skips& skips,
+                                        const std::string& no_pictures) {
+  const engine::SimulationSpec& spec = assembly.spec;
+  std::vector<std::string> texts;
+  if (!spec.bodies.empty() && skips.water)
+    texts.push_back(spec.sea ? "water (it does nothing to any body)" : "water (there is none)");
+  if (!spec.bodies.empty() && skips.collision) texts.push_back("collisions (nothing can collide)");
+  if (!skips.water)
+    for (const Omission& omission : body_omissions(assembly))
+      texts.push_back(fmt::format("{} of {} ({})", omission.what,
+                                  named_bodies(omission.names, spec.bodies.size()),
+                                  omission.reason));
+  if (!no_pictures.empty()) texts.push_back("pictures (" + no_pictures + ")");
+  return texts;
+}
+
+/// The kinds beyond those that have rows.
+std::string rest_of(const std::vector<BodyKind>& kinds) {
+  std::size_t bodies = 0;
+  Spread triangles, mass;
+  for (std::size_t i = kMostKinds; i < kinds.size(); ++i) {
+    bodies += kinds[i].names.size();
+    triangles.add(kinds[i].triangles);
+    mass.add(kinds[i].mass);
+  }
+  return fmt::format("  and {} of {}: {} triangles, {} kg", counted(bodies, "body", "bodies"),
+                     counted(kinds.size() - kMostKinds, "more kind", "more kinds"),
+                     triangles.text(), mass.text());
+}
+
+template <class T>
+void append_cells(std::vector<T>& target, const std::vector<T>& more) {
+  target.insert(target.end(), more.begin(), more.end());
+}
+
+std::vector<Cells> body_table(std::span<const BodyKind> kinds, bool water) {
+  std::vector<Cells> rows = {{"body", "triangles", "size m", "volume m^3", "mass kg", "start"}};
+  if (water) append_cells(rows.front(), {"draught m", "freeboard m"});
+  for (const BodyKind& kind : kinds) {
+    rows.push_back({kind.title()});
+    append_cells(rows.back(), kind.body);
+    if (water)
+      append_cells(rows.back(), {kind.draught.text_or("above"), kind.freeboard.text_or("below")});
+  }
+  return rows;
+}
+
+/// Of the kinds that have added mass.
+std::vector<Cells> added_mass_table(std::span<const BodyKind> kinds) {
+  std::vector<Cells> rows = {
+      {"added mass", "", "surge", "sway", "heave kg", "roll", "pitch", "yaw kg m^2"}};
+  for (const BodyKind& kind : kinds) {
+    if (kind.added_mass.empty()) continue;
+    rows.push_back({kind.title()});
+    append_cells(rows.back(), kind.added_mass);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::string> resolved_scene(const Scene& scene, const Assembly& assembly,
+                                        const engine::Skips& skips,
+                                        const std::string& no_pictures) {
+  std::vector<std::string> lines = {headline(scene, assembly)};
+  const std::vector<BodyKind> kinds = kinds_of(scene, assembly);
+  const std::span shown = std::span(kinds).first(std::min(kinds.size(), kMostKinds));
+  if (!shown.empty())
+    append_cells(lines, aligned_lines(body_table(shown, scene.water.has_value())));
+  if (kinds.size() > shown.size()) lines.push_back(rest_of(kinds));
+  const std::vector<Cells> added_mass = added_mass_table(shown);
+  if (added_mass.size() > 1) append_cells(lines, aligned_lines(added_mass));
+  const std::vector<std::string> omitted = omission_texts(assembly, skips, no_pictures);
+  if (!omitted.empty())
+    lines.push_back(fmt::format("  not computed: {}", fmt::join(omitted, "; ")));
+  return lines;
+}
+
+}  // namespace app

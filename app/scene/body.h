@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/shape.h"
+#include "hydro/loads/coefficients.h"
+#include "hydro/loads/loads.h"
+#include "hydro/spatial.h"
+
+/// @file
+/// The bodies of a scene and what the block `hydro` says of them.
+
+namespace app {
+
+/// The six entries of an inertia matrix about the centre of mass, body axes [kg m^2].
+struct InertiaScene {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+};
+
+struct AppliedLoadScene {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  bool in_body_frame = false;         ///< `frame: body`
+  std::optional<Eigen::Vector3d> at;  ///< In the mesh frame; none: the centre of mass.
+  double start = 0;
+  double end = std::numeric_limits<double>::infinity();
+  struct Sine {
+    double frequency = 0;  ///< [Hz]
+    double phase = 0;      ///< [rad]
+  };
+  std::optional<Sine> sine;
+};
+
+/// Where a body's added mass comes from.
+struct AddedMassScene {
+  enum class Model {
+    automatic,  ///< `deep` for a body that feels the water.
+    none,
+    deep,     ///< Of the body in unbounded fluid; the wetted panels' share.
+    surface,  ///< With ψ = 0 on the water's surface, the limit of high frequency.
+    matrix    ///< As given.
+  };
+  Model model = Model::automatic;
+  double tolerance = 1e-3;  ///< Of `deep`: of the estimated relative error [-].
+  /// Of `matrix`: about the centre of mass, body axes [kg, kg m, kg m^2].
+  hydro::Matrix6d matrix = hydro::Matrix6d::Zero();
+};
+
+/// The block `hydro`.
+struct HydroScene : hydro::Coefficients {
+  AddedMassScene added_mass;
+  double wave_tolerance = hydro::Summation().wave_tolerance;
+};
+
+enum class Collision { automatic, mesh, box, sphere, none };
+
+/// Where a body is at time 0.
+enum class Start {
+  given,       ///< At `position` and `orientation`.
+  equilibrium  ///< Afloat at rest, as they lead to it.
+};
+
+struct BodyScene {
+  std::string name;
+  ShapeScene shape;
+  std::optional<double> density;
+  std::optional<double> mass;
+  std::optional<Eigen::Vector3d> center_of_mass;       ///< In the mesh frame; with `mass` only.
+  std::optional<InertiaScene> inertia;                 ///< With `mass` only.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the mesh frame's origin, in W.
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Start start = Start::given;
+  Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  HydroScene hydro;  ///< The scene's defaults with the body's own keys over them.
+  std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
+  Collision collision = Collision::automatic;
+  std::array<bool, 6> locked = {};
+  std::vector<AppliedLoadScene> forces;
+  Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< RGB, 0 … 1.
+};
+
+}  // namespace app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// @file
+/// The block `render` of a scene: its cameras and what the pictures show.
+
+namespace app {
+
+/// Characters of a camera's name.
+inline constexpr std::size_t kLongestCameraName = 64;
+
+struct CameraScene {
+  std::string name;                              ///< Of one of `cameras`.
+  Eigen::Vector3d from = {6, -8, 3};             ///< At time 0.
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();  ///< At time 0.
+  double field_of_view = 0.6108652381980153;     ///< Vertical [rad], 35 degrees.
+  std::string follow;                            ///< A body's name; empty: none.
+  double orbit = 0;                              ///< [rad/s]
+};
+
+/// What is drawn besides the bodies, the water and the ground.
+struct ShowScene {
+  bool forces = false;
+  bool centres = false;
+  bool waterline = false;
+  bool wireframe = false;
+};
+
+/// The colour scales, by the names of their keys (app/render/color_scale.h).
+enum class Colors { turbo, viridis, cividis, coolwarm, gray, thesis };
+
+/// What the colours show of the gauge pressure on a wetted surface.
+enum class ShownPressure { total, hydrostatic, dynamic };
+
+struct RenderScene {
+  std::array<int, 2> size = {960, 720};  ///< [px]
+  double every = 0.3;                    ///< [s]
+  CameraScene camera;
+  std::vector<CameraScene> cameras;        ///< In place of `camera`, unless empty.
+  std::optional<int> sheet_columns;        ///< None: as fits.
+  std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
+  std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
+  Colors colors = Colors::turbo;
+  ShownPressure shows = ShownPressure::total;
+  ShowScene show;
+};
+
+}  // namespace app

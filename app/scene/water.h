@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+/// @file
+/// The block `water` of a scene.
+
+namespace app {
+
+struct FlatScene {};
+struct HeightFieldScene {
+  std::filesystem::path file;  ///< CSV or 16-bit grey PNG; resolved against the scene's folder.
+  double cell = 1;             ///< [m], > 0.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  std::optional<std::array<double, 2>> range;  ///< Heights of black and white [m]; PNG only.
+};
+struct WaveScene {
+  double amplitude = 0;   ///< [m], >= 0.
+  double wavelength = 0;  ///< [m], > 0.
+  double heading = 0;     ///< [rad]
+  double phase = 0;       ///< [rad]
+};
+struct SpectrumScene {
+  enum class Type { jonswap };
+  Type type = Type::jonswap;
+  double significant_height = 0;  ///< [m], > 0.
+  double peak_period = 0;         ///< [s], > 0.
+  double gamma = 3.3;             ///< [-], 1 … 10.
+  double heading = 0;             ///< [rad]
+  double spreading = 0;           ///< Exponent s of cos^2s(θ/2); 0: long-crested.
+  int seed = 1;
+  int components = 64;  ///< Number of waves that stand for the spectrum.
+};
+using SurfaceScene =
+    std::variant<FlatScene, HeightFieldScene, std::vector<WaveScene>, SpectrumScene>;
+
+struct WaterScene {
+  double density = 1000;
+  double viscosity = 1.0034e-6;  ///< Kinematic [m^2/s], > 0.
+  double level = 0;
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();
+  SurfaceScene surface;
+};
+
+}  // namespace app
