@@ -10,9 +10,9 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/checked_file.h"
-#include "app/base/console.h"
+#include "hydro/added_mass/surface_added_mass.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,21 +31,21 @@ constexpr std::size_t kNumbers = 36 + 6;
 constexpr std::size_t kNumbersAFace = 18;
 
 void append_mesh(std::string& bytes, const TriMesh& mesh) {
-  append(bytes, static_cast<std::int64_t>(mesh.vertex_count()));
-  append(bytes, static_cast<std::int64_t>(mesh.face_count()));
+  app::append(bytes, static_cast<std::int64_t>(mesh.vertex_count()));
+  app::append(bytes, static_cast<std::int64_t>(mesh.face_count()));
   const Eigen::Matrix3Xd vertices = mesh.vertices.array() + 0.0;  // −0 is 0
-  append(bytes, vertices.data(), static_cast<std::size_t>(vertices.size()));
-  append(bytes, mesh.faces.data(), static_cast<std::size_t>(mesh.faces.size()));
+  app::append(bytes, vertices.data(), static_cast<std::size_t>(vertices.size()));
+  app::append(bytes, mesh.faces.data(), static_cast<std::size_t>(mesh.faces.size()));
 }
 
 /// All that a solution depends on.
 std::string identity_of(const TriMesh& mesh, const AddedMassOptions& options) {
   std::string bytes;
-  append(bytes, kMagic);
-  append(bytes, std::int64_t{kAddedMassVersion});
-  append(bytes, static_cast<std::int64_t>(options.method));
-  append(bytes, options.tolerance);
-  append(bytes, static_cast<std::int64_t>(options.most_panels));
+  app::append(bytes, kMagic);
+  app::append(bytes, std::int64_t{kAddedMassVersion});
+  app::append(bytes, static_cast<std::int64_t>(options.method));
+  app::append(bytes, options.tolerance);
+  app::append(bytes, static_cast<std::int64_t>(options.most_panels));
   append_mesh(bytes, mesh);
   return bytes;
 }
@@ -53,8 +53,8 @@ std::string identity_of(const TriMesh& mesh, const AddedMassOptions& options) {
 /// All that the nodes of a mesh depend on.
 std::string identity_of_nodes(const TriMesh& mesh_B) {
   std::string bytes;
-  append(bytes, kNodesMagic);
-  append(bytes, std::int64_t{kSurfaceVersion});
+  app::append(bytes, kNodesMagic);
+  app::append(bytes, std::int64_t{kSurfaceVersion});
   append_mesh(bytes, mesh_B);
   return bytes;
 }
@@ -62,14 +62,14 @@ std::string identity_of_nodes(const TriMesh& mesh_B) {
 /// Everything in a file.
 std::string encode(const std::string& identity, const AddedMassSolution& solution) {
   std::string content;
-  append(content, solution.matrix.data(), 36);
+  app::append(content, solution.matrix.data(), 36);
   for (const double number :
        {solution.symmetry_error, solution.error_estimate, static_cast<double>(solution.panels),
         static_cast<double>(solution.unknowns), solution.seconds, solution.bytes})
-    append(content, number);
+    app::append(content, number);
   for (const hydro::CornerPotentials& psi : solution.potentials)
-    append(content, psi.data(), kNumbersAFace);
-  return checked(identity, content);
+    app::append(content, psi.data(), kNumbersAFace);
+  return app::checked(identity, content);
 }
 
 /// The solution in the content of a file.
@@ -98,9 +98,9 @@ AddedMassSolution decode(const char* bytes, std::size_t faces) {
 constexpr std::size_t kNodeBytes = 2 * sizeof(std::int64_t) + 36 * sizeof(double);
 
 void append_node(std::string& bytes, const SurfaceNode& node) {
-  append(bytes, std::int64_t{node.attitude});
-  append(bytes, std::int64_t{node.draught});
-  append(bytes, node.matrix.data(), 36);
+  app::append(bytes, std::int64_t{node.attitude});
+  app::append(bytes, std::int64_t{node.draught});
+  app::append(bytes, node.matrix.data(), 36);
 }
 
 SurfaceNode decode_node(const char* bytes) {
@@ -113,16 +113,20 @@ SurfaceNode decode_node(const char* bytes) {
   return node;
 }
 
+std::string not_kept(const std::exception& error) {
+  return fmt::format("the added mass is not kept for later runs: {}", error.what());
+}
+
 /// What a file keeps; none, with a warning unless it is missing, if it is of no use.
 std::optional<AddedMassSolution> load(const fs::path& file, const std::string& identity,
-                                      std::size_t faces) {
+                                      std::size_t faces, app::Reporter& reporter) {
   try {
     const std::size_t size = (kNumbers + kNumbersAFace * faces) * sizeof(double);
-    const std::optional<std::string> content = read_checked(file, identity, size);
+    const std::optional<std::string> content = app::read_checked(file, identity, size);
     if (content) return decode(content->data(), faces);
   } catch (const std::runtime_error& error) {
-    say(fmt::format("warning: {} {}; the added mass is computed anew", file.string(),
-                    error.what()));
+    reporter.warning(
+        fmt::format("{} {}; the added mass is computed anew", file.string(), error.what()));
   }
   return std::nullopt;
 }
@@ -139,7 +143,7 @@ std::optional<std::string> variable(const char* name) {
 AddedMassStore::AddedMassStore(std::optional<fs::path> folder) : folder_(std::move(folder)) {}
 
 fs::path AddedMassStore::file_named_after(const std::string& identity, const char* kind) const {
-  return folder_ ? *folder_ / fmt::format("{:016x}.{}", hash_of(identity), kind) : fs::path();
+  return folder_ ? *folder_ / fmt::format("{:016x}.{}", app::hash_of(identity), kind) : fs::path();
 }
 
 fs::path AddedMassStore::file_of(const TriMesh& mesh, const AddedMassOptions& options) const {
@@ -147,13 +151,14 @@ fs::path AddedMassStore::file_of(const TriMesh& mesh, const AddedMassOptions& op
 }
 
 std::optional<StoredAddedMass> AddedMassStore::find(const TriMesh& mesh,
-                                                    const AddedMassOptions& options) {
+                                                    const AddedMassOptions& options,
+                                                    app::Reporter& reporter) {
   const std::string identity = identity_of(mesh, options);
   const auto known = known_.find(identity);
   if (known != known_.end()) return known->second;
   if (!folder_) return std::nullopt;
   auto solution = load(file_named_after(identity, "addedmass"), identity,
-                       static_cast<std::size_t>(mesh.face_count()));
+                       static_cast<std::size_t>(mesh.face_count()), reporter);
   if (!solution) return std::nullopt;
   const StoredAddedMass stored = {std::make_shared<const AddedMassSolution>(std::move(*solution)),
                                   true};
@@ -161,14 +166,14 @@ std::optional<StoredAddedMass> AddedMassStore::find(const TriMesh& mesh,
 }
 
 StoredAddedMass AddedMassStore::keep(const TriMesh& mesh, const AddedMassOptions& options,
-                                     AddedMassSolution solution) {
+                                     AddedMassSolution solution, app::Reporter& reporter) {
   const std::string identity = identity_of(mesh, options);
   if (folder_) {
     const fs::path file = file_named_after(identity, "addedmass");
     try {
-      write_whole(file, encode(identity, solution));
+      app::write_whole(file, encode(identity, solution));
     } catch (const std::exception& error) {
-      say(fmt::format("warning: the added mass is not kept for later runs: {}", error.what()));
+      reporter.warning(not_kept(error));
     }
   }
   const StoredAddedMass stored = {std::make_shared<const AddedMassSolution>(std::move(solution)),
@@ -180,33 +185,35 @@ fs::path AddedMassStore::nodes_file_of(const TriMesh& mesh_B) const {
   return file_named_after(identity_of_nodes(mesh_B), "surface");
 }
 
-std::vector<SurfaceNode> AddedMassStore::find_nodes(const TriMesh& mesh_B) const {
+std::vector<SurfaceNode> AddedMassStore::find_nodes(const TriMesh& mesh_B,
+                                                    app::Reporter& reporter) const {
   std::vector<SurfaceNode> nodes;
   if (!folder_) return nodes;
   const fs::path file = nodes_file_of(mesh_B);
   try {
-    const auto content = read_checked(file, identity_of_nodes(mesh_B), std::nullopt);
+    const auto content = app::read_checked(file, identity_of_nodes(mesh_B), std::nullopt);
     for (std::size_t at = 0; content && at + kNodeBytes <= content->size(); at += kNodeBytes)
       nodes.push_back(decode_node(content->data() + at));
   } catch (const std::runtime_error& error) {
-    say(fmt::format("warning: {} {}; the added mass is computed anew", file.string(),
-                    error.what()));
+    reporter.warning(
+        fmt::format("{} {}; the added mass is computed anew", file.string(), error.what()));
   }
   return nodes;
 }
 
-void AddedMassStore::keep_nodes(const TriMesh& mesh_B,
-                                const std::vector<SurfaceNode>& nodes) const {
+void AddedMassStore::keep_nodes(const TriMesh& mesh_B, const std::vector<SurfaceNode>& nodes,
+                                app::Reporter& reporter) const {
   if (!folder_) return;
   std::map<std::pair<int, int>, SurfaceNode> all;
-  for (const SurfaceNode& node : find_nodes(mesh_B)) all[{node.attitude, node.draught}] = node;
+  for (const SurfaceNode& node : find_nodes(mesh_B, reporter))
+    all[{node.attitude, node.draught}] = node;
   for (const SurfaceNode& node : nodes) all[{node.attitude, node.draught}] = node;
   std::string content;
   for (const auto& [place, node] : all) append_node(content, node);
   try {
-    write_whole(nodes_file_of(mesh_B), checked(identity_of_nodes(mesh_B), content));
+    app::write_whole(nodes_file_of(mesh_B), app::checked(identity_of_nodes(mesh_B), content));
   } catch (const std::exception& error) {
-    say(fmt::format("warning: the added mass is not kept for later runs: {}", error.what()));
+    reporter.warning(not_kept(error));
   }
 }
 
@@ -218,4 +225,4 @@ std::optional<fs::path> cache_folder() {
   return std::nullopt;
 }
 
-}  // namespace app
+}  // namespace assembly

@@ -7,8 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/base/reporter.h"
 #include "hydro/added_mass/added_mass.h"
-#include "hydro/added_mass/surface_added_mass.h"
+
+namespace hydro {
+struct SurfaceNode;
+}
 
 /// @file
 /// Solutions of added mass, kept for later runs in the user's cache folder: a file a mesh and set
@@ -18,9 +22,10 @@
 /// whole mesh), which must be that of the question to the last bit; its name is a hash of that.
 /// Then come the solution and a checksum. It is written under another name, flushed to the disk
 /// and renamed, so that several processes may use a folder and a file is there whole or not at all.
-/// What cannot be read or written is said as a warning, and the solution is found anew or not kept.
+/// A reporter is warned of what cannot be read or written, and the solution is found anew or not
+/// kept.
 
-namespace app {
+namespace assembly {
 
 /// To be raised whenever `hydro::solve_added_mass` gives other numbers: older files are left alone.
 inline constexpr int kAddedMassVersion = 3;
@@ -39,11 +44,12 @@ class AddedMassStore {
 
   /// What is kept of a mesh; none if that is nothing.
   std::optional<StoredAddedMass> find(const hydro::TriMesh& mesh,
-                                      const hydro::AddedMassOptions& options);
+                                      const hydro::AddedMassOptions& options,
+                                      app::Reporter& reporter = app::quiet());
 
   /// Keeps a solution that was found now.
   StoredAddedMass keep(const hydro::TriMesh& mesh, const hydro::AddedMassOptions& options,
-                       hydro::AddedMassSolution solution);
+                       hydro::AddedMassSolution solution, app::Reporter& reporter = app::quiet());
 
   /// Where the solution of a mesh is kept; empty without a folder.
   std::filesystem::path file_of(const hydro::TriMesh& mesh,
@@ -51,10 +57,12 @@ class AddedMassStore {
 
   /// The nodes of `surface` (hydro/added_mass/surface_added_mass.h) that earlier runs have solved
   /// for a mesh about its body's centre of mass.
-  std::vector<hydro::SurfaceNode> find_nodes(const hydro::TriMesh& mesh_B) const;
+  std::vector<hydro::SurfaceNode> find_nodes(const hydro::TriMesh& mesh_B,
+                                             app::Reporter& reporter = app::quiet()) const;
 
   /// Keeps nodes beside those that are kept already, by this process or another.
-  void keep_nodes(const hydro::TriMesh& mesh_B, const std::vector<hydro::SurfaceNode>& nodes) const;
+  void keep_nodes(const hydro::TriMesh& mesh_B, const std::vector<hydro::SurfaceNode>& nodes,
+                  app::Reporter& reporter = app::quiet()) const;
 
   /// Where they are kept; empty without a folder.
   std::filesystem::path nodes_file_of(const hydro::TriMesh& mesh_B) const;
@@ -70,4 +78,4 @@ class AddedMassStore {
 /// Variables that are empty count as not set, as does an XDG_CACHE_HOME that is not absolute.
 std::optional<std::filesystem::path> cache_folder();
 
-}  // namespace app
+}  // namespace assembly

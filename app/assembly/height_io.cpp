@@ -15,7 +15,7 @@
 
 #include "app/scene/diagnostics.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +46,8 @@ class TableLine {
   }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw InputError({Fault{{file_, number_, static_cast<int>(next_) + 1}, "", message}});
+    throw scene::InputError(
+        {scene::Fault{{file_, number_, static_cast<int>(next_) + 1}, "", message}});
   }
 
  private:
@@ -88,8 +89,9 @@ Eigen::MatrixXd read_table(const fs::path& file, std::istream& in) {
                 std::to_string(columns) + " as in the first row");
     heights.insert(heights.end(), row.begin(), row.end());
   }
-  if (in.bad()) throw InputError(file, "the file cannot be read");
-  if (rows == 0) throw InputError(file, "the file holds no heights, expected rows of numbers");
+  if (in.bad()) throw scene::InputError(file, "the file cannot be read");
+  if (rows == 0)
+    throw scene::InputError(file, "the file holds no heights, expected rows of numbers");
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const RowMajor>(heights.data(), static_cast<Eigen::Index>(rows),
                                     static_cast<Eigen::Index>(columns));
@@ -135,13 +137,14 @@ void open_png(const fs::path& file, PngReader& reader) {
   reader.stream.reset(std::fopen(file.c_str(), "rb"));
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_png_error, on_png_warning);
   if (reader.png) reader.info = png_create_info_struct(reader.png);
-  if (!reader.stream || !reader.info) throw InputError(file, "the picture cannot be opened");
-  if (!read_png_header(reader)) throw InputError(file, "not a sound PNG: " + reader.error);
+  if (!reader.stream || !reader.info) throw scene::InputError(file, "the picture cannot be opened");
+  if (!read_png_header(reader)) throw scene::InputError(file, "not a sound PNG: " + reader.error);
   if (png_get_color_type(reader.png, reader.info) != PNG_COLOR_TYPE_GRAY)
-    throw InputError(file, "the picture has colours or transparency, expected grey only");
+    throw scene::InputError(file, "the picture has colours or transparency, expected grey only");
   const double pixels = static_cast<double>(png_get_image_width(reader.png, reader.info)) *
                         png_get_image_height(reader.png, reader.info);
-  if (pixels > kMostPixels) throw InputError(file, "the picture has more than 100 million pixels");
+  if (pixels > kMostPixels)
+    throw scene::InputError(file, "the picture has more than 100 million pixels");
 }
 
 Eigen::MatrixXd read_picture(const fs::path& file, const std::array<double, 2>& range) {
@@ -157,7 +160,7 @@ Eigen::MatrixXd read_picture(const fs::path& file, const std::array<double, 2>& 
   std::vector<png_bytep> rows;
   for (std::size_t i = 0; i < height; ++i) rows.push_back(bytes.data() + i * stride);
   if (!read_png_rows(reader, rows.data()))
-    throw InputError(file, "not a sound PNG: " + reader.error);
+    throw scene::InputError(file, "not a sound PNG: " + reader.error);
 
   Eigen::MatrixXd heights(height, width);
   for (std::size_t i = 0; i < height; ++i) {
@@ -186,16 +189,17 @@ bool starts_as_png(std::istream& in) {
 Eigen::MatrixXd read_heights(const fs::path& file,
                              const std::optional<std::array<double, 2>>& range) {
   std::error_code error;
-  if (!fs::exists(file, error)) throw InputError(file, "there is no such file");
-  if (fs::is_directory(file, error)) throw InputError(file, "is a folder, expected a file");
+  if (!fs::exists(file, error)) throw scene::InputError(file, "there is no such file");
+  if (fs::is_directory(file, error)) throw scene::InputError(file, "is a folder, expected a file");
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file, "the file cannot be opened");
+  if (!in) throw scene::InputError(file, "the file cannot be opened");
   const bool picture = starts_as_png(in);
   if (picture && !range)
-    throw InputError(file, "a picture needs `range: [lo, hi]`, the heights of black and white [m]");
+    throw scene::InputError(
+        file, "a picture needs `range: [lo, hi]`, the heights of black and white [m]");
   if (!picture && range)
-    throw InputError(file, "`range` belongs to a PNG picture, but this is not one");
+    throw scene::InputError(file, "`range` belongs to a PNG picture, but this is not one");
   return picture ? read_picture(file, *range) : read_table(file, in);
 }
 
-}  // namespace app
+}  // namespace assembly

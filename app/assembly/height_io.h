@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace app {
+namespace assembly {
 
 /// Reads a grid of heights [m]; row index = y, column index = x, so the first line of a table and
 /// the top row of a picture lie at the field's origin, and y grows downward in both.
@@ -21,4 +21,4 @@ namespace app {
 Eigen::MatrixXd read_heights(const std::filesystem::path& file,
                              const std::optional<std::array<double, 2>>& range = std::nullopt);
 
-}  // namespace app
+}  // namespace assembly

@@ -17,9 +17,10 @@
 
 #include "app/assembly/ply_head.h"
 #include "app/scene/diagnostics.h"
+#include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/weld.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,24 +48,25 @@ void require_true_off_counts(const fs::path& file) {
       if (std::istringstream(word) >> count) {
         ++found;
         if (!(count >= 0 && count <= size))
-          throw InputError(file, "the file is cut short: its head announces " + word +
-                                     " elements, but it has only " +
-                                     std::to_string(fs::file_size(file)) + " bytes");
+          throw scene::InputError(file, "the file is cut short: its head announces " + word +
+                                            " elements, but it has only " +
+                                            std::to_string(fs::file_size(file)) + " bytes");
       }
   }
 }
 
 void require_readable(const fs::path& file, const Assimp::Importer& importer) {
   std::error_code error;
-  if (!fs::exists(file, error)) throw InputError(file, "there is no such file");
-  if (!fs::is_regular_file(file, error)) throw InputError(file, "is not a file");
-  if (!std::ifstream(file)) throw InputError(file, "the file cannot be opened");
-  if (fs::file_size(file) == 0) throw InputError(file, "the file is empty");
+  if (!fs::exists(file, error)) throw scene::InputError(file, "there is no such file");
+  if (!fs::is_regular_file(file, error)) throw scene::InputError(file, "is not a file");
+  if (!std::ifstream(file)) throw scene::InputError(file, "the file cannot be opened");
+  if (fs::file_size(file) == 0) throw scene::InputError(file, "the file is empty");
   const std::string extension = lower_extension(file);
   if (extension.empty() || !importer.IsExtensionSupported(extension))
-    throw InputError(file, "no mesh format has the extension '" + extension +
-                               "'; known are .obj, .stl, .ply, .off, .glb, .gltf, .dae, .3ds, "
-                               ".fbx, .3mf and others that assimp reads");
+    throw scene::InputError(file,
+                            "no mesh format has the extension '" + extension +
+                                "'; known are .obj, .stl, .ply, .off, .glb, .gltf, .dae, .3ds, "
+                                ".fbx, .3mf and others that assimp reads");
   if (extension == ".ply") require_whole_ply(file);
   if (extension == ".off") require_true_off_counts(file);
 }
@@ -115,14 +117,15 @@ class Collector {
     std::ostringstream text;
     text << "vertex " << vertices_.size() / 3 + 1 << " in the order of reading is (" << p.x()
          << ", " << p.y() << ", " << p.z() << "), expected finite coordinates of a float's range";
-    throw InputError(file_, text.str());
+    throw scene::InputError(file_, text.str());
   }
 
   /// A mirroring transformation would turn the face over.
   void add_face(const aiMesh& part, const aiFace& face, int first, bool mirrored) {
     for (const int corner : {0, mirrored ? 2 : 1, mirrored ? 1 : 2}) {
       if (face.mIndices[corner] >= part.mNumVertices)
-        throw InputError(file_, "a face names vertex " + std::to_string(face.mIndices[corner]) +
+        throw scene::InputError(file_,
+                                "a face names vertex " + std::to_string(face.mIndices[corner]) +
                                     ", expected less than " + std::to_string(part.mNumVertices));
       faces_.push_back(first + static_cast<int>(face.mIndices[corner]));
     }
@@ -139,7 +142,7 @@ void require_corners(const fs::path& file, const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m)
     for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
       if (scene.mMeshes[m]->mFaces[f].mNumIndices == 0)
-        throw InputError(file, "face " + std::to_string(f + 1) + " has no vertices");
+        throw scene::InputError(file, "face " + std::to_string(f + 1) + " has no vertices");
 }
 
 TriMesh read_all_parts(const fs::path& file) {
@@ -153,7 +156,8 @@ TriMesh read_all_parts(const fs::path& file) {
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   }
   if (!scene)
-    throw InputError(file, std::string("not a sound mesh file: ") + importer.GetErrorString());
+    throw scene::InputError(file,
+                            std::string("not a sound mesh file: ") + importer.GetErrorString());
   Collector parts(file, *scene);
   if (scene->mRootNode) parts.add(*scene->mRootNode, Eigen::Affine3d::Identity());
   return parts.mesh();
@@ -163,10 +167,21 @@ TriMesh read_all_parts(const fs::path& file) {
 
 TriMesh read_mesh(const fs::path& file) {
   const TriMesh parts = read_all_parts(file);
-  if (parts.face_count() == 0) throw InputError(file, "the file holds no triangles");
+  if (parts.face_count() == 0) throw scene::InputError(file, "the file holds no triangles");
   TriMesh mesh = welded(parts, kWeld * parts.vertices.cwiseAbs().maxCoeff());
-  if (mesh.face_count() == 0) throw InputError(file, "all triangles of the file are degenerate");
+  if (mesh.face_count() == 0)
+    throw scene::InputError(file, "all triangles of the file are degenerate");
   return mesh;
 }
 
-}  // namespace app
+TriMesh read_solid(const fs::path& file, app::Reporter& reporter) {
+  hydro::RepairedMesh repaired = hydro::repaired(read_mesh(file));
+  std::vector<scene::Fault> faults;
+  for (const std::string& fault : hydro::describe(repaired.report))
+    faults.push_back({{file}, "", fault});
+  if (!faults.empty()) throw scene::InputError(std::move(faults));
+  for (const std::string& note : repaired.notes) reporter.note(file.string() + ": note: " + note);
+  return std::move(repaired.mesh);
+}
+
+}  // namespace assembly

@@ -2,9 +2,10 @@
 
 #include <filesystem>
 
+#include "app/base/reporter.h"
 #include "hydro/mesh/mesh.h"
 
-namespace app {
+namespace assembly {
 
 /// Reads the triangles of a mesh file in any format that assimp reads, all its parts as one mesh,
 /// in the file's own frame and units, vertices that coincide welded into one.
@@ -20,4 +21,9 @@ namespace app {
 /// @throws InputError if the file cannot be read, has no triangle or a vertex that is not finite.
 hydro::TriMesh read_mesh(const std::filesystem::path& file);
 
-}  // namespace app
+/// Reads a mesh that must be a solid; one that is inward as a whole is turned outward.
+/// @param reporter   Is told what was changed.
+/// @throws InputError as read_mesh, and with everything that keeps the mesh from being a solid
+hydro::TriMesh read_solid(const std::filesystem::path& file, app::Reporter& reporter);
+
+}  // namespace assembly

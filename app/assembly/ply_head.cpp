@@ -10,7 +10,7 @@
 
 #include "app/scene/diagnostics.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
 /// One kind of element: how many there are, and the bytes that each takes at least.
@@ -96,7 +96,7 @@ void require_whole_ply(const std::filesystem::path& file) {
   text.precision(std::numeric_limits<double>::digits10);
   text << "the file is cut short: its head announces " << needed
        << (head.text ? " lines" : " bytes at least") << " of data, but " << body << " follow";
-  throw InputError(file, text.str());
+  throw scene::InputError(file, text.str());
 }
 
-}  // namespace app
+}  // namespace assembly

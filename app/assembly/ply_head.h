@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace app {
+namespace assembly {
 
 /// Compares what the head of a PLY file announces with the size of the file: assimp believes the
 /// counts, fills memory accordingly, and fills the faces that a truncated file lacks from earlier
@@ -11,4 +11,4 @@ namespace app {
 /// @throws InputError if the file is too short. A head that makes no sense is left to assimp.
 void require_whole_ply(const std::filesystem::path& file);
 
-}  // namespace app
+}  // namespace assembly

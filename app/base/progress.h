@@ -17,6 +17,9 @@ class ProgressLine {
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
 
+  /// True if there is a screen to show a line on.
+  bool enabled() const { return enabled_; }
+
   /// True if there is a screen to show a line on and the last one has stood for a tenth of a
   /// second.
   bool due() const { return enabled_ && std::chrono::steady_clock::now() >= next_; }

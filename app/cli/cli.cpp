@@ -28,9 +28,10 @@ namespace {
 
 const char* const kTrajectory = "Trajectory (CSV or HDF5), or the folder of a run";
 
-std::vector<Override> parse_overrides(const std::vector<std::string>& arguments) {
-  std::vector<Override> overrides;
-  for (const std::string& argument : arguments) overrides.push_back(parse_override(argument));
+std::vector<scene::Override> parse_overrides(const std::vector<std::string>& arguments) {
+  std::vector<scene::Override> overrides;
+  for (const std::string& argument : arguments)
+    overrides.push_back(scene::parse_override(argument));
   return overrides;
 }
 
@@ -43,7 +44,8 @@ std::map<std::string, double> parse_tolerances(const std::vector<std::string>& a
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);
     if (value.empty() || *end != '\0')
-      throw InputError("--tol", fmt::format("found \"{}\", expected QUANTITY=NUMBER", argument));
+      throw scene::InputError("--tol",
+                              fmt::format("found \"{}\", expected QUANTITY=NUMBER", argument));
     tolerances[argument.substr(0, equals)] = number;
   }
   return tolerances;
@@ -52,7 +54,7 @@ std::map<std::string, double> parse_tolerances(const std::vector<std::string>& a
 LogFormat parse_format(const std::string& word) {
   if (word == "csv") return LogFormat::csv;
   if (word == "hdf5") return LogFormat::hdf5;
-  throw InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
+  throw scene::InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
 }
 
 /// `0:60:5` → 0, 5 … 60, in radians.
@@ -63,9 +65,10 @@ std::vector<double> parse_heels(const std::string& argument) {
   // Not a number fails every comparison.
   const bool fits = std::abs(first) <= 180 && std::abs(last) <= 180 && step >= 0.01;
   if (!read || argument.size() != static_cast<std::size_t>(end) || !fits || first > last)
-    throw InputError("--heel", fmt::format("found {}, expected FIRST:LAST:STEP within -180 and 180 "
-                                           "degrees, FIRST <= LAST and STEP >= 0.01",
-                                           argument));
+    throw scene::InputError("--heel",
+                            fmt::format("found {}, expected FIRST:LAST:STEP within -180 and 180 "
+                                        "degrees, FIRST <= LAST and STEP >= 0.01",
+                                        argument));
   std::vector<double> heels;
   const long count = std::lround(std::floor((last - first) / step + 1e-9));
   for (long i = 0; i <= count; ++i)
@@ -270,7 +273,7 @@ void add_completion(CLI::App& program, Arguments& a) {
       ->required();
 }
 
-int run_hydrostatics(Arguments& a, const std::vector<Override>& overrides) {
+int run_hydrostatics(Arguments& a, const std::vector<scene::Override>& overrides) {
   const std::vector<double>& com = a.center_of_mass;
   a.hydrostatics.overrides = overrides;
   a.hydrostatics.heels = parse_heels(a.heels);
@@ -293,7 +296,7 @@ void check_command(const CLI::App& program, int argc, char** argv) {
 }
 
 int dispatch(const CLI::App& program, Arguments& a) {
-  const std::vector<Override> overrides = parse_overrides(a.sets);
+  const std::vector<scene::Override> overrides = parse_overrides(a.sets);
   a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);

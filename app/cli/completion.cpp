@@ -61,12 +61,12 @@ std::vector<CompletedCommand> completed_commands(const CLI::App& program) {
 }
 
 std::vector<CompletedKey> completed_keys() {
-  using Kind = ValueShape::Kind;
+  using Kind = scene::ValueShape::Kind;
   std::vector<CompletedKey> keys;
-  for (const KeyDescription& key : scene_catalogue().keys) {
+  for (const scene::KeyDescription& key : scene::key_catalogue().keys) {
     CompletedKey completed = {.path = key.path};
     bool block = true;
-    for (const ValueShape& shape : key.shapes) {
+    for (const scene::ValueShape& shape : key.shapes) {
       block = block && (shape.kind == Kind::map ||
                         (shape.kind == Kind::list && shape.item.front().kind == Kind::map));
       std::vector<std::string>& words = completed.words;

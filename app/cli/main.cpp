@@ -32,7 +32,7 @@ int run_command(int argc, char** argv) {
   return code;
 }
 
-void say_faults(const app::InputError& error) {
+void say_faults(const scene::InputError& error) {
   const std::size_t count = error.faults().size();
   app::say(error.what());
   app::say(fmt::format("{} problem{}, nothing was run.", count, count == 1 ? "" : "s"));
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   app::open_standard_streams();
   try {
     return run_command(argc, argv);
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     say_faults(error);
     return app::kWrongInput;
   } catch (const engine::SimulationError& error) {

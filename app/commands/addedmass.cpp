@@ -5,11 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build.h"
+#include "app/assembly/build_added_mass.h"
 #include "app/assembly/mesh_io.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
+#include "app/base/terminal_reporter.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
@@ -24,62 +26,57 @@ using Json = nlohmann::ordered_json;
 /// A body wholly submerged in water.
 struct Submerged {
   std::string name;
-  CenteredMesh solid;
+  assembly::CenteredMesh solid;
   Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
   double density = 1000;  ///< Of the water [kg/m^3].
 };
 
 Submerged body_of_mesh(const AddedMassCommand& o) {
-  if (!o.overrides.empty()) throw InputError("--set", "is for a scene, and this is a mesh");
-  hydro::RepairedMesh repaired = hydro::repaired(read_mesh(o.file));
-  std::vector<Fault> faults;
-  for (const std::string& fault : hydro::describe(repaired.report))
-    faults.push_back({{o.file}, "", fault});
-  if (!faults.empty()) throw InputError(std::move(faults));
-  for (const std::string& note : repaired.notes)
-    say(fmt::format("{}: note: {}", o.file.string(), note));
+  if (!o.overrides.empty()) throw scene::InputError("--set", "is for a scene, and this is a mesh");
+  TerminalReporter reporter(false);
+  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter);
   Submerged body{.name = o.file.stem().string(),
-                 .com_M = hydro::solid_properties(repaired.mesh).centroid,
+                 .com_M = hydro::solid_properties(mesh).centroid,
                  .density = o.density.value_or(1000)};
-  body.solid.mesh_C = hydro::translated(std::move(repaired.mesh), -body.com_M);
+  body.solid.mesh_C = hydro::translated(std::move(mesh), -body.com_M);
   return body;
 }
 
 /// A closed mesh about the centroid of its volume.
-CenteredMesh centered(const hydro::TriMesh& mesh_B) {
+assembly::CenteredMesh centered(const hydro::TriMesh& mesh_B) {
   const Eigen::Vector3d centroid_B = hydro::solid_properties(mesh_B).centroid;
   return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
 }
 
 std::vector<Submerged> bodies_of_scene(const AddedMassCommand& o) {
-  const Scene scene = read_scene(o.file, o.overrides);
-  const Assembly assembly = assemble(scene);
-  for (const std::string& note : assembly.notes)
+  const scene::Scene scene = scene::read(o.file, o.overrides);
+  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  for (const std::string& note : built.notes)
     say(fmt::format("{}: note: {}", scene.file.string(), note));
   const double density = o.density.value_or(scene.water ? scene.water->density : 1000);
   std::vector<Submerged> bodies;
-  std::vector<Fault> faults;
+  std::vector<scene::Fault> faults;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const engine::BodySpec& spec = assembly.spec.bodies[i];
+    const engine::BodySpec& spec = built.spec.bodies[i];
     const std::vector<std::string> wrong = hydro::describe(hydro::check_mesh(spec.mesh_B));
     if (!wrong.empty()) faults.push_back({{scene.file}, spec.name, wrong.front()});
     // A body that needs no closed mesh in its scene has not been looked at as a solid.
-    const CenteredMesh& solid = assembly.solids[i];
+    const assembly::CenteredMesh& solid = built.solids[i];
     bodies.push_back({spec.name, solid.mesh_C.face_count() > 0 ? solid : centered(spec.mesh_B),
-                      assembly.centers_of_mass[i], density});
+                      built.centers_of_mass[i], density});
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  if (!faults.empty()) throw scene::InputError(std::move(faults));
   return bodies;
 }
 
 std::vector<Submerged> bodies_of(const AddedMassCommand& o) {
   if (o.density && !(*o.density > 0 && std::isfinite(*o.density)))
-    throw InputError("--density",
-                     fmt::format("found {:g}, expected a positive number [kg/m^3]", *o.density));
+    throw scene::InputError(
+        "--density", fmt::format("found {:g}, expected a positive number [kg/m^3]", *o.density));
   if (!(o.options.tolerance > 0 && std::isfinite(o.options.tolerance)))
-    throw InputError("--tolerance",
-                     fmt::format("found {:g}, expected a positive number", o.options.tolerance));
-  if (is_scene_file(o.file)) return bodies_of_scene(o);
+    throw scene::InputError(
+        "--tolerance", fmt::format("found {:g}, expected a positive number", o.options.tolerance));
+  if (scene::is_scene_file(o.file)) return bodies_of_scene(o);
   return {body_of_mesh(o)};
 }
 
@@ -138,10 +135,11 @@ std::string table_of(const Submerged& body, const Found& found) {
 int addedmass(const AddedMassCommand& command) {
   Json all = Json::object();
   std::string text;
-  AddedMassStore store(command.store ? cache_folder() : std::nullopt);
+  TerminalReporter reporter(false);
+  assembly::AddedMassStore store(command.store ? assembly::cache_folder() : std::nullopt);
   for (const Submerged& body : bodies_of(command)) {
-    const StoredAddedMass stored =
-        solved_added_mass(body.name, body.solid.mesh_C, command.options, store, false);
+    const assembly::StoredAddedMass stored =
+        assembly::solved_added_mass(body.name, body.solid.mesh_C, command.options, store, reporter);
     const Found found = {hydro::moved_origin(*stored.solution, body.solid.com_C),
                          stored.from_store};
     if (command.json)

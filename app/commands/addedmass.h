@@ -10,9 +10,9 @@
 namespace app {
 
 struct AddedMassCommand {
-  std::filesystem::path file;       ///< A scene if its extension is .yaml or .yml, else a mesh.
-  std::optional<double> density;    ///< Of the water [kg/m^3]; none: the scene's, or 1000.
-  std::vector<Override> overrides;  ///< Of a scene.
+  std::filesystem::path file;     ///< A scene if its extension is .yaml or .yml, else a mesh.
+  std::optional<double> density;  ///< Of the water [kg/m^3]; none: the scene's, or 1000.
+  std::vector<scene::Override> overrides;  ///< Of a scene.
   hydro::AddedMassOptions options;
   bool store = true;  ///< Solutions are taken from the store and kept there.
   bool json = false;

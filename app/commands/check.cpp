@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/build.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/scene/diagnostics.h"
@@ -10,31 +10,31 @@
 namespace app {
 namespace {
 
-void describe(const Scene& scene, const Assembly& assembly) {
+void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
   Eigen::Index triangles = 0;
-  for (const engine::BodySpec& body : assembly.spec.bodies) triangles += body.mesh_B.face_count();
+  for (const engine::BodySpec& body : built.spec.bodies) triangles += body.mesh_B.face_count();
   fmt::print("{}: ok: {}, {} triangles, {}\n", scene.file.string(),
-             counted(assembly.spec.bodies.size(), "body", "bodies"), triangles,
-             counted(assembly.spec.joints.size(), "joint", "joints"));
-  for (const std::string& note : assembly.notes)
+             counted(built.spec.bodies.size(), "body", "bodies"), triangles,
+             counted(built.spec.joints.size(), "joint", "joints"));
+  for (const std::string& note : built.notes)
     fmt::print("{}: note: {}\n", scene.file.string(), note);
 }
 
 }  // namespace
 
 int check(const std::vector<std::filesystem::path>& scenes,
-          const std::vector<Override>& overrides) {
-  std::vector<Fault> faults;
+          const std::vector<scene::Override>& overrides) {
+  std::vector<scene::Fault> faults;
   for (const std::filesystem::path& file : scenes) {
     try {
-      const Scene scene = read_scene(file, overrides);
-      describe(scene, assemble(scene));
-    } catch (const InputError& error) {
+      const scene::Scene scene = scene::read(file, overrides);
+      describe(scene, assembly::build_without_added_mass(scene));
+    } catch (const scene::InputError& error) {
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
     }
   }
   flush_output();
-  if (!faults.empty()) throw InputError(faults);
+  if (!faults.empty()) throw scene::InputError(faults);
   return kDone;
 }
 

@@ -81,9 +81,9 @@ int new_scene(const fs::path& name) {
   fs::path file = name;
   if (file.extension() != ".yaml" && file.extension() != ".yml") file += ".yaml";
   if (file.stem().empty() || !file.has_filename())
-    throw InputError(file, "expected the name of a scene");
+    throw scene::InputError(file, "expected the name of a scene");
   if (fs::exists(fs::symlink_status(file)))
-    throw InputError(file, "is there already, and is left as it is");
+    throw scene::InputError(file, "is there already, and is left as it is");
   const std::string title = quoted(file.stem().string());
   write_whole(fs::absolute(file),
               fmt::format(fmt::runtime(kStarterScene), fmt::arg("title", title)));

@@ -4,9 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build.h"
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
+#include "app/base/terminal_reporter.h"
 #include "hydro/mesh/mesh_check.h"
 
 namespace app {
@@ -50,15 +51,15 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
 
 }  // namespace
 
-int probe(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  const Scene scene = read_scene(file, overrides);
-  Assembly assembly = assemble(scene);
-  AddedMassStore store(cache_folder());
-  add_added_mass(scene, assembly, store, false);
-  keep_surface_nodes(assembly, store);
+int probe(const std::filesystem::path& file, const std::vector<scene::Override>& overrides) {
+  const scene::Scene scene = scene::read(file, overrides);
+  TerminalReporter reporter(false);
+  assembly::AddedMassStore store(assembly::cache_folder());
+  const assembly::BuiltScene built = assembly::build(scene, store, reporter);
+  assembly::keep_solutions(built, store, reporter);
   Json bodies = Json::object();
-  for (const engine::BodySpec& body : assembly.spec.bodies)
-    bodies[body.name] = probe_body(body, assembly.spec.sea);
+  for (const engine::BodySpec& body : built.spec.bodies)
+    bodies[body.name] = probe_body(body, built.spec.sea);
   fmt::print("{}\n", Json{{"bodies", bodies}}.dump(2));
   return kDone;
 }

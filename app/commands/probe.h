@@ -8,6 +8,6 @@
 namespace app {
 
 /// Prints the forces on every body in its initial state, as JSON. @return the exit code
-int probe(const std::filesystem::path& scene, const std::vector<Override>& overrides);
+int probe(const std::filesystem::path& scene, const std::vector<scene::Override>& overrides);
 
 }  // namespace app

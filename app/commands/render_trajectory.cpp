@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/build.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
@@ -22,7 +22,7 @@ namespace app {
 namespace {
 
 /// The logged states that are to be drawn, as a run of the scene would have drawn them.
-ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const Scene& scene,
+ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const scene::Scene& scene,
                       const engine::SimulationSpec& spec, const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
@@ -45,22 +45,22 @@ void say_what_was_drawn(const PictureReport& report, const ShotStore& shots,
 }  // namespace
 
 int render_trajectory(const RenderOptions& options) {
-  Scene scene = read_scene(options.scene, options.overrides);
+  scene::Scene scene = scene::read(options.scene, options.overrides);
   if (!scene.render) scene.render.emplace();
   check_video(options.video, *scene.render, options.out, thread_count(0));
-  Assembly assembly = assemble(scene);
-  assembly.spec.threads = thread_count(0);
+  assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  built.spec.threads = thread_count(0);
   const std::filesystem::path file = trajectory_of(options.trajectory);
   const Trajectory trajectory = read_trajectory(file);
-  check_same_bodies(trajectory, assembly.spec, file);
+  check_same_bodies(trajectory, built.spec, file);
   const ShotList list =
-      choose_shots(trajectory, common_rows(trajectory, file), scene, assembly.spec, options.video);
+      choose_shots(trajectory, common_rows(trajectory, file), scene, built.spec, options.video);
   const ShotStore& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;
   ProgressLine progress(options.quiet);
   const PictureReport report =
-      draw_pictures(scene, assembly, shots, {folder.path(), options.video}, [&](int done, int all) {
+      draw_pictures(scene, built, shots, {folder.path(), options.video}, [&](int done, int all) {
         if (progress.due()) progress.show(fmt::format("picture {} of {}", done, all));
         return !interrupt.interrupted();
       });

@@ -12,7 +12,7 @@ struct RenderOptions {
   std::filesystem::path trajectory;
   std::filesystem::path scene;
   std::filesystem::path out;
-  std::vector<Override> overrides;
+  std::vector<scene::Override> overrides;
   VideoOptions video;
   bool quiet = false;
 };

@@ -8,7 +8,7 @@
 namespace app {
 
 int schema(bool markdown) {
-  fmt::print("{}", markdown ? key_tables() : scene_schema());
+  fmt::print("{}", markdown ? scene::key_tables() : scene::json_schema());
   return kDone;
 }
 

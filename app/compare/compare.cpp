@@ -25,10 +25,11 @@ void check_quantities(const std::map<std::string, double>& tolerances) {
   for (const ComparedQuantity& q : kComparedQuantities) known.emplace_back(q.name);
   for (const auto& [name, value] : tolerances) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(
+      throw scene::InputError(
           "--tol", fmt::format("unknown quantity {}; there are {}", name, enumerate(known, "and")));
     if (!(value >= 0))
-      throw InputError("--tol", fmt::format("{}={}: expected a number not below 0", name, value));
+      throw scene::InputError("--tol",
+                              fmt::format("{}={}: expected a number not below 0", name, value));
   }
 }
 

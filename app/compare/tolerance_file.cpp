@@ -5,27 +5,27 @@
 namespace app {
 namespace {
 
-void read_quantities(MapReader& reader, std::map<std::string, double>& tolerances) {
+void read_quantities(scene::MapReader& reader, std::map<std::string, double>& tolerances) {
   for (const ComparedQuantity& quantity : kComparedQuantities) {
     double tolerance = 0;
-    if (reader.optional(quantity.name, tolerance, not_negative(quantity.unit)))
+    if (reader.optional(quantity.name, tolerance, scene::not_negative(quantity.unit)))
       tolerances[quantity.name] = tolerance;
   }
 }
 
-void read_bodies(const Value& bodies, Tolerances& tolerances) {
-  if (!bodies.node.is(YamlNode::Kind::map)) {
+void read_bodies(const scene::Value& bodies, Tolerances& tolerances) {
+  if (!bodies.node.is(scene::YamlNode::Kind::map)) {
     bodies.refuse("a map of body names");
     return;
   }
-  for (const YamlEntry& entry : bodies.node.entries) {
+  for (const scene::YamlEntry& entry : bodies.node.entries) {
     const std::string path = bodies.path + "." + entry.key;
-    const Value value{entry.value, path, bodies.reading};
-    if (!entry.value.is(YamlNode::Kind::map)) {
+    const scene::Value value{entry.value, path, bodies.reading};
+    if (!entry.value.is(scene::YamlNode::Kind::map)) {
       value.refuse("a map of tolerances");
       continue;
     }
-    MapReader reader(&entry.value, path, bodies.reading);
+    scene::MapReader reader(&entry.value, path, bodies.reading);
     read_quantities(reader, tolerances.bodies[entry.key]);
     reader.report_other_keys();
   }
@@ -34,18 +34,18 @@ void read_bodies(const Value& bodies, Tolerances& tolerances) {
 }  // namespace
 
 Tolerances read_tolerances(const std::filesystem::path& file) {
-  const YamlNode root = parse_yaml(read_text(file), file);
-  if (!root.is(YamlNode::Kind::map))
-    throw InputError(file, "expected tolerances, such as position: 1e-6");
-  Reading reading;
+  const scene::YamlNode root = scene::parse_yaml(scene::read_text(file), file);
+  if (!root.is(scene::YamlNode::Kind::map))
+    throw scene::InputError(file, "expected tolerances, such as position: 1e-6");
+  scene::Reading reading;
   reading.file = file;
   Tolerances tolerances;
-  MapReader reader(&root, "", reading);
+  scene::MapReader reader(&root, "", reading);
   read_quantities(reader, tolerances.all);
   if (const auto bodies = reader.find("bodies", "a map of body names", ""))
     read_bodies(*bodies, tolerances);
   reader.report_other_keys();
-  for (const UnknownKey& unknown : reading.unknown_keys)
+  for (const scene::UnknownKey& unknown : reading.unknown_keys)
     reading.faults.add(
         {unknown.place,
          unknown.block_path.empty() ? unknown.key : unknown.block_path + "." + unknown.key,

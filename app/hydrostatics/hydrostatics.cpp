@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/assembly/assemble.h"
-#include "app/assembly/assemble_start.h"
+#include "app/assembly/build.h"
+#include "app/assembly/build_start.h"
 #include "app/assembly/mesh_io.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
+#include "app/base/terminal_reporter.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -17,33 +18,21 @@ namespace app {
 namespace {
 
 void refuse_if(bool given, const std::string& option, const std::string& message) {
-  if (given) throw InputError(option, message);
+  if (given) throw scene::InputError(option, message);
 }
 
 void check_positive(const std::optional<double>& value, const std::string& option,
                     const std::string& unit) {
   if (value && !(*value > 0 && std::isfinite(*value)))
-    throw InputError(option,
-                     fmt::format("found {:g}, expected a positive number [{}]", *value, unit));
-}
-
-/// A closed mesh from a file, outward.
-hydro::TriMesh closed_mesh(const std::filesystem::path& file) {
-  hydro::RepairedMesh repaired = hydro::repaired(read_mesh(file));
-  std::vector<Fault> faults;
-  for (const std::string& fault : hydro::describe(repaired.report))
-    faults.push_back({{file}, "", fault});
-  if (!faults.empty()) throw InputError(std::move(faults));
-  for (const std::string& note : repaired.notes)
-    say(fmt::format("{}: note: {}", file.string(), note));
-  return std::move(repaired.mesh);
+    throw scene::InputError(
+        option, fmt::format("found {:g}, expected a positive number [{}]", *value, unit));
 }
 
 /// What floats at a draught with the mesh's z axis up [kg].
 double mass_at_draught(const hydro::TriMesh& mesh_B, double draught, double density) {
   const double height = mesh_B.vertices.row(2).maxCoeff() - mesh_B.vertices.row(2).minCoeff();
   if (draught >= height)
-    throw InputError(
+    throw scene::InputError(
         "--draught",
         fmt::format("found {:g}, expected less than the mesh's height, {:g} m", draught, height));
   const double com_height = -mesh_B.vertices.row(2).minCoeff() - draught;
@@ -62,7 +51,8 @@ void check_mesh_options(const HydrostaticsOptions& o) {
 
 FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
   check_mesh_options(o);
-  const hydro::TriMesh mesh = closed_mesh(o.file);
+  TerminalReporter reporter(false);
+  const hydro::TriMesh mesh = assembly::read_solid(o.file, reporter);
   FloatingBody body{.name = o.file.stem().string(),
                     .com_M = o.center_of_mass.value_or(hydro::solid_properties(mesh).centroid),
                     .density = o.density.value_or(1000)};
@@ -81,28 +71,28 @@ void check_scene_options(const HydrostaticsOptions& o) {
 
 std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   check_scene_options(o);
-  const Scene scene = read_scene(o.file, o.overrides);
-  Faults faults;
+  const scene::Scene scene = scene::read(o.file, o.overrides);
+  scene::Faults faults;
   if (!scene.water) faults.add(scene.places, "water", "missing, and without water nothing floats");
   if (scene.gravity == 0)
     faults.add(scene.places, "gravity", "found 0, and without it nothing floats");
   faults.throw_if_any();
-  const Assembly assembly = assemble(scene);
-  for (const std::string& note : assembly.notes)
+  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  for (const std::string& note : built.notes)
     say(fmt::format("{}: note: {}", scene.file.string(), note));
   std::vector<FloatingBody> bodies;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const engine::BodySpec& spec = assembly.spec.bodies[i];
+    const engine::BodySpec& spec = built.spec.bodies[i];
     if (!spec.coefficients.buoyancy) continue;
     bodies.push_back({.name = spec.name,
                       .mesh_B = spec.mesh_B,
-                      .com_M = assembly.centers_of_mass[i],
+                      .com_M = built.centers_of_mass[i],
                       .mass = spec.mass,
                       .density = scene.water->density,
                       .gravity = scene.gravity,
                       .start = scene.bodies[i].orientation});
   }
-  if (bodies.empty()) throw InputError(scene.file, "has no body with buoyancy");
+  if (bodies.empty()) throw scene::InputError(scene.file, "has no body with buoyancy");
   return bodies;
 }
 
@@ -116,24 +106,24 @@ FloatingState state_of(const hydro::TriMesh& mesh_B, double displaced,
 /// @throws InputError if nothing floats, with the reason for each body.
 void check_that_one_floats(const std::vector<FloatingReport>& reports,
                            const std::filesystem::path& file) {
-  std::vector<Fault> faults;
+  std::vector<scene::Fault> faults;
   for (const FloatingReport& report : reports) {
     if (report.not_afloat.empty()) return;
     faults.push_back({{file}, report.body.name, report.not_afloat});
   }
-  throw InputError(std::move(faults));
+  throw scene::InputError(std::move(faults));
 }
 
 }  // namespace
 
 std::vector<FloatingBody> floating_bodies(const HydrostaticsOptions& options) {
-  if (is_scene_file(options.file)) return bodies_of_scene(options);
+  if (scene::is_scene_file(options.file)) return bodies_of_scene(options);
   return {body_of_mesh(options)};
 }
 
 FloatingReport floating_report(const FloatingBody& body, const std::vector<double>& heels) {
   FloatingReport report{.body = body, .volume = hydro::solid_properties(body.mesh_B).volume};
-  report.not_afloat = why_not_afloat(body.mass, report.volume, body.density);
+  report.not_afloat = assembly::why_not_afloat(body.mass, report.volume, body.density);
   if (!report.not_afloat.empty()) return report;
   const double displaced = body.mass / body.density;
   const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, displaced, body.start);

@@ -22,7 +22,7 @@ struct HydrostaticsOptions {
   std::optional<double> draught;                  ///< [m]
   std::optional<double> density;                  ///< Of the water [kg/m^3]; none: 1000.
   std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
-  std::vector<Override> overrides;                ///< Of a scene.
+  std::vector<scene::Override> overrides;         ///< Of a scene.
   std::vector<double> heels;                      ///< Of the curve [rad].
   bool json = false;
   bool csv = false;

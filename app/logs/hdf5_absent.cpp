@@ -7,7 +7,7 @@ namespace app {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file) {
-  throw InputError(file, why_no_hdf5());
+  throw scene::InputError(file, why_no_hdf5());
 }
 
 }  // namespace

@@ -222,7 +222,8 @@ Hdf5Writer::Hdf5Writer(const fs::path& file) : file_(std::make_unique<File>()) {
   H5Pset_obj_track_times(properties, false);
   file_->path = file;
   file_->file = Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties, file_access()), H5Fclose);
-  if (file_->file < 0) throw InputError(file, fmt::format("cannot be written: {}", last_error()));
+  if (file_->file < 0)
+    throw scene::InputError(file, fmt::format("cannot be written: {}", last_error()));
 }
 
 Hdf5Writer::~Hdf5Writer() { file_->abandon(); }
@@ -304,7 +305,7 @@ void Hdf5Writer::close() {
 }
 
 struct Hdf5Reader::File {
-  [[noreturn]] void refuse(const std::string& what) const { throw InputError(path, what); }
+  [[noreturn]] void refuse(const std::string& what) const { throw scene::InputError(path, what); }
 
   Handle open(const std::string& name) const {
     Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);

@@ -29,14 +29,14 @@ struct OpenLog {
     std::vector<double> all = reader.numbers(series.name, series.shape);
     const std::size_t count = times.size() * bodies.size() * width_of(series);
     if (all.size() < count)
-      throw InputError(file,
-                       fmt::format("{} has fewer rows than time, {}", series.name, times.size()));
+      throw scene::InputError(
+          file, fmt::format("{} has fewer rows than time, {}", series.name, times.size()));
     all.resize(count);
     return all;
   }
 
   [[noreturn]] void refuse(std::size_t row, const std::string& body, const std::string& why) const {
-    throw InputError(file, fmt::format("row {}, body {}: {}", row, body, why));
+    throw scene::InputError(file, fmt::format("row {}, body {}: {}", row, body, why));
   }
 
   std::filesystem::path file;

@@ -32,7 +32,8 @@ std::vector<std::string_view> split(std::string_view line) {
 }  // namespace
 
 void refuse_row(const std::filesystem::path& file, int line, const std::string& message) {
-  throw InputError({{.place = {.file = file, .line = line, .column = 1}, .message = message}});
+  throw scene::InputError(
+      {{.place = {.file = file, .line = line, .column = 1}, .message = message}});
 }
 
 LogRow read_log_row(std::string_view text, const std::filesystem::path& file, int line,
@@ -51,7 +52,7 @@ void read_rows(const std::filesystem::path& file, std::string_view header, const
                const std::function<void(std::string_view row, int line)>& read) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
-    throw InputError(
+    throw scene::InputError(
         file, fmt::format("cannot be read; expected {} that plimsoll run has written", kind));
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {

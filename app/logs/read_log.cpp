@@ -16,7 +16,7 @@ std::filesystem::path trajectory_of(const std::filesystem::path& given) {
 
 Trajectory read_trajectory(const std::filesystem::path& file) {
   Trajectory trajectory = is_hdf5(file) ? read_hdf5_trajectory(file) : read_trajectory_csv(file);
-  if (trajectory.names.empty()) throw InputError(file, "has no rows");
+  if (trajectory.names.empty()) throw scene::InputError(file, "has no rows");
   return trajectory;
 }
 

@@ -10,7 +10,8 @@ namespace app {
 
 RowFile::RowFile(const std::filesystem::path& file, std::string_view header)
     : path_(file), file_(std::fopen(file.c_str(), "w")) {
-  if (!file_) throw InputError(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+  if (!file_)
+    throw scene::InputError(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
   fmt::print(file_.get(), "{}\n", header);
 }
 

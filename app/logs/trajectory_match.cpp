@@ -10,7 +10,7 @@ namespace app {
 
 void check_same_bodies(const Trajectory& trajectory, const engine::SimulationSpec& spec,
                        const std::filesystem::path& file) {
-  std::vector<Fault> faults;
+  std::vector<scene::Fault> faults;
   const auto add = [&](const std::string& message) {
     faults.push_back({.place = {.file = file}, .message = message});
   };
@@ -21,7 +21,7 @@ void check_same_bodies(const Trajectory& trajectory, const engine::SimulationSpe
     if (std::none_of(spec.bodies.begin(), spec.bodies.end(),
                      [&](const engine::BodySpec& body) { return body.name == name; }))
       add(fmt::format("has a body {}, which the scene does not have", name));
-  if (!faults.empty()) throw InputError(faults);
+  if (!faults.empty()) throw scene::InputError(faults);
 }
 
 std::size_t common_rows(const Trajectory& trajectory, const std::filesystem::path& file) {
@@ -31,10 +31,10 @@ std::size_t common_rows(const Trajectory& trajectory, const std::filesystem::pat
   for (const auto& [name, track] : trajectory.tracks)
     for (std::size_t i = 0; i < rows; ++i)
       if (track.times[i] != times.times[i])
-        throw InputError(file,
-                         fmt::format("row {} of body {} is of {} s and that of body {} of {} s; "
-                                     "expected rows of all bodies at the same times",
-                                     i + 1, first, times.times[i], name, track.times[i]));
+        throw scene::InputError(
+            file, fmt::format("row {} of body {} is of {} s and that of body {} of {} s; "
+                              "expected rows of all bodies at the same times",
+                              i + 1, first, times.times[i], name, track.times[i]));
   return rows;
 }
 

@@ -36,13 +36,13 @@ std::string empty_page(const std::string& name) {
   const std::filesystem::path file = built_files("report") / name;
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    throw InputError(
+    throw scene::InputError(
         file,
         "is missing: the program was built without the report's page, for which npm is "
         "needed; run tools/report, or install npm and build the target report_page");
   std::string page(std::istreambuf_iterator<char>(stream), {});
   if (page.find(kDataMark) == std::string::npos)
-    throw InputError(file, "has no place for the data; build the target report_page again");
+    throw scene::InputError(file, "has no place for the data; build the target report_page again");
   return page;
 }
 

@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Of the body that the camera follows.
-Vector3d displacement(const CameraScene& camera, const engine::SimulationSpec& spec,
+Vector3d displacement(const scene::Camera& camera, const engine::SimulationSpec& spec,
                       const Shot& shot) {
   if (camera.follow.empty()) return Vector3d::Zero();
   const auto body =
@@ -23,14 +23,14 @@ Vector3d displacement(const CameraScene& camera, const engine::SimulationSpec& s
 
 }  // namespace
 
-std::vector<CameraScene> cameras_of(const RenderScene& render) {
+std::vector<scene::Camera> cameras_of(const scene::Render& render) {
   if (render.cameras.empty()) return {render.camera};
-  std::vector<CameraScene> cameras = render.cameras;
+  std::vector<scene::Camera> cameras = render.cameras;
   if (cameras.size() == 1) cameras.front().name.clear();
   return cameras;
 }
 
-render::Camera camera_at(const CameraScene& camera, const engine::SimulationSpec& spec,
+render::Camera camera_at(const scene::Camera& camera, const engine::SimulationSpec& spec,
                          const Shot& shot) {
   const Vector3d to = camera.to + displacement(camera, spec, shot);
   const Eigen::AngleAxisd turn(camera.orbit * shot.time, Vector3d::UnitZ());

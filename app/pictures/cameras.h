@@ -14,12 +14,12 @@ namespace app {
 
 /// Those that draw: `cameras`, or else `camera` alone. A single one has no name, since its files
 /// need none.
-std::vector<CameraScene> cameras_of(const RenderScene& render);
+std::vector<scene::Camera> cameras_of(const scene::Render& render);
 
 /// The view at a time. A camera that follows a body has moved by as much as the body's centre of
 /// mass has from where it starts; one that orbits has turned about the vertical through the point
 /// it looks at.
-render::Camera camera_at(const CameraScene& camera, const engine::SimulationSpec& spec,
+render::Camera camera_at(const scene::Camera& camera, const engine::SimulationSpec& spec,
                          const Shot& shot);
 
 }  // namespace app

@@ -63,7 +63,7 @@ std::string force_text(double newtons) {
 
 }  // namespace
 
-ForceNotes::ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec)
+ForceNotes::ForceNotes(const scene::Render& look, const engine::SimulationSpec& spec)
     : look_(look), spec_(spec) {
   if (!look.show.forces) return;
   for (const engine::BodySpec& body : spec.bodies) hulls_.push_back(hydro::make_hull(body.mesh_B));

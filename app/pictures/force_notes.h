@@ -19,7 +19,7 @@ namespace app {
 class ForceNotes {
  public:
   /// Both must outlive it.
-  ForceNotes(const RenderScene& look, const engine::SimulationSpec& spec);
+  ForceNotes(const scene::Render& look, const engine::SimulationSpec& spec);
 
   /// Lets scale and legend cover the forces in a shot; does nothing unless they are shown.
   void include(const Shot& shot);
@@ -33,7 +33,7 @@ class ForceNotes {
                   render::Annotations& notes) const;
   void add_centres(std::size_t body, const Shot& shot, render::Annotations& notes) const;
 
-  const RenderScene& look_;
+  const scene::Render& look_;
   const engine::SimulationSpec& spec_;
   std::vector<hydro::Hull> hulls_;          ///< Of the bodies, if forces are shown.
   std::vector<render::LegendLine> legend_;  ///< Of the forces that occur.

@@ -31,10 +31,10 @@ constexpr std::size_t kMostWaiting = 2;
 /// The pictures of a scene, drawn by one camera after the other.
 class Drawing {
  public:
-  Drawing(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
+  Drawing(const scene::Scene& scene, const assembly::BuiltScene& built, const ShotStore& shots,
           const PictureTarget& target, const PictureProgress& progress)
       : look_(*scene.render),
-        spec_(assembly.spec),
+        spec_(built.spec),
         shots_(shots),
         target_(target),
         progress_(progress),
@@ -50,7 +50,7 @@ class Drawing {
   PictureReport draw() {
     make_folders();
     report_ = {.device = renderer_.device(), .complete = true, .pressure_max = scale_.max};
-    for (const CameraScene& camera : cameras_) {
+    for (const scene::Camera& camera : cameras_) {
       if (!camera.name.empty()) report_.cameras.push_back(camera.name);
       if (report_.complete) draw(camera);
     }
@@ -58,7 +58,7 @@ class Drawing {
   }
 
  private:
-  render::Picture first_picture(const Scene& scene) const {
+  render::Picture first_picture(const scene::Scene& scene) const {
     render::Picture first = picture_of(scene, spec_, scale_);
     if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), spec_, shots_.at(0));
     return first;
@@ -67,7 +67,7 @@ class Drawing {
   /// Empty ones for the frames of each camera.
   void make_folders() const {
     remove_pictures(target_.folder);
-    for (const CameraScene& camera : cameras_) {
+    for (const scene::Camera& camera : cameras_) {
       const fs::path frames = frame_file(target_.folder, camera.name, 0).parent_path();
       std::error_code error;
       fs::create_directories(frames, error);
@@ -75,7 +75,7 @@ class Drawing {
     }
   }
 
-  void draw(const CameraScene& camera) {
+  void draw(const scene::Camera& camera) {
     std::optional<Video> video = video_of(camera);
     render::ContactSheet sheet(shown_scale_, look_.sheet_columns);
     std::size_t frames = 0;
@@ -110,7 +110,7 @@ class Drawing {
   }
 
   /// None where no shot is for it.
-  std::optional<Video> video_of(const CameraScene& camera) {
+  std::optional<Video> video_of(const scene::Camera& camera) {
     if (shots_.of_video() == 0) return std::nullopt;
     const VideoShape shape = {.width = look_.size[0],
                               .height = look_.size[1],
@@ -121,12 +121,12 @@ class Drawing {
     return std::optional<Video>(std::in_place, file, shape);
   }
 
-  const RenderScene& look_;
+  const scene::Render& look_;
   const engine::SimulationSpec& spec_;
   const ShotStore& shots_;
   const PictureTarget& target_;
   const PictureProgress& progress_;
-  const std::vector<CameraScene> cameras_;
+  const std::vector<scene::Camera> cameras_;
   const render::PressureScale scale_;
   std::optional<render::PressureScale> shown_scale_;  ///< None without water.
   render::Renderer renderer_;
@@ -137,9 +137,9 @@ class Drawing {
 
 }  // namespace
 
-render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spec,
+render::Picture picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
                            const render::PressureScale& scale) {
-  const RenderScene& look = *scene.render;
+  const scene::Render& look = *scene.render;
   render::Picture picture{.width = look.size[0],
                           .height = look.size[1],
                           .pressure = scale,
@@ -166,9 +166,10 @@ std::vector<std::string> videos_made(const PictureReport& report) {
   return lines;
 }
 
-PictureReport draw_pictures(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
-                            const PictureTarget& target, const PictureProgress& progress) {
-  return Drawing(scene, assembly, shots, target, progress).draw();
+PictureReport draw_pictures(const scene::Scene& scene, const assembly::BuiltScene& built,
+                            const ShotStore& shots, const PictureTarget& target,
+                            const PictureProgress& progress) {
+  return Drawing(scene, built, shots, target, progress).draw();
 }
 
 }  // namespace app

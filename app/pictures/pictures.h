@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/built_scene.h"
 #include "app/pictures/shot_store.h"
 #include "app/pictures/video.h"
 #include "app/render/renderer.h"
@@ -44,14 +44,15 @@ using PictureProgress = std::function<bool(int done, int all)>;
 /// video that is stopped has what was drawn; one that cannot be written is not there. Only for
 /// scenes with a render block.
 /// @throws render::Error, OutputError
-PictureReport draw_pictures(const Scene& scene, const Assembly& assembly, const ShotStore& shots,
-                            const PictureTarget& target, const PictureProgress& progress);
+PictureReport draw_pictures(const scene::Scene& scene, const assembly::BuiltScene& built,
+                            const ShotStore& shots, const PictureTarget& target,
+                            const PictureProgress& progress);
 
 /// What there is to say of the videos, a line each.
 std::vector<std::string> videos_made(const PictureReport& report);
 
 /// How a scene with a render block looks, but for the camera.
-render::Picture picture_of(const Scene& scene, const engine::SimulationSpec& spec,
+render::Picture picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
                            const render::PressureScale& scale);
 
 }  // namespace app

@@ -12,15 +12,16 @@ namespace {
 
 /// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
 void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
-                  const hydro::Sea& sea, double time, ShownPressure shows, PressureRange& range) {
+                  const hydro::Sea& sea, double time, scene::ShownPressure shows,
+                  PressureRange& range) {
   const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
   const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
   const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
   const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
-  const double scale = shows == ShownPressure::hydrostatic
+  const double scale = shows == scene::ShownPressure::hydrostatic
                            ? 0
                            : hydro::drag_scale(body.coefficients, state, sea.current);
-  const double gravity = shows == ShownPressure::dynamic ? 0 : sea.gravity;
+  const double gravity = shows == scene::ShownPressure::dynamic ? 0 : sea.gravity;
   for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
     const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
     for (int i = 0; i < 3; ++i) {
@@ -35,32 +36,32 @@ void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
   }
 }
 
-render::ColorMap color_map(Colors colors) {
+render::ColorMap color_map(scene::Colors colors) {
   using render::ColorMap;
   switch (colors) {
-    case Colors::turbo:
+    case scene::Colors::turbo:
       return ColorMap::turbo;
-    case Colors::viridis:
+    case scene::Colors::viridis:
       return ColorMap::viridis;
-    case Colors::cividis:
+    case scene::Colors::cividis:
       return ColorMap::cividis;
-    case Colors::coolwarm:
+    case scene::Colors::coolwarm:
       return ColorMap::coolwarm;
-    case Colors::gray:
+    case scene::Colors::gray:
       return ColorMap::gray;
-    case Colors::thesis:
+    case scene::Colors::thesis:
       return ColorMap::thesis;
   }
   throw std::logic_error("unknown colour scale");
 }
 
-render::Pressure shown_pressure(ShownPressure shows) {
+render::Pressure shown_pressure(scene::ShownPressure shows) {
   switch (shows) {
-    case ShownPressure::total:
+    case scene::ShownPressure::total:
       return render::Pressure::total;
-    case ShownPressure::hydrostatic:
+    case scene::ShownPressure::hydrostatic:
       return render::Pressure::hydrostatic;
-    case ShownPressure::dynamic:
+    case scene::ShownPressure::dynamic:
       return render::Pressure::dynamic;
   }
   throw std::logic_error("unknown part of the pressure");
@@ -85,7 +86,7 @@ void PressureRange::include(double pressure) {
 }
 
 PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
-                             ShownPressure shows) {
+                             scene::ShownPressure shows) {
   PressureRange range;
   if (!spec.sea) return range;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
@@ -93,7 +94,7 @@ PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& sho
   return range;
 }
 
-render::PressureScale pressure_scale(const RenderScene& look, const PressureRange& range) {
+render::PressureScale pressure_scale(const scene::Render& look, const PressureRange& range) {
   constexpr double kLeastSpan = 1;  // [Pa], for scenes in which nothing gets wet
   const double lowest = look.pressure_min ? *look.pressure_min : rounded_out(range.lowest);
   const double highest = range.highest > lowest + kLeastSpan ? rounded_out(range.highest)
@@ -104,7 +105,7 @@ render::PressureScale pressure_scale(const RenderScene& look, const PressureRang
           .shows = shown_pressure(look.shows)};
 }
 
-render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
+render::PressureScale pressure_scale(const scene::Render& look, const engine::SimulationSpec& spec,
                                      const ShotStore& shots) {
   PressureRange range;
   if (!look.pressure_max || !look.pressure_min)

@@ -18,13 +18,13 @@ struct PressureRange {
 
 /// Over the bodies' wetted vertices, and 0.
 PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
-                             ShownPressure shows);
+                             scene::ShownPressure shows);
 
 /// The scale that a scene asks for; ends that are to be found hold the range, at round values.
-render::PressureScale pressure_scale(const RenderScene& look, const PressureRange& range);
+render::PressureScale pressure_scale(const scene::Render& look, const PressureRange& range);
 
 /// The same, over all shots.
-render::PressureScale pressure_scale(const RenderScene& look, const engine::SimulationSpec& spec,
+render::PressureScale pressure_scale(const scene::Render& look, const engine::SimulationSpec& spec,
                                      const ShotStore& shots);
 
 }  // namespace app

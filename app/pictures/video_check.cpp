@@ -25,12 +25,13 @@ void check_ending(const VideoOptions& video) {
   const std::string ending = video_ending(video.file);
   const std::vector<std::string> known = video_endings();
   if (std::find(known.begin(), known.end(), ending) == known.end())
-    throw InputError(kOption, fmt::format("found {}, expected a file that ends in {}",
-                                          video.file.string(), enumerate(known, "or")));
+    throw scene::InputError(kOption, fmt::format("found {}, expected a file that ends in {}",
+                                                 video.file.string(), enumerate(known, "or")));
   if (ending == ".gif" && video.fps > kMostOfGif)
-    throw InputError("--fps", fmt::format("found {}, expected at most {} for a .gif, of which more "
-                                          "are shown slowly",
-                                          video.fps, kMostOfGif));
+    throw scene::InputError("--fps",
+                            fmt::format("found {}, expected at most {} for a .gif, of which more "
+                                        "are shown slowly",
+                                        video.fps, kMostOfGif));
 }
 
 bool same_folder(const fs::path& a, const fs::path& b) {
@@ -41,35 +42,36 @@ void check_folder(const fs::path& file, const fs::path& out) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::error_code error;
   if (fs::is_directory(file, error))
-    throw InputError(kOption, fmt::format("{} is a folder, expected a file", file.string()));
+    throw scene::InputError(kOption, fmt::format("{} is a folder, expected a file", file.string()));
   if (fs::is_directory(folder, error)) {
     try {
       const PartFile part(file);
     } catch (const std::runtime_error& fault) {
-      throw InputError(kOption, fault.what());
+      throw scene::InputError(kOption, fault.what());
     }
   } else if (!same_folder(folder, out)) {
-    throw InputError(kOption, fmt::format("there is no folder {} for {}", folder.string(),
-                                          file.filename().string()));
+    throw scene::InputError(kOption, fmt::format("there is no folder {} for {}", folder.string(),
+                                                 file.filename().string()));
   }
 }
 
 }  // namespace
 
-void check_video(const VideoOptions& video, const RenderScene& render, const fs::path& out,
+void check_video(const VideoOptions& video, const scene::Render& render, const fs::path& out,
                  int threads) {
   if (!video.wanted()) return;
   check_ending(video);
-  for (const CameraScene& camera : cameras_of(render))
+  for (const scene::Camera& camera : cameras_of(render))
     check_folder(video_file(video.file, camera.name), out);
   if (find_program("ffmpeg").empty())
-    throw InputError(
+    throw scene::InputError(
         kOption, "the program ffmpeg is not installed, which makes videos: apt-get install ffmpeg");
   const std::string fault = encoder_fault(
       video.file,
       {.width = render.size[0], .height = render.size[1], .fps = video.fps, .threads = threads});
   if (!fault.empty())
-    throw InputError(kOption, fmt::format("ffmpeg cannot make {}: {}", video.file.string(), fault));
+    throw scene::InputError(kOption,
+                            fmt::format("ffmpeg cannot make {}: {}", video.file.string(), fault));
 }
 
 }  // namespace app

@@ -11,7 +11,7 @@ namespace app {
 /// encoder, which is tried with one picture. Does nothing if none is wanted.
 /// @param out   A folder that will be there.
 /// @throws InputError
-void check_video(const VideoOptions& video, const RenderScene& render,
+void check_video(const VideoOptions& video, const scene::Render& render,
                  const std::filesystem::path& out, int threads);
 
 }  // namespace app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "app/assembly/build.h"
 #include "app/logs/hdf5_log_reader.h"
 #include "app/logs/read_log.h"
 #include "app/logs/run_files.h"
@@ -24,7 +25,8 @@ Json read_summary(const fs::path& file) {
   std::ifstream stream(file);
   Json summary = Json::parse(stream, nullptr, false);
   if (!summary.is_object())
-    throw InputError(file, "is no summary that plimsoll run has written: not JSON, or cut off");
+    throw scene::InputError(file,
+                            "is no summary that plimsoll run has written: not JSON, or cut off");
   return summary;
 }
 
@@ -42,8 +44,8 @@ std::optional<Source> source_in(const Json& summary, const fs::path& file) {
     return Source{source.at("file").get<std::string>(), source.at("text").get<std::string>(),
                   source.at("overrides").get<std::vector<std::string>>()};
   } catch (const Json::exception&) {
-    throw InputError(file,
-                     "source: expected file, text and overrides, as plimsoll run writes them");
+    throw scene::InputError(
+        file, "source: expected file, text and overrides, as plimsoll run writes them");
   }
 }
 
@@ -52,28 +54,30 @@ void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
   const fs::path summary = run.path / kSummaryFile;
   const std::optional<Source> source = source_in(run.summary, summary);
   if (!source && moved_to.empty())
-    throw InputError(summary, run.summary.is_null()
-                                  ? "is missing: the run was stopped; name its scene with --scene"
-                                  : "does not tell its scene; name it with --scene");
+    throw scene::InputError(summary,
+                            run.summary.is_null()
+                                ? "is missing: the run was stopped; name its scene with --scene"
+                                : "does not tell its scene; name it with --scene");
   if (!source) {
-    run.scene = read_scene(moved_to);
-    run.assembly = assemble(run.scene);
+    run.scene = scene::read(moved_to);
+    run.built = assembly::build_without_added_mass(run.scene);
     return;
   }
   run.overrides = source->overrides;
-  std::vector<Override> overrides;
-  for (const std::string& o : run.overrides) overrides.push_back(parse_override(o));
+  std::vector<scene::Override> overrides;
+  for (const std::string& o : run.overrides) overrides.push_back(scene::parse_override(o));
   const fs::path file = moved_to.empty() ? source->file : moved_to;
   if (!moved_to.empty() && !fs::exists(moved_to))
-    throw InputError(moved_to, "there is no such file");
+    throw scene::InputError(moved_to, "there is no such file");
   try {
-    run.scene = parse_scene(source->text, file, overrides);
-    run.assembly = assemble(run.scene);
-  } catch (const InputError&) {
+    run.scene = scene::parse(source->text, file, overrides);
+    run.built = assembly::build_without_added_mass(run.scene);
+  } catch (const scene::InputError&) {
     if (fs::exists(file)) throw;
-    throw InputError(summary, fmt::format("the scene {} and what it names are no longer there; say "
-                                          "with --scene where the scene lies now",
-                                          file.string()));
+    throw scene::InputError(summary,
+                            fmt::format("the scene {} and what it names are no longer there; say "
+                                        "with --scene where the scene lies now",
+                                        file.string()));
   }
 }
 
@@ -89,15 +93,15 @@ void check_forces(const fs::path& file, LoggedRun& run) {
   for (const auto& [name, track] : run.trajectory.tracks) {
     const auto found = run.forces->find(name);
     if (found == run.forces->end())
-      throw InputError(file, fmt::format("has no rows of body {}", name));
+      throw scene::InputError(file, fmt::format("has no rows of body {}", name));
     const std::vector<double>& times = found->second.times;
     run.rows = std::min(run.rows, times.size());
     for (std::size_t i = 0; i < run.rows; ++i)
       if (times[i] != track.times[i])
-        throw InputError(file,
-                         fmt::format("row {} of body {} is of {} s and that of trajectory.csv "
-                                     "of {} s; expected both of one run",
-                                     i + 1, name, times[i], track.times[i]));
+        throw scene::InputError(
+            file, fmt::format("row {} of body {} is of {} s and that of trajectory.csv "
+                              "of {} s; expected both of one run",
+                              i + 1, name, times[i], track.times[i]));
   }
 }
 
@@ -118,14 +122,15 @@ void keep_common_rows(LoggedRun& run) {
 
 LoggedRun read_run(const fs::path& folder, const fs::path& scene) {
   if (!fs::is_directory(folder))
-    throw InputError(folder, "there is no such folder; expected one that plimsoll run has written");
+    throw scene::InputError(folder,
+                            "there is no such folder; expected one that plimsoll run has written");
   LoggedRun run{.path = folder};
   const fs::path log = trajectory_of(folder);
   run.trajectory = read_trajectory(log);
   run.rows = common_rows(run.trajectory, log);
   run.summary = read_summary(folder / kSummaryFile);
   read_scene_of_run(scene, run);
-  check_same_bodies(run.trajectory, run.assembly.spec, log);
+  check_same_bodies(run.trajectory, run.built.spec, log);
   const fs::path forces = forces_beside(log);
   if (!forces.empty()) run.forces = read_forces(forces);
   if (run.forces) check_forces(forces, run);

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/built_scene.h"
 #include "app/logs/force_log.h"
 #include "app/logs/trajectory.h"
 #include "app/scene/scene.h"
@@ -15,8 +15,8 @@ namespace app {
 struct LoggedRun {
   std::filesystem::path path;
   nlohmann::ordered_json summary;  ///< Null if the run was killed before it wrote one.
-  Scene scene;                     ///< As it was run.
-  Assembly assembly;
+  scene::Scene scene;              ///< As it was run.
+  assembly::BuiltScene built;
   std::vector<std::string> overrides;  ///< Of the scene's keys, as on the command line.
   Trajectory trajectory;
   std::size_t rows = 0;            ///< Of each body: those that every log has of every body.

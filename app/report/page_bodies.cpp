@@ -53,7 +53,7 @@ Json ground_of(const engine::MeshGround& ground, const PageLimits& limits) {
 Json page_bodies(const LoggedRun& run, const Shapes& shapes) {
   Json bodies = Json::array();
   for (std::size_t i = 0; i < run.scene.bodies.size(); ++i) {
-    const engine::BodySpec& body = run.assembly.spec.bodies[i];
+    const engine::BodySpec& body = run.built.spec.bodies[i];
     const Eigen::Vector3d& color = run.scene.bodies[i].color;
     const Eigen::Matrix3d& I = body.inertia_B;
     bodies.push_back({{"name", body.name},

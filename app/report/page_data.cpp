@@ -11,16 +11,16 @@ using Json = nlohmann::ordered_json;
 /// The place that the replay's single-precision numbers are relative to: where the first body
 /// starts, at the water's level.
 Eigen::Vector3d replay_origin(const LoggedRun& run) {
-  Eigen::Vector3d origin = run.assembly.spec.bodies.empty()
+  Eigen::Vector3d origin = run.built.spec.bodies.empty()
                                ? Eigen::Vector3d::Zero()
-                               : run.assembly.spec.bodies[0].initial.position;
-  if (run.assembly.spec.sea) origin.z() = run.assembly.spec.sea->level;
+                               : run.built.spec.bodies[0].initial.position;
+  if (run.built.spec.sea) origin.z() = run.built.spec.sea->level;
   return origin;
 }
 
-Json page_camera(const Scene& scene) {
+Json page_camera(const scene::Scene& scene) {
   if (!scene.render) return nullptr;
-  const CameraScene c = cameras_of(*scene.render).front();
+  const scene::Camera c = cameras_of(*scene.render).front();
   return {{"from", {c.from.x(), c.from.y(), c.from.z()}},
           {"to", {c.to.x(), c.to.y(), c.to.z()}},
           {"field_of_view", c.field_of_view}};
@@ -29,7 +29,7 @@ Json page_camera(const Scene& scene) {
 }  // namespace
 
 Json page_data(const LoggedRun& run, const PageLimits& limits) {
-  const Shapes shapes = find_shapes(run.assembly.spec.bodies, limits.faces);
+  const Shapes shapes = find_shapes(run.built.spec.bodies, limits.faces);
   const Eigen::Vector3d origin = replay_origin(run);
   Json summary = run.summary;
   if (summary.is_object()) summary.erase("source");
@@ -44,8 +44,8 @@ Json page_data(const LoggedRun& run, const PageLimits& limits) {
       {"origin", {origin.x(), origin.y(), origin.z()}},
       {"bodies", page_bodies(run, shapes)},
       {"shapes", page_shapes(shapes)},
-      {"water", page_water(run.assembly.spec, limits)},
-      {"ground", page_ground(run.assembly.spec.ground, limits)},
+      {"water", page_water(run.built.spec, limits)},
+      {"ground", page_ground(run.built.spec.ground, limits)},
       {"camera", page_camera(run.scene)},
       {"poses", page_poses(run, origin, limits)},
       {"series", page_series(run, limits)},

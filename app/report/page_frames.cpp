@@ -26,7 +26,7 @@ std::vector<fs::path> frame_files(const fs::path& folder, const std::string& cam
 }
 
 /// When the pictures of a run were due [s].
-std::vector<double> frame_times(const Scene& scene, std::size_t count) {
+std::vector<double> frame_times(const scene::Scene& scene, std::size_t count) {
   std::vector<double> times;
   FrameSchedule frames(scene.render->every, scene.duration);
   const long steps = step_count(scene.duration, scene.step);
@@ -39,7 +39,7 @@ std::vector<double> frame_times(const Scene& scene, std::size_t count) {
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file, "cannot be read; expected a picture");
+  if (!stream) throw scene::InputError(file, "cannot be read; expected a picture");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

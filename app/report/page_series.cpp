@@ -37,7 +37,7 @@ Json page_poses(const LoggedRun& run, const Eigen::Vector3d& origin, const PageL
   for (const std::size_t row : kept)
     times.push_back(run.trajectory.tracks.begin()->second.times[row]);
   Json tracks = Json::array();
-  for (const BodyScene& body : run.scene.bodies) {
+  for (const scene::Body& body : run.scene.bodies) {
     std::vector<float> numbers;
     for (const std::size_t row : kept) {
       const hydro::BodyState& s = run.trajectory.tracks.at(body.name).states[row];
@@ -52,7 +52,7 @@ Json page_poses(const LoggedRun& run, const Eigen::Vector3d& origin, const PageL
 
 Json page_series(const LoggedRun& run, const PageLimits& limits) {
   std::size_t varying = 1;
-  for (const BodyScene& body : run.scene.bodies)
+  for (const scene::Body& body : run.scene.bodies)
     each_column(run, body.name, [&](const std::vector<double>& c) { varying += varies(c); });
   const Thinning thinning(run.rows, std::max(kLeastRows, limits.series / varying));
   std::vector<std::string> names = motion_columns();
@@ -61,7 +61,7 @@ Json page_series(const LoggedRun& run, const PageLimits& limits) {
     names.insert(names.end(), forces.begin(), forces.end());
   }
   Json tracks = Json::array();
-  for (const BodyScene& body : run.scene.bodies) {
+  for (const scene::Body& body : run.scene.bodies) {
     tracks.push_back(Json::array());
     each_column(run, body.name, [&](const std::vector<double>& column) {
       tracks.back().push_back(packed_column(thinning.values(column)));

@@ -70,7 +70,7 @@ std::string size_of(const hydro::TriMesh& mesh) {
 }
 
 /// Where a body's added mass comes from.
-std::string source_of(const AddedMassReport& report) {
+std::string source_of(const assembly::AddedMassReport& report) {
   if (report.surface) return "surface";
   if (!report.stored) return "given";
   return report.stored->from_store ? "deep, from store" : "deep, solved now";
@@ -93,34 +93,34 @@ struct BodyKind {
   }
 };
 
-Cells body_row(const BodyScene& scene, const engine::BodySpec& body) {
+Cells body_row(const scene::Body& scene, const engine::BodySpec& body) {
   const double volume = hydro::solid_properties(body.mesh_B).volume;
   return {std::to_string(body.mesh_B.face_count()), size_of(body.mesh_B), number_text(volume, 4),
-          number_text(body.mass, 5), scene.start == Start::equilibrium ? "afloat" : "given"};
+          number_text(body.mass, 5), scene.start == scene::Start::equilibrium ? "afloat" : "given"};
 }
 
 /// The method `ode` leaves out added mass that was found.
-bool has_added_mass(const Assembly& assembly, std::size_t body) {
-  return assembly.spec.integrator.method != engine::Integrator::Method::ode &&
-         assembly.added_mass[body].has_value();
+bool has_added_mass(const assembly::BuiltScene& built, std::size_t body) {
+  return built.spec.integrator.method != engine::Integrator::Method::ode &&
+         built.added_mass[body].has_value();
 }
 
-Cells added_mass_row(const AddedMassReport& report) {
+Cells added_mass_row(const assembly::AddedMassReport& report) {
   Cells row = {source_of(report)};
   for (int i = 0; i < 6; ++i) row.push_back(number_text(report.matrix(i, i), 3));
   return row;
 }
 
 /// The kinds of bodies, the most frequent first.
-std::vector<BodyKind> kinds_of(const Scene& scene, const Assembly& assembly) {
+std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltScene& built) {
   std::vector<BodyKind> kinds;
   std::map<std::pair<Cells, Cells>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
-  for (std::size_t i = 0; i < assembly.spec.bodies.size(); ++i) {
-    const engine::BodySpec& body = assembly.spec.bodies[i];
+  for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
+    const engine::BodySpec& body = built.spec.bodies[i];
     const Cells row = body_row(scene.bodies[i], body);
     const Cells added_mass =
-        has_added_mass(assembly, i) ? added_mass_row(*assembly.added_mass[i]) : Cells();
+        has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
     const auto [place, is_new] = known.emplace(std::pair(row, added_mass), kinds.size());
     if (is_new) kinds.push_back({.body = row, .added_mass = added_mass, .names = {}});
     BodyKind& kind = kinds[place->second];
@@ -137,19 +137,19 @@ std::vector<BodyKind> kinds_of(const Scene& scene, const Assembly& assembly) {
   return kinds;
 }
 
-std::string water_text(const Scene& scene) {
+std::string water_text(const scene::Scene& scene) {
   if (!scene.water) return "no water";
-  const SurfaceScene& surface = scene.water->surface;
-  const auto* waves = std::get_if<std::vector<WaveScene>>(&surface);
+  const scene::Surface& surface = scene.water->surface;
+  const auto* waves = std::get_if<std::vector<scene::Wave>>(&surface);
   const std::string shape = waves != nullptr ? counted(waves->size(), "wave", "waves")
-                            : std::holds_alternative<SpectrumScene>(surface)    ? "a spectrum"
-                            : std::holds_alternative<HeightFieldScene>(surface) ? "a height field"
-                                                                                : "flat";
+                            : std::holds_alternative<scene::Spectrum>(surface)    ? "a spectrum"
+                            : std::holds_alternative<scene::HeightField>(surface) ? "a height field"
+                                                                                  : "flat";
   return fmt::format("water of {:g} kg/m^3 ({})", scene.water->density, shape);
 }
 
-std::string headline(const Scene& scene, const Assembly& assembly) {
-  const engine::SimulationSpec& spec = assembly.spec;
+std::string headline(const scene::Scene& scene, const assembly::BuiltScene& built) {
+  const engine::SimulationSpec& spec = built.spec;
   std::string text = fmt::format("{}: {}", scene.file.stem().string(),
                                  counted(spec.bodies.size(), "body", "bodies"));
   if (!spec.joints.empty()) text += ", " + counted(spec.joints.size(), "joint", "joints");
@@ -191,28 +191,29 @@ void note_omission(const std::string& what, const std::string& reason, const std
 }
 
 /// What is not computed of single bodies.
-std::vector<Omission> body_omissions(const Assembly& assembly) {
+std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
   std::vector<Omission> omissions;
-  const engine::SimulationSpec& spec = assembly.spec;
+  const engine::SimulationSpec& spec = built.spec;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     const engine::BodySpec& body = spec.bodies[i];
     for (const std::string& load : unused_loads(body))
       note_omission(load, "switched off", body.name, omissions);
-    if (!has_added_mass(assembly, i))
+    if (!has_added_mass(built, i))
       note_omission("added mass", reason_for_no_added_mass(spec, body), body.name, omissions);
   }
   return omissions;
 }
 
-std::vector<std::string> omission_texts(const Assembly& assembly, const engine::Skips& skips,
+std::vector<std::string> omission_texts(const assembly::BuiltScene& built,
+                                        const engine::Skips& skips,
                                         const std::string& no_pictures) {
-  const engine::SimulationSpec& spec = assembly.spec;
+  const engine::SimulationSpec& spec = built.spec;
   std::vector<std::string> texts;
   if (!spec.bodies.empty() && skips.water)
     texts.push_back(spec.sea ? "water (it does nothing to any body)" : "water (there is none)");
   if (!spec.bodies.empty() && skips.collision) texts.push_back("collisions (nothing can collide)");
   if (!skips.water)
-    for (const Omission& omission : body_omissions(assembly))
+    for (const Omission& omission : body_omissions(built))
       texts.push_back(fmt::format("{} of {} ({})", omission.what,
                                   named_bodies(omission.names, spec.bodies.size()),
                                   omission.reason));
@@ -265,18 +266,19 @@ std::vector<Cells> added_mass_table(std::span<const BodyKind> kinds) {
 
 }  // namespace
 
-std::vector<std::string> resolved_scene(const Scene& scene, const Assembly& assembly,
+std::vector<std::string> resolved_scene(const scene::Scene& scene,
+                                        const assembly::BuiltScene& built,
                                         const engine::Skips& skips,
                                         const std::string& no_pictures) {
-  std::vector<std::string> lines = {headline(scene, assembly)};
-  const std::vector<BodyKind> kinds = kinds_of(scene, assembly);
+  std::vector<std::string> lines = {headline(scene, built)};
+  const std::vector<BodyKind> kinds = kinds_of(scene, built);
   const std::span shown = std::span(kinds).first(std::min(kinds.size(), kMostKinds));
   if (!shown.empty())
     append_cells(lines, aligned_lines(body_table(shown, scene.water.has_value())));
   if (kinds.size() > shown.size()) lines.push_back(rest_of(kinds));
   const std::vector<Cells> added_mass = added_mass_table(shown);
   if (added_mass.size() > 1) append_cells(lines, aligned_lines(added_mass));
-  const std::vector<std::string> omitted = omission_texts(assembly, skips, no_pictures);
+  const std::vector<std::string> omitted = omission_texts(built, skips, no_pictures);
   if (!omitted.empty())
     lines.push_back(fmt::format("  not computed: {}", fmt::join(omitted, "; ")));
   return lines;

@@ -1,7 +1,6 @@
 #include "app/run/run.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,7 +9,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build.h"
 #include "app/base/background.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
@@ -18,6 +17,7 @@
 #include "app/base/output_error.h"
 #include "app/base/progress.h"
 #include "app/base/schedule.h"
+#include "app/base/terminal_reporter.h"
 #include "app/base/thread_count.h"
 #include "app/base/words.h"
 #include "app/logs/hdf5_file.h"
@@ -53,8 +53,8 @@ std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
   return names;
 }
 
-LogSubject log_subject(const Scene& scene, const Assembly& assembly) {
-  return {.bodies = body_names(assembly.spec),
+LogSubject log_subject(const scene::Scene& scene, const assembly::BuiltScene& built) {
+  return {.bodies = body_names(built.spec),
           .forces = scene.log_forces,
           .scene = scene.file.string(),
           .title = scene.title};
@@ -70,35 +70,32 @@ std::size_t most_waiting(std::size_t bodies) {
 /// One run: the simulation and what is kept of it.
 class Run {
  public:
-  Run(const RunOptions& options, const Scene& scene, const Assembly& assembly,
-      const OutputFolder& folder, double wall_added_mass)
+  Run(const RunOptions& options, const scene::Scene& scene, const assembly::BuiltScene& built,
+      const OutputFolder& folder)
       : options_(options),
         scene_(scene),
-        assembly_(assembly),
+        built_(built),
         folder_(folder),
-        summary_{.scene = scene,
-                 .assembly = assembly,
-                 .overrides = options.overrides,
-                 .wall_added_mass = wall_added_mass},
+        summary_{.scene = scene, .built = built, .overrides = options.overrides},
         progress_(options.quiet),
-        simulation_(assembly.spec),
-        log_(make_log(options.format, log_subject(scene, assembly), folder.path())),
+        simulation_(built.spec),
+        log_(make_log(options.format, log_subject(scene, built), folder.path())),
         log_due_(scene.log_every.value_or(0)),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
-        logging_(assembly.spec.threads, most_waiting(assembly.spec.bodies.size())) {}
+        logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {}
 
   int execute() {
     remove_earlier_results();
     if (!options_.quiet)
       for (const std::string& line :
-           resolved_scene(scene_, assembly_, simulation_.skips(), reason_for_no_pictures(kDone)))
+           resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
         say(line);
     int code = simulate();
     summary_.pictures_skipped = reason_for_no_pictures(code);
     if (summary_.pictures_skipped.empty()) code = draw(code);
     progress_.clear();
-    summary_.wall = summary_.wall_added_mass + clock_.seconds();
+    summary_.wall = built_.added_mass_seconds + clock_.seconds();
     if (!options_.quiet) report(code);
     write_summary(summary_, summary_file());
     return code;
@@ -218,8 +215,8 @@ class Run {
       return !interrupt_.interrupted();
     };
     try {
-      summary_.pictures = draw_pictures(scene_, assembly_, shots_.shots(),
-                                        {folder_.path(), options_.video}, progress);
+      summary_.pictures =
+          draw_pictures(scene_, built_, shots_.shots(), {folder_.path(), options_.video}, progress);
     } catch (const std::exception& error) {
       summary_.pictures_skipped = "they could not be drawn";
       const int own = failed(kWrongInput, error.what());
@@ -251,8 +248,8 @@ class Run {
   }
 
   const RunOptions& options_;
-  const Scene& scene_;
-  const Assembly& assembly_;
+  const scene::Scene& scene_;
+  const assembly::BuiltScene& built_;
   const OutputFolder& folder_;
   RunSummary summary_;
   Stopwatch clock_;
@@ -265,23 +262,15 @@ class Run {
   Background logging_;  ///< Last: it works on the log.
 };
 
-/// Finds the bodies' added mass on the threads of the run. @return how long that took [s].
-double find_added_mass(const RunOptions& options, const Scene& scene, Assembly& assembly,
-                       AddedMassStore& store) {
-  const Stopwatch stopwatch;
-  tbb::task_arena threads(assembly.spec.threads);
-  threads.execute([&] { add_added_mass(scene, assembly, store, options.quiet); });
-  return stopwatch.seconds();
-}
-
-void check_video_of_run(const RunOptions& options, const Scene& scene,
+void check_video_of_run(const RunOptions& options, const scene::Scene& scene,
                         const std::filesystem::path& out) {
   if (!options.video.wanted()) return;
-  if (!options.render) throw InputError("--video", "is of pictures, and --no-render makes none");
+  if (!options.render)
+    throw scene::InputError("--video", "is of pictures, and --no-render makes none");
   if (!scene.render)
-    throw InputError(scene.file,
-                     "has no render block, so there are no pictures for --video; "
-                     "`render: {}` gives it one");
+    throw scene::InputError(scene.file,
+                            "has no render block, so there are no pictures for --video; "
+                            "`render: {}` gives it one");
   check_video(options.video, *scene.render, out, thread_count(options.threads));
 }
 
@@ -290,20 +279,17 @@ void check_video_of_run(const RunOptions& options, const Scene& scene,
 int run(const RunOptions& options) {
   const std::string no_hdf5 = why_no_hdf5();
   if (options.format == LogFormat::hdf5 && !no_hdf5.empty())
-    throw InputError("--format hdf5", no_hdf5);
-  const Scene scene = read_scene(options.scene, options.overrides);
+    throw scene::InputError("--format hdf5", no_hdf5);
+  const scene::Scene scene = scene::read(options.scene, options.overrides);
   const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   check_video_of_run(options, scene, out);
-  Assembly assembly = assemble(scene);
-  assembly.spec.threads = thread_count(options.threads);
-  if (!options.quiet)
-    for (const std::string& note : assembly.notes)
-      say(fmt::format("{}: note: {}", scene.file.string(), note));
-  AddedMassStore store(cache_folder());
-  const double wall_added_mass = find_added_mass(options, scene, assembly, store);
+  TerminalReporter reporter(options.quiet);
+  assembly::AddedMassStore store(assembly::cache_folder());
+  const assembly::BuiltScene built =
+      assembly::build_on_threads(thread_count(options.threads), scene, store, reporter);
   const OutputFolder folder(out);
-  const int code = Run(options, scene, assembly, folder, wall_added_mass).execute();
-  keep_surface_nodes(assembly, store);
+  const int code = Run(options, scene, built, folder).execute();
+  assembly::keep_solutions(built, store, reporter);
   return code;
 }
 

@@ -12,7 +12,7 @@ namespace app {
 struct RunOptions {
   std::filesystem::path scene;
   std::filesystem::path out;  ///< Empty: out/<scene file's stem>.
-  std::vector<Override> overrides;
+  std::vector<scene::Override> overrides;
   LogFormat format = LogFormat::csv;
   bool render = true;
   VideoOptions video;

@@ -8,6 +8,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
+#include "hydro/added_mass/surface_added_mass.h"
 
 namespace app {
 namespace {
@@ -25,7 +26,7 @@ Json motion_summary(const engine::Counts& counts) {
 }
 
 /// The added mass of the wholly submerged body and where it came from; null if it has none.
-Json to_json(const std::optional<AddedMassReport>& report) {
+Json to_json(const std::optional<assembly::AddedMassReport>& report) {
   if (!report) return nullptr;
   if (report->surface)
     return {{"model", "surface"},
@@ -42,14 +43,14 @@ Json to_json(const std::optional<AddedMassReport>& report) {
 }
 
 Json body_summary(const RunSummary& summary, std::size_t i) {
-  const engine::BodySpec& body = summary.assembly.spec.bodies[i];
+  const engine::BodySpec& body = summary.built.spec.bodies[i];
   return {{"triangles", body.mesh_B.face_count()},
           {"mass", body.mass},
           {"loads_not_computed", unused_loads(body)},
           {"steps_above_water", summary.counts[i].dry},
           {"steps_at_rest", summary.counts[i].resting},
           {"motion", motion_summary(summary.counts[i])},
-          {"added_mass", to_json(summary.assembly.added_mass[i])}};
+          {"added_mass", to_json(summary.built.added_mass[i])}};
 }
 
 /// Cameras and videos only where there are several, or any.
@@ -67,7 +68,7 @@ Json to_json(const PictureReport& pictures) {
 /// All that the scene can be read again from, wherever the program is started then.
 Json source_of(const RunSummary& s) {
   Json overrides = Json::array();
-  for (const Override& o : s.overrides) overrides.push_back(o.key_path + "=" + o.value);
+  for (const scene::Override& o : s.overrides) overrides.push_back(o.key_path + "=" + o.value);
   return {{"file", std::filesystem::absolute(s.scene.file).lexically_normal().string()},
           {"overrides", overrides},
           {"text", s.scene.text}};
@@ -75,7 +76,8 @@ Json source_of(const RunSummary& s) {
 
 Json to_json(const RunSummary& s) {
   Json bodies = Json::object();
-  const engine::SimulationSpec& spec = s.assembly.spec;
+  const engine::SimulationSpec& spec = s.built.spec;
+  const double added_mass = s.built.added_mass_seconds;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     bodies[spec.bodies[i].name] = body_summary(s, i);
   Json json = {{"version", PLIMSOLL_VERSION},
@@ -86,13 +88,12 @@ Json to_json(const RunSummary& s) {
   json.update(
       {{"steps", s.steps},
        {"simulated_seconds", s.simulated},
-       {"real_time_factor",
-        s.wall > s.wall_added_mass ? s.simulated / (s.wall - s.wall_added_mass) : 0},
+       {"real_time_factor", s.wall > added_mass ? s.simulated / (s.wall - added_mass) : 0},
        {"threads", spec.threads},
        {"warnings", s.warnings},
        {"wall_seconds",
         {{"total", s.wall},
-         {"added_mass", s.wall_added_mass},
+         {"added_mass", added_mass},
          {"collision", s.timings.collision},
          {"hydro", s.timings.hydro},
          {"engine", s.timings.engine},

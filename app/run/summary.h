@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/built_scene.h"
 #include "app/pictures/pictures.h"
 #include "app/scene/reader.h"
 #include "engine/simulation.h"
@@ -13,19 +13,18 @@ namespace app {
 
 /// What `summary.json` tells of a run.
 struct RunSummary {
-  const Scene& scene;
-  const Assembly& assembly;
-  const std::vector<Override>& overrides;  ///< Of the scene's keys.
-  std::string ended = "completed";         ///< Or `interrupted`, `failed`.
-  std::string error;                       ///< Of a failed run.
+  const scene::Scene& scene;
+  const assembly::BuiltScene& built;
+  const std::vector<scene::Override>& overrides;  ///< Of the scene's keys.
+  std::string ended = "completed";                ///< Or `interrupted`, `failed`.
+  std::string error;                              ///< Of a failed run.
   long steps = 0;
   double simulated = 0;  ///< [s]
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
   std::vector<std::string> warnings;  ///< engine::Simulation::warnings.
-  double wall = 0;                    ///< In all [s].
-  double wall_added_mass = 0;         ///< To find it, before the first step [s].
+  double wall = 0;                    ///< In all, the added mass included [s].
   double wall_log = 0;                ///< [s]
   double wall_render = 0;             ///< [s]
   std::optional<PictureReport> pictures;

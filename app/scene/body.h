@@ -16,14 +16,14 @@
 /// @file
 /// The bodies of a scene and what the block `hydro` says of them.
 
-namespace app {
+namespace scene {
 
 /// The six entries of an inertia matrix about the centre of mass, body axes [kg m^2].
-struct InertiaScene {
+struct Inertia {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
-struct AppliedLoadScene {
+struct AppliedLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   bool in_body_frame = false;         ///< `frame: body`
@@ -38,7 +38,7 @@ struct AppliedLoadScene {
 };
 
 /// Where a body's added mass comes from.
-struct AddedMassScene {
+struct AddedMass {
   enum class Model {
     automatic,  ///< `deep` for a body that feels the water.
     none,
@@ -53,8 +53,8 @@ struct AddedMassScene {
 };
 
 /// The block `hydro`.
-struct HydroScene : hydro::Coefficients {
-  AddedMassScene added_mass;
+struct Hydro : hydro::Coefficients {
+  AddedMass added_mass;
   double wave_tolerance = hydro::Summation().wave_tolerance;
 };
 
@@ -66,24 +66,24 @@ enum class Start {
   equilibrium  ///< Afloat at rest, as they lead to it.
 };
 
-struct BodyScene {
+struct Body {
   std::string name;
-  ShapeScene shape;
+  Shape shape;
   std::optional<double> density;
   std::optional<double> mass;
   std::optional<Eigen::Vector3d> center_of_mass;       ///< In the mesh frame; with `mass` only.
-  std::optional<InertiaScene> inertia;                 ///< With `mass` only.
+  std::optional<Inertia> inertia;                      ///< With `mass` only.
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the mesh frame's origin, in W.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Start start = Start::given;
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
-  HydroScene hydro;  ///< The scene's defaults with the body's own keys over them.
+  Hydro hydro;  ///< The scene's defaults with the body's own keys over them.
   std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;
   std::array<bool, 6> locked = {};
-  std::vector<AppliedLoadScene> forces;
+  std::vector<AppliedLoad> forces;
   Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< RGB, 0 … 1.
 };
 
-}  // namespace app
+}  // namespace scene

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -65,4 +65,4 @@ void Faults::throw_if_any() const {
   throw InputError(std::move(sorted));
 }
 
-}  // namespace app
+}  // namespace scene

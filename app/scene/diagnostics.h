@@ -9,7 +9,7 @@
 /// @file
 /// What is wrong with an input, and where: collected while it is read, thrown all at once.
 
-namespace app {
+namespace scene {
 
 /// A place in a file, counted from 1.
 struct Place {
@@ -67,4 +67,4 @@ class Faults {
   std::vector<Fault> faults_;
 };
 
-}  // namespace app
+}  // namespace scene

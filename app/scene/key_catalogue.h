@@ -9,7 +9,7 @@
 /// What the readers of the blocks say of the keys that they read, for advice, documents, editors
 /// and shells.
 
-namespace app {
+namespace scene {
 
 /// What a value may be.
 struct ValueShape {
@@ -70,7 +70,7 @@ struct KeyCatalogue {
   std::vector<KeyChoice> choices;
   std::vector<KeyCondition> conditions;
 };
-KeyCatalogue scene_catalogue();
+KeyCatalogue key_catalogue();
 
 /// What a key is for, as Markdown. @param path   Of the catalogue.
 /// @throws std::out_of_range for a key that is not described
@@ -81,4 +81,4 @@ std::string described_path(const std::string& path);
 /// Every path that has a meaning.
 std::vector<std::string> described_paths();
 
-}  // namespace app
+}  // namespace scene

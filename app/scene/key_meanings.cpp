@@ -10,7 +10,7 @@
 /// What every key of a scene is for: the one source of the tables in scenes/README.md, of the JSON
 /// Schema, and of what editors show.
 
-namespace app {
+namespace scene {
 namespace {
 
 struct Meaning {
@@ -286,4 +286,4 @@ std::string key_meaning(const std::string& path) {
   return std::string(found->text);
 }
 
-}  // namespace app
+}  // namespace scene

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace app {
+namespace scene {
 
 Override parse_override(const std::string& argument) {
   const std::size_t bracket = argument.find(']');
@@ -20,4 +20,4 @@ Override parse_override(const std::string& argument) {
   return {argument.substr(0, end), argument.substr(end + 1)};
 }
 
-}  // namespace app
+}  // namespace scene

@@ -4,7 +4,7 @@
 
 #include "app/scene/diagnostics.h"
 
-namespace app {
+namespace scene {
 
 /// A value that replaces or adds one key of a scene: `--set bodies[0].density=700`.
 struct Override {
@@ -15,4 +15,4 @@ struct Override {
 /// Splits `KEY.PATH=VALUE`. @throws InputError if there is no `=` or no key.
 Override parse_override(const std::string& argument);
 
-}  // namespace app
+}  // namespace scene

@@ -9,7 +9,7 @@
 #include "app/scene/reader_overrides.h"
 #include "app/scene/yaml_reader.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -55,7 +55,7 @@ void check_joint_bodies(MapReader& map, const Scene& scene) {
       const std::string& name = scene.joints[i].bodies[k];
       if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) continue;
       map.fault(fmt::format("joints[{}].bodies[{}]", i, k),
-                fmt::format("there is no body named {}{}", name, did_you_mean(name, known)));
+                fmt::format("there is no body named {}{}", name, app::did_you_mean(name, known)));
     }
   }
 }
@@ -71,7 +71,7 @@ void check_starts(MapReader& map, const Scene& scene) {
   }
 }
 
-void name_nameless_joints(std::vector<JointScene>& joints) {
+void name_nameless_joints(std::vector<Joint>& joints) {
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (joints[i].name.empty()) joints[i].name = fmt::format("joint{}", i);
 }
@@ -104,20 +104,20 @@ std::vector<std::string> homes_of(const std::string& key,
 /// its right place, the key with its unit, or else a key that is a little further off.
 std::string advice(const UnknownKey& unknown, const std::vector<KeyDescription>& catalogue) {
   const std::vector<std::string> homes = homes_of(unknown.key, catalogue);
-  if (const auto near = nearest(unknown.key, unknown.known, homes.empty() ? 0 : 1))
+  if (const auto near = app::nearest(unknown.key, unknown.known, homes.empty() ? 0 : 1))
     return fmt::format("; did you mean {}?", *near);
-  if (!homes.empty()) return fmt::format("; it belongs {}", enumerate(homes, "or"));
+  if (!homes.empty()) return fmt::format("; it belongs {}", app::enumerate(homes, "or"));
   for (const std::string& known : unknown.known)
     if (known.starts_with(unknown.key + "_")) return fmt::format("; did you mean {}?", known);
-  const std::string hint = did_you_mean(unknown.key, unknown.known);
+  const std::string hint = app::did_you_mean(unknown.key, unknown.known);
   if (!hint.empty()) return hint;
   return unknown.known.empty() ? ", no key is known here"
-                               : "; known here: " + enumerate(unknown.known, "and");
+                               : "; known here: " + app::enumerate(unknown.known, "and");
 }
 
 void add_unknown_keys(Reading& reading) {
   if (reading.unknown_keys.empty()) return;
-  const std::vector<KeyDescription> catalogue = scene_catalogue().keys;
+  const std::vector<KeyDescription> catalogue = key_catalogue().keys;
   for (const UnknownKey& unknown : reading.unknown_keys) {
     const std::string dot = unknown.block_path.empty() ? "" : ".";
     reading.faults.add({unknown.place, unknown.block_path + dot + unknown.key,
@@ -151,8 +151,8 @@ YamlNode read_tree(const std::string& text, const std::filesystem::path& file,
 
 }  // namespace
 
-void read(MapReader& map, IntegratorScene& integrator) {
-  using Method = IntegratorScene::Method;
+void read(MapReader& map, Integrator& integrator) {
+  using Method = Integrator::Method;
   map.optional("method", integrator.method,
                ChoiceRule<Method>{{{"split", Method::split}, {"ode", Method::ode}}});
   map.optional("tolerance", integrator.tolerance, positive("1/s"));
@@ -174,7 +174,7 @@ void read(MapReader& map, Scene& scene) {
   map.block("integrator", scene.integrator);
   map.block("water", scene.water);
   map.block("ground", scene.ground);
-  BodyScene prototype;
+  Body prototype;
   map.block("hydro", prototype.hydro);
   map.blocks("bodies", scene.bodies, prototype);
   map.blocks("joints", scene.joints);
@@ -196,12 +196,12 @@ bool is_scene_file(const std::filesystem::path& file) {
   return file.extension() == ".yaml" || file.extension() == ".yml";
 }
 
-Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return parse_scene(read_text(file), file, overrides);
+Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return parse(read_text(file), file, overrides);
 }
 
-Scene parse_scene(std::string text, const std::filesystem::path& file,
-                  const std::vector<Override>& overrides) {
+Scene parse(std::string text, const std::filesystem::path& file,
+            const std::vector<Override>& overrides) {
   const YamlNode root = read_tree(text, file, overrides);
   Reading reading;
   reading.file = file;
@@ -221,7 +221,7 @@ Scene parse_scene(std::string text, const std::filesystem::path& file,
   return scene;
 }
 
-KeyCatalogue scene_catalogue() {
+KeyCatalogue key_catalogue() {
   Reading reading;
   MapReader map(nullptr, "", reading);
   Scene scene;
@@ -229,4 +229,4 @@ KeyCatalogue scene_catalogue() {
   return std::move(reading.catalogue);
 }
 
-}  // namespace app
+}  // namespace scene

@@ -7,18 +7,18 @@
 #include "app/scene/override.h"
 #include "app/scene/scene.h"
 
-namespace app {
+namespace scene {
 
 /// True if the extension of a file is that of scenes, .yaml or .yml.
 bool is_scene_file(const std::filesystem::path& file);
 
 /// Reads and checks a scene file.
 /// @throws InputError with every fault found, in the order of the file; those of overrides first.
-Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
 /// The same of a text. @param file   Named in faults; files that the scene names are relative to
 /// its folder.
-Scene parse_scene(std::string text, const std::filesystem::path& file,
-                  const std::vector<Override>& overrides);
+Scene parse(std::string text, const std::filesystem::path& file,
+            const std::vector<Override>& overrides);
 
-}  // namespace app
+}  // namespace scene

@@ -5,7 +5,7 @@
 #include "app/scene/reader_blocks.h"
 #include "hydro/decompositions.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -36,7 +36,7 @@ void read_name(MapReader& map, std::string& name) {
 constexpr double kMomentRoundOff = 1e-9;
 
 /// No solid turns harder about one axis than about the two others together.
-void check_inertia(MapReader& map, const InertiaScene& inertia) {
+void check_inertia(MapReader& map, const Inertia& inertia) {
   Eigen::Matrix3d matrix;
   matrix << inertia.xx, inertia.xy, inertia.xz, inertia.xy, inertia.yy, inertia.yz, inertia.xz,
       inertia.yz, inertia.zz;
@@ -53,15 +53,15 @@ void check_inertia(MapReader& map, const InertiaScene& inertia) {
     map.fault("inertia", found + ", expected the largest to be at most the sum of the others");
 }
 
-void read_inertia(MapReader& map, std::optional<InertiaScene>& inertia) {
+void read_inertia(MapReader& map, std::optional<Inertia>& inertia) {
   std::optional<std::array<double, 6>> entries;
   if (!map.optional("inertia", entries, number("kg m^2"))) return;
   const std::array<double, 6>& e = *entries;
-  inertia = InertiaScene{.xx = e[0], .yy = e[1], .zz = e[2], .xy = e[3], .xz = e[4], .yz = e[5]};
+  inertia = Inertia{.xx = e[0], .yy = e[1], .zz = e[2], .xy = e[3], .xz = e[4], .yz = e[5]};
   check_inertia(map, *inertia);
 }
 
-void read_mass(MapReader& map, BodyScene& body) {
+void read_mass(MapReader& map, Body& body) {
   map.exactly_one_of({"density", "mass"});
   map.optional("density", body.density, positive("kg/m^3"));
   map.optional("mass", body.mass, positive("kg"));
@@ -75,7 +75,7 @@ void read_mass(MapReader& map, BodyScene& body) {
 }
 
 /// Tabulated drag takes the place of the panels' own: there must be some to scale.
-void read_calibration(MapReader& map, BodyScene& body) {
+void read_calibration(MapReader& map, Body& body) {
   Calibration calibration;
   if (!map.block("calibrate", calibration)) return;
   body.calibrated_drag = calibration.drag;
@@ -157,7 +157,7 @@ const ChoiceRule<Collision> kCollisions = {{{"mesh", Collision::mesh},
 const ChoiceRule<Start> kStarts = {{{"given", Start::given}, {"equilibrium", Start::equilibrium}}};
 
 /// A body that is to find its own height and attitude must be free to, and carried by the water.
-void check_start(MapReader& map, const BodyScene& body) {
+void check_start(MapReader& map, const Body& body) {
   if (body.start != Start::equilibrium) return;
   if (body.locked[2] || body.locked[3] || body.locked[4])
     map.fault("start", "equilibrium needs z, roll and pitch to be free, but lock holds them");
@@ -169,7 +169,7 @@ const ChoiceRule<bool> kFrames = {{{"world", false}, {"body", true}}};
 
 }  // namespace
 
-void read(MapReader& map, BodyScene& body) {
+void read(MapReader& map, Body& body) {
   read_name(map, body.name);
   read_shape(map, body.shape);
   read_mass(map, body);
@@ -196,7 +196,7 @@ void read(MapReader& map, Eigen::Quaterniond& orientation) {
   read_axis_angle(map, orientation);
 }
 
-void read(MapReader& map, AppliedLoadScene& load) {
+void read(MapReader& map, AppliedLoad& load) {
   map.optional("force", load.force, number("N"));
   map.optional("torque", load.torque, number("N m"));
   map.optional("frame", load.in_body_frame, kFrames);
@@ -208,9 +208,9 @@ void read(MapReader& map, AppliedLoadScene& load) {
   map.block("sine", load.sine);
 }
 
-void read(MapReader& map, AppliedLoadScene::Sine& sine) {
+void read(MapReader& map, AppliedLoad::Sine& sine) {
   map.required("frequency_hz", sine.frequency, positive("Hz"));
   map.optional("phase_deg", sine.phase, degrees());
 }
 
-}  // namespace app
+}  // namespace scene

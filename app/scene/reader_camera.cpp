@@ -7,14 +7,14 @@
 
 #include "app/scene/reader_blocks.h"
 
-namespace app {
+namespace scene {
 namespace {
 
 /// Up in a picture is the world's up, so the camera cannot look along it. The smallest slope that
 /// still tells sideways from round-off.
 constexpr double kLeastSideways = 1e-6;
 
-void check_view(MapReader& map, const CameraScene& camera) {
+void check_view(MapReader& map, const Camera& camera) {
   const Eigen::Vector3d view = camera.to - camera.from;
   if (view.isZero(0))
     map.fault("", "looks from a point to the same point, expected two different ones");
@@ -36,9 +36,9 @@ std::string in_lower_case(std::string name) {
 }
 
 /// Some file systems do not tell a small letter from a capital.
-void check_camera_names(MapReader& map, const std::vector<CameraScene>& cameras) {
+void check_camera_names(MapReader& map, const std::vector<Camera>& cameras) {
   std::map<std::string, std::string> first_uses;
-  for (const CameraScene& camera : cameras) {
+  for (const Camera& camera : cameras) {
     if (!is_camera_name(camera.name))
       map.fault(camera.name,
                 fmt::format("found the name {}, expected 1 to {} letters without accents, digits, "
@@ -53,7 +53,7 @@ void check_camera_names(MapReader& map, const std::vector<CameraScene>& cameras)
 
 }  // namespace
 
-void read(MapReader& map, CameraScene& camera) {
+void read(MapReader& map, Camera& camera) {
   const bool from = map.optional("from", camera.from, number("m")) || !map.has("from");
   const bool to = map.optional("to", camera.to, number("m")) || !map.has("to");
   map.optional("fov_deg", camera.field_of_view, degrees_between(1, 170));
@@ -63,9 +63,9 @@ void read(MapReader& map, CameraScene& camera) {
   if (from && to) check_view(map, camera);
 }
 
-void read(MapReader& map, std::vector<CameraScene>& cameras) {
+void read(MapReader& map, std::vector<Camera>& cameras) {
   for (const std::string& name : map.names()) {
-    CameraScene camera;
+    Camera camera;
     map.block(name, camera);
     camera.name = name;
     cameras.push_back(camera);
@@ -77,16 +77,15 @@ void read(MapReader& map, std::vector<CameraScene>& cameras) {
 void check_followed_bodies(MapReader& map, const Scene& scene) {
   if (!scene.render) return;
   std::vector<std::string> known;
-  for (const BodyScene& body : scene.bodies) known.push_back(body.name);
-  const auto check = [&](const CameraScene& camera, const std::string& key) {
+  for (const Body& body : scene.bodies) known.push_back(body.name);
+  const auto check = [&](const Camera& camera, const std::string& key) {
     const std::string& name = camera.follow;
     if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     map.fault(key + ".follow",
-              fmt::format("there is no body named {}{}", name, did_you_mean(name, known)));
+              fmt::format("there is no body named {}{}", name, app::did_you_mean(name, known)));
   };
   check(scene.render->camera, "render.camera");
-  for (const CameraScene& camera : scene.render->cameras)
-    check(camera, "render.cameras." + camera.name);
+  for (const Camera& camera : scene.render->cameras) check(camera, "render.cameras." + camera.name);
 }
 
-}  // namespace app
+}  // namespace scene

@@ -3,7 +3,7 @@
 #include "app/scene/reader_blocks.h"
 #include "hydro/decompositions.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -94,11 +94,11 @@ void read_preset(MapReader& map, hydro::Coefficients& coefficients) {
   coefficients = preset == Preset::thesis ? hydro::thesis_coefficients() : hydro::Coefficients{};
 }
 
-using Model = AddedMassScene::Model;
+using Model = AddedMass::Model;
 const ChoiceRule<Model> kModels = {
     {{"none", Model::none}, {"deep", Model::deep}, {"surface", Model::surface}}};
 
-std::string model_text(const AddedMassScene& added_mass) {
+std::string model_text(const AddedMass& added_mass) {
   return added_mass.model == Model::matrix    ? "a matrix"
          : added_mass.model == Model::none    ? "none"
          : added_mass.model == Model::surface ? "{model: surface}"
@@ -106,7 +106,7 @@ std::string model_text(const AddedMassScene& added_mass) {
 }
 
 /// A word for the model, or a block with its options.
-void read_added_mass(MapReader& map, AddedMassScene& added_mass) {
+void read_added_mass(MapReader& map, AddedMass& added_mass) {
   const std::string expected = "none, deep, {model, tolerance}, or {matrix}";
   const auto value = map.find_unless_block("added_mass", expected, model_text(added_mass),
                                            added_mass, {words_shape({"none", "deep"})});
@@ -167,7 +167,7 @@ void read(MapReader& map, hydro::PressureDrag& drag) {
 }
 
 /// The block takes the place of what held before it, as one key.
-void read(MapReader& map, AddedMassScene& added_mass) {
+void read(MapReader& map, AddedMass& added_mass) {
   added_mass = {.model = Model::deep};
   map.optional("model", added_mass.model, kModels);
   map.optional("tolerance", added_mass.tolerance, positive());
@@ -184,7 +184,7 @@ void read(MapReader& map, AddedMassScene& added_mass) {
   if (read_matrix(map, added_mass.matrix)) added_mass.model = Model::matrix;
 }
 
-void read(MapReader& map, HydroScene& hydro) {
+void read(MapReader& map, Hydro& hydro) {
   read_preset(map, hydro);
   map.optional("buoyancy", hydro.buoyancy, TruthRule{});
   read_pressure_drag(map, hydro.pressure_drag);
@@ -195,4 +195,4 @@ void read(MapReader& map, HydroScene& hydro) {
   map.optional("wave_tolerance", hydro.wave_tolerance, not_negative());
 }
 
-}  // namespace app
+}  // namespace scene

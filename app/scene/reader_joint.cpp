@@ -5,11 +5,11 @@
 
 #include "app/scene/reader_blocks.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
-using Type = JointScene::Type;
+using Type = Joint::Type;
 
 const ChoiceRule<Type> kTypes = {{{"ball", Type::ball},
                                   {"hinge", Type::hinge},
@@ -90,7 +90,7 @@ void check_keys(MapReader& map, Type type) {
 
 }  // namespace
 
-void read(MapReader& map, JointScene& joint) {
+void read(MapReader& map, Joint& joint) {
   map.optional("name", joint.name, TextRule{"a text, unique among the joints"});
   const bool typed = map.required("type", joint.type, kTypes);
   read_bodies(map, joint.bodies);
@@ -102,4 +102,4 @@ void read(MapReader& map, JointScene& joint) {
   if (typed) check_keys(map, joint.type);
 }
 
-}  // namespace app
+}  // namespace scene

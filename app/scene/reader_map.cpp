@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -60,7 +60,7 @@ bool MapReader::exactly_one_of(const std::vector<std::string>& keys) {
   }
   if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return has(key); }))
     return at_most_one_of(keys);
-  fault("", fmt::format("missing, expected exactly one of {}", enumerate(keys, "and")));
+  fault("", fmt::format("missing, expected exactly one of {}", app::enumerate(keys, "and")));
   return false;
 }
 
@@ -70,8 +70,8 @@ bool MapReader::at_most_one_of(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) {
     if (!has(key)) continue;
     if (!first.empty()) {
-      fault(key,
-            fmt::format("given beside {}, expected only one of {}", first, enumerate(keys, "and")));
+      fault(key, fmt::format("given beside {}, expected only one of {}", first,
+                             app::enumerate(keys, "and")));
       one = false;
     }
     if (first.empty()) first = key;
@@ -102,4 +102,4 @@ void MapReader::report_other_keys() {
   }
 }
 
-}  // namespace app
+}  // namespace scene

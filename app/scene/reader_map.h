@@ -7,7 +7,7 @@
 
 #include "app/scene/reader_values.h"
 
-namespace app {
+namespace scene {
 
 /// Reads one block of a scene: a YAML map into a struct, key by key. Faults are collected, and the
 /// keys that nobody asked for are faults too.
@@ -151,4 +151,4 @@ class MapReader {
   std::vector<std::string> known_;  ///< Keys that were asked for.
 };
 
-}  // namespace app
+}  // namespace scene

@@ -10,7 +10,7 @@
 
 #include "app/base/words.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -86,7 +86,7 @@ std::size_t resolve_index(const YamlNode& list, const std::string& text, const s
   const std::size_t size = list.items.size();
   if (!index)
     throw Obstacle{
-        fmt::format("{} has no entry named {}{}", path, text, did_you_mean(text, names))};
+        fmt::format("{} has no entry named {}{}", path, text, app::did_you_mean(text, names))};
   if (*index >= size)
     throw Obstacle{size == 0 ? fmt::format("{} has no entries", path)
                              : fmt::format("{} has {} entr{}, the last is {}[{}]", path, size,
@@ -172,4 +172,4 @@ void apply_override(const Override& override, YamlNode& root, Faults& faults) {
   }
 }
 
-}  // namespace app
+}  // namespace scene

@@ -4,7 +4,7 @@
 #include "app/scene/override.h"
 #include "app/scene/yaml_reader.h"
 
-namespace app {
+namespace scene {
 
 /// Puts the value of an override into the tree, making the blocks on the way that are not there and
 /// the entries of lists that `[+]` asks for; the value `null` takes away what is there.
@@ -12,4 +12,4 @@ namespace app {
 /// valid YAML.
 void apply_override(const Override& override, YamlNode& root, Faults& faults);
 
-}  // namespace app
+}  // namespace scene

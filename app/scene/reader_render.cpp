@@ -3,7 +3,7 @@
 #include "app/base/words.h"
 #include "app/scene/reader_blocks.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -48,16 +48,15 @@ void read(MapReader& map, PressureBlock& pressure) {
                                  *pressure.min));
 }
 
-const std::vector<std::pair<std::string, bool ShowScene::*>> kShown = {
-    {"forces", &ShowScene::forces},
-    {"centres", &ShowScene::centres},
-    {"waterline", &ShowScene::waterline},
-    {"wireframe", &ShowScene::wireframe}};
+const std::vector<std::pair<std::string, bool Show::*>> kShown = {{"forces", &Show::forces},
+                                                                  {"centres", &Show::centres},
+                                                                  {"waterline", &Show::waterline},
+                                                                  {"wireframe", &Show::wireframe}};
 
-void read_shown(MapReader& map, ShowScene& show) {
+void read_shown(MapReader& map, Show& show) {
   std::vector<std::string> words;
   for (const auto& [word, field] : kShown) words.push_back(word);
-  const std::string expected = "a list of " + enumerate(words, "and");
+  const std::string expected = "a list of " + app::enumerate(words, "and");
   ValueShape list = list_shape(words_shape(words), 0);
   list.distinct = true;
   const auto value = map.find("show", expected, "[]", {list});
@@ -87,7 +86,7 @@ void read(MapReader& map, SheetBlock& sheet) {
 
 }  // namespace
 
-void read(MapReader& map, RenderScene& render) {
+void read(MapReader& map, Render& render) {
   map.optional("size", render.size, between(16, 8192, "px"));
   map.optional("every", render.every, positive("s"));
   map.block("camera", render.camera);
@@ -106,4 +105,4 @@ void read(MapReader& map, RenderScene& render) {
   render.shows = pressure.shows;
 }
 
-}  // namespace app
+}  // namespace scene

@@ -1,6 +1,6 @@
 #include "app/scene/reader_blocks.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -14,48 +14,48 @@ const NumberRule kSubdivisions = between(0, 9);
 
 }  // namespace
 
-void read_shape(MapReader& map, ShapeScene& shape) {
+void read_shape(MapReader& map, Shape& shape) {
   map.exactly_one_of({"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"});
-  map.alternative<MeshScene>("mesh", shape);
-  map.alternative<BoxScene>("box", shape);
-  map.alternative<SphereScene>("sphere", shape);
-  map.alternative<IcosphereScene>("icosphere", shape);
-  map.alternative<EllipsoidScene>("ellipsoid", shape);
-  map.alternative<CylinderScene>("cylinder", shape);
+  map.alternative<Mesh>("mesh", shape);
+  map.alternative<Box>("box", shape);
+  map.alternative<Sphere>("sphere", shape);
+  map.alternative<Icosphere>("icosphere", shape);
+  map.alternative<Ellipsoid>("ellipsoid", shape);
+  map.alternative<Cylinder>("cylinder", shape);
 }
 
-void read(MapReader& map, MeshScene& mesh) {
+void read(MapReader& map, Mesh& mesh) {
   map.required("file", mesh.file, FileRule{});
   map.optional("scale", mesh.scale, positive());
 }
 
-void read(MapReader& map, BoxScene& box) {
+void read(MapReader& map, Box& box) {
   map.required("size", box.size, positive("m"));
   map.optional("divisions", box.divisions, kDivisions);
 }
 
-void read(MapReader& map, SphereScene& sphere) {
+void read(MapReader& map, Sphere& sphere) {
   map.required("radius", sphere.radius, positive("m"));
   map.optional("slices", sphere.slices, kSlices);
   map.optional("stacks", sphere.stacks, kSphereStacks);
 }
 
-void read(MapReader& map, IcosphereScene& sphere) {
+void read(MapReader& map, Icosphere& sphere) {
   map.required("radius", sphere.radius, positive("m"));
   map.optional("subdivisions", sphere.subdivisions, kSubdivisions);
 }
 
-void read(MapReader& map, EllipsoidScene& ellipsoid) {
+void read(MapReader& map, Ellipsoid& ellipsoid) {
   map.required("semi_axes", ellipsoid.semi_axes, positive("m"));
   map.optional("slices", ellipsoid.slices, kSlices);
   map.optional("stacks", ellipsoid.stacks, kSphereStacks);
 }
 
-void read(MapReader& map, CylinderScene& cylinder) {
+void read(MapReader& map, Cylinder& cylinder) {
   map.required("radius", cylinder.radius, positive("m"));
   map.required("height", cylinder.height, positive("m"));
   map.optional("slices", cylinder.slices, kSlices);
   map.optional("stacks", cylinder.stacks, kCylinderStacks);
 }
 
-}  // namespace app
+}  // namespace scene

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -177,7 +177,7 @@ bool read_wholes(const Value& value, const NumberRule& rule, std::span<int> targ
 bool read_word(const Value& value, const std::vector<std::string>& words, std::size_t& index) {
   const auto found = std::find(words.begin(), words.end(), value.node.text);
   if (!value.node.is(YamlNode::Kind::scalar) || found == words.end())
-    return value.refuse(enumerate(words, "or") + did_you_mean(value.node.text, words));
+    return value.refuse(app::enumerate(words, "or") + app::did_you_mean(value.node.text, words));
   index = static_cast<std::size_t>(found - words.begin());
   return true;
 }
@@ -219,4 +219,4 @@ bool Field<FileRule, std::filesystem::path>::read(const Value& value, const File
   return true;
 }
 
-}  // namespace app
+}  // namespace scene

@@ -21,7 +21,7 @@
 /// From a YAML value to a field of a scene. A rule says which values are right, in words too; the
 /// type of the field says how many numbers there are and whether they are whole.
 
-namespace app {
+namespace scene {
 
 /// A key that no reader asked for, and the keys that it stands among.
 struct UnknownKey {
@@ -118,7 +118,7 @@ struct Field;
 template <>
 struct Field<NumberRule, double> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, false, 0); }
-  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, false, 0); }
+  static ValueShape shape(const NumberRule& rule) { return scene::shape(rule, false, 0); }
   static std::string text(const NumberRule& rule, double v) { return number_text(v / rule.factor); }
   static bool read(const Value& value, const NumberRule& rule, double& target) {
     return read_number(value, rule, expected(rule), target);
@@ -128,7 +128,7 @@ struct Field<NumberRule, double> {
 template <>
 struct Field<NumberRule, int> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, true, 0); }
-  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, true, 0); }
+  static ValueShape shape(const NumberRule& rule) { return scene::shape(rule, true, 0); }
   static std::string text(const NumberRule&, int v) { return std::to_string(v); }
   static bool read(const Value& value, const NumberRule& rule, int& target) {
     return read_whole(value, rule, expected(rule), target);
@@ -139,7 +139,7 @@ template <int N>
 struct Field<NumberRule, Eigen::Matrix<double, N, 1>> {
   using Vector = Eigen::Matrix<double, N, 1>;
   static std::string expected(const NumberRule& rule) { return expectation(rule, false, N); }
-  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, false, N); }
+  static ValueShape shape(const NumberRule& rule) { return scene::shape(rule, false, N); }
   static std::string text(const NumberRule&, const Vector& v) { return list_text({v.data(), N}); }
   static bool read(const Value& value, const NumberRule& rule, Vector& target) {
     return read_numbers(value, rule, {target.data(), N});
@@ -149,7 +149,7 @@ struct Field<NumberRule, Eigen::Matrix<double, N, 1>> {
 template <std::size_t N>
 struct Field<NumberRule, std::array<double, N>> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, false, N); }
-  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, false, N); }
+  static ValueShape shape(const NumberRule& rule) { return scene::shape(rule, false, N); }
   static std::string text(const NumberRule&, const std::array<double, N>& v) {
     return list_text(v);
   }
@@ -161,7 +161,7 @@ struct Field<NumberRule, std::array<double, N>> {
 template <std::size_t N>
 struct Field<NumberRule, std::array<int, N>> {
   static std::string expected(const NumberRule& rule) { return expectation(rule, true, N); }
-  static ValueShape shape(const NumberRule& rule) { return app::shape(rule, true, N); }
+  static ValueShape shape(const NumberRule& rule) { return scene::shape(rule, true, N); }
   static std::string text(const NumberRule&, const std::array<int, N>& v) {
     const std::vector<double> numbers(v.begin(), v.end());
     return list_text(numbers);
@@ -197,7 +197,9 @@ struct Field<FileRule, std::filesystem::path> {
 
 template <class T>
 struct Field<ChoiceRule<T>, T> {
-  static std::string expected(const ChoiceRule<T>& rule) { return enumerate(rule.words(), "or"); }
+  static std::string expected(const ChoiceRule<T>& rule) {
+    return app::enumerate(rule.words(), "or");
+  }
   static ValueShape shape(const ChoiceRule<T>& rule) { return words_shape(rule.words()); }
   static std::string text(const ChoiceRule<T>& rule, const T& v) {
     for (const auto& [word, meaning] : rule.choices)
@@ -228,4 +230,4 @@ struct Field<Rule, std::optional<T>> {
   }
 };
 
-}  // namespace app
+}  // namespace scene

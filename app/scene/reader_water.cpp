@@ -4,7 +4,7 @@
 
 #include "app/scene/reader_blocks.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -18,7 +18,7 @@ std::string extension(const std::filesystem::path& file) {
 
 /// A picture has grey levels, which only a range turns into heights; a table has heights. A file
 /// with another extension is told apart by its content when it is loaded.
-void check_format(MapReader& map, const HeightFieldScene& field) {
+void check_format(MapReader& map, const HeightField& field) {
   const std::string format = extension(field.file);
   if (format == ".png" && !map.has("range"))
     map.fault("range", "missing, expected the heights of black and white [m] of the picture");
@@ -28,7 +28,7 @@ void check_format(MapReader& map, const HeightFieldScene& field) {
 
 }  // namespace
 
-void read(MapReader& map, WaterScene& water) {
+void read(MapReader& map, Water& water) {
   map.optional("density", water.density, positive("kg/m^3"));
   map.optional("viscosity", water.viscosity, positive("m^2/s"));
   map.optional("level", water.level, number("m"));
@@ -36,21 +36,21 @@ void read(MapReader& map, WaterScene& water) {
   map.block("surface", water.surface);
 }
 
-void read(MapReader& map, SurfaceScene& surface) {
+void read(MapReader& map, Surface& surface) {
   map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
-  map.alternative<FlatScene>("flat", surface);
-  map.alternative<HeightFieldScene>("heightfield", surface);
-  std::vector<WaveScene> waves;
+  map.alternative<Flat>("flat", surface);
+  map.alternative<HeightField>("heightfield", surface);
+  std::vector<Wave> waves;
   if (map.blocks("waves", waves, {}, 1)) {
     if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
     surface = std::move(waves);
   }
-  map.alternative<SpectrumScene>("spectrum", surface);
+  map.alternative<Spectrum>("spectrum", surface);
 }
 
-void read(MapReader&, FlatScene&) {}
+void read(MapReader&, Flat&) {}
 
-void read(MapReader& map, HeightFieldScene& field) {
+void read(MapReader& map, HeightField& field) {
   const bool found = map.required("file", field.file, FileRule{});
   map.optional("cell", field.cell, positive("m"));
   map.optional("origin", field.origin, number("m"));
@@ -59,15 +59,15 @@ void read(MapReader& map, HeightFieldScene& field) {
   if (found) check_format(map, field);
 }
 
-void read(MapReader& map, WaveScene& wave) {
+void read(MapReader& map, Wave& wave) {
   map.required("amplitude", wave.amplitude, not_negative("m"));
   map.required("wavelength", wave.wavelength, positive("m"));
   map.optional("heading_deg", wave.heading, degrees());
   map.optional("phase_deg", wave.phase, degrees());
 }
 
-void read(MapReader& map, SpectrumScene& spectrum) {
-  using Type = SpectrumScene::Type;
+void read(MapReader& map, Spectrum& spectrum) {
+  using Type = Spectrum::Type;
   map.required("type", spectrum.type, ChoiceRule<Type>{{{"jonswap", Type::jonswap}}});
   map.required("significant_height", spectrum.significant_height, positive("m"));
   map.required("peak_period", spectrum.peak_period, positive("s"));
@@ -78,12 +78,12 @@ void read(MapReader& map, SpectrumScene& spectrum) {
   map.optional("components", spectrum.components, between(1, 1024));
 }
 
-void read(MapReader& map, GroundScene& ground) {
+void read(MapReader& map, Ground& ground) {
   map.exactly_one_of({"z", "heightfield", "mesh"});
   std::optional<double> z;
-  if (map.optional("z", z, number("m"))) ground = PlaneGroundScene{*z};
-  map.alternative<HeightFieldScene>("heightfield", ground);
-  map.alternative<MeshScene>("mesh", ground);
+  if (map.optional("z", z, number("m"))) ground = PlaneGround{*z};
+  map.alternative<HeightField>("heightfield", ground);
+  map.alternative<Mesh>("mesh", ground);
 }
 
-}  // namespace app
+}  // namespace scene

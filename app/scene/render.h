@@ -10,12 +10,12 @@
 /// @file
 /// The block `render` of a scene: its cameras and what the pictures show.
 
-namespace app {
+namespace scene {
 
 /// Characters of a camera's name.
 inline constexpr std::size_t kLongestCameraName = 64;
 
-struct CameraScene {
+struct Camera {
   std::string name;                              ///< Of one of `cameras`.
   Eigen::Vector3d from = {6, -8, 3};             ///< At time 0.
   Eigen::Vector3d to = Eigen::Vector3d::Zero();  ///< At time 0.
@@ -25,7 +25,7 @@ struct CameraScene {
 };
 
 /// What is drawn besides the bodies, the water and the ground.
-struct ShowScene {
+struct Show {
   bool forces = false;
   bool centres = false;
   bool waterline = false;
@@ -38,17 +38,17 @@ enum class Colors { turbo, viridis, cividis, coolwarm, gray, thesis };
 /// What the colours show of the gauge pressure on a wetted surface.
 enum class ShownPressure { total, hydrostatic, dynamic };
 
-struct RenderScene {
+struct Render {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
-  CameraScene camera;
-  std::vector<CameraScene> cameras;        ///< In place of `camera`, unless empty.
+  Camera camera;
+  std::vector<Camera> cameras;             ///< In place of `camera`, unless empty.
   std::optional<int> sheet_columns;        ///< None: as fits.
   std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
   std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
   Colors colors = Colors::turbo;
   ShownPressure shows = ShownPressure::total;
-  ShowScene show;
+  Show show;
 };
 
-}  // namespace app
+}  // namespace scene

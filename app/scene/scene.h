@@ -18,14 +18,14 @@
 /// Lengths, masses and times are in SI; an angle whose key ends in `_deg` is in radians here.
 /// Meshes are named, not loaded; the room app/assembly finds what follows from them.
 
-namespace app {
+namespace scene {
 
-struct PlaneGroundScene {
+struct PlaneGround {
   double z = 0;
 };
-using GroundScene = std::variant<std::monostate, PlaneGroundScene, HeightFieldScene, MeshScene>;
+using Ground = std::variant<std::monostate, PlaneGround, HeightField, Mesh>;
 
-struct JointScene {
+struct Joint {
   enum class Type { ball, hinge, slider, fixed, universal };
   std::string name;  ///< Unique; `joint<index>` unless given.
   Type type = Type::ball;
@@ -35,7 +35,7 @@ struct JointScene {
   std::optional<Eigen::Vector3d> axis2;   ///< Unit, normal to `axis`; may be given for universal.
 };
 
-struct IntegratorScene {
+struct Integrator {
   enum class Method { split, ode };
   Method method = Method::split;
   std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
@@ -48,14 +48,14 @@ struct Scene {
   double duration = 0;  ///< [s]; 0: the initial state only.
   double step = 1.0 / 60;
   double gravity = 9.80665;
-  IntegratorScene integrator;
-  std::optional<WaterScene> water;
-  GroundScene ground;
-  std::vector<BodyScene> bodies;
-  std::vector<JointScene> joints;
+  Integrator integrator;
+  std::optional<Water> water;
+  Ground ground;
+  std::vector<Body> bodies;
+  std::vector<Joint> joints;
   std::optional<double> log_every;  ///< [s]; none: every step.
   bool log_forces = false;
-  std::optional<RenderScene> render;
+  std::optional<Render> render;
 
   std::string text;  ///< The file as it was read, without what the command line put over it.
 
@@ -63,4 +63,4 @@ struct Scene {
   Places places;
 };
 
-}  // namespace app
+}  // namespace scene

@@ -11,7 +11,7 @@
 #include "app/scene/scene.h"
 #include "app/scene/yaml_reader.h"
 
-namespace app {
+namespace scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -176,15 +176,15 @@ std::string key_table_of(const std::string& path) {
 
 }  // namespace
 
-std::string scene_schema() {
+std::string json_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "A scene of Plimsoll, format 1"}};
-  schema.update(SchemaWriter(scene_catalogue()).block(""));
+  schema.update(SchemaWriter(key_catalogue()).block(""));
   return schema.dump(2) + "\n";
 }
 
 std::string key_tables() {
-  const KeyCatalogue catalogue = scene_catalogue();
+  const KeyCatalogue catalogue = key_catalogue();
   std::string text;
   for (const char* table :
        {"scene", "water", "ground", "hydro", "bodies", "joints", "log", "render"}) {
@@ -201,4 +201,4 @@ std::string key_tables() {
   return text;
 }
 
-}  // namespace app
+}  // namespace scene

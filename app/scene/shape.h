@@ -7,37 +7,36 @@
 /// @file
 /// The shapes that a scene's bodies may have. Meshes are named, not loaded.
 
-namespace app {
+namespace scene {
 
-struct MeshScene {
+struct Mesh {
   std::filesystem::path file;  ///< Resolved against the scene's folder.
   double scale = 1;            ///< > 0.
 };
-struct BoxScene {
+struct Box {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m]
   int divisions = 1;                               ///< Along each edge.
 };
-struct SphereScene {
+struct Sphere {
   double radius = 1;
   int slices = 50;
   int stacks = 50;
 };
-struct IcosphereScene {
+struct Icosphere {
   double radius = 1;
   int subdivisions = 4;
 };
-struct EllipsoidScene {
+struct Ellipsoid {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
   int slices = 50;
   int stacks = 50;
 };
-struct CylinderScene {
+struct Cylinder {
   double radius = 1;
   double height = 2;
   int slices = 48;
   int stacks = 8;
 };
-using ShapeScene =
-    std::variant<MeshScene, BoxScene, SphereScene, IcosphereScene, EllipsoidScene, CylinderScene>;
+using Shape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylinder>;
 
-}  // namespace app
+}  // namespace scene

@@ -10,22 +10,22 @@
 /// @file
 /// The block `water` of a scene.
 
-namespace app {
+namespace scene {
 
-struct FlatScene {};
-struct HeightFieldScene {
+struct Flat {};
+struct HeightField {
   std::filesystem::path file;  ///< CSV or 16-bit grey PNG; resolved against the scene's folder.
   double cell = 1;             ///< [m], > 0.
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   std::optional<std::array<double, 2>> range;  ///< Heights of black and white [m]; PNG only.
 };
-struct WaveScene {
+struct Wave {
   double amplitude = 0;   ///< [m], >= 0.
   double wavelength = 0;  ///< [m], > 0.
   double heading = 0;     ///< [rad]
   double phase = 0;       ///< [rad]
 };
-struct SpectrumScene {
+struct Spectrum {
   enum class Type { jonswap };
   Type type = Type::jonswap;
   double significant_height = 0;  ///< [m], > 0.
@@ -36,15 +36,14 @@ struct SpectrumScene {
   int seed = 1;
   int components = 64;  ///< Number of waves that stand for the spectrum.
 };
-using SurfaceScene =
-    std::variant<FlatScene, HeightFieldScene, std::vector<WaveScene>, SpectrumScene>;
+using Surface = std::variant<Flat, HeightField, std::vector<Wave>, Spectrum>;
 
-struct WaterScene {
+struct Water {
   double density = 1000;
   double viscosity = 1.0034e-6;  ///< Kinematic [m^2/s], > 0.
   double level = 0;
   Eigen::Vector3d current = Eigen::Vector3d::Zero();
-  SurfaceScene surface;
+  Surface surface;
 };
 
-}  // namespace app
+}  // namespace scene

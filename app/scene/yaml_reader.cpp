@@ -17,7 +17,7 @@
 
 #include "app/scene/diagnostics.h"
 
-namespace app {
+namespace scene {
 
 namespace {
 
@@ -329,4 +329,4 @@ YamlNode parse_yaml(const std::string& text, const std::filesystem::path& file) 
   return builder.take_root();
 }
 
-}  // namespace app
+}  // namespace scene

@@ -8,7 +8,7 @@
 /// YAML text as a tree of plain values. What the YAML library makes hard to see is kept: places
 /// counted from 1, quotes, repeated keys, and scalars as they are written.
 
-namespace app {
+namespace scene {
 
 /// A place in the text, counted from 1; line 0: not from a file.
 struct Mark {
@@ -52,4 +52,4 @@ std::string read_text(const std::filesystem::path& file);
 ///     grows beyond 500 000 values through its aliases, or has keys that are no plain words.
 YamlNode parse_yaml(const std::string& text, const std::filesystem::path& file);
 
-}  // namespace app
+}  // namespace scene

@@ -149,7 +149,7 @@ class Sweep {
     std::vector<std::string> words = {
         "run",         plan_.scene.string(), "--out", run_folder.path().string(),
         "--no-render", "--threads",          "1"};
-    for (const Override& override : plan_.overrides_of(run))
+    for (const scene::Override& override : plan_.overrides_of(run))
       words.insert(words.end(), {"--set", override.key_path + '=' + override.value});
     const pid_t process = children_.start(words, run_folder.messages());
     going_.emplace(process, Going{run, std::move(run_folder), Clock::now()});
@@ -215,19 +215,19 @@ class Sweep {
 
 SweepPlan plan_of(const SweepOptions& options) {
   SweepPlan plan = {.scene = options.scene, .overrides = {}, .parameters = {}, .points = {}};
-  for (const std::string& set : options.sets) plan.overrides.push_back(parse_override(set));
+  for (const std::string& set : options.sets) plan.overrides.push_back(scene::parse_override(set));
   for (const std::string& varied : options.varied) {
     plan.parameters.push_back(parse_sweep_parameter(varied));
     const std::string& key = plan.parameters.back().key_path;
     const auto same = [&](const SweepParameter& other) { return other.key_path == key; };
     if (std::count_if(plan.parameters.begin(), plan.parameters.end(), same) > 1)
-      throw InputError({Fault{{kVaryPlace}, key, "is varied twice, expected once"}});
+      throw scene::InputError({scene::Fault{{kVaryPlace}, key, "is varied twice, expected once"}});
   }
   plan.points = options.samples ? latin_hypercube(plan.parameters, *options.samples, options.seed)
                                 : grid(plan.parameters);
   if (options.only && *options.only >= plan.points.size())
-    throw InputError("--only", fmt::format("found {}, expected a run from 0 to {}", *options.only,
-                                           plan.points.size() - 1));
+    throw scene::InputError("--only", fmt::format("found {}, expected a run from 0 to {}",
+                                                  *options.only, plan.points.size() - 1));
   return plan;
 }
 
@@ -307,7 +307,8 @@ int sweep(const SweepOptions& options) {
   const bool divisible = !options.only && !options.gather && !options.slurm;
   const Rank rank = divisible ? launched_rank().value_or(Rank{}) : Rank{};
   if (rank.size > 1 && options.fresh)
-    throw InputError("--fresh", "cannot be given to several ranks; remove the folder before");
+    throw scene::InputError("--fresh",
+                            "cannot be given to several ranks; remove the folder before");
   const bool is_part = options.only || rank.size > 1;
   const SweepIdentity identity = {options.scene, options.sets, options.varied, options.samples,
                                   options.seed};
@@ -317,7 +318,8 @@ int sweep(const SweepOptions& options) {
                            is_part ? OutputFolder::Use::shared : OutputFolder::Use::alone);
   if (options.fresh) folder.clear();
   if (!folder.holds(identity)) {
-    if (options.gather) throw InputError(options.out, "holds no sweep, expected the folder of one");
+    if (options.gather)
+      throw scene::InputError(options.out, "holds no sweep, expected the folder of one");
     if (!surveyed) surveyed = survey(plan);
     folder.begin(identity, surveyed->files);
   }

@@ -60,17 +60,19 @@ std::string changed_part(const Json& manifest, const SweepIdentity& identity) {
 RunSlot::RunSlot(fs::path path) : path_(std::move(path)) {
   std::error_code error;
   fs::create_directories(path_, error);
-  if (error) throw InputError(path_, fmt::format("cannot be made: {}", error.message()));
+  if (error) throw scene::InputError(path_, fmt::format("cannot be made: {}", error.message()));
   constexpr mode_t kReadByAll = 0644;
   messages_ = LockedFile(
       ::open(messages_file().c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kReadByAll));
   if (!messages_.is_open())
-    throw InputError(messages_file(), fmt::format("cannot be written: {}", std::strerror(errno)));
+    throw scene::InputError(messages_file(),
+                            fmt::format("cannot be written: {}", std::strerror(errno)));
   if (!messages_.try_lock(LockedFile::Lock::exclusive))
-    throw InputError(path_, "another sweep is doing this run");
+    throw scene::InputError(path_, "another sweep is doing this run");
   for (const char* result : kResults) fs::remove(path_ / result, error);
   if (::ftruncate(messages(), 0) != 0)
-    throw InputError(messages_file(), fmt::format("cannot be written: {}", std::strerror(errno)));
+    throw scene::InputError(messages_file(),
+                            fmt::format("cannot be written: {}", std::strerror(errno)));
 }
 
 SweepFolder::SweepFolder(const fs::path& path, OutputFolder::Use use)
@@ -86,7 +88,7 @@ void SweepFolder::clear() const {
   for (const fs::path& path :
        {this->path() / "runs", table_file(), script_file(), manifest_file()}) {
     fs::remove_all(path, error);
-    if (error) throw InputError(path, fmt::format("cannot be removed: {}", error.message()));
+    if (error) throw scene::InputError(path, fmt::format("cannot be removed: {}", error.message()));
   }
 }
 
@@ -95,7 +97,7 @@ bool SweepFolder::holds(const SweepIdentity& identity) const {
   std::ifstream stream(manifest_file());
   const std::string changed = changed_part(Json::parse(stream, nullptr, false), identity);
   if (changed.empty()) return true;
-  throw InputError(
+  throw scene::InputError(
       path(), fmt::format("holds a sweep that differs from this one in {}; --fresh removes it and "
                           "starts anew, another --out keeps it",
                           changed));
@@ -105,7 +107,7 @@ void SweepFolder::begin(const SweepIdentity& identity, const std::set<fs::path>&
   std::error_code error;
   // Shared, the runs may be those of another process that has begun the same sweep.
   if (alone_ && !fs::is_empty(path() / "runs", error) && !error)
-    throw InputError(path() / "runs", "holds what no sweep has written; name another --out");
+    throw scene::InputError(path() / "runs", "holds what no sweep has written; name another --out");
   Json manifest = {
       {"scene", identity.scene.string()}, {"sweep", to_json(identity)}, {"files", Json::object()}};
   for (const fs::path& file : files) manifest["files"][file.string()] = fingerprint(file);

@@ -26,8 +26,8 @@ constexpr int kMostPlaces = 15;
 
 [[noreturn]] void refuse_values(const std::string& key_path, const std::string& found,
                                 const std::string& expected) {
-  throw InputError(
-      {Fault{{kVaryPlace}, key_path, fmt::format("found {}, expected {}", found, expected)}});
+  throw scene::InputError({scene::Fault{
+      {kVaryPlace}, key_path, fmt::format("found {}, expected {}", found, expected)}});
 }
 
 std::optional<double> finite_number(std::string_view text) {
@@ -163,10 +163,10 @@ std::string value_in_part(const SweepParameter& parameter, std::size_t part, std
 }  // namespace
 
 SweepParameter parse_sweep_parameter(const std::string& argument) {
-  Override split;
+  scene::Override split;
   try {
-    split = parse_override(argument);
-  } catch (const InputError&) {
+    split = scene::parse_override(argument);
+  } catch (const scene::InputError&) {
     refuse_values("", argument.empty() ? "nothing" : argument,
                   "KEY.PATH=FIRST:LAST:STEP or KEY.PATH=VALUE,VALUE,…, as in "
                   "bodies[0].density=200:1000:100");
@@ -198,7 +198,7 @@ std::vector<SweepPoint> grid(const std::vector<SweepParameter>& parameters) {
       refuse_values(parameter.key_path, "a range without steps",
                     "FIRST:LAST:STEP, or --samples to draw numbers from it");
     if (points.size() > kMostRuns / parameter.values.size())
-      throw InputError(kVaryPlace, fmt::format("more than {} combinations", kMostRuns));
+      throw scene::InputError(kVaryPlace, fmt::format("more than {} combinations", kMostRuns));
     std::vector<SweepPoint> longer;
     for (const SweepPoint& point : points)
       for (const std::string& value : parameter.values) {

@@ -7,50 +7,50 @@
 #include <optional>
 #include <utility>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/build.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
 
 struct Shape {
-  std::string operator()(const MeshScene& s) const {
+  std::string operator()(const scene::Mesh& s) const {
     return fmt::format("mesh {} {}", s.file.string(), s.scale);
   }
-  std::string operator()(const BoxScene& s) const {
+  std::string operator()(const scene::Box& s) const {
     return fmt::format("box {} {} {} {}", s.size.x(), s.size.y(), s.size.z(), s.divisions);
   }
-  std::string operator()(const SphereScene& s) const {
+  std::string operator()(const scene::Sphere& s) const {
     return fmt::format("sphere {} {} {}", s.radius, s.slices, s.stacks);
   }
-  std::string operator()(const IcosphereScene& s) const {
+  std::string operator()(const scene::Icosphere& s) const {
     return fmt::format("icosphere {} {}", s.radius, s.subdivisions);
   }
-  std::string operator()(const EllipsoidScene& s) const {
+  std::string operator()(const scene::Ellipsoid& s) const {
     return fmt::format("ellipsoid {} {} {} {} {}", s.semi_axes.x(), s.semi_axes.y(),
                        s.semi_axes.z(), s.slices, s.stacks);
   }
-  std::string operator()(const CylinderScene& s) const {
+  std::string operator()(const scene::Cylinder& s) const {
     return fmt::format("cylinder {} {} {} {}", s.radius, s.height, s.slices, s.stacks);
   }
 };
 
 /// All that a body's solution of added mass depends on; empty if none is looked for.
-std::string added_mass_of(const BodyScene& body) {
-  using Model = AddedMassScene::Model;
-  const AddedMassScene& added_mass = body.hydro.added_mass;
+std::string added_mass_of(const scene::Body& body) {
+  using Model = scene::AddedMass::Model;
+  const scene::AddedMass& added_mass = body.hydro.added_mass;
   if (added_mass.model != Model::automatic && added_mass.model != Model::deep) return "";
   return fmt::format("{} {}", std::visit(Shape(), body.shape), added_mass.tolerance);
 }
 
-void add_files(const Scene& scene, std::set<std::filesystem::path>& files) {
-  for (const BodyScene& body : scene.bodies)
-    if (const auto* mesh = std::get_if<MeshScene>(&body.shape)) files.insert(mesh->file);
-  if (const auto* mesh = std::get_if<MeshScene>(&scene.ground)) files.insert(mesh->file);
-  if (const auto* heights = std::get_if<HeightFieldScene>(&scene.ground))
+void add_files(const scene::Scene& scene, std::set<std::filesystem::path>& files) {
+  for (const scene::Body& body : scene.bodies)
+    if (const auto* mesh = std::get_if<scene::Mesh>(&body.shape)) files.insert(mesh->file);
+  if (const auto* mesh = std::get_if<scene::Mesh>(&scene.ground)) files.insert(mesh->file);
+  if (const auto* heights = std::get_if<scene::HeightField>(&scene.ground))
     files.insert(heights->file);
   if (!scene.water) return;
-  if (const auto* heights = std::get_if<HeightFieldScene>(&scene.water->surface))
+  if (const auto* heights = std::get_if<scene::HeightField>(&scene.water->surface))
     files.insert(heights->file);
 }
 
@@ -60,38 +60,38 @@ class AllFaults {
  public:
   explicit AllFaults(const SweepPlan& plan) : plan_(plan) {}
 
-  void add(const InputError& error) {
-    for (Fault fault : error.faults()) {
-      if (fault.place.file == kOverridePlace && !is_set(fault.key_path))
+  void add(const scene::InputError& error) {
+    for (scene::Fault fault : error.faults()) {
+      if (fault.place.file == scene::kOverridePlace && !is_set(fault.key_path))
         fault.place.file = kVaryPlace;
       if (known_.insert(to_string(fault)).second) faults_.push_back(std::move(fault));
     }
   }
   void throw_if_any() const {
-    if (!faults_.empty()) throw InputError(faults_);
+    if (!faults_.empty()) throw scene::InputError(faults_);
   }
 
  private:
   bool is_set(const std::string& key_path) const {
     return std::any_of(
         plan_.overrides.begin(), plan_.overrides.end(),
-        [&](const Override& override) { return key_path.starts_with(override.key_path); });
+        [&](const scene::Override& override) { return key_path.starts_with(override.key_path); });
   }
 
   const SweepPlan& plan_;
   std::set<std::string> known_;
-  std::vector<Fault> faults_;
+  std::vector<scene::Fault> faults_;
 };
 
 /// What was wrong with the scene of each run.
-using RunFaults = std::vector<std::optional<InputError>>;
+using RunFaults = std::vector<std::optional<scene::InputError>>;
 
-bool is_right_alone(const SweepPlan& plan, const Override& override) {
-  std::vector<Override> overrides = plan.overrides;
+bool is_right_alone(const SweepPlan& plan, const scene::Override& override) {
+  std::vector<scene::Override> overrides = plan.overrides;
   overrides.push_back(override);
   try {
-    read_scene(plan.scene, overrides);
-  } catch (const InputError&) {
+    scene::read(plan.scene, overrides);
+  } catch (const scene::InputError&) {
     return false;
   }
   return true;
@@ -116,9 +116,9 @@ void check_assembly(const SweepPlan& plan, const std::vector<std::size_t>& candi
   AllFaults all(plan);
   for (const std::size_t run : candidates) {
     try {
-      assemble(read_scene(plan.scene, plan.overrides_of(run)));
+      assembly::build_without_added_mass(scene::read(plan.scene, plan.overrides_of(run)));
       return;
-    } catch (const InputError& error) {
+    } catch (const scene::InputError& error) {
       all.add(error);
     }
   }
@@ -127,8 +127,8 @@ void check_assembly(const SweepPlan& plan, const std::vector<std::size_t>& candi
 
 }  // namespace
 
-std::vector<Override> SweepPlan::overrides_of(std::size_t run) const {
-  std::vector<Override> all = overrides;
+std::vector<scene::Override> SweepPlan::overrides_of(std::size_t run) const {
+  std::vector<scene::Override> all = overrides;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     all.push_back({parameters[i].key_path, points[run][i]});
   return all;
@@ -142,15 +142,15 @@ SweepSurvey survey(const SweepPlan& plan) {
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
     bool leads = false;
     try {
-      const Scene scene = read_scene(plan.scene, plan.overrides_of(i));
-      for (const BodyScene& body : scene.bodies) {
+      const scene::Scene scene = scene::read(plan.scene, plan.overrides_of(i));
+      for (const scene::Body& body : scene.bodies) {
         if (names.insert(body.name).second) survey.bodies.push_back(body.name);
         const std::string added_mass = added_mass_of(body);
         if (!added_mass.empty()) leads = added_masses.insert(added_mass).second || leads;
       }
       add_files(scene, survey.files);
       sound.push_back(i);
-    } catch (const InputError& error) {
+    } catch (const scene::InputError& error) {
       faults[i] = error;
     }
     (leads ? leaders : others).push_back(i);

@@ -16,12 +16,12 @@ namespace app {
 /// A sweep: a scene, what is set in all runs, and what is varied.
 struct SweepPlan {
   std::filesystem::path scene;
-  std::vector<Override> overrides;
+  std::vector<scene::Override> overrides;
   std::vector<SweepParameter> parameters;
   std::vector<SweepPoint> points;  ///< A run each.
 
   /// Of one run.
-  std::vector<Override> overrides_of(std::size_t run) const;
+  std::vector<scene::Override> overrides_of(std::size_t run) const;
 };
 
 struct SweepSurvey {

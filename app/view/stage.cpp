@@ -35,11 +35,11 @@ render::Camera framing(const engine::SimulationSpec& spec) {
   return camera;
 }
 
-Stage::Stage(const Scene& scene, const Assembly& assembly)
+Stage::Stage(const scene::Scene& scene, const assembly::BuiltScene& built)
     : scene_(scene),
-      spec_(assembly.spec),
-      simulation_(assembly.spec),
-      notes_(*scene.render, assembly.spec),
+      spec_(built.spec),
+      simulation_(built.spec),
+      notes_(*scene.render, built.spec),
       scale_(pressure_scale(*scene.render, range_)) {}
 
 void Stage::restart() {

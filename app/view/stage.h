@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/built_scene.h"
 #include "app/pictures/force_notes.h"
 #include "app/pictures/pressure_range.h"
 #include "app/render/renderer.h"
@@ -21,7 +21,7 @@ class Stage {
  public:
   /// Both must outlive it.
   /// @param scene   With a render block.
-  Stage(const Scene& scene, const Assembly& assembly);
+  Stage(const scene::Scene& scene, const assembly::BuiltScene& built);
 
   const engine::Simulation& simulation() const { return simulation_; }
 
@@ -44,7 +44,7 @@ class Stage {
   void grow_scale(const Shot& now);
   void make_ready(const Shot& now, const render::Camera& camera, int width, int height);
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const engine::SimulationSpec& spec_;
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;

@@ -1,17 +1,17 @@
 #include "app/view/view.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/program_files.h"
 #include "app/base/schedule.h"
+#include "app/base/terminal_reporter.h"
 #include "app/base/thread_count.h"
 #include "app/pictures/cameras.h"
 #include "app/render/png.h"
@@ -26,22 +26,23 @@ constexpr double kFrameTime = 1.0 / 60;  ///< Of the clock, from picture to pict
 constexpr double kIdleTime = 0.25;       ///< Between looks at the window while nothing moves [s].
 constexpr double kLongestSteps = 0.1;    ///< Of the clock, from picture to picture [s].
 
-std::string title_of(const Scene& scene) {
+std::string title_of(const scene::Scene& scene) {
   return "Plimsoll: " + (scene.title.empty() ? scene.file.stem().string() : scene.title);
 }
 
-render::Camera first_camera(const Scene& scene) {
-  const CameraScene camera = cameras_of(*scene.render).front();
+render::Camera first_camera(const scene::Scene& scene) {
+  const scene::Camera camera = cameras_of(*scene.render).front();
   return {camera.from, camera.to, camera.field_of_view};
 }
 
 /// A window in which a scene goes on until somebody closes it.
 class LiveView {
  public:
-  LiveView(const ViewOptions& options, const Scene& scene, const Assembly& assembly, Window& window)
+  LiveView(const ViewOptions& options, const scene::Scene& scene, const assembly::BuiltScene& built,
+           Window& window)
       : options_(options),
         window_(window),
-        stage_(scene, assembly),
+        stage_(scene, built),
         controls_(first_camera(scene), scene.step,
                   [this](const Ray& ray) {
                     const engine::Simulation& simulation = stage_.simulation();
@@ -118,23 +119,22 @@ int view(const ViewOptions& options) {
     say("error: " + reason);
     return kWrongInput;
   }
-  Scene scene = read_scene(options.scene, options.overrides);
-  Assembly assembly = assemble(scene);
-  assembly.spec.threads = thread_count(options.threads);
-  assembly.spec.record_work = false;
-  if (!scene.render) {
-    const render::Camera camera = framing(assembly.spec);
-    scene.render.emplace().camera = {
+  scene::Scene scene = scene::read(options.scene, options.overrides);
+  const bool has_camera = scene.render.has_value();
+  if (!has_camera) scene.render.emplace();
+  Window window(title_of(scene), scene.render->size[0], scene.render->size[1]);
+  TerminalReporter reporter(false);
+  assembly::AddedMassStore store(assembly::cache_folder());
+  assembly::BuiltScene built =
+      assembly::build_on_threads(thread_count(options.threads), scene, store, reporter);
+  built.spec.record_work = false;
+  if (!has_camera) {
+    const render::Camera camera = framing(built.spec);
+    scene.render->camera = {
         .from = camera.from, .to = camera.to, .field_of_view = camera.field_of_view};
   }
-  for (const std::string& note : assembly.notes)
-    say(fmt::format("{}: note: {}", scene.file.string(), note));
-  Window window(title_of(scene), scene.render->size[0], scene.render->size[1]);
-  AddedMassStore store(cache_folder());
-  tbb::task_arena threads(assembly.spec.threads);
-  threads.execute([&] { add_added_mass(scene, assembly, store, false); });
-  const int code = LiveView(options, scene, assembly, window).execute();
-  keep_surface_nodes(assembly, store);
+  const int code = LiveView(options, scene, built, window).execute();
+  assembly::keep_solutions(built, store, reporter);
   return code;
 }
 

@@ -9,7 +9,7 @@ namespace app {
 
 struct ViewOptions {
   std::filesystem::path scene;
-  std::vector<Override> overrides;
+  std::vector<scene::Override> overrides;
   int threads = 0;                 ///< 0: as many as the machine has.
   std::filesystem::path snapshot;  ///< Of what the window shows `after` so long; empty: none.
   double after = 0;                ///< Simulated [s].

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/base/checked_file.h"
+#include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/support/files.h"
 #include "tests/support/random_pose.h"
@@ -18,12 +19,18 @@
 namespace {
 
 namespace fs = std::filesystem;
-using app::AddedMassStore;
+using assembly::AddedMassStore;
 using hydro::AddedMassOptions;
 using hydro::AddedMassSolution;
 using hydro::TriMesh;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+/// Keeps the warnings that it is told.
+struct Warnings : app::Reporter {
+  std::string text;  ///< A line each.
+  void warning(const std::string& message) override { text += message + '\n'; }
+};
 
 class StoreOfAddedMass : public testing::Test {
  protected:
@@ -37,8 +44,8 @@ class StoreOfAddedMass : public testing::Test {
   }
 
   /// What is found by a process that knows nothing yet.
-  std::optional<app::StoredAddedMass> found() const {
-    return AddedMassStore(folder).find(mesh, {});
+  std::optional<assembly::StoredAddedMass> found() {
+    return AddedMassStore(folder).find(mesh, {}, warnings);
   }
 
   /// Numbers that no solver need have found.
@@ -64,6 +71,7 @@ class StoreOfAddedMass : public testing::Test {
   std::vector<std::string> files() const { return support::files_in(folder); }
 
   fs::path folder;
+  Warnings warnings;
   TriMesh mesh = hydro::make_icosphere(1, 1);
   AddedMassSolution solution = some_solution(mesh);
 };
@@ -98,7 +106,7 @@ TEST_F(StoreOfAddedMass, TellsMeshesAndOptionsApart) {
 TEST_F(StoreOfAddedMass, SharesASolutionWithinAProcess) {
   AddedMassStore store(std::nullopt);
   EXPECT_FALSE(store.find(mesh, {}));
-  const app::StoredAddedMass kept = store.keep(mesh, {}, solution);
+  const assembly::StoredAddedMass kept = store.keep(mesh, {}, solution);
   const auto again = store.find(mesh, {});
   ASSERT_TRUE(again);
   EXPECT_EQ(again->solution, kept.solution);
@@ -118,10 +126,10 @@ TEST_F(StoreOfAddedMass, SaysWhatIsDamagedAndMakesItAnew) {
   }
   for (const std::string& text : wrong) {
     write(text);
-    testing::internal::CaptureStderr();
+    warnings.text.clear();
     EXPECT_FALSE(found());
-    EXPECT_THAT(testing::internal::GetCapturedStderr(),
-                testing::AllOf(testing::StartsWith("warning: " + file().string() + " is "),
+    EXPECT_THAT(warnings.text,
+                testing::AllOf(testing::StartsWith("" + file().string() + " is "),
                                testing::EndsWith("; the added mass is computed anew\n")));
     AddedMassStore(folder).keep(mesh, {}, solution);
     EXPECT_EQ(bytes(), whole);
@@ -145,9 +153,8 @@ TEST_F(StoreOfAddedMass, GathersTheNodesOfSeveralRuns) {
   EXPECT_THAT(store.find_nodes(hydro::make_icosphere(2, 1)), IsEmpty());
 
   fs::resize_file(store.nodes_file_of(mesh), fs::file_size(store.nodes_file_of(mesh)) - 1);
-  testing::internal::CaptureStderr();
-  EXPECT_THAT(store.find_nodes(mesh), IsEmpty());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("is damaged: its checksum"));
+  EXPECT_THAT(store.find_nodes(mesh, warnings), IsEmpty());
+  EXPECT_THAT(warnings.text, HasSubstr("is damaged: its checksum"));
 }
 
 TEST_F(StoreOfAddedMass, DoesNotTakeASoundFileOfAnotherMesh) {
@@ -156,30 +163,29 @@ TEST_F(StoreOfAddedMass, DoesNotTakeASoundFileOfAnotherMesh) {
   AddedMassStore(folder).keep(other, {}, solution);
   fs::copy_file(AddedMassStore(folder).file_of(other, {}), file(),
                 fs::copy_options::overwrite_existing);
-  testing::internal::CaptureStderr();
+  warnings.text.clear();
   EXPECT_FALSE(found());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("is of another mesh or method"));
+  EXPECT_THAT(warnings.text, HasSubstr("is of another mesh or method"));
 }
 
 TEST_F(StoreOfAddedMass, GoesOnWhereNothingCanBeWritten) {
   std::ofstream(folder) << "a file\n";
   for (const fs::path& where : {folder, folder / "below", fs::path("/proc/plimsoll")}) {
     AddedMassStore store(where);
-    testing::internal::CaptureStderr();
-    EXPECT_FALSE(store.find(mesh, {}));
-    EXPECT_EQ(store.keep(mesh, {}, solution).solution->matrix, solution.matrix);
+    warnings.text.clear();
+    EXPECT_FALSE(store.find(mesh, {}, warnings));
+    EXPECT_EQ(store.keep(mesh, {}, solution, warnings).solution->matrix, solution.matrix);
     EXPECT_TRUE(store.find(mesh, {}));
-    EXPECT_THAT(testing::internal::GetCapturedStderr(),
-                testing::StartsWith("warning: the added mass is not kept for later runs: "));
+    EXPECT_THAT(warnings.text, testing::StartsWith("the added mass is not kept for later runs: "));
   }
 }
 
 TEST_F(StoreOfAddedMass, SaysWhatStandsInItsWay) {
   fs::create_directories(file() / "full");
-  testing::internal::CaptureStderr();
+  warnings.text.clear();
   EXPECT_FALSE(found());
-  AddedMassStore(folder).keep(mesh, {}, solution);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+  AddedMassStore(folder).keep(mesh, {}, solution, warnings);
+  EXPECT_THAT(warnings.text,
               testing::AllOf(HasSubstr("is no ordinary file"), HasSubstr("is not kept")));
   EXPECT_EQ(files().size(), 1);
 }
@@ -190,22 +196,23 @@ TEST_F(StoreOfAddedMass, LeavesNothingOnAFullDisk) {
   rlimit before;
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = ::signal(SIGXFSZ, SIG_IGN);
-  testing::internal::CaptureStderr();
+  warnings.text.clear();
   const rlimit small = {4096, before.rlim_max};
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const app::StoredAddedMass kept = AddedMassStore(folder).keep(mesh, {}, solution);
+  const assembly::StoredAddedMass kept = AddedMassStore(folder).keep(mesh, {}, solution, warnings);
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   ::signal(SIGXFSZ, handler);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("File too large"));
+  EXPECT_THAT(warnings.text, HasSubstr("File too large"));
   EXPECT_EQ(kept.solution->matrix, solution.matrix);
   EXPECT_THAT(files(), IsEmpty());
 }
 
 TEST_F(StoreOfAddedMass, IsWholeForReadersWhileOthersWrite) {
   AddedMassStore(folder).keep(mesh, {}, solution);
-  testing::internal::CaptureStderr();
   const auto write_often = [&] {
-    for (int i = 0; i < 40; ++i) AddedMassStore(folder).keep(mesh, {}, solution);
+    Warnings own;
+    for (int i = 0; i < 40; ++i) AddedMassStore(folder).keep(mesh, {}, solution, own);
+    EXPECT_EQ(own.text, "");
   };
   std::thread one(write_often);
   std::thread two(write_often);
@@ -214,7 +221,7 @@ TEST_F(StoreOfAddedMass, IsWholeForReadersWhileOthersWrite) {
   one.join();
   two.join();
   EXPECT_EQ(missing, 0);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(warnings.text, "");
   EXPECT_EQ(files().size(), 1);
 }
 
@@ -249,13 +256,13 @@ TEST(CacheFolder, IsTheFirstOfThoseThatAreNamed) {
   ::setenv("PLIMSOLL_CACHE", "here", 1);
   ::setenv("XDG_CACHE_HOME", "/xdg", 1);
   ::setenv("HOME", "/home/me", 1);
-  EXPECT_EQ(app::cache_folder(), "here");
+  EXPECT_EQ(assembly::cache_folder(), "here");
   ::setenv("PLIMSOLL_CACHE", "", 1);
-  EXPECT_EQ(app::cache_folder(), "/xdg/plimsoll");
+  EXPECT_EQ(assembly::cache_folder(), "/xdg/plimsoll");
   ::setenv("XDG_CACHE_HOME", "relative", 1);
-  EXPECT_EQ(app::cache_folder(), "/home/me/.cache/plimsoll");
+  EXPECT_EQ(assembly::cache_folder(), "/home/me/.cache/plimsoll");
   ::unsetenv("HOME");
-  EXPECT_EQ(app::cache_folder(), std::nullopt);
+  EXPECT_EQ(assembly::cache_folder(), std::nullopt);
   for (std::size_t i = 0; i < before.size(); ++i)
     before[i] ? ::setenv(names[i], before[i]->c_str(), 1) : ::unsetenv(names[i]);
 }

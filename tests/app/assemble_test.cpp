@@ -1,5 +1,3 @@
-#include "app/assembly/assemble.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "app/assembly/build.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/mass_properties.h"
 #include "tests/app/scene_text.h"
@@ -14,7 +13,7 @@
 
 namespace {
 
-using app::Assembly;
+using assembly::BuiltScene;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using engine::BodySpec;
@@ -37,21 +36,21 @@ std::string data_mesh(const std::string& file) {
   return fmt::format("mesh: {{file: {}/tests/data/bad_meshes/{}}}", PLIMSOLL_SOURCE_DIR, file);
 }
 
-Assembly assembled(const std::string& text) {
-  return app::assemble(support::read_scene_text(text));
+BuiltScene assembled(const std::string& text) {
+  return assembly::build_without_added_mass(support::read_scene_text(text));
 }
 
 BodySpec body_of(const std::string& text) { return assembled(text).spec.bodies.at(0); }
 
 /// Faults that are found when meshes are loaded, without the scene's name.
 std::vector<std::string> faults_of(const std::string& text) {
-  const app::Scene scene = support::read_scene_text(text);
+  const scene::Scene scene = support::read_scene_text(text);
   std::vector<std::string> faults;
   try {
-    app::assemble(scene);
-  } catch (const app::InputError& error) {
-    for (const app::Fault& fault : error.faults())
-      faults.push_back(app::to_string(fault).substr(scene.file.string().size() + 1));
+    assembly::build_without_added_mass(scene);
+  } catch (const scene::InputError& error) {
+    for (const scene::Fault& fault : error.faults())
+      faults.push_back(scene::to_string(fault).substr(scene.file.string().size() + 1));
   }
   return faults;
 }
@@ -99,10 +98,10 @@ TEST(Assemble, PositionPlacesTheMeshFramesOriginAndTheStateIsTheCentreOfMass) {
   const std::string placed =
       tetrahedron_file() +
       ", density: 600, position: [10, 20, 30], orientation: {euler_deg: [0, 0, 90]}";
-  const Assembly assembly = assembled(wet_scene(placed));
-  const BodySpec& body = assembly.spec.bodies[0];
+  const BuiltScene built = assembled(wet_scene(placed));
+  const BodySpec& body = built.spec.bodies[0];
   // A quarter turn about z takes (1, 1, 1) to (-1, 1, 1).
-  EXPECT_LT((assembly.centers_of_mass[0] - Vector3d(1, 1, 1)).norm(), tolerance(1e-14));
+  EXPECT_LT((built.centers_of_mass[0] - Vector3d(1, 1, 1)).norm(), tolerance(1e-14));
   EXPECT_LT((body.initial.position - Vector3d(9, 21, 31)).norm(), tolerance(1e-14));
   // The mesh's own origin comes back to where it was placed.
   const Vector3d origin_W = body.initial.position + body.initial.orientation * Vector3d(-1, -1, -1);
@@ -154,10 +153,10 @@ TEST(Assemble, AnOpenMeshWhoseMassIsToFollowFromItIsRefusedDryToo) {
 }
 
 TEST(Assemble, AMeshTurnedInwardIsTurnedOutwardAndNoted) {
-  const Assembly assembly = assembled(wet_scene(data_mesh("inward.obj") + ", density: 500"));
-  EXPECT_NEAR(assembly.spec.bodies[0].mass, 500, tolerance(1e-10));
-  EXPECT_THAT(assembly.notes, ElementsAre("bodies[0].mesh: the normals pointed into the solid; "
-                                          "all faces were turned over"));
+  const BuiltScene built = assembled(wet_scene(data_mesh("inward.obj") + ", density: 500"));
+  EXPECT_NEAR(built.spec.bodies[0].mass, 500, tolerance(1e-10));
+  EXPECT_THAT(built.notes, ElementsAre("bodies[0].mesh: the normals pointed into the solid; "
+                                       "all faces were turned over"));
 }
 
 TEST(Assemble, MeshesThatBoundNoSolidAreRefused) {
@@ -222,9 +221,9 @@ std::string heights(const std::string& table, const std::string& more = "") {
 
 TEST(Assemble, AHeightFieldMakesTheSea) {
   const std::string surface = heights("0, 1, 2\n3, 4, 5\n", ", cell: 2, origin: [10, 20]");
-  const Assembly assembly =
+  const BuiltScene built =
       assembled("plimsoll: 1\nduration: 1\nwater: {level: 100, surface: " + surface + "}\n");
-  const hydro::Sea& sea = *assembly.spec.sea;
+  const hydro::Sea& sea = *built.spec.sea;
   // Rows count along y, columns along x; between the points the surface is bilinear.
   EXPECT_EQ(hydro::surface_height(sea, 10, 20, 0), 100);
   EXPECT_EQ(hydro::surface_height(sea, 14, 20, 0), 102);
@@ -234,8 +233,8 @@ TEST(Assemble, AHeightFieldMakesTheSea) {
 
 TEST(Assemble, AHeightFieldMakesTheGround) {
   const std::string ground = heights("0, 1\n2, 3\n", ", cell: 4, origin: [1, 1]");
-  const Assembly assembly = assembled("plimsoll: 1\nduration: 1\nground: " + ground + "\n");
-  const auto& mesh = std::get<engine::MeshGround>(assembly.spec.ground).mesh_W;
+  const BuiltScene built = assembled("plimsoll: 1\nduration: 1\nground: " + ground + "\n");
+  const auto& mesh = std::get<engine::MeshGround>(built.spec.ground).mesh_W;
   EXPECT_EQ(mesh.face_count(), 2);
   EXPECT_EQ(hydro::bounding_box(mesh).min(), Vector3d(1, 1, 0));
   EXPECT_EQ(hydro::bounding_box(mesh).max(), Vector3d(5, 5, 3));
@@ -255,14 +254,14 @@ TEST(Assemble, GroundBeyondAllBoundsIsRefused) {
 }
 
 TEST(Assemble, JointsNameTheirBodiesByIndexAndHaveUnitAxes) {
-  const Assembly assembly = assembled(
+  const BuiltScene built = assembled(
       "plimsoll: 1\nduration: 1\nbodies:\n"
       "  - {name: a, box: {size: [1, 1, 1]}, density: 500}\n"
       "  - {name: b, box: {size: [1, 1, 1]}, density: 500, position: [2, 0, 0]}\n"
       "joints:\n"
       "  - {type: universal, bodies: [b, world], anchor: [1, 2, 3], axis: [0, 0, 5]}\n"
       "  - {type: slider, bodies: [a, b], axis: [3, 4, 0]}\n");
-  const std::vector<engine::JointSpec>& joints = assembly.spec.joints;
+  const std::vector<engine::JointSpec>& joints = built.spec.joints;
   EXPECT_EQ(joints[0].type, engine::JointSpec::Type::universal);
   EXPECT_EQ(joints[0].first, 1);
   EXPECT_EQ(joints[0].second, engine::kWorld);

@@ -12,8 +12,8 @@
 namespace {
 
 using app::camera_at;
-using app::CameraScene;
 using Eigen::Vector3d;
+using scene::Camera;
 
 /// A turn and a sum of coordinates below 20 m: a few ulp.
 const double kRoundOff = support::tolerance(1e-14);
@@ -36,7 +36,7 @@ app::Shot shot_at(double time, const Vector3d& second_body) {
 }
 
 TEST(Camera, StaysWhereItIsPutUnlessToldToMove) {
-  const CameraScene camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .field_of_view = 0.5};
+  const Camera camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .field_of_view = 0.5};
   const render::Camera view = camera_at(camera, two_bodies(), shot_at(7, {9, 9, 9}));
   EXPECT_EQ(view.from, camera.from);
   EXPECT_EQ(view.to, camera.to);
@@ -45,7 +45,7 @@ TEST(Camera, StaysWhereItIsPutUnlessToldToMove) {
 }
 
 TEST(Camera, ThatFollowsMovesByAsMuchAsTheBodyHas) {
-  const CameraScene camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .follow = "b"};
+  const Camera camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .follow = "b"};
   const render::Camera first = camera_at(camera, two_bodies(), shot_at(0, {1, 2, 3}));
   EXPECT_EQ(first.from, camera.from);
   EXPECT_EQ(first.to, camera.to);
@@ -57,7 +57,7 @@ TEST(Camera, ThatFollowsMovesByAsMuchAsTheBodyHas) {
 TEST(Camera, ThatOrbitsTurnsAboutTheVerticalThroughWhatItLooksAt) {
   const double rate = 0.3;
   const Vector3d to(1, -2, 0.5);
-  const CameraScene camera = {.from = to + Vector3d(5, 0, 2), .to = to, .orbit = rate};
+  const Camera camera = {.from = to + Vector3d(5, 0, 2), .to = to, .orbit = rate};
   for (const double time : {0.0, 1.0, 4.0, 50.0}) {
     const render::Camera view = camera_at(camera, two_bodies(), shot_at(time, {9, 9, 9}));
     const double angle = rate * time;  // from x to y is counter-clockwise from above
@@ -69,7 +69,7 @@ TEST(Camera, ThatOrbitsTurnsAboutTheVerticalThroughWhatItLooksAt) {
 
 TEST(Camera, ThatOrbitsABodyItFollowsTurnsAboutTheBody) {
   const Vector3d start(1, 2, 3), away(0, -8, 1), moved(10, 20, -1);
-  const CameraScene camera = {
+  const Camera camera = {
       .from = start + away, .to = start, .follow = "b", .orbit = std::numbers::pi / 2};
   const render::Camera view = camera_at(camera, two_bodies(), shot_at(1, start + moved));
   EXPECT_LE((view.from - start - moved - Vector3d(8, 0, 1)).norm(), kRoundOff);
@@ -77,7 +77,7 @@ TEST(Camera, ThatOrbitsABodyItFollowsTurnsAboutTheBody) {
 }
 
 TEST(Cameras, OfASceneAreThoseWithNamesOrElseTheOneWithout) {
-  app::RenderScene render;
+  scene::Render render;
   render.camera.orbit = 1;
   ASSERT_EQ(app::cameras_of(render).size(), 1u);
   EXPECT_EQ(app::cameras_of(render)[0].orbit, 1);

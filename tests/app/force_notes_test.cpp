@@ -58,7 +58,7 @@ TEST(CentreOfBuoyancy, IsNoneOfADryBody) {
 
 struct Floating {
   engine::SimulationSpec spec;
-  app::RenderScene look;
+  scene::Render look;
   app::Shot shot;
 };
 

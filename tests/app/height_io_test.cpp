@@ -24,7 +24,9 @@ class HeightIo : public testing::Test {
     std::ofstream(file_, std::ios::binary) << text;
     return file_;
   }
-  Eigen::MatrixXd read(const std::string& text) const { return app::read_heights(write(text)); }
+  Eigen::MatrixXd read(const std::string& text) const {
+    return assembly::read_heights(write(text));
+  }
 
  private:
   static std::string name() {
@@ -38,11 +40,11 @@ fs::path picture(const std::string& file) {
 }
 
 /// The one fault of reading a file; fails the test if there is none.
-app::Fault height_fault(const fs::path& file,
-                        const std::optional<std::array<double, 2>>& range = std::nullopt) {
+scene::Fault height_fault(const fs::path& file,
+                          const std::optional<std::array<double, 2>>& range = std::nullopt) {
   try {
-    app::read_heights(file, range);
-  } catch (const app::InputError& error) {
+    assembly::read_heights(file, range);
+  } catch (const scene::InputError& error) {
     EXPECT_EQ(error.faults().size(), 1u);
     EXPECT_EQ(error.faults().front().place.file, file);
     return error.faults().front();
@@ -68,7 +70,7 @@ TEST_F(HeightIo, NumbersReadBackToTheSameDouble) {
 
 TEST_F(HeightIo, AWrongNumberIsRefusedWithLineAndColumn) {
   for (const char* word : {"x", "1.5m", "nan", "inf", "-inf", "1e999", "0x10", "+"}) {
-    const app::Fault f = height_fault(write("# heights\n1, 2\n3, " + std::string(word) + "\n"));
+    const scene::Fault f = height_fault(write("# heights\n1, 2\n3, " + std::string(word) + "\n"));
     EXPECT_EQ(f.place.line, 3) << word;
     EXPECT_EQ(f.place.column, 4) << word;
     EXPECT_THAT(f.message, HasSubstr("found '" + std::string(word) + "', expected a finite"));
@@ -82,7 +84,7 @@ TEST_F(HeightIo, AMissingNumberIsRefused) {
 }
 
 TEST_F(HeightIo, RowsOfDifferentLengthAreRefusedWithTheLine) {
-  const app::Fault f = height_fault(write("1,2,3\n\n4,5\n"));
+  const scene::Fault f = height_fault(write("1,2,3\n\n4,5\n"));
   EXPECT_EQ(f.place.line, 3);
   EXPECT_THAT(f.message, HasSubstr("2 numbers, expected 3"));
 }
@@ -102,7 +104,7 @@ TEST_F(HeightIo, GreyIsLinearBetweenBlackAndWhiteWithTheTopRowFirst) {
   const double rounding = support::tolerance(2e-15);  // four roundings of heights up to 3
   const auto expect = [&](const char* file, const Eigen::MatrixXd& share) {
     const Eigen::MatrixXd expected = (-2 + 5 * share.array()).matrix();
-    const Eigen::MatrixXd heights = app::read_heights(picture(file), {{-2, 3}});
+    const Eigen::MatrixXd heights = assembly::read_heights(picture(file), {{-2, 3}});
     ASSERT_EQ(heights.rows(), 2) << file;
     ASSERT_EQ(heights.cols(), 3) << file;
     EXPECT_LE((heights - expected).cwiseAbs().maxCoeff(), rounding) << file;
@@ -113,7 +115,7 @@ TEST_F(HeightIo, GreyIsLinearBetweenBlackAndWhiteWithTheTopRowFirst) {
 }
 
 TEST_F(HeightIo, BlackAndWhiteAreExactlyTheEndsOfTheRange) {
-  const Eigen::MatrixXd heights = app::read_heights(picture("grey16.png"), {{0.1, 0.7}});
+  const Eigen::MatrixXd heights = assembly::read_heights(picture("grey16.png"), {{0.1, 0.7}});
   EXPECT_EQ(heights(0, 0), 0.1);
   EXPECT_EQ(heights(0, 1), 0.7);
 }

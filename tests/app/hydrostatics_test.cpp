@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/build.h"
 #include "tests/app/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
@@ -232,14 +232,14 @@ TEST(HydrostaticsCommand, NeedsWater) {
 }
 
 /// Force and moment of water and weight on a body as it is assembled.
-hydro::Wrench net_load(const app::Assembly& assembly, std::size_t i) {
-  const engine::BodySpec& body = assembly.spec.bodies[i];
-  hydro::Sea still = *assembly.spec.sea;
+hydro::Wrench net_load(const assembly::BuiltScene& built, std::size_t i) {
+  const engine::BodySpec& body = built.spec.bodies[i];
+  hydro::Sea still = *built.spec.sea;
   still.surface = hydro::FlatSurface{};
   hydro::Wrench net =
       hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, still, 0, body.coefficients)
           .buoyancy;
-  net.force.z() -= body.mass * assembly.spec.gravity;
+  net.force.z() -= body.mass * built.spec.gravity;
   return net;
 }
 
@@ -254,14 +254,15 @@ const std::string kSpar =
 const std::string kWater = "plimsoll: 1\nduration: 1\nwater: {density: 1025, level: 3}\nbodies:\n";
 
 TEST(StartInEquilibrium, LeavesNoLoadAndKeepsXYAndHeading) {
-  const app::Assembly assembly = app::assemble(support::read_scene_text(kWater + kSpar));
-  const engine::BodySpec& body = assembly.spec.bodies[0];
+  const assembly::BuiltScene built =
+      assembly::build_without_added_mass(support::read_scene_text(kWater + kSpar));
+  const engine::BodySpec& body = built.spec.bodies[0];
   const double weight = 9000 * 9.80665;
-  const hydro::Wrench net = net_load(assembly, 0);
+  const hydro::Wrench net = net_load(built, 0);
   EXPECT_LT(net.force.norm(), support::tolerance(1e-12) * weight);
   EXPECT_LT(net.moment.norm(), support::tolerance(1e-12) * weight);
   const Eigen::Quaterniond& R = body.initial.orientation;
-  const Vector3d origin = body.initial.position - R * assembly.centers_of_mass[0];
+  const Vector3d origin = body.initial.position - R * built.centers_of_mass[0];
   EXPECT_NEAR(origin.x(), 7, kRoundOff);
   EXPECT_NEAR(origin.y(), -5, kRoundOff);
   EXPECT_NEAR(hydro::euler_angles(R)[2], 130 * kDegree, kRoundOff);
@@ -274,38 +275,39 @@ TEST(StartInEquilibrium, IsReportedFromTheOrientationThatWasGiven) {
 }
 
 TEST(StartInEquilibrium, IsAboutTheStillLevelInWaves) {
-  const app::Assembly still = app::assemble(support::read_scene_text(kWater + kSpar));
-  const app::Assembly waves = app::assemble(support::read_scene_text(
+  const assembly::BuiltScene still =
+      assembly::build_without_added_mass(support::read_scene_text(kWater + kSpar));
+  const assembly::BuiltScene waves = assembly::build_without_added_mass(support::read_scene_text(
       kWater + kSpar, {"water.surface={waves: [{amplitude: 1, wavelength: 20}]}"}));
   EXPECT_TRUE(waves.spec.bodies[0].initial == still.spec.bodies[0].initial);
 }
 
 TEST(StartInEquilibrium, IsAskedForBodyByBody) {
-  const app::Assembly assembly =
-      app::assemble(support::read_scene_text(kBarge + kSpar, {"bodies[spar].position=[0, 0, 0]"}));
-  const hydro::BodyState& given = assembly.spec.bodies[0].initial;
+  const assembly::BuiltScene built = assembly::build_without_added_mass(
+      support::read_scene_text(kBarge + kSpar, {"bodies[spar].position=[0, 0, 0]"}));
+  const hydro::BodyState& given = built.spec.bodies[0].initial;
   EXPECT_NEAR((given.position - given.orientation * Vector3d(0, 0, 0.5)).z(), 40, kRoundOff);
-  EXPECT_GT(net_load(assembly, 0).force.norm(), 1e6);
-  EXPECT_LT(net_load(assembly, 1).force.norm(), support::tolerance(1e-12) * 9e4);
+  EXPECT_GT(net_load(built, 0).force.norm(), 1e6);
+  EXPECT_LT(net_load(built, 1).force.norm(), support::tolerance(1e-12) * 9e4);
 }
 
 TEST(StartInEquilibrium, OfABodyThatSinksIsAFaultAtItsPlace) {
-  const app::Scene scene = support::read_scene_text(kWater + kSpar, {"water.density=100"});
+  const scene::Scene scene = support::read_scene_text(kWater + kSpar, {"water.density=100"});
   try {
-    app::assemble(scene);
+    assembly::build_without_added_mass(scene);
     FAIL() << "assembled";
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr(":11:12: bodies[0].start: it sinks: its mass is 9000 kg"));
   }
 }
 
 TEST(StartInEquilibrium, OfABodyAsHeavyAsWaterIsAFault) {
-  const app::Scene scene = support::read_scene_text(
+  const scene::Scene scene = support::read_scene_text(
       support::kSmallScene, {"water={}", "bodies[a].density=1000", "bodies[a].start=equilibrium"});
   try {
-    app::assemble(scene);
+    assembly::build_without_added_mass(scene);
     FAIL() << "assembled";
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("bodies[0].start: it hovers"));
   }
 }

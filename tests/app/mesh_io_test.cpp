@@ -95,8 +95,8 @@ void write_binary_stl(std::ostream& out, const TriMesh& mesh) {
 /// Message of the InputError that reading the file throws; fails the test if there is none.
 std::string mesh_fault(const fs::path& file) {
   try {
-    app::read_mesh(file);
-  } catch (const app::InputError& error) {
+    assembly::read_mesh(file);
+  } catch (const scene::InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr(file.string()));
     return error.what();
   }
@@ -119,7 +119,8 @@ TEST_F(MeshIo, EveryFormatGivesTheSameClosedSolid) {
   const TriMesh mesh = translated(support::random_star(random, 3), {2, -1, 0.5});
   const double volume = solid_properties(mesh).volume;
   for (const auto& [name, writer] : formats) {
-    const TriMesh read = app::read_mesh(write(name, [&](std::ostream& out) { writer(out, mesh); }));
+    const TriMesh read =
+        assembly::read_mesh(write(name, [&](std::ostream& out) { writer(out, mesh); }));
     EXPECT_EQ(read.face_count(), mesh.face_count()) << name;
     EXPECT_EQ(read.vertex_count(), mesh.vertex_count()) << name;
     EXPECT_TRUE(check_mesh(read).sound()) << name;
@@ -131,7 +132,7 @@ TEST_F(MeshIo, EveryFormatGivesTheSameClosedSolid) {
 TEST_F(MeshIo, CoordinatesComeWithThePrecisionOfAFloat) {
   const TriMesh mesh = translated(hydro::make_box({1, 2, 3}), {0.1, 100.3, -7});
   const TriMesh read =
-      app::read_mesh(write("a.obj", [&](std::ostream& out) { write_obj(out, mesh); }));
+      assembly::read_mesh(write("a.obj", [&](std::ostream& out) { write_obj(out, mesh); }));
   for (int axis = 0; axis < 3; ++axis)
     EXPECT_NEAR(bounding_box(read).max()[axis], bounding_box(mesh).max()[axis],
                 support::tolerance(6e-8 * 102))
@@ -139,7 +140,7 @@ TEST_F(MeshIo, CoordinatesComeWithThePrecisionOfAFloat) {
 }
 
 TEST_F(MeshIo, PolygonsAreCutIntoTrianglesAndNormalsDoNotSplitVertices) {
-  const TriMesh cube = app::read_mesh(
+  const TriMesh cube = assembly::read_mesh(
       write("quads.obj",
             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
             "vn 0 0 1\nvn 1 0 0\nvn 0 1 0\n"
@@ -158,7 +159,7 @@ TEST_F(MeshIo, GroupsArePartsOfOneMeshAndLinesAndLooseVerticesAreLeftOut) {
     out << "o second\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nv 9 9 9\n"
         << "f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\nl 1 9\n";
   });
-  const TriMesh mesh = app::read_mesh(file);
+  const TriMesh mesh = assembly::read_mesh(file);
   EXPECT_EQ(mesh.vertex_count(), 8);
   EXPECT_EQ(mesh.face_count(), 8);
   EXPECT_TRUE(check_mesh(mesh).sound());
@@ -177,7 +178,7 @@ TEST_F(MeshIo, ASeamComputedTwiceIsWelded) {
         if (v < 3) v += 24;
     write_obj(out, open);
   });
-  const TriMesh mesh = app::read_mesh(file);
+  const TriMesh mesh = assembly::read_mesh(file);
   EXPECT_EQ(mesh.vertex_count(), 24);
   EXPECT_TRUE(check_mesh(mesh).sound());
 }
@@ -202,7 +203,7 @@ constexpr const char* kCollada = R"(<?xml version="1.0"?>
 )";
 
 TEST_F(MeshIo, NodesPlaceThePartsAndAMirroredPartStaysOutward) {
-  const TriMesh mesh = app::read_mesh(write("nodes.dae", kCollada));
+  const TriMesh mesh = assembly::read_mesh(write("nodes.dae", kCollada));
   EXPECT_EQ(mesh.face_count(), 8);
   EXPECT_TRUE(check_mesh(mesh).sound());
   // In metres: the mirrored one reaches to x = −0.5; of the other, x of length 2 points along y.
@@ -247,7 +248,7 @@ TEST_F(MeshIo, MeshesThatBoundNoSolidAreReadAndTheCheckNamesTheirFault) {
       {"counted_twice.obj", "1 closed part is turned the wrong way"},
       {"flat.obj", "the mesh encloses no volume"}};
   for (const auto& [file, sentence] : cases)
-    EXPECT_THAT(describe(check_mesh(app::read_mesh(bad(file)))),
+    EXPECT_THAT(describe(check_mesh(assembly::read_mesh(bad(file)))),
                 testing::Contains(HasSubstr(sentence)))
         << file;
 }

@@ -141,7 +141,7 @@ std::string output_of(std::vector<std::string> words) {
   std::string fault;
   try {
     EXPECT_EQ(app::command_line(static_cast<int>(argv.size()), argv.data()), 0);
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     fault = error.what();
   }
   return testing::internal::GetCapturedStdout() + fault;

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build.h"
 #include "app/base/progress.h"
 #include "app/run/resolved_scene.h"
 #include "tests/app/scene_text.h"
@@ -26,14 +26,12 @@ std::string squeezed(const std::string& line) {
 
 /// What is told of a scene, spaces squeezed.
 std::vector<std::string> told_of(const std::string& text, const std::string& no_pictures = "") {
-  const app::Scene scene = support::read_scene_text(text);
-  app::Assembly assembly = app::assemble(scene);
-  app::AddedMassStore store(app::cache_folder());
-  app::add_added_mass(scene, assembly, store, true);
-  const engine::Simulation simulation(assembly.spec);
+  const scene::Scene scene = support::read_scene_text(text);
+  assembly::AddedMassStore store(assembly::cache_folder());
+  const assembly::BuiltScene built = assembly::build(scene, store);
+  const engine::Simulation simulation(built.spec);
   std::vector<std::string> lines;
-  for (const std::string& line :
-       app::resolved_scene(scene, assembly, simulation.skips(), no_pictures))
+  for (const std::string& line : app::resolved_scene(scene, built, simulation.skips(), no_pictures))
     lines.push_back(squeezed(line));
   return lines;
 }
@@ -130,17 +128,13 @@ TEST(RunReport, OfAThousandBodiesIsADozenLines) {
 }
 
 TEST(RunReport, AlignsItsColumns) {
-  const app::Scene scene =
+  const scene::Scene scene =
       support::read_scene_text(kHead +
                                "bodies:\n"
                                "  - {name: a, box: {size: [1, 1, 1]}, mass: 1}\n"
                                "  - {name: long name, box: {size: [100, 1, 1]}, mass: 123456}\n");
-  const app::Assembly assembly = [&] {
-    app::Assembly made = app::assemble(scene);
-    made.added_mass.resize(made.spec.bodies.size());
-    return made;
-  }();
-  const auto lines = app::resolved_scene(scene, assembly, {}, "");
+  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  const auto lines = app::resolved_scene(scene, built, {}, "");
   EXPECT_EQ(lines[1], "  body       triangles       size m  volume m^3  mass kg  start");
   EXPECT_EQ(lines[2], "  a                 12    1 x 1 x 1           1        1  given");
   EXPECT_EQ(lines[3], "  long name         12  100 x 1 x 1         100   123456  given");

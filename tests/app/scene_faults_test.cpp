@@ -52,9 +52,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BadScene, testing::ValuesIn(bad_scene_names()),
 TEST(SceneFaults, WhatHasOneFaultALineWithTheFile) {
   const auto file = support::write_scene("plimsoll: 1\nduration: -1\nstepp: 2\n");
   try {
-    app::read_scene(file);
+    scene::read(file);
     FAIL() << "read";
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     EXPECT_EQ(error.what(), file.string() +
                                 ":2:11: duration: found -1, expected a number >= 0 [s]\n" +
                                 file.string() + ":3:1: stepp: unknown key; did you mean step?");
@@ -102,8 +102,8 @@ TEST(SceneFaults, DeepNestingOfEveryKindIsAFault) {
 }
 
 TEST(SceneFaults, FaultsFoundLaterStandAtTheNearestBlockInTheFile) {
-  const app::Scene scene = support::read_scene_text(kSmallScene, {"bodies[0].color=[0, 0, 0]"});
-  app::Faults faults;
+  const scene::Scene scene = support::read_scene_text(kSmallScene, {"bodies[0].color=[0, 0, 0]"});
+  scene::Faults faults;
   EXPECT_NO_THROW(faults.throw_if_any());
   faults.add(scene.places, "bodies[0].density", "second");
   faults.add(scene.places, "bodies[0].box.divisions", "first");
@@ -112,7 +112,7 @@ TEST(SceneFaults, FaultsFoundLaterStandAtTheNearestBlockInTheFile) {
   try {
     faults.throw_if_any();
     FAIL() << "no fault";
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     const std::string file = scene.file.string();
     EXPECT_EQ(error.what(), "--set bodies[0].color[1]: of the command line\n" + file +
                                 ":1:1: nowhere: of the file\n" + file +

@@ -30,10 +30,10 @@ const std::string kScene =
 /// Reads; anything but a scene or an InputError ends the test.
 void expect_scene_or_faults(const std::string& text) {
   try {
-    const app::Scene scene = support::read_scene_text(text);
+    const scene::Scene scene = support::read_scene_text(text);
     EXPECT_GE(scene.duration, 0) << text;
     EXPECT_GT(scene.step, 0) << text;
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     EXPECT_FALSE(error.faults().empty()) << text;
     EXPECT_NE(std::string(error.what()), "") << text;
   }
@@ -87,7 +87,7 @@ TEST(SceneFuzz, MutatedOverridesReadOrHaveFaults) {
     const std::string argument = mutated("bodies[a].orientation.euler_deg=[1, 2, 3]", engine);
     try {
       support::read_scene_text(kScene, {argument});
-    } catch (const app::InputError& error) {
+    } catch (const scene::InputError& error) {
       EXPECT_FALSE(error.faults().empty()) << argument;
     }
   }

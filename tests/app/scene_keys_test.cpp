@@ -117,7 +117,7 @@ std::string zero_matrix() {
 }
 
 TEST(SceneKeys, TopLevelIsRead) {
-  const app::Scene scene = read_scene_text(every_key());
+  const scene::Scene scene = read_scene_text(every_key());
   EXPECT_EQ(scene.title, "Every key");
   EXPECT_EQ(scene.duration, 10);  // 010 is decimal
   EXPECT_EQ(scene.step, 2.5e-3);
@@ -126,16 +126,16 @@ TEST(SceneKeys, TopLevelIsRead) {
   EXPECT_EQ(scene.integrator.sleep, 2e-3);
   EXPECT_EQ(scene.log_every, 0.5);
   EXPECT_TRUE(scene.log_forces);
-  EXPECT_EQ(std::get<app::PlaneGroundScene>(scene.ground).z, -10);
+  EXPECT_EQ(std::get<scene::PlaneGround>(scene.ground).z, -10);
 }
 
 TEST(SceneKeys, WaterIsRead) {
-  const app::Scene scene = read_scene_text(every_key());
+  const scene::Scene scene = read_scene_text(every_key());
   ASSERT_TRUE(scene.water.has_value());
   EXPECT_EQ(scene.water->density, 1025);
   EXPECT_EQ(scene.water->level, -1.5);
   EXPECT_EQ(scene.water->current, Eigen::Vector3d(1, 2, 3));
-  const auto& waves = std::get<std::vector<app::WaveScene>>(scene.water->surface);
+  const auto& waves = std::get<std::vector<scene::Wave>>(scene.water->surface);
   ASSERT_EQ(waves.size(), 2);
   EXPECT_EQ(waves[0].amplitude, 0.5);
   EXPECT_EQ(waves[0].wavelength, 20);
@@ -145,9 +145,9 @@ TEST(SceneKeys, WaterIsRead) {
 }
 
 TEST(SceneKeys, SpectrumIsRead) {
-  const app::Scene scene = read_scene_text(every_key(), {kSpectrum});
-  const auto& spectrum = std::get<app::SpectrumScene>(scene.water->surface);
-  EXPECT_EQ(spectrum.type, app::SpectrumScene::Type::jonswap);
+  const scene::Scene scene = read_scene_text(every_key(), {kSpectrum});
+  const auto& spectrum = std::get<scene::Spectrum>(scene.water->surface);
+  EXPECT_EQ(spectrum.type, scene::Spectrum::Type::jonswap);
   EXPECT_EQ(spectrum.significant_height, 1.5);
   EXPECT_EQ(spectrum.peak_period, 7);
   EXPECT_EQ(spectrum.gamma, 2);
@@ -158,45 +158,45 @@ TEST(SceneKeys, SpectrumIsRead) {
 }
 
 TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
-  const app::Scene scene = read_scene_text(every_key(), {picture("water.surface"), shore()});
-  const auto& field = std::get<app::HeightFieldScene>(scene.water->surface);
+  const scene::Scene scene = read_scene_text(every_key(), {picture("water.surface"), shore()});
+  const auto& field = std::get<scene::HeightField>(scene.water->surface);
   EXPECT_EQ(field.file, support::data_folder() / "heights.png");
   EXPECT_EQ(field.cell, 0.5);
   EXPECT_EQ(field.origin, Eigen::Vector2d(-1, -2));
   EXPECT_EQ(field.range, (std::array<double, 2>{-3, 4}));
-  EXPECT_EQ(std::get<app::MeshScene>(scene.ground).scale, 3);
-  const app::Scene sloping = read_scene_text(every_key(), {picture("ground")});
-  EXPECT_EQ(std::get<app::HeightFieldScene>(sloping.ground).cell, 0.5);
+  EXPECT_EQ(std::get<scene::Mesh>(scene.ground).scale, 3);
+  const scene::Scene sloping = read_scene_text(every_key(), {picture("ground")});
+  EXPECT_EQ(std::get<scene::HeightField>(sloping.ground).cell, 0.5);
 }
 
 TEST(SceneKeys, ShapesAreRead) {
-  const app::Scene scene = read_scene_text(every_key());
-  const auto& mesh = std::get<app::MeshScene>(scene.bodies[0].shape);
+  const scene::Scene scene = read_scene_text(every_key());
+  const auto& mesh = std::get<scene::Mesh>(scene.bodies[0].shape);
   EXPECT_EQ(mesh.file, support::data_folder() / "shore.obj");
   EXPECT_EQ(mesh.scale, 2);
-  const auto& box = std::get<app::BoxScene>(scene.bodies[1].shape);
+  const auto& box = std::get<scene::Box>(scene.bodies[1].shape);
   EXPECT_EQ(box.size, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(box.divisions, 8);
-  const auto& sphere = std::get<app::SphereScene>(scene.bodies[2].shape);
+  const auto& sphere = std::get<scene::Sphere>(scene.bodies[2].shape);
   EXPECT_EQ(std::tuple(sphere.radius, sphere.slices, sphere.stacks), std::tuple(2, 10, 11));
-  const auto& icosphere = std::get<app::IcosphereScene>(scene.bodies[3].shape);
+  const auto& icosphere = std::get<scene::Icosphere>(scene.bodies[3].shape);
   EXPECT_EQ(std::tuple(icosphere.radius, icosphere.subdivisions), std::tuple(3, 2));
-  const auto& ellipsoid = std::get<app::EllipsoidScene>(scene.bodies[4].shape);
+  const auto& ellipsoid = std::get<scene::Ellipsoid>(scene.bodies[4].shape);
   EXPECT_EQ(ellipsoid.semi_axes, Eigen::Vector3d(3, 2, 1));
   EXPECT_EQ(std::tuple(ellipsoid.slices, ellipsoid.stacks), std::tuple(12, 13));
-  const auto& cylinder = std::get<app::CylinderScene>(scene.bodies[5].shape);
+  const auto& cylinder = std::get<scene::Cylinder>(scene.bodies[5].shape);
   EXPECT_EQ(std::tuple(cylinder.radius, cylinder.height, cylinder.slices, cylinder.stacks),
             std::tuple(4, 5, 14, 15));
 }
 
 TEST(SceneKeys, MassAndMotionAreRead) {
-  const app::BodyScene body = read_scene_text(every_key()).bodies[0];
+  const scene::Body body = read_scene_text(every_key()).bodies[0];
   EXPECT_EQ(body.name, "a");
   EXPECT_EQ(body.mass, 5);
   EXPECT_EQ(body.density, std::nullopt);
   EXPECT_EQ(body.center_of_mass, Eigen::Vector3d(1, 2, 3));
   ASSERT_TRUE(body.inertia.has_value());
-  const app::InertiaScene& i = *body.inertia;
+  const scene::Inertia& i = *body.inertia;
   EXPECT_EQ(std::tuple(i.xx, i.yy, i.zz), std::tuple(2, 3, 4));
   EXPECT_EQ(std::tuple(i.xy, i.xz, i.yz), std::tuple(0.1, 0.2, 0.3));
   EXPECT_EQ(body.position, Eigen::Vector3d(4, 5, 6));
@@ -206,7 +206,7 @@ TEST(SceneKeys, MassAndMotionAreRead) {
 }
 
 TEST(SceneKeys, OrientationsAreRead) {
-  const app::Scene scene = read_scene_text(every_key());
+  const scene::Scene scene = read_scene_text(every_key());
   // R = Rz(yaw) Ry(pitch) Rx(roll), written out: x goes to (cos p cos y, cos p sin y, -sin p).
   const double p = 20 * kDegree, y = 30 * kDegree, r = 10 * kDegree;
   const Eigen::Matrix3d R = scene.bodies[0].orientation.toRotationMatrix();
@@ -220,14 +220,14 @@ TEST(SceneKeys, OrientationsAreRead) {
 }
 
 TEST(SceneKeys, StartIsReadAndGivenByDefault) {
-  const app::Scene scene = read_scene_text(every_key(), {"bodies[c].start=equilibrium"});
-  EXPECT_EQ(scene.bodies[0].start, app::Start::given);
-  EXPECT_EQ(scene.bodies[1].start, app::Start::given);
-  EXPECT_EQ(scene.bodies[2].start, app::Start::equilibrium);
+  const scene::Scene scene = read_scene_text(every_key(), {"bodies[c].start=equilibrium"});
+  EXPECT_EQ(scene.bodies[0].start, scene::Start::given);
+  EXPECT_EQ(scene.bodies[1].start, scene::Start::given);
+  EXPECT_EQ(scene.bodies[2].start, scene::Start::equilibrium);
 }
 
 TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
-  const app::Scene scene = read_scene_text(every_key());
+  const scene::Scene scene = read_scene_text(every_key());
   using Law = hydro::ViscousDrag::Law;
   const hydro::Coefficients& own = scene.bodies[0].hydro;
   EXPECT_EQ(std::tuple(own.buoyancy, own.pressure_drag, own.lift),
@@ -266,9 +266,9 @@ TEST(SceneKeys, APresetIsWhereTheOtherCoefficientsStartFrom) {
 }
 
 TEST(SceneKeys, AddedMassIsReadAsOneKey) {
-  using Model = app::AddedMassScene::Model;
-  const app::Scene scene = read_scene_text(every_key());
-  const app::AddedMassScene& given = scene.bodies[0].hydro.added_mass;
+  using Model = scene::AddedMass::Model;
+  const scene::Scene scene = read_scene_text(every_key());
+  const scene::AddedMass& given = scene.bodies[0].hydro.added_mass;
   EXPECT_EQ(given.model, Model::matrix);
   EXPECT_EQ(given.matrix.diagonal(), (hydro::Vector6d{6, 5, 4, 3, 2, 1}));
   EXPECT_EQ(given.matrix(1, 5), 1);
@@ -289,13 +289,13 @@ TEST(SceneKeys, AddedMassIsReadAsOneKey) {
 }
 
 TEST(SceneKeys, LocksAndCollisionsAreRead) {
-  const app::Scene scene = read_scene_text(every_key());
+  const scene::Scene scene = read_scene_text(every_key());
   EXPECT_EQ(scene.bodies[0].locked, (std::array{true, false, false, false, false, true}));
   EXPECT_EQ(scene.bodies[1].locked, (std::array{true, true, true, true, true, true}));
   EXPECT_EQ(scene.bodies[2].locked, (std::array<bool, 6>{}));
-  std::vector<app::Collision> collisions;
-  for (const app::BodyScene& body : scene.bodies) collisions.push_back(body.collision);
-  using enum app::Collision;
+  std::vector<scene::Collision> collisions;
+  for (const scene::Body& body : scene.bodies) collisions.push_back(body.collision);
+  using enum scene::Collision;
   EXPECT_THAT(collisions, testing::ElementsAre(sphere, automatic, none, box, automatic, mesh));
 }
 
@@ -320,7 +320,7 @@ TEST(SceneKeys, JointsAreRead) {
   const auto joints = read_scene_text(every_key()).joints;
   ASSERT_EQ(joints.size(), 2);
   EXPECT_EQ(joints[0].name, "j");
-  EXPECT_EQ(joints[0].type, app::JointScene::Type::universal);
+  EXPECT_EQ(joints[0].type, scene::Joint::Type::universal);
   EXPECT_EQ(joints[0].bodies, (std::array<std::string, 2>{"a", "b"}));
   EXPECT_EQ(joints[0].anchor, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(joints[0].axis, Eigen::Vector3d(0, 1, 0));
@@ -343,8 +343,8 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_EQ(render->sheet_columns, 5);
   EXPECT_EQ(render->pressure_min, -100);
   EXPECT_EQ(render->pressure_max, 5e3);
-  EXPECT_EQ(render->shows, app::ShownPressure::dynamic);
-  EXPECT_EQ(render->colors, app::Colors::coolwarm);
+  EXPECT_EQ(render->shows, scene::ShownPressure::dynamic);
+  EXPECT_EQ(render->colors, scene::Colors::coolwarm);
   EXPECT_TRUE(render->show.forces && render->show.wireframe);
   EXPECT_FALSE(render->show.centres || render->show.waterline);
 }
@@ -373,7 +373,7 @@ TEST(SceneKeys, CamerasAreReadInTheirOrder) {
 }
 
 TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
-  const app::Scene scene = read_scene_text("plimsoll: 1\nduration: 0\n");
+  const scene::Scene scene = read_scene_text("plimsoll: 1\nduration: 0\n");
   EXPECT_EQ(scene.step, 1.0 / 60);
   EXPECT_EQ(scene.gravity, 9.80665);
   EXPECT_FALSE(scene.integrator.tolerance.has_value());
@@ -384,20 +384,20 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_FALSE(scene.log_every.has_value());
   EXPECT_FALSE(scene.log_forces);
   EXPECT_FALSE(scene.render.has_value());
-  const app::Scene wet = read_scene_text(support::kSmallScene, {"water={}", "log.every=0"});
+  const scene::Scene wet = read_scene_text(support::kSmallScene, {"water={}", "log.every=0"});
   EXPECT_EQ(wet.water->density, 1000);
-  EXPECT_TRUE(std::holds_alternative<app::FlatScene>(wet.water->surface));
+  EXPECT_TRUE(std::holds_alternative<scene::Flat>(wet.water->surface));
   EXPECT_FALSE(wet.log_every.has_value());
   EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.93, 0.12}));
   EXPECT_EQ(wet.bodies[0].hydro.lift, 0.01);
-  EXPECT_EQ(wet.bodies[0].hydro.added_mass.model, app::AddedMassScene::Model::automatic);
+  EXPECT_EQ(wet.bodies[0].hydro.added_mass.model, scene::AddedMass::Model::automatic);
 }
 
 TEST(SceneKeys, AFilesPlaceIsRelativeToTheScene) {
   const auto file = support::write_scene("plimsoll: 1\nduration: 1\n");
   std::ofstream(file.parent_path() / "beside.obj") << "v 0 0 0\n";
-  const app::Scene scene = app::read_scene(file, {{"ground", "{mesh: {file: ./beside.obj}}"}});
-  EXPECT_EQ(std::get<app::MeshScene>(scene.ground).file, file.parent_path() / "beside.obj");
+  const scene::Scene scene = scene::read(file, {{"ground", "{mesh: {file: ./beside.obj}}"}});
+  EXPECT_EQ(std::get<scene::Mesh>(scene.ground).file, file.parent_path() / "beside.obj");
 }
 
 /// `bodies[3].lock[0]` → `bodies[].lock`: as the list of keys has it.
@@ -421,7 +421,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
       if (!path.empty()) met.insert(key_of(path));
   std::set<std::string> listed;
-  for (const app::KeyDescription& key : app::scene_catalogue().keys) listed.insert(key.path);
+  for (const scene::KeyDescription& key : scene::key_catalogue().keys) listed.insert(key.path);
   EXPECT_EQ(met, listed);
 }
 
@@ -447,18 +447,18 @@ TEST(SceneKeys, TheExamplesOfTheReferencePageAreRight) {
 
 TEST(SceneKeys, EveryKeyHasAMeaningAndAShape) {
   std::set<std::string> described;
-  for (const app::KeyDescription& key : app::scene_catalogue().keys) {
-    EXPECT_NO_THROW(app::key_meaning(key.path)) << key.path;
+  for (const scene::KeyDescription& key : scene::key_catalogue().keys) {
+    EXPECT_NO_THROW(scene::key_meaning(key.path)) << key.path;
     EXPECT_FALSE(key.shapes.empty()) << key.path;
-    described.insert(app::described_path(key.path));
+    described.insert(scene::described_path(key.path));
   }
-  const std::vector<std::string> meanings = app::described_paths();
+  const std::vector<std::string> meanings = scene::described_paths();
   EXPECT_THAT(meanings, testing::UnorderedElementsAreArray(described));
 }
 
 TEST(SceneKeys, TheReferencePageHasTheTablesOfAllKeys) {
   const std::string page = reference_page();
-  const std::string tables = app::key_tables();
+  const std::string tables = scene::key_tables();
   const std::string end = ": end -->\n";
   std::size_t begin = 0;
   for (std::size_t stop; (stop = tables.find(end, begin)) != std::string::npos;

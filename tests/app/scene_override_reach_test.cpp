@@ -13,7 +13,7 @@
 
 namespace {
 
-using Kind = app::ValueShape::Kind;
+using Kind = scene::ValueShape::Kind;
 using support::faults_of;
 using support::kSmallScene;
 using support::read_scene_text;
@@ -22,14 +22,14 @@ using testing::ElementsAre;
 const char* const kEmptyScene = "plimsoll: 1\nduration: 1\n";
 
 /// A number within the limits that is no default; in a list they grow.
-std::string number_for(const app::ValueShape& shape, std::size_t entry) {
+std::string number_for(const scene::ValueShape& shape, std::size_t entry) {
   const bool low = std::isfinite(shape.lo), high = std::isfinite(shape.hi);
   if (low && high) return shape.kind == Kind::whole ? std::to_string(std::lround(shape.hi)) : "1";
   return std::to_string(3 + entry);
 }
 
 /// A value of a shape, as YAML. Entries are told apart, for lists that ask for it.
-std::string value_for(const app::ValueShape& shape, std::size_t entry = 0) {
+std::string value_for(const scene::ValueShape& shape, std::size_t entry = 0) {
   switch (shape.kind) {
     case Kind::number:
     case Kind::whole:
@@ -80,14 +80,14 @@ bool needs_others(const std::string& fault) {
 }
 
 TEST(SceneOverride, ReachesEveryKeyOfASceneWithoutBlocks) {
-  for (const app::KeyDescription& key : app::scene_catalogue().keys)
-    for (const app::ValueShape& shape : key.shapes)
+  for (const scene::KeyDescription& key : scene::key_catalogue().keys)
+    for (const scene::ValueShape& shape : key.shapes)
       for (const std::string& fault : faults_at(key.path, value_for(shape)))
         EXPECT_TRUE(needs_others(fault)) << fault;
 }
 
 TEST(SceneOverride, IsHeldToTheRulesOfEveryKey) {
-  for (const app::KeyDescription& key : app::scene_catalogue().keys) {
+  for (const scene::KeyDescription& key : scene::key_catalogue().keys) {
     if (key.path == "plimsoll") continue;  // of another version nothing else is said
     const std::string wrong = key.shapes.back().kind == Kind::map ? "[]" : "{a: 1}";
     EXPECT_FALSE(faults_at(key.path, wrong).empty()) << key.path;
@@ -95,18 +95,18 @@ TEST(SceneOverride, IsHeldToTheRulesOfEveryKey) {
 }
 
 TEST(SceneOverride, AddsAnEntryToAList) {
-  const app::Scene scene = read_scene_text(
+  const scene::Scene scene = read_scene_text(
       kSmallScene, {"bodies[+].name=b", "bodies[b].sphere.radius=2", "bodies[b].mass=7",
                     "bodies[a].forces[+].force=[1, 2, 3]", "bodies[a].forces[+].start=4"});
   ASSERT_EQ(scene.bodies.size(), 2u);
-  EXPECT_EQ(std::get<app::SphereScene>(scene.bodies[1].shape).radius, 2);
+  EXPECT_EQ(std::get<scene::Sphere>(scene.bodies[1].shape).radius, 2);
   EXPECT_EQ(scene.bodies[1].mass, 7);
   ASSERT_EQ(scene.bodies[0].forces.size(), 2u);
   EXPECT_EQ(scene.bodies[0].forces[1].start, 4);
 }
 
 TEST(SceneOverride, TakesAwayAKeyOrAnEntry) {
-  const app::Scene scene =
+  const scene::Scene scene =
       read_scene_text(kSmallScene, {"bodies[a].density=null", "bodies[a].mass=7"});
   EXPECT_FALSE(scene.bodies[0].density.has_value());
   EXPECT_EQ(scene.bodies[0].mass, 7);

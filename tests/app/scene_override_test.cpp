@@ -26,18 +26,18 @@ const char* const kSeaScene =
 /// The fault of `parse_override`, empty if there is none.
 std::string parse_fault(const std::string& argument) {
   try {
-    app::parse_override(argument);
+    scene::parse_override(argument);
     return "";
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     return error.what();
   }
 }
 
 TEST(SceneOverride, SplitsAtTheFirstEqualsSignOutsideBrackets) {
-  const app::Override plain = app::parse_override("title=a=b");
+  const scene::Override plain = scene::parse_override("title=a=b");
   EXPECT_EQ(plain.key_path, "title");
   EXPECT_EQ(plain.value, "a=b");
-  const app::Override named = app::parse_override("bodies[a=b].density=5");
+  const scene::Override named = scene::parse_override("bodies[a=b].density=5");
   EXPECT_EQ(named.key_path, "bodies[a=b].density");
   EXPECT_EQ(named.value, "5");
 }
@@ -57,27 +57,27 @@ TEST(SceneOverride, TheLastOfSeveralHolds) {
 }
 
 TEST(SceneOverride, ReplacesAValueInANestedList) {
-  const app::Scene scene = read_scene_text(kSeaScene, {"water.surface.waves[1].amplitude=0.1"});
-  const auto& waves = std::get<std::vector<app::WaveScene>>(scene.water->surface);
+  const scene::Scene scene = read_scene_text(kSeaScene, {"water.surface.waves[1].amplitude=0.1"});
+  const auto& waves = std::get<std::vector<scene::Wave>>(scene.water->surface);
   EXPECT_EQ(waves[0].amplitude, 1);
   EXPECT_EQ(waves[1].amplitude, 0.1);
 }
 
 TEST(SceneOverride, FindsABodyByItsName) {
-  const app::Scene scene =
+  const scene::Scene scene =
       read_scene_text(kSeaScene, {"bodies[mast 2.0].density=7", "bodies[hull].sphere.radius=3"});
   EXPECT_EQ(scene.bodies[1].density, 7);
-  EXPECT_EQ(std::get<app::SphereScene>(scene.bodies[0].shape).radius, 3);
+  EXPECT_EQ(std::get<scene::Sphere>(scene.bodies[0].shape).radius, 3);
 }
 
 TEST(SceneOverride, MakesTheBlocksThatAreNotThere) {
-  const app::Scene scene = read_scene_text(kSmallScene, {"render.camera.fov_deg=90"});
+  const scene::Scene scene = read_scene_text(kSmallScene, {"render.camera.fov_deg=90"});
   ASSERT_TRUE(scene.render.has_value());
   EXPECT_DOUBLE_EQ(scene.render->camera.field_of_view, std::acos(0.0));
 }
 
 TEST(SceneOverride, MayBeAWholeBlock) {
-  const app::Scene scene = read_scene_text(kSmallScene, {"water={level: 2, density: 1025}"});
+  const scene::Scene scene = read_scene_text(kSmallScene, {"water={level: 2, density: 1025}"});
   EXPECT_EQ(scene.water->level, 2);
   EXPECT_EQ(scene.water->density, 1025);
 }
@@ -87,9 +87,9 @@ TEST(SceneOverride, OfAnAliasLeavesTheOriginalAlone) {
       "plimsoll: 1\nduration: 1\nbodies:\n"
       "  - &first {name: a, sphere: {radius: 1}, density: 500}\n"
       "  - {<<: *first, name: b}\n";
-  const app::Scene scene = read_scene_text(text, {"bodies[b].sphere.radius=2"});
-  EXPECT_EQ(std::get<app::SphereScene>(scene.bodies[0].shape).radius, 1);
-  EXPECT_EQ(std::get<app::SphereScene>(scene.bodies[1].shape).radius, 2);
+  const scene::Scene scene = read_scene_text(text, {"bodies[b].sphere.radius=2"});
+  EXPECT_EQ(std::get<scene::Sphere>(scene.bodies[0].shape).radius, 1);
+  EXPECT_EQ(std::get<scene::Sphere>(scene.bodies[1].shape).radius, 2);
 }
 
 TEST(SceneOverride, CanMendAFault) {

@@ -8,15 +8,16 @@ namespace support {
 
 namespace {
 
-std::vector<app::Override> parse_all(const std::vector<std::string>& arguments) {
-  std::vector<app::Override> overrides;
-  for (const std::string& argument : arguments) overrides.push_back(app::parse_override(argument));
+std::vector<scene::Override> parse_all(const std::vector<std::string>& arguments) {
+  std::vector<scene::Override> overrides;
+  for (const std::string& argument : arguments)
+    overrides.push_back(scene::parse_override(argument));
   return overrides;
 }
 
 /// `FILE:2:11: …` → `2:11: …`, `FILE: …` → `…`
-std::string without_file(const app::Fault& fault, const std::filesystem::path& file) {
-  const std::string text = app::to_string(fault);
+std::string without_file(const scene::Fault& fault, const std::filesystem::path& file) {
+  const std::string text = scene::to_string(fault);
   const std::string name = file.string();
   if (text.compare(0, name.size(), name) != 0) return text;
   return text.substr(text.find_first_not_of(": ", name.size()));
@@ -37,8 +38,8 @@ std::filesystem::path write_scene(const std::string& text) {
   return file;
 }
 
-app::Scene read_scene_text(const std::string& text, const std::vector<std::string>& overrides) {
-  return app::read_scene(write_scene(text), parse_all(overrides));
+scene::Scene read_scene_text(const std::string& text, const std::vector<std::string>& overrides) {
+  return scene::read(write_scene(text), parse_all(overrides));
 }
 
 std::vector<std::string> faults_of(const std::string& text,
@@ -47,12 +48,12 @@ std::vector<std::string> faults_of(const std::string& text,
 }
 
 std::vector<std::string> faults_of_file(const std::filesystem::path& file,
-                                        const std::vector<app::Override>& overrides) {
+                                        const std::vector<scene::Override>& overrides) {
   std::vector<std::string> faults;
   try {
-    app::read_scene(file, overrides);
-  } catch (const app::InputError& error) {
-    for (const app::Fault& fault : error.faults()) faults.push_back(without_file(fault, file));
+    scene::read(file, overrides);
+  } catch (const scene::InputError& error) {
+    for (const scene::Fault& fault : error.faults()) faults.push_back(without_file(fault, file));
   }
   return faults;
 }

@@ -24,7 +24,8 @@ std::filesystem::path data_folder();
 std::filesystem::path write_scene(const std::string& text);
 
 /// Reads `text` as a scene file. @param overrides   As on the command line: `step=0.1`.
-app::Scene read_scene_text(const std::string& text, const std::vector<std::string>& overrides = {});
+scene::Scene read_scene_text(const std::string& text,
+                             const std::vector<std::string>& overrides = {});
 
 /// The faults of `text` as a scene file, without the file's name: `2:11: duration: found …`.
 std::vector<std::string> faults_of(const std::string& text,
@@ -32,6 +33,6 @@ std::vector<std::string> faults_of(const std::string& text,
 
 /// The faults of a scene file, without its name.
 std::vector<std::string> faults_of_file(const std::filesystem::path& file,
-                                        const std::vector<app::Override>& overrides = {});
+                                        const std::vector<scene::Override>& overrides = {});
 
 }  // namespace support

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build.h"
 #include "app/scene/reader.h"
 #include "engine/simulation.h"
 
@@ -41,19 +41,18 @@ std::vector<std::vector<hydro::BodyState>> first_steps(const engine::SimulationS
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedScene, IsRight) {
-  const app::Scene scene = app::read_scene(kScenes / GetParam());
+  const scene::Scene scene = scene::read(kScenes / GetParam());
   EXPECT_FALSE(scene.title.empty());
-  const app::Assembly assembly = app::assemble(scene);
-  EXPECT_THAT(assembly.notes, testing::IsEmpty());
+  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  EXPECT_THAT(built.notes, testing::IsEmpty());
 }
 
 // The simulation refuses states beyond 1e9 by itself; in a second or two nothing goes far.
 TEST_P(ShippedScene, RunsWithinBoundsAndRepeatsItselfBitForBit) {
-  const app::Scene scene = app::read_scene(kScenes / GetParam());
-  app::Assembly assembly = app::assemble(scene);
-  app::AddedMassStore store(app::cache_folder());
-  app::add_added_mass(scene, assembly, store, true);
-  engine::SimulationSpec& spec = assembly.spec;
+  const scene::Scene scene = scene::read(kScenes / GetParam());
+  assembly::AddedMassStore store(assembly::cache_folder());
+  assembly::BuiltScene built = assembly::build(scene, store);
+  engine::SimulationSpec& spec = built.spec;
   const auto once = first_steps(spec);
   for (const auto& states : once) {
     for (std::size_t i = 0; i < states.size(); ++i) {

@@ -43,7 +43,7 @@ std::vector<std::string> values_of(const std::string& values) {
 std::string fault_of(const std::string& argument) {
   try {
     app::grid({parse_sweep_parameter(argument)});
-  } catch (const app::InputError& error) {
+  } catch (const scene::InputError& error) {
     return error.what();
   }
   return "none";
@@ -105,7 +105,7 @@ TEST(SweepParameters, TheLastParameterOfAGridChangesFirst) {
 
 TEST(SweepParameters, AGridOfTooManyRunsIsRefused) {
   const SweepParameter parameter = parse_sweep_parameter("a=1:2000:1");
-  EXPECT_THROW(app::grid({parameter, parameter}), app::InputError);
+  EXPECT_THROW(app::grid({parameter, parameter}), scene::InputError);
 }
 
 TEST(LatinHypercube, HasOneSampleInEachPartOfARange) {
@@ -258,7 +258,7 @@ TEST_F(Survey, HasTheBodiesOfAllRuns) {
 
 TEST_F(Survey, RefusesAValueThatIsWrongInAllRunsButNoCombination) {
   EXPECT_NO_THROW(of({"integrator.method=split,ode", "integrator.sleep=0,0.1"}));
-  EXPECT_THROW(of({"integrator.method=split,euler", "integrator.sleep=0,0.1"}), app::InputError);
+  EXPECT_THROW(of({"integrator.method=split,euler", "integrator.sleep=0,0.1"}), scene::InputError);
 }
 
 TEST(SlurmScript, QuotesWhatAShellWouldTakeApart) {

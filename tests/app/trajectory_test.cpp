@@ -18,11 +18,11 @@
 namespace {
 
 namespace fs = std::filesystem;
-using app::InputError;
 using app::read_trajectory;
 using app::Trajectory;
 using app::TrajectoryWriter;
 using hydro::BodyState;
+using scene::InputError;
 using support::kTrajectoryHeader;
 using testing::ElementsAre;
 using testing::HasSubstr;

@@ -38,7 +38,7 @@ void register_frame() {
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
   const std::filesystem::path file =
       std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes" / "meshes" / "teapot_20k.obj";
-  const hydro::TriMesh mesh = app::read_mesh(file);
+  const hydro::TriMesh mesh = assembly::read_mesh(file);
   const std::string name = fmt::format("BM_Frame/{}", mesh.face_count());
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& s) { frame(s, mesh); })
       ->UseRealTime()

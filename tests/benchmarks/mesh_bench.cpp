@@ -45,7 +45,7 @@ class MeshFile {
 void load(benchmark::State& state, int subdivisions) {
   const MeshFile file(hydro::make_icosphere(1, subdivisions));
   for (auto _ : state) {
-    const hydro::RepairedMesh mesh = hydro::repaired(app::read_mesh(file.path()));
+    const hydro::RepairedMesh mesh = hydro::repaired(assembly::read_mesh(file.path()));
     if (!mesh.report.sound() || mesh.mesh.face_count() != 20 << (2 * subdivisions)) {
       state.SkipWithError("the sphere did not come back whole");
       break;

@@ -32,7 +32,7 @@ void run(benchmark::State& state) {
 }  // namespace
 
 void register_run() {
-  const hydro::TriMesh mesh = app::read_mesh(kScenes / "meshes" / "teapot.obj");
+  const hydro::TriMesh mesh = assembly::read_mesh(kScenes / "meshes" / "teapot.obj");
   benchmark::RegisterBenchmark(fmt::format("BM_Run/{}", mesh.face_count()).c_str(), run)
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);

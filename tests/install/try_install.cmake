@@ -67,9 +67,47 @@ if(code EQUAL 0)
 endif()
 expect("without shaders" "${output}" "share/plimsoll/shaders")
 
-# The libraries, in a project of somebody else.
-run(${CMAKE_COMMAND} -S ${SOURCE}/examples/crate -B ${WORK}/crate -DCMAKE_BUILD_TYPE=Release
+# The installed headers are closed under inclusion, and none is of the inside of a library.
+set(include ${WORK}/moved/include/plimsoll)
+file(GLOB_RECURSE headers RELATIVE ${include} ${include}/*)
+foreach(header IN LISTS headers)
+  if(NOT header MATCHES "^(hydro|engine|app/(base|scene|assembly))/[a-z_/]+\\.h$")
+    message(FATAL_ERROR "${header} is installed, which is no header of the libraries")
+  endif()
+  file(STRINGS ${include}/${header} includes REGEX "^ *#include")
+  foreach(line IN LISTS includes)
+    if(line MATCHES "\"(.+)\"" AND NOT EXISTS ${include}/${CMAKE_MATCH_1})
+      message(FATAL_ERROR "${header} includes ${CMAKE_MATCH_1}, which is not installed")
+    endif()
+    if(line MATCHES "<(ode|hwy|yaml-cpp|assimp|EGL|GL)/|-inl\\.h")
+      message(FATAL_ERROR "${header} is installed and asks its users for more: ${line}")
+    endif()
+  endforeach()
+endforeach()
+# Each can be included first: a source file that includes it alone compiles.
+file(MAKE_DIRECTORY ${WORK}/headers)
+set(sources "")
+foreach(header IN LISTS headers)
+  string(MAKE_C_IDENTIFIER ${header} name)
+  file(WRITE ${WORK}/headers/${name}.cpp "#include \"${header}\"\n")
+  list(APPEND sources ${name}.cpp)
+endforeach()
+list(JOIN sources " " sources)
+file(WRITE ${WORK}/headers/CMakeLists.txt "
+cmake_minimum_required(VERSION 3.25)
+project(headers LANGUAGES CXX)
+find_package(plimsoll REQUIRED)
+add_library(headers OBJECT ${sources})
+target_link_libraries(headers PRIVATE plimsoll::assembly)
+target_compile_options(headers PRIVATE -fsyntax-only)
+")
+run(${CMAKE_COMMAND} -S ${WORK}/headers -B ${WORK}/headers/build -DCMAKE_PREFIX_PATH=${WORK}/moved)
+run(${CMAKE_COMMAND} --build ${WORK}/headers/build)
+
+# The libraries, in a project of somebody else: a scene is read, stepped and pushed.
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/crate -B ${WORK}/crate -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH=${WORK}/moved)
 run(${CMAKE_COMMAND} --build ${WORK}/crate)
-run(${WORK}/crate/crate)
-expect("the example" "${output}" "draught 0\\.(19[89]|20[0-2]) m, by Archimedes 0\\.200 m")
+run(${WORK}/crate/crate ${SOURCE}/tests/install/crate/crate.yaml)
+expect("the example" "${output}"
+  "draught 0\\.(149|150|151) m, by Archimedes 0\\.150 m; drifted by [0-9.]*[1-9]")

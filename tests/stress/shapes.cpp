@@ -22,7 +22,7 @@ namespace {
 constexpr hydro::AddedMassOptions kSolver{.tolerance = 0.02, .most_panels = 1500};
 
 hydro::TriMesh stored_mesh(const std::string& name) {
-  return app::read_mesh(std::string(PLIMSOLL_SOURCE_DIR) + "/scenes/meshes/" + name + ".obj");
+  return assembly::read_mesh(std::string(PLIMSOLL_SOURCE_DIR) + "/scenes/meshes/" + name + ".obj");
 }
 
 /// Every triangle cut in four at the middles of its edges.
@@ -82,7 +82,7 @@ hydro::AddedMassSolution scaled_solution(hydro::AddedMassSolution solution, doub
 std::shared_ptr<const hydro::AddedMassModel> deep(const std::string& shape, double size,
                                                   const engine::BodySpec& body) {
   const hydro::TriMesh unit = unit_mesh(shape);
-  app::AddedMassStore store(app::cache_folder());
+  assembly::AddedMassStore store(assembly::cache_folder());
   auto stored = store.find(unit, kSolver);
   if (!stored) stored = store.keep(unit, kSolver, hydro::solve_added_mass(unit, kSolver));
   return std::make_shared<hydro::WettedAddedMass>(body.mesh_B,

@@ -11,8 +11,8 @@ using Eigen::Vector3d;
 
 /// A ball of 2 m that falls into water from just above it.
 struct Ball {
-  app::Scene scene;
-  app::Assembly assembly;
+  scene::Scene scene;
+  assembly::BuiltScene built;
 
   Ball() {
     scene.step = 0.01;
@@ -20,14 +20,14 @@ struct Ball {
     engine::BodySpec body{.name = "ball", .mesh_B = hydro::make_icosphere(1, 2), .mass = 3000};
     body.inertia_B = 1200 * Eigen::Matrix3d::Identity();
     body.initial.position = {0, 0, 1.5};
-    assembly.spec = {.step = scene.step, .sea = hydro::Sea{}, .bodies = {body}};
+    built.spec = {.step = scene.step, .sea = hydro::Sea{}, .bodies = {body}};
     scene.bodies.resize(1);
   }
 };
 
 TEST(Stage, TakesTheStepsAskedForAndAtLeastOne) {
   const Ball ball;
-  app::Stage stage(ball.scene, ball.assembly);
+  app::Stage stage(ball.scene, ball.built);
   EXPECT_EQ(stage.advance(5, 100), 5);
   EXPECT_EQ(stage.advance(1000, 0), 1);
   EXPECT_EQ(stage.simulation().steps(), 6);
@@ -35,7 +35,7 @@ TEST(Stage, TakesTheStepsAskedForAndAtLeastOne) {
 
 TEST(Stage, StartsAgainAsItStarted) {
   const Ball ball;
-  app::Stage stage(ball.scene, ball.assembly);
+  app::Stage stage(ball.scene, ball.built);
   stage.advance(20, 100);
   const hydro::BodyState first = stage.simulation().states()[0];
   stage.hold(app::Controls::Held{0, {.to_W = {3, 0, 4}}});
@@ -49,7 +49,7 @@ TEST(Stage, StartsAgainAsItStarted) {
 
 TEST(Stage, HoldsABodyUntilItIsLetGo) {
   const Ball ball;
-  app::Stage stage(ball.scene, ball.assembly);
+  app::Stage stage(ball.scene, ball.built);
   const Vector3d to(0, 0, 5);
   stage.hold(app::Controls::Held{0, {.to_W = to, .rate = 20}});
   stage.advance(300, 100);
@@ -61,30 +61,30 @@ TEST(Stage, HoldsABodyUntilItIsLetGo) {
 
 TEST(Stage, DrawsInAnotherSizeAsIfItHadHadItAlways) {
   const Ball ball;
-  app::Stage resized(ball.scene, ball.assembly), fresh(ball.scene, ball.assembly);
+  app::Stage resized(ball.scene, ball.built), fresh(ball.scene, ball.built);
   EXPECT_EQ(resized.picture({}, 400, 300, "").width, 400);
   EXPECT_EQ(resized.picture({}, 240, 180, ""), fresh.picture({}, 240, 180, ""));
 }
 
 TEST(Stage, ShowsTheForcesAndCentresOfTheScene) {
   Ball ball;
-  app::Stage plain(ball.scene, ball.assembly);
+  app::Stage plain(ball.scene, ball.built);
   const render::Image without = plain.picture({}, 240, 180, "");
-  for (bool app::ShowScene::*what : {&app::ShowScene::forces, &app::ShowScene::centres}) {
+  for (bool scene::Show::*what : {&scene::Show::forces, &scene::Show::centres}) {
     ball.scene.render->show = {};
     ball.scene.render->show.*what = true;
-    app::Stage stage(ball.scene, ball.assembly);
+    app::Stage stage(ball.scene, ball.built);
     EXPECT_NE(stage.picture({}, 240, 180, ""), without);
   }
 }
 
 TEST(Framing, ShowsAllBodies) {
   Ball ball;
-  engine::BodySpec other = ball.assembly.spec.bodies[0];
+  engine::BodySpec other = ball.built.spec.bodies[0];
   other.initial.position = {30, -12, 4};
-  ball.assembly.spec.bodies.push_back(other);
-  const render::View view = render::make_view(app::framing(ball.assembly.spec), 960, 720);
-  for (const engine::BodySpec& body : ball.assembly.spec.bodies)
+  ball.built.spec.bodies.push_back(other);
+  const render::View view = render::make_view(app::framing(ball.built.spec), 960, 720);
+  for (const engine::BodySpec& body : ball.built.spec.bodies)
     for (const Vector3d& side : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)})
       for (const double sign : {-1.0, 1.0}) {
         const Vector3d p_E = body.initial.position + sign * side - view.eye_W;

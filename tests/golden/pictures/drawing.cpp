@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/assembly/assemble.h"
+#include "app/assembly/build.h"
 #include "app/base/program_files.h"
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory_match.h"
@@ -23,10 +23,10 @@ const fs::path kSource = PLIMSOLL_SOURCE_DIR;
 
 fs::path folder_of(const std::string& scene) { return kSource / "tests" / "golden" / scene; }
 
-app::Scene scene_of(const KeptPicture& picture) {
-  std::vector<app::Override> overrides;
-  for (const std::string& set : picture.sets) overrides.push_back(app::parse_override(set));
-  return app::read_scene(kSource / "scenes" / (picture.scene + ".yaml"), overrides);
+scene::Scene scene_of(const KeptPicture& picture) {
+  std::vector<scene::Override> overrides;
+  for (const std::string& set : picture.sets) overrides.push_back(scene::parse_override(set));
+  return scene::read(kSource / "scenes" / (picture.scene + ".yaml"), overrides);
 }
 
 app::Shot shot_of(const KeptPicture& picture, const engine::SimulationSpec& spec) {
@@ -55,13 +55,13 @@ const std::vector<KeptPicture>& kept_pictures() {
 fs::path kept_file(const KeptPicture& picture) { return folder_of(picture.scene) / "picture.png"; }
 
 render::Image draw(const KeptPicture& picture) {
-  const app::Scene scene = scene_of(picture);
-  const app::Assembly assembly = app::assemble(scene);
-  const app::Shot shot = shot_of(picture, assembly.spec);
-  const app::RenderScene& look = *scene.render;
-  const app::PressureRange range = app::pressure_range(assembly.spec, shot, look.shows);
-  render::Picture bare = app::picture_of(scene, assembly.spec, app::pressure_scale(look, range));
-  bare.camera = app::camera_at(app::cameras_of(look).front(), assembly.spec, shot);
+  const scene::Scene scene = scene_of(picture);
+  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  const app::Shot shot = shot_of(picture, built.spec);
+  const scene::Render& look = *scene.render;
+  const app::PressureRange range = app::pressure_range(built.spec, shot, look.shows);
+  render::Picture bare = app::picture_of(scene, built.spec, app::pressure_scale(look, range));
+  bare.camera = app::camera_at(app::cameras_of(look).front(), built.spec, shot);
   return render::Renderer(std::move(bare), app::program_files("shaders"))
       .draw(shot.states, shot.time);
 }

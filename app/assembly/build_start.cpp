@@ -1,11 +1,11 @@
-#include "app/assembly/assemble_start.h"
+#include "app/assembly/build_start.h"
 
 #include <fmt/format.h>
 
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
 
-namespace app {
+namespace assembly {
 
 std::string why_not_afloat(double mass, double volume, double density) {
   const double most = density * volume;
@@ -18,8 +18,8 @@ std::string why_not_afloat(double mass, double volume, double density) {
 }
 
 void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
-                const std::string& key_path, engine::BodySpec& body, AssemblyLog& log) {
-  const WaterScene& water = *log.scene.water;
+                const std::string& key_path, engine::BodySpec& body, BuildLog& log) {
+  const scene::Water& water = *log.scene.water;
   const double volume = hydro::solid_properties(body.mesh_B).volume;
   const std::string reason = why_not_afloat(body.mass, volume, water.density);
   if (!reason.empty()) return log.faults.add(log.scene.places, key_path + ".start", reason);
@@ -32,4 +32,4 @@ void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
   state.position.z() = water.level + rest.height;
 }
 
-}  // namespace app
+}  // namespace assembly

@@ -31,8 +31,8 @@ list(TRANSFORM web_sources PREPEND ${web}/)
 set(pages ${PROJECT_BINARY_DIR}/report)
 add_custom_command(OUTPUT ${pages}/page.html ${pages}/comparison.html
   COMMAND ${CMAKE_COMMAND} -DWEB=${web} -DWORK=${PROJECT_BINARY_DIR}/report_web -DPAGES=${pages}
-    -P ${PROJECT_SOURCE_DIR}/cmake/bundle_report.cmake
-  DEPENDS ${web_sources} ${PROJECT_SOURCE_DIR}/cmake/bundle_report.cmake
+    -P ${PROJECT_SOURCE_DIR}/tools/cmake/bundle_report.cmake
+  DEPENDS ${web_sources} ${PROJECT_SOURCE_DIR}/tools/cmake/bundle_report.cmake
   COMMENT "Bundling the pages of reports and comparisons" VERBATIM)
 # Builds with sanitizers test nothing with it.
 if(PLIMSOLL_SANITIZE)

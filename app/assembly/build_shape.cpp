@@ -1,4 +1,4 @@
-#include "app/assembly/assemble_shape.h"
+#include "app/assembly/build_shape.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "app/assembly/mesh_io.h"
 #include "hydro/mesh/primitives.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
 template <class... Ts>
@@ -14,17 +14,17 @@ struct Overloaded : Ts... {
   using Ts::operator()...;
 };
 
-hydro::TriMesh primitive(const ShapeScene& shape) {
+hydro::TriMesh primitive(const scene::Shape& shape) {
   return std::visit(
       Overloaded{
-          [](const MeshScene&) { return hydro::TriMesh{}; },
-          [](const BoxScene& s) { return hydro::make_box(s.size, s.divisions); },
-          [](const SphereScene& s) { return hydro::make_sphere(s.radius, s.slices, s.stacks); },
-          [](const IcosphereScene& s) { return hydro::make_icosphere(s.radius, s.subdivisions); },
-          [](const EllipsoidScene& s) {
+          [](const scene::Mesh&) { return hydro::TriMesh{}; },
+          [](const scene::Box& s) { return hydro::make_box(s.size, s.divisions); },
+          [](const scene::Sphere& s) { return hydro::make_sphere(s.radius, s.slices, s.stacks); },
+          [](const scene::Icosphere& s) { return hydro::make_icosphere(s.radius, s.subdivisions); },
+          [](const scene::Ellipsoid& s) {
             return hydro::make_ellipsoid(s.semi_axes, s.slices, s.stacks);
           },
-          [](const CylinderScene& s) {
+          [](const scene::Cylinder& s) {
             return hydro::make_cylinder(s.radius, s.height, s.slices, s.stacks);
           }},
       shape);
@@ -41,26 +41,25 @@ hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
 
 }  // namespace
 
-std::string shape_key_path(const ShapeScene& shape, const std::string& key_path) {
+std::string shape_key_path(const scene::Shape& shape, const std::string& key_path) {
   constexpr const char* kNames[] = {"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"};
   return fmt::format("{}.{}", key_path, kNames[shape.index()]);
 }
 
-hydro::TriMesh mesh_from_file(const MeshScene& mesh, const std::string& key_path,
-                              AssemblyLog& log) {
+hydro::TriMesh mesh_from_file(const scene::Mesh& mesh, const std::string& key_path, BuildLog& log) {
   try {
     return hydro::scaled(read_mesh(mesh.file), mesh.scale);
-  } catch (const InputError& error) {
-    for (const Fault& fault : error.faults())
+  } catch (const scene::InputError& error) {
+    for (const scene::Fault& fault : error.faults())
       log.faults.add(log.scene.places, key_path + ".file",
-                     to_string({fault.place, "", fault.message}));
+                     to_string(scene::Fault{fault.place, "", fault.message}));
   }
   return {};
 }
 
-hydro::TriMesh shape_mesh(const ShapeScene& shape, const std::string& key_path, AssemblyLog& log) {
+hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path, BuildLog& log) {
   const std::string key = shape_key_path(shape, key_path);
-  if (const auto* mesh = std::get_if<MeshScene>(&shape)) return mesh_from_file(*mesh, key, log);
+  if (const auto* mesh = std::get_if<scene::Mesh>(&shape)) return mesh_from_file(*mesh, key, log);
   try {
     return primitive(shape);
   } catch (const std::invalid_argument& error) {
@@ -70,7 +69,7 @@ hydro::TriMesh shape_mesh(const ShapeScene& shape, const std::string& key_path, 
 }
 
 bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_path,
-                AssemblyLog& log) {
+                BuildLog& log) {
   if (mesh.face_count() == 0) return false;
   hydro::RepairedMesh repaired = hydro::repaired(std::move(mesh));
   mesh = std::move(repaired.mesh);
@@ -81,19 +80,19 @@ bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_p
   return faults.empty();
 }
 
-hydro::HeightField height_field(const HeightFieldScene& field, const std::string& key_path,
-                                AssemblyLog& log) {
+hydro::HeightField height_field(const scene::HeightField& field, const std::string& key_path,
+                                BuildLog& log) {
   try {
     return hydro::make_height_field(read_heights(field.file, field.range), field.cell,
                                     field.origin);
-  } catch (const InputError& error) {
-    for (const Fault& fault : error.faults())
+  } catch (const scene::InputError& error) {
+    for (const scene::Fault& fault : error.faults())
       log.faults.add(log.scene.places, key_path + ".file",
-                     to_string({fault.place, "", fault.message}));
+                     to_string(scene::Fault{fault.place, "", fault.message}));
   } catch (const std::invalid_argument& error) {
     log.faults.add(log.scene.places, key_path, error.what());
   }
   return hydro::make_height_field(Eigen::MatrixXd::Zero(2, 2), 1, field.origin);
 }
 
-}  // namespace app
+}  // namespace assembly

@@ -1,9 +1,13 @@
-# find_package(plimsoll) gives plimsoll::hydro, the loads of the water, and plimsoll::engine, bodies
-# that move under them.
+# find_package(plimsoll) gives plimsoll::hydro, the loads of the water; plimsoll::engine, bodies that
+# move under them; plimsoll::scene, which reads scenes; and plimsoll::assembly, which makes of a scene
+# what the engine takes.
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
 find_dependency(TBB)
 find_dependency(fmt)
+find_dependency(yaml-cpp)
+find_dependency(assimp)
+find_dependency(PNG)
 find_dependency(PkgConfig)
 pkg_check_modules(ODE QUIET IMPORTED_TARGET ode)
 pkg_check_modules(HIGHWAY QUIET IMPORTED_TARGET libhwy)

@@ -1,4 +1,4 @@
-# cmake --install: the program with what it reads, and the two libraries as a package for CMake.
+# cmake --install: the program with what it reads, and the libraries as a package for CMake.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -29,14 +29,20 @@ foreach(printed IN ITEMS
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
 endforeach()
 
-install(TARGETS plimsoll_hydro plimsoll_engine EXPORT plimsoll)
-install(DIRECTORY hydro engine DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plimsoll
-  FILES_MATCHING PATTERN *.h)
+# plimsoll::base is there for the last two; its headers are not meant for users.
+install(TARGETS plimsoll_hydro plimsoll_engine plimsoll_base plimsoll_scene plimsoll_assembly
+  EXPORT plimsoll)
+include(tools/cmake/PublicHeaders.cmake)
+install(CODE "
+  set(SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(HEADERS \"${public_headers}\")
+  set(DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/plimsoll\")
+  include(\"${PROJECT_SOURCE_DIR}/tools/cmake/install_headers.cmake\")")
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plimsoll)
 install(EXPORT plimsoll NAMESPACE plimsoll:: FILE plimsoll-targets.cmake DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plimsoll-config-version.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES cmake/plimsoll-config.cmake ${PROJECT_BINARY_DIR}/plimsoll-config-version.cmake
+install(FILES tools/cmake/plimsoll-config.cmake ${PROJECT_BINARY_DIR}/plimsoll-config-version.cmake
   DESTINATION ${package})
 
 # cpack --config build/CPackConfig.cmake: a Debian package of all that.
@@ -50,6 +56,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Pictures need them; they are loaded by name.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
 # What a project that uses the libraries builds with.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libhwy-dev, libode-dev, libtbb-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libassimp-dev, libeigen3-dev, libfmt-dev, libhwy-dev, libode-dev, \
+libpng-dev, libtbb-dev, libyaml-cpp-dev")
 set(CPACK_STRIP_FILES ON)
 include(CPack)

@@ -1,30 +1,26 @@
-#include "app/assembly/assemble_added_mass.h"
+#include "app/assembly/build_added_mass.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 #include <system_error>
 
-#include "app/base/console.h"
 #include "app/base/file_lock.h"
-#include "app/base/progress.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
-using Model = AddedMassScene::Model;
+using Model = scene::AddedMass::Model;
 
 /// What a body that may move in water has: `none` where the scene leaves it open and the water does
 /// nothing else to the body.
-Model model_of(const BodyScene& body, const engine::BodySpec& spec) {
+Model model_of(const scene::Body& body, const engine::BodySpec& spec) {
   const bool held = std::all_of(spec.locked.begin(), spec.locked.end(), [](bool is) { return is; });
   if (!spec.wet || held) return Model::none;
   const Model model = body.hydro.added_mass.model;
@@ -62,13 +58,14 @@ class DeepModels {
 class SurfaceModels {
  public:
   std::shared_ptr<const hydro::SurfaceAddedMass> of(const engine::BodySpec& body,
-                                                    const AddedMassStore& store) {
+                                                    const AddedMassStore& store,
+                                                    app::Reporter& reporter) {
     for (const auto& [first, model] : entries_)
       if (first->mesh_B.vertices == body.mesh_B.vertices &&
           first->mesh_B.faces == body.mesh_B.faces)
         return model;
-    auto model =
-        std::make_shared<const hydro::SurfaceAddedMass>(body.mesh_B, store.find_nodes(body.mesh_B));
+    auto model = std::make_shared<const hydro::SurfaceAddedMass>(
+        body.mesh_B, store.find_nodes(body.mesh_B, reporter));
     entries_.emplace_back(&body, model);
     return model;
   }
@@ -79,7 +76,7 @@ class SurfaceModels {
 };
 
 /// Gives a body the model, and returns what is to be told of it.
-AddedMassReport add_matrix(const AddedMassScene& added_mass, engine::BodySpec& body) {
+AddedMassReport add_matrix(const scene::AddedMass& added_mass, engine::BodySpec& body) {
   const auto model =
       std::make_shared<const hydro::ConstantAddedMass>(body.mesh_B, added_mass.matrix);
   body.added_mass = model;
@@ -87,9 +84,9 @@ AddedMassReport add_matrix(const AddedMassScene& added_mass, engine::BodySpec& b
 }
 
 /// Told of the body in unbounded fluid, which is one solution; others are found as they are met.
-AddedMassReport add_surface(double density, const AddedMassStore& store, SurfaceModels& models,
-                            engine::BodySpec& body) {
-  const auto model = models.of(body, store);
+AddedMassReport add_surface(double density, const AddedMassStore& store, app::Reporter& reporter,
+                            SurfaceModels& models, engine::BodySpec& body) {
+  const auto model = models.of(body, store, reporter);
   body.added_mass = model;
   return {.model = Model::surface,
           .matrix = density * model->under(hydro::WaterPlane{}),
@@ -114,42 +111,44 @@ bool is_there(const std::filesystem::path& file) {
 
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
                                   const hydro::AddedMassOptions& options, AddedMassStore& store,
-                                  bool quiet) {
+                                  app::Reporter& reporter) {
   const std::filesystem::path file = store.file_of(mesh, options);
   const bool had_file = is_there(file);
-  if (auto stored = store.find(mesh, options)) return *stored;
-  ProgressLine progress(quiet);
+  if (auto stored = store.find(mesh, options, reporter)) return *stored;
   // Of the processes that look for it one solves, and the others wait.
-  progress.show(fmt::format("added mass of {}: another process solves for it", name));
-  const FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
+  reporter.working_on(fmt::format("added mass of {}: another process solves for it", name));
+  const app::FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
   if (lock.waited() || is_there(file) != had_file)
-    if (auto stored = store.find(mesh, options)) return *stored;
-  progress.show(fmt::format("added mass of {}: solving for {} triangles, once for this mesh", name,
-                            mesh.face_count()));
+    if (auto stored = store.find(mesh, options, reporter)) {
+      reporter.done("");
+      return *stored;
+    }
+  reporter.working_on(fmt::format("added mass of {}: solving for {} triangles, once for this mesh",
+                                  name, mesh.face_count()));
   hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);
-  progress.clear();
-  if (!quiet && ::isatty(STDERR_FILENO))
-    say(fmt::format("added mass of {}: {:.1f} s", name, solution.seconds));
-  return store.keep(mesh, options, std::move(solution));
+  reporter.done(fmt::format("added mass of {}: {:.1f} s", name, solution.seconds));
+  return store.keep(mesh, options, std::move(solution), reporter);
 }
 
-void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& store, bool quiet) {
-  Faults faults;
+void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore& store,
+                    app::Reporter& reporter) {
+  scene::Faults faults;
   DeepModels models;
   SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    engine::BodySpec& body = assembly.spec.bodies[i];
-    const AddedMassScene& added_mass = scene.bodies[i].hydro.added_mass;
+    engine::BodySpec& body = built.spec.bodies[i];
+    const scene::AddedMass& added_mass = scene.bodies[i].hydro.added_mass;
     const Model model = model_of(scene.bodies[i], body);
-    if (model == Model::matrix) assembly.added_mass[i] = add_matrix(added_mass, body);
+    if (model == Model::matrix) built.added_mass[i] = add_matrix(added_mass, body);
     if (model == Model::surface)
-      assembly.added_mass[i] = add_surface(assembly.spec.sea->density, store, surface_models, body);
+      built.added_mass[i] =
+          add_surface(built.spec.sea->density, store, reporter, surface_models, body);
     if (model != Model::deep) continue;
-    const CenteredMesh& solid = assembly.solids[i];
+    const CenteredMesh& solid = built.solids[i];
     try {
       const StoredAddedMass stored = solved_added_mass(
-          body.name, solid.mesh_C, {.tolerance = added_mass.tolerance}, store, quiet);
-      assembly.added_mass[i] = add_deep(solid, stored, assembly.spec.sea->density, models, body);
+          body.name, solid.mesh_C, {.tolerance = added_mass.tolerance}, store, reporter);
+      built.added_mass[i] = add_deep(solid, stored, built.spec.sea->density, models, body);
     } catch (const std::invalid_argument& error) {
       faults.add(scene.places, fmt::format("bodies[{}].hydro.added_mass", i), error.what());
     }
@@ -157,14 +156,4 @@ void add_added_mass(const Scene& scene, Assembly& assembly, AddedMassStore& stor
   faults.throw_if_any();
 }
 
-void keep_surface_nodes(const Assembly& assembly, const AddedMassStore& store) {
-  std::set<const hydro::SurfaceAddedMass*> kept;
-  for (std::size_t i = 0; i < assembly.added_mass.size(); ++i) {
-    const auto& report = assembly.added_mass[i];
-    if (!report || !report->surface || report->surface->solves() == 0) continue;
-    if (kept.insert(report->surface.get()).second)
-      store.keep_nodes(assembly.spec.bodies[i].mesh_B, report->surface->nodes());
-  }
-}
-
-}  // namespace app
+}  // namespace assembly

@@ -1,34 +1,39 @@
-#include "app/assembly/assemble.h"
+#include "app/assembly/build.h"
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
-#include "app/assembly/assemble_shape.h"
-#include "app/assembly/assemble_start.h"
+#include "app/assembly/build_added_mass.h"
+#include "app/assembly/build_shape.h"
+#include "app/assembly/build_start.h"
 #include "app/base/schedule.h"
 #include "engine/body_check.h"
+#include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/terrain.h"
 #include "hydro/wave_spectrum.h"
 
-namespace app {
+namespace assembly {
 namespace {
 
 std::string body_path(std::size_t i) { return fmt::format("bodies[{}]", i); }
 
-hydro::WaveSurface wave_surface(const std::vector<WaveScene>& waves, double gravity) {
+hydro::WaveSurface wave_surface(const std::vector<scene::Wave>& waves, double gravity) {
   hydro::WaveSurface surface;
-  for (const WaveScene& w : waves)
+  for (const scene::Wave& w : waves)
     surface.components.push_back(
         hydro::deep_water_wave(w.amplitude, w.wavelength, w.heading, w.phase, gravity));
   return surface;
 }
 
-hydro::WaveSurface spectrum_surface(const SpectrumScene& s, double gravity) {
+hydro::WaveSurface spectrum_surface(const scene::Spectrum& s, double gravity) {
   return hydro::jonswap_sea({.significant_height = s.significant_height,
                              .peak_period = s.peak_period,
                              .gamma = s.gamma,
@@ -39,22 +44,22 @@ hydro::WaveSurface spectrum_surface(const SpectrumScene& s, double gravity) {
                             gravity);
 }
 
-hydro::Sea assemble_sea(const WaterScene& water, double gravity, AssemblyLog& log) {
+hydro::Sea build_sea(const scene::Water& water, double gravity, BuildLog& log) {
   hydro::Sea sea{
       .density = water.density, .gravity = gravity, .level = water.level, .current = water.current};
-  if (const auto* waves = std::get_if<std::vector<WaveScene>>(&water.surface))
+  if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface))
     sea.surface = wave_surface(*waves, gravity);
-  else if (const auto* spectrum = std::get_if<SpectrumScene>(&water.surface))
+  else if (const auto* spectrum = std::get_if<scene::Spectrum>(&water.surface))
     sea.surface = spectrum_surface(*spectrum, gravity);
-  else if (const auto* field = std::get_if<HeightFieldScene>(&water.surface))
+  else if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
     sea.surface = height_field(*field, "water.surface.heightfield", log);
   return sea;
 }
 
-engine::Ground assemble_ground(const GroundScene& ground, AssemblyLog& log) {
-  if (const auto* plane = std::get_if<PlaneGroundScene>(&ground))
+engine::Ground build_ground(const scene::Ground& ground, BuildLog& log) {
+  if (const auto* plane = std::get_if<scene::PlaneGround>(&ground))
     return engine::PlaneGround{plane->z};
-  if (const auto* field = std::get_if<HeightFieldScene>(&ground)) {
+  if (const auto* field = std::get_if<scene::HeightField>(&ground)) {
     try {
       return engine::MeshGround{
           hydro::terrain_mesh(height_field(*field, "ground.heightfield", log))};
@@ -62,7 +67,7 @@ engine::Ground assemble_ground(const GroundScene& ground, AssemblyLog& log) {
       log.faults.add(log.scene.places, "ground.heightfield", error.what());
     }
   }
-  if (const auto* file = std::get_if<MeshScene>(&ground)) {
+  if (const auto* file = std::get_if<scene::Mesh>(&ground)) {
     hydro::TriMesh mesh = mesh_from_file(*file, "ground.mesh", log);
     if (make_sound(mesh, Soundness::surface, "ground.mesh", log))
       return engine::MeshGround{std::move(mesh)};
@@ -70,22 +75,22 @@ engine::Ground assemble_ground(const GroundScene& ground, AssemblyLog& log) {
   return {};
 }
 
-engine::CollisionShape collision_shape(const BodyScene& body) {
+engine::CollisionShape collision_shape(const scene::Body& body) {
   switch (body.collision) {
-    case Collision::none:
+    case scene::Collision::none:
       return engine::CollisionShape::none;
-    case Collision::mesh:
+    case scene::Collision::mesh:
       return engine::CollisionShape::mesh;
-    case Collision::box:
+    case scene::Collision::box:
       return engine::CollisionShape::box;
-    case Collision::sphere:
+    case scene::Collision::sphere:
       return engine::CollisionShape::sphere;
-    case Collision::automatic:
+    case scene::Collision::automatic:
       break;
   }
-  if (std::holds_alternative<BoxScene>(body.shape)) return engine::CollisionShape::box;
-  if (std::holds_alternative<SphereScene>(body.shape) ||
-      std::holds_alternative<IcosphereScene>(body.shape))
+  if (std::holds_alternative<scene::Box>(body.shape)) return engine::CollisionShape::box;
+  if (std::holds_alternative<scene::Sphere>(body.shape) ||
+      std::holds_alternative<scene::Icosphere>(body.shape))
     return engine::CollisionShape::sphere;
   return engine::CollisionShape::mesh;
 }
@@ -97,7 +102,7 @@ struct MassProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
 };
 
-Eigen::Matrix3d to_matrix(const InertiaScene& i) {
+Eigen::Matrix3d to_matrix(const scene::Inertia& i) {
   Eigen::Matrix3d m;
   m << i.xx, i.xy, i.xz,  //
       i.xy, i.yy, i.yz,   //
@@ -106,7 +111,7 @@ Eigen::Matrix3d to_matrix(const InertiaScene& i) {
 }
 
 /// What a body says of its mass, and for the rest that of a solid of uniform density.
-MassProperties mass_properties(const BodyScene& body, const hydro::SolidProperties& solid) {
+MassProperties mass_properties(const scene::Body& body, const hydro::SolidProperties& solid) {
   MassProperties p;
   p.mass = body.density ? *body.density * solid.volume : body.mass.value_or(0);
   p.center_of_mass = body.center_of_mass.value_or(solid.centroid);
@@ -116,12 +121,12 @@ MassProperties mass_properties(const BodyScene& body, const hydro::SolidProperti
 }
 
 /// True if everything that the scene leaves out can only be found from a closed mesh.
-bool needs_solid(const BodyScene& body, bool wet) {
+bool needs_solid(const scene::Body& body, bool wet) {
   return wet || body.density || !body.inertia || !body.center_of_mass;
 }
 
 /// False, with a fault, for masses far below or above what double precision carries through a step.
-bool mass_is_usable(const MassProperties& p, const std::string& path, AssemblyLog& log) {
+bool mass_is_usable(const MassProperties& p, const std::string& path, BuildLog& log) {
   const bool usable = std::isfinite(p.mass) && p.mass > 1e-30 && p.mass < 1e30 &&
                       p.inertia.allFinite() && p.inertia.diagonal().minCoeff() > 1e-60;
   if (!usable)
@@ -134,7 +139,7 @@ bool mass_is_usable(const MassProperties& p, const std::string& path, AssemblyLo
 }
 
 /// A body that the engine would refuse, such as one that starts beyond all bounds.
-void check_motion(const engine::BodySpec& spec, const std::string& path, AssemblyLog& log) {
+void check_motion(const engine::BodySpec& spec, const std::string& path, BuildLog& log) {
   try {
     engine::check_body(spec);
   } catch (const std::invalid_argument& error) {
@@ -143,16 +148,16 @@ void check_motion(const engine::BodySpec& spec, const std::string& path, Assembl
 }
 
 /// A mistyped step or duration would keep the program busy for ever.
-void check_step_count(AssemblyLog& log) {
+void check_step_count(BuildLog& log) {
   const double steps = log.scene.duration / log.scene.step;
-  if (!(steps <= kMostSteps))
+  if (!(steps <= app::kMostSteps))
     log.faults.add(log.scene.places, "duration",
                    fmt::format("{:g} s in steps of {:g} s are {:.3g} steps, expected at most {:g}",
-                               log.scene.duration, log.scene.step, steps, kMostSteps));
+                               log.scene.duration, log.scene.step, steps, app::kMostSteps));
 }
 
 /// Ground that the engine would refuse: it lies beyond all bounds.
-void check_ground(const engine::Ground& ground, AssemblyLog& log) {
+void check_ground(const engine::Ground& ground, BuildLog& log) {
   try {
     engine::check_ground(ground);
   } catch (const std::invalid_argument& error) {
@@ -160,7 +165,7 @@ void check_ground(const engine::Ground& ground, AssemblyLog& log) {
   }
 }
 
-engine::AppliedLoad applied_load(const AppliedLoadScene& load, const Eigen::Vector3d& com_M) {
+engine::AppliedLoad applied_load(const scene::AppliedLoad& load, const Eigen::Vector3d& com_M) {
   engine::AppliedLoad applied{.force = load.force,
                               .torque = load.torque,
                               .in_body_frame = load.in_body_frame,
@@ -176,8 +181,8 @@ engine::AppliedLoad applied_load(const AppliedLoadScene& load, const Eigen::Vect
 
 /// The coefficients with what follows from the mesh: the length of the friction line, by default
 /// the longest side of the bounding box, and the calibration.
-hydro::Coefficients assemble_coefficients(const BodyScene& body, const hydro::TriMesh& mesh_B,
-                                          const std::string& path, AssemblyLog& log) {
+hydro::Coefficients build_coefficients(const scene::Body& body, const hydro::TriMesh& mesh_B,
+                                       const std::string& path, BuildLog& log) {
   hydro::Coefficients coefficients = body.hydro;
   hydro::ViscousDrag& viscous = coefficients.viscous_drag;
   if (viscous.length == 0) viscous.length = hydro::bounding_box(mesh_B).sizes().maxCoeff();
@@ -193,15 +198,15 @@ hydro::Coefficients assemble_coefficients(const BodyScene& body, const hydro::Tr
 }
 
 /// False if the water does nothing to a body.
-bool feels_water(const BodyScene& body, const Scene& scene) {
-  using Model = AddedMassScene::Model;
+bool feels_water(const scene::Body& body, const scene::Scene& scene) {
+  using Model = scene::AddedMass::Model;
   const Model model = body.hydro.added_mass.model;
   const bool asks_for_added_mass = model != Model::automatic && model != Model::none;
   return scene.water && (asks_for_added_mass || !hydro::no_load(body.hydro));
 }
 
-engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, AssemblyLog& log,
-                               Eigen::Vector3d& com_M, CenteredMesh& centered) {
+engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog& log,
+                            Eigen::Vector3d& com_M, CenteredMesh& centered) {
   const std::string path = body_path(index);
   engine::BodySpec spec{.name = body.name,
                         .wet = feels_water(body, log.scene),
@@ -224,15 +229,16 @@ engine::BodySpec assemble_body(const BodyScene& body, std::size_t index, Assembl
                   .orientation = body.orientation,
                   .linear_velocity = body.linear_velocity,
                   .angular_velocity = body.angular_velocity};
-  if (body.start == Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
-  spec.coefficients = assemble_coefficients(body, spec.mesh_B, path, log);
+  if (body.start == scene::Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
+  spec.coefficients = build_coefficients(body, spec.mesh_B, path, log);
   spec.summation.wave_tolerance = body.hydro.wave_tolerance;
-  for (const AppliedLoadScene& load : body.forces) spec.loads.push_back(applied_load(load, com_M));
+  for (const scene::AppliedLoad& load : body.forces)
+    spec.loads.push_back(applied_load(load, com_M));
   check_motion(spec, path, log);
   return spec;
 }
 
-engine::BodyId body_id(const Scene& scene, const std::string& name) {
+engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (scene.bodies[i].name == name) return static_cast<engine::BodyId>(i);
   return engine::kWorld;
@@ -246,34 +252,34 @@ Eigen::Vector3d some_normal(const Eigen::Vector3d& axis) {
   return (e - e.dot(axis) * axis).normalized();
 }
 
-engine::JointSpec::Type joint_type(JointScene::Type type) {
+engine::JointSpec::Type joint_type(scene::Joint::Type type) {
   using Type = engine::JointSpec::Type;
   switch (type) {
-    case JointScene::Type::ball:
+    case scene::Joint::Type::ball:
       return Type::ball;
-    case JointScene::Type::hinge:
+    case scene::Joint::Type::hinge:
       return Type::hinge;
-    case JointScene::Type::slider:
+    case scene::Joint::Type::slider:
       return Type::slider;
-    case JointScene::Type::fixed:
+    case scene::Joint::Type::fixed:
       return Type::fixed;
-    case JointScene::Type::universal:
+    case scene::Joint::Type::universal:
       return Type::universal;
   }
   throw std::logic_error("unknown type of joint");
 }
 
-engine::Integrator::Method integration_method(IntegratorScene::Method method) {
+engine::Integrator::Method integration_method(scene::Integrator::Method method) {
   switch (method) {
-    case IntegratorScene::Method::split:
+    case scene::Integrator::Method::split:
       return engine::Integrator::Method::split;
-    case IntegratorScene::Method::ode:
+    case scene::Integrator::Method::ode:
       return engine::Integrator::Method::ode;
   }
   throw std::logic_error("unknown integration method");
 }
 
-engine::JointSpec assemble_joint(const Scene& scene, const JointScene& joint) {
+engine::JointSpec build_joint(const scene::Scene& scene, const scene::Joint& joint) {
   engine::JointSpec spec{.name = joint.name,
                          .type = joint_type(joint.type),
                          .first = body_id(scene, joint.bodies[0]),
@@ -290,31 +296,60 @@ engine::JointSpec assemble_joint(const Scene& scene, const JointScene& joint) {
 
 }  // namespace
 
-Assembly assemble(const Scene& scene) {
-  AssemblyLog log{.scene = scene};
+BuiltScene build_without_added_mass(const scene::Scene& scene) {
+  BuildLog log{.scene = scene};
   check_step_count(log);
-  Assembly assembly;
-  engine::SimulationSpec& spec = assembly.spec;
+  BuiltScene built;
+  engine::SimulationSpec& spec = built.spec;
   spec.step = scene.step;
   spec.gravity = scene.gravity;
   spec.record_work = scene.log_forces;
   spec.integrator = {.method = integration_method(scene.integrator.method),
                      .tolerance = scene.integrator.tolerance.value_or(0)};
-  if (scene.water) spec.sea = assemble_sea(*scene.water, scene.gravity, log);
-  spec.ground = assemble_ground(scene.ground, log);
+  if (scene.water) spec.sea = build_sea(*scene.water, scene.gravity, log);
+  spec.ground = build_ground(scene.ground, log);
   check_ground(spec.ground, log);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
     CenteredMesh centered;
-    spec.bodies.push_back(assemble_body(scene.bodies[i], i, log, com_M, centered));
-    assembly.centers_of_mass.push_back(com_M);
-    assembly.solids.push_back(std::move(centered));
+    spec.bodies.push_back(build_body(scene.bodies[i], i, log, com_M, centered));
+    built.centers_of_mass.push_back(com_M);
+    built.solids.push_back(std::move(centered));
   }
-  for (const JointScene& joint : scene.joints) spec.joints.push_back(assemble_joint(scene, joint));
+  for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
   log.faults.throw_if_any();
-  assembly.added_mass.resize(scene.bodies.size());
-  assembly.notes = std::move(log.notes);
-  return assembly;
+  built.added_mass.resize(scene.bodies.size());
+  built.notes = std::move(log.notes);
+  return built;
 }
 
-}  // namespace app
+BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter& reporter) {
+  BuiltScene built = build_without_added_mass(scene);
+  for (const std::string& note : built.notes)
+    reporter.note(fmt::format("{}: note: {}", scene.file.string(), note));
+  const auto start = std::chrono::steady_clock::now();
+  add_added_mass(scene, built, store, reporter);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  built.added_mass_seconds = time.count();
+  return built;
+}
+
+BuiltScene build_on_threads(int threads, const scene::Scene& scene, AddedMassStore& store,
+                            app::Reporter& reporter) {
+  tbb::task_arena arena(threads);
+  BuiltScene built = arena.execute([&] { return build(scene, store, reporter); });
+  built.spec.threads = threads;
+  return built;
+}
+
+void keep_solutions(const BuiltScene& built, const AddedMassStore& store, app::Reporter& reporter) {
+  std::set<const hydro::SurfaceAddedMass*> kept;
+  for (std::size_t i = 0; i < built.added_mass.size(); ++i) {
+    const auto& report = built.added_mass[i];
+    if (!report || !report->surface || report->surface->solves() == 0) continue;
+    if (kept.insert(report->surface.get()).second)
+      store.keep_nodes(built.spec.bodies[i].mesh_B, report->surface->nodes(), reporter);
+  }
+}
+
+}  // namespace assembly
