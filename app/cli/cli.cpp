@@ -96,8 +96,8 @@ struct Arguments {
   std::string shell;
 };
 
-void add_sets(CLI::App* command, Arguments& arguments) {
-  command
+CLI::Option* add_sets(CLI::App* command, Arguments& arguments) {
+  return command
       ->add_option("--set", arguments.sets,
                    "Replace or add a key of the scene, e.g. bodies[0].density=700")
       ->type_name("KEY.PATH=VALUE")
@@ -114,7 +114,7 @@ void add_threads(CLI::App* command, int& threads, const char* more = "") {
       ->type_name("N");
 }
 
-void add_video(CLI::App* command, VideoOptions& video) {
+CLI::Option* add_video(CLI::App* command, VideoOptions& video) {
   CLI::Option* file =
       command
           ->add_option("--video", video.file,
@@ -125,21 +125,37 @@ void add_video(CLI::App* command, VideoOptions& video) {
       ->check(CLI::Range(1, 120).description(""))
       ->type_name("N")
       ->needs(file);
+  return file;
 }
 
 void add_run(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("run", "Run a scene: trajectory, pictures, summary");
-  command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE")->required();
-  command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]")->type_name("DIR");
-  add_sets(command, a);
-  command
-      ->add_option_function<std::string>(
-          "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
-          "Of the log: csv, or hdf5 for large runs [csv]")
-      ->type_name("FORMAT");
+  CLI::Option* scene =
+      command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE");
+  CLI::Option* out =
+      command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]");
+  out->type_name("DIR");
+  CLI::Option* sets = add_sets(command, a);
+  CLI::Option* format = command->add_option_function<std::string>(
+      "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
+      "Of the log: csv, or hdf5 for large runs [csv]");
+  format->type_name("FORMAT");
   command->add_flag_callback(
       "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
-  add_video(command, a.run.video);
+  CLI::Option* video = add_video(command, a.run.video);
+  command
+      ->add_option("--checkpoint", a.run.checkpoint,
+                   "Save the run every so many seconds of wall time, to go on with --resume")
+      ->check(CLI::Range(1e-3, 1e6).description(""))
+      ->type_name("SECONDS");
+  CLI::Option* resume =
+      command->add_option("--resume", a.run.resume,
+                          "In place of a scene: go on with the run in DIR from its checkpoint");
+  resume->type_name("DIR");
+  for (CLI::Option* other : {scene, out, sets, format, video}) resume->excludes(other);
+  command->callback([scene, resume] {
+    if (scene->empty() && resume->empty()) throw CLI::RequiredError("scene");
+  });
   add_threads(command, a.run.threads, ", from 2 on with one more for files");
   command->add_flag("--quiet", a.run.quiet, "No progress and no report");
 }

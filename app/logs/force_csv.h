@@ -18,12 +18,16 @@ std::string force_header();
 /// Writes forces while they are found. What was added is in the file when `add` returns.
 class ForceWriter {
  public:
-  /// Replaces the file. @throws InputError if it cannot be written.
-  ForceWriter(const std::filesystem::path& file, std::vector<std::string> names);
+  /// Replaces the file, or keeps the first `kept` bytes of it (row_file.h). @throws InputError
+  ForceWriter(const std::filesystem::path& file, std::vector<std::string> names,
+              const std::optional<std::uint64_t>& kept = {});
 
   /// Adds one row a body, in the order of the names, with digits that read back to the same
   /// numbers. @throws OutputError if the disk is full.
   void add(double time, const std::vector<engine::BodyForces>& forces);
+
+  /// As RowFile::save.
+  std::uint64_t save() { return file_.save(); }
 
  private:
   std::vector<std::string> names_;

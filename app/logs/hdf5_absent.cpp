@@ -21,13 +21,14 @@ std::string why_no_hdf5() {
 struct Hdf5Writer::File {};
 struct Hdf5Reader::File {};
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) { refuse(file); }
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, Mode) { refuse(file); }
 Hdf5Writer::~Hdf5Writer() = default;
 void Hdf5Writer::set_attributes(const Hdf5Attributes&) {}
 void Hdf5Writer::add_texts(const std::string&, const std::vector<std::string>&) {}
 std::size_t Hdf5Writer::add_series(const Hdf5Series&, const std::array<std::size_t, 2>&) {
   return 0;
 }
+std::size_t Hdf5Writer::find_series(const Hdf5Series&, std::size_t) { return 0; }
 void Hdf5Writer::reserve(std::size_t) {}
 void Hdf5Writer::append(std::size_t, std::span<const double>) {}
 void Hdf5Writer::flush() {}

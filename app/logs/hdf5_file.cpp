@@ -216,12 +216,15 @@ struct Hdf5Writer::File {
   off_t reserved = 0;          ///< The file's end on the disk may be there [bytes].
 };
 
-Hdf5Writer::Hdf5Writer(const fs::path& file) : file_(std::make_unique<File>()) {
+Hdf5Writer::Hdf5Writer(const fs::path& file, Mode mode) : file_(std::make_unique<File>()) {
   prepare_library();
   const Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
   file_->path = file;
-  file_->file = Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties, file_access()), H5Fclose);
+  const bool replace = mode == Mode::replace;
+  file_->file = Handle(replace ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties, file_access())
+                               : H5Fopen(file.c_str(), H5F_ACC_RDWR, file_access()),
+                       H5Fclose);
   if (file_->file < 0)
     throw scene::InputError(file, fmt::format("cannot be written: {}", last_error()));
 }
@@ -264,6 +267,25 @@ std::size_t Hdf5Writer::add_series(const Hdf5Series& series,
   std::size_t numbers = 1;
   for (const std::size_t length : series.shape) numbers *= length;
   file_->series.push_back({std::move(dataset), series.shape, numbers});
+  return file_->series.size() - 1;
+}
+
+std::size_t Hdf5Writer::find_series(const Hdf5Series& series, std::size_t rows) {
+  prepare_library();
+  Handle dataset(H5Dopen2(file_->file, series.name.c_str(), write_through()), H5Dclose);
+  const auto refuse = [&](const char* why) {
+    throw scene::InputError(file_->path, fmt::format("the dataset {} {}", series.name, why));
+  };
+  if (dataset < 0) refuse("is missing");
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  Extents shape(series.shape.size() + 1);
+  if (H5Sget_simple_extent_ndims(space) != static_cast<int>(shape.size()) ||
+      H5Sget_simple_extent_dims(space, shape.data(), nullptr) < 0 || shape[0] < rows)
+    refuse("is not that of the checkpoint");
+  file_->check(H5Dset_extent(dataset, shape_of(rows, series.shape).data()) >= 0);
+  std::size_t numbers = 1;
+  for (const std::size_t length : series.shape) numbers *= length;
+  file_->series.push_back({std::move(dataset), series.shape, numbers, rows});
   return file_->series.size() - 1;
 }
 

@@ -37,8 +37,12 @@ using Hdf5Attributes = std::vector<std::pair<std::string, std::string>>;
 /// as the last `flush` has made it.
 class Hdf5Writer {
  public:
-  /// Replaces the file. @throws InputError if it cannot be written.
-  explicit Hdf5Writer(const std::filesystem::path& file);
+  enum class Mode {
+    replace,  ///< A new file takes the place of one that is there.
+    extend    ///< The file is there; its series are found and go on.
+  };
+  /// @throws InputError if it cannot be written, or is to be extended and is damaged.
+  explicit Hdf5Writer(const std::filesystem::path& file, Mode mode = Mode::replace);
   /// Call `close` before, to learn whether it could be.
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
@@ -51,6 +55,10 @@ class Hdf5Writer {
   /// dimension
   ///     at most. @return the series' number, from 0.
   std::size_t add_series(const Hdf5Series& series, const std::array<std::size_t, 2>& chunk);
+
+  /// A series of a file that is extended: its first `rows` rows stay, others go.
+  /// @return the series' number. @throws InputError if it is missing or shorter.
+  std::size_t find_series(const Hdf5Series& series, std::size_t rows);
 
   /// Takes room on the disk for so many more bytes of numbers. Where there is none, all rows before
   /// are flushed before it throws.

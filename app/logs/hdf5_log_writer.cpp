@@ -45,8 +45,13 @@ std::size_t chunk_rows(const LogSubject& subject) {
 
 }  // namespace
 
-Hdf5Log::Hdf5Log(const LogSubject& subject, const std::filesystem::path& file)
-    : subject_(subject), chunk_(chunk_rows(subject)), file_(file) {}
+Hdf5Log::Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,
+                 const std::optional<std::size_t>& kept)
+    : subject_(subject),
+      chunk_(chunk_rows(subject)),
+      file_(file, kept ? Hdf5Writer::Mode::extend : Hdf5Writer::Mode::replace) {
+  if (kept) find_structure(*kept);
+}
 
 Hdf5Log::~Hdf5Log() {
   try {
@@ -71,12 +76,20 @@ void Hdf5Log::make_structure() {
   started_ = true;
 }
 
+void Hdf5Log::find_structure(std::size_t kept) {
+  times_.number = file_.find_series({"time", "s", {}, {}}, kept);
+  for (const Hdf5Series& series : all_series(subject_))
+    series_.push_back({.number = file_.find_series(series, kept), .columns = width_of(series)});
+  written_ = kept;
+  started_ = true;
+}
+
 void Hdf5Log::add(double time, const std::vector<hydro::BodyState>& states,
                   const std::vector<engine::BodyForces>& forces) {
   try {
     if (!started_) make_structure();
     wait(time, states, forces);
-    if (times_.waiting.size() == chunk_) write_waiting();
+    if ((written_ + times_.waiting.size()) % chunk_ == 0) write_waiting();
   } catch (const OutputError&) {
     ended_ = true;
     throw;
@@ -107,6 +120,7 @@ void Hdf5Log::write_waiting() {
   if (times_.waiting.empty()) return;
   std::size_t numbers = times_.waiting.size();
   for (const Series& series : series_) numbers += series.waiting.size();
+  written_ += times_.waiting.size();
   file_.reserve(sizeof(double) * numbers);
   std::ranges::for_each(series_, write);
   write(times_);
@@ -116,6 +130,17 @@ void Hdf5Log::write_waiting() {
 void Hdf5Log::flush() {
   file_.flush();
   flushed_ = std::chrono::steady_clock::now();
+}
+
+LogPosition Hdf5Log::save() {
+  try {
+    write_waiting();
+    flush();
+  } catch (const OutputError&) {
+    ended_ = true;
+    throw;
+  }
+  return {.rows = written_};
 }
 
 void Hdf5Log::finish() {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,16 @@ namespace app {
 /// is killed a chunk is lost at most, and what was written in the last second.
 class Hdf5Log : public Log {
  public:
+  /// Replaces the file, or keeps the first `kept` rows of it.
   /// @throws InputError if the file cannot be written, or the program has no HDF5
-  Hdf5Log(const LogSubject& subject, const std::filesystem::path& file);
+  Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,
+          const std::optional<std::size_t>& kept = {});
   /// Writes what waits, if that is possible.
   ~Hdf5Log() override;
 
   void add(double time, const std::vector<hydro::BodyState>& states,
            const std::vector<engine::BodyForces>& forces) override;
+  LogPosition save() override;
   void finish() override;
 
  private:
@@ -35,13 +39,15 @@ class Hdf5Log : public Log {
   };
 
   void make_structure();
+  void find_structure(std::size_t kept);
   void wait(double time, const std::vector<hydro::BodyState>& states,
             const std::vector<engine::BodyForces>& forces);
   void write_waiting();
   void flush();
 
   LogSubject subject_;
-  std::size_t chunk_;  ///< Rows.
+  std::size_t chunk_;        ///< Rows.
+  std::size_t written_ = 0;  ///< Rows in the file.
   Hdf5Writer file_;
   bool started_ = false;
   std::chrono::steady_clock::time_point flushed_;

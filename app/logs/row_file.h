@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace app {
@@ -13,13 +15,21 @@ namespace app {
 /// returns.
 class RowFile {
  public:
-  /// Replaces the file by one of the header line. @throws InputError if it cannot be written.
-  RowFile(const std::filesystem::path& file, std::string_view header);
+  /// Replaces the file by one of the header line; or keeps the first `kept` bytes of it, which
+  /// whole rows end with. @throws InputError if it cannot be written, or is shorter than that.
+  RowFile(const std::filesystem::path& file, std::string_view header,
+          const std::optional<std::uint64_t>& kept);
 
   /// @param rows   Whole lines. @throws OutputError if the disk is full.
   void add(const fmt::memory_buffer& rows);
 
+  /// Has the system put all rows on the disk. @return the length of the file [bytes]
+  /// @throws OutputError
+  std::uint64_t save();
+
  private:
+  [[noreturn]] void fail() const;
+
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };

@@ -10,6 +10,10 @@ inline constexpr const char* kTrajectoryLog = "trajectory.csv";
 inline constexpr const char* kForceLog = "forces.csv";
 inline constexpr const char* kHdf5Log = "run.h5";
 inline constexpr const char* kSummaryFile = "summary.json";
+/// What a run saves of itself with --checkpoint, and the states that then wait to be drawn; both go
+/// when it ends.
+inline constexpr const char* kCheckpointFile = "checkpoint.bin";
+inline constexpr const char* kShotFile = "checkpoint_shots.bin";
 inline constexpr const char* kReportFile = "report.html";
 /// The tolerances to which later runs are compared with this one.
 inline constexpr const char* kTolerancesFile = "tolerances.yaml";

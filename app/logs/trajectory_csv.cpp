@@ -28,8 +28,9 @@ void read_row(std::string_view text, const std::filesystem::path& file, int line
 }  // namespace
 
 TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& file,
-                                   std::vector<std::string> names)
-    : names_(std::move(names)), file_(file, kHeader) {}
+                                   std::vector<std::string> names,
+                                   const std::optional<std::uint64_t>& kept)
+    : names_(std::move(names)), file_(file, kHeader, kept) {}
 
 void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& states) {
   fmt::memory_buffer rows;

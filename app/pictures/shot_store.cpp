@@ -1,6 +1,7 @@
 #include "app/pictures/shot_store.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
@@ -10,6 +11,7 @@
 
 #include "app/base/output_error.h"
 #include "app/logs/trajectory.h"
+#include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
@@ -17,14 +19,33 @@ namespace {
 constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
 
 [[noreturn]] void refuse(const char* what) {
-  throw OutputError(fmt::format("{} the states to be drawn, in the folder for temporary files: {}",
-                                what, std::strerror(errno)));
+  throw OutputError(fmt::format("{} the states to be drawn: {}", what, std::strerror(errno)));
 }
 
 /// Numbers of a shot: its time, whether it is a frame and of the video, and the states.
 std::size_t numbers_in(std::size_t bodies) { return 3 + bodies * kStateSize; }
 
 }  // namespace
+
+ShotStore::ShotStore(const std::filesystem::path& file, std::size_t kept, std::size_t bodies)
+    : file_(std::fopen(file.c_str(), kept > 0 ? "r+b" : "w+b")), bodies_(bodies) {
+  if (!file_)
+    throw scene::InputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
+  const std::size_t bytes = kept * numbers_in(bodies) * sizeof(double);
+  if (std::filesystem::file_size(file) < bytes)
+    throw scene::InputError(file, "is shorter than when its checkpoint was written");
+  std::filesystem::resize_file(file, bytes);
+  for (size_ = 0; size_ < kept;) {
+    ++size_;
+    const Shot shot = at(size_ - 1);
+    frames_ += shot.frame;
+    of_video_ += shot.video;
+  }
+}
+
+void ShotStore::save() {
+  if (file_ && ::fdatasync(::fileno(file_.get())) != 0) refuse("cannot keep");
+}
 
 void ShotStore::add(const Shot& shot) {
   if (!file_) {

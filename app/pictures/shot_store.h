@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -18,12 +19,21 @@ struct Shot {
   bool operator==(const Shot&) const = default;
 };
 
-/// Shots of a sequence, all of the same bodies. They wait in a file without a name, which goes with
-/// the process whatever becomes of it: the memory of a run does not grow with its length.
+/// Shots of a sequence, all of the same bodies. They wait in a file, so that the memory of a run
+/// does not grow with its length: one without a name, which goes with the process whatever becomes
+/// of it, or a named one, which a resumed run finds again.
 class ShotStore {
  public:
+  ShotStore() = default;
+  /// Keeps the shots in a named file, whose first `kept` shots of `bodies` bodies stay.
+  /// @throws InputError if that file cannot be opened or has fewer
+  ShotStore(const std::filesystem::path& file, std::size_t kept, std::size_t bodies);
+
   /// @throws OutputError if there is no room.
   void add(const Shot& shot);
+
+  /// Has the system put all shots on the disk. @throws OutputError
+  void save();
 
   std::size_t size() const { return size_; }
   std::size_t frames() const { return frames_; }      ///< Of the shots.

@@ -13,13 +13,22 @@ void ShotList::add(double time, const std::vector<hydro::BodyState>& states) {
   last_ = states;
 }
 
+void ShotList::resume(double time, const std::vector<hydro::BodyState>& states, ShotStore shots) {
+  frames_.due(time);
+  if (fps_ > 0) {
+    while (static_cast<double>(next_) / fps_ <= time + slack()) ++next_;
+    last_time_ = time;
+    last_ = states;
+  }
+  shots_ = std::move(shots);
+}
+
 /// Those before this time. @return true if one is due at it.
 bool ShotList::add_video_shots(double time, const std::vector<hydro::BodyState>& states) {
-  const double slack = 1e-6 / fps_;  // the rounding of step·count
   for (;; ++next_) {
     const double due = static_cast<double>(next_) / fps_;
-    if (due > time + slack || !is_frame_time(due, end_)) return false;
-    if (due >= time - slack) {
+    if (due > time + slack() || !is_frame_time(due, end_)) return false;
+    if (due >= time - slack()) {
       ++next_;
       return true;
     }

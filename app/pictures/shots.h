@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "app/base/schedule.h"
@@ -17,6 +18,13 @@ class ShotList {
   /// @param fps     Pictures of the video in a second; 0: there is none.
   ShotList(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
 
+  /// Keeps the shots in that store from the start.
+  void keep_in(ShotStore shots) { shots_ = std::move(shots); }
+  /// Goes on after a run's state at `time`, with the shots that it had kept until then.
+  void resume(double time, const std::vector<hydro::BodyState>& states, ShotStore shots);
+  /// As ShotStore::save.
+  void save() { shots_.save(); }
+
   /// To be told of all states in the order of time. @throws OutputError
   void add(double time, const std::vector<hydro::BodyState>& states);
 
@@ -24,6 +32,8 @@ class ShotList {
   const ShotStore& shots() const { return shots_; }
 
  private:
+  /// The rounding of step·count, for times of the video [s].
+  double slack() const { return 1e-6 / fps_; }
   bool add_video_shots(double time, const std::vector<hydro::BodyState>& states);
   void add_between(double due, double time, const std::vector<hydro::BodyState>& states);
 

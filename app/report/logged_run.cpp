@@ -10,6 +10,7 @@
 #include "app/logs/read_log.h"
 #include "app/logs/run_files.h"
 #include "app/logs/trajectory_match.h"
+#include "app/run/run_source.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/reader.h"
 
@@ -30,19 +31,10 @@ Json read_summary(const fs::path& file) {
   return summary;
 }
 
-/// Where the scene was read from, its text and what the command line put over it.
-struct Source {
-  fs::path file;
-  std::string text;
-  std::vector<std::string> overrides;
-};
-
-std::optional<Source> source_in(const Json& summary, const fs::path& file) {
+std::optional<RunSource> source_in(const Json& summary, const fs::path& file) {
   if (!summary.is_object() || !summary.contains("source")) return std::nullopt;
   try {
-    const Json& source = summary["source"];
-    return Source{source.at("file").get<std::string>(), source.at("text").get<std::string>(),
-                  source.at("overrides").get<std::vector<std::string>>()};
+    return source_from(summary["source"]);
   } catch (const Json::exception&) {
     throw scene::InputError(
         file, "source: expected file, text and overrides, as plimsoll run writes them");
@@ -52,7 +44,7 @@ std::optional<Source> source_in(const Json& summary, const fs::path& file) {
 /// Reads the scene as it was run and the meshes it names.
 void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
   const fs::path summary = run.path / kSummaryFile;
-  const std::optional<Source> source = source_in(run.summary, summary);
+  const std::optional<RunSource> source = source_in(run.summary, summary);
   if (!source && moved_to.empty())
     throw scene::InputError(summary,
                             run.summary.is_null()
@@ -64,13 +56,11 @@ void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
     return;
   }
   run.overrides = source->overrides;
-  std::vector<scene::Override> overrides;
-  for (const std::string& o : run.overrides) overrides.push_back(scene::parse_override(o));
   const fs::path file = moved_to.empty() ? source->file : moved_to;
   if (!moved_to.empty() && !fs::exists(moved_to))
     throw scene::InputError(moved_to, "there is no such file");
   try {
-    run.scene = scene::parse(source->text, file, overrides);
+    run.scene = read_again(*source, file);
     run.built = assembly::build_without_added_mass(run.scene);
   } catch (const scene::InputError&) {
     if (fs::exists(file)) throw;

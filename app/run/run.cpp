@@ -28,7 +28,9 @@
 #include "app/pictures/pictures.h"
 #include "app/pictures/shots.h"
 #include "app/pictures/video_check.h"
+#include "app/run/checkpoint.h"
 #include "app/run/resolved_scene.h"
+#include "app/run/run_source.h"
 #include "app/run/summary.h"
 #include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
@@ -70,8 +72,9 @@ std::size_t most_waiting(std::size_t bodies) {
 /// One run: the simulation and what is kept of it.
 class Run {
  public:
+  /// @param last   The checkpoint that it goes on from; null: it starts.
   Run(const RunOptions& options, const scene::Scene& scene, const assembly::BuiltScene& built,
-      const OutputFolder& folder)
+      const OutputFolder& folder, const Checkpoint* last)
       : options_(options),
         scene_(scene),
         built_(built),
@@ -79,11 +82,21 @@ class Run {
         summary_{.scene = scene, .built = built, .overrides = options.overrides},
         progress_(options.quiet),
         simulation_(built.spec),
-        log_(make_log(options.format, log_subject(scene, built), folder.path())),
+        log_(make_log(options.format, log_subject(scene, built), folder.path(),
+                      last ? std::optional(last->log) : std::nullopt)),
         log_due_(scene.log_every.value_or(0)),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
-        logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {}
+        logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {
+    ShotStore store;
+    if (options.checkpoint > 0 && wants_pictures())
+      store = ShotStore(folder.path() / kShotFile, last ? static_cast<std::size_t>(last->shots) : 0,
+                        built.spec.bodies.size());
+    if (last)
+      go_on_from(*last, std::move(store));
+    else
+      shots_.keep_in(std::move(store));
+  }
 
   int execute() {
     remove_earlier_results();
@@ -98,10 +111,20 @@ class Run {
     summary_.wall = built_.added_mass_seconds + clock_.seconds();
     if (!options_.quiet) report(code);
     write_summary(summary_, summary_file());
+    // What was interrupted, or found no room on the disk, can go on.
+    if (code == kDone || code == kCannotGoOn) remove_checkpoint(folder_.path());
     return code;
   }
 
  private:
+  void go_on_from(const Checkpoint& last, ShotStore store) {
+    simulation_.restore(last.state);
+    const double time = simulation_.time();
+    log_due_.due(time);
+    shots_.resume(time, simulation_.states(), std::move(store));
+    summary_.resumed_at = time;
+  }
+
   bool wants_pictures() const { return scene_.render && options_.render; }
   std::filesystem::path summary_file() const { return folder_.path() / kSummaryFile; }
 
@@ -135,18 +158,39 @@ class Run {
   int step_to_end() {
     const long steps = step_count(scene_.duration, scene_.step);
     try {
-      keep();
+      if (!summary_.resumed_at) keep();
       while (simulation_.steps() < steps && !interrupt_.interrupted()) {
         simulation_.step();
         keep();
         if (progress_.due()) show_progress();
+        if (options_.checkpoint > 0 && since_checkpoint_.seconds() > options_.checkpoint)
+          save_checkpoint();
       }
     } catch (const engine::SimulationError& error) {
       finish_log();
       return failed(kCannotGoOn, error.what());
     }
+    if (options_.checkpoint > 0 && interrupt_.interrupted()) save_checkpoint();
     finish_log();
     return simulation_.steps() < steps ? interrupted() : kDone;
+  }
+
+  /// Saves everything that a resumed run needs, the rows and shots so far first.
+  void save_checkpoint() {
+    LogPosition position;
+    logging_.put([&] { position = log_->save(); });
+    logging_.finish();
+    shots_.save();
+    write_checkpoint(folder_.path(), {.source = run_source(scene_, options_.overrides),
+                                      .inputs = digest_of(built_.spec),
+                                      .choices = {.every = options_.checkpoint,
+                                                  .format = options_.format,
+                                                  .render = options_.render,
+                                                  .video = options_.video},
+                                      .log = position,
+                                      .shots = static_cast<long>(shots_.shots().size()),
+                                      .state = simulation_.state()});
+    since_checkpoint_ = Stopwatch();
   }
 
   int interrupted() {
@@ -230,7 +274,10 @@ class Run {
     if (code == kInterrupted)
       say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
                       summary_.simulated, scene_.duration, folder_.path().string()));
-    if (code == kInterrupted && options_.video.wanted() && !summary_.pictures)
+    if (code == kInterrupted && options_.checkpoint > 0)
+      say(fmt::format("plimsoll run --resume {} goes on from there", folder_.path().string()));
+    if (code == kInterrupted && options_.video.wanted() && !summary_.pictures &&
+        options_.checkpoint == 0)
       say("no picture was drawn for the video; plimsoll render makes it of what is logged");
     for (const std::string& warning : summary_.warnings)
       say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
@@ -253,6 +300,7 @@ class Run {
   const OutputFolder& folder_;
   RunSummary summary_;
   Stopwatch clock_;
+  Stopwatch since_checkpoint_;
   ProgressLine progress_;
   InterruptGuard interrupt_;
   engine::Simulation simulation_;
@@ -274,23 +322,49 @@ void check_video_of_run(const RunOptions& options, const scene::Scene& scene,
   check_video(options.video, *scene.render, out, thread_count(options.threads));
 }
 
-}  // namespace
+/// The options that a run was started with; threads, quiet and, if given, checkpoint are new.
+RunOptions resumed_options(const RunOptions& given, const Checkpoint& last) {
+  return {.scene = last.source.file,
+          .out = given.resume,
+          .overrides = overrides_of(last.source),
+          .format = last.choices.format,
+          .checkpoint = given.checkpoint > 0 ? given.checkpoint : last.choices.every,
+          .resume = given.resume,
+          .render = last.choices.render && given.render,
+          .video = last.choices.video,
+          .threads = given.threads,
+          .quiet = given.quiet};
+}
 
-int run(const RunOptions& options) {
+int run(const RunOptions& options, const Checkpoint* last) {
   const std::string no_hdf5 = why_no_hdf5();
   if (options.format == LogFormat::hdf5 && !no_hdf5.empty())
     throw scene::InputError("--format hdf5", no_hdf5);
-  const scene::Scene scene = scene::read(options.scene, options.overrides);
+  const scene::Scene scene = last ? read_again(last->source, last->source.file)
+                                  : scene::read(options.scene, options.overrides);
   const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   check_video_of_run(options, scene, out);
   TerminalReporter reporter(options.quiet);
   assembly::AddedMassStore store(assembly::cache_folder());
   const assembly::BuiltScene built =
       assembly::build_on_threads(thread_count(options.threads), scene, store, reporter);
+  if (last && digest_of(built.spec) != last->inputs)
+    throw scene::InputError(scene.file,
+                            "a mesh or another file that the scene names has changed since the "
+                            "checkpoint: the run cannot go on, run the scene anew");
   const OutputFolder folder(out);
-  const int code = Run(options, scene, built, folder).execute();
+  if (!last) remove_checkpoint(folder.path());
+  const int code = Run(options, scene, built, folder, last).execute();
   assembly::keep_solutions(built, store, reporter);
   return code;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  if (options.resume.empty()) return run(options, nullptr);
+  const Checkpoint last = read_checkpoint(options.resume);
+  return run(resumed_options(options, last), &last);
 }
 
 }  // namespace app

@@ -8,6 +8,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
+#include "app/run/run_source.h"
 #include "hydro/added_mass/surface_added_mass.h"
 
 namespace app {
@@ -65,15 +66,6 @@ Json to_json(const PictureReport& pictures) {
   return json;
 }
 
-/// All that the scene can be read again from, wherever the program is started then.
-Json source_of(const RunSummary& s) {
-  Json overrides = Json::array();
-  for (const scene::Override& o : s.overrides) overrides.push_back(o.key_path + "=" + o.value);
-  return {{"file", std::filesystem::absolute(s.scene.file).lexically_normal().string()},
-          {"overrides", overrides},
-          {"text", s.scene.text}};
-}
-
 Json to_json(const RunSummary& s) {
   Json bodies = Json::object();
   const engine::SimulationSpec& spec = s.built.spec;
@@ -105,7 +97,8 @@ Json to_json(const RunSummary& s) {
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}},
        {"bodies", bodies}});
   if (s.pictures) json["pictures"] = to_json(*s.pictures);
-  json["source"] = source_of(s);
+  json["source"] = to_json(run_source(s.scene, s.overrides));
+  if (s.resumed_at) json["resumed_at_seconds"] = *s.resumed_at;
   return json;
 }
 

@@ -1,0 +1,128 @@
+#include "app/run/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/base/atomic_file.h"
+#include "app/base/checked_file.h"
+#include "app/base/output_error.h"
+#include "app/logs/run_files.h"
+#include "app/scene/diagnostics.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The first key of the head, whose value changes with the layout.
+constexpr int kFormat = 1;
+
+Json to_json(const Checkpoint& c) {
+  return {{"checkpoint", kFormat},
+          {"plimsoll", PLIMSOLL_VERSION},
+          {"steps", c.state.steps()},
+          {"source", to_json(c.source)},
+          {"inputs", c.inputs},
+          {"every", c.choices.every},
+          {"format", c.choices.format == LogFormat::csv ? "csv" : "hdf5"},
+          {"render", c.choices.render},
+          {"video", c.choices.video.file.string()},
+          {"fps", c.choices.video.fps},
+          {"rows", c.log.rows},
+          {"trajectory_bytes", c.log.trajectory_bytes},
+          {"forces_bytes", c.log.forces_bytes},
+          {"shots", c.shots}};
+}
+
+CheckpointChoices choices_from(const Json& head) {
+  return {.every = head.at("every").get<double>(),
+          .format = head.at("format") == "csv" ? LogFormat::csv : LogFormat::hdf5,
+          .render = head.at("render").get<bool>(),
+          .video = {.file = head.at("video").get<std::string>(), .fps = head.at("fps").get<int>()}};
+}
+
+/// Collects bytes and numbers for a digest.
+class Digest {
+ public:
+  void add(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const char*>(data);
+    bytes_.insert(bytes_.end(), bytes, bytes + size);
+  }
+  template <class Derived>
+  void add(const Eigen::PlainObjectBase<Derived>& matrix) {
+    add(matrix.data(), sizeof(typename Derived::Scalar) * static_cast<std::size_t>(matrix.size()));
+  }
+  void add(double number) { add(&number, sizeof number); }
+  std::string text() const { return fmt::format("{:016x}", hash_of(bytes_)); }
+
+ private:
+  std::vector<char> bytes_;
+};
+
+}  // namespace
+
+std::string digest_of(const engine::SimulationSpec& spec) {
+  Digest digest;
+  digest.add(spec.step);
+  for (const engine::BodySpec& body : spec.bodies) {
+    digest.add(body.mesh_B.vertices);
+    digest.add(body.mesh_B.faces);
+    digest.add(body.mass);
+    digest.add(body.inertia_B);
+    digest.add(body.initial.position);
+    digest.add(body.initial.orientation.coeffs());
+  }
+  if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
+    digest.add(mesh->mesh_W.vertices);
+  if (spec.sea)
+    if (const auto* field = std::get_if<hydro::HeightField>(&spec.sea->surface))
+      digest.add(field->heights);
+  return digest.text();
+}
+
+void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
+  try {
+    write_whole(folder / kCheckpointFile,
+                to_json(checkpoint).dump() + "\n" + checkpoint.state.to_bytes());
+  } catch (const std::runtime_error& error) {
+    throw OutputError(error.what());
+  }
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kCheckpointFile;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw scene::InputError(file,
+                            "is missing: the run has ended, or was started without --checkpoint");
+  std::string line;
+  std::getline(stream, line);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const Json head = Json::parse(line, nullptr, false);
+  if (!head.is_object() || head.value("checkpoint", 0) != kFormat)
+    throw scene::InputError(file, "is no checkpoint that this version of plimsoll can resume");
+  try {
+    return {.source = source_from(head.at("source")),
+            .inputs = head.at("inputs").get<std::string>(),
+            .choices = choices_from(head),
+            .log = {.rows = head.at("rows").get<std::uint64_t>(),
+                    .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
+                    .forces_bytes = head.at("forces_bytes").get<std::uint64_t>()},
+            .shots = head.at("shots").get<long>(),
+            .state = engine::SimulationState::from_bytes(bytes)};
+  } catch (const std::exception& error) {
+    throw scene::InputError(file, fmt::format("cannot be resumed: {}", error.what()));
+  }
+}
+
+void remove_checkpoint(const std::filesystem::path& folder) {
+  std::filesystem::remove(folder / kCheckpointFile);
+  std::filesystem::remove(folder / kShotFile);
+}
+
+}  // namespace app
