@@ -75,12 +75,6 @@ std::array<double, 4> to_ode(const Eigen::Quaterniond& q) { return {q.w(), q.x()
 
 Eigen::Vector3d vector_from_ode(const double* v) { return {v[0], v[1], v[2]}; }
 
-Eigen::Matrix3d matrix_from_ode(const double* m) {
-  Eigen::Matrix3d matrix;
-  for (int row = 0; row < 3; ++row) matrix.row(row) << m[4 * row], m[4 * row + 1], m[4 * row + 2];
-  return matrix;
-}
-
 Eigen::Quaterniond quaternion_from_ode(const double* q) { return {q[0], q[1], q[2], q[3]}; }
 
 }  // namespace engine

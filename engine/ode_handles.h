@@ -73,8 +73,6 @@ std::array<double, 4> to_ode(const Eigen::Quaterniond& quaternion);
 
 /// From ODE's dVector3 (its first three numbers).
 Eigen::Vector3d vector_from_ode(const double* vector);
-/// From ODE's dMatrix3 (12 numbers).
-Eigen::Matrix3d matrix_from_ode(const double* matrix);
 /// From ODE's dQuaternion (4 numbers).
 Eigen::Quaterniond quaternion_from_ode(const double* quaternion);
 

@@ -87,7 +87,7 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
   EXPECT_THAT(keys(summary["bodies"]["box"]),
               ElementsAre("triangles", "mass", "loads_not_computed", "steps_above_water",
-                          "steps_at_rest", "steps_asleep", "motion", "added_mass"));
+                          "steps_at_rest", "motion", "added_mass"));
 }
 
 TEST_F(ProgramRun, WarnsOfAStepThatIsTooLongForTheWaves) {
@@ -279,28 +279,6 @@ TEST_F(ProgramRun, LogsForcesAsProbeFindsThem) {
     }
   EXPECT_EQ(column["wetted_area"].at(0), probe["wetted_area"]);
   EXPECT_EQ(column["displaced_volume"].at(0), probe["displaced_volume"]);
-}
-
-TEST_F(ProgramRun, SaysHowLongABodyHasSleptAndWhatHoldsIt) {
-  here.write("raft.yaml",
-             "plimsoll: 1\nduration: 6\nstep: 0.05\nwater: {}\nintegrator: {sleep: 0.001}\n"
-             "log: {forces: true}\nhydro: {added_mass: none}\nbodies:\n"
-             "  - {name: raft, box: {size: [2, 2, 1]}, density: 500, start: equilibrium}\n"
-             "  - {name: stone, box: {size: [1, 1, 1]}, density: 2500, position: [9, 0, -9]}\n");
-  const Outcome outcome = here.run({"run", "raft.yaml"});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json bodies = json::parse(here.read("out/raft/summary.json"))["bodies"];
-  // The raft's farthest corner is 1.5 m away: 4π √(1.5 m/g) is 4.91 s.
-  EXPECT_EQ(bodies["raft"]["steps_asleep"], 120 - 99);
-  EXPECT_EQ(bodies["raft"]["motion"]["free_steps"], 99);
-  EXPECT_EQ(bodies["stone"]["steps_asleep"], 0);
-  const auto track = app::read_trajectory(here / "out/raft/trajectory.csv").tracks.at("raft");
-  EXPECT_EQ(track.states.size(), 121u);
-  EXPECT_EQ(track.states.back().position, track.states[99].position);
-  auto forces = columns_of(here.read("out/raft/forces.csv"), "raft");
-  EXPECT_EQ(forces["buoyancy_fz"].back() + forces["weight_fz"].back(),
-            -forces["constraint_fz"].back());
-  EXPECT_EQ(forces["kinetic_energy"].back(), 0);
 }
 
 TEST_F(ProgramRun, LeavesNoForcesOfAnEarlierRun) {

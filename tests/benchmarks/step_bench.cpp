@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <compare>
-#include <limits>
 #include <map>
 
 #include "engine/simulation.h"
@@ -14,25 +13,22 @@
 /// @file
 /// A step of 1/60 s of crates afloat in still water, on one thread. A name is BM_Step/BODIES, 2 m
 /// between them, BM_Step/BODIES/crates, the same in heaps of ten, three high, or
-/// BM_Step/BODIES/heap, all in one heap; in BM_Step/BODIES/asleep they lie apart and all but one
-/// sleep. Each crate has 192 triangles, the default coefficients, half the density of the water,
-/// and rocks; those of BM_Step/BODIES/boxes, apart, and BM_Step/BODIES/boxes_heap have 12 triangles
-/// and no viscous drag. The half second of motion that is measured begins two seconds after the
-/// start; `held` is the share of the bodies' steps that contacts had a part in.
+/// BM_Step/BODIES/heap, all in one heap. Each crate has 192 triangles, the default coefficients,
+/// half the density of the water, and rocks; those of BM_Step/BODIES/boxes, apart, and
+/// BM_Step/BODIES/boxes_heap have 12 triangles and no viscous drag. The half second of motion that
+/// is measured begins two seconds after the start; `held` is the share of the bodies' steps that
+/// contacts had a part in.
 namespace bench {
 namespace {
 
 constexpr int kSettling = 120;  // Steps.
 constexpr int kWarmUp = 3;
-constexpr int kFallingAsleep = 300;  // Crates of 1 m do after 3.7 s.
-constexpr double kAnySpeed = 100;    // They all rest, as it were [m/s].
 constexpr int kMeasured = 30;
 
 /// Crates in heaps of so many.
 struct Crates {
   int bodies = 1;
   int heap = 1;
-  bool asleep = false;
   bool plain = false;  ///< Boxes of 12 triangles without viscous drag.
   auto operator<=>(const Crates&) const = default;
 };
@@ -68,10 +64,6 @@ engine::SimulationSpec world_of(const Crates& crates) {
     const Eigen::Vector3d axis(std::cos(i), std::sin(i), 0);
     body.initial.orientation = Eigen::AngleAxisd(0.05, axis);
   }
-  if (!crates.asleep) return spec;
-  spec.integrator.sleep = kAnySpeed;
-  // A load that is still to come keeps one awake.
-  spec.bodies.front().loads = {{.start = std::numeric_limits<double>::max()}};
   return spec;
 }
 
@@ -89,9 +81,9 @@ const engine::SimulationSpec& settled(const Crates& crates) {
 
 double held_share(const engine::Simulation& simulation) {
   double held = 0, all = 0;
-  for (const engine::Path& path : simulation.paths()) {
-    held += static_cast<double>(path.constrained);
-    all += static_cast<double>(path.constrained + path.free);
+  for (const engine::Counts& counts : simulation.counts()) {
+    held += static_cast<double>(counts.constrained);
+    all += static_cast<double>(counts.constrained + counts.free);
   }
   return held / all;
 }
@@ -99,7 +91,7 @@ double held_share(const engine::Simulation& simulation) {
 void step(benchmark::State& state, const Crates& crates) {
   engine::Simulation simulation(settled(crates));
   // Memory is filled for the first time.
-  for (int i = 0; i < (crates.asleep ? kFallingAsleep : kWarmUp); ++i) simulation.step();
+  for (int i = 0; i < kWarmUp; ++i) simulation.step();
   for (auto _ : state) simulation.step();
   state.counters["held"] = held_share(simulation);
   state.counters["us_per_body"] =
@@ -121,7 +113,6 @@ void register_step() {
   for (const int bodies : {10, 100, 1000}) {
     add_step({bodies, 10}, "/crates");
     add_step({bodies, bodies}, "/heap");
-    add_step({.bodies = bodies, .asleep = true}, "/asleep");
   }
   add_step({.bodies = 1000, .plain = true}, "/boxes");
   add_step({.bodies = 1000, .heap = 1000, .plain = true}, "/boxes_heap");

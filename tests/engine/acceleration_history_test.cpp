@@ -1,23 +1,19 @@
 #include "engine/acceleration_history.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
 
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
 using engine::AccelerationHistory;
 using engine::Vector6d;
-using support::tolerance;
 
 constexpr double kRadius = 0.7;
 
 /// A history of accelerations f(t) halfway through pieces of the given lengths; the last ends at 0.
 AccelerationHistory history(const std::vector<double>& pieces,
-                    const std::function<Vector6d(double)>& acceleration) {
+                            const std::function<Vector6d(double)>& acceleration) {
   AccelerationHistory accelerations;
   double time = 0;
   for (const double piece : pieces) time -= piece;
@@ -53,8 +49,8 @@ TEST(AccelerationHistory, TrendIsThatOfAParabolaWhateverThePieces) {
 TEST(AccelerationHistory, PaceOfAnOscillationIsItsFrequency) {
   for (const double phase : {0.0, 0.4, 1.1, 2.5}) {
     const double omega = 3, h = 0.04;
-    const AccelerationHistory accelerations = history(std::vector<double>(30, h),
-                                      [&](double t) { return six(std::sin(omega * t + phase)); });
+    const AccelerationHistory accelerations = history(
+        std::vector<double>(30, h), [&](double t) { return six(std::sin(omega * t + phase)); });
     EXPECT_TRUE(accelerations.resolved());
     // Remembered from the last extreme, a quarter of a period or 13 pieces ago at most; the second
     // difference is (ωh)²/12 low.

@@ -1,27 +1,13 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 #include "engine/added_inertia.h"
 #include "engine/energy.h"
 #include "engine/free_motion.h"
 #include "hydro/added_mass/constant_added_mass.h"
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
+#include "tests/engine/prelude.h"
 #include "tests/support/repeats.h"
-#include "tests/support/tolerance.h"
 
 namespace {
-
-using Eigen::Vector3d;
-using engine::BodySpec;
-using engine::JointSpec;
-using engine::Simulation;
-using engine::SimulationSpec;
-using hydro::Matrix6d;
-using hydro::Vector6d;
-using support::tolerance;
 
 /// Deep below the surface: the body never meets it.
 SimulationSpec submerged(std::vector<BodySpec> bodies, double step) {
@@ -102,10 +88,10 @@ TEST(AddedMass, ASpheroidTumblesByMunksMomentAsItsEquationsSay) {
 TEST(AddedMass, KeepsKirchhoffsEnergy) {
   const SimulationSpec spec = munk_spheroid(0.01);
   Simulation simulation(spec);
-  const double start = engine::total_energy(spec, simulation.states());
+  const double start = support::total_energy(spec, simulation.states());
   for (int i = 0; i < 6000; ++i) simulation.step();
   // The scheme keeps it; round-off of 12,000 half-steps adds up.
-  EXPECT_NEAR(engine::total_energy(spec, simulation.states()), start, tolerance(1e-10 * start));
+  EXPECT_NEAR(support::total_energy(spec, simulation.states()), start, tolerance(1e-10 * start));
 }
 
 TEST(AddedMass, InACurrentIsAsInStillWater) {
@@ -223,11 +209,11 @@ TEST(AddedMass, ThatABodyMeetsWithTheWaterSharesItsMomentumAtOnce) {
   SimulationSpec spec = support::dry_world({body}, 1.0 / 60);
   spec.sea = hydro::Sea{.gravity = support::kGravity};
   Simulation simulation(spec);
-  const double first = engine::total_energy(spec, simulation.states());
+  const double first = support::total_energy(spec, simulation.states());
   double lowest = first;
   for (int i = 0; i < 300; ++i) {
     simulation.step();
-    const double energy = engine::total_energy(spec, simulation.states());
+    const double energy = support::total_energy(spec, simulation.states());
     // The greatest energy is that of the cube's first fall.
     EXPECT_LE(energy - lowest, tolerance(1e-3) * first) << "step " << i;
     lowest = std::min(lowest, energy);
@@ -290,15 +276,15 @@ constexpr double kRatios[] = {0.5, 1, 2, 10, 100, 1000};
 /// part of the weight times 1 m.
 double energy_gain(const SimulationSpec& spec) {
   Simulation simulation(spec);
-  const double start = engine::total_energy(spec, simulation.states());
+  const double start = support::total_energy(spec, simulation.states());
   double gain = 0;
   double weight = 0;
   for (const BodySpec& body : spec.bodies) weight += body.mass * support::kGravity;
   for (long i = 0; i < support::steps_in(support::repeats(60), spec.step); ++i) {
     simulation.step();
-    gain = std::max(gain, engine::total_energy(spec, simulation.states()) - start);
+    gain = std::max(gain, support::total_energy(spec, simulation.states()) - start);
   }
-  for (const engine::Path& path : simulation.paths()) EXPECT_EQ(path.unconverged, 0);
+  for (const engine::Counts& counts : simulation.counts()) EXPECT_EQ(counts.unconverged, 0);
   return gain / weight;
 }
 

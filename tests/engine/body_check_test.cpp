@@ -1,16 +1,14 @@
 #include "engine/body_check.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "tests/engine/specs.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using engine::BodySpec;
 using testing::HasSubstr;
 using testing::Property;
 using testing::Throws;

@@ -1,30 +1,19 @@
 #include "engine/body_forces.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/statics/buoyancy_energy.h"
-#include "tests/engine/specs.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 /// What the log says of loads and works, by closed forms and by its budget.
 
 namespace {
 
-using Eigen::Vector3d;
 using engine::BodyForces;
-using engine::BodySpec;
-using engine::Simulation;
-using engine::SimulationSpec;
 using support::box_body;
-using support::kGravity;
-using support::kStep;
 using support::sphere_body;
-using support::tolerance;
 
 constexpr double kSeaDensity = 1000;  // [kg/m^3]
 

@@ -18,14 +18,15 @@ using engine::Pair;
 TEST(Groups, AreWhatPairsHoldTogether) {
   using Groups = std::vector<std::vector<BodyId>>;
   const std::vector<BodyId> bodies = {0, 1, 2, 4, 5, 7, 8};
-  EXPECT_EQ(engine::groups(bodies, {}), Groups{});
-  EXPECT_EQ(engine::groups(bodies, {{1, 7}, {4, 5}, {2, 7}}), (Groups{{1, 2, 7}, {4, 5}}));
+  EXPECT_EQ(engine::connected_components(bodies, {}), Groups{});
+  EXPECT_EQ(engine::connected_components(bodies, {{1, 7}, {4, 5}, {2, 7}}),
+            (Groups{{1, 2, 7}, {4, 5}}));
 }
 
 TEST(Groups, AreNotHeldTogetherByWhatIsNoneOfTheBodies) {
   using Groups = std::vector<std::vector<BodyId>>;
   // Body 3 cannot move.
-  EXPECT_EQ(engine::groups({0, 1, 2, 4}, {{kWorld, 0}, {kWorld, 1}, {2, 3}, {3, 4}}),
+  EXPECT_EQ(engine::connected_components({0, 1, 2, 4}, {{kWorld, 0}, {kWorld, 1}, {2, 3}, {3, 4}}),
             (Groups{{0}, {1}, {2}, {4}}));
 }
 
@@ -59,7 +60,7 @@ TEST(OverlappingBoxes, AreTheSameWhereTheyAreFollowed) {
   engine::BroadPhase overlaps;
   for (int time = 0; time < 60; ++time) {
     for (std::size_t i = 1; i + 1 < boxes.size(); ++i) boxes[i].translate(random.vector(0.03));
-    boxes[0] = time % 7 < 3 ? AlignedBox3d() : first;  // One that sleeps now and then.
+    boxes[0] = time % 7 < 3 ? AlignedBox3d() : first;  // One that comes and goes.
     ASSERT_EQ(overlaps.find(boxes), engine::overlapping(boxes)) << time;
   }
 }

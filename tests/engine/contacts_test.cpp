@@ -1,20 +1,15 @@
 #include "engine/contacts.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
-#include "tests/support/random_pose.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using Eigen::Vector3d;
 using engine::ContactPoint;
 using engine::ContactStiffness;
-using support::tolerance;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;

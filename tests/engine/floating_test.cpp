@@ -1,20 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 #include "hydro/mesh/mass_properties.h"
-#include "tests/engine/specs.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
-
-using Eigen::Vector3d;
-using engine::BodySpec;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::kStep;
-using support::tolerance;
 
 constexpr double kWater = 1000;  // [kg/m^3]
 

@@ -1,21 +1,10 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using Eigen::Vector3d;
 using engine::AppliedLoad;
-using engine::BodySpec;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::kStep;
-using support::tolerance;
 
 // Round-off of some hundred sums of numbers up to a hundred.
 constexpr double kRoundOff = 1e-11;

@@ -1,18 +1,6 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "tests/engine/specs.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
-
-using Eigen::Vector3d;
-using engine::BodySpec;
-using engine::CollisionShape;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::tolerance;
 
 BodySpec colliding(BodySpec body, CollisionShape shape, const Vector3d& velocity) {
   body.collision = shape;
@@ -35,7 +23,7 @@ SimulationSpec collision(double gap, double step) {
 }
 
 /// Largest distance of the bodies' centres after 2 s from those in another run [m].
-double distance(const SimulationSpec& first, const SimulationSpec& second) {
+double farthest_apart(const SimulationSpec& first, const SimulationSpec& second) {
   const auto end = [](const SimulationSpec& spec) {
     return support::after(spec, support::steps_in(2, spec.step)).states();
   };
@@ -51,8 +39,8 @@ double distance(const SimulationSpec& first, const SimulationSpec& second) {
 TEST(Collision, HardlyDependsOnTheStepNorOnWhereInItBodiesMeet) {
   for (const double gap : {0.2, 0.205, 0.21, 0.2133}) {
     const SimulationSpec fine = collision(gap, 1.0 / 3840);
-    EXPECT_LT(distance(collision(gap, 1.0 / 60), fine), tolerance(6e-3)) << gap;
-    EXPECT_LT(distance(collision(gap, 1.0 / 240), fine), tolerance(4e-3)) << gap;
+    EXPECT_LT(farthest_apart(collision(gap, 1.0 / 60), fine), tolerance(6e-3)) << gap;
+    EXPECT_LT(farthest_apart(collision(gap, 1.0 / 240), fine), tolerance(4e-3)) << gap;
   }
 }
 
@@ -77,9 +65,9 @@ TEST(Collision, IsCutIntoFewPiecesAndNothingElseIs) {
   far.initial.position.y() = 10;
   spec.bodies.push_back(far);
   const Simulation simulation = support::after(spec, 120);
-  EXPECT_EQ(simulation.paths()[2].pieces, 120);
-  EXPECT_GT(simulation.paths()[0].pieces, 130);
-  EXPECT_LT(simulation.paths()[0].pieces, 200);
+  EXPECT_EQ(simulation.counts()[2].substeps, 120);
+  EXPECT_GT(simulation.counts()[0].substeps, 130);
+  EXPECT_LT(simulation.counts()[0].substeps, 200);
 }
 
 // A ball falls on the ground in a vacuum: it is there after √(2 h/g), not a step later.
@@ -108,7 +96,7 @@ TEST(Collision, OfSlowBodiesIsNotLookedFor) {
   spec.bodies[0].initial.linear_velocity *= 0.009;
   spec.bodies[0].initial.position.x() += 0.22;
   const Simulation simulation = support::after(spec, 240);
-  EXPECT_EQ(simulation.paths()[0].pieces, 240);
+  EXPECT_EQ(simulation.counts()[0].substeps, 240);
 }
 
 }  // namespace

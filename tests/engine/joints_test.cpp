@@ -1,21 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-using engine::BodySpec;
-using engine::JointSpec;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::tolerance;
 using Type = JointSpec::Type;
 
 constexpr double kLength = 2;  // from anchor to centre of mass [m]
@@ -81,8 +69,8 @@ TEST(Universal, SwingsWithThePeriodOfThePendulumToSecondOrder) {
                 tolerance(0.2));
 }
 
-// To the world they are guides (reduced_joint.h). What is left is the straight line through two steps by
-// which the crossing is found: (ω h)³/60 of the angle.
+// To the world they are guides (reduced_joint.h). What is left is the straight line through two
+// steps by which the crossing is found: (ω h)³/60 of the angle.
 TEST(HingeAndBall, SwingWithThePeriodOfThePendulum) {
   EXPECT_LT(period_error(0.01, Type::hinge), tolerance(1e-6));
   EXPECT_LT(period_error(0.01, Type::ball), tolerance(1e-6));

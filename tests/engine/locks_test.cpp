@@ -1,19 +1,10 @@
 #include "engine/locks.h"
 
-#include <gtest/gtest.h>
-
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-using engine::BodySpec;
 using engine::DofMask;
-using engine::Simulation;
-using support::tolerance;
 
 DofMask mask(int bits) {
   DofMask locked{};

@@ -1,19 +1,6 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "tests/engine/specs.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
-
-using Eigen::Vector3d;
-using engine::BodySpec;
-using engine::CollisionShape;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::kStep;
-using support::tolerance;
 
 BodySpec crate(const Vector3d& position, CollisionShape shape) {
   BodySpec body = support::box_body("crate", {1, 1, 1}, 300, position);

@@ -1,23 +1,12 @@
 #include "engine/pull.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "engine/simulation.h"
-#include "tests/engine/specs.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 /// What a hand does to the body that it draws, and that it leaves nothing behind.
 
 namespace {
 
-using Eigen::Vector3d;
 using engine::Pull;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::kStep;
-using support::tolerance;
 
 constexpr double kRate = 5;  // [1/s]
 
@@ -120,21 +109,6 @@ TEST(Pull, ThatEndsBeforeAStepChangesNoByte) {
   touched.pull(0, std::nullopt);
   for (int i = 0; i < 50; ++i) touched.step(), left.step();
   EXPECT_EQ(touched.states()[0], left.states()[0]);
-}
-
-TEST(Pull, WakesABodyThatSleeps) {
-  SimulationSpec spec =
-      support::dry_world({support::box_body("raft", {1, 1, 1}, 500, {0, 0, 0}, 2)}, kStep);
-  spec.bodies[0].wet = true;
-  spec.sea = hydro::Sea{.gravity = support::kGravity};
-  spec.integrator.sleep = 0.01;
-  spec.bodies[0].locked = {false, false, false, true, true, true};
-  Simulation simulation(spec);
-  while (simulation.skips().asleep_steps[0] == 0 && simulation.time() < 60) simulation.step();
-  ASSERT_GT(simulation.skips().asleep_steps[0], 0);
-  simulation.pull(0, Pull{.to_W = {1, 0, 0}, .rate = kRate});
-  for (long i = 0; i < support::steps_in(2, kStep); ++i) simulation.step();
-  EXPECT_GT(simulation.states()[0].position.x(), 0.5);
 }
 
 }  // namespace

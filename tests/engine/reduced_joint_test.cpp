@@ -1,26 +1,12 @@
 #include "engine/reduced_joint.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "engine/added_inertia.h"
 #include "hydro/added_mass/constant_added_mass.h"
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using Eigen::Vector3d;
-using engine::BodySpec;
 using engine::ReducedJoint;
-using engine::JointSpec;
-using engine::Simulation;
-using engine::SimulationSpec;
-using hydro::Vector6d;
-using support::distance;
-using support::tolerance;
 using Type = JointSpec::Type;
 
 /// A box with drag in deep water on a joint to the world, in any pose.
@@ -90,7 +76,7 @@ TEST(ReducedJoint, LeadsWhereTheConstraintSolverDoes) {
     twice.joints[1].type = type == Type::slider ? Type::slider : Type::ball;
     const hydro::BodyState ours = support::after(spec, 2000).states()[0];
     const Simulation solved = support::after(twice, 2000);
-    EXPECT_GT(solved.paths()[0].constrained, 0);
+    EXPECT_GT(solved.counts()[0].constrained, 0);
     // The solver's joints give way by (ω h)²/2 of the lever in a step, and it is of second order.
     EXPECT_LT(distance(ours, solved.states()[0]), tolerance(2e-5));
   }
@@ -222,8 +208,8 @@ TEST(ReducedJoint, GivesWayToContacts) {
   }
   EXPECT_GT(lowest, -0.06);  // it comes down at 5 m/s: 5 cm in a step
   EXPECT_LT(simulation.states()[0].angular_velocity.norm(), tolerance(1e-3));
-  EXPECT_GT(simulation.paths()[0].constrained, 100);
-  EXPECT_GT(simulation.paths()[0].free, 10);
+  EXPECT_GT(simulation.counts()[0].constrained, 100);
+  EXPECT_GT(simulation.counts()[0].free, 10);
 }
 
 }  // namespace

@@ -1,22 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 #include "engine/contacts.h"
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
-#include "tests/support/tolerance.h"
+#include "tests/engine/prelude.h"
 
 namespace {
-
-using Eigen::Vector3d;
-using engine::BodySpec;
-using engine::CollisionShape;
-using engine::Simulation;
-using engine::SimulationSpec;
-using support::kStep;
-using support::tolerance;
 
 // What a body sinks in under its own weight: g τ² with τ = 0.01 s.
 constexpr double kSink = support::kGravity * 1e-4;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/energy.h"
 #include "hydro/mesh/primitives.h"
 
 namespace support {
@@ -88,6 +89,34 @@ double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyS
            state.angular_velocity.dot(spin(body, state)) / 2;
   }
   return sum;
+}
+
+double total_energy(const engine::SimulationSpec& spec,
+                    const std::vector<hydro::BodyState>& states) {
+  const engine::Environment environment = engine::make_environment(spec);
+  const std::vector<engine::Body> bodies = engine::make_bodies(spec);
+  double sum = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!bodies[i].movable) continue;
+    engine::Motion motion{.state = states[i]};
+    motion.added_B = engine::added_mass(bodies[i], environment, states[i], 0);
+    sum += engine::kinetic_energy(bodies[i], environment, motion) +
+           engine::potential_energy(bodies[i], environment, states[i]);
+  }
+  return sum;
+}
+
+std::vector<engine::MovingBody> moving_bodies(const engine::SimulationSpec& spec) {
+  std::vector<engine::MovingBody> moving;
+  for (engine::Body& body : engine::make_bodies(spec)) {
+    engine::Motion motion = engine::motion_at(body, spec, body.spec->initial, 0);
+    moving.push_back({.body = std::move(body),
+                      .motion = std::move(motion),
+                      .inputs = {},
+                      .cache = {},
+                      .counts = {}});
+  }
+  return moving;
 }
 
 double distance(const hydro::BodyState& a, const hydro::BodyState& b) {

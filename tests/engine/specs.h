@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/moving_body.h"
 #include "engine/simulation.h"
 
 /// @file
@@ -34,6 +35,13 @@ Eigen::Quaterniond lying_on_slope(double angle, double heading);
 
 /// Kinetic and potential energy of all bodies, the latter from z = 0 [J].
 double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyState>& states);
+
+/// Energy of all bodies in still water, each with the added mass of its pose [J].
+double total_energy(const engine::SimulationSpec& spec,
+                    const std::vector<hydro::BodyState>& states);
+
+/// The bodies of a specification, which must outlive them, at time 0.
+std::vector<engine::MovingBody> moving_bodies(const engine::SimulationSpec& spec);
 
 /// Largest distance of two states in place [m] and angle [rad].
 double distance(const hydro::BodyState& a, const hydro::BodyState& b);

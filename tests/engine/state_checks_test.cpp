@@ -1,17 +1,12 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <limits>
 
-#include "tests/engine/specs.h"
+#include "tests/engine/prelude.h"
 
 namespace {
 
-using engine::BodySpec;
-using engine::Simulation;
 using engine::SimulationError;
-using engine::SimulationSpec;
-using support::kStep;
 using testing::HasSubstr;
 
 constexpr double kHuge = std::numeric_limits<double>::max();

@@ -1,21 +1,10 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "engine/world.h"
-#include "tests/engine/specs.h"
-#include "tests/support/random_pose.h"
+#include "tests/engine/prelude.h"
 #include "tests/support/repeats.h"
 
 namespace {
 
-using engine::BodyId;
-using engine::BodySpec;
-using engine::CollisionShape;
-using engine::JointSpec;
-using engine::SimulationSpec;
 using engine::World;
-using support::kStep;
 
 constexpr int kBodies = 8;
 

@@ -20,13 +20,13 @@ void simulate(const Scenario& scenario, const Listener& listener, Outcome& outco
     if (const auto fault = watch.look(simulation))
       outcome.fault = fmt::format("step {}: {}", outcome.steps, *fault);
     outcome.rise = watch.worst_rise();
-    outcome.pieces = watch.most_pieces();
+    outcome.substeps = watch.most_substeps();
     outcome.solutions = watch.most_solutions();
     if (listener) listener(simulation, watch);
   }
-  for (const engine::Path& path : simulation.paths()) {
-    outcome.unconverged += path.unconverged;
-    outcome.braked += path.braked;
+  for (const engine::Counts& counts : simulation.counts()) {
+    outcome.unconverged += counts.unconverged;
+    outcome.clamped += counts.clamped;
   }
 }
 
@@ -48,16 +48,16 @@ std::string to_csv(const Outcome& o) {
   std::string fault = o.fault;
   std::replace(fault.begin(), fault.end(), ',', ';');
   std::replace(fault.begin(), fault.end(), '\n', ' ');
-  return fmt::format("{},{:d},{},{},{},{},{},{:.3f},{}", o.steps, o.judged, o.rise, o.pieces,
-                     o.solutions, o.unconverged, o.braked, o.seconds, fault);
+  return fmt::format("{},{:d},{},{},{},{},{},{:.3f},{}", o.steps, o.judged, o.rise, o.substeps,
+                     o.solutions, o.unconverged, o.clamped, o.seconds, fault);
 }
 
 Outcome outcome_from_csv(const std::string& line) {
   Outcome o;
   std::istringstream in(line);
   char comma = 0;
-  in >> o.steps >> comma >> o.judged >> comma >> o.rise >> comma >> o.pieces >> comma >>
-      o.solutions >> comma >> o.unconverged >> comma >> o.braked >> comma >> o.seconds >> comma;
+  in >> o.steps >> comma >> o.judged >> comma >> o.rise >> comma >> o.substeps >> comma >>
+      o.solutions >> comma >> o.unconverged >> comma >> o.clamped >> comma >> o.seconds >> comma;
   std::getline(in, o.fault);
   return o;
 }

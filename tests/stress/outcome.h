@@ -14,10 +14,10 @@ struct Outcome {
   long steps = 0;        ///< Done.
   bool judged = false;   ///< Its energy was.
   double rise = 0;       ///< Watch::worst_rise.
-  long pieces = 0;       ///< Most of a step.
+  long substeps = 0;     ///< Most of a step.
   long solutions = 0;    ///< Most of a step.
-  long unconverged = 0;  ///< Pieces whose constraints did not reach their tolerance.
-  long braked = 0;       ///< Pieces slowed so that the water gave no energy.
+  long unconverged = 0;  ///< Substeps whose constraints did not reach their tolerance.
+  long clamped = 0;      ///< Substeps slowed so that the water gave no energy.
   double seconds = 0;    ///< Of processor time; for information.
 };
 
@@ -31,6 +31,6 @@ Outcome run_through(const RunName& run, const Listener& listener = {});
 std::string to_csv(const Outcome& outcome);
 Outcome outcome_from_csv(const std::string& line);
 inline constexpr const char* kOutcomeColumns =
-    "steps,judged,rise,pieces,solutions,unconverged,braked,seconds,fault";
+    "steps,judged,rise,substeps,solutions,unconverged,clamped,seconds,fault";
 
 }  // namespace stress

@@ -34,23 +34,23 @@ std::vector<Result> read_results(const fs::path& file, const std::string& mark) 
 struct Line {
   long runs = 0, failed = 0, judged = 0;
   double rise = 0;
-  long pieces = 0, solutions = 0;
-  long unconverged = 0, braked = 0;
+  long substeps = 0, solutions = 0;
+  long unconverged = 0, clamped = 0;
 
   void add(const Outcome& outcome) {
     ++runs;
     failed += !outcome.fault.empty();
     judged += outcome.judged;
     rise = std::max(rise, outcome.rise);
-    pieces = std::max(pieces, outcome.pieces);
+    substeps = std::max(substeps, outcome.substeps);
     solutions = std::max(solutions, outcome.solutions);
     unconverged += outcome.unconverged > 0;
-    braked += outcome.braked > 0;
+    clamped += outcome.clamped > 0;
   }
   std::string text(const std::string& key, const std::string& value) const {
     return fmt::format(
-        "| {:8} | {:10} | {:5} | {:6} | {:6} | {:10.2e} | {:6} | {:9} | {:11} | {:6} |\n", key,
-        value, runs, failed, judged, rise, pieces, solutions, unconverged, braked);
+        "| {:8} | {:10} | {:5} | {:6} | {:6} | {:10.2e} | {:8} | {:9} | {:11} | {:7} |\n", key,
+        value, runs, failed, judged, rise, substeps, solutions, unconverged, clamped);
   }
 };
 
@@ -86,10 +86,10 @@ void ResultFile::add(const Result& result) {
 
 std::string table(const std::vector<Result>& results) {
   std::string text =
-      "|          | value      |  runs | failed | judged | worst rise | pieces | solutions | "
-      "unconverged | braked |\n"
-      "| -------- | ---------- | ----: | -----: | -----: | ---------: | -----: | --------: | "
-      "----------: | -----: |\n";
+      "|          | value      |  runs | failed | judged | worst rise | substeps | solutions | "
+      "unconverged | clamped |\n"
+      "| -------- | ---------- | ----: | -----: | -----: | ---------: | -------: | --------: | "
+      "----------: | ------: |\n";
   Line all;
   for (const Dimension& dimension : dimensions()) {
     for (const std::string& value : values_of(dimension, results)) {

@@ -33,7 +33,7 @@ class ResultFile {
   std::ofstream out_;
 };
 
-/// For every parameter and each of its values: runs, failures, worst rise of energy, most pieces
+/// For every parameter and each of its values: runs, failures, worst rise of energy, most substeps
 /// and solutions of a step.
 std::string table(const std::vector<Result>& results);
 

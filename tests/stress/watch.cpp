@@ -12,29 +12,30 @@
 namespace stress {
 namespace {
 
-engine::Motion motion_of(const engine::Body& body, const engine::Surroundings& around,
+engine::Motion motion_of(const engine::Body& body, const engine::Environment& environment,
                          const hydro::BodyState& state) {
   engine::Motion motion{.state = state};
-  if (body.adds) motion.added_B = body.spec->added_mass->at(state, *around.sea, 0);
+  motion.added_B = engine::added_mass(body, environment, state, 0);
   return motion;
 }
 
 }  // namespace
 
 Watch::Watch(const Scenario& scenario)
-    : scenario_(scenario), world_(scenario.spec.gravity), paths_(scenario.spec.bodies.size()) {
+    : scenario_(scenario), world_(scenario.spec.gravity), counts_(scenario.spec.bodies.size()) {
   for (const engine::BodySpec& body : scenario_.spec.bodies) world_.add_body(body);
   for (const engine::JointSpec& joint : scenario_.spec.joints) world_.add_joint(joint);
   world_.add_ground(scenario_.spec.ground);
-  around_ = engine::surroundings(scenario_.spec);
+  environment_ = engine::make_environment(scenario_.spec);
+  bodies_ = engine::make_bodies(scenario_.spec);
   std::vector<hydro::BodyState> states;
   for (std::size_t i = 0; i < scenario_.spec.bodies.size(); ++i) {
-    bodies_.push_back(engine::make_body(scenario_.spec, i));
-    const engine::Motion& motion = bodies_[i].motion;
+    const engine::Motion motion =
+        engine::motion_at(bodies_[i], scenario_.spec, scenario_.spec.bodies[i].initial, 0);
     states.push_back(motion.state);
-    initial_energies_.push_back(engine::kinetic_energy(bodies_[i], around_, motion));
-    weight_ +=
-        (scenario_.spec.bodies[i].mass + around_.sea->density * scenario_.volume) * around_.gravity;
+    initial_energies_.push_back(engine::kinetic_energy(bodies_[i], environment_, motion));
+    weight_ += (scenario_.spec.bodies[i].mass + environment_.sea->density * scenario_.volume) *
+               environment_.gravity;
   }
   smallest_scale_ = kSmallestScale * weight_ * scenario_.size;
   if (!scenario_.passive) return;
@@ -59,11 +60,11 @@ Watch::Energy Watch::find_energy(const std::vector<hydro::BodyState>& states) {
   Energy sum;
   std::vector<engine::Motion> motions;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    motions.push_back(motion_of(bodies_[i], around_, states[i]));
+    motions.push_back(motion_of(bodies_[i], environment_, states[i]));
     if (!bodies_[i].movable) continue;
     const engine::Motion& motion = motions.back();
-    sum.kinetic += engine::kinetic_energy(bodies_[i], around_, motion);
-    sum.potential += engine::potential_energy(bodies_[i], around_, motion.state);
+    sum.kinetic += engine::kinetic_energy(bodies_[i], environment_, motion);
+    sum.potential += engine::potential_energy(bodies_[i], environment_, motion.state);
   }
   sum.potential -= scenario_.push.dot(states[0].position);
   sum.overlap = overlap_energy(motions);
@@ -82,14 +83,14 @@ void Watch::follow_energy(const Energy& energy) {
 
 double Watch::greatest_speed(std::size_t i, const hydro::BodyState& state) const {
   const engine::BodySpec& body = scenario_.spec.bodies[i];
-  const double c = fastest(*around_.sea);
+  const double c = fastest(*environment_.sea);
   const Eigen::Vector3d way = state.position - body.initial.position;
-  const double depth = around_.highest - body.initial.position.z();
+  const double depth = environment_.highest - body.initial.position.z();
   double kinetic = 0;
   for (const double energy : initial_energies_) kinetic += energy;
-  const double lift = around_.sea->density * around_.gravity * scenario_.volume *
+  const double lift = environment_.sea->density * environment_.gravity * scenario_.volume *
                       (std::max(0.0, depth) + scenario_.size);
-  const double sunk = body.mass * around_.gravity * std::max(0.0, -way.z());
+  const double sunk = body.mass * environment_.gravity * std::max(0.0, -way.z());
   const double pushed = scenario_.push.norm() * way.norm();
   const double bodies = static_cast<double>(bodies_.size());
   const double q = std::sqrt(2 * kinetic / body.mass);
@@ -106,8 +107,8 @@ std::optional<std::string> Watch::left(const engine::Simulation& simulation) con
     if (way > v * simulation.time() + scenario_.size)
       return fmt::format("{} got {:.3g} m away, no more than {:.3g} m/s fast",
                          scenario_.spec.bodies[i].name, way, v);
-    const double height = state.position.z() - std::max(around_.highest, initial.position.z());
-    if (height > v * v / (2 * around_.gravity) + scenario_.size)
+    const double height = state.position.z() - std::max(environment_.highest, initial.position.z());
+    if (height > v * v / (2 * environment_.gravity) + scenario_.size)
       return fmt::format("{} rose {:.3g} m, no more than {:.3g} m/s fast",
                          scenario_.spec.bodies[i].name, height, v);
   }
@@ -115,13 +116,13 @@ std::optional<std::string> Watch::left(const engine::Simulation& simulation) con
 }
 
 std::optional<std::string> Watch::stalled(const engine::Simulation& simulation) {
-  for (std::size_t i = 0; i < paths_.size(); ++i) {
-    const engine::Path& path = simulation.paths()[i];
-    most_pieces_ = std::max(most_pieces_, path.pieces - paths_[i].pieces);
-    most_solutions_ = std::max(most_solutions_, path.iterations - paths_[i].iterations);
+  const std::vector<engine::Counts> counts = simulation.counts();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    most_substeps_ = std::max(most_substeps_, counts[i].substeps - counts_[i].substeps);
+    most_solutions_ = std::max(most_solutions_, counts[i].iterations - counts_[i].iterations);
   }
-  paths_ = simulation.paths();
-  if (most_pieces_ > kMostPieces) return fmt::format("a step took {} pieces", most_pieces_);
+  counts_ = counts;
+  if (most_substeps_ > kMostSubsteps) return fmt::format("a step took {} substeps", most_substeps_);
   if (most_solutions_ > kMostSolutions)
     return fmt::format("a step solved its constraints {} times", most_solutions_);
   return std::nullopt;

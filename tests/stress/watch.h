@@ -39,10 +39,10 @@ namespace stress {
 inline constexpr double kLargestRise = 1e-3;  ///< Of the greatest energy so far.
 /// Least scale of (1), of the weight and the largest buoyancy times size: E has round-off in it.
 inline constexpr double kSmallestScale = 1e-9;
-/// Most pieces that a body's step may be cut in. Its own movement asks for 64 at most
-/// (engine::kMostPieces); the rest is left for energy that halving must keep from rising.
-inline constexpr long kMostPieces = 1024;
-/// Most solutions of its constraints in a step: 60 for each of those 64 pieces.
+/// Most substeps of a body in a step. Its own movement asks for 64 at most
+/// (engine::kMostSubsteps); the rest is left for energy that halving must keep from rising.
+inline constexpr long kMostSubsteps = 1024;
+/// Most solutions of its constraints in a step: 60 for each of those 64 substeps.
 inline constexpr long kMostSolutions = 3840;
 
 /// Follows a simulation from its initial state.
@@ -55,7 +55,7 @@ class Watch {
 
   double energy() const { return energy_; }          ///< E [J]; 0 where it is not judged.
   double worst_rise() const { return worst_rise_; }  ///< Largest rise/scale so far.
-  long most_pieces() const { return most_pieces_; }
+  long most_substeps() const { return most_substeps_; }
   long most_solutions() const { return most_solutions_; }
 
  private:
@@ -73,7 +73,7 @@ class Watch {
   std::optional<std::string> stalled(const engine::Simulation& simulation);
 
   Scenario scenario_;  ///< What the bodies below refer to.
-  engine::Surroundings around_;
+  engine::Environment environment_;
   std::vector<engine::Body> bodies_;
   engine::World world_;                   ///< Finds the contacts of what was simulated.
   std::vector<double> initial_energies_;  ///< Kinetic, of each body [J].
@@ -83,8 +83,8 @@ class Watch {
   double overlap_ = 0;  ///< Greatest C so far [J].
   double energy_ = 0;
   double worst_rise_ = 0;
-  long most_pieces_ = 0, most_solutions_ = 0;
-  std::vector<engine::Path> paths_;  ///< After the step before.
+  long most_substeps_ = 0, most_solutions_ = 0;
+  std::vector<engine::Counts> counts_;  ///< After the step before.
 };
 
 }  // namespace stress

@@ -112,10 +112,10 @@ TEST(StressOutcome, ComesBackFromALine) {
                         .steps = 7,
                         .judged = true,
                         .rise = 1.25e-3,
-                        .pieces = 64,
+                        .substeps = 64,
                         .solutions = 12,
                         .unconverged = 2,
-                        .braked = 1,
+                        .clamped = 1,
                         .seconds = 0.5};
   const Outcome back = stress::outcome_from_csv(stress::to_csv(outcome));
   EXPECT_EQ(stress::to_csv(back), stress::to_csv(outcome));
