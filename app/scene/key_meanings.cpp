@@ -42,8 +42,9 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "contact steps are cut where bodies begin to touch, with or without it. Left out: steps "
      "are cut for stability and impacts only. Not with `ode`."},
     {"integrator.sleep",
-     "Bodies that have been slower than this for long fall asleep: they stop where they are "
-     "and cost nothing until something comes near. 0: none does. Not with `ode`."},
+     "Has no effect any more, and is accepted for old scenes: bodies at rest move on like others. "
+     "Not "
+     "with `ode`."},
     {"water", "The water; left out: a dry scene."},
     {"ground",
      "A sea floor or shore; left out: none. Exactly one of `z`, `heightfield` and `mesh`."},

@@ -39,7 +39,7 @@ struct Integrator {
   enum class Method { split, ode };
   Method method = Method::split;
   std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
-  double sleep = 0;                 ///< [m/s]; 0: nothing falls asleep.
+  double sleep = 0;                 ///< Read for old scenes [m/s]; without effect.
 };
 
 struct Scene {

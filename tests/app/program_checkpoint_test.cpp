@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/app/program.h"
+
+/// A run that is killed and resumed writes what a run that is not stopped writes.
+
+namespace {
+
+using support::Outcome;
+using support::Workplace;
+
+/// Boxes that fall, float, and touch, with forces logged; long enough to be killed on its way.
+std::string long_scene(const std::string& more = "") {
+  return "plimsoll: 1\nduration: 60\nstep: 0.005\nwater: {density: 1000}\n"
+         "bodies:\n"
+         "  - {name: a, box: {size: [1, 1, 1]}, density: 500, position: [0, 0, 1],\n"
+         "     orientation: {axis: [1, 2, 3], angle_deg: 40}}\n"
+         "  - {name: b, box: {size: [1, 1, 1]}, density: 300, position: [0.3, 0, 2.6]}\n"
+         "log: {every: 0.05, forces: true}\n" +
+         more;
+}
+
+/// Starts the scene with frequent checkpoints and ends it by a signal once one is written.
+Outcome stop_by(const Workplace& place, int signal, std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--out", "cut", "--checkpoint", "0.01"});
+  const pid_t process = place.start(arguments);
+  EXPECT_TRUE(support::wait_for_bytes(place / "cut/checkpoint.bin", 100));
+  EXPECT_TRUE(support::wait_for_bytes(place / "cut/trajectory.csv", 10000));
+  ::kill(process, signal);
+  return place.finish(process);
+}
+
+TEST(ProgramCheckpoint, AKilledRunGoesOnToTheSameBytes) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", long_scene());
+  ASSERT_EQ(place.run({"run", scene, "--out", "whole", "--quiet"}).code, 0);
+  ASSERT_EQ(stop_by(place, SIGKILL, {"run", scene}).code, -SIGKILL);
+  place.write("scene.yaml", "edited: meanwhile\n");
+  const Outcome resumed = place.run({"run", "--resume", "cut", "--threads", "1"});
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(place.read(place / "cut/trajectory.csv"), place.read(place / "whole/trajectory.csv"));
+  EXPECT_EQ(place.read(place / "cut/forces.csv"), place.read(place / "whole/forces.csv"));
+  EXPECT_NE(place.read(place / "cut/summary.json").find("resumed_at_seconds"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(place / "cut/checkpoint.bin"));
+}
+
+TEST(ProgramCheckpoint, AnInterruptedRunSaysHowToGoOnAndLosesNoStep) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", long_scene());
+  ASSERT_EQ(place.run({"run", scene, "--out", "whole", "--quiet"}).code, 0);
+  const Outcome stopped = stop_by(place, SIGTERM, {"run", scene});
+  ASSERT_EQ(stopped.code, 130);
+  EXPECT_NE(stopped.err.find("plimsoll run --resume cut"), std::string::npos) << stopped.err;
+  const std::string before = place.read(place / "cut/trajectory.csv");
+  ASSERT_EQ(place.run({"run", "--resume", "cut", "--quiet"}).code, 0);
+  const std::string after = place.read(place / "cut/trajectory.csv");
+  EXPECT_TRUE(after.starts_with(before));
+  EXPECT_EQ(after, place.read(place / "whole/trajectory.csv"));
+}
+
+TEST(ProgramCheckpoint, PicturesOfAResumedRunAreThoseOfTheWholeOne) {
+  const Workplace place;
+  const std::string scene =
+      place.write("scene.yaml", long_scene("render: {every: 20, size: [64, 48]}\n"));
+  ASSERT_EQ(place.run({"run", scene, "--out", "whole", "--quiet"}).code, 0);
+  ASSERT_EQ(stop_by(place, SIGKILL, {"run", scene}).code, -SIGKILL);
+  ASSERT_EQ(place.run({"run", "--resume", "cut", "--quiet"}).code, 0);
+  for (const char* frame : {"frames/0000.png", "frames/0001.png", "frames/0002.png"}) {
+    const std::string whole = place.read(place / "whole" / frame);
+    ASSERT_FALSE(whole.empty()) << frame;
+    EXPECT_EQ(place.read(place / "cut" / frame), whole) << frame;
+  }
+}
+
+TEST(ProgramCheckpoint, WhatCannotBeResumedIsToldInOneLine) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", support::falling_box("1"));
+  ASSERT_EQ(place.run({"run", scene, "--out", "done", "--checkpoint", "100", "--quiet"}).code, 0);
+  const Outcome ended = place.run({"run", "--resume", "done"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("done/checkpoint.bin: is missing"), std::string::npos) << ended.err;
+  place.write("done/checkpoint.bin", "{\"checkpoint\": 7}\nnothing");
+  EXPECT_EQ(place.run({"run", "--resume", "done"}).code, 2);
+  EXPECT_EQ(place.run({"run", scene, "--resume", "done"}).code, 2);
+  EXPECT_EQ(place.run({"run"}).code, 2);
+}
+
+TEST(ProgramCheckpoint, ACheckpointCutShortAtAnyPlaceIsRefused) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", long_scene());
+  ASSERT_EQ(stop_by(place, SIGTERM, {"run", scene}).code, 130);
+  const std::string whole = place.read(place / "cut/checkpoint.bin");
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{20}, whole.size() / 2, whole.size() - 1}) {
+    place.write("cut/checkpoint.bin", whole.substr(0, length));
+    const Outcome outcome = place.run({"run", "--resume", "cut"});
+    EXPECT_EQ(outcome.code, 2) << length;
+    EXPECT_NE(outcome.err.find("checkpoint.bin"), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
