@@ -102,7 +102,7 @@ target_link_libraries(headers PRIVATE plimsoll::assembly)
 target_compile_options(headers PRIVATE -fsyntax-only)
 ")
 run(${CMAKE_COMMAND} -S ${WORK}/headers -B ${WORK}/headers/build -DCMAKE_PREFIX_PATH=${WORK}/moved)
-run(${CMAKE_COMMAND} --build ${WORK}/headers/build)
+run(${CMAKE_COMMAND} --build ${WORK}/headers/build --parallel 2)
 
 # The libraries, in a project of somebody else: a scene is read, stepped and pushed.
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/crate -B ${WORK}/crate -DCMAKE_BUILD_TYPE=Release

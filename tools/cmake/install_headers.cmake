@@ -1,5 +1,6 @@
 # Installs headers and all that they include, so that what is installed is closed.
 # SOURCE: the root of the sources; HEADERS: relative to it; DESTINATION: the folder.
+cmake_policy(VERSION 3.25)
 set(waiting ${HEADERS})
 set(closed "")
 while(waiting)

@@ -25,7 +25,7 @@ const std::vector<KeptPicture>& kept_pictures();
 /// Where a picture is kept.
 std::filesystem::path kept_file(const KeptPicture& picture);
 
-/// Draws it anew. @throws render::Error, app::InputError, std::invalid_argument
+/// Draws it anew. @throws render::Error, scene::InputError, std::invalid_argument
 render::Image draw(const KeptPicture& picture);
 
 }  // namespace golden
