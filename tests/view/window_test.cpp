@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/render/png.h"
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 
 /// The window as a screen shows it, without a monitor.
 

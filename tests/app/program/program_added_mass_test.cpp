@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/support/tolerance.h"
 
 /// Added mass in scenes, and the store of its solutions.

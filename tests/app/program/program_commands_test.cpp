@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/support/tolerance.h"
 
 /// The commands beside `run`: check, probe, compare, render.

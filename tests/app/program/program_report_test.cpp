@@ -7,8 +7,8 @@
 
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
-#include "tests/app/page.h"
-#include "tests/app/program.h"
+#include "tests/app/program/page.h"
+#include "tests/app/program/program.h"
 
 /// The data that `plimsoll report` puts into its page, and what it says when it cannot.
 

@@ -17,7 +17,7 @@ except ImportError as error:
     print(f"left out: {error}", file=sys.stderr)
     sys.exit(77)
 
-ROOT = Path(__file__).resolve().parent.parent.parent
+ROOT = Path(__file__).resolve().parents[3]
 BAD_SCENES = ROOT / "tests/data/bad_scenes"
 
 # What a schema cannot see, by the faults that the scenes' heads expect: text that is no YAML or

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/render/png.h"
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/support/files.h"
 
 /// Videos that `run` and `render` make, as another program reads them, and what happens where none

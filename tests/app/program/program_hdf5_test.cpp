@@ -8,8 +8,8 @@
 #include "app/logs/hdf5_file.h"
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
-#include "tests/app/page.h"
-#include "tests/app/program.h"
+#include "tests/app/program/page.h"
+#include "tests/app/program/program.h"
 #include "tests/support/files.h"
 
 /// `plimsoll run --format hdf5`: what it writes, and what is left where it could not go on. What

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 
 /// @file
 /// What the program puts into its pages: data around which a test's own page lies, so that nothing

@@ -8,7 +8,7 @@
 
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 
 /// What the program does when it cannot do what it was asked for: exit codes, messages, and what is
 /// left on disk.

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/page.h"
-#include "tests/app/program.h"
+#include "tests/app/program/page.h"
+#include "tests/app/program/program.h"
 #include "tests/support/files.h"
 
 /// Pictures by cameras that move, and by several.

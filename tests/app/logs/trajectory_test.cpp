@@ -11,7 +11,7 @@
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory_csv.h"
 #include "app/scene/diagnostics.h"
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/support/files.h"
 #include "tests/support/random_pose.h"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 
 /// What `plimsoll sweep` does, leaves behind and goes on from.
 

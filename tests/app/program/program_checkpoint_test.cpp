@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 
 /// A run that is killed and resumed writes what a run that is not stopped writes.
 

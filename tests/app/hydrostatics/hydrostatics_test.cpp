@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app/assembly/build.h"
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 

@@ -1,4 +1,4 @@
-#include "tests/app/page.h"
+#include "tests/app/program/page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

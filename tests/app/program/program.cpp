@@ -1,4 +1,4 @@
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

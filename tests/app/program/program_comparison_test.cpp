@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/page.h"
-#include "tests/app/program.h"
+#include "tests/app/program/page.h"
+#include "tests/app/program/program.h"
 
 /// The data that `plimsoll compare --html` puts into its page, and what it says when it cannot.
 

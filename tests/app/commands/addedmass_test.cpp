@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 

@@ -10,7 +10,7 @@
 #include "app/logs/force_csv.h"
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
-#include "tests/app/program.h"
+#include "tests/app/program/program.h"
 #include "tests/support/files.h"
 
 /// What `plimsoll run` leaves behind.

@@ -1,6 +1,6 @@
 # completion_test.bash PROGRAM: drives the completion that the program prints for bash.
 set -u
-cd "$(dirname "${BASH_SOURCE[0]}")/../../scenes" || exit 2
+cd "$(dirname "${BASH_SOURCE[0]}")/../../../scenes" || exit 2
 script=$("$1" completion bash) || exit 2
 eval "$script"
 failures=0
