@@ -20,7 +20,7 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   return matrix;
 }
 
-/// The basis of (1).
+/// The basis of (E4).
 struct Split {
   Split(const Matrix6d& inertia, const Matrix6d& change) : S(inertia) {
     const hydro::EigenDecomposition6 eigen = hydro::eigen_decomposition(S.relative(change));
@@ -42,7 +42,7 @@ struct Split {
   Matrix6d root;  ///< The momenta S x_i.
 };
 
-/// (1) in the ways N that are left. The inertia of the result is right for u = N q' alone.
+/// (E4) in the ways N that are left. The inertia of the result is right for u = N q' alone.
 InertiaChange change_along(const Subspace& N, const Matrix6d& inertia, const Matrix6d& change,
                            const Vector6d& u) {
   // Rates that are not there are added, with a unit of inertia that does not change.

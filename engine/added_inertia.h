@@ -14,7 +14,7 @@
 /// x_i in which ΔA x_i = μ_i (M + A) x_i and x_i·(M + A) x_j = δ_ij, growth is the part with μ_i >
 /// 0. Half of the change, the step's update with the inertia M + A + ½ΔA, and the other half give
 ///
-///     u⁺ = Σ x_i c_i / (1 + max(μ_i, 0)) + S⁻¹ h F,        u = Σ x_i c_i,                   (1)
+///     u⁺ = Σ x_i c_i / (1 + max(μ_i, 0)) + S⁻¹ h F,        u = Σ x_i c_i,                  (E4)
 ///
 /// where S is 1 + max(μ_i, ½μ_i) in the same basis: in directions of growth the momentum changes by
 /// h F exactly. ΔA is that from the start to the end of the step, so that A belongs to the pose at
@@ -39,7 +39,7 @@ struct Mobility {
 /// M about the centre of mass, body axes.
 Matrix6d rigid_inertia(const BodySpec& body);
 
-/// Equation (1) without its last term, and what that needs. All in the same axes.
+/// (E4) without its last term, and what that needs. All in the same axes.
 struct InertiaChange {
   Matrix6d inertia;   ///< S: what loads within the step work against.
   Vector6d velocity;  ///< u⁺ without loads.

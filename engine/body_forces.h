@@ -8,14 +8,15 @@
 /// In W, with v the velocity of the centre of mass and u that relative to the water,
 ///
 ///     K = ½ (v, ω)·M (v, ω)        E_A = ½ u·A u        P = m g (z − level)
-///     K − K(0) = the sum of all works, the brake's included                                  (1)
-///     P − P(0) = −(the work of the weight)                                                   (2)
+///     K − K(0) = the sum of all works, the brake's included                                 (E16)
+///     P − P(0) = −(the work of the weight)
 ///
 /// A work is the sum over the accelerations (update.h) of a load's impulse times the mean of the
-/// velocities before and after: what the load has done to the motion that was found, so that (1)
-/// holds to round-off but for the offset (2) of free_step.h, which comes and goes with the loads.
-/// In equation (2) the impulses meet the displacements: it holds to the order of the integration.
-/// The load that an implicit update takes beyond the one found last, h/4 K Δu, is buoyancy.
+/// velocities before and after: what the load has done to the motion that was found, so that the
+/// first holds to round-off but for the correction (E9), which comes and goes with the loads. In
+/// the second equation the impulses meet the displacements: it holds to the order of the
+/// integration. The load that an implicit update takes beyond the one found last, h/4 K Δu, is
+/// buoyancy.
 ///
 /// The water that moves with a body takes from it −ΔE_A, and more where A changes
 /// (added_inertia.h): what the body loses as it enters or leaves.

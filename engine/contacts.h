@@ -14,8 +14,8 @@
 /// can move, so that overlap decays within a few τ and does not bounce. With the time step h the
 /// constraint solver is given, for each of n points,
 ///
-///     ERP = h k / (α h k + w c)  = h / (α h + 2 w τ)                                      (1)
-///     CFM = 1 / (α h k + w c)    = n τ² / (m (α h + 2 w τ))                               (2)
+///     ERP = h k / (α h k + w c)  = h / (α h + 2 w τ)                                     (E11)
+///     CFM = 1 / (α h k + w c)    = n τ² / (m (α h + 2 w τ))
 ///     speed = −(1 − w) c v⁻ CFM/n = −2 (1 − w) τ v⁻ / (α h + 2 w τ)
 ///
 /// that is the force k d − α h k v⁺ − c ((1 − w) v⁻ + w v⁺), where d is the depth and v⁻, v⁺ the
@@ -23,7 +23,7 @@
 /// end of the step, of first order and without any bound on h. Where d is the depth halfway through
 /// a step that is shorter than τ, the split step takes the weights
 ///
-///     α = h/τ,    w = max(h/τ, 1/(1 − exp(−z)) − 1/z),    z = (c/n) h/µ,                  (5)
+///     α = h/τ,    w = max(h/τ, 1/(1 − exp(−z)) − 1/z),    z = (c/n) h/µ,                 (E12)
 ///
 /// of second order: w tends to ½. µ is the mass that the point resists a push with. A damper on it
 /// alone, which at a corner is far stiffer than on the whole body, is then solved exactly.
@@ -33,7 +33,7 @@
 /// converges as the step is refined, and does above it, where a spring shorter than a step is not
 /// resolved. A body that has got deep into another in one step is pushed out no faster than
 ///
-///     √(2 g depth)                                                                        (4)
+///     √(2 g depth)                                                                       (E13)
 ///
 /// so that it gains no more energy than by a fall through the overlap; g is that of what contacts
 /// push against, with the weight of the body and of the water in its place: less than gravity where
@@ -45,7 +45,7 @@
 /// sliding that the contact would see without it; so a body slides down the steepest way above
 /// atan µ, whatever the heading of the slope. Its rows are regularised by
 ///
-///     slip = 1e-6 h n / m                                                                 (3)
+///     slip = 1e-6 h n / m                                                                (E14)
 ///
 /// which lets a body on a slope creep by less than 1e-6 g h [m/s] and keeps the equations of many
 /// points solvable.
@@ -84,7 +84,7 @@ std::vector<ContactPoint> holding_a_sphere(std::vector<ContactPoint> points);
 /// farthest from those taken, in place and direction. Equal ones go by order.
 std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most);
 
-/// The weights of (5).
+/// The weights of (E12).
 struct ContactWeights {
   double spring = 1;  ///< α
   double damper = 1;  ///< w
@@ -92,7 +92,7 @@ struct ContactWeights {
 /// @param lightness   m/µ
 ContactWeights halfway_weights(std::size_t points, double step, double lightness);
 
-/// What the constraint solver is told about one point: equations (1) to (3).
+/// What the constraint solver is told about one point: (E11) and (E14).
 struct ContactStiffness {
   double erp = 0;    ///< [-]
   double cfm = 0;    ///< [m/(N s)]
@@ -102,7 +102,7 @@ struct ContactStiffness {
 ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
                                    const ContactWeights& weights = {});
 
-/// The ERP of (1), or what makes the speed ERP·depth/h that of (4) if that is less.
+/// The ERP of (E11), or what makes the speed ERP·depth/h that of (E13) if that is less.
 double limited_erp(double erp, double depth, double gravity, double step);
 
 }  // namespace engine

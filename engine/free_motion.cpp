@@ -28,7 +28,7 @@ int pieces(double rate, double time) {
       std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostDriftParts));
 }
 
-/// What turns with the body in (2): momentum in B and the attitude.
+/// What turns with the body in (E2): momentum in B and the attitude.
 struct Momentum {
   Vector6d p = Vector6d::Zero();
   Matrix3d R = Matrix3d::Identity();
@@ -36,13 +36,13 @@ struct Momentum {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
 };
 
-/// Rate of change of p by (1).
+/// Rate of change of p by (E1).
 Vector6d kirchhoff(const Vector6d& p, const Vector6d& u) {
   const Vector3d P = p.head<3>(), L = p.tail<3>(), v = u.head<3>(), w = u.tail<3>();
   return to_vector6(P.cross(w), L.cross(w) + P.cross(v));
 }
 
-/// Displacement (3) in B axes of the start.
+/// Displacement (E3) in B axes of the start.
 Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, double a,
                       double time) {
   const Vector3d v = u.head<3>(), w = u.tail<3>();
@@ -52,7 +52,7 @@ Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, 
   return b * (v + a * w.cross(v)) + (time - b) * straight;
 }
 
-/// True if the momentum p₁ has the energy of p₀, which an exact solution of (2) keeps.
+/// True if the momentum p₁ has the energy of p₀, which an exact solution of (E2) keeps.
 bool keeps_energy(const Matrix6d& S_inverse, const Vector6d& p0, const Vector6d& p1) {
   const double before = p0.dot(S_inverse * p0);
   return std::abs(p1.dot(S_inverse * p1) - before) <= kDriftEnergyKept * before;
@@ -65,7 +65,7 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return m;
 }
 
-/// Derivative of p − p₀ − a (P × ω, L × ω + P × v) by p, with u = S⁻¹ p: that of (2), a held.
+/// Derivative of p − p₀ − a (P × ω, L × ω + P × v) by p, with u = S⁻¹ p: that of (E2), a held.
 Matrix6d slope(const Matrix6d& S_inverse, const Vector6d& p, const Vector6d& u, double a) {
   Matrix6d by_u = Matrix6d::Zero(), by_p = Matrix6d::Zero();
   by_u.topRightCorner<3, 3>() = by_u.bottomLeftCorner<3, 3>() = cross_matrix(p.head<3>());
@@ -75,15 +75,15 @@ Matrix6d slope(const Matrix6d& S_inverse, const Vector6d& p, const Vector6d& u, 
   return Matrix6d::Identity() - a * (by_u * S_inverse + by_p);
 }
 
-/// The mean momentum of (2) with its velocity and a.
+/// The mean momentum of (E2) with its velocity and a.
 struct Mean {
   Vector6d p = Vector6d::Zero();
   Vector6d u = Vector6d::Zero();
   double a = 0;
 };
 
-/// Solves (2) from the momentum p: by repeated substitution while that is quick, by Newton's method
-/// where it is not. Nothing, should neither do.
+/// Solves (E2) from the momentum p: by repeated substitution while that is quick, by Newton's
+/// method where it is not. Nothing, should neither do.
 std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, double time) {
   Mean mean{.p = p};
   std::optional<Eigen::PartialPivLU<Matrix6d>> newton;
@@ -111,8 +111,8 @@ Eigen::Quaterniond renormalized(const Eigen::Quaterniond& q) {
   return Eigen::Quaterniond((1.5 - q.squaredNorm() / 2) * q.coeffs());
 }
 
-/// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
-/// no half do, the body moves on as it does, which keeps the energy too.
+/// One application of (E2) and (E3); where its equation is too stiff to be solved, in halves.
+/// Should no half do, the body moves on as it does, which keeps the energy too.
 void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) {
   std::optional<Mean> mean = solve_mean(S_inverse, m.p, time);
   if (!mean) {
@@ -128,7 +128,7 @@ void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) 
   m.p = 2 * mean->p - m.p;
 }
 
-/// Euler's equations for the angular momentum L in B by (2); returns ω̄.
+/// Euler's equations for the angular momentum L in B by (E2); returns ω̄.
 Vector3d turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w,
                           double time) {
   const Vector3d L = inertia * w;
@@ -165,7 +165,7 @@ struct HeldMotion {
   Vector6d u = Vector6d::Zero();  ///< Relative to the water.
 };
 
-/// One midpoint step of (4) by repeated substitution; nothing where that leads nowhere.
+/// One midpoint step of (E1a) by repeated substitution; nothing where that leads nowhere.
 std::optional<HeldMotion> solve_held(const PartlyLockedBody& body, const HeldMotion& start,
                                      double time) {
   const Vector6d p0 = body.inertia(start.q) * start.u;
@@ -187,7 +187,7 @@ std::optional<HeldMotion> solve_held(const PartlyLockedBody& body, const HeldMot
   return std::nullopt;
 }
 
-/// The energy of the motion that is free, and that of what is held: (5).
+/// The energy of the motion that is free, and that of what is held: (E3a).
 struct HeldEnergy {
   double free = 0;
   double held = 0;
@@ -200,7 +200,7 @@ HeldEnergy held_energy(const PartlyLockedBody& body, const HeldMotion& motion) {
   return {.free = free.dot(S * free) / 2, .held = held.dot(S * held) / 2};
 }
 
-/// True if (5) is kept well enough.
+/// True if (E3a) is kept well enough.
 bool keeps_energy(const PartlyLockedBody& body, const HeldMotion& before, const HeldMotion& after) {
   const HeldEnergy first = held_energy(body, before), last = held_energy(body, after);
   const double change = (last.free - last.held) - (first.free - first.held);
@@ -210,8 +210,9 @@ bool keeps_energy(const PartlyLockedBody& body, const HeldMotion& before, const 
                                  kDriftRoundOff * std::max(first.held, last.held);
 }
 
-/// A step of (4) and how far it goes relative to the water; in halves where one cannot be solved or
-/// does not keep (5). Should no half do, the body goes on as it does without turning, which does.
+/// A step of (E1a) and how far it goes relative to the water; in halves where one cannot be solved
+/// or does not keep (E3a). Should no half do, the body goes on as it does without turning, which
+/// does.
 Vector3d advance_held(const PartlyLockedBody& body, HeldMotion& motion, double time, int halvings) {
   const std::optional<HeldMotion> end = solve_held(body, motion, time);
   if (!end || !keeps_energy(body, motion, *end)) {

@@ -8,7 +8,7 @@
 /// With p the point, v_p its velocity and M_p = (J S⁻¹ Jᵀ)⁻¹, J = (1, −[r]×), the mass that the
 /// body has there,
 ///
-///     F = M_p (ω² (to − p) − 2 ω v_p).
+///     F = M_p (ω² (to − p) − 2 ω v_p).                                                    (E17)
 ///
 /// Without other loads p'' = ω² (to − p) − 2 ω p' but for what turning does: wherever the body is
 /// taken hold of, the point comes to its place as fast as it can without swinging past it,

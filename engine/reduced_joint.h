@@ -12,7 +12,7 @@
 /// left:
 ///
 ///     hinge along e through p    N = (e × (x − p), e)          the angle
-///     slider along e             N = (e, 0)                    the length                      (1)
+///     slider along e             N = (e, 0)                    the length                    (E10)
 ///     ball joint at p            N = (−[x − p]×, 1)            the turn about p, in W
 ///
 /// Where A moves with the body so does Nᵀ (M + A) N. Without loads q' is then constant on a hinge
@@ -36,7 +36,7 @@ struct ReducedJoint {
 /// by itself in another way, as that of a body with added mass in a current does.
 std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::size_t body);
 
-/// N of (1), in W.
+/// N of (E10), in W.
 Subspace motion_subspace(const ReducedJoint& reduced_joint, const hydro::BodyState& state);
 
 /// The nearest state on the reduced_joint, its velocity by q' of the state's turning or, on a
