@@ -141,7 +141,7 @@ void drift(const Body& body, const Environment& environment, Motion& motion, dou
 
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
   state.position += change.head<3>();
-  state.orientation = turned_by(change.tail<3>(), state.orientation);
+  state.orientation = rotated(state.orientation, change.tail<3>());
   if (body.reduced_joint) return project_onto_joint(*body.reduced_joint, state);
   return body.locked ? project_onto_locks(body.spec->locked, body.spec->initial, state) : state;
 }
