@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/constants.h"
 #include "engine/spatial_vector.h"
 #include "engine/stopwatch.h"
 #include "engine/world.h"
@@ -142,7 +143,7 @@ std::vector<ContactPoint> World::touching_points(const Pair& pair, double step) 
   const double reach = kReachInSteps * step * approach(pair, all.front().position_W, step).norm();
   std::vector<ContactPoint> points = without_artefacts(
       all, reach, pair.first == kWorld ? std::numeric_limits<double>::infinity() : boxes);
-  if (is_sphere(first) || is_sphere(second)) points = holding_a_sphere(std::move(points));
+  if (is_sphere(first) || is_sphere(second)) points = supporting_a_sphere(std::move(points));
   const std::size_t most = is_mesh(first) || is_mesh(second) ? kContactsOfPair : kContactsOfFace;
   std::vector<ContactPoint> kept;
   for (const std::size_t i : representative(points, most)) kept.push_back(points[i]);
