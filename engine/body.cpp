@@ -19,6 +19,11 @@ bool has_joint(const SimulationSpec& spec, BodyId body) {
   });
 }
 
+/// True if the water has loads on the body that can move it.
+bool feels_water(const BodySpec& spec) {
+  return spec.wet && !hydro::no_load(spec.coefficients) && !immovable(spec.locked);
+}
+
 /// Largest component of a change of added mass, over the least inertia [-].
 double relative_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
   return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();

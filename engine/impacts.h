@@ -15,10 +15,10 @@
 ///
 ///     g τ                                                                                  (E15)
 ///
-/// the substep ends where they begin to, which depth over speed of the overlap shows that the
+/// the substep ends at the onset, which follows from depth over speed of the overlap that the
 /// bodies drift into. The next substep has the length kFirstAfterImpact τ, or that part of a
-/// shorter step, and each further one grows by kImpactGrowth up to a step: some dozen substeps per
-/// impact, whatever the step, of the group.
+/// shorter step, and each further one grows by kImpactGrowth up to a step: some dozen substeps of
+/// the group per impact, whatever the step.
 ///
 /// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
 /// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps

@@ -4,10 +4,6 @@
 
 namespace engine {
 
-/// True if the water can move the body: it is wet, can move, and has a coefficient that is not
-/// zero.
-bool feels_water(const BodySpec& spec);
-
 /// Heights that bound a body [m].
 struct VerticalExtent {
   double lowest;  ///< z of the lowest point.
