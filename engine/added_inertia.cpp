@@ -9,7 +9,7 @@
 namespace engine {
 namespace {
 
-/// The matrix with locked degrees of freedom cut off from the others.
+/// The matrix without coupling of locked degrees of freedom, which get this diagonal.
 Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   for (int i = 0; i < 6; ++i) {
     if (!locked[static_cast<std::size_t>(i)]) continue;
@@ -20,7 +20,7 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   return matrix;
 }
 
-/// The basis of (1).
+/// The basis of (E4).
 struct Split {
   Split(const Matrix6d& inertia, const Matrix6d& change) : S(inertia) {
     const hydro::EigenDecomposition6 eigen = hydro::eigen_decomposition(S.relative(change));
@@ -28,7 +28,7 @@ struct Split {
     V = eigen.vectors;
     root = S.lower() * V;
   }
-  /// What multiplies the inertia in each of its directions.
+  /// The factors of the inertia in its directions.
   Vector6d factor() const { return 1 + mu.array().max(mu.array() / 2); }
   Matrix6d inertia() const { return root * factor().asDiagonal() * root.transpose(); }
   Vector6d velocity(const Vector6d& u) const {
@@ -42,19 +42,20 @@ struct Split {
   Matrix6d root;  ///< The momenta S x_i.
 };
 
-/// (1) in the ways N that are left. The inertia of the result is right for u = N q' alone.
+/// (E4) in the subspace N. The inertia of the result holds for u = N q' alone.
 InertiaChange change_along(const Subspace& N, const Matrix6d& inertia, const Matrix6d& change,
                            const Vector6d& u) {
-  // Rates that are not there are added, with a unit of inertia that does not change.
-  Matrix6d all = Matrix6d::Zero();
-  all.leftCols(N.cols()) = N;
-  Matrix6d S = all.transpose() * inertia * all;
+  // Columns of zeros, with a unit of inertia that does not change, make the matrix 6 × 6.
+  Matrix6d padded = Matrix6d::Zero();
+  padded.leftCols(N.cols()) = N;
+  Matrix6d S = padded.transpose() * inertia * padded;
   S.diagonal().tail(6 - N.cols()).setOnes();
-  const Split split(S, all.transpose() * change * all);
-  const Matrix6d conjugate = inertia * all * hydro::Cholesky6(S).inverse();
+  const Split split(S, padded.transpose() * change * padded);
+  const Matrix6d conjugate = inertia * padded * hydro::Cholesky6(S).inverse();
   const Matrix6d grown = split.inertia() - S;
   const Vector6d rates = split.velocity(conjugate.transpose() * u);
-  return {.inertia = inertia + conjugate * grown * conjugate.transpose(), .velocity = all * rates};
+  return {.inertia = inertia + conjugate * grown * conjugate.transpose(),
+          .velocity = padded * rates};
 }
 
 }  // namespace

@@ -4,10 +4,9 @@
 #include <numbers>
 
 namespace engine {
-
 namespace {
 
-/// A time that is a whole number of steps differs from the same time as written by round-off.
+/// True if the load acts. A multiple of the step differs from the time as written by round-off.
 bool acts(const AppliedLoad& load, double time) {
   const double later = time + 1e-12 * std::abs(time);
   return later >= load.start && later < load.end;
@@ -23,11 +22,6 @@ hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, dou
   const hydro::Wrench whole{.force = force, .moment = torque + (R_WB * load.at_B).cross(force)};
   if (!load.sine) return whole;
   return std::sin(2 * std::numbers::pi * load.sine->frequency * time + load.sine->phase) * whole;
-}
-
-bool changes_after(const AppliedLoad& load, double time) {
-  const bool varies = load.sine || std::isfinite(load.end);
-  return load.start > time || (varies && load.end > time);
 }
 
 }  // namespace engine

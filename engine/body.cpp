@@ -19,8 +19,13 @@ bool has_joint(const SimulationSpec& spec, BodyId body) {
   });
 }
 
-/// The largest component of a change of added mass over the least inertia [-].
-double part_of_inertia(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
+/// True if the water has loads on the body that can move it.
+bool feels_water(const BodySpec& spec) {
+  return spec.wet && !hydro::no_load(spec.coefficients) && !immovable(spec.locked);
+}
+
+/// Largest component of a change of added mass, over the least inertia [-].
+double relative_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
   return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();
 }
 
@@ -28,12 +33,12 @@ std::optional<Matrix6d> unless_zero(const Matrix6d& matrix) {
   return matrix.isZero(0) ? std::nullopt : std::optional<Matrix6d>(matrix);
 }
 
-/// The state with the part of its momentum that the reduced joint leaves.
-hydro::BodyState put_on_joint(const Body& body, const Motion& motion) {
+/// The state with the projection of its momentum on the reduced joint.
+hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
   const Vector6d u = velocity(motion.state, Eigen::Vector3d::Zero());
   const Matrix6d S = inertia_W(body, motion);
-  const Vector6d left = solve_free(S, S * u, mobility(body, motion.state));
-  return with_velocity(motion.state, left, Eigen::Vector3d::Zero());
+  const Vector6d projected = solve_free(S, S * u, mobility(body, motion.state));
+  return with_velocity(motion.state, projected, Eigen::Vector3d::Zero());
 }
 
 /// A body without its hull.
@@ -90,7 +95,7 @@ Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::Body
   const Environment environment = make_environment(spec);
   if (body.has_added_mass)
     motion.added_B = unless_zero(added_mass(body, environment, motion.state, time));
-  if (body.reduced_joint) motion.state = put_on_joint(body, motion);
+  if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (spec.record_work)
     motion.work = {.added_energy_at_start = added_kinetic_energy(body, environment, motion)};
   return motion;
@@ -130,18 +135,15 @@ hydro::BodyState state_after_drift(const Body& body, const Environment& environm
 }
 
 void drift(const Body& body, const Environment& environment, Motion& motion, double time) {
-  if (!motion.work) {
-    motion.state = state_after_drift(body, environment, motion, time);
-    return;
-  }
-  const Motion before = motion;
+  std::optional<Motion> before;
+  if (motion.work) before = motion;
   motion.state = state_after_drift(body, environment, motion, time);
-  record_drift(body, environment, before, time, motion);
+  if (before) record_drift(body, environment, *before, time, motion);
 }
 
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
   state.position += change.head<3>();
-  state.orientation = turned_by(change.tail<3>(), state.orientation);
+  state.orientation = rotated(state.orientation, change.tail<3>());
   if (body.reduced_joint) return project_onto_joint(*body.reduced_joint, state);
   return body.locked ? project_onto_locks(body.spec->locked, body.spec->initial, state) : state;
 }
@@ -172,9 +174,9 @@ Matrix6d expected_added_mass(const Body& body, const Motion& motion, double h) {
   const Matrix6d last = motion.added();
   if (!motion.added_rate_B) return last;
   const Matrix6d expected = last + h * *motion.added_rate_B;
-  // Where a rate ends, as when a body has left the water, it leads to what is no mass.
-  const hydro::Cholesky6 left(kLeastInertia * body.rigid_B + expected);
-  return left.positive_definite() ? expected : last;
+  // A rate that has ended, as when a body has left the water, may make the inertia indefinite.
+  const hydro::Cholesky6 rest(kLeastInertia * body.rigid_B + expected);
+  return rest.positive_definite() ? expected : last;
 }
 
 AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
@@ -182,9 +184,9 @@ AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
   const Vector6d scale = (body.rigid_B + found_B).diagonal().cwiseSqrt().cwiseInverse();
   const Matrix6d scaled = scale.asDiagonal() * (found_B - taken_B) * scale.asDiagonal();
   if (scaled.cwiseAbs().maxCoeff() <= kEqualAddedMass) return AddedMassMatch::equal;
-  // A pass leaves at most this part of a difference.
-  const double off = part_of_inertia(body, taken_B, found_B - taken_B);
-  const double change = part_of_inertia(body, taken_B, found_B - start_B);
+  // An update leaves at most this part of a difference.
+  const double off = relative_change(body, taken_B, found_B - taken_B);
+  const double change = relative_change(body, taken_B, found_B - start_B);
   return off * std::max(off, change) <= kUnmatchedAddedMass ? AddedMassMatch::near
                                                             : AddedMassMatch::distant;
 }

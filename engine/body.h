@@ -9,12 +9,12 @@
 #include "engine/reduced_joint.h"
 
 /// @file
-/// The constant side of the stepping: what surrounds the bodies, and what each of them is. What
-/// changes is in motion.h.
+/// The constant side of a body, its surroundings, and how it moves without loads. Its changing side
+/// is in motion.h.
 
 namespace engine {
 
-/// What surrounds the bodies.
+/// Water and gravity.
 struct Environment {
   double gravity = 0;               ///< [m/s^2]
   const hydro::Sea* sea = nullptr;  ///< Null: a dry scene.
@@ -36,7 +36,7 @@ struct Body {
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass.
   Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
   bool wet = false;             ///< The water has loads on it.
-  bool has_added_mass = false;  ///< Water moves with it.
+  bool has_added_mass = false;  ///< A may not be zero.
   bool movable = true;          ///< At least one degree of freedom is not locked.
   bool locked = false;          ///< At least one degree of freedom is locked.
   bool jointed = false;         ///< At least one joint holds it.
@@ -46,31 +46,32 @@ struct Body {
 /// All bodies of the specification, which must outlive them.
 std::vector<Body> make_bodies(const SimulationSpec& spec);
 
-/// The motion of a body that starts at a time [s] in a state that its locks allow: it has no
-/// history, and a reduced joint projects its velocity.
+/// The motion, without history, of a body that starts at a time [s] in a state that its locks
+/// allow. A reduced joint projects its velocity.
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time);
 
 /// True if the water surface may reach the body in this state.
 bool may_be_wet(const Body& body, const Environment& environment, const hydro::BodyState& state);
 
-/// Which velocities the locks and the reduced joint leave to the body, in W.
+/// The velocities that locks or the reduced joint leave to the body, in W.
 Mobility mobility(const Body& body, const hydro::BodyState& state);
 
 /// M + A in W. @param R_WB   Orientation of the motion's state.
 Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d& R_WB);
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 
-/// Moves the body by inertia alone over `time` [s]: added mass, locks and reduced joint act, loads
-/// do not ((E1) to (E3)).
+/// The state after `time` [s] of motion by inertia alone, (E1) to (E3): added mass, locks and the
+/// reduced joint act, loads do not.
 hydro::BodyState state_after_drift(const Body& body, const Environment& environment,
                                    const Motion& motion, double time);
+/// Moves the body to that state, and records the work.
 void drift(const Body& body, const Environment& environment, Motion& motion, double time);
 
 /// The state moved by (Δx, Δθ) in W and projected on locks and reduced joint; its velocity stays.
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change);
 
-/// Mass that contacts push against: no less than M + A in any direction [kg].
+/// Mass that resists contacts: the largest of M + A in any direction [kg].
 double contact_mass(const Body& body, const Motion& motion);
 
 /// Acceleration of that mass by weight and full buoyancy, in units of gravity, at most 1.
@@ -86,11 +87,11 @@ void set_added_mass(Motion& motion, const Matrix6d& added_B, double h);
 /// A after a substep of length h [s], extrapolated by its rate in the last one.
 Matrix6d expected_added_mass(const Body& body, const Motion& motion, double h);
 
-/// How well the added mass that a substep was taken with agrees with the one of its final pose.
+/// Agreement of the added mass that a substep was taken with and that of its final pose.
 enum class AddedMassMatch {
   equal,    ///< The difference is round-off.
-  near,     ///< One more pass leaves no difference that matters to the energy.
-  distant,  ///< More passes are needed.
+  near,     ///< One more update leaves no difference that matters to the energy.
+  distant,  ///< More updates are needed.
 };
 /// @param start_B   A at the start of the substep.
 /// @param taken_B   A that the substep was taken with.
@@ -98,8 +99,8 @@ enum class AddedMassMatch {
 AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
                                   const Matrix6d& taken_B, const Matrix6d& found_B);
 
-/// The motion with the added mass `added_B` of its pose, where passes have not led to agreement, as
-/// when a body first meets the water: the added mass that it gains shares its momentum (E4).
+/// The motion with the added mass `added_B` of its pose, where updates have not led to agreement,
+/// as when a body first touches the water: the water that it gains shares its momentum (E4).
 Motion share_momentum(const Body& body, const Environment& environment, const Motion& before,
                       const Matrix6d& added_B);
 

@@ -24,36 +24,30 @@ void check_inertia(const BodySpec& spec) {
   const Eigen::Matrix3d& inertia = spec.inertia_B;
   if (!inertia.allFinite()) refuse(spec, "the inertia is not finite");
   const double size = inertia.cwiseAbs().maxCoeff();
-  if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > kInertiaTolerance * size) {
+  if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > kInertiaTolerance * size)
     refuse(spec, "the inertia matrix is not symmetric");
-  }
   const Eigen::Vector3d moments = hydro::eigenvalues(inertia);
-  if (!(moments[0] > 0)) {
+  if (!(moments[0] > 0))
     refuse(spec, fmt::format("a principal moment of inertia is {}, not positive", moments[0]));
-  }
-  if (moments[2] > moments[0] + moments[1] + kInertiaTolerance * moments[2]) {
+  if (moments[2] > moments[0] + moments[1] + kInertiaTolerance * moments[2])
     refuse(spec, fmt::format("no solid has the principal moments of inertia {}, {}, {}: one is "
                              "above the sum of the others",
                              moments[0], moments[1], moments[2]));
-  }
 }
 
 }  // namespace
 
 void check_body(const BodySpec& spec) {
-  if (!(spec.mass > 0 && std::isfinite(spec.mass))) {
+  if (!(spec.mass > 0 && std::isfinite(spec.mass)))
     refuse(spec, fmt::format("the mass is {} kg, not positive", spec.mass));
-  }
   check_inertia(spec);
   if (const auto fault = state_fault(spec.initial)) refuse(spec, "initially, " + *fault);
-  if (std::abs(spec.initial.orientation.norm() - 1) > kUnitTolerance) {
+  if (std::abs(spec.initial.orientation.norm() - 1) > kUnitTolerance)
     refuse(spec, "the initial orientation is not a unit quaternion");
-  }
   if (!spec.mesh_B.vertices.allFinite()) refuse(spec, "a vertex of its mesh is not finite");
   if (!within_bounds(spec.mesh_B)) refuse(spec, "its mesh reaches beyond all bounds");
-  if (spec.collision != CollisionShape::none && spec.mesh_B.face_count() == 0) {
+  if (spec.collision != CollisionShape::none && spec.mesh_B.face_count() == 0)
     refuse(spec, "it collides but its mesh has no triangles");
-  }
 }
 
 void check_ground(const Ground& ground) {

@@ -9,13 +9,13 @@
 namespace engine {
 namespace {
 
-/// The smallest index that leads to i.
+/// The smallest index that is connected to i, with paths halved on the way.
 std::size_t root(std::vector<std::size_t>& leader, std::size_t i) {
   while (leader[i] != i) i = leader[i] = leader[leader[i]];
   return i;
 }
 
-/// A box without end, that of the ground, is as wide as it can be.
+/// The box with a margin; the infinite box of the ground needs none.
 Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box) {
   const Eigen::Vector3d sizes = box.sizes();
   if (box.isEmpty() || !sizes.allFinite()) return box;
@@ -67,7 +67,7 @@ Eigen::AlignedBox3d swept_box(const Eigen::AlignedBox3d& shape_B, const hydro::B
 
 std::vector<std::pair<std::size_t, std::size_t>> overlapping(
     const std::vector<Eigen::AlignedBox3d>& boxes) {
-  std::vector<std::pair<double, std::size_t>> order;  // By their left ends.
+  std::vector<std::pair<double, std::size_t>> order;  // by their lower ends in x
   order.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     if (!boxes[i].isEmpty()) order.emplace_back(boxes[i].min().x(), i);
@@ -82,7 +82,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping(
   return pairs;
 }
 
-bool BroadPhase::hold(const std::vector<Eigen::AlignedBox3d>& boxes) const {
+bool BroadPhase::contain(const std::vector<Eigen::AlignedBox3d>& boxes) const {
   if (boxes.size() != wide_.size()) return false;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     if (!wide_[i].contains(boxes[i])) return false;
@@ -91,7 +91,7 @@ bool BroadPhase::hold(const std::vector<Eigen::AlignedBox3d>& boxes) const {
 
 std::vector<std::pair<std::size_t, std::size_t>> BroadPhase::find(
     const std::vector<Eigen::AlignedBox3d>& boxes) {
-  if (!hold(boxes)) {
+  if (!contain(boxes)) {
     wide_.clear();
     for (const Eigen::AlignedBox3d& box : boxes) wide_.push_back(widened(box));
     pairs_ = overlapping(wide_);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/constants.h"
 #include "engine/spatial_vector.h"
 #include "engine/stopwatch.h"
 #include "engine/world.h"
@@ -16,24 +17,22 @@ namespace {
 // ODE counts the contacts of one pair in 16 bits.
 constexpr std::size_t kMostPoints = 0xffff;
 constexpr std::size_t kUsualPoints = 256;
+
 /// All overlaps of two geometries.
 std::vector<dContactGeom> overlaps(dxGeom* first, dxGeom* second) {
   std::vector<dContactGeom> points;
-  std::size_t room = kUsualPoints;
-  while (true) {
-    points.resize(room);
-    const int found =
-        dCollide(first, second, static_cast<int>(room), points.data(), sizeof(dContactGeom));
-    if (static_cast<std::size_t>(found) < room || room == kMostPoints) {
-      points.resize(static_cast<std::size_t>(found));
-      return points;
-    }
-    room = std::min(8 * room, kMostPoints);
+  for (std::size_t most = kUsualPoints;; most = std::min(8 * most, kMostPoints)) {
+    points.resize(most);
+    const auto found = static_cast<std::size_t>(
+        dCollide(first, second, static_cast<int>(most), points.data(), sizeof(dContactGeom)));
+    if (found == most && most < kMostPoints) continue;
+    points.resize(found);
+    return points;
   }
 }
 
-/// The points in ODE's words, without those whose normal is not a direction: two triangles that
-/// touch in a point can give one.
+/// ODE's points, without those whose normal is not a direction, which two triangles that touch in
+/// a point can give.
 std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overlaps) {
   std::vector<ContactPoint> points;
   points.reserve(overlaps.size());
@@ -48,7 +47,7 @@ std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overla
   return points;
 }
 
-/// Least overlap along a world axis of the boxes environment two solids [m].
+/// Least overlap along a world axis of the boxes around two solids [m].
 double box_overlap(dxGeom* first, dxGeom* second) {
   std::array<dReal, 6> a{}, b{};
   dGeomGetAABB(first, a.data());
@@ -83,15 +82,13 @@ void World::collide(double step) {
   for (const Contact& contact : contacts_.points) join(contact);
 }
 
-double World::deepest_contact() const {
-  double deepest = 0;
-  for (const Contact& contact : contacts_.points) deepest = std::max(deepest, contact.point.depth);
-  return deepest;
+void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
+  bodies_.at(static_cast<std::size_t>(id)).inertia = inertia;
 }
 
 World::Contacts World::collide(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs,
                                double step) {
-  const std::lock_guard lock(*answering_);
+  const std::lock_guard lock(*mutex_);
   const Stopwatch stopwatch(collision_seconds_);
   open_ode();
   for (const Placed& placed : bodies) {
@@ -103,7 +100,7 @@ World::Contacts World::collide(const std::vector<Placed>& bodies, const std::vec
 
 std::vector<double> World::closing_times(
     const std::vector<std::pair<BodyId, hydro::BodyState>>& places, const Pair& pair, double slow) {
-  const std::lock_guard lock(*answering_);
+  const std::lock_guard lock(*mutex_);
   const Stopwatch stopwatch(collision_seconds_);
   open_ode();
   for (const auto& [body, state] : places) set_state(body, state);
@@ -119,14 +116,6 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
   Contacts contacts;
   for (const Pair& pair : pairs) add_contacts(contacts, pair, step);
   return contacts;
-}
-
-std::vector<bool> World::touching() const {
-  std::vector<bool> touches(bodies_.size(), false);
-  for (const Pair& pair : contacts_.pairs)
-    for (const BodyId id : {pair.first, pair.second})
-      if (id != kWorld) touches[static_cast<std::size_t>(id)] = true;
-  return touches;
 }
 
 std::vector<Pair> World::near_pairs() const {
@@ -146,7 +135,7 @@ bool World::may_touch(const Pair& pair) const {
 std::vector<ContactPoint> World::touching_points(const Pair& pair, double step) const {
   dxGeom* first = geom_of(pair.first);
   dxGeom* second = geom_of(pair.second);
-  // Ground is a sheet: its box says nothing of how deep a body lies in it.
+  // Ground is a sheet: its box does not bound the depth of a body in it.
   const double boxes = box_overlap(first, second);
   if (boxes < 0) return {};
   const std::vector<ContactPoint> all = contact_points(overlaps(first, second));
@@ -154,7 +143,7 @@ std::vector<ContactPoint> World::touching_points(const Pair& pair, double step) 
   const double reach = kReachInSteps * step * approach(pair, all.front().position_W, step).norm();
   std::vector<ContactPoint> points = without_artefacts(
       all, reach, pair.first == kWorld ? std::numeric_limits<double>::infinity() : boxes);
-  if (is_sphere(first) || is_sphere(second)) points = holding_a_sphere(std::move(points));
+  if (is_sphere(first) || is_sphere(second)) points = supporting_a_sphere(std::move(points));
   const std::size_t most = is_mesh(first) || is_mesh(second) ? kContactsOfPair : kContactsOfFace;
   std::vector<ContactPoint> kept;
   for (const std::size_t i : representative(points, most)) kept.push_back(points[i]);
@@ -171,8 +160,13 @@ void World::add_contacts(Contacts& contacts, const Pair& pair, double step) cons
   const std::vector<ContactPoint> points = touching_points(pair, step);
   if (points.empty()) return;
   contacts.pairs.push_back(pair);
-  const double mass = contact_mass(pair);
-  const double fall = contact_fall(pair);
+  double mass = 0, fall = 0;
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (!handle_of(id)) continue;
+    const Inertia& inertia = bodies_[static_cast<std::size_t>(id)].inertia;
+    mass = std::max(mass, inertia.mass);
+    fall = std::max(fall, inertia.fall);
+  }
   for (const ContactPoint& point : points) {
     ContactStiffness stiffness = contact_stiffness(unit_ * mass, points.size(), step,
                                                    weights(pair, point, points.size(), mass, step));
@@ -191,47 +185,24 @@ ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::
   double lightness = 0;
   for (const BodyId id : {pair.first, pair.second}) {
     if (!handle_of(id)) continue;
-    const Body& body = bodies_[static_cast<std::size_t>(id)];
-    if (!body.inertia) return {};
+    const std::optional<Matrix6d>& inertia_B =
+        bodies_[static_cast<std::size_t>(id)].inertia.matrix_B;
+    if (!inertia_B) return {};
     const hydro::BodyState now = state(id);
-    hydro::Vector6d push;
-    push << point.normal_W, (point.position_W - now.position).cross(point.normal_W);
-    push = rotate(now.orientation.conjugate().toRotationMatrix(), push);
-    lightness += mass * push.dot(hydro::Cholesky6(body.inertia->matrix_B).solve(push));
+    const Vector6d push =
+        rotate(now.orientation.conjugate().toRotationMatrix(),
+               to_vector6(point.normal_W, (point.position_W - now.position).cross(point.normal_W)));
+    lightness += mass * push.dot(hydro::Cholesky6(*inertia_B).solve(push));
   }
   return halfway_weights(points, step, lightness);
-}
-
-double World::contact_mass(const Pair& pair) const {
-  double mass = 0;
-  for (const BodyId id : {pair.first, pair.second}) {
-    if (!handle_of(id)) continue;
-    const Body& body = bodies_[static_cast<std::size_t>(id)];
-    mass = std::max(mass, body.inertia ? body.inertia->mass : body.mass);
-  }
-  return mass;
-}
-
-double World::contact_fall(const Pair& pair) const {
-  double fall = 0;
-  for (const BodyId id : {pair.first, pair.second}) {
-    if (!handle_of(id)) continue;
-    const auto& inertia = bodies_[static_cast<std::size_t>(id)].inertia;
-    fall = std::max(fall, inertia ? inertia->fall : 1);
-  }
-  return fall;
 }
 
 Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d& point_W,
                                                 double step) const {
   if (!handle_of(id)) return Eigen::Vector3d::Zero();
-  const Body& body = bodies_[static_cast<std::size_t>(id)];
   const hydro::BodyState now = state(id);
-  const Eigen::Vector3d acceleration =
-      body.inertia ? body.inertia->acceleration
-                   : body.load.force / body.mass - gravity_ * Eigen::Vector3d::UnitZ();
   return now.linear_velocity + now.angular_velocity.cross(point_W - now.position) +
-         step * acceleration;
+         step * bodies_[static_cast<std::size_t>(id)].inertia.acceleration;
 }
 
 }  // namespace engine

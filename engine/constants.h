@@ -3,7 +3,7 @@
 #include <cstddef>
 
 /// @file
-/// Every tolerance of the stepping: its unit, and what a change of it does. Each was chosen by
+/// Every tolerance of the stepping, its unit, and the effect of changing it. Each was chosen by
 /// measurement (tests/benchmarks/README.md, tests/stress/README.md); "step" is the scene's step.
 
 namespace engine {
@@ -43,9 +43,9 @@ inline constexpr double kAbruptLoad = 0.01;
 inline constexpr double kAbruptCrossing = 0.1;
 /// Rise by loads through the water surface, over the height, after which a substep is halved [-].
 inline constexpr double kLargestOvershoot = 2;
-/// Turn in a substep beyond which halves tell no more of a body's energy [rad].
+/// Turn in a substep beyond which halves find a body's energy no better [rad].
 inline constexpr double kFollowedTurn = 8;
-/// Phase per substep below which a jointed group keeps its energy by itself [rad].
+/// Phase per substep below which substeps of a jointed group are not judged [rad].
 inline constexpr double kSmoothSwing = 0.3;
 /// Half the energy gain that still water may give, over the largest energy so far [-]. Larger:
 /// light bodies bounce on the surface; smaller: resolved motions are slowed.
@@ -58,17 +58,17 @@ inline constexpr double kJointGain = 0.1;
 /// Largest turn, or change of direction of the momentum, in one application of (E2) [rad]. Larger:
 /// its phase error grows as the square.
 inline constexpr double kLargestTurn = 0.1;
-inline constexpr double kLargestSolvedTurn = 1;  ///< That one solution of (E2) is tried for [rad].
+inline constexpr double kLargestSolvedTurn = 1;  ///< Beyond it (E2) is not solved but halved [rad].
 inline constexpr int kMostDriftParts = 1024;     ///< Applications of (E2) in a drift.
-inline constexpr int kMostDriftHalvings = 6;     ///< Of one that does not converge.
+inline constexpr int kMostDriftHalvings = 6;     ///< Halvings of one that does not converge.
 inline constexpr int kMostDriftSolves = 40;      ///< Substitutions in an application of (E2).
 /// Part of the residual that a substitution leaves, beyond which Newton's method is taken [-].
 inline constexpr double kSlowConvergence = 0.1;
 /// Square of half a turn below which the series of sine and cosine are exact [rad^2].
 inline constexpr double kShortTurn = 0.01;
-inline constexpr double kDriftConverged = 1e-15;   ///< Residual over the momentum [-].
-inline constexpr double kDriftRoundOff = 1e-12;    ///< The same of ill-conditioned inertia [-].
-inline constexpr double kDriftEnergyKept = 1e-9;   ///< Of the energy, where that is missed [-].
+inline constexpr double kDriftConverged = 1e-15;   ///< Residual of (E2) over the momentum [-].
+inline constexpr double kDriftRoundOff = 1e-12;    ///< The same for ill-conditioned inertia [-].
+inline constexpr double kDriftEnergyKept = 1e-9;   ///< Change of energy where that is missed [-].
 inline constexpr double kLockedEnergyKept = 1e-3;  ///< Change of (E3a) in a part of a drift [-].
 
 // ── Update of the velocity (velocity_update.h) ──────────────────────────────────────────────────
@@ -83,28 +83,28 @@ inline constexpr double kPredicted = 0.3;
 /// Largest shift of the pose in (E5), over the radius [-]. Oscillations that a substep resolves
 /// need less.
 inline constexpr double kLargestShift = 0.02;
-inline constexpr int kMostNewtonSteps = 30;       ///< Of the implicit update.
-inline constexpr double kNewtonTolerance = 1e-3;  ///< Of the change; its error is the square [-].
-inline constexpr double kNewtonRoundOff = 1e-12;  ///< Of the velocity, where it is balanced [-].
+inline constexpr int kMostNewtonSteps = 30;       ///< Newton steps of an implicit update.
+inline constexpr double kNewtonTolerance = 1e-3;  ///< Last step over the change of velocity [-].
+inline constexpr double kNewtonRoundOff = 1e-12;  ///< Last step over the velocity [-].
 
 // ── Added mass at the end of a substep (body.h) ─────────────────────────────────────────────────
 
-/// Passes until the added mass of the final pose is the one of the update: of a body that moves
-/// freely, and of an island under constraints, whose passes solve them anew.
+/// Updates until the added mass agrees with the final pose: of a free body, and of an island under
+/// constraints, which each update solves anew.
 inline constexpr int kMostFreePasses = 3;
 inline constexpr int kMostConstrainedPasses = 2;
-/// Difference of two added masses that is round-off, over the inertia [-].
+/// Difference of two added masses, over the inertia, that is round-off [-].
 inline constexpr double kEqualAddedMass = 1e-9;
-/// Difference after the last pass, over the inertia, that leaves the energy alone [-].
+/// Difference after the last update, over the inertia, without effect on the energy [-].
 inline constexpr double kUnmatchedAddedMass = 1e-4;
-/// Part of the body's own inertia that extrapolated added mass must leave positive [-].
+/// Part of M by which an extrapolated A may be negative [-].
 inline constexpr double kLeastInertia = 0.99;
 
 // ── History of accelerations (acceleration_history.h) ───────────────────────────────────────────
 
 /// Error of extrapolation, over the largest acceleration, of a motion that is resolved [-].
 inline constexpr double kResolved = 0.25;
-/// What a substep without curvature leaves of the dominant frequency [-]. Half a period passes
+/// Factor of the dominant frequency in each substep [-]. It must outlast half a period, the time
 /// between two largest accelerations.
 inline constexpr double kFrequencyKept = 0.9;
 
@@ -112,21 +112,21 @@ inline constexpr double kFrequencyKept = 0.9;
 
 /// Error of the reactions, as a change of velocity in the metric of M_o, over the motion [-].
 inline constexpr double kReactionTolerance = 1e-9;
-inline constexpr int kMostSolves = 24;             ///< For one linearisation of the loads.
-inline constexpr int kContractingSolves = 8;       ///< Of these, kept for plain contraction.
-inline constexpr int kMostLinearisations = 6;      ///< Of the loads in an update.
+inline constexpr int kMostSolves = 24;             ///< Solves for one linearisation of the loads.
+inline constexpr int kContractingSolves = 8;       ///< Part of these for plain contraction.
+inline constexpr int kMostLinearisations = 6;      ///< Linearisations of the loads in an update.
 inline constexpr int kFullNewtonSteps = 3;         ///< Later linearisations take half steps.
-inline constexpr int kMostSolvesInAll = 12;        ///< After which loads are not linearised again.
-inline constexpr std::size_t kAndersonDepth = 12;  ///< Differences that acceleration remembers.
-inline constexpr int kMostIdleSolves = 12;         ///< Without progress, then M_o is chosen anew.
-inline constexpr double kProgress = 0.8;           ///< Of the least error, that counts as progress.
+inline constexpr int kMostSolvesInAll = 12;        ///< After these loads are not linearised again.
+inline constexpr std::size_t kAndersonDepth = 12;  ///< Differences that Anderson keeps.
+inline constexpr int kMostIdleSolves = 12;         ///< Without progress, before M_o changes.
+inline constexpr double kProgress = 0.8;           ///< Of the least error; progress is below.
 
 // ── Contacts (contacts.h) and impacts (impacts.h) ───────────────────────────────────────────────
 
 inline constexpr double kFriction = 0.5;           ///< Coulomb's µ of every pair [-].
 inline constexpr double kShortestContact = 0.01;   ///< Least time τ of a contact's spring [s].
-inline constexpr double kLeastGravity = 1;         ///< In (E13), where there is none [m/s^2].
-inline constexpr std::size_t kContactsOfPair = 8;  ///< Points kept of two meshes.
+inline constexpr double kLeastGravity = 1;         ///< In (E13) and (E15) [m/s^2].
+inline constexpr std::size_t kContactsOfPair = 8;  ///< Points kept where a mesh touches.
 inline constexpr std::size_t kContactsOfFace = 4;  ///< Points kept of boxes and planes.
 /// Creep on a slope is below this times g h [-]. Zero makes many points unsolvable.
 inline constexpr double kSlip = 1e-6;
@@ -136,8 +136,8 @@ inline constexpr double kImpactGrowth = 1.2;
 /// Onset of an impact, over that first substep, that counts as the start of the substep [-].
 inline constexpr double kImpactBegun = 1.0 / 8;
 inline constexpr std::size_t kMostImpactPairs = 4;  ///< Larger heaps take whole steps.
-inline constexpr int kMostImpacts = 4;              ///< That end a substep, in a step.
-inline constexpr int kMostOnsetLooks = 4;           ///< To find the onset of an impact.
+inline constexpr int kMostImpacts = 4;              ///< Impacts in a step that end a substep.
+inline constexpr int kMostOnsetLooks = 4;           ///< Collisions to find the onset of an impact.
 /// Reach of trusted contact points, in steps of the relative motion [-].
 inline constexpr double kReachInSteps = 3;
 /// Margin of broad-phase boxes, over their longest side [-]. Larger: fewer searches, more pairs.
@@ -145,27 +145,26 @@ inline constexpr double kBroadPhaseMargin = 0.25;
 
 // ── ODE (world.h, island_solver.h) ──────────────────────────────────────────────────────────────
 
-/// Part of a joint's misalignment that a step takes back [-]. The step is solved exactly, so a
-/// large part is stable.
+/// Part of a joint's misalignment that a step removes [-]. The step is solved exactly, so a large
+/// part is stable.
 inline constexpr double kJointErp = 0.8;
-/// Compliance of joints and locks over the inverse of the world's smallest and of its largest
-/// inertia, masses and moments alike as numbers in SI [s]. The first makes joints that hold the
-/// same motion twice solvable; the second bounds what the heaviest body's joint sinks in under its
-/// weight to 1e-6 g h [m].
+/// Compliance of joints and locks times the smallest and the largest inertia in the world, masses
+/// and moments alike as numbers in SI [s]. The first makes joints solvable that constrain the same
+/// motion twice; the second bounds the sinking of the heaviest body's joint to 1e-6 g h [m].
 inline constexpr double kComplianceOfLightest = 1e-12;
 inline constexpr double kComplianceOfHeaviest = 1e-6;
-inline constexpr std::size_t kMostDirectContacts = 32;  ///< Points that are solved exactly.
-inline constexpr int kHeapIterations = 50;              ///< Of the iterative solver, beyond those.
+inline constexpr std::size_t kMostDirectContacts = 32;  ///< Points of an exact solution.
+inline constexpr int kHeapIterations = 50;              ///< Iterations for more points.
 inline constexpr int kFallbackIterations = 200;         ///< Where the exact solver gives up.
-inline constexpr double kLeastSolverMass = 1e-6;        ///< Of the mass unit handed to ODE [kg].
+inline constexpr double kLeastSolverMass = 1e-6;  ///< Below it masses are scaled for ODE [kg].
 
 // ── Input (state_checks.h, body_check.h, pull.h, wave_resolution.h) ─────────────────────────────
 
 /// Largest coordinate, speed and angular speed of a body [m, m/s, rad/s]. Beyond it ODE can no
 /// longer number its collision cells.
 inline constexpr double kLargestState = 1e9;
-inline constexpr double kInertiaTolerance = 1e-6;  ///< Of the triangle inequality of moments [-].
-inline constexpr double kUnitTolerance = 1e-9;     ///< Of a unit vector or quaternion [-].
+inline constexpr double kInertiaTolerance = 1e-6;  ///< Asymmetry, or excess of one moment [-].
+inline constexpr double kUnitTolerance = 1e-9;     ///< Error of the length of a quaternion [-].
 /// Largest rate of a pull, times the step [-]: the explicit update allows ½ of twice the rate.
 inline constexpr double kFastestPull = 0.2;
 /// Steps per period of encounter below which a warning is given [-].

@@ -6,27 +6,28 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/constants.h"
+
 namespace engine {
 namespace {
 
-// Extent of points that are all one [m]; its square can still be divided by.
+// Extent of coinciding points [m]; its square is still no zero.
 constexpr double kLeastExtent = 1e-100;
 
-/// Distance of two points as `representative` understands it: in place relative to the extent of
-/// them all, and in direction.
+/// Square of the distance of two points, in position over the extent of all, and in direction.
 double distance(const ContactPoint& a, const ContactPoint& b, double extent) {
   return (a.position_W - b.position_W).squaredNorm() / (extent * extent) +
          (a.normal_W - b.normal_W).squaredNorm();
 }
 
-/// True if `deep` lies in the overlap of the far shallower contact `shallow` in another direction.
+/// True if `deep` lies in the overlap of the far shallower contact `shallow`, in another direction.
 bool explains(const ContactPoint& shallow, const ContactPoint& deep) {
   return shallow.depth < 0.2 * deep.depth && shallow.normal_W.dot(deep.normal_W) < 0.7 &&
          std::abs((deep.position_W - shallow.position_W).dot(shallow.normal_W)) <
              1.5 * shallow.depth;
 }
 
-double vertical_extent(const std::vector<ContactPoint>& points) {
+double extent_of(const std::vector<ContactPoint>& points) {
   Eigen::AlignedBox3d box;
   for (const ContactPoint& point : points) box.extend(point.position_W);
   return std::max(box.diagonal().norm(), kLeastExtent);
@@ -37,8 +38,8 @@ double vertical_extent(const std::vector<ContactPoint>& points) {
 std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach,
                                             double boxes) {
   std::vector<ContactPoint> touching;
-  const auto overlap = [](const ContactPoint& point) { return point.depth > 0; };
-  std::copy_if(points.begin(), points.end(), std::back_inserter(touching), overlap);
+  std::copy_if(points.begin(), points.end(), std::back_inserter(touching),
+               [](const ContactPoint& point) { return point.depth > 0; });
   const auto artefact = [&](const ContactPoint& point) {
     if (point.depth <= reach) return false;
     return point.depth > 2 * boxes ||
@@ -50,35 +51,34 @@ std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& poi
   return contacts;
 }
 
-std::vector<ContactPoint> holding_a_sphere(std::vector<ContactPoint> points) {
+std::vector<ContactPoint> supporting_a_sphere(std::vector<ContactPoint> points) {
   const auto deeper = [](const auto& a, const auto& b) { return a.depth > b.depth; };
   std::stable_sort(points.begin(), points.end(), deeper);
   std::vector<ContactPoint> kept;
   for (const ContactPoint& point : points) {
-    const bool left = std::all_of(kept.begin(), kept.end(), [&](const ContactPoint& other) {
+    const bool remains = std::all_of(kept.begin(), kept.end(), [&](const ContactPoint& other) {
       return point.depth > other.depth * other.normal_W.dot(point.normal_W);
     });
-    if (left) kept.push_back(point);
+    if (remains) kept.push_back(point);
   }
   return kept;
 }
 
 std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most) {
   if (points.empty()) return {};
-  const auto deeper = [](const auto& a, const auto& b) { return a.depth < b.depth; };
-  auto next = static_cast<std::size_t>(std::max_element(points.begin(), points.end(), deeper) -
-                                       points.begin());
-  const double extent = vertical_extent(points);
+  const auto shallower = [](const auto& a, const auto& b) { return a.depth < b.depth; };
+  const auto deepest = std::max_element(points.begin(), points.end(), shallower);
+  auto next = static_cast<std::size_t>(deepest - points.begin());
+  const double extent = extent_of(points);
 
   std::vector<std::size_t> taken;
   std::vector<double> gap(points.size(), std::numeric_limits<double>::infinity());
   while (taken.size() < most) {
     taken.push_back(next);
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i)
       gap[i] = std::min(gap[i], distance(points[i], points[next], extent));
-    }
     const auto farthest = std::max_element(gap.begin(), gap.end());
-    if (*farthest == 0) break;  // every point left coincides with one taken
+    if (*farthest == 0) break;  // every other point coincides with one taken
     next = static_cast<std::size_t>(farthest - gap.begin());
   }
   return taken;
@@ -88,7 +88,7 @@ ContactWeights halfway_weights(std::size_t points, double step, double lightness
   if (step >= kShortestContact) return {};
   const double ratio = step / kShortestContact;
   const double z = 2 * ratio * lightness / static_cast<double>(points);
-  // The first two terms of its series are all of it below that.
+  // Below this z the first two terms of the series are exact.
   const double exact = z < 1e-4 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
   return {.spring = ratio, .damper = std::max(ratio, exact)};
 }

@@ -30,7 +30,8 @@ double least_energy_scale(const Body& body, const Environment& environment) {
 }
 
 bool must_not_gain_energy(const Body& body, const Environment& environment) {
-  // Energy is that of the motion relative to the water: what is held in a current gets some.
+  // The energy is relative to the water, and a current does work on a body that locks or joints
+  // stop.
   const bool drifts = !body.locked && !body.jointed;
   return body.wet && hydro::is_flat(*environment.sea) && environment.current().z() == 0 &&
          (drifts || environment.current().isZero(0));

@@ -7,8 +7,8 @@
 ///
 /// E = ½ u·(M + A) u + m g z + U, with u the velocity relative to the water, z the height of the
 /// centre of mass and U the work done against buoyancy (buoyancy_energy.h). In water with a level
-/// surface that does not rise no load adds to E: drag takes from it, and so does added mass, which
-/// leaves some in the water. Lift may do either; its work and that of applied loads is counted.
+/// surface that does not rise, drag takes from E, and so does added mass, which leaves some energy
+/// in the water. Lift and applied loads may add to it by their work.
 
 namespace engine {
 
@@ -19,19 +19,19 @@ double kinetic_energy(const Body& body, const Environment& environment, const Mo
 double potential_energy(const Body& body, const Environment& environment,
                         const hydro::BodyState& state);
 
-/// Energy whose changes are round-off: 1e-9 of the weights of the body and of the water in its
-/// place, times its size [J].
+/// Scale of energies whose changes are round-off [J]: 1e-9 of the weight of the body and of the
+/// water in its place, times its size.
 double least_energy_scale(const Body& body, const Environment& environment);
 
-/// True if everything that adds to the body's energy is known: the water stands still, or carries
-/// along a body that nothing holds.
+/// True if the loads that may add to the body's energy are known: the water stands still, or
+/// carries along a body without locks and joints.
 bool must_not_gain_energy(const Body& body, const Environment& environment);
 
-/// True if lift or applied loads may add to the energy: no earlier energy then bounds the present.
+/// True if lift or applied loads may add to the energy: no earlier energy then bounds it.
 bool is_driven(const MovingBody& moving);
 
-/// Largest work that lift and applied loads, as they were last found, may have done between two
-/// states a time h [s] apart; 0 if they took energy [J].
+/// Largest work that the last lift and applied loads may have done between two states a time h [s]
+/// apart; 0 if they took energy [J].
 double work_done(const MovingBody& moving, const Environment& environment,
                  const hydro::BodyState& before, const hydro::BodyState& after, double h);
 

@@ -14,8 +14,8 @@ double absolute_energy(const Body& body, const Motion& motion) {
   return kinetic_energy(body, Environment{}, motion);
 }
 
-/// True if a free substep must be judged, or one under joints goes through a swing that is too
-/// large for it to keep its energy by itself.
+/// True if the loads of a free substep were abrupt, or if one under joints is a large part of an
+/// oscillation.
 bool is_suspect(const SubstepBody& b, double h) {
   if (!b.end.constrained) return b.abrupt;
   const AccelerationHistory& history = b.end.accelerations;

@@ -22,27 +22,26 @@ double half_step(double speed, double time) {
   return half < 1e-4 ? time / 2 * (1 + half * half / 3) : std::tan(half) / speed;
 }
 
-/// Number of equal pieces in which no rate [rad/s] turns further than kLargestTurn.
-int pieces(double rate, double time) {
+/// Number of equal parts in which a motion at this rate [rad/s] turns by kLargestTurn at most.
+int count_parts(double rate, double time) {
   return static_cast<int>(
       std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostDriftParts));
 }
 
-/// What turns with the body in (2): momentum in B and the attitude.
-struct Momentum {
-  Vector6d p = Vector6d::Zero();
-  Matrix3d R = Matrix3d::Identity();
+/// Momentum in B, displacement in W and orientation.
+struct DriftState {
+  Vector6d p;
   Vector3d x = Vector3d::Zero();
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond q;
 };
 
-/// Rate of change of p by (1).
+/// Rate of change of p by (E1).
 Vector6d kirchhoff(const Vector6d& p, const Vector6d& u) {
   const Vector3d P = p.head<3>(), L = p.tail<3>(), v = u.head<3>(), w = u.tail<3>();
   return to_vector6(P.cross(w), L.cross(w) + P.cross(v));
 }
 
-/// Displacement (3) in B axes of the start.
+/// Displacement of (E3), in the body axes of the start.
 Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, double a,
                       double time) {
   const Vector3d v = u.head<3>(), w = u.tail<3>();
@@ -52,20 +51,14 @@ Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, 
   return b * (v + a * w.cross(v)) + (time - b) * straight;
 }
 
-/// True if the momentum p₁ has the energy of p₀, which an exact solution of (2) keeps.
+/// True if the momentum p₁ has the energy of p₀, which an exact solution of (E2) keeps.
 bool keeps_energy(const Matrix6d& S_inverse, const Vector6d& p0, const Vector6d& p1) {
   const double before = p0.dot(S_inverse * p0);
   return std::abs(p1.dot(S_inverse * p1) - before) <= kDriftEnergyKept * before;
 }
 
-/// [v]×, the matrix of v × .
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-/// Derivative of p − p₀ − a (P × ω, L × ω + P × v) by p, with u = S⁻¹ p: that of (2), a held.
+/// Derivative of p − p₀ − a (P × ω, L × ω + P × v) with respect to p, with u = S⁻¹ p and constant
+/// a.
 Matrix6d slope(const Matrix6d& S_inverse, const Vector6d& p, const Vector6d& u, double a) {
   Matrix6d by_u = Matrix6d::Zero(), by_p = Matrix6d::Zero();
   by_u.topRightCorner<3, 3>() = by_u.bottomLeftCorner<3, 3>() = cross_matrix(p.head<3>());
@@ -75,15 +68,15 @@ Matrix6d slope(const Matrix6d& S_inverse, const Vector6d& p, const Vector6d& u, 
   return Matrix6d::Identity() - a * (by_u * S_inverse + by_p);
 }
 
-/// The mean momentum of (2) with its velocity and a.
+/// p̄, ū and a of (E2).
 struct Mean {
   Vector6d p = Vector6d::Zero();
   Vector6d u = Vector6d::Zero();
   double a = 0;
 };
 
-/// Solves (2) from the momentum p: by repeated substitution while that is quick, by Newton's method
-/// where it is not. Nothing, should neither do.
+/// Solves (E2) from the momentum p by repeated substitution, or by Newton's method where that is
+/// slow. Returns nothing if neither converges.
 std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, double time) {
   Mean mean{.p = p};
   std::optional<Eigen::PartialPivLU<Matrix6d>> newton;
@@ -106,14 +99,14 @@ std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, dou
   return mean;
 }
 
-/// A quaternion of unit length but for round-off, made so by a step of Newton's method.
+/// Takes round-off from the length of a unit quaternion, by a step of Newton's method.
 Eigen::Quaterniond renormalized(const Eigen::Quaterniond& q) {
   return Eigen::Quaterniond((1.5 - q.squaredNorm() / 2) * q.coeffs());
 }
 
-/// One application of (2) and (3); where its equation is too stiff to be solved, in halves. Should
-/// no half do, the body moves on as it does, which keeps the energy too.
-void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) {
+/// Applies (E2) and (E3), in halves where (E2) is too stiff to be solved. A half that is still too
+/// stiff keeps its velocity, and so its energy.
+void advance(const Matrix6d& S_inverse, DriftState& m, double time, int halvings) {
   std::optional<Mean> mean = solve_mean(S_inverse, m.p, time);
   if (!mean) {
     if (halvings > 0) {
@@ -122,13 +115,13 @@ void advance(const Matrix6d& S_inverse, Momentum& m, double time, int halvings) 
     }
     mean = {.p = m.p, .u = S_inverse * m.p};
   }
-  m.x += m.R * displacement(mean->u, m.p.head<3>(), mean->p.head<3>(), mean->a, time);
+  m.x += m.q.toRotationMatrix() *
+         displacement(mean->u, m.p.head<3>(), mean->p.head<3>(), mean->a, time);
   m.q = renormalized(m.q * exponential(time * mean->u.tail<3>()));
-  m.R = m.q.toRotationMatrix();
   m.p = 2 * mean->p - m.p;
 }
 
-/// Euler's equations for the angular momentum L in B by (2); returns ω̄.
+/// Advances ω in B by Euler's equations, with (E2). @return ω̄
 Vector3d turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w,
                           double time) {
   const Vector3d L = inertia * w;
@@ -149,32 +142,32 @@ Vector6d gyration(const Vector6d& u, const Vector6d& p) {
   return to_vector6(Vector3d::Zero(), -u.head<3>().cross(p.head<3>()));
 }
 
-/// A body some of whose degrees of freedom are held.
+/// Inertia in B and locks of a body.
 struct PartlyLockedBody {
   const Matrix6d& inertia_B;
   const DofMask& locked;
 
-  Matrix6d inertia(const Eigen::Quaterniond& q) const {
+  Matrix6d inertia_W(const Eigen::Quaterniond& q) const {
     return rotate_tensor(q.toRotationMatrix(), inertia_B);
   }
 };
 
-/// How it moves, in W.
-struct HeldMotion {
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-  Vector6d u = Vector6d::Zero();  ///< Relative to the water.
+/// Its motion: the velocity is relative to the water, in W.
+struct LockedMotion {
+  Eigen::Quaterniond q;
+  Vector6d u;
 };
 
-/// One midpoint step of (4) by repeated substitution; nothing where that leads nowhere.
-std::optional<HeldMotion> solve_held(const PartlyLockedBody& body, const HeldMotion& start,
-                                     double time) {
-  const Vector6d p0 = body.inertia(start.q) * start.u;
-  HeldMotion end = start;
+/// Solves one midpoint step of (E1a) by repeated substitution; returns nothing if that diverges.
+std::optional<LockedMotion> solve_locked(const PartlyLockedBody& body, const LockedMotion& start,
+                                         double time) {
+  const Vector6d p0 = body.inertia_W(start.q) * start.u;
+  LockedMotion end = start;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostDriftSolves; ++i) {
     const Vector6d mean = (start.u + end.u) / 2;
     end.q = (exponential(time * mean.tail<3>()) * start.q).normalized();
-    const Matrix6d S = body.inertia(end.q);
+    const Matrix6d S = body.inertia_W(end.q);
     const Vector6d rest = p0 + time * gyration(mean, (p0 + S * end.u) / 2) - S * end.u;
     const Vector6d change = solve_free(S, rest, {.locked = body.locked});
     end.u += change;
@@ -187,48 +180,51 @@ std::optional<HeldMotion> solve_held(const PartlyLockedBody& body, const HeldMot
   return std::nullopt;
 }
 
-/// The energy of the motion that is free, and that of what is held: (5).
-struct HeldEnergy {
-  double free = 0;
-  double held = 0;
+/// The two terms of (E3a).
+struct LockedEnergy {
+  double free;
+  double locked;
 };
 
-HeldEnergy held_energy(const PartlyLockedBody& body, const HeldMotion& motion) {
-  Vector6d free = motion.u, held = motion.u;
-  for (int i = 0; i < 6; ++i) (body.locked[static_cast<std::size_t>(i)] ? free : held)[i] = 0;
-  const Matrix6d S = body.inertia(motion.q);
-  return {.free = free.dot(S * free) / 2, .held = held.dot(S * held) / 2};
+LockedEnergy locked_energy(const PartlyLockedBody& body, const LockedMotion& motion) {
+  Vector6d free = motion.u, locked = motion.u;
+  for (int i = 0; i < 6; ++i) (body.locked[static_cast<std::size_t>(i)] ? free : locked)[i] = 0;
+  const Matrix6d S = body.inertia_W(motion.q);
+  return {.free = free.dot(S * free) / 2, .locked = locked.dot(S * locked) / 2};
 }
 
-/// True if (5) is kept well enough.
-bool keeps_energy(const PartlyLockedBody& body, const HeldMotion& before, const HeldMotion& after) {
-  const HeldEnergy first = held_energy(body, before), last = held_energy(body, after);
-  const double change = (last.free - last.held) - (first.free - first.held);
-  // An energy beyond all numbers would be within any part of itself.
+/// True if (E3a) has changed by little.
+bool keeps_energy(const PartlyLockedBody& body, const LockedMotion& before,
+                  const LockedMotion& after) {
+  const LockedEnergy first = locked_energy(body, before), last = locked_energy(body, after);
+  const double change = (last.free - last.locked) - (first.free - first.locked);
+  // An infinite energy would be within any part of itself.
   return std::isfinite(change) &&
          std::abs(change) <= kLockedEnergyKept * std::max(first.free, last.free) +
-                                 kDriftRoundOff * std::max(first.held, last.held);
+                                 kDriftRoundOff * std::max(first.locked, last.locked);
 }
 
-/// A step of (4) and how far it goes relative to the water; in halves where one cannot be solved or
-/// does not keep (5). Should no half do, the body goes on as it does without turning, which does.
-Vector3d advance_held(const PartlyLockedBody& body, HeldMotion& motion, double time, int halvings) {
-  const std::optional<HeldMotion> end = solve_held(body, motion, time);
+/// Takes a step of (E1a), in halves where it cannot be solved or does not keep (E3a). A half that
+/// still does not keeps its velocity and orientation, and so (E3a).
+/// @return the displacement relative to the water.
+Vector3d advance_locked(const PartlyLockedBody& body, LockedMotion& motion, double time,
+                        int halvings) {
+  const std::optional<LockedMotion> end = solve_locked(body, motion, time);
   if (!end || !keeps_energy(body, motion, *end)) {
     if (halvings == 0) return time * motion.u.head<3>();
-    const Vector3d first = advance_held(body, motion, time / 2, halvings - 1);
-    return first + advance_held(body, motion, time / 2, halvings - 1);
+    const Vector3d first = advance_locked(body, motion, time / 2, halvings - 1);
+    return first + advance_locked(body, motion, time / 2, halvings - 1);
   }
-  const Vector3d way = time * (motion.u + end->u).head<3>() / 2;
+  const Vector3d displacement = time * (motion.u + end->u).head<3>() / 2;
   motion = *end;
-  return way;
+  return displacement;
 }
 
 }  // namespace
 
 Eigen::Quaterniond exponential(const Vector3d& turn) {
   const double square = turn.squaredNorm() / 4;  // of half the turn
-  double cosine = 0, sinc = 0;                   // sinc is that of half the turn, halved
+  double cosine = 0, sinc = 0;                   // sin(|turn|/2) / |turn|
   if (square < kShortTurn) {
     cosine = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
     sinc = 0.5 - square / 12 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72)));
@@ -241,7 +237,7 @@ Eigen::Quaterniond exponential(const Vector3d& turn) {
   return {cosine, v.x(), v.y(), v.z()};
 }
 
-Eigen::Quaterniond turned_by(const Vector3d& turn_W, const Eigen::Quaterniond& orientation) {
+Eigen::Quaterniond rotated(const Eigen::Quaterniond& orientation, const Vector3d& turn_W) {
   return renormalized(exponential(turn_W) * orientation);
 }
 
@@ -255,37 +251,38 @@ double turning_rate(const Matrix6d& S, const Vector6d& u) {
 
 hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& state,
                          const Vector3d& current, double time) {
-  Momentum m{.R = state.orientation.toRotationMatrix(), .q = state.orientation};
-  const Vector6d u_B = rotate(m.R.transpose(), velocity(state, current));
-  m.p = inertia_B * u_B;
+  const Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Vector6d u_B = rotate(R_WB.transpose(), velocity(state, current));
+  DriftState m{.p = inertia_B * u_B, .q = state.orientation};
   const Matrix6d S_inverse = hydro::Cholesky6(inertia_B).inverse();
-  const int count = pieces(turning_rate(inertia_B, u_B), time);
+  const int count = count_parts(turning_rate(inertia_B, u_B), time);
   for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostDriftHalvings);
-  hydro::BodyState next = with_velocity(state, rotate(m.R, Vector6d(S_inverse * m.p)), current);
+  hydro::BodyState next =
+      with_velocity(state, rotate(m.q.toRotationMatrix(), Vector6d(S_inverse * m.p)), current);
   next.position += m.x + time * current;
   next.orientation = m.q;
   return next;
 }
 
 hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, double time) {
-  hydro::BodyState next = turned_freely(body.inertia_B, state, time);
+  hydro::BodyState next = rotated_freely(body.inertia_B, state, time);
   next.position += time * state.linear_velocity;
   return next;
 }
 
-hydro::BodyState turned_freely(const Matrix3d& inertia, const hydro::BodyState& state,
-                               double time) {
+hydro::BodyState rotated_freely(const Matrix3d& inertia, const hydro::BodyState& state,
+                                double time) {
   hydro::BodyState next = state;
   if (state.angular_velocity.isZero(0)) return next;
   const bool round =
       inertia.isDiagonal(0) && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
   if (round) {
-    next.orientation = turned_by(time * state.angular_velocity, state.orientation);
+    next.orientation = rotated(state.orientation, time * state.angular_velocity);
     return next;
   }
   const Matrix3d inverse = inertia.inverse();
   Vector3d w_B = state.orientation.conjugate() * state.angular_velocity;
-  const int count = pieces(w_B.norm(), time);
+  const int count = count_parts(w_B.norm(), time);
   for (int i = 0; i < count; ++i) {
     const Vector3d mean = turn_by_midpoint(inertia, inverse, w_B, time / count);
     next.orientation = renormalized(next.orientation * exponential(time / count * mean));
@@ -302,17 +299,16 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
     return next;
   }
   const PartlyLockedBody body{.inertia_B = inertia_B, .locked = locked};
-  HeldMotion motion{.q = state.orientation, .u = velocity(state, current)};
-  // What is held can make the body turn ever faster: each piece is chosen by the motion it starts
-  // with.
+  LockedMotion motion{.q = state.orientation, .u = velocity(state, current)};
+  // Locks can make the body turn ever faster, so each part is chosen by the motion at its start.
   const double shortest = time / kMostDriftParts;
   double rest = time;
   while (rest > 0) {
     const Matrix3d R_BW = motion.q.conjugate().toRotationMatrix();
-    const int count = pieces(turning_rate(inertia_B, rotate(R_BW, motion.u)), rest);
-    const double piece = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
-    next.position += advance_held(body, motion, piece, kMostDriftHalvings) + piece * current;
-    rest = count == 1 ? 0 : rest - piece;
+    const int count = count_parts(turning_rate(inertia_B, rotate(R_BW, motion.u)), rest);
+    const double part = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
+    next.position += advance_locked(body, motion, part, kMostDriftHalvings) + part * current;
+    rest = count == 1 ? 0 : rest - part;
   }
   next.orientation = motion.q;
   return with_velocity(next, motion.u, current);

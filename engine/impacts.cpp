@@ -9,7 +9,7 @@
 namespace engine {
 namespace {
 
-/// The state after `time` [s], extrapolated by the last accelerations.
+/// The state after `time` [s] by drift and the extrapolated acceleration.
 hydro::BodyState expected_state(const MovingBody& moving, const Environment& environment,
                                 double time) {
   hydro::BodyState state = state_after_drift(moving.body, environment, moving.motion, time);
@@ -97,7 +97,7 @@ std::optional<double> Impacts::onset(const Pair& pair, double time) const {
     std::optional<double> earliest;
     for (const double since : context_->world.closing_times(places, pair, slow_)) {
       const double start = time - since;
-      if (met && start < begun_) continue;  // known
+      if (met && start < begun_) continue;  // that one is over
       earliest = std::max(0.0, std::min(start, earliest.value_or(start)));
     }
     if (!earliest) return found;

@@ -11,18 +11,18 @@
 /// The force of a contact sets in with a jump, c v of its damper, and decays within its time τ
 /// (contacts.h), that of a corner within τ/10. A substep that only detects an overlap knows its
 /// onset to within h. Whatever the scheme, the error is then O(h), and for h > τ as large as the
-/// impact itself. So where two bodies are about to touch faster than
+/// impact itself. So where two bodies are about to touch with more speed than
 ///
 ///     g τ                                                                                  (E15)
 ///
-/// the substep ends where they begin to, found from depth over speed of the overlap that the bodies
-/// drift into. The next substep is kFirstAfterImpact τ long (or that part of the step, if it is
-/// shorter), and each further one longer by kImpactGrowth until it is a step: some dozen substeps
-/// per impact, whatever the step, of the bodies near enough to have to do with it.
+/// the substep ends at the onset, which follows from depth over speed of the overlap that the
+/// bodies drift into. The next substep has the length kFirstAfterImpact τ, or that part of a
+/// shorter step, and each further one grows by kImpactGrowth up to a step: some dozen substeps of
+/// the group per impact, whatever the step.
 ///
 /// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
-/// more than on the time of one: heaps take whole steps. No step of a group is cut for more than
-/// kMostImpacts, so that bodies which rattle cannot stall it.
+/// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps
+/// in a step of a group: bodies that rattle cannot stall it.
 
 namespace engine {
 
@@ -40,16 +40,16 @@ class Impacts {
   Impacts(const StepContext& context, const Group& group, const std::vector<Pair>& touching,
           double step);
 
-  /// Longest substep that past impacts leave [s].
+  /// Limit of the substep by past impacts [s].
   double longest_substep() const;
 
-  /// Time within the next substep of length h at which a pair begins to touch fast, where the
-  /// substep is to end; a pair that has just begun to leaves it the first length after an impact.
-  /// None: the substep may be taken as it is.
+  /// Limit of the next substep, of length h, by an impact in it [s]: the time at which a pair
+  /// begins to touch or, if that is now, the first length after an impact. None: there is no
+  /// impact.
   /// @param touching   Pairs that touch halfway through the substep, ascending.
   std::optional<double> next(double h, const std::vector<Pair>& touching);
 
-  /// The substep is taken.
+  /// Takes note of a substep that has been taken.
   void accept(const std::vector<Pair>& touching);
 
   /// Pairs in contact, ascending.
@@ -63,7 +63,7 @@ class Impacts {
   const StepContext* context_;
   const Group* group_;
   double first_;  ///< Length of the first substep after an impact [s].
-  double begun_;  ///< An impact nearer to the start of a substep has begun with it [s].
+  double begun_;  ///< Onset that counts as the start of the substep [s].
   double step_;
   double slow_;                   ///< Speed of (E15) [m/s].
   int count_ = 0;                 ///< Impacts in this step.

@@ -3,7 +3,7 @@
 #include "engine/spec.h"
 
 /// @file
-/// Degrees of mobility that are held. World axes.
+/// Locked degrees of freedom, in world axes.
 ///
 /// A locked translation keeps the coordinate of the centre of mass and its velocity at zero. A
 /// locked rotation keeps that component of the angular velocity at zero; with two of them the body
@@ -19,14 +19,15 @@ bool immovable(const DofMask& locked);
 /// True if at least one is locked.
 bool partly_locked(const DofMask& locked);
 
-/// The part of a turn that is about the unit vector `axis`: the twist of its swing and twist.
+/// The part of a turn about the unit vector `axis`: its twist, in a decomposition into swing and
+/// twist.
 Eigen::Quaterniond twist(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis);
 
 /// The state without velocity in locked degrees of freedom.
 hydro::BodyState without_locked_motion(const DofMask& locked, hydro::BodyState state);
 
-/// The state moved to the nearest one that the locks allow for a body that was `initial` at the
-/// start: locked coordinates exactly those of `initial`, locked velocities zero.
+/// The nearest state that the locks of a body allow which started as `initial`: locked coordinates
+/// are exactly those of `initial`, locked velocities zero.
 hydro::BodyState project_onto_locks(const DofMask& locked, const hydro::BodyState& initial,
                                     hydro::BodyState state);
 

@@ -7,25 +7,25 @@
 #include "engine/work_record.h"
 
 /// @file
-/// The changing side of the stepping: everything about a body that one step hands to the next. A
-/// motion is a value; a copy of it restores the body.
+/// The changing side of a body: everything that one step leaves to the next. A motion is a value; a
+/// copy of it restores the body.
 
 namespace engine {
 
 struct Motion {
   hydro::BodyState state;
-  // Motions are copied often; most have no added mass, and then copy none.
-  std::optional<Matrix6d> added_B;         ///< A in B; none where it is zero.
+  // Motions are copied often, and most have no added mass.
+  std::optional<Matrix6d> added_B;         ///< A; none where it is zero.
   std::optional<Matrix6d> added_rate_B;    ///< dA/dt over the last substep [1/s]; none where zero.
   AccelerationHistory accelerations;       ///< Empty after contacts and other jumps.
   bool constrained = false;                ///< Joints or contacts acted in the last substep.
-  Vector6d reaction_B = Vector6d::Zero();  ///< Of joints and contacts in the last substep, in B.
-  /// Acceleration of the centre of mass that loads alone would have given in the last constrained
-  /// substep, in W [m/s^2]; none if the last substep was free.
+  Vector6d reaction_B = Vector6d::Zero();  ///< R of the last substep, in B.
+  /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
+  /// [m/s^2]; none if there was no such substep.
   std::optional<Eigen::Vector3d> load_acceleration_W;
-  /// Longest next substep that the last impact leaves [s].
+  /// Limit of the next substep by the last impact [s].
   double longest_after_impact = std::numeric_limits<double>::infinity();
-  std::optional<WorkRecord> work;  ///< Where the scene asks for a log of forces.
+  std::optional<WorkRecord> work;  ///< For a log of forces.
 
   /// A in B.
   Matrix6d added() const { return added_B.value_or(Matrix6d::Zero()); }

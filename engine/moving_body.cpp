@@ -7,8 +7,8 @@
 namespace engine {
 namespace {
 
-/// The water's loads: none above the highest water, those of the cache where neither body nor water
-/// has moved, or new ones.
+/// Finds the loads of the water: none above its highest point, and those of the cache where neither
+/// body nor water has moved.
 void find_water_loads(MovingBody& moving, const Environment& environment,
                       const hydro::BodyState& state, double time) {
   LoadCache& cache = moving.cache;

@@ -11,20 +11,20 @@
 #include "engine/state_checks.h"
 
 /// @file
-/// A body in a simulation: its constants, its motion, what acts on it from outside, and its loads.
+/// A body in a simulation: its constants, its motion, inputs from outside, and its loads.
 
 namespace engine {
 
-/// What a program does to a body, beside the loads of the scene.
+/// Loads of a program on a body, beside those of the scene.
 struct Inputs {
-  std::optional<Pull> pull;        ///< Until it is let go.
+  std::optional<Pull> pull;        ///< Until the program ends it.
   std::vector<AppliedLoad> loads;  ///< For the next step only.
 };
 
-/// The loads of the last evaluation. They follow from the motion, and are no part of it.
+/// The last loads. They follow from the motion and are no part of it.
 struct LoadCache {
   BodyLoads loads;
-  std::optional<hydro::BodyState> water_state;  ///< State of the water's loads; none above water.
+  std::optional<hydro::BodyState> water_state;  ///< State of those of the water; none above water.
   double seconds = 0;                           ///< Wall time of loads and added mass so far [s].
 };
 
@@ -41,7 +41,7 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
   return id != kWorld && bodies[static_cast<std::size_t>(id)].body.movable;
 }
 
-/// All loads on the body in a state, its weight included; they stay in the cache.
+/// The sum of all loads on the body in a state, its weight included; the cache keeps them.
 /// @throws MotionFault if they are not finite.
 hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
                          const hydro::BodyState& state, double time);

@@ -20,7 +20,7 @@ std::string formatted(const char* format, va_list arguments) {
   return text.data();
 }
 
-// Closing the library after a call that did not end would meet its assertions once more.
+// Closing the library after a call that did not return would fail its assertions again.
 std::atomic<bool> faulted = false;
 
 [[noreturn]] void throw_fault(int /*number*/, const char* format, va_list arguments) {
@@ -32,7 +32,7 @@ void keep_warning(int /*number*/, const char* format, va_list arguments) {
   last_warning = formatted(format, arguments);
 }
 
-/// The library between its opening and its closing, which may each happen once.
+/// Opens the library, and closes it, once.
 class LibrarySession {
  public:
   LibrarySession() {
@@ -52,20 +52,20 @@ class LibrarySession {
 
 void open_ode() {
   static const LibrarySession session;
-  // Collision caches are kept per thread.
+  // ODE keeps collision caches per thread.
   thread_local const bool ready = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
   if (!ready) throw OdeFault("ODE: no memory for the calling thread");
 }
 
 std::string take_ode_warning() { return std::exchange(last_warning, {}); }
 
-void WorldDeleter::operator()(dxWorld* world) const { dWorldDestroy(world); }
-void SpaceDeleter::operator()(dxSpace* space) const { dSpaceDestroy(space); }
-void JointGroupDeleter::operator()(dxJointGroup* group) const { dJointGroupDestroy(group); }
-void ThreadingDeleter::operator()(dxThreadingImplementation* threading) const {
+void OdeDeleter::operator()(dxWorld* world) const { dWorldDestroy(world); }
+void OdeDeleter::operator()(dxSpace* space) const { dSpaceDestroy(space); }
+void OdeDeleter::operator()(dxJointGroup* group) const { dJointGroupDestroy(group); }
+void OdeDeleter::operator()(dxThreadingImplementation* threading) const {
   dThreadingFreeImplementation(threading);
 }
-void TriMeshDataDeleter::operator()(dxTriMeshData* data) const { dGeomTriMeshDataDestroy(data); }
+void OdeDeleter::operator()(dxTriMeshData* data) const { dGeomTriMeshDataDestroy(data); }
 
 std::array<double, 12> to_ode(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(0, 1), m(0, 2), 0, m(1, 0), m(1, 1), m(1, 2), 0, m(2, 0), m(2, 1), m(2, 2), 0};

@@ -26,7 +26,10 @@ void ode_step(const StepContext& context, double time, double step) {
       apply_loads(world, bodies[i], static_cast<BodyId>(i), context.environment, time, step);
   if (context.collides) world.collide(step);
   world.advance(step);
-  const std::vector<bool> touching = world.touching();
+  std::vector<bool> touching(bodies.size(), false);
+  for (const Pair& pair : world.contacts().pairs)
+    for (const BodyId id : {pair.first, pair.second})
+      if (id != kWorld) touching[static_cast<std::size_t>(id)] = true;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     MovingBody& moving = bodies[i];
     const Body& body = moving.body;

@@ -4,9 +4,8 @@
 
 namespace engine {
 
-/// A step of all bodies as ODE takes it: semi-implicit Euler, first order, with the loads of its
-/// start. It knows no added mass, and stiff drag may add energy: it is the plain method that the
-/// split step is measured against.
+/// Takes a step of all bodies by ODE alone: semi-implicit Euler, of first order, with the loads of
+/// its start. There is no added mass, and stiff drag may add energy. The method is for comparison.
 /// @throws MotionFault, OdeFault
 void ode_step(const StepContext& context, double time, double step);
 

@@ -9,8 +9,8 @@ namespace engine {
 using ParallelFor =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& f)>;
 
-/// The same, every call made; then throws again what the first of those that failed has thrown, so
-/// that a fault does not depend on the number of threads.
+/// The same. All calls are made; then the exception of the first one that failed is thrown again,
+/// so that a fault does not depend on the number of threads.
 void parallel_for_rethrow(const ParallelFor& parallel_for, std::size_t count,
                           const std::function<void(std::size_t)>& f);
 

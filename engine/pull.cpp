@@ -9,12 +9,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d cross_matrix(const Vector3d& r) {
-  Matrix3d matrix;
-  matrix << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return matrix;
-}
-
 /// M_p of the point r from the centre of mass.
 Matrix3d mass_at(const Vector3d& r, const Matrix6d& inertia) {
   Eigen::Matrix<double, 3, 6> J;

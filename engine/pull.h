@@ -3,28 +3,27 @@
 #include "engine/spatial_vector.h"
 
 /// @file
-/// A hand that draws a body by one of its points.
+/// A force that pulls a point of a body to a place, as a hand does.
 ///
-/// With p the point, v_p its velocity and M_p = (J S⁻¹ Jᵀ)⁻¹, J = (1, −[r]×), the mass that the
-/// body has there,
+/// With p the point, v_p its velocity and M_p = (J S⁻¹ Jᵀ)⁻¹, J = (1, −[r]×), the body's mass
+/// there,
 ///
-///     F = M_p (ω² (to − p) − 2 ω v_p).
+///     F = M_p (ω² (to − p) − 2 ω v_p).                                                   (E17)
 ///
-/// Without other loads p'' = ω² (to − p) − 2 ω p' but for what turning does: wherever the body is
-/// taken hold of, the point comes to its place as fast as it can without swinging past it,
-/// p − to = (p₀ − to) (1 + ω t) e^(−ωt) from rest. The mass is that of the body without its joints,
-/// locks and contacts, so that under those it comes slower.
+/// Without other loads p'' = ω² (to − p) − 2 ω p', but for terms of the rotation: whatever the
+/// point, it approaches its place as fast as it can without overshoot,
+/// p − to = (p₀ − to) (1 + ω t) e^(−ωt) from rest. The mass leaves out joints, locks and contacts,
+/// under which the point is slower.
 
 namespace engine {
 
 struct Pull {
-  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< Where it takes hold, in B [m].
-  Eigen::Vector3d to_W = Eigen::Vector3d::Zero();  ///< Where that point is drawn to [m].
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< The point p, in B [m].
+  Eigen::Vector3d to_W = Eigen::Vector3d::Zero();  ///< Its place [m].
   double rate = 10;                                ///< ω [1/s], > 0.
 };
 
-/// Its load on a body: moment about the centre of mass, in W.
-/// @param inertia_W   S, of the body with the water that moves with it.
+/// The load (E17) on a body: moment about the centre of mass, in W. @param inertia_W   S
 hydro::Wrench wrench(const Pull& pull, const Matrix6d& inertia_W, const hydro::BodyState& state);
 
 }  // namespace engine

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Vector3d;
 using Type = JointSpec::Type;
 
-/// True if a joint holds the body, and nothing that could move at its other end.
-bool holds_to_the_world(const JointSpec& joint, const SimulationSpec& spec, BodyId body) {
+/// True if the other end of the body's joint is immovable.
+bool is_grounded(const JointSpec& joint, const SimulationSpec& spec, BodyId body) {
   const BodyId other = joint.first == body ? joint.second : joint.first;
   return other == kWorld || immovable(spec.bodies[static_cast<std::size_t>(other)].locked);
 }
@@ -19,7 +19,7 @@ bool can_be_reduced(Type type) {
   return type == Type::hinge || type == Type::slider || type == Type::ball;
 }
 
-/// N of a body that turns about a point `r` away from its centre of mass, in the axes of r.
+/// N of a ball joint at the point r from the centre of mass, in the axes of r.
 Subspace turning_about(const Vector3d& r) {
   Subspace N(6, 3);
   for (int i = 0; i < 3; ++i) N.col(i) = to_vector6(Vector3d::Unit(i).cross(-r), Vector3d::Unit(i));
@@ -27,9 +27,8 @@ Subspace turning_about(const Vector3d& r) {
 }
 
 /// From the centre of mass to the anchor, body axes.
-Vector3d anchor_B(const ReducedJoint& reduced_joint) {
-  return reduced_joint.initial.orientation.conjugate() *
-         Vector3d(reduced_joint.anchor_W - reduced_joint.initial.position);
+Vector3d anchor_B(const ReducedJoint& joint) {
+  return joint.initial.orientation.conjugate() * Vector3d(joint.anchor_W - joint.initial.position);
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
   }
   const bool in_current = spec.sea && body.added_mass && !spec.sea->current.isZero(0);
   if (!only || in_current || partly_locked(body.locked) || !can_be_reduced(only->type) ||
-      !holds_to_the_world(*only, spec, id))
+      !is_grounded(*only, spec, id))
     return std::nullopt;
   return ReducedJoint{.type = only->type,
                       .anchor_W = only->anchor_W,
@@ -53,45 +52,44 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
                       .initial = body.initial};
 }
 
-Subspace motion_subspace(const ReducedJoint& reduced_joint, const hydro::BodyState& state) {
-  const Vector3d r = reduced_joint.anchor_W - state.position;
-  if (reduced_joint.type == Type::ball) return turning_about(r);
-  if (reduced_joint.type == Type::hinge)
-    return to_vector6(r.cross(reduced_joint.axis_W), reduced_joint.axis_W);
-  return to_vector6(reduced_joint.axis_W, Vector3d::Zero());
+Subspace motion_subspace(const ReducedJoint& joint, const hydro::BodyState& state) {
+  const Vector3d r = joint.anchor_W - state.position;
+  if (joint.type == Type::ball) return turning_about(r);
+  if (joint.type == Type::hinge) return to_vector6(r.cross(joint.axis_W), joint.axis_W);
+  return to_vector6(joint.axis_W, Vector3d::Zero());
 }
 
-hydro::BodyState project_onto_joint(const ReducedJoint& reduced_joint, hydro::BodyState state) {
-  const hydro::BodyState& start = reduced_joint.initial;
-  const Vector3d& e = reduced_joint.axis_W;
-  if (!reduced_joint.turns()) {
+hydro::BodyState project_onto_joint(const ReducedJoint& joint, hydro::BodyState state) {
+  const hydro::BodyState& start = joint.initial;
+  const Vector3d& e = joint.axis_W;
+  if (!joint.turns()) {
     state.orientation = start.orientation;
     state.position = start.position + e.dot(state.position - start.position) * e;
     state.linear_velocity = e.dot(state.linear_velocity) * e;
     state.angular_velocity.setZero();
     return state;
   }
-  if (reduced_joint.type == Type::hinge) {
+  if (joint.type == Type::hinge) {
     state.orientation =
         twist(state.orientation * start.orientation.conjugate(), e) * start.orientation;
     state.angular_velocity = e.dot(state.angular_velocity) * e;
   }
-  const Vector3d r = state.orientation * anchor_B(reduced_joint);
-  state.position = reduced_joint.anchor_W - r;
+  const Vector3d r = state.orientation * anchor_B(joint);
+  state.position = joint.anchor_W - r;
   state.linear_velocity = r.cross(state.angular_velocity);
   return state;
 }
 
-hydro::BodyState advance_on_joint(const ReducedJoint& reduced_joint, const Matrix6d& inertia_B,
+hydro::BodyState advance_on_joint(const ReducedJoint& joint, const Matrix6d& inertia_B,
                                   hydro::BodyState state, double time) {
-  if (reduced_joint.type == Type::ball) {
-    const Subspace N_B = turning_about(anchor_B(reduced_joint));
-    return project_onto_joint(reduced_joint,
-                              turned_freely(N_B.transpose() * inertia_B * N_B, state, time));
+  if (joint.type == Type::ball) {
+    const Subspace N_B = turning_about(anchor_B(joint));
+    return project_onto_joint(joint,
+                              rotated_freely(N_B.transpose() * inertia_B * N_B, state, time));
   }
   state.position += time * state.linear_velocity;
   state.orientation = exponential(time * state.angular_velocity) * state.orientation;
-  return project_onto_joint(reduced_joint, state);
+  return project_onto_joint(joint, state);
 }
 
 }  // namespace engine

@@ -5,7 +5,7 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// Six-component quantities between frames that share an origin: both halves turn alike.
+/// Six-component quantities, and their components in frames that share an origin.
 
 namespace engine {
 
@@ -20,7 +20,7 @@ inline Vector6d to_vector6(const Eigen::Vector3d& linear, const Eigen::Vector3d&
 inline Vector6d to_vector6(const hydro::Wrench& w) { return to_vector6(w.force, w.moment); }
 inline hydro::Wrench to_wrench(const Vector6d& six) { return {six.head<3>(), six.tail<3>()}; }
 
-/// Components in A of what is given in B.
+/// Components in A of a vector, or of a tensor, that is given in B.
 inline Vector6d rotate(const Eigen::Matrix3d& R_AB, const Vector6d& six) {
   return to_vector6(R_AB * six.head<3>(), R_AB * six.tail<3>());
 }
@@ -32,16 +32,22 @@ inline Matrix6d rotate_tensor(const Eigen::Matrix3d& R_AB, const Matrix6d& matri
   return result;
 }
 
+/// [v]×, the matrix of v × .
+inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  return Eigen::Matrix3d{{0, -v.z(), v.y()}, {v.z(), 0, -v.x()}, {-v.y(), v.x(), 0}};
+}
+
 /// Norm of a velocity or acceleration whose angular part is multiplied by the radius [m].
 inline double scaled_norm(const Vector6d& six, double radius) {
   return std::sqrt(six.head<3>().squaredNorm() + radius * radius * six.tail<3>().squaredNorm());
 }
 
-/// Velocity of a state relative to water that moves with `current`, in W.
+/// Velocity of a state, relative to water that moves with `current`, in W.
 inline Vector6d velocity(const hydro::BodyState& state, const Eigen::Vector3d& current) {
   return to_vector6(state.linear_velocity - current, state.angular_velocity);
 }
 
+/// The state with this velocity relative to the water.
 inline hydro::BodyState with_velocity(hydro::BodyState state, const Vector6d& relative,
                                       const Eigen::Vector3d& current) {
   state.linear_velocity = relative.head<3>() + current;

@@ -13,7 +13,7 @@
 #include "hydro/loads/loads.h"
 
 /// @file
-/// What is to be simulated: constant descriptions, complete and already checked. SI units.
+/// The constant description of a simulation, complete and already checked. SI units.
 
 namespace engine {
 
@@ -23,15 +23,15 @@ using BodyId = int;
 /// Stands for the world where a body is expected (joints).
 inline constexpr BodyId kWorld = -1;
 
-/// How a body meets other bodies and the ground.
+/// The shape by which a body touches other bodies and the ground.
 enum class CollisionShape {
   none,    ///< It passes through everything.
   mesh,    ///< Its own triangles.
   box,     ///< The axis-aligned box around its mesh, in B.
-  sphere,  ///< The smallest sphere environment the centre of the mesh's bounding box that holds it.
+  sphere,  ///< The smallest sphere about the centre of the mesh's bounding box that contains it.
 };
 
-/// Degrees of mobility of a body, world axes: x, y, z, roll, pitch, yaw.
+/// Degrees of freedom of a body in world axes: x, y, z, roll, pitch, yaw.
 using DofMask = std::array<bool, 6>;
 
 /// A load given by the scene: constant or sinusoidal, between two times.
@@ -52,16 +52,16 @@ struct AppliedLoad {
 /// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
 struct BodySpec {
   std::string name;
-  hydro::TriMesh mesh_B;  ///< The skin: what the water and other bodies touch.
-  double mass = 0;        ///< [kg], > 0.
+  hydro::TriMesh mesh_B;                                    ///< Its surface for water and contacts.
+  double mass = 0;                                          ///< [kg], > 0.
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
   hydro::BodyState initial;
   hydro::Coefficients coefficients;
-  hydro::Summation summation;                               ///< How its loads are summed.
+  hydro::Summation summation;                               ///< Accuracy of the sums of its loads.
   std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
-  bool wet = true;  ///< False if the water does nothing to it.
+  bool wet = true;  ///< False: the water has no effect on it.
   CollisionShape collision = CollisionShape::mesh;
-  DofMask locked = {};  ///< Held at their initial value; all six make the body immovable.
+  DofMask locked = {};  ///< They keep their initial value; all six make the body immovable.
   std::vector<AppliedLoad> loads;
 };
 
@@ -72,8 +72,8 @@ struct JointSpec {
   BodyId first = kWorld;
   BodyId second = kWorld;
   Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();  ///< At time 0 [m]; unused by slider, fixed.
-  Eigen::Vector3d axis_W =
-      Eigen::Vector3d::UnitZ();  ///< Unit, at time 0; hinge, slider, universal.
+  /// Unit, at time 0; hinge, slider, universal.
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d axis2_W = Eigen::Vector3d::UnitX();  ///< Unit, normal to axis_W; universal.
 };
 
@@ -86,16 +86,15 @@ struct MeshGround {
 };
 using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 
-/// How the motion is found from the loads.
+/// The time integration.
 struct Integrator {
   enum class Method {
-    split,  ///< Inertia, loads and constraints in turn, with added mass; second order
-            ///< (stepper.h).
-    ode  ///< ODE's own step, loads once a step, no added mass: the plain method, to compare with.
+    split,  ///< Inertia, loads and constraints in turn, with added mass; second order.
+    ode     ///< ODE's own step without added mass, of first order, for comparison.
   };
   Method method = Method::split;
-  /// Largest error of a free body's pose in a second, as a part of its radius and in rad, by which
-  /// steps are cut; 0: they are not cut for it.
+  /// Largest error of a free body's pose in a second, over its radius and in rad; substeps are
+  /// shortened for it. 0: error is not controlled.
   double tolerance = 0;
 };
 
@@ -108,7 +107,7 @@ struct SimulationSpec {
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
   int threads = 1;           ///< At most this many; results do not depend on it.
-  bool record_work = false;  ///< Impulses and works are kept, for Simulation::forces.
+  bool record_work = false;  ///< Keep impulses and works, for Simulation::forces.
 };
 
 }  // namespace engine

@@ -6,20 +6,18 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/constants.h"
+
 namespace engine {
 namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 std::optional<std::string> vector_fault(const char* name, const Eigen::Vector3d& vector) {
-  if ((vector.array().abs() <= kLargestState).all()) return std::nullopt;
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(vector[i]))
-      return fmt::format("the {}'s {} is {}", name, kAxes[i], vector[i]);
-    if (std::abs(vector[i]) > kLargestState) {
-      return fmt::format("the {}'s {} is {:g}, beyond all bounds", name, kAxes[i], vector[i]);
-    }
-  }
+  for (int i = 0; i < 3; ++i)
+    if (!(std::abs(vector[i]) <= kLargestState))
+      return fmt::format("the {}'s {} is {:g}{}", name, kAxes[i], vector[i],
+                         std::isfinite(vector[i]) ? ", beyond all bounds" : "");
   return std::nullopt;
 }
 
@@ -34,9 +32,8 @@ double component(const hydro::Wrench& wrench, int i) {
 
 std::vector<NamedWrench> by_name(const BodyLoads& loads) {
   std::vector<NamedWrench> named;
-  for (std::size_t i = 0; i < loads.applied.size(); ++i) {
+  for (std::size_t i = 0; i < loads.applied.size(); ++i)
     named.emplace_back(fmt::format("applied load {}", i + 1), loads.applied[i]);
-  }
   named.emplace_back("buoyancy", loads.water.buoyancy);
   named.emplace_back("pressure drag", loads.water.pressure_drag);
   named.emplace_back("viscous drag", loads.water.viscous_drag);
@@ -75,12 +72,10 @@ hydro::Wrench BodyLoads::total() const {
 std::optional<std::string> load_fault(const BodyLoads& loads) {
   const hydro::Wrench sum = loads.total();
   if (sum.force.allFinite() && sum.moment.allFinite()) return std::nullopt;
-  for (const auto& [name, load] : by_name(loads)) {
-    for (int i = 0; i < 6; ++i) {
-      if (std::isfinite(component(load, i))) continue;
-      return fmt::format("the {} of {} is {}", kComponents[i], name, component(load, i));
-    }
-  }
+  for (const auto& [name, load] : by_name(loads))
+    for (int i = 0; i < 6; ++i)
+      if (!std::isfinite(component(load, i)))
+        return fmt::format("the {} of {} is {}", kComponents[i], name, component(load, i));
   return "the sum of the loads is not finite";
 }
 

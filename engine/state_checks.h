@@ -4,24 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "engine/constants.h"
 #include "engine/spec.h"
 
 /// @file
-/// What is wrong with a state or a load, in words that say which part of it.
+/// Sentences that say which part of a state or a load is invalid.
 
 namespace engine {
 
 /// "the position's z is inf" or nothing if the state is finite and within kLargestState.
 std::optional<std::string> state_fault(const hydro::BodyState& state);
 
-/// "the angular velocity's x is 1e+40, beyond all bounds" or nothing if the body, were it free and
-/// of its own mass alone, would stay within bounds over a step [s] under the load. The mechanics
-/// engine cannot take larger ones.
+/// "the angular velocity's x is 1e+40, beyond all bounds" or nothing if the body, free and without
+/// added mass, would stay within bounds over a step [s] under the load. ODE needs that.
 std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyState& state,
                                         const hydro::Wrench& load, double step);
 
-/// The loads on a body in one step, by where they come from.
+/// The loads on a body by origin: moments about the centre of mass, in W.
 struct BodyLoads {
   std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`; last, the pull.
   hydro::Loads water;

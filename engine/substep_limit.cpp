@@ -10,19 +10,19 @@
 namespace engine {
 namespace {
 
-/// Length of the equal parts of `rest`, as few as keep each below `longest`.
+/// Length of the fewest equal parts of `rest` that are no longer than `longest`.
 double equal_part(double rest, double longest) {
   return rest / std::max(1.0, std::ceil(rest / longest));
 }
 
-/// Limit by the turn of a wet body and by its way through the water surface.
+/// Limit by the turn of a wet body and by its rise through the water surface.
 double crossing_limit(const Body& body, const Environment& environment, const Motion& motion,
                       double rest, double shortest) {
   if (!body.wet) return rest;
   const hydro::BodyState& state = motion.state;
   const auto [low, height] = vertical_extent(body.box_B, state);
   const double rise = state.linear_velocity.z() * rest;
-  // A body that turns about a fixed point comes round, wherever it moves now.
+  // A body that turns about a fixed point may move in any direction within the step.
   const bool turns = body.reduced_joint && body.reduced_joint->turns();
   const double round = turns ? state.linear_velocity.norm() * rest : 0;
   if (std::min(low, low + rise) - round >= environment.highest) return rest;
@@ -32,7 +32,7 @@ double crossing_limit(const Body& body, const Environment& environment, const Mo
   return equal_part(rest, std::max(shortest, rate > 0 ? 1 / rate : rest));
 }
 
-/// Limit by the oscillation that the last accelerations show.
+/// Limit by an oscillation that the last accelerations resolve.
 double swing_limit(const Body& body, const Motion& motion, double rest, double shortest) {
   const double frequency = motion.accelerations.dominant_frequency();
   if (!body.wet || frequency * rest <= kLargestSwing) return rest;
@@ -54,10 +54,10 @@ double turn_limit(const Body& body, const Environment& environment, const Motion
   return equal_part(rest, std::max(shortest, rate > 0 ? kLargestConstrainedTurn / rate : rest));
 }
 
-/// The way of a body relative to the heights that the water surface never leaves.
+/// The rise of a body relative to the range of heights of the water surface.
 struct SurfaceCrossing {
-  bool meets;     ///< The body may have met the surface.
-  bool reaches;   ///< It may have come to the surface, or left it.
+  bool meets;     ///< The body may have touched the surface.
+  bool reaches;   ///< It may have reached or left the surface.
   double rise;    ///< [m]
   double height;  ///< The body's own [m].
 };

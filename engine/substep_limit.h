@@ -3,8 +3,7 @@
 #include "engine/body.h"
 
 /// @file
-/// How long a substep may be, by the motion of a body at its start, and what in a substep tells
-/// that it was too long.
+/// Limits of a substep by the motion of a body at its start, and signs that a substep was too long.
 
 namespace engine {
 
@@ -12,17 +11,17 @@ namespace engine {
 ///
 /// A wet body turns by at most kLargestWetTurn in a substep and crosses the water surface by at
 /// most kLargestCrossing of its height. A free one goes through at most kLargestSwing of a resolved
-/// oscillation; one under constraints turns by at most kLargestConstrainedTurn by its own inertia,
-/// which the constraint solver does not see. A step has at most kMostSubsteps of them.
+/// oscillation; a constrained one turns by at most kLargestConstrainedTurn by its own inertia,
+/// which the constraint solver does not see. A step has at most kMostSubsteps.
 ///
 /// @param rest          Rest of the step [s].
 /// @param step          The step [s].
-/// @param constrained   Joints or contacts hold the body.
+/// @param constrained   Joints or contacts act on the body.
 double substep_limit(const Body& body, const Environment& environment, const Motion& motion,
                      double rest, double step, bool constrained);
 
-/// True if a body turns, in a time h [s], by less than kFollowedTurn: halves of a substep then tell
-/// more of its energy than the whole.
+/// True if a body turns by less than kFollowedTurn in a time h [s], so that halves of a substep
+/// find its energy better than the whole.
 bool can_be_followed(const Body& body, const Environment& environment, const Motion& motion,
                      double h);
 
@@ -31,7 +30,7 @@ bool crosses_surface(const Body& body, const Environment& environment,
                      const hydro::BodyState& before, const hydro::BodyState& after);
 
 /// True if loads have moved a body through the water surface by more than kLargestOvershoot of its
-/// height in a time h [s]: they were not the loads on its way.
+/// height in a time h [s], so that they were not the loads on its path.
 bool overshoots_surface(const Body& body, const Environment& environment,
                         const hydro::BodyState& before, const hydro::BodyState& after, double h);
 

@@ -1,7 +1,5 @@
 #include "engine/vertical_extent.h"
 
-#include "engine/locks.h"
-
 namespace engine {
 namespace {
 
@@ -12,10 +10,6 @@ Eigen::Vector3d up_in_body(const Eigen::Quaterniond& q) {
 }
 
 }  // namespace
-
-bool feels_water(const BodySpec& spec) {
-  return spec.wet && !hydro::no_load(spec.coefficients) && !immovable(spec.locked);
-}
 
 double lowest_point(const Eigen::AlignedBox3d& box_B, const hydro::BodyState& state) {
   return vertical_extent(box_B, state).lowest;

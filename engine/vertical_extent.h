@@ -4,20 +4,16 @@
 
 namespace engine {
 
-/// True if the water can move the body: it is wet, can move, and has a coefficient that is not
-/// zero.
-bool feels_water(const BodySpec& spec);
-
-/// A box from below upwards [m].
+/// Heights that bound a body [m].
 struct VerticalExtent {
-  double lowest;  ///< z of its lowest point.
+  double lowest;  ///< z of the lowest point.
   double height;
 };
 
-/// Of a box in B, for a body in the given state. No point of a mesh that lies in the box is beyond.
+/// Extent of a box in B, which bounds the mesh, for a body in a state.
 VerticalExtent vertical_extent(const Eigen::AlignedBox3d& box_B, const hydro::BodyState& state);
 
-/// Its lowest point alone [m].
+/// z of the lowest point of the box [m].
 double lowest_point(const Eigen::AlignedBox3d& box_B, const hydro::BodyState& state);
 
 }  // namespace engine

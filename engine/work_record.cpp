@@ -6,11 +6,11 @@
 namespace engine {
 namespace {
 
-Eigen::Matrix3d turn_of(const Motion& motion) {
+Eigen::Matrix3d rotation(const Motion& motion) {
   return motion.state.orientation.toRotationMatrix();
 }
 
-Vector6d carried(const Environment& environment) {
+Vector6d current_velocity(const Environment& environment) {
   return to_vector6(environment.current(), Eigen::Vector3d::Zero());
 }
 
@@ -19,13 +19,13 @@ double half_square(const Matrix6d& X, const Vector6d& u) { return u.dot(X * u) /
 
 /// Momentum of the body's own mass, in W, for a velocity in W.
 Vector6d own_momentum(const Body& body, const Motion& motion, const Vector6d& u) {
-  const Eigen::Matrix3d R_WB = turn_of(motion);
+  const Eigen::Matrix3d R_WB = rotation(motion);
   return rotate(R_WB, body.rigid_B * rotate(R_WB.transpose(), u));
 }
 
-/// That of the water that moves with it.
+/// Momentum of the water that moves with it, in W.
 Vector6d added_momentum(const Motion& motion, const Vector6d& u) {
-  const Eigen::Matrix3d R_WB = turn_of(motion);
+  const Eigen::Matrix3d R_WB = rotation(motion);
   return rotate(R_WB, motion.added() * rotate(R_WB.transpose(), u));
 }
 
@@ -40,15 +40,14 @@ double whole_kinetic_energy(const Body& body, const Environment& environment,
   return own_kinetic_energy(body, motion) + added_kinetic_energy(body, environment, motion);
 }
 
-/// Enters an impulse of the water that moves with a body: a current that carries the body along
-/// does work by it.
+/// Adds an impulse of the water that moves with a body, by which a current does work.
 void add_added_impulse(const Environment& environment, const Vector6d& impulse,
                        WorkRecord& record) {
   record.added_impulse += impulse;
   record.works.added_mass += environment.current().dot(impulse.head<3>());
 }
 
-/// Enters the works of the loads at the mean velocity `w` over a time h. @return their impulse.
+/// Adds the works of the loads at the mean velocity `w` over a time h. @return their impulse
 Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works& works) {
   Vector6d sum = Vector6d::Zero();
   const auto add = [&](const hydro::Wrench& load, double& work) {
@@ -65,7 +64,7 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   return sum;
 }
 
-/// True if locks or a reduced joint hold the body without reactions.
+/// True if locks or a reduced joint constrain the body by projection, not by reactions.
 bool is_projected(const Body& body) { return body.locked || body.reduced_joint; }
 
 }  // namespace
@@ -74,7 +73,7 @@ double added_kinetic_energy(const Body& body, const Environment& environment,
                             const Motion& motion) {
   if (!body.has_added_mass) return 0;
   const Vector6d u = velocity(motion.state, environment.current());
-  return half_square(motion.added(), rotate(turn_of(motion).transpose(), u));
+  return half_square(motion.added(), rotate(rotation(motion).transpose(), u));
 }
 
 void record_update(const MovingBody& moving, const Environment& environment,
@@ -84,7 +83,7 @@ void record_update(const MovingBody& moving, const Environment& environment,
   const Matrix6d S = inertia_W(body, midpoint);
   const Vector6d u = midpoint.after + update.change;
   const Vector6d mean = (midpoint.before + u) / 2;
-  const Vector6d w = mean + carried(environment);
+  const Vector6d w = mean + current_velocity(environment);
   const Vector6d impulse = S * update.change;
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
   if (update.reaction) {
@@ -95,8 +94,8 @@ void record_update(const MovingBody& moving, const Environment& environment,
   } else if (is_projected(body)) {
     record.constraint_impulse += rest;
   }
-  // The rest is the part of the buoyancy that an update took implicitly, or the difference of loads
-  // on a reduced joint to those of the pose halfway.
+  // The rest is buoyancy that an implicit update added, or the difference between the loads on a
+  // reduced joint and those of the pose halfway.
   if (update.implicit)
     record.works.buoyancy += rest.dot(w);
   else if (update.reaction || is_projected(body))
@@ -123,7 +122,7 @@ void record_drift(const Body& body, const Environment& environment, const Motion
     const Eigen::Vector3d v = (u0 + u1).head<3>() / 2;
     const Eigen::Vector3d P = (p0 + p1).head<3>() / 2;
     water = p0 - p1;
-    water.tail<3>() -= time * v.cross(P);  // about a centre of mass that moves on
+    water.tail<3>() -= time * v.cross(P);  // about a moving centre of mass
     add_added_impulse(environment, water, *after.work);
   }
   after.work->constraint_impulse += own - water;

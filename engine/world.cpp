@@ -28,6 +28,7 @@ double furthest_from(const Eigen::Vector3d& center, const hydro::TriMesh& mesh) 
   return (mesh.vertices.colwise() - center).colwise().norm().maxCoeff();
 }
 
+/// The id as user data of a geometry.
 void* tag(BodyId id) { return reinterpret_cast<void*>(static_cast<std::intptr_t>(id)); }
 
 }  // namespace
@@ -44,22 +45,19 @@ World::World(double gravity) : gravity_(gravity) {
   contact_joints_.reset(dJointGroupCreate(0));
 }
 
-BodyId World::add_body(const BodySpec& spec, bool meets) {
+BodyId World::add_body(const BodySpec& spec, bool collides) {
   check_body(spec);
   Body body{.mass = spec.mass,
+            .constrained = partly_locked(spec.locked),
             .initial = without_locked_motion(spec.locked, spec.initial),
             .load = {},
-            .inertia = {}};
+            .inertia = {.mass = spec.mass, .acceleration = {0, 0, -gravity_}}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
-  body.held = partly_locked(spec.locked);
-  const Shape shape = meets ? create_shape(spec) : Shape{};
-  body.geom = shape.geom;
-  if (body.geom) {
-    place_geom(body, shape);
-    body.shape_B = shape.box_B;
-  }
   const auto id = static_cast<BodyId>(bodies_.size());
-  if (body.geom) dGeomSetData(body.geom, tag(id));
+  if (collides && spec.collision != CollisionShape::none) {
+    add_shape(body, spec);
+    dGeomSetData(body.geom, tag(id));
+  }
   bodies_.push_back(body);
   return id;
 }
@@ -68,7 +66,8 @@ dxBody* World::create_body(const BodySpec& spec) {
   soften_joints(spec);
   dxBody* body = dBodyCreate(world_.get());
   set_mass(body, spec.mass, spec.inertia_B);
-  // Turns by exactly |ω| h about ω; ODE's default, a normalised first-order step, turns by less.
+  // This mode turns by exactly |ω| h about ω; ODE's default, a normalised first-order step, by
+  // less.
   dBodySetFiniteRotationMode(body, 1);
   place(body, without_locked_motion(spec.locked, spec.initial));
   if (partly_locked(spec.locked)) add_lock_motors(body, spec);
@@ -83,22 +82,24 @@ void World::soften_joints(const BodySpec& spec) {
                std::min(kComplianceOfLightest / lightest_, kComplianceOfHeaviest / heaviest_));
 }
 
-World::Shape World::create_shape(const BodySpec& spec) {
-  if (spec.collision == CollisionShape::none) return {};
-  const Eigen::AlignedBox3d box = hydro::bounding_box(spec.mesh_B);
-  if (spec.collision == CollisionShape::mesh)
-    return {.geom = create_trimesh(spec.mesh_B), .box_B = box};
-  const Eigen::Vector3d center = box.center();
-  const Eigen::Vector3d size = box.sizes();
-  if (spec.collision == CollisionShape::box)
-    return {.geom = dCreateBox(space_.get(), size.x(), size.y(), size.z()),
-            .center_B = center,
-            .box_B = box};
-  const double radius = furthest_from(center, spec.mesh_B);
-  const Eigen::Vector3d half = Eigen::Vector3d::Constant(radius);
-  return {.geom = dCreateSphere(space_.get(), radius),
-          .center_B = center,
-          .box_B = {center - half, center + half}};
+void World::add_shape(Body& body, const BodySpec& spec) {
+  body.shape_B = hydro::bounding_box(spec.mesh_B);
+  Eigen::Vector3d center = body.shape_B.center();
+  const Eigen::Vector3d size = body.shape_B.sizes();
+  if (spec.collision == CollisionShape::mesh) {
+    body.geom = create_trimesh(spec.mesh_B);
+    center.setZero();
+  } else if (spec.collision == CollisionShape::box) {
+    body.geom = dCreateBox(space_.get(), size.x(), size.y(), size.z());
+  } else {
+    const double radius = furthest_from(center, spec.mesh_B);
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(radius);
+    body.geom = dCreateSphere(space_.get(), radius);
+    body.shape_B = {center - half, center + half};
+  }
+  if (!body.handle) return place(body.geom, body.initial, center);
+  dGeomSetBody(body.geom, body.handle);
+  dGeomSetOffsetPosition(body.geom, center.x(), center.y(), center.z());
 }
 
 dxGeom* World::create_trimesh(const hydro::TriMesh& mesh) {
@@ -117,13 +118,6 @@ dxTriMeshData* World::mesh_data(const hydro::TriMesh& mesh) {
                               static_cast<int>(mesh.faces.size()), 3 * sizeof(dTriIndex));
   meshes_.push_back(std::move(kept));
   return meshes_.back()->data.get();
-}
-
-void World::place_geom(Body& body, const Shape& shape) {
-  if (!body.handle) return place(body.geom, body.initial, shape.center_B);
-  dGeomSetBody(body.geom, body.handle);
-  const Eigen::Vector3d& center = shape.center_B;
-  dGeomSetOffsetPosition(body.geom, center.x(), center.y(), center.z());
 }
 
 void World::add_lock_motors(dxBody* body, const BodySpec& spec) {
@@ -199,39 +193,31 @@ void World::set_state(BodyId id, const hydro::BodyState& state) {
 }
 
 void World::apply(BodyId id, const hydro::Wrench& load) {
-  bodies_.at(static_cast<std::size_t>(id)).load += load;
+  Body& body = bodies_.at(static_cast<std::size_t>(id));
+  body.load += load;
+  body.inertia.acceleration = body.load.force / body.mass - gravity_ * Eigen::Vector3d::UnitZ();
 }
 
-void World::advance(double step) {
+bool World::advance(double step) {
   open_ode();
-  const std::vector<hydro::BodyState> before = all_states();
-  hand_over_loads();
-  const auto again = [&] {
-    set_all_states(before);
-    hand_over_loads();
+  std::vector<hydro::BodyState> before;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) before.push_back(state(static_cast<BodyId>(i)));
+  const auto set_loads = [this] {
+    for (const Body& body : bodies_) {
+      if (!body.handle) continue;
+      const auto& [force, moment] = body.load;
+      dBodySetForce(body.handle, force.x(), force.y(), force.z());
+      dBodySetTorque(body.handle, moment.x(), moment.y(), moment.z());
+    }
   };
-  if (step_or_fall_back(world_.get(), again, step)) ++fallback_steps_;
+  const auto restart = [&] {
+    for (std::size_t i = 0; i < before.size(); ++i) set_state(static_cast<BodyId>(i), before[i]);
+    set_loads();
+  };
+  set_loads();
+  const bool compromised = step_or_fall_back(world_.get(), restart, step);
   for (Body& body : bodies_) body.load = {};
-}
-
-void World::hand_over_loads() {
-  for (const Body& body : bodies_) {
-    if (!body.handle) continue;
-    const auto& [force, moment] = body.load;
-    dBodySetForce(body.handle, force.x(), force.y(), force.z());
-    dBodySetTorque(body.handle, moment.x(), moment.y(), moment.z());
-  }
-}
-
-std::vector<hydro::BodyState> World::all_states() const {
-  std::vector<hydro::BodyState> states;
-  states.reserve(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) states.push_back(state(static_cast<BodyId>(i)));
-  return states;
-}
-
-void World::set_all_states(const std::vector<hydro::BodyState>& states) {
-  for (std::size_t i = 0; i < states.size(); ++i) set_state(static_cast<BodyId>(i), states[i]);
+  return compromised;
 }
 
 }  // namespace engine

@@ -41,7 +41,7 @@ BodyForces forces_after(const SimulationSpec& spec, double time) {
   return support::after(spec, support::steps_in(time, spec.step)).forces()[0];
 }
 
-/// What equation (1) of the log lacks [J].
+/// Difference of the two sides of the first equation of (E16) [J].
 double unbooked(const SimulationSpec& spec, const BodyForces& end) {
   return end.kinetic_energy - Simulation(spec).forces()[0].kinetic_energy - end.works.sum();
 }
@@ -125,7 +125,7 @@ SimulationSpec bobbing_raft(double step, bool adds) {
   return in_sea(raft, step);
 }
 
-/// Largest fault of equations (1) and (2) of the log over a bob's way, as a part of the work done.
+/// Largest fault of (E16) over a bob's way, as a part of the work done.
 struct BudgetFaults {
   double first = 0;
   double second = 0;

@@ -71,14 +71,14 @@ TEST(ContactsOfASphere, AreNotTheEdgesBesideTheOneItLiesOn) {
   // Radius 1 sunk in by 1 cm; the edge lies 0.1 from the lowest point.
   const double to_edge = std::hypot(0.99, 0.1);
   const ContactPoint edge = below_sphere(std::atan2(0.1, 0.99), 1 - to_edge);
-  EXPECT_THAT(engine::holding_a_sphere({edge, below_sphere(0, 0.01)}), SizeIs(1));
-  EXPECT_EQ(engine::holding_a_sphere({edge, below_sphere(0, 0.01)})[0].depth, 0.01);
+  EXPECT_THAT(engine::supporting_a_sphere({edge, below_sphere(0, 0.01)}), SizeIs(1));
+  EXPECT_EQ(engine::supporting_a_sphere({edge, below_sphere(0, 0.01)})[0].depth, 0.01);
 }
 
 TEST(ContactsOfASphere, AreBothSidesOfAValley) {
-  EXPECT_THAT(engine::holding_a_sphere({below_sphere(0.1, 0.01), below_sphere(-0.1, 0.01)}),
+  EXPECT_THAT(engine::supporting_a_sphere({below_sphere(0.1, 0.01), below_sphere(-0.1, 0.01)}),
               SizeIs(2));
-  EXPECT_THAT(engine::holding_a_sphere({below_sphere(1, 0.01), below_sphere(-1, 0.002)}),
+  EXPECT_THAT(engine::supporting_a_sphere({below_sphere(1, 0.01), below_sphere(-1, 0.002)}),
               SizeIs(2));
 }
 

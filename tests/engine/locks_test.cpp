@@ -12,7 +12,7 @@ DofMask mask(int bits) {
   return locked;
 }
 
-/// A body that spins, flies and is pushed in all six degrees of mobility.
+/// A body that spins, flies and is pushed in all six degrees of freedom.
 BodySpec driven_body(const DofMask& locked) {
   support::Random random(4);
   BodySpec body = support::box_body("driven", {1, 2, 3}, 100, {4, -5, 6});

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "engine/contacts.h"
+#include "engine/constants.h"
 #include "tests/engine/prelude.h"
 
 namespace {

@@ -53,7 +53,10 @@ double Watch::overlap_energy(const std::vector<engine::Motion>& motions) {
     world_.set_contact_inertia(id, {.mass = engine::contact_mass(bodies_[i], motions[i])});
   }
   world_.collide(scenario_.spec.step);
-  return weight_ * static_cast<double>(bodies_.size()) * world_.deepest_contact();
+  double deepest = 0;
+  for (const engine::Contact& contact : world_.contacts().points)
+    deepest = std::max(deepest, contact.point.depth);
+  return weight_ * static_cast<double>(bodies_.size()) * deepest;
 }
 
 Watch::Energy Watch::find_energy(const std::vector<hydro::BodyState>& states) {
