@@ -16,12 +16,13 @@ from machine import this_machine
 from marked import rewrite_marked, table_lines
 
 kRoot = Path(__file__).resolve().parents[2]
-kPublished = kRoot / "tests" / "benchmarks" / "results"
+kPage = kRoot / "tests" / "benchmarks" / "README.md"
+kPublished = kPage.parent / "results"
 kLeastTime = 0.05  # Of one repetition, of what takes less than that [s].
 kUnits = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
-kFewest, kMost = 1280, 81920  # Triangles between which the README tells the growth.
+kFewest, kMost = 1280, 81920  # Triangles between which the page gives the growth.
 
-# Loads that the README tells of, and the figure shows: state and what of BM_Hydro.
+# Loads in the table and the figure of the page: state and what of BM_Hydro.
 kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
           ("waves", ""): "half immersed, in a wave",
           ("half", "viscous"): "half immersed, with viscous drag",
@@ -30,8 +31,7 @@ kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
 kBare = ("", "bare")
 # Arrangements of BM_Step, by the end of its name.
 kArrangements = {"": "apart", "crates": "in heaps of ten", "heap": "in one heap",
-                 "asleep": "apart, all but one asleep", "boxes": "plain boxes apart",
-                 "boxes_heap": "plain boxes in one heap"}
+                 "boxes": "plain boxes apart", "boxes_heap": "plain boxes in one heap"}
 kFixed = ("real_time", "iterations:")  # What Google Benchmark adds to names.
 
 
@@ -93,7 +93,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--repeats", type=positive, default=5,
                         help="runs of each, in random order, of which the least counts [5]")
     parser.add_argument("--readme", action="store_true",
-                        help="also renew the README's tables and figures, from this run")
+                        help="also renew the tables and figures of tests/benchmarks/README.md")
     return parser.parse_args()
 
 
@@ -197,7 +197,7 @@ def write_csv(path: Path, rows: list) -> None:
         lines.writerows(astuple(row) for row in rows)
 
 
-def readme_lines(found: Findings) -> list[str]:
+def page_lines(found: Findings) -> list[str]:
     machine = found.machine
     return [f"Measured on one thread ({machine['cpu']}), the least of {found.repeats} runs.", "",
             *load_table(found), "", *step_table(found), "", *other_table(found)]
@@ -249,7 +249,7 @@ def other_table(found: Findings) -> list[str]:
 def publish(found: Findings, out: Path) -> None:
     for name in ("hydro_cost.csv", "hydro_cost.svg", "bodies.csv", "bodies.svg"):
         shutil.copy(out / name, kPublished / name)
-    rewrite_marked(kRoot / "README.md", "cost", readme_lines(found))
+    rewrite_marked(kPage, "cost", page_lines(found))
 
 
 def main() -> int:

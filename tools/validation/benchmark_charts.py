@@ -95,8 +95,8 @@ def _ticks(axes, counts: list[int], steps: tuple[int, ...]) -> None:
 
 def _bodies(found: Findings):
     figure, axes = pyplot.subplots(figsize=(5.2, 3.2), layout="constrained")
-    shown = ("apart", "in heaps of ten", "in one heap", "apart, all but one asleep")
-    for arrangement, color, marker in zip(shown, plots.kColors, "osD^"):
+    shown = ("apart", "in heaps of ten", "in one heap")
+    for arrangement, color, marker in zip(shown, plots.kColors, "osD"):
         chosen = [step for step in found.steps if step.arrangement == arrangement]
         axes.loglog([step.bodies for step in chosen], [step.per_body for step in chosen],
                     color=color, marker=marker)

@@ -42,7 +42,7 @@ class Row:
     error: float
     tolerance: float | None  # None: shown, not judged.
     thesis: float | None = None  # What the thesis found for the same quantity.
-    headline: bool = False  # Stands for its case in the README.
+    headline: bool = False  # Represents its case in tests/validation/README.md.
     kind: str = "exact"  # One of kKinds.
 
     def __post_init__(self):

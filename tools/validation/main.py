@@ -28,7 +28,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--list-tests", action="store_true",
                         help="list the names of the cases that can fail and stop")
     parser.add_argument("--readme", action="store_true",
-                        help="rewrite the table in README.md from the last results.csv and stop")
+                        help="rewrite the table in tests/validation/README.md from the last "
+                             "results.csv and stop")
     parser.add_argument("--program", type=Path, help="the program [PLIMSOLL, or build/plimsoll]",
                         default=Path(os.environ.get("PLIMSOLL", kRoot / "build/plimsoll")))
     parser.add_argument("--out", type=Path, default=kRoot / "out/validation",
@@ -91,8 +92,9 @@ def main() -> int:
         print("\n".join(case.name for case in kCases if not case.timed))
         return 0
     if arguments.readme:
-        from readme import rewrite_readme
-        rewrite_readme(kRoot / "README.md", arguments.out / "results.csv", kCases)
+        from accuracy_table import rewrite_accuracy
+        rewrite_accuracy(kRoot / "tests" / "validation" / "README.md",
+                         arguments.out / "results.csv", kCases)
         return 0
     cases = chosen_cases(arguments.cases)
     arguments.program = arguments.program.resolve()

@@ -1,4 +1,4 @@
-"""Tables in README.md that are made from measurements, each between its two marks."""
+"""Tables in pages of Markdown that are generated from measurements, each between two marks."""
 
 from __future__ import annotations
 
@@ -7,19 +7,20 @@ from collections.abc import Iterable
 from pathlib import Path
 
 
-def rewrite_marked(readme: Path, name: str, lines: Iterable[str]) -> None:
-    """What stands between <!-- NAME:begin --> and <!-- NAME:end -->."""
+def rewrite_marked(page: Path, name: str, lines: Iterable[str]) -> None:
+    """Replaces the lines between <!-- NAME:begin --> and <!-- NAME:end -->."""
     begin, end = f"<!-- {name}:begin -->", f"<!-- {name}:end -->"
-    text = readme.read_text(encoding="utf-8")
+    text = page.read_text(encoding="utf-8")
     if text.count(begin) != 1 or text.count(end) != 1 or text.index(begin) > text.index(end):
-        sys.exit(f"{readme} lacks the marks {begin} and {end}, once each and in this order")
+        sys.exit(f"{page} lacks the marks {begin} and {end}, once each and in this order")
     before, rest = text.split(begin)
-    readme.write_text("\n".join([before + begin, *lines, end]) + rest.split(end)[1],
+    page.write_text("\n".join([before + begin, *lines, end]) + rest.split(end)[1],
                       encoding="utf-8")
 
 
 def table_lines(header: Iterable[str], rows: Iterable[Iterable[str]], words: int) -> list[str]:
-    """Of a table in Markdown; all columns but the first `words` are numbers, set to the right."""
+    """The lines of a table in Markdown. The columns after the first `words` hold numbers and are
+    aligned to the right."""
     header = tuple(header)
     rule = ("---",) * words + ("---:",) * (len(header) - words)
     return ["| " + " | ".join(line) + " |" for line in (header, rule, *rows)]

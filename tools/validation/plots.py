@@ -25,7 +25,7 @@ pyplot.rcParams.update({
     "legend.fontsize": 8.5, "lines.linewidth": 1.5, "lines.markersize": 5,
 })
 
-# Of figures that stand on their own, beside the text of a README.
+# Of figures that are shown beside the text of a page.
 kFigureStyle = {"svg.fonttype": "path", "font.size": 8, "axes.titlesize": 9,
                 "lines.linewidth": 1.3, "lines.markersize": 4}
 

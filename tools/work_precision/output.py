@@ -1,4 +1,4 @@
-"""Results as JSON, as CSV, as a table on the terminal and in README.md."""
+"""Results as JSON, as CSV, as a table on the terminal and in tests/benchmarks/README.md."""
 
 from __future__ import annotations
 
@@ -91,6 +91,6 @@ def print_table(findings: list[Finding]) -> None:
                   f"{finding.cross_check:.1e} apart, more than they are in doubt by")
 
 
-def rewrite_readme(readme: Path, findings: list[Finding]) -> None:
+def rewrite_page(page: Path, findings: list[Finding]) -> None:
     """The table between its two marks."""
-    rewrite_marked(readme, "work-precision", table_lines(kHeader, table(findings), words=2))
+    rewrite_marked(page, "work-precision", table_lines(kHeader, table(findings), words=2))

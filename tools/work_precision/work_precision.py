@@ -15,7 +15,7 @@ sys.path.append(str(kRoot / "tools" / "validation"))
 from experiments import Experiment, kExperiments  # noqa: E402
 from machine import this_machine  # noqa: E402  It lies in the folder added above.
 from measurement import Laboratory  # noqa: E402
-from output import print_table, rewrite_readme, write_results  # noqa: E402
+from output import print_table, rewrite_page, write_results  # noqa: E402
 from plimsoll import Plimsoll  # noqa: E402
 from studies import Finding, Plan, study  # noqa: E402
 
@@ -25,7 +25,8 @@ kFull = Plan(rates=(15, 30, 60, 120, 240, 480, 960, 1920), further=1, further_wi
 kQuick = Plan(rates=(15, 30, 60, 120, 240), further=1, further_with_impacts=2,
               tolerances=(1e-2, 1e-4), tolerance_rate=15, tolerance_rate_with_impacts=60,
               mesh_rate=60, most_triangles=1280, repeats=3)
-kPublished = kRoot / "tests" / "benchmarks" / "results"
+kPage = kRoot / "tests" / "benchmarks" / "README.md"
+kPublished = kPage.parent / "results"
 kInterrupted = 130
 
 
@@ -47,10 +48,10 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--out", type=Path, default=kRoot / "out/accuracy",
                         help="folder for the results [out/accuracy]")
     parser.add_argument("--readme", action="store_true",
-                        help="also renew the README's table and figures, from this run")
+                        help="also renew the table and figures of tests/benchmarks/README.md")
     arguments = parser.parse_args()
     if arguments.readme and (arguments.quick or set(arguments.scenes) != set(names)):
-        parser.error("--readme wants the whole benchmark, neither --quick nor --scenes")
+        parser.error("--readme needs the whole benchmark, without --quick and --scenes")
     return arguments
 
 
@@ -98,12 +99,12 @@ def present(arguments: argparse.Namespace, machine: dict, findings: list[Finding
 
 
 def publish(arguments: argparse.Namespace, findings: list[Finding]) -> None:
-    """For the README: the table and what it shows."""
+    """Renews the table and figures of tests/benchmarks/README.md."""
     kPublished.mkdir(parents=True, exist_ok=True)
     for name in ("work_precision.svg", "order.svg", "mesh.svg"):
         shutil.copy(arguments.out / name, kPublished / name)
     shutil.copy(arguments.out / "results.csv", kPublished / "work_precision.csv")
-    rewrite_readme(kRoot / "README.md", findings)
+    rewrite_page(kPage, findings)
 
 
 def main() -> int:

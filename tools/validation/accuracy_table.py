@@ -1,4 +1,4 @@
-"""The table of accuracy in README.md, between its two marks."""
+"""The table of accuracy in tests/validation/README.md, between its two marks."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from marked import rewrite_marked, table_lines
 from results import format_number
 
 
-def rewrite_readme(readme: Path, results: Path, cases: list[Case]) -> None:
-    for path in (readme, results):
+def rewrite_accuracy(page: Path, results: Path, cases: list[Case]) -> None:
+    for path in (page, results):
         if not path.is_file():
-            hint = "" if path == readme else "; run tools/validate first"
+            hint = "" if path == page else "; run tools/validate first"
             sys.exit(f"{path} is missing{hint}")
-    rewrite_marked(readme, "accuracy", _table(results, cases))
+    rewrite_marked(page, "accuracy", _table(results, cases))
 
 
 def _table(results: Path, cases: list[Case]) -> list[str]:
-    """The quantities that stand for their cases."""
+    """One row per headline quantity of a case."""
     titles = {case.name: case.title for case in cases}
     with open(results, newline="", encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file)
