@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -54,6 +55,12 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     app::say("error: the memory is used up; give meshes, pictures or logs of a smaller size");
     return app::kWrongInput;
+  } catch (const std::logic_error& error) {
+    app::say(fmt::format("error: {}", error.what()));
+    app::say(
+        "This is a fault of plimsoll. Please report it with the scene, its meshes and the "
+        "command.");
+    return app::kOwnFault;
   } catch (const std::exception& error) {
     app::say(fmt::format("error: {}", error.what()));
     return app::kWrongInput;
