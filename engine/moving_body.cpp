@@ -7,6 +7,18 @@
 namespace engine {
 namespace {
 
+/// Puts the loads of the water in a state into the cache.
+void compute_water_loads(MovingBody& moving, const Environment& environment,
+                         const hydro::BodyState& state, double time) {
+  const BodySpec& spec = *moving.body.spec;
+  moving.cache.loads.water = hydro::compute_loads(*moving.body.hull, state, *environment.sea, time,
+                                                  spec.coefficients, spec.summation);
+  if (hydro::changes_with_time(*environment.sea))
+    moving.cache.water_state.reset();
+  else
+    moving.cache.water_state = state;
+}
+
 /// Finds the loads of the water: none above its highest point, and those of the cache where neither
 /// body nor water has moved.
 void find_water_loads(MovingBody& moving, const Environment& environment,
@@ -16,17 +28,20 @@ void find_water_loads(MovingBody& moving, const Environment& environment,
     ++moving.counts.dry;
     cache.loads.water = {};
     cache.water_state.reset();
-  } else if (cache.water_state == state && !hydro::changes_with_time(*environment.sea)) {
+  } else if (cache.water_state == state) {
     ++moving.counts.resting;
   } else {
-    const BodySpec& spec = *moving.body.spec;
-    cache.loads.water = hydro::compute_loads(*moving.body.hull, state, *environment.sea, time,
-                                             spec.coefficients, spec.summation);
-    cache.water_state = state;
+    compute_water_loads(moving, environment, state, time);
   }
 }
 
 }  // namespace
+
+void restore_cache(MovingBody& moving, const Environment& environment,
+                   const std::optional<hydro::BodyState>& water_state) {
+  moving.cache.water_state.reset();
+  if (water_state && moving.body.wet) compute_water_loads(moving, environment, *water_state, 0);
+}
 
 std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
                                          double time) {

@@ -24,8 +24,9 @@ struct Inputs {
 /// The last loads. They follow from the motion and are no part of it.
 struct LoadCache {
   BodyLoads loads;
-  std::optional<hydro::BodyState> water_state;  ///< State of those of the water; none above water.
-  double seconds = 0;                           ///< Wall time of loads and added mass so far [s].
+  /// State that the water's loads are those of; none where they follow from more than that.
+  std::optional<hydro::BodyState> water_state;
+  double seconds = 0;  ///< Wall time of loads and added mass so far [s].
 };
 
 struct MovingBody {
@@ -45,6 +46,10 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
 /// @throws MotionFault if they are not finite.
 hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
                          const hydro::BodyState& state, double time);
+
+/// Makes the cache that of a body whose water_state is this one.
+void restore_cache(MovingBody& moving, const Environment& environment,
+                   const std::optional<hydro::BodyState>& water_state);
 
 /// The loads of the scene and of the program on the body in a state.
 std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,

@@ -174,8 +174,10 @@ SimulationState Simulation::Impl::state() const {
   auto data = std::make_shared<SimulationState::Data>();
   data->steps = steps;
   for (const MovingBody& moving : bodies)
-    data->bodies.push_back(
-        {.motion = moving.motion, .inputs = moving.inputs, .counts = moving.counts});
+    data->bodies.push_back({.motion = moving.motion,
+                            .inputs = moving.inputs,
+                            .counts = moving.counts,
+                            .water_state = moving.cache.water_state});
   data->stepper = stepper.state();
   data->warnings = warnings;
   return SimulationState(std::move(data));
@@ -190,7 +192,7 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
     bodies[i].motion = data.bodies[i].motion;
     bodies[i].inputs = data.bodies[i].inputs;
     bodies[i].counts = data.bodies[i].counts;
-    bodies[i].cache.water_state.reset();
+    restore_cache(bodies[i], environment, data.bodies[i].water_state);
     states[i] = bodies[i].motion.state;
   }
   stepper.restore(data.stepper);
@@ -272,7 +274,11 @@ void Simulation::set_motion(BodyId body, const hydro::BodyState& state) {
   impl_->states[static_cast<std::size_t>(body)] = moving.motion.state;
 }
 
-SimulationState Simulation::state() const { return impl_->state(); }
+SimulationState Simulation::state() const {
+  if (impl_->broken)
+    throw SimulationError(time(), "", "a step has failed, so there is no state to save");
+  return impl_->state();
+}
 void Simulation::restore(const SimulationState& state) { impl_->restore(state.data()); }
 void Simulation::reset() { impl_->restore(impl_->start->data()); }
 

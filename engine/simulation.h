@@ -85,7 +85,7 @@ class Simulation {
 
   /// Everything that changes, for restore() in this simulation or another of the same
   /// specification. A run continued from a restored state gives the same bytes as one that was
-  /// never interrupted.
+  /// never interrupted. @throws SimulationError after a step that failed.
   SimulationState state() const;
   /// @throws std::invalid_argument if the state is that of other bodies.
   void restore(const SimulationState& state);

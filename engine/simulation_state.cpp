@@ -16,6 +16,13 @@ constexpr std::string_view kMagic = "plimsoll state 1";
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
 
+/// FNV-1a: tells bytes of which one has changed.
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  return sum;
+}
+
 class Writer {
  public:
   void bytes(void* data, std::size_t size) { out.append(static_cast<const char*>(data), size); }
@@ -133,7 +140,7 @@ void visit(Archive& a, Counts& c) {
 }
 template <class Archive>
 void visit(Archive& a, BodyRecord& body) {
-  visit_all(a, body.motion, body.inputs.pull, body.inputs.loads, body.counts);
+  visit_all(a, body.motion, body.inputs.pull, body.inputs.loads, body.counts, body.water_state);
 }
 template <class Archive>
 void visit(Archive& a, EnergyRange& r) {
@@ -152,13 +159,23 @@ std::string SimulationState::to_bytes() const {
   Writer writer{.out = std::string(kMagic)};
   Data copy = *data_;
   visit(writer, copy);
+  std::uint64_t sum = checksum(writer.out);
+  visit(writer, sum);
   return writer.out;
 }
 
 SimulationState SimulationState::from_bytes(std::string_view bytes) {
   if (!bytes.starts_with(kMagic))
     throw std::invalid_argument("this is no state of a simulation, or one of another version");
-  Reader reader(bytes.substr(kMagic.size()));
+  if (bytes.size() < kMagic.size() + sizeof(std::uint64_t))
+    throw std::invalid_argument("the state of a simulation is cut short");
+  const std::string_view content = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
+  Reader end(bytes.substr(content.size()));
+  std::uint64_t sum = 0;
+  visit(end, sum);
+  if (sum != checksum(content))
+    throw std::invalid_argument("the state of a simulation is cut short or has changed");
+  Reader reader(content.substr(kMagic.size()));
   auto data = std::make_shared<Data>();
   visit(reader, *data);
   if (!reader.at_end())

@@ -14,6 +14,7 @@ struct BodyRecord {
   Motion motion;
   Inputs inputs;
   Counts counts;
+  std::optional<hydro::BodyState> water_state;  ///< As that of LoadCache.
 };
 
 struct SimulationState::Data {
