@@ -7,8 +7,8 @@
 #include "app/scene/key_catalogue.h"
 
 /// @file
-/// What every key of a scene is for: the one source of the tables in scenes/README.md, of the JSON
-/// Schema, and of what editors show.
+/// The meaning of every key of a scene. The tables in scenes/README.md, the JSON Schema and the
+/// descriptions that editors show are generated from these texts.
 
 namespace scene {
 namespace {
@@ -19,246 +19,272 @@ struct Meaning {
 };
 
 constexpr auto kMeanings = std::to_array<Meaning>({
-    {"plimsoll", "The version of the format."},
-    {"title", "Shown by people's tools; has no effect on the run."},
-    {"duration", "How much time is simulated. 0: only the initial state."},
+    {"plimsoll", "Version of the scene format."},
+    {"title", "Title for reports and tools. It has no effect on the run."},
+    {"duration", "Simulated time. With 0 the run consists of the initial state."},
     {"step",
-     "Time step; the default is 1/60. Where a step is too long for a body's drag or buoyancy "
-     "these are taken implicitly, or the step is cut in pieces; `summary.json` counts both "
-     "(`implicit_pieces`, `pieces`): where there are many, a shorter step is more accurate. "
-     "Where bodies run into each other or into the ground the step ends as they begin to "
-     "touch and goes on in short pieces, for them alone; heaps of more than four pairs that "
-     "touch take whole steps."},
-    {"gravity", "Acceleration along −z."},
+     "Time step; the default is 1/60 s. The engine divides a step into substeps where the motion "
+     "requires it, and takes drag or buoyancy implicitly where they are stiff. `summary.json` "
+     "counts both per body (`pieces`, `implicit_pieces`); where they are many, a shorter step is "
+     "more accurate. Where bodies collide with each other or with the ground, the step is "
+     "divided at the time of first contact and continues in short substeps for these bodies "
+     "alone. Heaps with more than four pairs in contact take whole steps."},
+    {"gravity", "Gravitational acceleration along −z."},
     {"integrator", "Options of the time stepping."},
     {"integrator.method",
-     "`split` is of second order, and of the fourth where loads hang on the pose alone, with "
-     "the 6×6 added mass; it cuts steps in which a body crosses the surface, turns or swings "
-     "too far. `ode` is the plain method to compare with: loads once a step, handed to the "
-     "Open Dynamics Engine's own step of first order, without added mass."},
+     "`split` is the default method. It includes the full 6×6 added mass and is of second order, "
+     "and of fourth order where the loads depend on the pose alone. It divides a step in which a "
+     "body crosses the surface, turns or oscillates too far. `ode` is the plain method, for "
+     "comparison: it finds the loads once per step and hands them to the first-order step of the "
+     "Open Dynamics Engine, without added mass."},
     {"integrator.tolerance",
-     "Steps are cut until the estimated error of a body's pose in a second is below this part "
-     "of its radius, and this angle in rad, for bodies by themselves and under joints; in "
-     "contact steps are cut where bodies begin to touch, with or without it. Left out: steps "
-     "are cut for stability and impacts only. Not with `ode`."},
+     "Largest estimated error of a body's pose per second of motion, relative to its radius for "
+     "the position and in rad for the attitude. Steps are divided until the error is below it, "
+     "for free bodies and bodies under joints; steps of bodies in contact are divided at the "
+     "time of first contact only. Without this key, steps are divided for stability and impacts "
+     "only. Not allowed with `ode`."},
     {"integrator.sleep",
-     "Has no effect any more, and is accepted for old scenes: bodies at rest move on like others. "
-     "Not "
-     "with `ode`."},
-    {"water", "The water; left out: a dry scene."},
+     "This key has no effect. It is accepted so that old scenes still run. Not allowed with "
+     "`ode`."},
+    {"water", "The water. Without this block the scene is dry."},
     {"ground",
-     "A sea floor or shore; left out: none. Exactly one of `z`, `heightfield` and `mesh`."},
-    {"hydro", "Coefficients of the loads for every body."},
+     "The sea floor or shore, given by exactly one of `z`, `heightfield` and `mesh`. Without "
+     "this block there is none."},
+    {"hydro", "Coefficients of the loads for all bodies."},
     {"bodies", "The rigid bodies."},
-    {"joints", "What ties bodies together."},
-    {"log", "How the motion is logged."},
-    {"render", "The pictures; left out: none is made and no graphics library is touched."},
+    {"joints", "Joints between two bodies, or between a body and the world."},
+    {"log", "Options of the log."},
+    {"render",
+     "Options of the pictures. Without this block none is drawn, and no graphics library is "
+     "loaded."},
     {"water.density", "Density of the water."},
     {"water.viscosity",
-     "Kinematic viscosity, for `viscous_drag: ittc57`; the default is fresh water of 20 °C."},
-    {"water.level", "z of the still water."},
-    {"water.current", "Velocity of the water everywhere."},
+     "Kinematic viscosity for `viscous_drag: ittc57`. The default is that of fresh water at 20 "
+     "°C."},
+    {"water.level", "Height z of the still water."},
+    {"water.current", "Velocity of the water, uniform everywhere."},
     {"water.surface",
-     "The shape of the surface, exactly one of `flat`, `heightfield`, `waves` and `spectrum`; left "
-     "out: flat."},
+     "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves` and "
+     "`spectrum`. Without this block the surface is flat."},
     {"water.surface.flat", "Still water: `flat: {}`."},
     {"water.surface.heightfield", "A fixed surface, given by heights on a grid."},
     {"water.surface.heightfield.file",
-     "A `.csv` file with rows of heights above `water.level` [m], or a 16-bit grey `.png`. "
-     "Row = y, column = x. Outside the grid the nearest edge height holds."},
-    {"water.surface.heightfield.cell", "Distance of neighbouring grid points."},
-    {"water.surface.heightfield.origin", "Where the first height of the first row stands."},
+     "A `.csv` file with rows of heights above `water.level` [m], or a 16-bit grey `.png`. Rows "
+     "are along y and columns along x. Outside the grid the nearest height of its edge holds."},
+    {"water.surface.heightfield.cell", "Distance between neighbouring grid points."},
+    {"water.surface.heightfield.origin", "Position x, y of the first height of the first row."},
     {"water.surface.heightfield.range",
-     "The heights of black and white. Required for a `.png`, refused for a `.csv`."},
-    {"water.surface.waves", "Deep-water linear waves, summed; at least one."},
-    {"water.surface.waves[].amplitude", "Half of the height from trough to crest."},
-    {"water.surface.waves[].wavelength", "Crest to crest."},
+     "Heights of black and white. Required for a `.png`, not allowed for a `.csv`."},
+    {"water.surface.waves", "Linear deep-water waves, at least one. Their heights are added."},
+    {"water.surface.waves[].amplitude", "Half the height from trough to crest."},
+    {"water.surface.waves[].wavelength", "Distance from crest to crest."},
     {"water.surface.waves[].heading_deg",
-     "Direction the wave travels to, counter-clockwise from +x."},
-    {"water.surface.waves[].phase_deg", "Phase at the origin at time 0; 0: a crest."},
-    {"water.surface.spectrum", "Irregular waves."},
-    {"water.surface.spectrum.type", "The kind of spectrum."},
+     "Direction in which the wave travels, counter-clockwise from +x."},
+    {"water.surface.waves[].phase_deg", "Phase at the origin at time 0; 0 is a crest."},
+    {"water.surface.spectrum", "Irregular waves, given by a wave spectrum."},
+    {"water.surface.spectrum.type", "Type of the spectrum."},
     {"water.surface.spectrum.significant_height", "Significant wave height H_s."},
-    {"water.surface.spectrum.peak_period", "Period of the spectrum's peak T_p."},
-    {"water.surface.spectrum.gamma", "Peak enhancement; 1 gives Pierson–Moskowitz."},
-    {"water.surface.spectrum.heading_deg", "Mean direction the waves travel to."},
+    {"water.surface.spectrum.peak_period", "Peak period T_p."},
+    {"water.surface.spectrum.gamma",
+     "Peak enhancement factor; 1 gives the Pierson–Moskowitz spectrum."},
+    {"water.surface.spectrum.heading_deg", "Mean direction in which the waves travel."},
     {"water.surface.spectrum.spreading",
-     "Exponent s of the directional spreading cos²ˢ(θ/2); 0: long-crested."},
-    {"water.surface.spectrum.seed", "Chooses the phases. The same seed gives the same sea."},
+     "Exponent s of the directional spreading cos²ˢ(θ/2); 0 gives long-crested waves."},
+    {"water.surface.spectrum.seed", "Seed of the random phases. The same seed gives the same sea."},
     {"water.surface.spectrum.components",
-     "Number of waves that stand for the spectrum; the cost of a step grows with it."},
+     "Number of wave components that represent the spectrum. The cost of a step grows with it."},
     {"ground.z", "Height of a flat sea floor."},
     {"ground.heightfield",
-     "A sea floor by heights: z in the world, otherwise as `water.surface.heightfield`."},
+     "A sea floor given by heights. They are values of z in the world frame; the keys are those "
+     "of `water.surface.heightfield`."},
     {"ground.mesh",
-     "A sea floor or shore as a mesh in the world frame, its faces looking up; keys as in "
-     "`bodies[].mesh`."},
+     "A sea floor or shore as a mesh in the world frame, with its faces upward. The keys are "
+     "those of `bodies[].mesh`."},
     {"hydro.preset",
-     "A set of coefficients to start from; the other keys go over it. `thesis`: the set of "
-     "the 2014 thesis, C_p = 0.6316 on both sides, the rest as by default."},
-    {"hydro.buoyancy", "Hydrostatic pressure."},
-    {"hydro.pressure_drag", "C_p; one number holds for all panels; `false` switches the load off."},
-    {"hydro.pressure_drag.front", "C_p of panels that move into the water."},
-    {"hydro.pressure_drag.back", "C_p of panels that move out of it."},
-    {"hydro.lift", "C_l; `false` switches the load off."},
+     "Set of coefficients, which the other keys override. `fitted` is fitted to the tabulated "
+     "drag of bluff bodies (`hydro/README.md`). `thesis` is the set of the 2014 thesis: C_p = "
+     "0.6316 on both sides, and the defaults for the rest."},
+    {"hydro.buoyancy", "Hydrostatic pressure. `false` switches the load off."},
+    {"hydro.pressure_drag",
+     "Pressure drag coefficient C_p. One number holds for all panels; `false` switches the load "
+     "off."},
+    {"hydro.pressure_drag.front", "C_p where the surface moves into the water."},
+    {"hydro.pressure_drag.back", "C_p where the surface moves away from the water."},
+    {"hydro.lift", "Lift coefficient C_l. `false` switches the load off."},
     {"hydro.viscous_drag",
-     "C_v; `false` switches the load off. `thesis`: 0.1 below 1 m/s, 0.2 − 0.1·v from 1 to 2 "
-     "m/s, 0 above, v the local tangential speed. `ittc57`: 0.075 / (log10 Re − 2)², Re = "
-     "v·length/viscosity, held below Re = 1e4."},
+     "Friction coefficient C_v. `false` switches the load off. `thesis` depends on the local "
+     "tangential speed v: 0.1 below 1 m/s, 0.2 − 0.1·v from 1 to 2 m/s, 0 above. `ittc57` is the "
+     "friction line 0.075 / (log10 Re − 2)² with Re = v·length/viscosity; below Re = 1e4 its "
+     "value at 1e4 holds."},
     {"hydro.wave_tolerance",
-     "In waves, parts of a large mesh are taken at once where the surface over them is nearly "
-     "a curved one of second order; this bounds the error in the force, as a part of the "
-     "wholly submerged body's buoyancy. In any water, parts of a mesh of more than 8,000 "
-     "triangles have their viscous drag from a few points where that is bounded to be as good: "
-     "this bounds its error, as a part of the drag of all the skin under the largest ½ρ C_v v² up "
-     "to the body's greatest speed. 0: every triangle by itself."},
+     "Accuracy of the loads of large meshes in waves. Parts of the mesh are summed at once where "
+     "the surface above them is nearly quadratic. The key bounds the resulting error of the "
+     "force, relative to the buoyancy of the submerged body. With 0 every triangle is summed by "
+     "itself."},
     {"hydro.length",
-     "Length of the friction line `ittc57`; without it the longest side of the mesh's "
+     "Length in the friction line `ittc57`. The default is the longest side of the mesh's "
      "bounding box."},
     {"hydro.added_mass",
-     "The water that a body moves with it. `deep`: of the body in unbounded fluid, the share "
-     "of the panels that are wet; found once for a mesh and kept for later runs. A body whose "
-     "loads are all off has none unless this key asks for it, nor has a body that is locked "
-     "in all six."},
+     "Added mass of the body. `deep` is that of the body in unbounded fluid, of which the wetted "
+     "panels contribute their share; it is solved once per mesh and kept for later runs. A body "
+     "without loads of the water has added mass only if this key asks for it, and a body locked "
+     "in all six degrees of freedom has none."},
     {"hydro.added_mass.model",
-     "As the word alone; `surface` has the potential 0 on the water's surface, the limit of "
-     "high frequency (`hydro/README.md`), solved for poses as they are met: some tenths of a "
-     "second each."},
+     "Model of the added mass. `none` and `deep` are the same as the words alone. `surface` sets "
+     "the potential to 0 on the water surface, the limit of high frequency (`hydro/README.md`); "
+     "it is solved for the poses that the run meets, some tenths of a second each."},
     {"hydro.added_mass.tolerance",
-     "Of the relative error of `deep` that finer panels would lessen. The mesh's faces are "
-     "split for it, up to a limit beyond which the error stays what `summary.json` says."},
+     "Largest relative error of `deep` due to the size of the panels. The solver splits the "
+     "faces of the mesh until the error is below it or a limit on their number is reached. "
+     "`summary.json` has the error that remains."},
     {"hydro.added_mass.matrix",
-     "The matrix itself, in body axes about the centre of mass, in the order surge, sway, "
-     "heave, roll, pitch, yaw; it holds while any of the body is wet, whatever the water's "
-     "density. Symmetric and without negative eigenvalues, to 1e-9 of its largest entry."},
+     "The added mass matrix in body axes about the centre of mass, in the order surge, sway, "
+     "heave, roll, pitch, yaw. It holds while any part of the body is wet, whatever the water's "
+     "density. It must be symmetric and have no negative eigenvalues, both to 1e-9 of its "
+     "largest entry."},
     {"bodies[].name",
-     "Used in the log and by joints. Not `world`; no comma, double quote or line break."},
-    {"bodies[].mesh", "A closed triangle mesh from a file, normals out of the solid."},
-    {"bodies[].mesh.file", "In any format that assimp reads, relative to the scene file."},
-    {"bodies[].mesh.scale", "Factor on the file's coordinates."},
-    {"bodies[].box", "A box, centred: 12·divisions² triangles."},
-    {"bodies[].box.size", "Edges along x, y, z."},
-    {"bodies[].box.divisions", "Parts of each edge."},
+     "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
+     "a double quote or a line break."},
+    {"bodies[].mesh", "A closed triangle mesh from a file. Its normals point out of the solid."},
+    {"bodies[].mesh.file",
+     "A mesh file in any format that assimp reads, relative to the scene file."},
+    {"bodies[].mesh.scale", "Factor by which the coordinates of the file are multiplied."},
+    {"bodies[].box", "A box about the origin, of 12·divisions² triangles."},
+    {"bodies[].box.size", "Lengths of the edges along x, y, z."},
+    {"bodies[].box.divisions", "Number of parts of each edge."},
     {"bodies[].sphere",
-     "A UV sphere, poles on z, vertices on the sphere: 2·slices·(stacks − 1) triangles."},
+     "A UV sphere with its poles on z and its vertices on the sphere, of 2·slices·(stacks − 1) "
+     "triangles."},
     {"bodies[].sphere.radius", "Radius."},
-    {"bodies[].sphere.slices", "Parts around z."},
-    {"bodies[].sphere.stacks", "Parts from pole to pole."},
-    {"bodies[].icosphere", "A sphere of nearly equal triangles: 20·4ⁿ with n subdivisions."},
+    {"bodies[].sphere.slices", "Number of parts around z."},
+    {"bodies[].sphere.stacks", "Number of parts from pole to pole."},
+    {"bodies[].icosphere", "A sphere of nearly equal triangles, 20·4ⁿ with n subdivisions."},
     {"bodies[].icosphere.radius", "Radius."},
-    {"bodies[].icosphere.subdivisions", "How often each triangle is split in four."},
-    {"bodies[].ellipsoid", "The UV sphere, scaled along the axes."},
-    {"bodies[].ellipsoid.semi_axes", "Half the extent along x, y, z."},
-    {"bodies[].ellipsoid.slices", "Parts around z."},
-    {"bodies[].ellipsoid.stacks", "Parts from pole to pole."},
-    {"bodies[].cylinder", "A capped cylinder about z, centred."},
+    {"bodies[].icosphere.subdivisions", "Number of times that each triangle is split into four."},
+    {"bodies[].ellipsoid", "A UV sphere that is scaled along the axes."},
+    {"bodies[].ellipsoid.semi_axes", "Half the lengths along x, y, z."},
+    {"bodies[].ellipsoid.slices", "Number of parts around z."},
+    {"bodies[].ellipsoid.stacks", "Number of parts from pole to pole."},
+    {"bodies[].cylinder", "A closed cylinder about z, centred at the origin."},
     {"bodies[].cylinder.radius", "Radius."},
-    {"bodies[].cylinder.height", "Extent along z."},
-    {"bodies[].cylinder.slices", "Parts around."},
-    {"bodies[].cylinder.stacks", "Parts along."},
+    {"bodies[].cylinder.height", "Length along z."},
+    {"bodies[].cylinder.slices", "Number of parts around z."},
+    {"bodies[].cylinder.stacks", "Number of parts along z."},
     {"bodies[].density",
-     "Uniform over the volume of the shape. Exactly one of `density` and `mass`."},
+     "Density, uniform over the volume of the shape. Exactly one of `density` and `mass` is "
+     "required."},
     {"bodies[].mass", "Total mass."},
     {"bodies[].center_of_mass",
-     "In the mesh frame, with `mass` only; left out: the centroid of the volume."},
+     "Centre of mass in the mesh frame, allowed with `mass` only. The default is the centroid of "
+     "the volume."},
     {"bodies[].inertia",
-     "`[xx, yy, zz, xy, xz, yz]`, the entries of the inertia matrix about the centre of mass "
-     "in body axes, with `mass` only; left out: the mass spread evenly over the volume. Must "
-     "be positive definite, and no principal moment larger than the sum of the others."},
-    {"bodies[].position", "Of the mesh frame's origin, in the world."},
+     "Entries `[xx, yy, zz, xy, xz, yz]` of the inertia matrix about the centre of mass in body "
+     "axes, allowed with `mass` only. The default is that of the mass spread evenly over the "
+     "volume. The matrix must be positive definite, and no principal moment may exceed the sum "
+     "of the other two."},
+    {"bodies[].position", "Position of the origin of the mesh frame in the world."},
     {"bodies[].orientation",
-     "Body to world, exactly one of `euler_deg`, `quaternion` and `axis` with `angle_deg`; left "
-     "out: unturned."},
-    {"bodies[].orientation.euler_deg", "Roll, pitch, yaw: R = Rz(yaw)·Ry(pitch)·Rx(roll)."},
-    {"bodies[].orientation.quaternion", "w, x, y, z; brought to unit length."},
-    {"bodies[].orientation.axis", "Axis of one turn, any length; with `angle_deg`."},
-    {"bodies[].orientation.angle_deg", "Angle of the turn about `axis`."},
+     "Rotation from body to world, given by exactly one of `euler_deg`, `quaternion` and `axis` "
+     "with `angle_deg`. The default is no rotation."},
+    {"bodies[].orientation.euler_deg", "Roll, pitch and yaw: R = Rz(yaw)·Ry(pitch)·Rx(roll)."},
+    {"bodies[].orientation.quaternion", "Quaternion w, x, y, z. It is normalised."},
+    {"bodies[].orientation.axis",
+     "Axis of the rotation, of any length, together with `angle_deg`."},
+    {"bodies[].orientation.angle_deg", "Angle of the rotation about `axis`."},
     {"bodies[].start",
-     "`equilibrium`: the body starts afloat, where it comes to rest from its `orientation` in "
-     "still water at `water.level`, alone and with nothing but weight and buoyancy on it. "
-     "`position`'s x and y and the heading of its x axis are kept, z is found. It must be "
-     "lighter than water, and z, roll and pitch not locked."},
-    {"bodies[].linear_velocity", "Of the centre of mass, world axes."},
-    {"bodies[].angular_velocity", "World axes."},
-    {"bodies[].hydro", "As the scene's `hydro`, which it overrides key by key."},
+     "Pose at time 0. `given` takes `position` and `orientation`. `equilibrium` puts the body "
+     "afloat, where it comes to rest from its `orientation` in still water at `water.level` "
+     "under weight and buoyancy alone. Then x, y and the heading of its x axis are those given, "
+     "and z, roll and pitch follow. The body must be lighter than water, and z, roll and pitch "
+     "must not be locked."},
+    {"bodies[].linear_velocity", "Velocity of the centre of mass in world axes."},
+    {"bodies[].angular_velocity", "Angular velocity in world axes."},
+    {"bodies[].hydro", "Coefficients of this body. They override the scene's `hydro` key by key."},
     {"bodies[].calibrate",
-     "Scales the body's pressure drag to tabulated values, whatever its mesh."},
+     "Scaling of the body's pressure drag to tabulated values, independent of its mesh."},
     {"bodies[].calibrate.drag",
-     "Drag coefficients C_d along the body's x, y and z axes, wholly submerged, on the area "
-     "of its shadow along each axis; the mean of both directions. In other motions the three "
-     "factors are mixed by how much of the surface's motion is along each axis. Viscous drag "
-     "comes on top."},
+     "Drag coefficients C_d of the submerged body along its x, y and z axes, each the mean of "
+     "both directions. The reference area is the area of the projection along the axis. In other "
+     "motions the three factors are averaged, weighted by the share of the surface's motion "
+     "along each axis. Viscous drag is added."},
     {"bodies[].collision",
-     "What stands for the body when it touches others and the ground; left out: `box` for a "
-     "box, `sphere` for a sphere or icosphere, else `mesh`. `none`: it passes through "
-     "everything."},
-    {"bodies[].lock", "Degrees of freedom held where they are, world axes."},
-    {"bodies[].forces", "Loads besides those of water and gravity."},
+     "Shape of the body in contacts with other bodies and the ground. The default is `box` for a "
+     "box, `sphere` for a sphere or icosphere, and `mesh` otherwise. A body with `none` passes "
+     "through everything."},
+    {"bodies[].lock", "Degrees of freedom that are locked at their initial values, in world axes."},
+    {"bodies[].forces", "Loads in addition to those of water and gravity."},
     {"bodies[].forces[].force", "Force."},
     {"bodies[].forces[].torque", "Torque."},
-    {"bodies[].forces[].frame", "Axes of `force` and `torque`; `body`: they turn with the body."},
+    {"bodies[].forces[].frame",
+     "Axes of `force` and `torque`. With `body` they turn with the body."},
     {"bodies[].forces[].at",
-     "Where the force acts, in the mesh frame; left out: the centre of mass."},
-    {"bodies[].forces[].start", "When it begins."},
-    {"bodies[].forces[].end", "When it ends, not before `start`; left out: never."},
-    {"bodies[].forces[].sine", "The load is multiplied by sin(2π·frequency·t + phase)."},
+     "Point at which the force acts, in the mesh frame. The default is the centre of mass."},
+    {"bodies[].forces[].start", "Time at which the load begins."},
+    {"bodies[].forces[].end",
+     "Time at which the load ends, not before `start`. Without this key it does not end."},
+    {"bodies[].forces[].sine",
+     "Modulation: the load is multiplied by sin(2π·frequency·t + phase)."},
     {"bodies[].forces[].sine.frequency_hz", "Frequency."},
     {"bodies[].forces[].sine.phase_deg", "Phase at time 0."},
-    {"bodies[].color", "Red, green, blue of the dry surface."},
-    {"joints[].name", "Left out: `joint` and its index, counted from 0."},
+    {"bodies[].color", "Red, green and blue of the dry surface."},
+    {"joints[].name", "Name of the joint. The default is `joint` and its index, counted from 0."},
     {"joints[].type",
-     "What the joint leaves free: all turning; turning about one axis; sliding along one "
-     "axis; nothing; turning about two axes."},
-    {"joints[].bodies", "The two bodies that it ties."},
+     "Type of the joint. A ball joint leaves all rotations free, a hinge the rotation about one "
+     "axis, a slider the translation along one axis, a fixed joint nothing, and a universal "
+     "joint the rotations about two axes."},
+    {"joints[].bodies", "The two bodies that the joint connects."},
     {"joints[].anchor",
-     "A point of the joint in the world at time 0. Required for ball, hinge and universal; a "
-     "slider or fixed joint is the same wherever it is."},
+     "A point of the joint in the world at time 0. Required for ball, hinge and universal "
+     "joints; it has no effect on a slider or fixed joint."},
     {"joints[].axis",
-     "Direction in the world at time 0. Required for hinge, slider and universal, refused for "
-     "the others."},
+     "Direction in the world at time 0. Required for hinge, slider and universal joints, not "
+     "allowed for the others."},
     {"joints[].axis2",
-     "Second axis of a universal joint, perpendicular to `axis`; left out: some perpendicular."},
-    {"log.every", "Time between logged states; 0 or left out: every step."},
+     "Second axis of a universal joint, perpendicular to `axis`. The default is some "
+     "perpendicular direction."},
+    {"log.every", "Time between logged states. With 0 or without this key every step is logged."},
     {"log.forces",
-     "Writes `forces.csv` beside `trajectory.csv`: a row with the forces on a body and their "
-     "work for each that the trajectory has; with `--format hdf5` they are in `run.h5`."},
-    {"render.size", "Width and height."},
+     "Option to write `forces.csv`: for every row of the trajectory, the loads on the body, "
+     "their work and the energies. With `--format hdf5` they are in `run.h5`."},
+    {"render.size", "Width and height of the pictures."},
     {"render.every",
-     "Time between pictures. `frames/` has them all, `sheet.png` every one of up to 24, of "
-     "more every second, fourth, …."},
-    {"render.camera", "The view. Up in the picture is +z, so it cannot look straight up or down."},
-    {"render.camera.from", "Where the camera stands."},
-    {"render.camera.to", "What it looks at."},
+     "Time between pictures. `frames/` has all pictures. `sheet.png` has at most 24: all, or "
+     "every second, fourth and so on."},
+    {"render.camera",
+     "The camera. Up in the picture is +z, so the camera cannot look straight up or down."},
+    {"render.camera.from", "Position of the camera."},
+    {"render.camera.to", "Point at which the camera looks."},
     {"render.camera.fov_deg", "Vertical field of view."},
     {"render.camera.follow",
-     "A body. `from` and `to` are those of time 0, and move as its centre of mass does; left out: "
-     "they stay."},
+     "Body that the camera follows. `from` and `to` are those of time 0 and move with its centre "
+     "of mass. Without this key they are fixed."},
     {"render.camera.orbit",
-     "How fast the camera turns about the vertical through `to`, counter-clockwise from above."},
+     "Rate at which the camera orbits the vertical through `to`, counter-clockwise as seen from "
+     "above."},
     {"render.cameras",
-     "Several cameras by their names, instead of `camera`: `frames/NAME/` and `sheet_NAME.png`. "
-     "They share one colour scale. A name is of letters, digits, - and _."},
-    {"render.cameras.NAME", "A camera; keys as in `render.camera`."},
-    {"render.sheet", "The figure of the pictures side by side, `sheet.png`."},
+     "Several cameras by name, in place of `camera`. They write `frames/NAME/` and "
+     "`sheet_NAME.png` and share one colour scale. A name consists of letters, digits, - and _."},
+    {"render.cameras.NAME", "A camera. The keys are those of `render.camera`."},
+    {"render.sheet", "Options of the figure `sheet.png`, which shows the pictures side by side."},
     {"render.sheet.columns",
-     "How many pictures stand in a row; left out: as many as make it about half again as wide as "
-     "it is high."},
+     "Number of pictures in a row. By default the figure is about 1.5 times as wide as high."},
     {"render.show",
-     "Besides the bodies: `forces`, arrows of weight, buoyancy, drag and lift with one scale for "
-     "the whole sequence; `centres` of mass G and buoyancy B; `waterline`, drawn bold; "
-     "`wireframe`, the edges of the meshes."},
-    {"render.pressure", "The colour scale of the pressure on the wet surface."},
+     "What is drawn in addition to the bodies. `forces` are arrows of weight, buoyancy, drag and "
+     "lift with one scale for the whole sequence; `centres` are the centres of mass G and "
+     "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes."},
+    {"render.pressure", "Colour scale of the pressure on the wet surface."},
     {"render.pressure.shows",
-     "`hydrostatic`: ρ g h. `dynamic`: ½ ρ C_p v_n |v_n|, by the speed v_n against the water along "
-     "the normal. `total`: both."},
+     "Pressure that is shown. `hydrostatic` is ρ g h. `dynamic` is ½ ρ C_p v_n |v_n| with the "
+     "speed v_n relative to the water along the normal. `total` is their sum."},
     {"render.pressure.colors",
-     "Colours by name: `turbo` and `thesis` from blue over green to red, `viridis` and `cividis` "
-     "even in lightness, `coolwarm` pale in the middle, for what may be negative."},
-    {"render.pressure.min", "Lower end; `auto`: found from the scene."},
-    {"render.pressure.max", "Upper end; `auto`: found from the scene."},
+     "Colour map. `turbo` and `thesis` go from blue over green to red; `viridis` and `cividis` "
+     "have uniform steps of lightness; `coolwarm` is pale in the middle, for values of either "
+     "sign; `gray` goes from dark to light."},
+    {"render.pressure.min", "Lower end of the scale. With `auto` it is found from the scene."},
+    {"render.pressure.max", "Upper end of the scale. With `auto` it is found from the scene."},
 });
 
-/// Blocks that stand in several places are described once.
+/// Blocks that occur in several places, and the place at which each is described.
 constexpr auto kCopies = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"bodies[].hydro.", "hydro."},
      {"ground.heightfield.", "water.surface.heightfield."},
