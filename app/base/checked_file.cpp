@@ -28,7 +28,7 @@ std::string fault_of(const std::string& bytes, const std::string& identity,
   if (checksum != hash_of({bytes.data(), bytes.size() - kWord}))
     return "is damaged: its checksum is wrong";
   const bool own = bytes.starts_with(identity) && bytes.size() >= identity.size() + kWord;
-  return own ? "" : "is of another mesh or method";
+  return own ? "" : "belongs to another mesh or method";
 }
 
 /// The bytes of a file, of one that is longer than `most` the first of them and one; none if there

@@ -109,7 +109,8 @@ void add_threads(CLI::App* command, int& threads, const char* more = "") {
   command
       ->add_option(
           "--threads", threads,
-          fmt::format("Threads, 1 to 256{}; results do not depend on it [all cores]", more))
+          fmt::format("Number of threads, 1 to 256{}; results do not depend on it [all cores]",
+                      more))
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
 }
@@ -118,10 +119,10 @@ CLI::Option* add_video(CLI::App* command, VideoOptions& video) {
   CLI::Option* file =
       command
           ->add_option("--video", video.file,
-                       "Make a video too: .mp4, .webm or .gif; with several cameras one each, "
-                       "FILE-CAMERA")
+                       "Also make a video (.mp4, .webm or .gif); several cameras make one "
+                       "each, FILE-CAMERA")
           ->type_name("FILE");
-  command->add_option("--fps", video.fps, "Pictures in a second of the video, 1 to 120 [25]")
+  command->add_option("--fps", video.fps, "Pictures per second of the video, 1 to 120 [25]")
       ->check(CLI::Range(1, 120).description(""))
       ->type_name("N")
       ->needs(file);
@@ -138,31 +139,30 @@ void add_run(CLI::App& program, Arguments& a) {
   CLI::Option* sets = add_sets(command, a);
   CLI::Option* format = command->add_option_function<std::string>(
       "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
-      "Of the log: csv, or hdf5 for large runs [csv]");
+      "Format of the log: csv, or hdf5 for large runs [csv]");
   format->type_name("FORMAT");
   command->add_flag_callback(
-      "--no-render", [&a] { a.run.render = false; }, "Make no pictures");
+      "--no-render", [&a] { a.run.render = false; }, "Draw no pictures");
   CLI::Option* video = add_video(command, a.run.video);
   command
       ->add_option("--checkpoint", a.run.checkpoint,
-                   "Save the run every so many seconds of wall time, to go on with --resume")
+                   "Save the run at this interval of wall time, so that --resume can continue it")
       ->check(CLI::Range(1e-3, 1e6).description(""))
       ->type_name("SECONDS");
-  CLI::Option* resume =
-      command->add_option("--resume", a.run.resume,
-                          "In place of a scene: go on with the run in DIR from its checkpoint");
+  CLI::Option* resume = command->add_option(
+      "--resume", a.run.resume, "Instead of a scene: continue the run in DIR from its checkpoint");
   resume->type_name("DIR");
   for (CLI::Option* other : {scene, out, sets, format, video}) resume->excludes(other);
   command->callback([scene, resume] {
     if (scene->empty() && resume->empty()) throw CLI::RequiredError("scene");
   });
-  add_threads(command, a.run.threads, ", from 2 on with one more for files");
-  command->add_flag("--quiet", a.run.quiet, "No progress and no report");
+  add_threads(command, a.run.threads, "; with 2 or more an additional one writes files");
+  command->add_flag("--quiet", a.run.quiet, "Print no progress and no report");
 }
 
 void add_others(CLI::App& program, Arguments& a) {
   CLI::App* starter = program.add_subcommand("new", "Write a commented scene to start from");
-  starter->add_option("name", a.scene, "Its name, with or without .yaml")
+  starter->add_option("name", a.scene, "Name of the scene, with or without .yaml")
       ->type_name("NAME")
       ->required();
 
@@ -176,9 +176,9 @@ void add_others(CLI::App& program, Arguments& a) {
   probe->add_option("scene", a.scene, "Scene file")->type_name("FILE")->required();
   add_sets(probe, a);
 
-  CLI::App* render = program.add_subcommand("render", "Draw pictures of a trajectory");
+  CLI::App* render = program.add_subcommand("render", "Draw pictures of a logged trajectory");
   render->add_option("trajectory", a.render.trajectory, kTrajectory)->type_name("FILE")->required();
-  render->add_option("--scene", a.render.scene, "The scene that it is of")
+  render->add_option("--scene", a.render.scene, "Scene of the trajectory")
       ->type_name("SCENE")
       ->required();
   render->add_option("--out", a.render.out, "Folder for the pictures")
@@ -186,7 +186,7 @@ void add_others(CLI::App& program, Arguments& a) {
       ->required();
   add_video(render, a.render.video);
   add_sets(render, a);
-  render->add_flag("--quiet", a.render.quiet, "No progress and no report");
+  render->add_flag("--quiet", a.render.quiet, "Print no progress and no report");
 }
 
 void add_view(CLI::App& program, Arguments& a) {
@@ -195,7 +195,7 @@ void add_view(CLI::App& program, Arguments& a) {
   add_sets(command, a);
   add_threads(command, a.view.threads);
   CLI::Option* snapshot =
-      command->add_option("--snapshot", a.view.snapshot, "Save what the window shows, and quit")
+      command->add_option("--snapshot", a.view.snapshot, "Save a picture of the window and quit")
           ->type_name("FILE");
   command->add_option("--after", a.view.after, "Simulated time of the snapshot [s] [0]")
       ->check(CLI::Range(0.0, 1e6).description(""))
@@ -208,14 +208,15 @@ void add_compare(CLI::App& program, Arguments& a) {
   command->add_option("a", a.compare.a, kTrajectory)->type_name("A")->required();
   command->add_option("b", a.compare.b, kTrajectory)->type_name("B")->required();
   command
-      ->add_option("--tol", a.tolerances,
-                   "Tolerances: position, orientation_deg, linear_velocity, angular_velocity; only "
-                   "those named are judged [all: 1e-9]")
+      ->add_option(
+          "--tol", a.tolerances,
+          "Tolerances of position, orientation_deg, linear_velocity, angular_velocity; only "
+          "those given are judged [1e-9 for all]")
       ->type_name("QUANTITY=NUMBER,...")
       ->delimiter(',');
   command
       ->add_option("--tolerances", a.compare.tolerance_file,
-                   "The same from a YAML file [tolerances.yaml in A or B]")
+                   "Read the tolerances from a YAML file [tolerances.yaml in A or B]")
       ->type_name("FILE")
       ->excludes("--tol");
   command->add_flag("--json", a.compare.json, "Print JSON");
@@ -227,34 +228,36 @@ void add_compare(CLI::App& program, Arguments& a) {
 
 void add_report(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand(
-      "report", "Write a run as one page for a browser: DIR/report.html (plots, 3-D replay)");
+      "report", "Write a run as one page for a browser, DIR/report.html (plots, 3-D replay)");
   command->add_option("folder", a.report.folder, "Folder of a run")->type_name("DIR")->required();
   command
       ->add_option("--scene", a.report.scene,
-                   "Where its scene lies now, with the meshes [where it was run]")
+                   "Present place of its scene and meshes [that of the run]")
       ->type_name("SCENE");
 }
 
 void add_hydrostatics(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand(
-      "hydrostatics", "How a mesh or a scene's bodies float at rest, and what rights them");
+      "hydrostatics",
+      "Floating position, stability and righting arms of a mesh or of a scene's bodies");
   HydrostaticsOptions& o = a.hydrostatics;
   command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
-  command->add_option("--mass", o.mass, "Of the mesh [kg]")->type_name("KG");
-  command->add_option("--draught", o.draught, "Instead of a mass: that of the upright mesh [m]")
+  command->add_option("--mass", o.mass, "Mass of a mesh [kg]")->type_name("KG");
+  command
+      ->add_option("--draught", o.draught, "Instead of the mass: draught of the upright mesh [m]")
       ->type_name("M");
-  command->add_option("--density", o.density, "Of the water, with a mesh [kg/m^3] [1000]")
+  command->add_option("--density", o.density, "Density of the water, for a mesh [kg/m^3] [1000]")
       ->type_name("RHO");
   command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")
       ->type_name("X,Y,Z")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--heel", a.heels, "Heels of the righting arms [deg]")
+  command->add_option("--heel", a.heels, "Heel angles of the righting arms [deg]")
       ->type_name("FIRST:LAST:STEP")
       ->capture_default_str();
   add_sets(command, a);
-  command->add_flag("--json", o.json, "As JSON");
-  command->add_flag("--csv", o.csv, "As CSV, a number a row");
+  command->add_flag("--json", o.json, "Print JSON");
+  command->add_flag("--csv", o.csv, "Print CSV, one number per row");
 }
 
 void add_addedmass(CLI::App& program, Arguments& a) {
@@ -262,28 +265,30 @@ void add_addedmass(CLI::App& program, Arguments& a) {
       "addedmass", "Added mass of a mesh or a scene's bodies, wholly submerged");
   AddedMassCommand& o = a.addedmass;
   command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
-  command->add_option("--density", o.density, "Of the water [kg/m^3] [the scene's, or 1000]");
-  command->add_option("--tolerance", o.options.tolerance, "Of the estimated relative error")
+  command->add_option("--density", o.density,
+                      "Density of the water [kg/m^3] [that of the scene, or 1000]");
+  command->add_option("--tolerance", o.options.tolerance, "Largest estimated relative error")
       ->capture_default_str();
   command
-      ->add_option("--method", o.options.method,
-                   "galerkin: on panels of its own; constant: plain collocation on the faces")
+      ->add_option(
+          "--method", o.options.method,
+          "galerkin: quadratic elements on adapted panels; constant: collocation on the faces")
       ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
           {"galerkin", hydro::AddedMassMethod::galerkin},
           {"constant", hydro::AddedMassMethod::constant}}));
   add_sets(command, a);
   command->add_flag_callback(
-      "--no-store", [&o] { o.store = false; }, "Solve anew, and keep nothing for later runs");
-  command->add_flag("--json", o.json, "As JSON");
+      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
+  command->add_flag("--json", o.json, "Print JSON");
 }
 
 void add_schema(CLI::App& program, Arguments& a) {
   program.add_subcommand("schema", "Print the JSON Schema of scenes, for editors")
-      ->add_flag("--markdown", a.markdown, "The tables of keys of scenes/README.md instead");
+      ->add_flag("--markdown", a.markdown, "Print the tables of keys of scenes/README.md instead");
 }
 
 void add_completion(CLI::App& program, Arguments& a) {
-  program.add_subcommand("completion", "Print a script that completes command lines in a shell")
+  program.add_subcommand("completion", "Print a completion script for a shell")
       ->add_option("shell", a.shell, "bash or zsh")
       ->check(CLI::IsMember({"bash", "zsh"}))
       ->required();

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     app::say(fmt::format("error: {}", error.what()));
     return app::kCannotGoOn;
   } catch (const std::bad_alloc&) {
-    app::say("error: the memory is used up; give meshes, pictures or logs of a smaller size");
+    app::say("error: out of memory; use smaller meshes, pictures or logs");
     return app::kWrongInput;
   } catch (const std::logic_error& error) {
     app::say(fmt::format("error: {}", error.what()));

@@ -17,18 +17,21 @@ void add_repeated(CLI::App* command, const char* name, std::vector<std::string>&
 void add_manner(CLI::App* command, SweepOptions& o) {
   CLI::Option* samples =
       command
-          ->add_option("--samples", o.samples,
-                       "Runs of a Latin hypercube instead of all combinations; then FIRST:LAST is "
-                       "any number between")
+          ->add_option(
+              "--samples", o.samples,
+              "Draw N runs as a Latin hypercube instead of all combinations; FIRST:LAST is "
+              "then a continuous range")
           ->check(CLI::Range(std::size_t{1}, kMostRuns).description(""))
           ->type_name("N");
-  command->add_option("--seed", o.seed, "Of the samples")
+  command->add_option("--seed", o.seed, "Seed of the samples")
       ->type_name("N")
       ->capture_default_str()
       ->needs(samples);
   command
-      ->add_option("-j,--jobs", o.jobs,
-                   "Runs at a time, each on one thread [all cores; 1 a rank under mpirun or srun]")
+      ->add_option(
+          "-j,--jobs", o.jobs,
+          "Number of runs at a time, each on one thread [all cores; 1 per rank under mpirun "
+          "or srun]")
       ->check(CLI::Range(1, 4096).description(""))
       ->type_name("N");
 }
@@ -36,10 +39,9 @@ void add_manner(CLI::App* command, SweepOptions& o) {
 }  // namespace
 
 void add_sweep(CLI::App& program, SweepOptions& o) {
-  CLI::App* command =
-      program.add_subcommand("sweep",
-                             "Run a scene with many values of its keys; goes on from "
-                             "where it was stopped");
+  CLI::App* command = program.add_subcommand("sweep",
+                                             "Run a scene with many values of its keys; repeat the "
+                                             "command to resume");
   command->add_option("scene", o.scene, "Scene file (YAML)")->type_name("FILE")->required();
   add_repeated(command, "--vary", o.varied, "KEY.PATH=FIRST:LAST:STEP|VALUE,VALUE,...",
                "A key of the scene and its values, e.g. bodies[0].density=200:1000:100");
@@ -50,18 +52,19 @@ void add_sweep(CLI::App& program, SweepOptions& o) {
   add_repeated(command, "--set", o.sets, "KEY.PATH=VALUE",
                "Replace or add a key of the scene in all runs");
   add_manner(command, o);
-  CLI::Option* fresh = command->add_flag("--fresh", o.fresh, "Remove what was done before");
+  CLI::Option* fresh = command->add_flag("--fresh", o.fresh, "Remove earlier results first");
   CLI::Option* slurm = command->add_flag(
       "--slurm", o.slurm, "Run nothing; write DIR/sweep.sbatch, an array of jobs (-j at a time)");
-  CLI::Option* only = command->add_option("--only", o.only, "Do this run, from 0, and no table")
-                          ->check(CLI::Range(std::size_t{0}, kMostRuns - 1).description(""))
-                          ->type_name("INDEX");
-  CLI::Option* gather =
-      command->add_flag("--gather", o.gather, "Run nothing; write the table of what was done");
+  CLI::Option* only =
+      command->add_option("--only", o.only, "Do only this run, counted from 0, and write no table")
+          ->check(CLI::Range(std::size_t{0}, kMostRuns - 1).description(""))
+          ->type_name("INDEX");
+  CLI::Option* gather = command->add_flag("--gather", o.gather,
+                                          "Run nothing; write the table of the runs that are done");
   CLI::Option* jobs = command->get_option("--jobs");
   only->excludes(slurm)->excludes(gather)->excludes(fresh)->excludes(jobs);
   gather->excludes(slurm)->excludes(fresh)->excludes(jobs);
-  command->add_flag("--quiet", o.quiet, "No progress and no report");
+  command->add_flag("--quiet", o.quiet, "Print no progress and no report");
 }
 
 }  // namespace app

@@ -32,7 +32,7 @@ std::size_t common_rows(const Trajectory& trajectory, const std::filesystem::pat
     for (std::size_t i = 0; i < rows; ++i)
       if (track.times[i] != times.times[i])
         throw scene::InputError(
-            file, fmt::format("row {} of body {} is of {} s and that of body {} of {} s; "
+            file, fmt::format("row {} of body {} has the time {} s and that of body {} {} s; "
                               "expected rows of all bodies at the same times",
                               i + 1, first, times.times[i], name, track.times[i]));
   return rows;

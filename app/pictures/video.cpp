@@ -92,7 +92,7 @@ Words to_file(const VideoFormat& format, const VideoShape& shape, const std::str
 std::string reason(const PipedProgram& encoder) {
   Words lines = encoder.messages();
   while (lines.size() > 1 && lines.back().starts_with("Conversion failed")) lines.pop_back();
-  return lines.empty() ? "it has ended without a word" : lines.back();
+  return lines.empty() ? "it ended without a message" : lines.back();
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ Video::Video(const fs::path& file, const VideoShape& shape)
       encoder_(find_program("ffmpeg"), to_file(format_of(file), shape, part_.name())) {}
 
 void Video::fail() {
-  throw OutputError(fmt::format("{}: ffmpeg cannot go on: {}", file_.string(), reason(encoder_)));
+  throw OutputError(fmt::format("{}: ffmpeg failed: {}", file_.string(), reason(encoder_)));
 }
 
 void Video::add(const render::Image& picture) {

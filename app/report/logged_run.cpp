@@ -48,8 +48,8 @@ void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
   if (!source && moved_to.empty())
     throw scene::InputError(summary,
                             run.summary.is_null()
-                                ? "is missing: the run was stopped; name its scene with --scene"
-                                : "does not tell its scene; name it with --scene");
+                                ? "is missing: the run was stopped; give its scene with --scene"
+                                : "does not name its scene; give it with --scene");
   if (!source) {
     run.scene = scene::read(moved_to);
     run.built = assembly::build_without_added_mass(run.scene);
@@ -65,8 +65,8 @@ void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
   } catch (const scene::InputError&) {
     if (fs::exists(file)) throw;
     throw scene::InputError(summary,
-                            fmt::format("the scene {} and what it names are no longer there; say "
-                                        "with --scene where the scene lies now",
+                            fmt::format("the scene {} and the files it names no longer exist; give "
+                                        "the present place of the scene with --scene",
                                         file.string()));
   }
 }
@@ -88,10 +88,9 @@ void check_forces(const fs::path& file, LoggedRun& run) {
     run.rows = std::min(run.rows, times.size());
     for (std::size_t i = 0; i < run.rows; ++i)
       if (times[i] != track.times[i])
-        throw scene::InputError(
-            file, fmt::format("row {} of body {} is of {} s and that of trajectory.csv "
-                              "of {} s; expected both of one run",
-                              i + 1, name, times[i], track.times[i]));
+        throw scene::InputError(file, fmt::format("row {} of body {} has the time {} s and that of "
+                                                  "trajectory.csv {} s; expected both of one run",
+                                                  i + 1, name, times[i], track.times[i]));
   }
 }
 

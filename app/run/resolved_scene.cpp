@@ -169,7 +169,7 @@ std::string named_bodies(const std::vector<std::string>& names, std::size_t all)
 std::string reason_for_no_added_mass(const engine::SimulationSpec& spec,
                                      const engine::BodySpec& body) {
   if (spec.integrator.method == engine::Integrator::Method::ode) return "method ode has none";
-  if (!body.wet) return "the water does nothing to it";
+  if (!body.wet) return "no load of the water acts on it";
   if (engine::immovable(body.locked)) return "held in all six";
   return "added_mass: none";
 }
@@ -210,7 +210,8 @@ std::vector<std::string> omission_texts(const assembly::BuiltScene& built,
   const engine::SimulationSpec& spec = built.spec;
   std::vector<std::string> texts;
   if (!spec.bodies.empty() && skips.water)
-    texts.push_back(spec.sea ? "water (it does nothing to any body)" : "water (there is none)");
+    texts.push_back(spec.sea ? "water (none of its loads acts on a body)"
+                             : "water (there is none)");
   if (!spec.bodies.empty() && skips.collision) texts.push_back("collisions (nothing can collide)");
   if (!skips.water)
     for (const Omission& omission : body_omissions(built))

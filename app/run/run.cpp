@@ -275,10 +275,10 @@ class Run {
       say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
                       summary_.simulated, scene_.duration, folder_.path().string()));
     if (code == kInterrupted && options_.checkpoint > 0)
-      say(fmt::format("plimsoll run --resume {} goes on from there", folder_.path().string()));
+      say(fmt::format("plimsoll run --resume {} continues from there", folder_.path().string()));
     if (code == kInterrupted && options_.video.wanted() && !summary_.pictures &&
         options_.checkpoint == 0)
-      say("no picture was drawn for the video; plimsoll render makes it of what is logged");
+      say("no video was made; plimsoll render can make it from the log");
     for (const std::string& warning : summary_.warnings)
       say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
     const engine::Timings& t = summary_.timings;
@@ -314,11 +314,11 @@ void check_video_of_run(const RunOptions& options, const scene::Scene& scene,
                         const std::filesystem::path& out) {
   if (!options.video.wanted()) return;
   if (!options.render)
-    throw scene::InputError("--video", "is of pictures, and --no-render makes none");
+    throw scene::InputError("--video", "needs pictures, and --no-render draws none");
   if (!scene.render)
     throw scene::InputError(scene.file,
                             "has no render block, so there are no pictures for --video; "
-                            "`render: {}` gives it one");
+                            "`render: {}` adds one");
   check_video(options.video, *scene.render, out, thread_count(options.threads));
 }
 

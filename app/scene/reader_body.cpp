@@ -71,7 +71,8 @@ void read_mass(MapReader& map, Body& body) {
   map.note_condition("inertia", "", {"mass"}, {});
   if (!map.has("density") || map.has("mass")) return;
   for (const char* key : {"center_of_mass", "inertia"})
-    if (map.has(key)) map.fault(key, "follows from density and the mesh; to give it, give mass");
+    if (map.has(key))
+      map.fault(key, "follows from density and the mesh; it is allowed with mass only");
 }
 
 /// Tabulated drag takes the place of the panels' own: there must be some to scale.

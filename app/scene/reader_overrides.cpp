@@ -134,7 +134,7 @@ void remove(YamlNode& root, const std::vector<Step>& steps) {
     node.items.erase(node.items.begin() + static_cast<std::ptrdiff_t>(index));
   } else if (std::erase_if(node.entries, [&](const YamlEntry& e) { return e.key == last.text; }) ==
              0) {
-    throw Obstacle{"is not there, so it cannot be taken away"};
+    throw Obstacle{"does not exist, so it cannot be removed"};
   }
 }
 

@@ -243,7 +243,7 @@ int report(const SweepOptions& options, const SweepPlan& plan,
   const bool all = done == plan.points.size();
   const char* rest = all              ? "; the table is sweep.csv"
                      : options.gather ? "; the table sweep.csv has their rows"
-                                      : "; the same command goes on from here";
+                                      : "; repeat the command to resume";
   if (!options.quiet) {
     if (failed > 0)
       say(fmt::format("{} run{} failed, the first of them {}: {}", failed, failed == 1 ? "" : "s",
@@ -295,7 +295,7 @@ int gather(const SweepOptions& options, const SweepPlan& plan, const SweepFolder
 int write_script(const SweepOptions& options, const SweepPlan& plan, const SweepFolder& folder) {
   write_whole(folder.script_file(), slurm_script(options, plan.points.size()));
   if (!options.quiet)
-    say(fmt::format("{} runs; hand them in with: bash {}", plan.points.size(),
+    say(fmt::format("{} runs; submit them with: bash {}", plan.points.size(),
                     shell_words({folder.script_file().string()})));
   return kDone;
 }
@@ -308,7 +308,7 @@ int sweep(const SweepOptions& options) {
   const Rank rank = divisible ? launched_rank().value_or(Rank{}) : Rank{};
   if (rank.size > 1 && options.fresh)
     throw scene::InputError("--fresh",
-                            "cannot be given to several ranks; remove the folder before");
+                            "cannot be combined with several ranks; remove the folder first");
   const bool is_part = options.only || rank.size > 1;
   const SweepIdentity identity = {options.scene, options.sets, options.varied, options.samples,
                                   options.seed};

@@ -165,7 +165,7 @@ TEST_F(StoreOfAddedMass, DoesNotTakeASoundFileOfAnotherMesh) {
                 fs::copy_options::overwrite_existing);
   warnings.text.clear();
   EXPECT_FALSE(found());
-  EXPECT_THAT(warnings.text, HasSubstr("is of another mesh or method"));
+  EXPECT_THAT(warnings.text, HasSubstr("belongs to another mesh or method"));
 }
 
 TEST_F(StoreOfAddedMass, GoesOnWhereNothingCanBeWritten) {

@@ -336,7 +336,7 @@ TEST_F(ProgramRender, RefusesRowsOfBodiesAtDifferentTimes) {
   const Outcome outcome = here.run({"render", "t.csv", "--scene", "s.yaml", "--out", "p"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err,
-              StartsWith("t.csv: row 1 of body a is of 0 s and that of body b of 0.5"));
+              StartsWith("t.csv: row 1 of body a has the time 0 s and that of body b 0.5"));
 }
 
 }  // namespace

@@ -242,8 +242,7 @@ TEST_F(ProgramSweep, CtrlCKeepsWhatIsDone) {
   ::kill(process, SIGINT);
   const Outcome outcome = here.finish(process);
   EXPECT_EQ(outcome.code, 130);
-  EXPECT_EQ(outcome.err,
-            "o: interrupted; 1 of 2 runs are done; the same command goes on from here\n");
+  EXPECT_EQ(outcome.err, "o: interrupted; 1 of 2 runs are done; repeat the command to resume\n");
   EXPECT_THAT(column("o", 0), ElementsAre("run", "0000"));
   EXPECT_FALSE(fs::exists(run_file("o", "0001", "outcome.json")));
   EXPECT_EQ(sweep("o", {"--vary", "duration=0.2,1e+7", "--gather"}).code, 3);
@@ -330,7 +329,7 @@ TEST_F(ProgramSweep, TheSlurmScriptDoesAllRunsAndTheTable) {
   fs::permissions(here / "bin/sbatch", fs::perms::owner_all);
   const Outcome made = sweep("it's here", kGrid + std::vector<std::string>{"--slurm", "-j", "3"});
   EXPECT_EQ(made.code, 0);
-  EXPECT_EQ(made.err, "4 runs; hand them in with: bash 'it'\\''s here/sweep.sbatch'\n");
+  EXPECT_EQ(made.err, "4 runs; submit them with: bash 'it'\\''s here/sweep.sbatch'\n");
   EXPECT_FALSE(fs::exists(here / "it's here/runs"));
   EXPECT_THAT(here.read("it's here/sweep.sbatch"), HasSubstr("#SBATCH --array=0-3%3\n"));
   const Outcome checked = here.shell("bash -n 'it'\\''s here/sweep.sbatch'");

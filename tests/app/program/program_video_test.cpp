@@ -177,8 +177,7 @@ TEST_F(ProgramVideoMade, ThatFillTheDiskLeaveNothingAndSayWhy) {
       "render='{size: [160, 120], every: 9}' --set duration=20 --set log.every=1 --set "
       "water.surface='{waves: [{amplitude: 0.3, wavelength: 3}]}'");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(support::after_scene(outcome.err),
-              HasSubstr("error: drop.mp4: ffmpeg cannot go on: "));
+  EXPECT_THAT(support::after_scene(outcome.err), HasSubstr("error: drop.mp4: ffmpeg failed: "));
   EXPECT_THAT(outcome.err, HasSubstr("File too large"));
   EXPECT_EQ(here.read("drop.mp4"), "an earlier one");
   EXPECT_EQ(files_in(here / ".").size(), 5u);
@@ -192,10 +191,10 @@ TEST_F(ProgramVideo, ThatCannotBeMadeStopBeforeTheRun) {
   EXPECT_EQ(fault_of({"--video", "/proc/drop.mp4"}),
             "--video: /proc/drop.mp4 cannot be written: No such file or directory");
   EXPECT_EQ(fault_of({"--video", "drop.mp4", "--no-render"}),
-            "--video: is of pictures, and --no-render makes none");
+            "--video: needs pictures, and --no-render draws none");
   EXPECT_EQ(fault_of({"--video", "drop.mp4", "--set", "render=null"}),
             "box.yaml: has no render block, so there are no pictures for --video; `render: {}` "
-            "gives it one");
+            "adds one");
   EXPECT_EQ(fault_of({"--video", "drop.gif", "--fps", "60"}),
             "--fps: found 60, expected at most 50 for a .gif, of which more are shown slowly");
   fs::create_directories(here / "folder.mp4");
@@ -240,7 +239,7 @@ TEST_F(ProgramVideo, ThatFailsMidwayLeavesNothingAndSaysWhy) {
     const Outcome outcome = run_with(kFailing, {"--video", "drop.mp4", "--threads", threads});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(support::after_scene(outcome.err),
-                StartsWith("error: drop.mp4: ffmpeg cannot go on: No space left on device\n"));
+                StartsWith("error: drop.mp4: ffmpeg failed: No space left on device\n"));
     EXPECT_EQ(here.read("drop.mp4"), "an earlier one");
     EXPECT_THAT(files_in(here / "."),
                 ElementsAre("bin", "box.yaml", "drop.mp4", "err.txt", "o", "out.txt"));

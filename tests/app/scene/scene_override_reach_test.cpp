@@ -115,11 +115,11 @@ TEST(SceneOverride, TakesAwayAKeyOrAnEntry) {
 
 TEST(SceneOverride, CannotTakeAwayWhatIsNotThere) {
   EXPECT_THAT(faults_of(kSmallScene, {"bodies[0].densty=null"}),
-              ElementsAre("--set bodies[0].densty: is not there, so it cannot be taken away"));
+              ElementsAre("--set bodies[0].densty: does not exist, so it cannot be removed"));
   EXPECT_THAT(faults_of(kSmallScene, {"bodies[1]=null"}),
               ElementsAre("--set bodies[1]: bodies has 1 entry, the last is bodies[0]"));
   EXPECT_THAT(faults_of(kSmallScene, {"render.camera.fov_deg=null"}),
-              ElementsAre("--set render.camera.fov_deg: is not there, so it cannot be taken away"));
+              ElementsAre("--set render.camera.fov_deg: does not exist, so it cannot be removed"));
 }
 
 }  // namespace
