@@ -37,13 +37,17 @@ void check_inertia(const BodySpec& spec) {
 
 }  // namespace
 
+void check_initial_state(const BodySpec& spec, const hydro::BodyState& state) {
+  if (const auto fault = state_fault(state)) refuse(spec, "initially, " + *fault);
+  if (std::abs(state.orientation.norm() - 1) > kUnitTolerance)
+    refuse(spec, "the initial orientation is not a unit quaternion");
+}
+
 void check_body(const BodySpec& spec) {
   if (!(spec.mass > 0 && std::isfinite(spec.mass)))
     refuse(spec, fmt::format("the mass is {} kg, not positive", spec.mass));
   check_inertia(spec);
-  if (const auto fault = state_fault(spec.initial)) refuse(spec, "initially, " + *fault);
-  if (std::abs(spec.initial.orientation.norm() - 1) > kUnitTolerance)
-    refuse(spec, "the initial orientation is not a unit quaternion");
+  check_initial_state(spec, spec.initial);
   if (!spec.mesh_B.vertices.allFinite()) refuse(spec, "a vertex of its mesh is not finite");
   if (!within_bounds(spec.mesh_B)) refuse(spec, "its mesh reaches beyond all bounds");
   if (spec.collision != CollisionShape::none && spec.mesh_B.face_count() == 0)

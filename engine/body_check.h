@@ -11,6 +11,10 @@ namespace engine {
 /// @throws std::invalid_argument naming the body and what is wrong.
 void check_body(const BodySpec& spec);
 
+/// Refuses a state to start from that is not finite, or whose orientation is no unit quaternion.
+/// @throws std::invalid_argument naming the body and what is wrong.
+void check_initial_state(const BodySpec& spec, const hydro::BodyState& state);
+
 /// Refuses ground that reaches beyond kLargestState, where the engine cannot find contacts.
 /// @throws std::invalid_argument saying what is wrong.
 void check_ground(const Ground& ground);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/body_check.h"
 #include "engine/constants.h"
 #include "engine/locks.h"
 #include "engine/ode_step.h"
@@ -265,9 +266,7 @@ void Simulation::pull(BodyId body, const std::optional<Pull>& pull) {
 
 void Simulation::set_motion(BodyId body, const hydro::BodyState& state) {
   MovingBody& moving = impl_->body(body);
-  if (const auto fault = state_fault(state))
-    throw std::invalid_argument(
-        fmt::format("the state of body '{}': {}", moving.body.spec->name, *fault));
+  check_initial_state(*moving.body.spec, state);
   const hydro::BodyState allowed = displaced(moving.body, state, Vector6d::Zero());
   moving.motion = motion_at(moving.body, impl_->spec, allowed, impl_->time());
   impl_->stepper.forget(body);
