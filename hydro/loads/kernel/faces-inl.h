@@ -200,8 +200,8 @@ HWY_INLINE void drain(Work& work, bool to_the_last) {
 
 /// What is known of a leaf beforehand.
 struct Known {
-  bool wet = false;      ///< All over.
-  bool viscous = false;  ///< Its viscous drag is added already; it is wet and cut nowhere.
+  bool wet = false;              ///< All over.
+  bool without_viscous = false;  ///< Its viscous drag is zero.
 };
 
 /// Pressure drag on the faces that count: those of one sign here, the others as pieces.
@@ -244,7 +244,7 @@ HWY_INLINE void add_faces(Work& work, std::int64_t leaf, int lane, Known known, 
     add_whole_drag(work, p, c_cross_n, flow, t, area, wet, leaf, lane);
   if (in.lift != 0)
     add_normal(work.sums, kLift, p, c_cross_n, lift_on(flow, t, all(in.lift) * area));
-  if (in.viscous && !known.viscous) add_viscous(work.sums, in, {p, flow, t, area});
+  if (in.viscous && !known.without_viscous) add_viscous(work.sums, in, {p, flow, t, area});
 }
 
 /// The viscous drag alone of a leaf that is wet all over.

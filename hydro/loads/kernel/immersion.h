@@ -29,9 +29,6 @@ struct Immersion {
   double lift = 0;  ///< ½ρC_l [kg/m^3].
   double half_density = 0;
   const ViscousDrag* viscous = nullptr;  ///< Null where it is nothing.
-  /// Of ∫ C_v |v_t| v_t dS per area, over branches that are taken whole [m^2/s^2]; 0: none is.
-  double viscous_error = 0;
-  double radius = 0;  ///< Of the hull: a moment may be wrong by this times the force's error [m].
 };
 
 /// Places of the loads in `Sums`: six components each, force before moment.

@@ -11,7 +11,6 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
-#include "hydro/loads/kernel/clusters-inl.h"
 #include "hydro/loads/kernel/faces-inl.h"
 #include "hydro/loads/kernel/local-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
@@ -49,20 +48,12 @@ HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag)
   return normal.low >= 0 || normal.high <= 0;
 }
 
-/// Adds the viscous drag of a node that is wet all over if it is none, or its points give it.
-HWY_INLINE bool add_viscous_whole(Work& work, const Tree& tree, int node) {
-  const auto i = static_cast<std::size_t>(node);
-  if (without_viscous_drag(tree.nodes[i], work.in)) return true;
-  return work.in.viscous_error > 0 && !tree.clusters.empty() &&
-         add_cluster(tree.clusters[i], work.in, work.sums);
-}
-
 /// Adds the viscous drag of a branch that is wet all over.
 HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch) {
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int i = branch; i < end;) {
     const Node& node = tree.nodes[static_cast<std::size_t>(i)];
-    if (add_viscous_whole(work, tree, i)) {
+    if (without_viscous_drag(node, work.in)) {
       i = node.next;
     } else {
       if (node.leaf()) add_viscous_of_leaf(work, node.first);
@@ -139,7 +130,7 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
       Known known = {.wet = wet == Wetness::wet};
       const bool uncut = known.wet && !(in.surface && in.surface->bends);
       if (here.leaf() && in.branches && in.moving && uncut)
-        known.viscous = add_viscous_whole(work, tree, node);
+        known.without_viscous = without_viscous_drag(here, in);
       if (here.leaf())
         in.surface ? add_leaf_in_waves(work, here, known) : add_leaf(work, here.first, known);
       ++node;
