@@ -32,7 +32,7 @@ Json in_world_axes(const hydro::Matrix6d& matrix_B, const Eigen::Matrix3d& R_WB)
 Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
   hydro::Loads loads;
   if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
-    loads = hydro::compute_loads(hydro::make_hull(body.mesh_B, false), body.initial, *sea, 0,
+    loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
                                  body.coefficients, body.summation);
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;

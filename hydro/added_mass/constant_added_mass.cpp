@@ -43,7 +43,7 @@ bool is_wet(const Hull& hull, const BodyState& state, const Sea& sea, double tim
 }
 
 ConstantAddedMass::ConstantAddedMass(TriMesh mesh_B, const Matrix6d& matrix)
-    : hull_(make_hull(std::move(mesh_B), false)), matrix_(semi_definite_part(matrix)) {}
+    : hull_(make_hull(std::move(mesh_B))), matrix_(semi_definite_part(matrix)) {}
 
 Matrix6d ConstantAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
   return is_wet(hull_, state, sea, time) ? matrix_ : Matrix6d::Zero();

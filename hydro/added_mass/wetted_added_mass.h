@@ -1,11 +1,8 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/added_mass_model.h"
-#include "hydro/loads/refine.h"
+#include "hydro/added_mass/potentials.h"
 
 /// @file
 /// The wetted panels' share of a body's added mass in unbounded fluid,
@@ -38,35 +35,11 @@ class WettedAddedMass final : public AddedMassModel {
   const Matrix6d& whole() const { return whole_; }
 
  private:
-  /// A face of the mesh and what its share is made of.
-  struct Face {
-    Eigen::Vector3i vertices;
-    std::array<Eigen::Vector3d, 3> corners_B;
-    CornerPotentials psi;
-    Matrix6d share;  ///< Of all of it, ρ = 1.
-
-    Matrix6d share_of(const Eigen::Matrix3d& products) const;
-  };
-  /// A box around faces_[first … last). Its branches follow it, up to `next`; a leaf has none.
-  struct Node {
-    Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();
-    Eigen::Vector3d half_B = Eigen::Vector3d::Zero();  ///< Half its sides.
-    int first = 0, last = 0;
-    int next = 0;
-    Matrix6d share = Matrix6d::Zero();  ///< Of all its faces.
-  };
-  class Builder;
-  struct Immersion;
-
-  Matrix6d sum_of_wet(Immersion& in) const;
-  void add_leaf(Immersion& in, const Node& leaf, Matrix6d& sum) const;
-  void add_in_waves(Immersion& in, const Face& face, Matrix6d& sum) const;
-
-  Eigen::Index vertices_ = 0;  ///< Of the mesh.
-  double radius_ = 0;          ///< As Hull::radius [m].
+  double radius_ = 0;  ///< As Hull::radius [m].
   Matrix6d whole_;
-  std::vector<Face> faces_;  ///< In the order of the tree's leaves.
-  std::vector<Node> nodes_;
+  kernel::Panels panels_;
+  kernel::Tree tree_;
+  kernel::Potentials potentials_;
 };
 
 }  // namespace hydro

@@ -7,7 +7,6 @@
 
 #include "hydro/loads/kernel/surface.h"
 #include "hydro/loads/kernel/walk.h"
-#include "hydro/loads/viscous_drag.h"
 #include "hydro/parallel.h"
 
 namespace hydro {
@@ -39,15 +38,8 @@ void set(double (&to)[3], const Eigen::Vector3d& v) {
   for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
 }
 
-/// The largest C_v v² up to a speed [m^2/s^2].
-double most_traction(const ViscousDrag& law, double fastest) {
-  // That of the thesis, 0.2 v² − 0.1 v³ from 1 m/s on, is largest at 4/3 m/s; others grow.
-  const double at = law.law == ViscousDrag::Law::thesis ? std::min(fastest, 4.0 / 3) : fastest;
-  return viscous_coefficient(law, at) * at * at;
-}
-
 void set_motion(const Hull& hull, const Twist& motion_B, double density,
-                const Coefficients& coefficients, double tolerance, kernel::Immersion& in) {
+                const Coefficients& coefficients, kernel::Immersion& in) {
   set(in.linear, motion_B.linear);
   set(in.angular, motion_B.angular);
   in.moving = motion_B.linear.norm() + hull.radius * motion_B.angular.norm() > kLeastSpeed;
@@ -55,11 +47,7 @@ void set_motion(const Hull& hull, const Twist& motion_B, double density,
   in.drag_front = in.half_density * coefficients.pressure_drag.front;
   in.drag_back = in.half_density * coefficients.pressure_drag.back;
   in.lift = in.half_density * coefficients.lift;
-  in.radius = hull.radius;
-  if (coefficients.viscous_drag.none()) return;
-  in.viscous = &coefficients.viscous_drag;
-  const double fastest = motion_B.linear.norm() + hull.radius * motion_B.angular.norm();
-  in.viscous_error = tolerance * most_traction(coefficients.viscous_drag, fastest);
+  if (!coefficients.viscous_drag.none()) in.viscous = &coefficients.viscous_drag;
 }
 
 Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) {
@@ -109,13 +97,12 @@ Loads& Loads::operator+=(const Loads& other) {
   return *this;
 }
 
-Hull make_hull(TriMesh mesh_B, bool clusters) {
+Hull make_hull(TriMesh mesh_B) {
   Hull hull{.mesh_B = std::move(mesh_B)};
   if (hull.mesh_B.vertex_count() > 0)
     hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
   hull.panels = kernel::make_panels(hull.mesh_B);
   hull.tree = kernel::make_tree(hull.panels);
-  if (clusters) hull.tree.clusters = kernel::make_clusters(hull.panels, hull.tree.nodes);
   return hull;
 }
 
@@ -143,7 +130,7 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
   set_motion(hull,
              {R_WB.transpose() * (state.linear_velocity - sea.current),
               R_WB.transpose() * state.angular_velocity},
-             sea.density, coefficients, how.wave_tolerance, in);
+             sea.density, coefficients, in);
   std::optional<kernel::Surface> surface;
   if (!is_flat(sea)) {
     surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);

@@ -21,9 +21,7 @@ struct Hull {
 };
 
 /// Builds a hull from a closed mesh in B.
-/// @param clusters   With what gives the viscous drag of large hulls sooner (kernel/clusters.h),
-///                   which takes some 8 µs a triangle to make.
-Hull make_hull(TriMesh mesh_B, bool clusters = true);
+Hull make_hull(TriMesh mesh_B);
 
 /// Loads by kind, moments about the centre of mass, in W; the sum is what the water does.
 struct Loads {
@@ -45,24 +43,18 @@ double drag_scale(const Coefficients& coefficients, const BodyState& state,
 
 /// How the sum over the panels is made.
 struct Summation {
-  /// Whole branches of the tree at once. On flat water the result is the same, but for viscous
-  /// drag.
+  /// Whole branches of the tree are taken at once. On flat water the result is the same.
   bool branches = true;
-  /// In waves a branch is taken whole where the error in the force that this makes is bounded by
-  /// this part of the wholly submerged body's buoyancy [-]; and anywhere its viscous drag where the
-  /// error is bounded by this part of the largest that the body's skin could have: all of it under
-  /// the largest ½ρ C_v v² up to the speed |v| + |ω|·radius. That falls with the motion as the drag
-  /// itself does, so slow motions are damped as they should be, which a part of the buoyancy would
-  /// not ensure. Either is shared out by area. With 0 nothing of this is done.
+  /// In waves a branch is taken whole where the error of the force that follows is below this part
+  /// of the wholly submerged body's buoyancy, shared out by area [-]. With 0 no branch is.
   double wave_tolerance = 1e-4;
 };
 
 /// The load on a hull in the given state of motion at a time.
 ///
 /// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
-/// its largest component and, on hulls of many faces, `wave_tolerance`. In waves the surface is
-/// taken as linear over panels that are split until it departs from linear by less than a
-/// tolerance.
+/// its largest component. In waves the surface is taken as linear over panels that are split until
+/// it departs from linear by less than a tolerance.
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients, const Summation& how = {});
 

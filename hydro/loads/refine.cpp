@@ -9,8 +9,9 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
     : sea_(sea),
       p_WB_(p_WB),
       time_(time),
-      smallest_squared_(smallest * smallest),
-      flat_(is_flat(sea)) {
+      flat_(is_flat(sea)),
+      limits_{.smallest_squared = smallest * smallest} {
+  std::array<double, 5>& quartic = limits_.quartic;
   if (const auto* waves = std::get_if<WaveSurface>(&sea.surface)) {
     double variance = 0;
     for (const WaveComponent& w : waves->components) {
@@ -18,25 +19,26 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
       const double xx = w.kx * w.kx;
       const double yy = w.ky * w.ky;
       variance += energy;
-      quartic_[0] += energy * xx * xx;
-      quartic_[1] += energy * 4 * xx * w.kx * w.ky;
-      quartic_[2] += energy * 6 * xx * yy;
-      quartic_[3] += energy * 4 * w.kx * w.ky * yy;
-      quartic_[4] += energy * yy * yy;
+      quartic[0] += energy * xx * xx;
+      quartic[1] += energy * 4 * xx * w.kx * w.ky;
+      quartic[2] += energy * 6 * xx * yy;
+      quartic[3] += energy * 4 * w.kx * w.ky * yy;
+      quartic[4] += energy * yy * yy;
     }
-    tolerance_ = kSagTolerance * std::sqrt(variance);
+    limits_.tolerance = kSagTolerance * std::sqrt(variance);
   } else if (const auto* field = std::get_if<HeightField>(&sea.surface)) {
-    tolerance_ = kSagTolerance * field->deviation;
+    limits_.tolerance = kSagTolerance * field->deviation;
   }
 }
 
 /// Half way along a step the chord of a wave a·cos lies a (k·d)²/8 off its crest; the quartic is
 /// that for all components together, squared and averaged over their phases.
 bool SurfaceSampler::waves_bend(double dx, double dy) const {
-  const double square = quartic_[0] * dx * dx * dx * dx + quartic_[1] * dx * dx * dx * dy +
-                        quartic_[2] * dx * dx * dy * dy + quartic_[3] * dx * dy * dy * dy +
-                        quartic_[4] * dy * dy * dy * dy;
-  return square > 64 * tolerance_ * tolerance_;
+  const std::array<double, 5>& quartic = limits_.quartic;
+  const double square = quartic[0] * dx * dx * dx * dx + quartic[1] * dx * dx * dx * dy +
+                        quartic[2] * dx * dx * dy * dy + quartic[3] * dx * dy * dy * dy +
+                        quartic[4] * dy * dy * dy * dy;
+  return square > 64 * limits_.tolerance * limits_.tolerance;
 }
 
 bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
@@ -44,22 +46,23 @@ bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector
   const double dx = b.x() - a.x();
   const double dy = b.y() - a.y();
   const double squared = dx * dx + dy * dy;
-  if (squared <= smallest_squared_) return false;
+  if (squared <= limits_.smallest_squared) return false;
   if (const auto* field = std::get_if<HeightField>(&sea_.surface)) return grid_bends(*field, a, b);
   return waves_bend(dx, dy);
 }
 
 bool SurfaceSampler::may_bend(double length) const {
-  if (flat_ || length * length <= smallest_squared_) return false;
+  if (flat_ || length * length <= limits_.smallest_squared) return false;
   if (const auto* field = std::get_if<HeightField>(&sea_.surface)) {
     const double cells = length / field->cell;
     // A shorter edge bends less, but up to one cell the bound is the weaker one.
-    return cells * cells * field->bend > 8 * tolerance_ ||
-           std::min(cells, 1.0) * field->bend > 4 * tolerance_;
+    return cells * cells * field->bend > 8 * limits_.tolerance ||
+           std::min(cells, 1.0) * field->bend > 4 * limits_.tolerance;
   }
   // (k·d)⁴ is |k|⁴|d|⁴ at most: the quartic's coefficients hold Σ ½a²|k|⁴.
-  const double fourth = quartic_[0] + quartic_[2] / 3 + quartic_[4];
-  return fourth * std::pow(length, 4) > 64 * tolerance_ * tolerance_;
+  const std::array<double, 5>& quartic = limits_.quartic;
+  const double fourth = quartic[0] + quartic[2] / 3 + quartic[4];
+  return fourth * std::pow(length, 4) > 64 * limits_.tolerance * limits_.tolerance;
 }
 
 /// Over n > 1 cells second differences up to `bend` add to a sag of n² bend / 8; within a cell or
@@ -69,10 +72,10 @@ bool SurfaceSampler::may_bend(double length) const {
 bool SurfaceSampler::grid_bends(const HeightField& field, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b) const {
   const double cells = (b - a).head<2>().norm() / field.cell;
-  if (cells > 1) return cells * cells * field.bend > 8 * tolerance_;
-  if (cells * field.bend <= 4 * tolerance_) return false;
+  if (cells > 1) return cells * cells * field.bend > 8 * limits_.tolerance;
+  if (cells * field.bend <= 4 * limits_.tolerance) return false;
   const double sag = elevation(0.5 * (a + b)) - 0.5 * (elevation(a) + elevation(b));
-  return std::abs(sag) > tolerance_;
+  return std::abs(sag) > limits_.tolerance;
 }
 
 }  // namespace hydro

@@ -21,6 +21,15 @@ namespace hydro {
 /// more in a rough sea, larger loses waves of a few such lengths.
 inline constexpr double kSmallestPanel = 1.0 / 256;
 
+/// The numbers that decide whether the surface bends over an edge by more than the tolerance.
+struct BendLimits {
+  /// Waves: the mean square over their phases of the surface's second difference over a step (dx,
+  /// dy) is the quartic Σ_j quartic[j] dx^(4−j) dy^j.
+  std::array<double, 5> quartic = {};
+  double tolerance = 0;         ///< kSagTolerance of the surface's standard deviation [m].
+  double smallest_squared = 0;  ///< Edges whose square is not above this are left whole [m^2].
+};
+
 /// The water surface as seen from a body: elevations over points relative to its centre of mass.
 class SurfaceSampler {
  public:
@@ -39,11 +48,13 @@ class SurfaceSampler {
   /// False if no edge of the given length bends [m].
   bool may_bend(double length) const;
 
+  const BendLimits& limits() const { return limits_; }
+
   bool flat() const { return flat_; }
 
   /// True if a panel has less than smallest² of area: it is not worth splitting.
   bool is_small(const Panel& panel) const {
-    return area_vector(panel).squaredNorm() < smallest_squared_ * smallest_squared_;
+    return area_vector(panel).squaredNorm() < limits_.smallest_squared * limits_.smallest_squared;
   }
 
  private:
@@ -54,17 +65,17 @@ class SurfaceSampler {
   const Sea& sea_;
   Eigen::Vector3d p_WB_;
   double time_;
-  double smallest_squared_;
   bool flat_;
-  /// Waves: the mean square over their phases of the surface's second difference over a step (dx,
-  /// dy) is the quartic Σ_j quartic_[j] dx^(4−j) dy^j.
-  std::array<double, 5> quartic_ = {};
-  double tolerance_ = 0;  ///< [m]
+  BendLimits limits_;
 };
 
 /// Largest departure of the surface from linear along a panel's edge, as a part of the surface's
 /// standard deviation [-]. The error of the wave's part of a load is about two thirds of it.
 inline constexpr double kSagTolerance = 5e-3;
+
+/// An edge counts as longer than another if its square is so many times as large [-]: of edges that
+/// are equal but for roundings the first is halved, whatever axes the corners are given in.
+inline constexpr double kLonger = 1 + 1e-12;
 
 /// Splits a panel until the surface is linear over each piece, within the tolerance.
 ///
@@ -82,7 +93,7 @@ void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
     const Eigen::Vector3d& a = panel[i];
     const Eigen::Vector3d& b = panel[(i + 1) % 3];
     const double squared = (b - a).squaredNorm();
-    if (squared <= length_squared || !surface.bends_between(a, b)) continue;
+    if (squared <= kLonger * length_squared || !surface.bends_between(a, b)) continue;
     longest = i;
     length_squared = squared;
   }

@@ -8,6 +8,7 @@ namespace bench {
 void register_hydro();
 void register_step();
 void register_added_mass();
+void register_wetted_added_mass();
 void register_mesh();
 void register_frame();
 void register_run();

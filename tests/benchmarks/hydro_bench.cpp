@@ -15,9 +15,8 @@
 /// @file
 /// Loads on one body. A name is BM_Hydro/SHAPE/TRIANGLES/STATE/THREADS[/WHAT]: without WHAT all
 /// loads of the default coefficients but viscous drag, with the tree; `viscous` adds that,
-/// `viscous_each` adds it face by face, `no_tree` takes every leaf, `plain` is the sum that the
-/// tests compare with. For one thread read the CPU time, for more the real time. BM_BareLoop is the
-/// floor to compare with.
+/// `no_tree` takes every leaf, `plain` is the sum that the tests compare with. For one thread read
+/// the CPU time, for more the real time. BM_BareLoop is the floor to compare with.
 
 namespace bench {
 namespace {
@@ -82,8 +81,7 @@ void loads_of_a_body(benchmark::State& state, const Case& c) {
   const hydro::Coefficients coefficients =
       c.what.starts_with("viscous") ? hydro::Coefficients{} : kInviscid;
   const bool plain = c.what == "plain" || c.what == "plain_viscous";
-  hydro::Summation how{.branches = !c.what.ends_with("no_tree")};
-  if (c.what == "viscous_each") how.wave_tolerance = 0;
+  const hydro::Summation how{.branches = !c.what.ends_with("no_tree")};
   tbb::task_arena arena(c.threads);
   for (auto _ : state) {
     arena.execute([&] {
@@ -121,7 +119,7 @@ void register_hydro() {
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& s) { bare(s, subdivisions); });
     for (const char* state : {"submerged", "half", "waves", "field", "jonswap"})
       for (const char* what :
-           {"", "no_tree", "viscous", "viscous_each", "viscous_no_tree", "plain", "plain_viscous"})
+           {"", "no_tree", "viscous", "viscous_no_tree", "plain", "plain_viscous"})
         add({state, what, subdivisions, 1});
   }
   add({"half", "rest", 4, 1});

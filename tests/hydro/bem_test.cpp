@@ -340,35 +340,7 @@ TEST(Eliminated, RefusesAMatrixThatIsNotPositive) {
   EXPECT_NO_THROW(bem::Eliminated(matrix, 200));
 }
 
-TEST(CompressedInteractions, GiveTheForcesBetweenAllPairs) {
-  const bem::Surface surface = bem::make_surface(hydro::make_box({3, 2, 1}, 8));
-  const bem::CompressedInteractions compressed(surface);
-  support::Random random(8);
-  bem::Columns densities(surface.mesh.face_count(), 5);
-  for (Eigen::Index i = 0; i < densities.size(); ++i) densities.data()[i] = random.uniform(0, 1);
-  bem::Columns exact = bem::Columns::Zero(3 * densities.rows(), 5);
-  const std::vector<bem::Batch> batches = bem::batches_of(surface.elements);
-  const bem::NearPairs near(surface);
-  bem::LanePairs pairs;
-  for (std::size_t a = 0; a < surface.face_count(); ++a) {
-    for (std::size_t b = 0; b < surface.face_count(); ++b) {
-      bem::pairs_by_points(surface.elements[a], batches[b / bem::kLanes], pairs);
-      for (const bem::NearElement& other : near.of(a))
-        if (other.element == b) bem::set_lane(other.integrals, b % bem::kLanes, pairs);
-      exact.middleRows<3>(static_cast<Eigen::Index>(3 * a)) +=
-          bem::hats_of_lane(pairs, b % bem::kLanes).rowwise().sum() *
-          densities.row(static_cast<Eigen::Index>(b));
-    }
-  }
-  const bem::Columns hats = compressed.apply_to_hats(densities);
-  EXPECT_LT((hats - exact).norm(), tolerance(2e-4) * exact.norm());
-  const bem::Columns sums = compressed.apply(densities);
-  for (Eigen::Index f = 0; f < sums.rows(); ++f)
-    EXPECT_LT((hats.middleRows<3>(3 * f).colwise().sum() - sums.row(f)).norm(),
-              tolerance(1e-12) * sums.row(f).norm());
-}
-
-TEST(CompressedInteractions, GiveTheAddedMassOfThoseStored) {
+TEST(CompressedInteractions, GiveTheAddedMassOfThoseStoredOnLargeMeshes) {
   for (const TriMesh& mesh :
        {hydro::make_box({3, 2, 1}, 14), support::make_torus(1, 0.3, 48, 20)}) {
     const bem::Surface surface = bem::make_surface(mesh);

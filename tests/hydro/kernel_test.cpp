@@ -113,6 +113,15 @@ TEST(Kernel, AgreesWithThePlainSumForEveryLawOfViscousDrag) {
   }
 }
 
+TEST(Kernel, FindsNoViscousDragWhereTheCoefficientIsZero) {
+  const Hull hull = hydro::make_hull(hydro::make_box({2, 3, 1}, 32));
+  // On no face is the tangential speed below 2 m/s, though the normal one is as large.
+  BodyState state{.position = {0, 0, -5}, .linear_velocity = {2.1, 2, -2.2}};
+  EXPECT_EQ(support::largest(hydro::compute_loads(hull, state, {}, 0, {}).viscous_drag), 0);
+  state.linear_velocity *= 0.6;
+  EXPECT_GT(support::largest(hydro::compute_loads(hull, state, {}, 0, {}).viscous_drag), 0);
+}
+
 Sea wavy(bool grid) {
   Sea sea{.density = 1025};
   if (!grid) {

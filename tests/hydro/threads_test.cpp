@@ -2,11 +2,15 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "hydro/added_mass/surface_added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/loads/loads.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/primitives.h"
+#include "hydro/parallel.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
+#include "tests/support/water_planes.h"
 
 /// What runs on several threads; these tests run under the thread sanitizer too.
 
@@ -55,6 +59,46 @@ TEST(Threads, FindTheSameFirstOverlapOfAMesh) {
     EXPECT_EQ(many.self_overlaps.count, one.self_overlaps.count);
     EXPECT_EQ(many.self_overlaps.first, one.self_overlaps.first);
   }
+}
+
+/// Two poses a thread, some of which need the same nodes of the grid.
+TEST(Threads, ShareWhatASurfaceModelHasSolved) {
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
+  const hydro::TriMesh mesh = hydro::make_box({4, 2, 1}, 2);
+  constexpr int kPatches = 16;
+  std::vector<hydro::WaterPlane> planes = support::some_planes(mesh, 4);
+  planes.insert(planes.end(), planes.begin(), planes.end());
+  const hydro::SurfaceAddedMass one(mesh, {}, kPatches), other(mesh, {}, kPatches);
+  std::vector<hydro::Matrix6d> found(planes.size());
+  tbb::task_arena(4).execute([&] {
+    hydro::parallel_for(planes.size(), [&](std::size_t i) {
+      found[i] = other.under(planes[i]);
+      EXPECT_LE(other.nodes().size(), 80u);
+    });
+  });
+  for (std::size_t i = planes.size(); i-- > 0;) EXPECT_EQ(one.under(planes[i]), found[i]);
+  EXPECT_EQ(one.solves(), other.solves());
+}
+
+TEST(Threads, AskOneWettedModelAtOnce) {
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
+  const hydro::TriMesh mesh = hydro::make_box({2, 1.5, 1}, 3);
+  hydro::AddedMassSolution solution;
+  solution.potentials.assign(static_cast<std::size_t>(mesh.face_count()),
+                             hydro::CornerPotentials::Random());
+  const hydro::WettedAddedMass model(mesh, solution);
+  hydro::Sea sea{.density = 1025};
+  sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.1, 1.3, 0.4, 1, 9.81)}};
+  support::Random random(33);
+  std::vector<hydro::BodyState> states;
+  for (int i = 0; i < 16; ++i) states.push_back(random.state(0.4, 0));
+  std::vector<hydro::Matrix6d> found(states.size());
+  tbb::task_arena(4).execute([&] {
+    hydro::parallel_for(states.size(),
+                        [&](std::size_t i) { found[i] = model.at(states[i], sea, 0.5); });
+  });
+  for (std::size_t i = 0; i < states.size(); ++i)
+    EXPECT_EQ(model.at(states[i], sea, 0.5), found[i]);
 }
 
 }  // namespace

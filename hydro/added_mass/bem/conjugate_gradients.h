@@ -36,7 +36,8 @@ Iterated conjugate_gradients(const Potential& sides, double part, Apply apply,
   Potential direction = precondition(residual);
   Vector6d size = products(residual, direction);
   const Vector6d goal = size.array().max(1e-12 * size.maxCoeff()) * part * part;
-  for (; (size.array() > goal.array()).any(); ++result.steps) {
+  // Written so that a NaN does not pass for convergence.
+  for (; !(size.array() <= goal.array()).all(); ++result.steps) {
     if (result.steps == kMostSteps || !size.allFinite())
       throw std::invalid_argument("the panels are too uneven to solve for the added mass");
     const Potential image = apply(direction);

@@ -29,18 +29,15 @@ struct Immersion {
   double lift = 0;  ///< ½ρC_l [kg/m^3].
   double half_density = 0;
   const ViscousDrag* viscous = nullptr;  ///< Null where it is nothing.
-  /// Of ∫ C_v |v_t| v_t dS per area, over branches that are taken whole [m^2/s^2]; 0: none is.
-  double viscous_error = 0;
-  double radius = 0;  ///< Of the hull: a moment may be wrong by this times the force's error [m].
 };
 
 /// Places of the loads in `Sums`: six components each, force before moment.
 enum : int { kBuoyancy = 0, kPressureDrag = 6, kLift = 12, kViscousDrag = 18, kArea = 24, kSums };
 
-/// Sums of the loads, lane by lane: lanes are added up at the end only, in their order. Buoyancy is
-/// ∫ h n dS with its moment, drag and lift are in N.
-struct alignas(64) Sums {
-  double lane[kSums][kMostLanes] = {};
+/// Sums lane by lane: lanes are added up at the end only, in their order.
+template <int kCount>
+struct alignas(64) LaneSums {
+  double lane[kCount][kMostLanes] = {};
 
   double total(int which) const {
     double sum = 0;
@@ -48,5 +45,8 @@ struct alignas(64) Sums {
     return sum;
   }
 };
+
+/// Sums of the loads. Buoyancy is ∫ h n dS with its moment, drag and lift are in N.
+using Sums = LaneSums<kSums>;
 
 }  // namespace hydro::kernel

@@ -50,6 +50,12 @@ struct V2 {
   V x, y;
 };
 
+HWY_INLINE V3 point_on(const Plane& p, const V2& r) {
+  return {hn::MulAdd(p.e1.x, r.x, hn::MulAdd(p.e2.x, r.y, p.c.x)),
+          hn::MulAdd(p.e1.y, r.x, hn::MulAdd(p.e2.y, r.y, p.c.y)),
+          hn::MulAdd(p.e1.z, r.x, hn::MulAdd(p.e2.z, r.y, p.c.z))};
+}
+
 /// Triangles in plane coordinates, counter-clockwise. Fields, not an array: the compiler keeps them
 /// in registers.
 struct Triangle {
@@ -123,18 +129,21 @@ HWY_INLINE Traction operator+(const Traction& a, const Traction& b) {
   return {a.q + b.q, a.qx + b.qx, a.qy + b.qy};
 }
 
-HWY_INLINE void add(Sums& sums, int which, V value) {
+template <int kCount>
+HWY_INLINE void add(LaneSums<kCount>& sums, int which, V value) {
   double* to = sums.lane[which];
   hn::Store(hn::Load(D(), to) + value, D(), to);
 }
-HWY_INLINE void add(Sums& sums, int which, const V3& value) {
+template <int kCount>
+HWY_INLINE void add(LaneSums<kCount>& sums, int which, const V3& value) {
   add(sums, which, value.x);
   add(sums, which + 1, value.y);
   add(sums, which + 2, value.z);
 }
 
 /// Adds −∫ q n dA and its moment −∫ r × n q dA, with e1 × n = −e2 and e2 × n = e1.
-HWY_INLINE void add_normal(Sums& sums, int which, const Plane& p, const V3& c_cross_n,
+template <int kCount>
+HWY_INLINE void add_normal(LaneSums<kCount>& sums, int which, const Plane& p, const V3& c_cross_n,
                            const Traction& t) {
   const auto along = [&](V n, V cn, V e1, V e2, int i) HWY_ATTR {
     add(sums, which + i, zero() - t.q * n);

@@ -6,15 +6,16 @@
 #include "hydro/loads/kernel/panels.h"
 
 /// @file
-/// Triangles that wait to be cut: a few of each leaf, worked on together so that lanes are full.
+/// Triangles that wait to be split or cut: a few of each leaf, worked on together so that lanes are
+/// full.
 
 namespace hydro::kernel {
 
 /// Pieces of faces in the plane coordinates of their face.
 struct Pieces {
-  static constexpr int kRoom = 4 * kLeafFaces;
+  static constexpr int kRoom = 8 * kLeafFaces;
 
-  alignas(64) std::int64_t face[kRoom];  ///< In doubles from the first leaf: see `place_of`.
+  alignas(64) std::int64_t face[kRoom];  ///< `place_of` the face.
   alignas(64) double x[3][kRoom];        ///< [m]
   alignas(64) double y[3][kRoom];
   alignas(64) double depth[3][kRoom];  ///< Of the vertices, linear between them [m].
@@ -26,24 +27,8 @@ struct Pieces {
 /// Repeats the last piece up to `lanes` pieces, so that a vector of them holds proper numbers.
 void pad(Pieces& pieces, int lanes);
 
-/// Where a lane of a leaf has its field, from that of the first leaf, in doubles.
-inline std::int64_t place_of(std::int64_t leaf, int lane) {
-  constexpr std::int64_t kLeaf = sizeof(Leaf) / sizeof(double);
-  constexpr std::int64_t kBlock = sizeof(FaceBlock) / sizeof(double);
-  return leaf * kLeaf + lane / kMostLanes * kBlock + lane % kMostLanes;
-}
-
-/// Adds a piece of the face at `place_of`.
-inline void put_piece(std::int64_t face, const double (&x)[3], const double (&y)[3],
-                      const double (&depth)[3], Pieces& pieces) {
-  const int to = pieces.count++;
-  pieces.face[to] = face;
-  for (int i = 0; i < 3; ++i) {
-    pieces.x[i][to] = x[i];
-    pieces.y[i][to] = y[i];
-    pieces.depth[i][to] = depth[i];
-  }
-}
+/// The place of a face among the lanes of all leaves.
+inline std::int64_t place_of(std::int64_t leaf, int lane) { return leaf * kLeafFaces + lane; }
 
 /// Adds a whole face with the depths at its vertices.
 inline void put_face(const Panels& panels, std::int64_t leaf, int lane,

@@ -42,13 +42,15 @@ void set_grid(const HeightField& field, const BodyState& state, const Eigen::Mat
   }
   grid.u0 = (state.position.x() - field.origin.x()) / field.cell;
   grid.v0 = (state.position.y() - field.origin.y()) / field.cell;
+  grid.cell = field.cell;
+  grid.bend = field.bend;
 }
 
 }  // namespace
 
 Surface::Surface(const Sea& sea, const BodyState& state, double time, double smallest,
-                 double longest_edge)
-    : sampler(sea, state.position, time, smallest), R_WB(state.orientation.toRotationMatrix()) {
+                 double longest_edge) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
     set_waves(*sum, state, R_WB, time, waves);
   if (const auto* field = std::get_if<HeightField>(&sea.surface))
@@ -56,16 +58,13 @@ Surface::Surface(const Sea& sea, const BodyState& state, double time, double sma
   const SurfaceBounds bounds = surface_bounds(sea);
   lowest = bounds.lowest - sea.level;
   highest = bounds.highest - sea.level;
+  const SurfaceSampler sampler(sea, state.position, time, smallest);
   bends = sampler.may_bend(longest_edge);
-}
-
-bool bent_over(const Surface& surface, const Leaf& leaf, int lane) {
-  const Face face = face_of(leaf, lane);
-  Panel panel;
-  for (int i = 0; i < 3; ++i) panel[i] = surface.R_WB * face.corner(i);
-  return surface.sampler.bends_between(panel[0], panel[1]) ||
-         surface.sampler.bends_between(panel[1], panel[2]) ||
-         surface.sampler.bends_between(panel[2], panel[0]);
+  limits = sampler.limits();
+  for (int axis = 0; axis < 3; ++axis) {
+    east[axis] = R_WB(0, axis);
+    north[axis] = R_WB(1, axis);
+  }
 }
 
 ElevationRange grid_over(const Surface& surface, const double* centre, const double* half) {
@@ -93,52 +92,6 @@ ElevationRange grid_over(const Surface& surface, const double* centre, const dou
     }
   }
   return range;
-}
-
-namespace {
-
-/// The surface's sampler, with the kernel's waves.
-struct FastSampler {
-  const Surface& surface;
-
-  double elevation(const Eigen::Vector3d& r) const {
-    if (surface.is_grid()) return surface.sampler.elevation(r);
-    const Eigen::Vector3d r_B = surface.R_WB.transpose() * r;
-    return wave_elevation(surface.waves, r_B.data());
-  }
-  bool bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
-    return surface.sampler.bends_between(a, b);
-  }
-  bool is_small(const Panel& panel) const { return surface.sampler.is_small(panel); }
-};
-
-}  // namespace
-
-void visit_linear_pieces(const Surface& surface, double below, const Face& face,
-                         const double (&depth)[3], VisitPiece visit, void* context) {
-  const Eigen::Vector3d c = surface.R_WB * face.c;
-  const Eigen::Vector3d e1 = surface.R_WB * face.e1, e2 = surface.R_WB * face.e2;
-  Panel panel = {c, c, c};
-  Eigen::Vector3d elevation;
-  for (int i = 0; i < 3; ++i) {
-    panel[i] += face.x[i] * e1 + face.y[i] * e2;
-    elevation[i] = depth[i] - below + panel[i].z();
-  }
-  // Above the highest crest nothing is wet.
-  const auto dry = [&](const Panel& piece) {
-    return std::min({piece[0].z(), piece[1].z(), piece[2].z()}) >= below + surface.highest;
-  };
-  const auto pass_on = [&](const Panel& piece, const Eigen::Vector3d& heights) {
-    FlatPiece flat;
-    for (int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d d = piece[i] - c;
-      flat.x[i] = d.dot(e1);
-      flat.y[i] = d.dot(e2);
-      flat.depth[i] = below + (heights[i] - piece[i].z());
-    }
-    visit(context, flat);
-  };
-  for_each_linear_piece(panel, elevation, FastSampler{surface}, dry, pass_on);
 }
 
 }  // namespace hydro::kernel

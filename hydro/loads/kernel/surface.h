@@ -34,6 +34,8 @@ struct GridField {
   std::int64_t rows = 0, columns = 0;
   double e_x[3] = {}, e_y[3] = {};  ///< [1/m]
   double u0 = 0, v0 = 0;            ///< Of the centre of mass.
+  double cell = 1;                  ///< Distance of neighbouring lines [m].
+  double bend = 0;                  ///< Largest second difference of neighbouring heights [m].
 };
 
 /// The surface around a body. It refers to the sea and to itself: neither copied nor moved.
@@ -47,24 +49,13 @@ class Surface {
 
   WaveField waves;  ///< Of no component where the sea is a grid.
   GridField grid;
-  double lowest = 0, highest = 0;  ///< Bounds of the elevation [m].
-  bool bends = false;              ///< Some edge of the hull may have to be split.
-  SurfaceSampler sampler;
-  Eigen::Matrix3d R_WB;
+  double lowest = 0, highest = 0;      ///< Bounds of the elevation [m].
+  bool bends = false;                  ///< Some edge of the hull may have to be split.
+  BendLimits limits;                   ///< These tell which edge has to be.
+  double east[3] = {}, north[3] = {};  ///< The directions of x and y of the world, in body axes.
 
   bool is_grid() const { return grid.heights != nullptr; }
 };
-
-/// Elevation of waves at one place, several waves at once [m]. @param r   Body axes.
-double wave_elevation(const WaveField& waves, const double* r);
-
-/// A piece of a face, as its corners in plane coordinates, with the depths there.
-struct FlatPiece {
-  double x[3], y[3], depth[3];
-};
-
-/// True if the surface bends over a face by more than the tolerance.
-bool bent_over(const Surface& surface, const Leaf& leaf, int lane);
 
 /// Bounds of the elevation over a box of a body [m].
 struct ElevationRange {
@@ -72,11 +63,5 @@ struct ElevationRange {
 };
 /// Of a grid; those of all the sea where the box is large.
 ElevationRange grid_over(const Surface& surface, const double* centre, const double* half);
-
-/// Cuts a face into pieces over which the surface is linear and visits those that may be wet.
-/// @param depth   At its vertices [m].
-using VisitPiece = void (*)(void* context, const FlatPiece& piece);
-void visit_linear_pieces(const Surface& surface, double below, const Face& face,
-                         const double (&depth)[3], VisitPiece visit, void* context);
 
 }  // namespace hydro::kernel

@@ -6,7 +6,7 @@
 #define PLIMSOLL_KERNEL_TREE
 #endif
 
-#include "hydro/loads/kernel/faces-inl.h"
+#include "hydro/loads/kernel/lanes-inl.h"
 #include "hydro/loads/kernel/tree.h"
 
 /// @file

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "hydro/loads/kernel/clusters.h"
 #include "hydro/loads/kernel/immersion.h"
 #include "hydro/loads/kernel/panels.h"
 
@@ -17,7 +16,7 @@
 ///
 /// So a branch that is wet all over and whose faces all move into the water, or all out of it, is
 /// one product of 31 numbers with each component: exact on flat water, to round-off. Viscous drag
-/// has no such moments; its branches have points, `clusters.h`.
+/// has no such moments and is summed face by face.
 
 namespace hydro::kernel {
 
@@ -44,9 +43,8 @@ struct alignas(64) Node {
 };
 
 struct Tree {
-  std::vector<Node> nodes;        ///< A branch follows its root, first child first.
-  std::vector<Cluster> clusters;  ///< Of the nodes; none in a small tree.
-  int chunk_leaves = 0;           ///< Branches of up to so many leaves are one piece of work.
+  std::vector<Node> nodes;  ///< A branch follows its root, first child first.
+  int chunk_leaves = 0;     ///< Branches of up to so many leaves are one piece of work.
 };
 
 /// Pieces of work that a tree is cut into, at most.

@@ -119,7 +119,7 @@ HWY_INLINE Friction three_points(const Sliding& s, const ViscousDrag& law) {
 }
 
 /// Radon's rule of degree 5: its points lie (1 ± √15·…)/7 of the way to the vertices.
-HWY_NOINLINE Friction seven_points(const Sliding& s, const ViscousDrag& law) {
+inline HWY_NOINLINE Friction seven_points(const Sliding& s, const ViscousDrag& law) {
   constexpr double kRoot = 3.872983346207417;  // √15
   const V2 centre = centre_of(s.t);
   const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
@@ -131,7 +131,7 @@ HWY_NOINLINE Friction seven_points(const Sliding& s, const ViscousDrag& law) {
 }
 
 /// Cut where the speed, taken as linear, is that of the kink.
-HWY_NOINLINE Friction cut_at_kink(const Sliding& s, const ViscousDrag& law, V kink) {
+inline HWY_NOINLINE Friction cut_at_kink(const Sliding& s, const ViscousDrag& law, V kink) {
   const auto excess_at = [&](const V2& r) HWY_ATTR { return length(velocity(s.flow, r)) - kink; };
   const Values excess = {excess_at(s.t.a), excess_at(s.t.b), excess_at(s.t.c)};
   const M crosses = hn::And(lowest(excess) < zero(), highest(excess) > zero());
@@ -155,7 +155,7 @@ HWY_INLINE PoleMoments operator+(const PoleMoments& a, const PoleMoments& b) {
   return {{a.first.x + b.first.x, a.first.y + b.first.y}, a.third + b.third};
 }
 
-HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V b) {
+inline HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V b) {
   const V2 edge = {s1.x - s0.x, s1.y - s0.y};
   const V size = length(edge);
   const V inverse = hn::IfThenElseZero(size > zero(), all(1) / size);
@@ -187,7 +187,7 @@ HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V b) {
 }
 
 /// The closed form where C_v is linear in the speed all over the triangle.
-HWY_NOINLINE Friction about_pole(const Sliding& s, const ViscousDrag& law, M which) {
+inline HWY_NOINLINE Friction about_pole(const Sliding& s, const ViscousDrag& law, M which) {
   const V2 centre = centre_of(s.t);
   const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
   const V omega = hn::IfThenElse(which, s.flow.spin, all(1)), spin = hn::Abs(omega);
@@ -215,7 +215,8 @@ HWY_INLINE void add_friction(Sums& sums, const Plane& p, V factor, const Frictio
 }
 
 /// Hands lanes to the plain version.
-HWY_NOINLINE void add_lane_by_lane(Sums& sums, const Immersion& in, const Sliding& s, M which) {
+inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const Immersion& in, const Sliding& s,
+                                          M which) {
   const D d;
   PlainPanels panels;
   const Plane& p = s.plane;
@@ -235,7 +236,7 @@ HWY_NOINLINE void add_lane_by_lane(Sums& sums, const Immersion& in, const Slidin
 }
 
 /// Viscous drag on triangles that are wet all over.
-HWY_NOINLINE void add_viscous(Sums& sums, const Immersion& in, const Sliding& s) {
+inline HWY_NOINLINE void add_viscous(Sums& sums, const Immersion& in, const Sliding& s) {
   const D d;
   const ViscousDrag& law = *in.viscous;
   const bool thesis = law.law == ViscousDrag::Law::thesis;

@@ -1,21 +1,15 @@
 #include "hydro/loads/kernel/walk.h"
 
-// A vector whose length is not known when compiling (SVE) cannot be a member of a struct; NEON can.
-// Of the steps between the units of x86-64 some are left out: they gain nothing here.
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
-#endif
+#include "hydro/loads/kernel/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hydro/loads/kernel/walk.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
-#include "hydro/loads/kernel/clusters-inl.h"
 #include "hydro/loads/kernel/faces-inl.h"
 #include "hydro/loads/kernel/local-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
-#include "hydro/loads/kernel/waves-inl.h"
+#include "hydro/loads/kernel/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -49,20 +43,12 @@ HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag)
   return normal.low >= 0 || normal.high <= 0;
 }
 
-/// Adds the viscous drag of a node that is wet all over if it is none, or its points give it.
-HWY_INLINE bool add_viscous_whole(Work& work, const Tree& tree, int node) {
-  const auto i = static_cast<std::size_t>(node);
-  if (without_viscous_drag(tree.nodes[i], work.in)) return true;
-  return work.in.viscous_error > 0 && !tree.clusters.empty() &&
-         add_cluster(tree.clusters[i], work.in, work.sums);
-}
-
 /// Adds the viscous drag of a branch that is wet all over.
 HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch) {
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int i = branch; i < end;) {
     const Node& node = tree.nodes[static_cast<std::size_t>(i)];
-    if (add_viscous_whole(work, tree, i)) {
+    if (without_viscous_drag(node, work.in)) {
       i = node.next;
     } else {
       if (node.leaf()) add_viscous_of_leaf(work, node.first);
@@ -102,24 +88,6 @@ HWY_INLINE bool take_whole(Work& work, Factors& factors, const Tree& tree, int b
   return true;
 }
 
-/// What is known of a branch and the waterline.
-enum class Wetness { dry, mixed, wet };
-
-HWY_INLINE Wetness wetness(const Node& node, const Immersion& in) {
-  if (in.wet) return Wetness::wet;
-  Range depth = depth_range(node, in);
-  if (in.surface && depth.high + in.surface->highest <= 0) return Wetness::dry;
-  if (in.surface && depth.low + in.surface->lowest >= 0) return Wetness::wet;
-  if (in.surface) {
-    const ElevationRange elevation = in.surface->is_grid()
-                                         ? grid_over(*in.surface, node.centre, node.half)
-                                         : waves_over(in.surface->waves, node.centre, node.half);
-    depth = {depth.low + elevation.low, depth.high + elevation.high};
-  }
-  if (depth.high <= 0) return Wetness::dry;
-  return depth.low >= 0 ? Wetness::wet : Wetness::mixed;
-}
-
 /// Goes through the nodes [node, end). Branches that fit in a chunk go to `chunks`, if it is there.
 HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* chunks) {
   const Immersion& in = work.in;
@@ -139,9 +107,9 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
       Known known = {.wet = wet == Wetness::wet};
       const bool uncut = known.wet && !(in.surface && in.surface->bends);
       if (here.leaf() && in.branches && in.moving && uncut)
-        known.viscous = add_viscous_whole(work, tree, node);
+        known.without_viscous = without_viscous_drag(here, in);
       if (here.leaf())
-        in.surface ? add_leaf_in_waves(work, here, known) : add_leaf(work, here.first, known);
+        in.surface ? add_leaf_in_waves(work, here, known) : add_leaf(work, here, known);
       ++node;
     }
   }
@@ -149,22 +117,15 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
 
 void sum_top_here(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums,
                   Chunks& chunks) {
-  Work work{panels, in, sums, {}, {}};
+  Work work{panels, in, sums, {}, {}, {}};
   walk(work, tree, 0, static_cast<int>(tree.nodes.size()), &chunks);
 }
 
 void sum_branch_here(const Panels& panels, const Tree& tree, const Immersion& in, int node,
                      Sums& sums) {
-  Work work{panels, in, sums, {}, {}};
+  Work work{panels, in, sums, {}, {}, {}};
   walk(work, tree, node, tree.nodes[static_cast<std::size_t>(node)].next, nullptr);
   drain(work, true);
-}
-
-double wave_elevation_here(const WaveField& waves, const double* r) {
-  V sum = zero();
-  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D())))
-    sum = hn::MulAdd(row(waves, 0, i), hn::Cos(D(), phases(waves, r, i)), sum);
-  return total(sum);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE
@@ -175,11 +136,6 @@ namespace hydro::kernel {
 
 HWY_EXPORT(sum_top_here);
 HWY_EXPORT(sum_branch_here);
-HWY_EXPORT(wave_elevation_here);
-
-double wave_elevation(const WaveField& waves, const double* r) {
-  return HWY_DYNAMIC_DISPATCH(wave_elevation_here)(waves, r);
-}
 
 Chunks sum_top(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums) {
   Chunks chunks;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/sea.h"
+
+namespace hydro {
+
+/// What WettedAddedMass::at computes, summed face by face without a tree or vector lanes: the
+/// reference that tests hold the fast sum against. Slow.
+/// @param mesh_B     Closed; its origin is the centre of mass.
+/// @param solution   The solution for this mesh, about the same origin.
+Matrix6d plain_wetted_added_mass(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                                 const BodyState& state, const Sea& sea, double time);
+
+}  // namespace hydro

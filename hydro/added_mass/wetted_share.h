@@ -1,0 +1,21 @@
+#pragma once
+
+#include "hydro/added_mass/potentials.h"
+#include "hydro/loads/kernel/immersion.h"
+
+/// @file
+/// The integral ∫ ψ_m N_n dS over the wetted faces of a hull, by the walk through the tree and in
+/// the vector lanes that the loads have.
+///
+/// The integral over the wet part of a face follows from the part's area and its first and second
+/// moments, which are the same for all six potentials:
+///
+///     ∫ ψ {1, x, y} dA = ψ_c ∫ {1, x, y} dA + ψ_x ∫ x {1, x, y} dA + ψ_y ∫ y {1, x, y} dA    (1)
+
+namespace hydro::kernel {
+
+/// ∫ ψ_m N_n dS over the wetted part of a hull. Of `in` the motion does not count.
+Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                      const Immersion& in);
+
+}  // namespace hydro::kernel

@@ -1,0 +1,209 @@
+// Included once for each processor: no include guard of the usual kind.
+#if defined(PLIMSOLL_KERNEL_REFINE) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLIMSOLL_KERNEL_REFINE
+#undef PLIMSOLL_KERNEL_REFINE
+#else
+#define PLIMSOLL_KERNEL_REFINE
+#endif
+
+#include <cassert>
+
+#include "hydro/loads/kernel/pieces-inl.h"
+#include "hydro/loads/kernel/surface.h"
+#include "hydro/loads/kernel/waves-inl.h"
+#include "hydro/loads/refine.h"
+
+/// @file
+/// Splitting of faces in lanes until the water surface is linear over each piece: `refine.h` in
+/// plane coordinates.
+
+HWY_BEFORE_NAMESPACE();
+namespace hydro::kernel::HWY_NAMESPACE {
+
+/// A linear function over planes.
+struct Linear {
+  V middle, x, y;
+
+  HWY_INLINE V at(const V2& r) const { return hn::MulAdd(x, r.x, hn::MulAdd(y, r.y, middle)); }
+};
+
+/// The component of the place in a direction given in body axes.
+HWY_INLINE Linear along(const double (&direction)[3], const Plane& p) {
+  const V3 d = all3(direction);
+  return {dot(d, p.c), dot(d, p.e1), dot(d, p.e2)};
+}
+
+/// The edges of triangles over which the surface bends by more than the tolerance.
+struct Bends {
+  M ab, bc, ca;
+};
+
+/// What the test of an edge needs to know of the planes.
+struct Bearings {
+  const Immersion& in;
+  Linear east, north, up;
+};
+
+HWY_INLINE Bearings bearings_of(const Immersion& in, const Plane& p) {
+  return {in, along(in.surface->east, p), along(in.surface->north, p), along(in.up, p)};
+}
+
+HWY_INLINE V waves_second_difference_squared(const BendLimits& limits, V dx, V dy) {
+  const V xx = dx * dx, xy = dx * dy, yy = dy * dy;
+  const auto q = [&](int j) HWY_ATTR { return all(limits.quartic[static_cast<std::size_t>(j)]); };
+  return hn::MulAdd(xx, hn::MulAdd(q(0), xx, hn::MulAdd(q(1), xy, q(2) * yy)),
+                    yy * hn::MulAdd(q(3), xy, q(4) * yy));
+}
+
+/// The elevation of a grid above level half way between two points, less the mean of theirs.
+HWY_INLINE V grid_sag(const Bearings& to, const Plane& p, const V2& a, const V2& b, V depth_a,
+                      V depth_b) {
+  const V2 middle = between(a, b, all(0.5));
+  const V ends = all(0.5) * (depth_a + depth_b) - all(to.in.below) + to.up.at(middle);
+  return grid_at(to.in.surface->grid, point_on(p, middle)) - ends;
+}
+
+HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V2& b, V depth_a,
+                        V depth_b) {
+  const Surface& surface = *to.in.surface;
+  const BendLimits& limits = surface.limits;
+  const V2 d = {b.x - a.x, b.y - a.y};
+  const V dx = hn::MulAdd(to.east.x, d.x, to.east.y * d.y);
+  const V dy = hn::MulAdd(to.north.x, d.x, to.north.y * d.y);
+  const V squared = hn::MulAdd(dx, dx, dy * dy);
+  const M long_enough = squared > all(limits.smallest_squared);
+  const double tolerance = limits.tolerance;
+  if (!surface.is_grid())
+    return hn::And(long_enough, waves_second_difference_squared(limits, dx, dy) >
+                                    all(64 * tolerance * tolerance));
+  const GridField& grid = surface.grid;
+  const V cells2 = squared * all(1 / (grid.cell * grid.cell));
+  const M far = hn::And(long_enough, cells2 > all(1));
+  const M over = hn::And(far, cells2 * all(grid.bend) > all(8 * tolerance));
+  const M may = hn::AndNot(far, hn::And(long_enough, cells2 * all(grid.bend * grid.bend) >
+                                                         all(16 * tolerance * tolerance)));
+  if (hn::AllFalse(D(), may)) return over;
+  const V sag = hn::Abs(grid_sag(to, p, a, b, depth_a, depth_b));
+  return hn::Or(over, hn::And(may, sag > all(tolerance)));
+}
+
+HWY_INLINE Bends bends_over(const Bearings& to, const Plane& p, const Triangle& t,
+                            const Values& depth) {
+  return {edge_bends(to, p, t.a, t.b, depth.a, depth.b),
+          edge_bends(to, p, t.b, t.c, depth.b, depth.c),
+          edge_bends(to, p, t.c, t.a, depth.c, depth.a)};
+}
+
+HWY_INLINE M any(const Bends& bends) { return hn::Or(bends.ab, hn::Or(bends.bc, bends.ca)); }
+
+/// True where no part of a triangle can be wet: it lies above the highest crest.
+HWY_INLINE M above_all_water(const Bearings& to, const Triangle& t) {
+  const V lowest_point = lowest({to.up.at(t.a), to.up.at(t.b), to.up.at(t.c)});
+  return lowest_point >= all(to.in.below + to.in.surface->highest);
+}
+
+/// Faces of a vector that the surface bends over go to `bending`. Returns those that are left.
+inline HWY_NOINLINE M without_bent(const Panels& panels, const Immersion& in, std::int64_t leaf,
+                                   int lane, const Values& depth, Pieces& bending) {
+  const Leaf& faces = panels.leaves[static_cast<std::size_t>(leaf)];
+  const Plane p = plane_at(faces, lane);
+  const Triangle t = triangle_at(faces, lane);
+  const Bearings to = bearings_of(in, p);
+  const M bent = any(bends_over(to, p, t, depth));
+  const M splits =
+      hn::AndNot(above_all_water(to, t), hn::And(bent, areas_at(faces, lane) > zero()));
+  if (!hn::AllFalse(D(), splits)) append(panels, splits, leaf, lane, depth, bending);
+  return hn::Not(bent);
+}
+
+/// Adds the triangles of some lanes. (Highway's Compress copies a table at each call.)
+HWY_INLINE void put_pieces(M which, VI face, const Triangle& t, const Values& depth, Pieces& to) {
+  const D d;
+  assert(to.count + static_cast<int>(hn::Lanes(d)) <= Pieces::kRoom);
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, which, bits);
+  std::int64_t chosen_lanes[kMostLanes] = {};
+  int count = 0;
+  for (unsigned left = bits[0]; left != 0; left &= left - 1)
+    chosen_lanes[count++] = std::countr_zero(left);
+  const auto order = hn::SetTableIndices(d, chosen_lanes);
+  const auto put = [&](V value, double(&field)[Pieces::kRoom]) HWY_ATTR {
+    hn::StoreU(hn::TableLookupLanes(value, order), d, field + to.count);
+  };
+  hn::StoreU(hn::TableLookupLanes(face, hn::SetTableIndices(DI(), chosen_lanes)), DI(),
+             to.face + to.count);
+  put(t.a.x, to.x[0]);
+  put(t.b.x, to.x[1]);
+  put(t.c.x, to.x[2]);
+  put(t.a.y, to.y[0]);
+  put(t.b.y, to.y[1]);
+  put(t.c.y, to.y[2]);
+  put(depth.a, to.depth[0]);
+  put(depth.b, to.depth[1]);
+  put(depth.c, to.depth[2]);
+  to.count += count;
+}
+
+/// Triangles with the corners turned so that the edge to halve is from a to b.
+struct Halving {
+  Triangle t;
+  Values depth;
+  M splits;
+};
+
+/// The longest edge that bends is halved, the first of edges that are equally long.
+HWY_INLINE Halving halving_of(const Bearings& to, const Plane& p, const Triangle& t,
+                              const Values& depth) {
+  const Bends bends = bends_over(to, p, t, depth);
+  const auto squared = [](M bent, const V2& a, const V2& b) HWY_ATTR {
+    const V x = b.x - a.x, y = b.y - a.y;
+    return hn::IfThenElseZero(bent, hn::MulAdd(x, x, y * y));
+  };
+  const V ab = squared(bends.ab, t.a, t.b), bc = squared(bends.bc, t.b, t.c);
+  const V ca = squared(bends.ca, t.c, t.a);
+  const M longer = bc > all(kLonger) * ab;
+  const M third = ca > all(kLonger) * hn::IfThenElse(longer, bc, ab);
+  const M second = hn::AndNot(third, longer);
+  const auto point = [&](const V2& a, const V2& b, const V2& c)
+                         HWY_ATTR { return chosen(second, third, a, b, c); };
+  const auto value = [&](V a, V b, V c) HWY_ATTR { return chosen(second, third, a, b, c); };
+  return {{point(t.a, t.b, t.c), point(t.b, t.c, t.a), point(t.c, t.a, t.b)},
+          {value(depth.a, depth.b, depth.c), value(depth.b, depth.c, depth.a),
+           value(depth.c, depth.a, depth.b)},
+          any(bends)};
+}
+
+/// Halves the pieces from `from` on that the surface bends over and puts the halves back among
+/// them; the others go to those that are cut by the water. Pieces in the dry are dropped, and
+/// pieces of less than smallest² of area stay whole.
+///
+/// The last pieces are taken first, so each generation adds `lanes` pieces at most, and no edge is
+/// longer than 2 · 256 smallest: after 18 generations the area is small.
+template <class Work>
+HWY_NOINLINE void refine_pieces(Work& work, Pieces& bending, int from, int used) {
+  const D d;
+  const Immersion& in = work.in;
+  const Plane p = plane_of(work.panels, bending, from);
+  const VI face = hn::LoadU(DI(), bending.face + from);
+  const Triangle t = triangle_of(bending, from);
+  const Values depth = load_values(bending.depth, from);
+  const Bearings to = bearings_of(in, p);
+  const M counts =
+      hn::AndNot(above_all_water(to, t), hn::FirstN(d, static_cast<std::size_t>(used)));
+  const M large = area_of(t) >= all(in.surface->limits.smallest_squared);
+  const Halving h = halving_of(to, p, t, depth);
+  const M splits = hn::And(counts, hn::And(large, h.splits));
+  put_pieces(hn::AndNot(splits, counts), face, t, depth, work.cut_by_water);
+  if (!hn::AllFalse(d, splits)) {
+    const V2 middle = between(h.t.a, h.t.b, all(0.5));
+    const V at_middle = depth_at(in, {*in.surface, {}, false}, point_on(p, middle));
+    put_pieces(splits, face, {h.t.a, middle, h.t.c}, {h.depth.a, at_middle, h.depth.c}, bending);
+    put_pieces(splits, face, {middle, h.t.b, h.t.c}, {at_middle, h.depth.b, h.depth.c}, bending);
+  }
+  if (work.cut_by_water.count > Pieces::kRoom / 2) drain_cut(work, false);
+}
+
+}  // namespace hydro::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
