@@ -1,6 +1,6 @@
 # completion_test.zsh PROGRAM: types into a shell that has the completion that the program prints.
 zmodload zsh/zpty || exit 77
-cd ${0:A:h}/../../scenes || exit 2
+cd ${0:A:h}/../../../scenes || exit 2
 folder=$(mktemp -d) || exit 2
 trap 'rm -rf $folder' EXIT
 $1 completion zsh > $folder/_plimsoll || exit 2

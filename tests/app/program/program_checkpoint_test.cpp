@@ -67,7 +67,8 @@ TEST(ProgramCheckpoint, PicturesOfAResumedRunAreThoseOfTheWholeOne) {
   ASSERT_EQ(place.run({"run", scene, "--out", "whole", "--quiet"}).code, 0);
   ASSERT_EQ(stop_by(place, SIGKILL, {"run", scene}).code, -SIGKILL);
   ASSERT_EQ(place.run({"run", "--resume", "cut", "--quiet"}).code, 0);
-  for (const char* frame : {"frames/0000.png", "frames/0001.png", "frames/0002.png"}) {
+  for (const char* frame :
+       {"frames/frame_0000.png", "frames/frame_0001.png", "frames/frame_0002.png"}) {
     const std::string whole = place.read(place / "whole" / frame);
     ASSERT_FALSE(whole.empty()) << frame;
     EXPECT_EQ(place.read(place / "cut" / frame), whole) << frame;
