@@ -6,7 +6,6 @@
 #include "engine/constants.h"
 #include "engine/free_motion.h"
 #include "engine/locks.h"
-#include "engine/vertical_extent.h"
 #include "hydro/decompositions.h"
 #include "hydro/mesh/mass_properties.h"
 
@@ -101,8 +100,18 @@ Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::Body
   return motion;
 }
 
+VerticalExtent vertical_extent(const Body& body, const hydro::BodyState& state) {
+  const Eigen::Quaterniond& q = state.orientation;
+  const Eigen::Vector3d up_B(2 * (q.x() * q.z() - q.w() * q.y()),
+                             2 * (q.y() * q.z() + q.w() * q.x()),
+                             1 - 2 * (q.x() * q.x() + q.y() * q.y()));
+  const double center = state.position.z() + up_B.dot(body.box_B.center());
+  const double height = up_B.cwiseAbs().dot(body.box_B.sizes());
+  return {.lowest = center - height / 2, .height = height};
+}
+
 bool may_be_wet(const Body& body, const Environment& environment, const hydro::BodyState& state) {
-  return lowest_point(body.box_B, state) < environment.highest;
+  return vertical_extent(body, state).lowest < environment.highest;
 }
 
 Mobility mobility(const Body& body, const hydro::BodyState& state) {

@@ -51,6 +51,13 @@ std::vector<Body> make_bodies(const SimulationSpec& spec);
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time);
 
+/// Heights that bound a body [m].
+struct VerticalExtent {
+  double lowest;  ///< z of the lowest point of its box.
+  double height;
+};
+VerticalExtent vertical_extent(const Body& body, const hydro::BodyState& state);
+
 /// True if the water surface may reach the body in this state.
 bool may_be_wet(const Body& body, const Environment& environment, const hydro::BodyState& state);
 

@@ -47,39 +47,31 @@ std::vector<ContactPoint> contact_points(const std::vector<dContactGeom>& overla
   return points;
 }
 
-/// Least overlap along a world axis of the boxes around two solids [m].
-double box_overlap(dxGeom* first, dxGeom* second) {
-  std::array<dReal, 6> a{}, b{};
-  dGeomGetAABB(first, a.data());
-  dGeomGetAABB(second, b.data());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t low = 0; low < 6; low += 2)
-    least = std::min(least, std::min(a[low + 1], b[low + 1]) - std::max(a[low], b[low]));
-  return least;
+/// Box around a geometry, in W; empty for none.
+Eigen::AlignedBox3d box_around(dxGeom* geom) {
+  if (!geom) return {};
+  std::array<dReal, 6> box{};
+  dGeomGetAABB(geom, box.data());
+  return {Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5])};
 }
 
 bool is_sphere(dxGeom* geom) { return dGeomGetClass(geom) == dSphereClass; }
 bool is_mesh(dxGeom* geom) { return dGeomGetClass(geom) == dTriMeshClass; }
 
-void note_near_pair(void* pairs, dxGeom* first, dxGeom* second) {
-  const auto id = [](dxGeom* geom) {
-    return static_cast<BodyId>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom)));
-  };
-  static_cast<std::vector<Pair>*>(pairs)->push_back(std::minmax(id(first), id(second)));
-}
-
 }  // namespace
 
-void World::join(const Contact& contact) {
-  add_contact(world_.get(), contact_joints_.get(), contact, handle_of(contact.pair.first),
-              handle_of(contact.pair.second));
-}
+Eigen::AlignedBox3d World::ground_box() const { return box_around(ground_); }
 
 void World::collide(double step) {
   open_ode();
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Body& body : bodies_) boxes.push_back(box_around(body.geom));
+  boxes.push_back(ground_box());
+  contacts_ = contacts_of(touchable(overlapping(boxes)), step);
   dJointGroupEmpty(contact_joints_.get());
-  contacts_ = contacts_of(near_pairs(), step);
-  for (const Contact& contact : contacts_.points) join(contact);
+  for (const Contact& contact : contacts_.points)
+    add_contact(world_.get(), contact_joints_.get(), contact, handle_of(contact.pair.first),
+                handle_of(contact.pair.second));
 }
 
 void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
@@ -118,25 +110,25 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
   return contacts;
 }
 
-std::vector<Pair> World::near_pairs() const {
-  std::vector<Pair> pairs;
-  dSpaceCollide(space_.get(), &pairs, note_near_pair);
-  std::erase_if(pairs, [this](const Pair& pair) { return !may_touch(pair); });
-  // The order in which the space finds them depends on what was found before.
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-bool World::may_touch(const Pair& pair) const {
-  const bool moves = handle_of(pair.first) || handle_of(pair.second);
-  return moves && !std::binary_search(jointed_.begin(), jointed_.end(), pair);
+std::vector<Pair> World::touchable(
+    const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
+  std::vector<Pair> found;
+  for (const auto& [first, second] : pairs) {
+    const auto a = static_cast<BodyId>(first), b = static_cast<BodyId>(second);
+    const Pair pair = second == bodies_.size() ? Pair(kWorld, a) : Pair(a, b);
+    if ((handle_of(pair.first) || handle_of(pair.second)) &&
+        !std::binary_search(jointed_.begin(), jointed_.end(), pair))
+      found.push_back(pair);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 std::vector<ContactPoint> World::touching_points(const Pair& pair, double step) const {
   dxGeom* first = geom_of(pair.first);
   dxGeom* second = geom_of(pair.second);
   // Ground is a sheet: its box does not bound the depth of a body in it.
-  const double boxes = box_overlap(first, second);
+  const double boxes = box_around(first).intersection(box_around(second)).sizes().minCoeff();
   if (boxes < 0) return {};
   const std::vector<ContactPoint> all = contact_points(overlaps(first, second));
   if (all.empty()) return {};

@@ -160,8 +160,8 @@ inline constexpr double kLeastSolverMass = 1e-6;  ///< Below it masses are scale
 
 // ── Input (state_checks.h, body_check.h, pull.h, wave_resolution.h) ─────────────────────────────
 
-/// Largest coordinate, speed and angular speed of a body [m, m/s, rad/s]. Beyond it ODE can no
-/// longer number its collision cells.
+/// Largest coordinate, speed and angular speed of a body [m, m/s, rad/s]. Beyond it round-off of
+/// coordinates exceeds 1e-7 m.
 inline constexpr double kLargestState = 1e9;
 inline constexpr double kInertiaTolerance = 1e-6;  ///< Asymmetry, or excess of one moment [-].
 inline constexpr double kUnitTolerance = 1e-9;     ///< Error of the length of a quaternion [-].

@@ -83,25 +83,17 @@ std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Solver
   const auto is_constrained = [this](const SolverBody& b) {
     return bodies_.at(static_cast<std::size_t>(b.body)).constrained;
   };
+  const IslandProblem problem{.bodies = bodies, .contacts = contacts, .step = step, .unit = unit_};
   if (std::none_of(bodies.begin(), bodies.end(), is_constrained))
-    return island_solver_.velocities(unit_, bodies, contacts, step);
+    return island_solver_->velocities(problem);
   // Joints and locks are in the world of all bodies, which solves one island at a time.
   const std::lock_guard lock(*mutex_);
   open_ode();
-  const auto prepare_all = [&] {
-    for (const SolverBody& b : bodies) prepare(handle_of(b.body), b, unit_);
-  };
-  prepare_all();
-  for (const Contact& contact : contacts) join(contact);
-  step_or_fall_back(world_.get(), prepare_all, step);
-  dJointGroupEmpty(contact_joints_.get());
-  std::vector<hydro::Twist> velocities;
-  for (const SolverBody& b : bodies) {
-    const hydro::BodyState after = state(b.body);
-    velocities.push_back({after.linear_velocity, after.angular_velocity});
-    set_state(b.body, b.state);
-    dBodyDisable(handle_of(b.body));
-  }
+  std::vector<dxBody*> handles;
+  for (const SolverBody& b : bodies) handles.push_back(handle_of(b.body));
+  std::vector<hydro::Twist> velocities =
+      solve(world_.get(), contact_joints_.get(), handles, problem, true);
+  for (const SolverBody& b : bodies) set_state(b.body, b.state);
   return velocities;
 }
 

@@ -171,37 +171,31 @@ std::optional<LockedMotion> solve_locked(const PartlyLockedBody& body, const Loc
     const Vector6d rest = p0 + time * gyration(mean, (p0 + S * end.u) / 2) - S * end.u;
     const Vector6d change = solve_free(S, rest, {.locked = body.locked});
     end.u += change;
-    const double size = change.norm();
-    if (size <= kDriftConverged * end.u.norm()) return end;
-    if (size >= last && size <= kDriftRoundOff * end.u.norm()) return end;
+    const double size = change.norm(), speed = end.u.norm();
+    if (size <= kDriftConverged * speed || (size >= last && size <= kDriftRoundOff * speed))
+      return end;
     if (!std::isfinite(size)) break;
     last = size;
   }
   return std::nullopt;
 }
 
-/// The two terms of (E3a).
-struct LockedEnergy {
-  double free;
-  double locked;
-};
-
-LockedEnergy locked_energy(const PartlyLockedBody& body, const LockedMotion& motion) {
-  Vector6d free = motion.u, locked = motion.u;
-  for (int i = 0; i < 6; ++i) (body.locked[static_cast<std::size_t>(i)] ? free : locked)[i] = 0;
-  const Matrix6d S = body.inertia_W(motion.q);
-  return {.free = free.dot(S * free) / 2, .locked = locked.dot(S * locked) / 2};
-}
-
 /// True if (E3a) has changed by little.
 bool keeps_energy(const PartlyLockedBody& body, const LockedMotion& before,
                   const LockedMotion& after) {
-  const LockedEnergy first = locked_energy(body, before), last = locked_energy(body, after);
-  const double change = (last.free - last.locked) - (first.free - first.locked);
+  const auto square = [&](const LockedMotion& motion, bool of_locked) {
+    Vector6d u = motion.u;
+    for (int i = 0; i < 6; ++i)
+      if (body.locked[static_cast<std::size_t>(i)] != of_locked) u[i] = 0;
+    return u.dot(body.inertia_W(motion.q) * u) / 2;
+  };
+  const double free0 = square(before, false), locked0 = square(before, true);
+  const double free1 = square(after, false), locked1 = square(after, true);
+  const double change = (free1 - locked1) - (free0 - locked0);
   // An infinite energy would be within any part of itself.
   return std::isfinite(change) &&
-         std::abs(change) <= kLockedEnergyKept * std::max(first.free, last.free) +
-                                 kDriftRoundOff * std::max(first.locked, last.locked);
+         std::abs(change) <= kLockedEnergyKept * std::max(free0, free1) +
+                                 kDriftRoundOff * std::max(locked0, locked1);
 }
 
 /// Takes a step of (E1a), in halves where it cannot be solved or does not keep (E3a). A half that

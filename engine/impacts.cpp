@@ -18,10 +18,6 @@ hydro::BodyState expected_state(const MovingBody& moving, const Environment& env
   return state;
 }
 
-bool contains(const std::vector<Pair>& pairs, const Pair& pair) {
-  return std::binary_search(pairs.begin(), pairs.end(), pair);
-}
-
 }  // namespace
 
 Impacts::Impacts(const StepContext& context, const Group& group, const std::vector<Pair>& touching,
@@ -87,7 +83,7 @@ bool Impacts::may_meet_fast(const Pair& pair) const {
 }
 
 std::optional<double> Impacts::onset(const Pair& pair, double time) const {
-  const bool met = contains(touching_, pair);
+  const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
   std::optional<double> found;
   for (int i = 0; i < kMostOnsetLooks; ++i) {
     std::vector<std::pair<BodyId, hydro::BodyState>> places;

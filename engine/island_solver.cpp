@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
 
 #include "engine/constants.h"
 
@@ -32,6 +31,17 @@ dContact to_ode_contact(const Contact& contact) {
     Eigen::Map<Eigen::Vector3d>(ode.fdir1) = sliding.normalized();
   }
   return ode;
+}
+
+/// Enables an ODE body with the state, mass and load of a solver body.
+void prepare(dxBody* body, const SolverBody& as, double unit) {
+  const Eigen::Vector3d force = unit * as.load.force;
+  const Eigen::Vector3d moment = unit * as.load.moment;
+  place(body, as.state);
+  set_mass(body, unit * as.mass, unit * as.inertia_B);
+  dBodySetForce(body, force.x(), force.y(), force.z());
+  dBodySetTorque(body, moment.x(), moment.y(), moment.z());
+  dBodyEnable(body);
 }
 
 /// Takes a step by the iterative solver, which visits constraints in a random order: every step
@@ -69,16 +79,6 @@ void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia_B) {
   dBodySetMass(body, &ode);
 }
 
-void prepare(dxBody* body, const SolverBody& as, double unit) {
-  const Eigen::Vector3d force = unit * as.load.force;
-  const Eigen::Vector3d moment = unit * as.load.moment;
-  place(body, as.state);
-  set_mass(body, unit * as.mass, unit * as.inertia_B);
-  dBodySetForce(body, force.x(), force.y(), force.z());
-  dBodySetTorque(body, moment.x(), moment.y(), moment.z());
-  dBodyEnable(body);
-}
-
 bool step_or_fall_back(dxWorld* world, const std::function<void()>& restart, double step) {
   take_ode_warning();  // drops one of an earlier collision
   if (!dWorldStep(world, step)) throw OdeFault("ODE: no memory for the step");
@@ -88,13 +88,44 @@ bool step_or_fall_back(dxWorld* world, const std::function<void()>& restart, dou
   return true;
 }
 
+std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
+                                const std::vector<dxBody*>& handles, const IslandProblem& problem,
+                                bool exact) {
+  const std::vector<SolverBody>& bodies = problem.bodies;
+  const auto prepare_all = [&] {
+    for (std::size_t i = 0; i < bodies.size(); ++i) prepare(handles[i], bodies[i], problem.unit);
+  };
+  const auto handle_of = [&](BodyId id) -> dxBody* {
+    const auto place = std::lower_bound(bodies.begin(), bodies.end(), id,
+                                        [](const SolverBody& b, BodyId i) { return b.body < i; });
+    if (place == bodies.end() || place->body != id) return nullptr;
+    return handles[static_cast<std::size_t>(place - bodies.begin())];
+  };
+  prepare_all();
+  for (const Contact& contact : problem.contacts)
+    add_contact(world, contact_joints, contact, handle_of(contact.pair.first),
+                handle_of(contact.pair.second));
+  if (exact)
+    step_or_fall_back(world, prepare_all, problem.step);
+  else
+    step_by_iteration(world, kHeapIterations, problem.step);
+  dJointGroupEmpty(contact_joints);
+  std::vector<hydro::Twist> velocities;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    velocities.push_back({vector_from_ode(dBodyGetLinearVel(handles[i])),
+                          vector_from_ode(dBodyGetAngularVel(handles[i]))});
+    dBodyDisable(handles[i]);
+  }
+  return velocities;
+}
+
 /// A world with a number of bodies, all disabled between two calls.
 class IslandSolver::PooledWorld {
  public:
   explicit PooledWorld(std::size_t bodies)
       : threading_(dThreadingAllocateSelfThreadedImplementation()),
         world_(dWorldCreate()),
-        group_(dJointGroupCreate(0)) {
+        contact_joints_(dJointGroupCreate(0)) {
     // The implementation that worlds share by default is not safe for several threads.
     dWorldSetStepThreadingImplementation(
         world_.get(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
@@ -106,86 +137,41 @@ class IslandSolver::PooledWorld {
   }
 
   std::size_t size() const { return bodies_.size(); }
-
-  std::vector<hydro::Twist> velocities(double unit, const std::vector<SolverBody>& bodies,
-                                       const std::vector<Contact>& contacts, double step) {
-    const auto prepare_all = [&] {
-      for (std::size_t i = 0; i < bodies.size(); ++i) prepare(bodies_[i], bodies[i], unit);
-    };
-    prepare_all();
-    join(bodies, contacts);
-    if (contacts.size() > kMostDirectContacts)
-      step_by_iteration(world_.get(), kHeapIterations, step);
-    else
-      step_or_fall_back(world_.get(), prepare_all, step);
-    dJointGroupEmpty(group_.get());
-    std::vector<hydro::Twist> velocities;
-    velocities.reserve(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      velocities.push_back({vector_from_ode(dBodyGetLinearVel(bodies_[i])),
-                            vector_from_ode(dBodyGetAngularVel(bodies_[i]))});
-      dBodyDisable(bodies_[i]);
-    }
-    return velocities;
+  std::vector<hydro::Twist> velocities(const IslandProblem& problem) {
+    return solve(world_.get(), contact_joints_.get(), bodies_, problem,
+                 problem.contacts.size() <= kMostDirectContacts);
   }
 
  private:
-  void join(const std::vector<SolverBody>& bodies, const std::vector<Contact>& contacts) {
-    const auto handle = [&](BodyId id) -> dxBody* {
-      const auto place = std::lower_bound(bodies.begin(), bodies.end(), id,
-                                          [](const SolverBody& b, BodyId i) { return b.body < i; });
-      if (place == bodies.end() || place->body != id) return nullptr;
-      return bodies_[static_cast<std::size_t>(place - bodies.begin())];
-    };
-    for (const Contact& contact : contacts)
-      add_contact(world_.get(), group_.get(), contact, handle(contact.pair.first),
-                  handle(contact.pair.second));
-  }
-
   ThreadingHandle threading_;
   WorldHandle world_;
-  JointGroupHandle group_;  ///< It is destroyed before the world.
+  JointGroupHandle contact_joints_;  ///< It is destroyed before the world.
   std::vector<dxBody*> bodies_;
 };
 
-/// Worlds that no thread uses, by size.
-class IslandSolver::WorldPool {
- public:
-  std::unique_ptr<PooledWorld> take(std::size_t bodies) {
-    const std::size_t size = std::bit_ceil(bodies);
-    {
-      const std::lock_guard lock(mutex_);
-      std::vector<std::unique_ptr<PooledWorld>>& unused = unused_[size];
-      if (!unused.empty()) {
-        std::unique_ptr<PooledWorld> world = std::move(unused.back());
-        unused.pop_back();
-        return world;
-      }
-    }
-    return std::make_unique<PooledWorld>(size);
-  }
-  void give_back(std::unique_ptr<PooledWorld> world) {
-    const std::lock_guard lock(mutex_);
-    unused_[world->size()].push_back(std::move(world));
-  }
+std::unique_ptr<IslandSolver::PooledWorld> IslandSolver::take(std::size_t bodies) {
+  const std::size_t size = std::bit_ceil(bodies);
+  const std::lock_guard lock(mutex_);
+  std::vector<std::unique_ptr<PooledWorld>>& unused = pool_[size];
+  if (unused.empty()) return std::make_unique<PooledWorld>(size);
+  std::unique_ptr<PooledWorld> world = std::move(unused.back());
+  unused.pop_back();
+  return world;
+}
 
- private:
-  std::mutex mutex_;
-  std::map<std::size_t, std::vector<std::unique_ptr<PooledWorld>>> unused_;
-};
+void IslandSolver::give_back(std::unique_ptr<PooledWorld> world) {
+  const std::lock_guard lock(mutex_);
+  pool_[world->size()].push_back(std::move(world));
+}
 
-IslandSolver::IslandSolver() : pool_(std::make_unique<WorldPool>()) {}
+IslandSolver::IslandSolver() = default;
 IslandSolver::~IslandSolver() = default;
-IslandSolver::IslandSolver(IslandSolver&&) noexcept = default;
 
-std::vector<hydro::Twist> IslandSolver::velocities(double unit,
-                                                   const std::vector<SolverBody>& bodies,
-                                                   const std::vector<Contact>& contacts,
-                                                   double step) {
+std::vector<hydro::Twist> IslandSolver::velocities(const IslandProblem& problem) {
   open_ode();
-  std::unique_ptr<PooledWorld> world = pool_->take(bodies.size());
-  std::vector<hydro::Twist> result = world->velocities(unit, bodies, contacts, step);
-  pool_->give_back(std::move(world));
+  std::unique_ptr<PooledWorld> world = take(problem.bodies.size());
+  std::vector<hydro::Twist> result = world->velocities(problem);
+  give_back(std::move(world));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -49,10 +50,6 @@ void place(dxBody* body, const hydro::BodyState& state);
 /// Sets the mass of an ODE body, and its inertia in B about the centre of mass.
 void set_mass(dxBody* body, double mass, const Eigen::Matrix3d& inertia_B);
 
-/// Enables an ODE body with the state, mass and load of a solver body; masses, moments and loads
-/// are multiplied with `unit`.
-void prepare(dxBody* body, const SolverBody& as, double unit);
-
 /// Takes a step of an ODE world by the exact solver. Where constraints contradict each other, it
 /// gives up, and the iterative solver finds a compromise.
 /// @param restart   Makes the bodies ready for the step once more.
@@ -60,25 +57,40 @@ void prepare(dxBody* body, const SolverBody& as, double unit);
 /// @throws OdeFault
 bool step_or_fall_back(dxWorld* world, const std::function<void()>& restart, double step);
 
+/// An island for the constraint solver. Each contact has one of the bodies at least; its other
+/// party does not move if it is not among them.
+struct IslandProblem {
+  const std::vector<SolverBody>& bodies;  ///< Ascending.
+  const std::vector<Contact>& contacts;
+  double step;      ///< Length of the substep [s].
+  double unit = 1;  ///< Factor of masses, moments and loads in ODE.
+};
+
+/// The velocities in W that the bodies have after the substep under their loads and constraints.
+/// They are enabled for that in the ODE world, where their states are undefined afterwards.
+/// @param handles   Of the bodies.
+/// @param exact     False: the iterative solver is used, as for heaps.
+/// @throws OdeFault
+std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
+                                const std::vector<dxBody*>& handles, const IslandProblem& problem,
+                                bool exact);
+
 class IslandSolver {
  public:
   IslandSolver();
   ~IslandSolver();
-  IslandSolver(IslandSolver&&) noexcept;
 
-  /// The velocities in W that the bodies of an island have after `step` [s] under their loads and
-  /// contacts, each of which has one of them at least; its other party does not move if it is not
-  /// among them. Several threads may call this at once.
-  /// @param unit     Factor of masses, moments and loads in the solver.
-  /// @param bodies   Ascending.
+  /// Solves an island without joints and locks. Several threads may call this at once.
   /// @throws OdeFault
-  std::vector<hydro::Twist> velocities(double unit, const std::vector<SolverBody>& bodies,
-                                       const std::vector<Contact>& contacts, double step);
+  std::vector<hydro::Twist> velocities(const IslandProblem& problem);
 
  private:
   class PooledWorld;
-  class WorldPool;
-  std::unique_ptr<WorldPool> pool_;
+  std::unique_ptr<PooledWorld> take(std::size_t bodies);
+  void give_back(std::unique_ptr<PooledWorld> world);
+
+  std::mutex mutex_;
+  std::map<std::size_t, std::vector<std::unique_ptr<PooledWorld>>> pool_;  ///< Unused ones by size.
 };
 
 }  // namespace engine

@@ -1,8 +1,9 @@
 #include "engine/moving_body.h"
 
-#include "engine/applied_load.h"
+#include <cmath>
+#include <numbers>
+
 #include "engine/stopwatch.h"
-#include "engine/vertical_extent.h"
 
 namespace engine {
 namespace {
@@ -17,6 +18,19 @@ void compute_water_loads(MovingBody& moving, const Environment& environment,
     moving.cache.water_state.reset();
   else
     moving.cache.water_state = state;
+}
+
+/// The load at a time: moment about the centre of mass, in W.
+hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, double time) {
+  // A multiple of the step differs from the time as written by round-off.
+  const double later = time + 1e-12 * std::abs(time);
+  if (later < load.start || later >= load.end) return {};
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d force = load.in_body_frame ? R_WB * load.force : load.force;
+  const Eigen::Vector3d torque = load.in_body_frame ? R_WB * load.torque : load.torque;
+  const hydro::Wrench whole{.force = force, .moment = torque + (R_WB * load.at_B).cross(force)};
+  if (!load.sine) return whole;
+  return std::sin(2 * std::numbers::pi * load.sine->frequency * time + load.sine->phase) * whole;
 }
 
 /// Finds the loads of the water: none above its highest point, and those of the cache where neither

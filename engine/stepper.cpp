@@ -60,14 +60,7 @@ std::vector<Pair> Stepper::near_pairs() {
     boxes.push_back(swept_box(world.shape_box(static_cast<BodyId>(i)), bodies[i].motion.state,
                               context_.environment.gravity, step_));
   boxes.push_back(world.ground_box());
-  std::vector<Pair> pairs;
-  for (const auto& [first, second] : broad_phase_.find(boxes)) {
-    const auto a = static_cast<BodyId>(first), b = static_cast<BodyId>(second);
-    const Pair pair = second == bodies.size() ? Pair(kWorld, a) : Pair(a, b);
-    if (world.may_touch(pair)) pairs.push_back(pair);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return world.touchable(broad_phase_.find(boxes));
 }
 
 std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {

@@ -5,7 +5,6 @@
 
 #include "engine/constants.h"
 #include "engine/free_motion.h"
-#include "engine/vertical_extent.h"
 
 namespace engine {
 namespace {
@@ -20,7 +19,7 @@ double crossing_limit(const Body& body, const Environment& environment, const Mo
                       double rest, double shortest) {
   if (!body.wet) return rest;
   const hydro::BodyState& state = motion.state;
-  const auto [low, height] = vertical_extent(body.box_B, state);
+  const auto [low, height] = vertical_extent(body, state);
   const double rise = state.linear_velocity.z() * rest;
   // A body that turns about a fixed point may move in any direction within the step.
   const bool turns = body.reduced_joint && body.reduced_joint->turns();
@@ -64,8 +63,8 @@ struct SurfaceCrossing {
 
 SurfaceCrossing surface_crossing(const Body& body, const Environment& environment,
                                  const hydro::BodyState& before, const hydro::BodyState& after) {
-  const double first = lowest_point(body.box_B, before);
-  const auto [last, height] = vertical_extent(body.box_B, after);
+  const double first = vertical_extent(body, before).lowest;
+  const auto [last, height] = vertical_extent(body, after);
   return {.meets = std::min(first, last) < environment.highest &&
                    std::max(first, last) + height > environment.lowest,
           .reaches = std::max(first, last) >= environment.highest,

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "engine/constants.h"
-#include "engine/vertical_extent.h"
 #include "hydro/decompositions.h"
 #include "hydro/loads/load_jacobian.h"
 
@@ -124,7 +123,7 @@ double waterplane_stiffness(const UpdateContext& s) {
   const double factor = 3 * s.h * s.h / s.least_mass();
   const double bound = factor * environment.sea->density * environment.sea->gravity * area;
   if (!(bound > kStiffWaterplane)) return bound;
-  const auto [low, reach] = vertical_extent(s.body.box_B, s.state());
+  const auto [low, reach] = vertical_extent(s.body, s.state());
   if (low >= environment.highest || low + reach <= environment.lowest) return 0;
   return factor * heave_stiffness(s, reach);
 }

@@ -6,10 +6,6 @@
 namespace engine {
 namespace {
 
-Eigen::Matrix3d rotation(const Motion& motion) {
-  return motion.state.orientation.toRotationMatrix();
-}
-
 Vector6d current_velocity(const Environment& environment) {
   return to_vector6(environment.current(), Eigen::Vector3d::Zero());
 }
@@ -17,24 +13,19 @@ Vector6d current_velocity(const Environment& environment) {
 /// ½ u·X u.
 double half_square(const Matrix6d& X, const Vector6d& u) { return u.dot(X * u) / 2; }
 
-/// Momentum of the body's own mass, in W, for a velocity in W.
-Vector6d own_momentum(const Body& body, const Motion& motion, const Vector6d& u) {
-  const Eigen::Matrix3d R_WB = rotation(motion);
-  return rotate(R_WB, body.rigid_B * rotate(R_WB.transpose(), u));
+/// X u in W, for X in B and u in W.
+Vector6d momentum(const Matrix6d& X_B, const Motion& motion, const Vector6d& u) {
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  return rotate(R_WB, X_B * rotate(R_WB.transpose(), u));
 }
 
-/// Momentum of the water that moves with it, in W.
-Vector6d added_momentum(const Motion& motion, const Vector6d& u) {
-  const Eigen::Matrix3d R_WB = rotation(motion);
-  return rotate(R_WB, motion.added() * rotate(R_WB.transpose(), u));
-}
-
+/// K
 double own_kinetic_energy(const Body& body, const Motion& motion) {
   const Vector6d v = velocity(motion.state, Eigen::Vector3d::Zero());
-  return v.dot(own_momentum(body, motion, v)) / 2;
+  return v.dot(momentum(body.rigid_B, motion, v)) / 2;
 }
 
-/// K + E_A.
+/// K + E_A
 double whole_kinetic_energy(const Body& body, const Environment& environment,
                             const Motion& motion) {
   return own_kinetic_energy(body, motion) + added_kinetic_energy(body, environment, motion);
@@ -73,7 +64,8 @@ double added_kinetic_energy(const Body& body, const Environment& environment,
                             const Motion& motion) {
   if (!body.has_added_mass) return 0;
   const Vector6d u = velocity(motion.state, environment.current());
-  return half_square(motion.added(), rotate(rotation(motion).transpose(), u));
+  return half_square(motion.added(),
+                     rotate(motion.state.orientation.toRotationMatrix().transpose(), u));
 }
 
 void record_update(const MovingBody& moving, const Environment& environment,
@@ -104,7 +96,8 @@ void record_update(const MovingBody& moving, const Environment& environment,
   record.works.added_mass += half_square(inertia_W(body, after), u) -
                              half_square(inertia_W(body, *midpoint.motion), midpoint.before) -
                              impulse.dot(mean);
-  add_added_impulse(environment, own_momentum(body, after, u - midpoint.before) - impulse, record);
+  add_added_impulse(environment, momentum(body.rigid_B, after, u - midpoint.before) - impulse,
+                    record);
 }
 
 void record_drift(const Body& body, const Environment& environment, const Motion& before,
@@ -113,12 +106,12 @@ void record_drift(const Body& body, const Environment& environment, const Motion
   if (!projected && !before.added_B) return;
   const Vector6d u0 = velocity(before.state, environment.current());
   const Vector6d u1 = velocity(after.state, environment.current());
-  const Vector6d own = own_momentum(body, after, u1) - own_momentum(body, before, u0);
+  const Vector6d own = momentum(body.rigid_B, after, u1) - momentum(body.rigid_B, before, u0);
   if (!projected) return add_added_impulse(environment, own, *after.work);
   Vector6d water = Vector6d::Zero();
   if (before.added_B) {
-    const Vector6d p0 = added_momentum(before, u0);
-    const Vector6d p1 = added_momentum(after, u1);
+    const Vector6d p0 = momentum(before.added(), before, u0);
+    const Vector6d p1 = momentum(after.added(), after, u1);
     const Eigen::Vector3d v = (u0 + u1).head<3>() / 2;
     const Eigen::Vector3d P = (p0 + p1).head<3>() / 2;
     water = p0 - p1;
@@ -134,7 +127,7 @@ void record_added_mass(const Body& body, const Environment& environment, const M
       velocity(after.state, environment.current()) - velocity(before.state, environment.current());
   after.work->works.added_mass +=
       kinetic_energy(body, environment, after) - kinetic_energy(body, environment, before);
-  add_added_impulse(environment, own_momentum(body, after, change), *after.work);
+  add_added_impulse(environment, momentum(body.rigid_B, after, change), *after.work);
 }
 
 void record_clamp(const Body& body, const Environment& environment, const Motion& before,
@@ -151,8 +144,8 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
   WorkRecord& record = *after.work;
   const Vector6d impulse = record_loads(moving.cache.loads, w, step, record.works);
   if (!constrained) return;
-  const Vector6d rest =
-      own_momentum(moving.body, after, v1) - own_momentum(moving.body, before, v0) - impulse;
+  const Vector6d rest = momentum(moving.body.rigid_B, after, v1) -
+                        momentum(moving.body.rigid_B, before, v0) - impulse;
   record.constraint_impulse += rest;
   record.works.constraint += rest.dot(w);
 }

@@ -4,7 +4,6 @@
 #include <ode/ode.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "engine/body_check.h"
@@ -14,22 +13,12 @@
 namespace engine {
 namespace {
 
-Eigen::Isometry3d pose(const hydro::BodyState& state) {
-  return Eigen::Translation3d(state.position) * state.orientation;
-}
-
 void place(dxGeom* geom, const hydro::BodyState& state, const Eigen::Vector3d& center_B) {
-  const Eigen::Vector3d center_W = pose(state) * center_B;
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d center_W = R_WB * center_B + state.position;
   dGeomSetPosition(geom, center_W.x(), center_W.y(), center_W.z());
-  dGeomSetRotation(geom, to_ode(state.orientation.toRotationMatrix()).data());
+  dGeomSetRotation(geom, to_ode(R_WB).data());
 }
-
-double furthest_from(const Eigen::Vector3d& center, const hydro::TriMesh& mesh) {
-  return (mesh.vertices.colwise() - center).colwise().norm().maxCoeff();
-}
-
-/// The id as user data of a geometry.
-void* tag(BodyId id) { return reinterpret_cast<void*>(static_cast<std::intptr_t>(id)); }
 
 }  // namespace
 
@@ -39,9 +28,7 @@ World::World(double gravity) : gravity_(gravity) {
   dWorldSetGravity(world_.get(), 0, 0, -gravity);
   dWorldSetERP(world_.get(), kJointErp);
   dWorldSetAutoDisableFlag(world_.get(), 0);
-  space_.reset(dHashSpaceCreate(nullptr));
-  // Cells of 1 m to 1 km: body coordinates divided by a cell's size must fit an int.
-  dHashSpaceSetLevels(space_.get(), 0, 10);
+  space_.reset(dSimpleSpaceCreate(nullptr));
   contact_joints_.reset(dJointGroupCreate(0));
 }
 
@@ -53,13 +40,9 @@ BodyId World::add_body(const BodySpec& spec, bool collides) {
             .load = {},
             .inertia = {.mass = spec.mass, .acceleration = {0, 0, -gravity_}}};
   if (!immovable(spec.locked)) body.handle = create_body(spec);
-  const auto id = static_cast<BodyId>(bodies_.size());
-  if (collides && spec.collision != CollisionShape::none) {
-    add_shape(body, spec);
-    dGeomSetData(body.geom, tag(id));
-  }
+  if (collides && spec.collision != CollisionShape::none) add_shape(body, spec);
   bodies_.push_back(body);
-  return id;
+  return static_cast<BodyId>(bodies_.size()) - 1;
 }
 
 dxBody* World::create_body(const BodySpec& spec) {
@@ -92,7 +75,7 @@ void World::add_shape(Body& body, const BodySpec& spec) {
   } else if (spec.collision == CollisionShape::box) {
     body.geom = dCreateBox(space_.get(), size.x(), size.y(), size.z());
   } else {
-    const double radius = furthest_from(center, spec.mesh_B);
+    const double radius = (spec.mesh_B.vertices.colwise() - center).colwise().norm().maxCoeff();
     const Eigen::Vector3d half = Eigen::Vector3d::Constant(radius);
     body.geom = dCreateSphere(space_.get(), radius);
     body.shape_B = {center - half, center + half};
@@ -146,11 +129,9 @@ void World::add_lock_motors(dxBody* body, const BodySpec& spec) {
 
 void World::add_ground(const Ground& ground) {
   check_ground(ground);
-  if (const auto* plane = std::get_if<PlaneGround>(&ground)) {
+  if (const auto* plane = std::get_if<PlaneGround>(&ground))
     ground_ = dCreatePlane(space_.get(), 0, 0, 1, plane->z);
-  }
   if (const auto* mesh = std::get_if<MeshGround>(&ground)) ground_ = create_trimesh(mesh->mesh_W);
-  if (ground_) dGeomSetData(ground_, tag(kWorld));
 }
 
 bool World::can_collide() const {
@@ -162,13 +143,6 @@ bool World::can_collide() const {
 
 const Eigen::AlignedBox3d& World::shape_box(BodyId body) const {
   return bodies_.at(static_cast<std::size_t>(body)).shape_B;
-}
-
-Eigen::AlignedBox3d World::ground_box() const {
-  if (!ground_) return {};
-  std::array<dReal, 6> box{};
-  dGeomGetAABB(ground_, box.data());
-  return {Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5])};
 }
 
 dxBody* World::handle_of(BodyId id) const {

@@ -89,8 +89,9 @@ class World {
 
   /// Pairs of bodies and kWorld that joints connect, of which one at least can move.
   const std::vector<Pair>& joints() const { return joints_; }
-  /// False for two that cannot move or that a joint lets pass through each other.
-  bool may_touch(const Pair& pair) const;
+  /// Pairs of indices of bodies, or the number of bodies for the ground, as pairs that may touch:
+  /// one can move, and no joint lets them pass through each other. Both are ascending.
+  std::vector<Pair> touchable(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
   /// Box around the shape of a body, in B; empty if the body passes through everything.
   const Eigen::AlignedBox3d& shape_box(BodyId body) const;
   /// Box around the ground, in W; empty without ground.
@@ -121,9 +122,7 @@ class World {
   void add_lock_motors(dxBody* body, const BodySpec& spec);
   dxBody* handle_of(BodyId body) const;
   dxGeom* geom_of(BodyId body) const;
-  void join(const Contact& contact);
 
-  std::vector<Pair> near_pairs() const;
   Contacts contacts_of(const std::vector<Pair>& pairs, double step) const;
   std::vector<ContactPoint> touching_points(const Pair& pair, double step) const;
   void add_contacts(Contacts& contacts, const Pair& pair, double step) const;
@@ -142,12 +141,12 @@ class World {
   double unit_ = 1;  ///< Factor of masses, moments and loads in the solver.
   double collision_seconds_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< Of `world_`, `space_`.
   WorldHandle world_;
   SpaceHandle space_;
   JointGroupHandle contact_joints_;  ///< Of the step that is being taken.
   Contacts contacts_;                ///< For the next advance.
-  IslandSolver island_solver_;       ///< For islands without joints and locks.
+  std::unique_ptr<IslandSolver> island_solver_ = std::make_unique<IslandSolver>();
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Pairs of bodies, ascending.
   std::vector<Pair> joints_;
