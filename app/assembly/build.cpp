@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
 #include "app/base/schedule.h"
+#include "app/base/wall_clock.h"
 #include "engine/body_check.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/mesh/mass_properties.h"
@@ -330,10 +330,9 @@ BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter
   BuiltScene built = build_without_added_mass(scene);
   for (const std::string& note : built.notes)
     reporter.note(fmt::format("{}: note: {}", scene.file.string(), note));
-  const auto start = std::chrono::steady_clock::now();
+  const app::WallClock clock;
   add_added_mass(scene, built, store, reporter);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  built.added_mass_seconds = time.count();
+  built.added_mass_seconds = clock.seconds();
   return built;
 }
 

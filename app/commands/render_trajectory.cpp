@@ -14,7 +14,7 @@
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory_match.h"
 #include "app/pictures/pictures.h"
-#include "app/pictures/shots.h"
+#include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/scene/diagnostics.h"
 
@@ -22,16 +22,16 @@ namespace app {
 namespace {
 
 /// The logged states that are to be drawn, as a run of the scene would have drawn them.
-ShotList choose_shots(const Trajectory& trajectory, std::size_t rows, const scene::Scene& scene,
-                      const engine::SimulationSpec& spec, const VideoOptions& video) {
+ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows, const scene::Scene& scene,
+                          const engine::SimulationSpec& spec, const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
-  ShotList shots(scene.render->every, end, video.pictures_a_second());
+  ShotSelector shots(scene.render->every, end, video.pictures_a_second());
   for (std::size_t i = 0; i < rows; ++i) shots.add(times[i], states_at(trajectory, spec, i));
   return shots;
 }
 
-void say_what_was_drawn(const PictureReport& report, const ShotStore& shots,
+void say_what_was_drawn(const PictureReport& report, const ShotSpool& shots,
                         const std::filesystem::path& folder) {
   const std::size_t cameras = std::max<std::size_t>(1, report.cameras.size());
   say(fmt::format(
@@ -53,9 +53,9 @@ int render_trajectory(const RenderOptions& options) {
   const std::filesystem::path file = trajectory_of(options.trajectory);
   const Trajectory trajectory = read_trajectory(file);
   check_same_bodies(trajectory, built.spec, file);
-  const ShotList list =
+  const ShotSelector list =
       choose_shots(trajectory, common_rows(trajectory, file), scene, built.spec, options.video);
-  const ShotStore& shots = list.shots();
+  const ShotSpool& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;
   ProgressLine progress(options.quiet);

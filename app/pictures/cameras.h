@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/pictures/shot_store.h"
+#include "app/pictures/shot_spool.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
 #include "engine/spec.h"

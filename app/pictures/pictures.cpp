@@ -11,7 +11,7 @@
 #include "app/base/background.h"
 #include "app/base/program_files.h"
 #include "app/pictures/cameras.h"
-#include "app/pictures/force_notes.h"
+#include "app/pictures/force_annotations.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pressure_range.h"
 #include "app/render/annotation.h"
@@ -31,7 +31,7 @@ constexpr std::size_t kMostWaiting = 2;
 /// The pictures of a scene, drawn by one camera after the other.
 class Drawing {
  public:
-  Drawing(const scene::Scene& scene, const assembly::BuiltScene& built, const ShotStore& shots,
+  Drawing(const scene::Scene& scene, const assembly::BuiltScene& built, const ShotSpool& shots,
           const PictureTarget& target, const PictureProgress& progress)
       : look_(*scene.render),
         spec_(built.spec),
@@ -58,8 +58,8 @@ class Drawing {
   }
 
  private:
-  render::Picture first_picture(const scene::Scene& scene) const {
-    render::Picture first = picture_of(scene, spec_, scale_);
+  render::SceneDescription first_picture(const scene::Scene& scene) const {
+    render::SceneDescription first = picture_of(scene, spec_, scale_);
     if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), spec_, shots_.at(0));
     return first;
   }
@@ -123,29 +123,29 @@ class Drawing {
 
   const scene::Render& look_;
   const engine::SimulationSpec& spec_;
-  const ShotStore& shots_;
+  const ShotSpool& shots_;
   const PictureTarget& target_;
   const PictureProgress& progress_;
   const std::vector<scene::Camera> cameras_;
   const render::PressureScale scale_;
   std::optional<render::PressureScale> shown_scale_;  ///< None without water.
   render::Renderer renderer_;
-  ForceNotes notes_;
+  ForceAnnotations notes_;
   PictureReport report_;
   int drawn_ = 0;
 };
 
 }  // namespace
 
-render::Picture picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
-                           const render::PressureScale& scale) {
+render::SceneDescription picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
+                                    const render::PressureScale& scale) {
   const scene::Render& look = *scene.render;
-  render::Picture picture{.width = look.size[0],
-                          .height = look.size[1],
-                          .pressure = scale,
-                          .sea = spec.sea,
-                          .bold_waterline = look.show.waterline,
-                          .wireframe = look.show.wireframe};
+  render::SceneDescription picture{.width = look.size[0],
+                                   .height = look.size[1],
+                                   .pressure = scale,
+                                   .sea = spec.sea,
+                                   .bold_waterline = look.show.waterline,
+                                   .wireframe = look.show.wireframe};
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     picture.bodies.push_back({.mesh_B = spec.bodies[i].mesh_B,
                               .color = scene.bodies[i].color,
@@ -167,7 +167,7 @@ std::vector<std::string> videos_made(const PictureReport& report) {
 }
 
 PictureReport draw_pictures(const scene::Scene& scene, const assembly::BuiltScene& built,
-                            const ShotStore& shots, const PictureTarget& target,
+                            const ShotSpool& shots, const PictureTarget& target,
                             const PictureProgress& progress) {
   return Drawing(scene, built, shots, target, progress).draw();
 }

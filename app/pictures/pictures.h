@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/assembly/built_scene.h"
-#include "app/pictures/shot_store.h"
+#include "app/pictures/shot_spool.h"
 #include "app/pictures/video.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
@@ -45,14 +45,14 @@ using PictureProgress = std::function<bool(int done, int all)>;
 /// scenes with a render block.
 /// @throws render::Error, OutputError
 PictureReport draw_pictures(const scene::Scene& scene, const assembly::BuiltScene& built,
-                            const ShotStore& shots, const PictureTarget& target,
+                            const ShotSpool& shots, const PictureTarget& target,
                             const PictureProgress& progress);
 
 /// What there is to say of the videos, a line each.
 std::vector<std::string> videos_made(const PictureReport& report);
 
 /// How a scene with a render block looks, but for the camera.
-render::Picture picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
-                           const render::PressureScale& scale);
+render::SceneDescription picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
+                                    const render::PressureScale& scale);
 
 }  // namespace app

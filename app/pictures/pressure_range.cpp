@@ -106,7 +106,7 @@ render::PressureScale pressure_scale(const scene::Render& look, const PressureRa
 }
 
 render::PressureScale pressure_scale(const scene::Render& look, const engine::SimulationSpec& spec,
-                                     const ShotStore& shots) {
+                                     const ShotSpool& shots) {
   PressureRange range;
   if (!look.pressure_max || !look.pressure_min)
     for (std::size_t i = 0; i < shots.size(); ++i) {

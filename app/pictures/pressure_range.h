@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/pictures/shot_store.h"
+#include "app/pictures/shot_spool.h"
 #include "app/render/color_scale.h"
 #include "app/scene/render.h"
 #include "engine/spec.h"
@@ -25,6 +25,6 @@ render::PressureScale pressure_scale(const scene::Render& look, const PressureRa
 
 /// The same, over all shots.
 render::PressureScale pressure_scale(const scene::Render& look, const engine::SimulationSpec& spec,
-                                     const ShotStore& shots);
+                                     const ShotSpool& shots);
 
 }  // namespace app

@@ -72,7 +72,7 @@ bool is_convex(const hydro::TriMesh& mesh, const hydro::FaceTree& tree, double l
 
 }  // namespace
 
-Eigen::RowVectorXf openness(const hydro::TriMesh& mesh, const Skin& skin) {
+Eigen::RowVectorXf openness(const hydro::TriMesh& mesh, const ShadedMesh& skin) {
   const Index count = skin.vertices.cols();
   Eigen::RowVectorXf open = Eigen::RowVectorXf::Ones(count);
   if (count == 0 || count > kMostVertices) return open;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/skin.h"
+#include "app/render/shaded_mesh.h"
 
 namespace render {
 
@@ -10,6 +10,6 @@ namespace render {
 /// 1 everywhere for a skin of more than 50,000 vertices, and at once for a convex one.
 ///
 /// @param mesh   That the skin is of.
-Eigen::RowVectorXf openness(const hydro::TriMesh& mesh, const Skin& skin);
+Eigen::RowVectorXf openness(const hydro::TriMesh& mesh, const ShadedMesh& skin);
 
 }  // namespace render

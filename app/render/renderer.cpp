@@ -9,7 +9,7 @@
 #include "app/render/gl_mesh.h"
 #include "app/render/gl_program.h"
 #include "app/render/occlusion.h"
-#include "app/render/skin.h"
+#include "app/render/shaded_mesh.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
 #include "hydro/loads/loads.h"
@@ -33,7 +33,7 @@ constexpr double kFiner = 0.5;
 
 /// A body on the graphics device.
 struct DrawnBody {
-  Skin skin_B;
+  ShadedMesh skin_B;
   GlMesh mesh;
   std::optional<GlMesh> edges;
 };
@@ -46,10 +46,10 @@ double round_length(double length) {
   return power;
 }
 
-DrawnBody make_body(const GlFunctions& gl, const BodyLook& look, double longest_edge) {
-  Skin skin =
-      make_skin(std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces)
-                                            : look.mesh_B);
+DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double longest_edge) {
+  ShadedMesh skin = make_shaded_mesh(std::isfinite(longest_edge)
+                                         ? subdivided(look.mesh_B, longest_edge, kMostFaces)
+                                         : look.mesh_B);
   GlMesh mesh(gl, skin.triangles);
   mesh.set(0, skin.vertices.cast<float>());
   mesh.set(1, skin.normals.cast<float>());
@@ -64,7 +64,7 @@ GlMesh make_edges(const GlFunctions& gl, const hydro::TriMesh& mesh_B) {
 }
 
 GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view) {
-  const Skin skin = make_skin(ground_W);
+  const ShadedMesh skin = make_shaded_mesh(ground_W);
   GlMesh mesh(gl, skin.triangles);
   mesh.set(0, (skin.vertices.colwise() - view.eye_W).cast<float>());
   mesh.set(1, skin.normals.cast<float>());
@@ -99,7 +99,7 @@ GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors) {
 }  // namespace
 
 struct Renderer::Impl {
-  Impl(Picture p, const std::filesystem::path& shaders);
+  Impl(SceneDescription p, const std::filesystem::path& shaders);
   ~Impl() { context_.make_current(); }  // Meshes are freed in the context they are of.
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -120,7 +120,7 @@ struct Renderer::Impl {
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
   void draw_water(double time);
 
-  Picture picture_;
+  SceneDescription picture_;
   View view_;
   EglContext context_;
   const GlFunctions& gl_ = context_.gl();
@@ -137,7 +137,7 @@ struct Renderer::Impl {
   friend class Renderer;
 };
 
-Renderer::Impl::Impl(Picture p, const std::filesystem::path& shaders)
+Renderer::Impl::Impl(SceneDescription p, const std::filesystem::path& shaders)
     : picture_(std::move(p)),
       canvas_(std::in_place, gl_, picture_.width, picture_.height),
       sky_(gl_, shaders, "sky"),
@@ -177,7 +177,7 @@ void Renderer::Impl::make_surroundings() {
   if (bodies_.empty() || longest_edge < bodies_edge_) {
     bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * longest_edge;
     bodies_.clear();
-    for (const BodyLook& look : picture_.bodies) {
+    for (const BodyAppearance& look : picture_.bodies) {
       bodies_.push_back(make_body(gl_, look, bodies_edge_));
       if (picture_.wireframe) bodies_.back().edges = make_edges(gl_, look.mesh_B);
     }
@@ -232,7 +232,7 @@ void Renderer::Impl::draw_ground(double time) const {
 }
 
 void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state, double time) {
-  const BodyLook& look = picture_.bodies[index];
+  const BodyAppearance& look = picture_.bodies[index];
   DrawnBody& body = bodies_[index];
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   body_.set("u_rotation", R_WB);
@@ -316,7 +316,7 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   return canvas_->read();
 }
 
-Renderer::Renderer(Picture picture, const std::filesystem::path& shader_folder)
+Renderer::Renderer(SceneDescription picture, const std::filesystem::path& shader_folder)
     : impl_(std::make_unique<Impl>(std::move(picture), shader_folder)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -325,7 +325,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 const std::string& Renderer::device() const { return impl_->context_.device(); }
 
 double Renderer::grid() const {
-  const Picture& p = impl_->picture_;
+  const SceneDescription& p = impl_->picture_;
   const bool lined = (p.sea && p.water_visible) || p.ground_W || p.ground_z;
   return lined ? impl_->grid_length() : 0;
 }

@@ -30,19 +30,19 @@
 namespace render {
 
 /// A body as it is drawn: constant over a sequence.
-struct BodyLook {
+struct BodyAppearance {
   hydro::TriMesh mesh_B;
   Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< Of the dry surface, RGB 0 … 1.
   hydro::Coefficients coefficients;         ///< For the dynamic part of the pressure shown.
 };
 
 /// What is drawn, but for the bodies' states, the time and other cameras: constant over a sequence.
-struct Picture {
+struct SceneDescription {
   int width = 960;
   int height = 720;
   Camera camera;
   PressureScale pressure;
-  std::vector<BodyLook> bodies;
+  std::vector<BodyAppearance> bodies;
   std::optional<hydro::Sea> sea;           ///< None: a dry scene.
   std::optional<hydro::TriMesh> ground_W;  ///< Sea floor or shore.
   std::optional<double> ground_z;          ///< A flat sea floor, drawn to the horizon.
@@ -56,7 +56,7 @@ class Renderer {
  public:
   /// @throws Error if there is no graphics, naming the packages to install, or if a shader is
   ///         missing or wrong, naming the file and line.
-  Renderer(Picture picture, const std::filesystem::path& shader_folder);
+  Renderer(SceneDescription picture, const std::filesystem::path& shader_folder);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -70,8 +70,8 @@ class Renderer {
   /// Distance of the lines on water and ground [m]; 0 if there is neither.
   double grid() const;
 
-  /// Looks from a place from the next picture on; the first is `Picture::camera`. The same as
-  /// before costs nothing.
+  /// Looks from a place from the next picture on; the first is `SceneDescription::camera`. The same
+  /// as before costs nothing.
   void look(const Camera& camera);
 
   /// Makes pictures of a size from the next on [px]; the same costs nothing.
@@ -83,7 +83,7 @@ class Renderer {
 
   /// One picture, without text: `add_overlay` (overlay.h) puts time and pressure scale on it, and
   /// `ContactSheet` (sheet.h) wants it bare.
-  /// @param states   In the order of `Picture::bodies`.
+  /// @param states   In the order of `SceneDescription::bodies`.
   Image draw(const std::vector<hydro::BodyState>& states, double time);
 
  private:

@@ -6,7 +6,7 @@
 
 #include "app/logs/log.h"
 #include "app/logs/make_log.h"
-#include "app/pictures/shots.h"
+#include "app/pictures/shot_selector.h"
 #include "app/pictures/video.h"
 #include "app/run/run_source.h"
 #include "engine/simulation_state.h"

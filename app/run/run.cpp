@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "app/base/schedule.h"
 #include "app/base/terminal_reporter.h"
 #include "app/base/thread_count.h"
+#include "app/base/wall_clock.h"
 #include "app/base/words.h"
 #include "app/logs/hdf5_file.h"
 #include "app/logs/make_log.h"
@@ -26,7 +26,7 @@
 #include "app/logs/run_files.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pictures.h"
-#include "app/pictures/shots.h"
+#include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
 #include "app/run/resolved_scene.h"
@@ -37,17 +37,6 @@
 
 namespace app {
 namespace {
-
-/// Seconds since it was made.
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
   std::vector<std::string> names;
@@ -88,9 +77,9 @@ class Run {
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
         logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {
-    ShotStore store;
+    ShotSpool store;
     if (options.checkpoint > 0 && wants_pictures())
-      store = ShotStore(folder.path() / kShotFile, last ? static_cast<std::size_t>(last->shots) : 0,
+      store = ShotSpool(folder.path() / kShotFile, last ? static_cast<std::size_t>(last->shots) : 0,
                         built.spec.bodies.size());
     if (last)
       go_on_from(*last, std::move(store));
@@ -117,7 +106,7 @@ class Run {
   }
 
  private:
-  void go_on_from(const Checkpoint& last, ShotStore store) {
+  void go_on_from(const Checkpoint& last, ShotSpool store) {
     simulation_.restore(last.state);
     const double time = simulation_.time();
     log_due_.due(time);
@@ -190,7 +179,7 @@ class Run {
                                       .log = position,
                                       .shots = static_cast<long>(shots_.shots().size()),
                                       .state = simulation_.state()});
-    since_checkpoint_ = Stopwatch();
+    since_checkpoint_ = WallClock();
   }
 
   int interrupted() {
@@ -211,9 +200,9 @@ class Run {
   void keep() {
     const double time = simulation_.time();
     if (log_due_.due(time)) {
-      const Stopwatch stopwatch;
+      const WallClock clock;
       log(time);
-      summary_.wall_log += stopwatch.seconds();
+      summary_.wall_log += clock.seconds();
     }
     if (wants_pictures()) shots_.add(time, simulation_.states());
   }
@@ -229,10 +218,10 @@ class Run {
 
   /// Waits until all that was logged is in the files.
   void finish_log() {
-    const Stopwatch stopwatch;
+    const WallClock clock;
     logging_.put([this] { log_->finish(); });
     logging_.finish();
-    summary_.wall_log += stopwatch.seconds();
+    summary_.wall_log += clock.seconds();
   }
 
   void show_progress() {
@@ -252,7 +241,7 @@ class Run {
   /// Draws the shots. Pictures come last: a run that failed is drawn up to there and keeps its own
   /// exit code.
   int draw(int code) {
-    const Stopwatch stopwatch;
+    const WallClock clock;
     const auto progress = [&](int done, int all) {
       if (progress_.due())
         progress_.show(fmt::format("{}: picture {} of {}", scene_.file.stem().string(), done, all));
@@ -266,7 +255,7 @@ class Run {
       const int own = failed(kWrongInput, error.what());
       return code == kDone ? own : code;
     }
-    summary_.wall_render = stopwatch.seconds();
+    summary_.wall_render = clock.seconds();
     return code == kDone && !summary_.pictures->complete ? interrupted() : code;
   }
 
@@ -299,14 +288,14 @@ class Run {
   const assembly::BuiltScene& built_;
   const OutputFolder& folder_;
   RunSummary summary_;
-  Stopwatch clock_;
-  Stopwatch since_checkpoint_;
+  WallClock clock_;
+  WallClock since_checkpoint_;
   ProgressLine progress_;
   InterruptGuard interrupt_;
   engine::Simulation simulation_;
   std::unique_ptr<Log> log_;
   Schedule log_due_;
-  ShotList shots_;
+  ShotSelector shots_;
   Background logging_;  ///< Last: it works on the log.
 };
 

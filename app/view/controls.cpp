@@ -16,7 +16,7 @@ Either(Functions...) -> Either<Functions...>;
 }  // namespace
 
 Controls::Controls(const render::Camera& home, double step, Pick pick)
-    : home_(orbit_of(home)), orbit_(home_), pace_(step), pick_(std::move(pick)) {}
+    : home_(orbit_of(home)), orbit_(home_), playback_(step), pick_(std::move(pick)) {}
 
 void Controls::take(const Event& event) {
   std::visit(Either{[this](const KeyPress& e) { press(e.key); },
@@ -37,13 +37,13 @@ std::optional<Controls::Held> Controls::held() const {
 void Controls::press(Key key) {
   switch (key) {
     case Key::pause:
-      return pace_.pause_or_go_on();
+      return playback_.pause_or_go_on();
     case Key::step:
-      return pace_.step_once();
+      return playback_.step_once();
     case Key::faster:
-      return pace_.faster();
+      return playback_.faster();
     case Key::slower:
-      return pace_.slower();
+      return playback_.slower();
     case Key::home:
       orbit_ = home_;
       return;
@@ -56,7 +56,7 @@ void Controls::press(Key key) {
     case Key::restart:
       restart_ = true;
       release();
-      return pace_.restart();
+      return playback_.restart();
   }
 }
 

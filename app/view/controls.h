@@ -4,9 +4,9 @@
 #include <optional>
 #include <variant>
 
-#include "app/view/grip.h"
 #include "app/view/orbit.h"
-#include "app/view/pace.h"
+#include "app/view/picking.h"
+#include "app/view/playback_clock.h"
 
 /// @file
 /// What keys and mouse do, apart from any window.
@@ -49,8 +49,8 @@ class Controls {
   void take(const Event& event);
 
   render::Camera camera() const { return camera_of(orbit_); }
-  Pace& pace() { return pace_; }
-  const Pace& pace() const { return pace_; }
+  PlaybackClock& playback() { return playback_; }
+  const PlaybackClock& playback() const { return playback_; }
   bool help() const { return help_; }
   bool quit() const { return quit_; }
   /// True once for each time that the simulation is to start anew.
@@ -72,7 +72,7 @@ class Controls {
   void release();
 
   Orbit home_, orbit_;
-  Pace pace_;
+  PlaybackClock playback_;
   Pick pick_;
   Gesture gesture_ = Gesture::none;
   Eigen::Vector2d mouse_ = Eigen::Vector2d::Zero();

@@ -60,10 +60,11 @@ std::string speed_text(double speed) {
 
 }  // namespace
 
-std::string pace_text(const Pace& pace) {
-  const std::string speed = "speed " + speed_text(pace.speed());
-  if (pace.paused()) return speed + ", paused";
-  return pace.reached() > 0 ? fmt::format("{}, reached {:.2f}", speed, pace.reached()) : speed;
+std::string playback_text(const PlaybackClock& playback) {
+  const std::string speed = "speed " + speed_text(playback.speed());
+  if (playback.paused()) return speed + ", paused";
+  return playback.reached() > 0 ? fmt::format("{}, reached {:.2f}", speed, playback.reached())
+                                : speed;
 }
 
 void add_help(render::Image& image, bool whole) {

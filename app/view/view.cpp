@@ -15,7 +15,7 @@
 #include "app/base/thread_count.h"
 #include "app/pictures/cameras.h"
 #include "app/render/png.h"
-#include "app/view/stage.h"
+#include "app/view/live_scene.h"
 #include "app/view/status.h"
 #include "app/view/window.h"
 
@@ -42,10 +42,10 @@ class LiveView {
            Window& window)
       : options_(options),
         window_(window),
-        stage_(scene, built),
+        live_(scene, built),
         controls_(first_camera(scene), scene.step,
                   [this](const Ray& ray) {
-                    const engine::Simulation& simulation = stage_.simulation();
+                    const engine::Simulation& simulation = live_.simulation();
                     return first_hit(ray, simulation.spec().bodies, simulation.states());
                   }),
         last_step_(options.snapshot.empty() ? -1 : step_count(options.after, scene.step)) {}
@@ -65,10 +65,10 @@ class LiveView {
   using Clock = std::chrono::steady_clock;
 
   bool take_events() {
-    const Pace& pace = controls_.pace();
+    const PlaybackClock& playback = controls_.playback();
     const std::chrono::duration<double> since = Clock::now() - clock_;
     const double wait =
-        pace.paused() ? kIdleTime : std::max(pace.until_next(), kFrameTime) - since.count();
+        playback.paused() ? kIdleTime : std::max(playback.until_next(), kFrameTime) - since.count();
     const std::vector<Event> events = window_.events(wait);
     for (const Event& event : events) controls_.take(event);
     return !events.empty();
@@ -77,14 +77,14 @@ class LiveView {
   /// Takes the steps that the clock asks for. Returns true if the scene has changed.
   bool advance() {
     const bool restart = controls_.take_restart();
-    if (restart) stage_.restart();
-    stage_.hold(controls_.held());
+    if (restart) live_.restart();
+    live_.hold(controls_.held());
     const auto now = Clock::now();
     const std::chrono::duration<double> since = now - std::exchange(clock_, now);
-    long steps = controls_.pace().steps_due(since.count());
-    if (last_step_ >= 0) steps = std::min(steps, last_step_ - stage_.simulation().steps());
-    const long taken = steps > 0 ? stage_.advance(steps, kLongestSteps) : 0;
-    controls_.pace().note(since.count(), taken);
+    long steps = controls_.playback().steps_due(since.count());
+    if (last_step_ >= 0) steps = std::min(steps, last_step_ - live_.simulation().steps());
+    const long taken = steps > 0 ? live_.advance(steps, kLongestSteps) : 0;
+    controls_.playback().note(since.count(), taken);
     return restart || taken > 0;
   }
 
@@ -92,10 +92,10 @@ class LiveView {
     const auto [width, height] = shown_size_ = window_.size();
     if (width == 0 || height == 0) return;
     render::Image image =
-        stage_.picture(controls_.camera(), width, height, pace_text(controls_.pace()));
+        live_.picture(controls_.camera(), width, height, playback_text(controls_.playback()));
     add_help(image, controls_.help());
     window_.draw(image);
-    if (stage_.simulation().steps() == last_step_) {
+    if (live_.simulation().steps() == last_step_) {
       render::write_png(window_.read(), options_.snapshot);
       done_ = true;
     }
@@ -104,7 +104,7 @@ class LiveView {
 
   const ViewOptions& options_;
   Window& window_;
-  Stage stage_;
+  LiveScene live_;
   Controls controls_;
   long last_step_;  ///< That a picture is kept of; -1: none.
   bool done_ = false;

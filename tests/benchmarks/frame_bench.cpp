@@ -17,7 +17,7 @@ namespace bench {
 namespace {
 
 void frame(benchmark::State& state, const hydro::TriMesh& mesh) {
-  render::Picture picture;
+  render::SceneDescription picture;
   picture.sea = hydro::Sea{};
   picture.pressure.max = 10e3;
   picture.camera = {.from = {3.5, -6, 2.4}, .to = {0, 0, 0}};

@@ -13,7 +13,7 @@ using render::openness;
 
 TEST(Openness, OfAConvexBodyIsOneEverywhere) {
   for (const hydro::TriMesh& mesh : {hydro::make_box({1, 2, 3}, 3), hydro::make_icosphere(1, 3)}) {
-    const Eigen::RowVectorXf open = openness(mesh, render::make_skin(mesh));
+    const Eigen::RowVectorXf open = openness(mesh, render::make_shaded_mesh(mesh));
     EXPECT_EQ(open.minCoeff(), 1);
   }
 }
@@ -27,7 +27,7 @@ TEST(Openness, IsSmallInANarrowGap) {
   mesh.vertices.rightCols(count) = other.vertices.colwise() + Eigen::Vector3d(0, 0, 0.4);
   mesh.faces.conservativeResize(3, 2 * other.face_count());
   mesh.faces.rightCols(other.face_count()) = other.faces.array() + static_cast<int>(count);
-  const render::Skin skin = render::make_skin(mesh);
+  const render::ShadedMesh skin = render::make_shaded_mesh(mesh);
   const Eigen::RowVectorXf open = openness(mesh, skin);
   for (Eigen::Index v = 0; v < open.size(); ++v) {
     const Eigen::Vector3d p = skin.vertices.col(v), n = skin.normals.col(v);
@@ -44,7 +44,7 @@ TEST(Openness, IsSmallInANarrowGap) {
 /// From the innermost circle of a torus the other side is seen; from the outermost nothing is.
 TEST(Openness, OfATorusIsLeastInside) {
   const hydro::TriMesh mesh = pictures::make_torus(1, 0.4, 48, 24);
-  const render::Skin skin = render::make_skin(mesh);
+  const render::ShadedMesh skin = render::make_shaded_mesh(mesh);
   const Eigen::RowVectorXf open = openness(mesh, skin);
   for (Eigen::Index v = 0; v < open.size(); ++v) {
     const double out = skin.vertices.col(v).head<2>().norm();

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 using hydro::BodyState;
-using render::BodyLook;
-using render::Picture;
+using render::BodyAppearance;
+using render::SceneDescription;
 
 constexpr double kGravity = 9.80665;
 
@@ -47,7 +47,7 @@ Scene box_in_waves() {
 
 Scene rings_at_depths() {
   Scene s{.name = "rings", .picture = {}};
-  const BodyLook ring = {.mesh_B = make_torus(0.8, 0.3, 64, 32), .color = {0.9, 0.75, 0.3}};
+  const BodyAppearance ring = {.mesh_B = make_torus(0.8, 0.3, 64, 32), .color = {0.9, 0.75, 0.3}};
   s.picture.sea = hydro::Sea{};
   s.picture.pressure.max = 20e3;
   s.picture.camera = {.from = {3, -10, 3.5}, .to = {0, 0, -0.4}};

@@ -18,7 +18,7 @@ hydro::TriMesh make_torus(double radius, double tube_radius, int around, int acr
 /// A picture with what moves in it.
 struct Scene {
   std::string name;
-  render::Picture picture;
+  render::SceneDescription picture;
   std::vector<hydro::BodyState> states;
   double time = 0;
 };

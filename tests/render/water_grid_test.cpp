@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/render/renderer.h"
-#include "app/render/skin.h"
+#include "app/render/shaded_mesh.h"
 #include "hydro/wave_spectrum.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"

@@ -104,12 +104,12 @@ TEST(Controls, LetGoAndGoBackInTimeOnceForEachRestart) {
 TEST(Controls, PassTheKeysOfTimeToThePace) {
   Controls controls = make_controls();
   controls.take(KeyPress{Key::faster});
-  EXPECT_EQ(controls.pace().speed(), 2);
+  EXPECT_EQ(controls.playback().speed(), 2);
   controls.take(KeyPress{Key::slower});
-  EXPECT_EQ(controls.pace().speed(), 1);
+  EXPECT_EQ(controls.playback().speed(), 1);
   controls.take(KeyPress{Key::pause});
   controls.take(KeyPress{Key::step});
-  EXPECT_EQ(controls.pace().steps_due(1), 1);
+  EXPECT_EQ(controls.playback().steps_due(1), 1);
 }
 
 TEST(Controls, ShowHelpAndQuit) {

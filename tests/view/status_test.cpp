@@ -4,7 +4,7 @@
 
 namespace {
 
-using app::Pace;
+using app::PlaybackClock;
 using render::Image;
 
 constexpr render::Rgb kBlack = {0, 0, 0};
@@ -25,15 +25,15 @@ long marked(const Image& image) {
 }
 
 TEST(Status, TellsTheSpeedAndWhatOfItWasReached) {
-  Pace pace(0.1);
-  EXPECT_EQ(app::pace_text(pace), "speed 1");
-  for (int i = 0; i < 3; ++i) pace.slower();
-  pace.note(1, 1);
-  EXPECT_EQ(app::pace_text(pace), "speed 1/8, reached 0.10");
-  pace.pause_or_go_on();
-  EXPECT_EQ(app::pace_text(pace), "speed 1/8, paused");
-  for (int i = 0; i < 5; ++i) pace.faster();
-  EXPECT_EQ(app::pace_text(pace), "speed 4, paused");
+  PlaybackClock playback(0.1);
+  EXPECT_EQ(app::playback_text(playback), "speed 1");
+  for (int i = 0; i < 3; ++i) playback.slower();
+  playback.note(1, 1);
+  EXPECT_EQ(app::playback_text(playback), "speed 1/8, reached 0.10");
+  playback.pause_or_go_on();
+  EXPECT_EQ(app::playback_text(playback), "speed 1/8, paused");
+  for (int i = 0; i < 5; ++i) playback.faster();
+  EXPECT_EQ(app::playback_text(playback), "speed 4, paused");
 }
 
 TEST(Help, LeavesTheLeftFreeAndGrowsWhenItIsWhole) {

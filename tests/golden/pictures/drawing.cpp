@@ -60,7 +60,8 @@ render::Image draw(const KeptPicture& picture) {
   const app::Shot shot = shot_of(picture, built.spec);
   const scene::Render& look = *scene.render;
   const app::PressureRange range = app::pressure_range(built.spec, shot, look.shows);
-  render::Picture bare = app::picture_of(scene, built.spec, app::pressure_scale(look, range));
+  render::SceneDescription bare =
+      app::picture_of(scene, built.spec, app::pressure_scale(look, range));
   bare.camera = app::camera_at(app::cameras_of(look).front(), built.spec, shot);
   return render::Renderer(std::move(bare), app::program_files("shaders"))
       .draw(shot.states, shot.time);

@@ -4,32 +4,32 @@
 #include <vector>
 
 #include "app/base/schedule.h"
-#include "app/pictures/shot_store.h"
+#include "app/pictures/shot_spool.h"
 #include "hydro/spatial.h"
 
 namespace app {
 
 /// Chooses from the states of a run those that are drawn: for frames the first state at or after
 /// each time that is due, for a video the states at its times, found between those of the run.
-class ShotList {
+class ShotSelector {
  public:
   /// @param every   Between frames [s].
   /// @param end     No picture is of it or later [s].
   /// @param fps     Pictures of the video in a second; 0: there is none.
-  ShotList(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
+  ShotSelector(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
 
   /// Keeps the shots in that store from the start.
-  void keep_in(ShotStore shots) { shots_ = std::move(shots); }
+  void keep_in(ShotSpool shots) { shots_ = std::move(shots); }
   /// Goes on after a run's state at `time`, with the shots that it had kept until then.
-  void resume(double time, const std::vector<hydro::BodyState>& states, ShotStore shots);
-  /// As ShotStore::save.
+  void resume(double time, const std::vector<hydro::BodyState>& states, ShotSpool shots);
+  /// As ShotSpool::save.
   void save() { shots_.save(); }
 
   /// To be told of all states in the order of time. @throws OutputError
   void add(double time, const std::vector<hydro::BodyState>& states);
 
   /// In the order of time.
-  const ShotStore& shots() const { return shots_; }
+  const ShotSpool& shots() const { return shots_; }
 
  private:
   /// The rounding of step·count, for times of the video [s].
@@ -43,7 +43,7 @@ class ShotList {
   long next_ = 0;  ///< Number of the video's next picture.
   double last_time_ = 0;
   std::vector<hydro::BodyState> last_;  ///< For a video only.
-  ShotStore shots_;
+  ShotSpool shots_;
 };
 
 }  // namespace app

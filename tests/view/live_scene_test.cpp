@@ -1,4 +1,4 @@
-#include "app/view/stage.h"
+#include "app/view/live_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -25,56 +25,56 @@ struct Ball {
   }
 };
 
-TEST(Stage, TakesTheStepsAskedForAndAtLeastOne) {
+TEST(LiveScene, TakesTheStepsAskedForAndAtLeastOne) {
   const Ball ball;
-  app::Stage stage(ball.scene, ball.built);
-  EXPECT_EQ(stage.advance(5, 100), 5);
-  EXPECT_EQ(stage.advance(1000, 0), 1);
-  EXPECT_EQ(stage.simulation().steps(), 6);
+  app::LiveScene live(ball.scene, ball.built);
+  EXPECT_EQ(live.advance(5, 100), 5);
+  EXPECT_EQ(live.advance(1000, 0), 1);
+  EXPECT_EQ(live.simulation().steps(), 6);
 }
 
-TEST(Stage, StartsAgainAsItStarted) {
+TEST(LiveScene, StartsAgainAsItStarted) {
   const Ball ball;
-  app::Stage stage(ball.scene, ball.built);
-  stage.advance(20, 100);
-  const hydro::BodyState first = stage.simulation().states()[0];
-  stage.hold(app::Controls::Held{0, {.to_W = {3, 0, 4}}});
-  stage.advance(20, 100);
-  stage.restart();
-  EXPECT_EQ(stage.simulation().steps(), 0);
-  stage.hold(std::nullopt);
-  stage.advance(20, 100);
-  EXPECT_EQ(stage.simulation().states()[0], first);
+  app::LiveScene live(ball.scene, ball.built);
+  live.advance(20, 100);
+  const hydro::BodyState first = live.simulation().states()[0];
+  live.hold(app::Controls::Held{0, {.to_W = {3, 0, 4}}});
+  live.advance(20, 100);
+  live.restart();
+  EXPECT_EQ(live.simulation().steps(), 0);
+  live.hold(std::nullopt);
+  live.advance(20, 100);
+  EXPECT_EQ(live.simulation().states()[0], first);
 }
 
-TEST(Stage, HoldsABodyUntilItIsLetGo) {
+TEST(LiveScene, HoldsABodyUntilItIsLetGo) {
   const Ball ball;
-  app::Stage stage(ball.scene, ball.built);
+  app::LiveScene live(ball.scene, ball.built);
   const Vector3d to(0, 0, 5);
-  stage.hold(app::Controls::Held{0, {.to_W = to, .rate = 20}});
-  stage.advance(300, 100);
-  EXPECT_LT((stage.simulation().states()[0].position - to).norm(), 0.1);
-  stage.hold(std::nullopt);
-  stage.advance(50, 100);
-  EXPECT_LT(stage.simulation().states()[0].position.z(), 4.5);
+  live.hold(app::Controls::Held{0, {.to_W = to, .rate = 20}});
+  live.advance(300, 100);
+  EXPECT_LT((live.simulation().states()[0].position - to).norm(), 0.1);
+  live.hold(std::nullopt);
+  live.advance(50, 100);
+  EXPECT_LT(live.simulation().states()[0].position.z(), 4.5);
 }
 
-TEST(Stage, DrawsInAnotherSizeAsIfItHadHadItAlways) {
+TEST(LiveScene, DrawsInAnotherSizeAsIfItHadHadItAlways) {
   const Ball ball;
-  app::Stage resized(ball.scene, ball.built), fresh(ball.scene, ball.built);
+  app::LiveScene resized(ball.scene, ball.built), fresh(ball.scene, ball.built);
   EXPECT_EQ(resized.picture({}, 400, 300, "").width, 400);
   EXPECT_EQ(resized.picture({}, 240, 180, ""), fresh.picture({}, 240, 180, ""));
 }
 
-TEST(Stage, ShowsTheForcesAndCentresOfTheScene) {
+TEST(LiveScene, ShowsTheForcesAndCentresOfTheScene) {
   Ball ball;
-  app::Stage plain(ball.scene, ball.built);
+  app::LiveScene plain(ball.scene, ball.built);
   const render::Image without = plain.picture({}, 240, 180, "");
   for (bool scene::Show::*what : {&scene::Show::forces, &scene::Show::centres}) {
     ball.scene.render->show = {};
     ball.scene.render->show.*what = true;
-    app::Stage stage(ball.scene, ball.built);
-    EXPECT_NE(stage.picture({}, 240, 180, ""), without);
+    app::LiveScene live(ball.scene, ball.built);
+    EXPECT_NE(live.picture({}, 240, 180, ""), without);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "app/render/skin.h"
+#include "app/render/shaded_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ class SkinVertices {
     return added;
   }
 
-  void store(const TriMesh& mesh, Skin& skin) const {
+  void store(const TriMesh& mesh, ShadedMesh& skin) const {
     const auto count = static_cast<Index>(origins_.size());
     skin.vertices.resize(3, count);
     skin.normals.resize(3, count);
@@ -188,12 +188,12 @@ Eigen::Matrix2Xi edges_of(const TriMesh& mesh) {
   return edges.leftCols(count);
 }
 
-Skin make_skin(const TriMesh& mesh) {
+ShadedMesh make_shaded_mesh(const TriMesh& mesh) {
   Eigen::Matrix3Xd areas(3, mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) areas.col(f) = hydro::area_vector(mesh, f);
   const FacesOfVertices around = faces_of_vertices(mesh);
   SkinVertices vertices(mesh.vertex_count());
-  Skin skin;
+  ShadedMesh skin;
   skin.triangles.resize(3, mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-#include "app/pictures/force_notes.h"
+#include "app/pictures/force_annotations.h"
 
 #include <fmt/format.h>
 
@@ -63,13 +63,13 @@ std::string force_text(double newtons) {
 
 }  // namespace
 
-ForceNotes::ForceNotes(const scene::Render& look, const engine::SimulationSpec& spec)
+ForceAnnotations::ForceAnnotations(const scene::Render& look, const engine::SimulationSpec& spec)
     : look_(look), spec_(spec) {
   if (!look.show.forces) return;
   for (const engine::BodySpec& body : spec.bodies) hulls_.push_back(hydro::make_hull(body.mesh_B));
 }
 
-void ForceNotes::include(const Shot& shot) {
+void ForceAnnotations::include(const Shot& shot) {
   for (std::size_t i = 0; i < hulls_.size(); ++i)
     for (const NamedForce& force :
          forces_on(spec_.bodies[i], hulls_[i], spec_, shot.states[i], shot.time)) {
@@ -80,7 +80,7 @@ void ForceNotes::include(const Shot& shot) {
     }
 }
 
-render::Annotations ForceNotes::of(const Shot& shot, double picture_size) const {
+render::Annotations ForceAnnotations::of(const Shot& shot, double picture_size) const {
   render::Annotations notes;
   const double scale = largest_ > 0 ? kLongest * picture_size / largest_ : 0;
   for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
@@ -96,8 +96,8 @@ render::Annotations ForceNotes::of(const Shot& shot, double picture_size) const 
   return notes;
 }
 
-void ForceNotes::add_forces(std::size_t body, const Shot& shot, double scale,
-                            render::Annotations& notes) const {
+void ForceAnnotations::add_forces(std::size_t body, const Shot& shot, double scale,
+                                  render::Annotations& notes) const {
   const hydro::BodyState& state = shot.states[body];
   for (const NamedForce& force :
        forces_on(spec_.bodies[body], hulls_[body], spec_, state, shot.time)) {
@@ -110,7 +110,8 @@ void ForceNotes::add_forces(std::size_t body, const Shot& shot, double scale,
   }
 }
 
-void ForceNotes::add_centres(std::size_t body, const Shot& shot, render::Annotations& notes) const {
+void ForceAnnotations::add_centres(std::size_t body, const Shot& shot,
+                                   render::Annotations& notes) const {
   const hydro::BodyState& state = shot.states[body];
   notes.marks.push_back({state.position, "G", {30, 30, 35}});
   if (!spec_.sea) return;

@@ -1,4 +1,4 @@
-#include "app/view/stage.h"
+#include "app/view/live_scene.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -35,19 +35,19 @@ render::Camera framing(const engine::SimulationSpec& spec) {
   return camera;
 }
 
-Stage::Stage(const scene::Scene& scene, const assembly::BuiltScene& built)
+LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& built)
     : scene_(scene),
       spec_(built.spec),
       simulation_(built.spec),
       notes_(*scene.render, built.spec),
       scale_(pressure_scale(*scene.render, range_)) {}
 
-void Stage::restart() {
+void LiveScene::restart() {
   simulation_.reset();
   held_.reset();
 }
 
-void Stage::hold(const std::optional<Controls::Held>& held) {
+void LiveScene::hold(const std::optional<Controls::Held>& held) {
   if (held_ && (!held || held->body != *held_)) simulation_.pull(*held_, std::nullopt);
   held_.reset();
   if (!held) return;
@@ -55,7 +55,7 @@ void Stage::hold(const std::optional<Controls::Held>& held) {
   held_ = held->body;
 }
 
-long Stage::advance(long steps, double longest) {
+long LiveScene::advance(long steps, double longest) {
   const auto end = Clock::now() + std::chrono::duration<double>(longest);
   long taken = 0;
   while (taken < steps && (taken == 0 || Clock::now() < end)) {
@@ -65,9 +65,9 @@ long Stage::advance(long steps, double longest) {
   return taken;
 }
 
-Shot Stage::now() const { return {.time = simulation_.time(), .states = simulation_.states()}; }
+Shot LiveScene::now() const { return {.time = simulation_.time(), .states = simulation_.states()}; }
 
-void Stage::grow_scale(const Shot& now) {
+void LiveScene::grow_scale(const Shot& now) {
   if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return;
   const PressureRange range = pressure_range(spec_, now, scene_.render->shows);
   range_.include(range.lowest);
@@ -75,11 +75,11 @@ void Stage::grow_scale(const Shot& now) {
   scale_ = pressure_scale(*scene_.render, range_);
 }
 
-void Stage::make_ready(const Shot& now, const render::Camera& camera, int width, int height) {
+void LiveScene::make_ready(const Shot& now, const render::Camera& camera, int width, int height) {
   grow_scale(now);
   notes_.include(now);
   if (!renderer_) {
-    render::Picture look = picture_of(scene_, spec_, scale_);
+    render::SceneDescription look = picture_of(scene_, spec_, scale_);
     look.width = width;
     look.height = height;
     look.camera = camera;
@@ -90,8 +90,8 @@ void Stage::make_ready(const Shot& now, const render::Camera& camera, int width,
   renderer_->look(camera);
 }
 
-render::Image Stage::picture(const render::Camera& camera, int width, int height,
-                             const std::string& note) {
+render::Image LiveScene::picture(const render::Camera& camera, int width, int height,
+                                 const std::string& note) {
   const Shot shot = now();
   make_ready(shot, camera, width, height);
   const render::View& view = renderer_->view();

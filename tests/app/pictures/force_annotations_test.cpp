@@ -1,4 +1,4 @@
-#include "app/pictures/force_notes.h"
+#include "app/pictures/force_annotations.h"
 
 #include <gtest/gtest.h>
 
@@ -74,12 +74,12 @@ Floating floating_cube() {
 }
 
 render::Annotations notes_of(const Floating& cube, double picture_size) {
-  app::ForceNotes notes(cube.look, cube.spec);
+  app::ForceAnnotations notes(cube.look, cube.spec);
   notes.include(cube.shot);
   return notes.of(cube.shot, picture_size);
 }
 
-TEST(ForceNotes, ShowForcesInOneScaleAtTheirPlaces) {
+TEST(ForceAnnotations, ShowForcesInOneScaleAtTheirPlaces) {
   Floating cube = floating_cube();
   cube.look.show.forces = true;
   const double picture_size = 7;
@@ -98,10 +98,10 @@ TEST(ForceNotes, ShowForcesInOneScaleAtTheirPlaces) {
   EXPECT_TRUE(found.marks.empty());
 }
 
-TEST(ForceNotes, ScaleGrowsWithWhatIsIncludedAndWithThePicture) {
+TEST(ForceAnnotations, ScaleGrowsWithWhatIsIncludedAndWithThePicture) {
   Floating cube = floating_cube();
   cube.look.show.forces = true;
-  app::ForceNotes notes(cube.look, cube.spec);
+  app::ForceAnnotations notes(cube.look, cube.spec);
   notes.include(cube.shot);
   const auto weight = [&](double picture_size) {
     const render::Arrow arrow = notes.of(cube.shot, picture_size).arrows.at(0);
@@ -115,7 +115,7 @@ TEST(ForceNotes, ScaleGrowsWithWhatIsIncludedAndWithThePicture) {
   EXPECT_NEAR(weight(7), before / 2, kSumRoundOff);
 }
 
-TEST(ForceNotes, ShowCentres) {
+TEST(ForceAnnotations, ShowCentres) {
   Floating cube = floating_cube();
   cube.look.show.centres = true;
   const render::Annotations found = notes_of(cube, 7);
@@ -126,7 +126,7 @@ TEST(ForceNotes, ShowCentres) {
   EXPECT_TRUE(found.legend.empty());
 }
 
-TEST(ForceNotes, AreNoneUnlessASceneAsks) {
+TEST(ForceAnnotations, AreNoneUnlessASceneAsks) {
   const Floating cube = floating_cube();
   const render::Annotations found = notes_of(cube, 7);
   EXPECT_TRUE(found.arrows.empty() && found.marks.empty() && found.legend.empty());

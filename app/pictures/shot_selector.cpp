@@ -1,10 +1,10 @@
-#include "app/pictures/shots.h"
+#include "app/pictures/shot_selector.h"
 
 #include "app/logs/interpolation.h"
 
 namespace app {
 
-void ShotList::add(double time, const std::vector<hydro::BodyState>& states) {
+void ShotSelector::add(double time, const std::vector<hydro::BodyState>& states) {
   const bool frame = frames_.due(time);
   const bool video = fps_ > 0 && add_video_shots(time, states);
   if (frame || video) shots_.add({time, states, frame, video});
@@ -13,7 +13,8 @@ void ShotList::add(double time, const std::vector<hydro::BodyState>& states) {
   last_ = states;
 }
 
-void ShotList::resume(double time, const std::vector<hydro::BodyState>& states, ShotStore shots) {
+void ShotSelector::resume(double time, const std::vector<hydro::BodyState>& states,
+                          ShotSpool shots) {
   frames_.due(time);
   if (fps_ > 0) {
     while (static_cast<double>(next_) / fps_ <= time + slack()) ++next_;
@@ -24,7 +25,7 @@ void ShotList::resume(double time, const std::vector<hydro::BodyState>& states, 
 }
 
 /// Those before this time. @return true if one is due at it.
-bool ShotList::add_video_shots(double time, const std::vector<hydro::BodyState>& states) {
+bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodyState>& states) {
   for (;; ++next_) {
     const double due = static_cast<double>(next_) / fps_;
     if (due > time + slack() || !is_frame_time(due, end_)) return false;
@@ -36,7 +37,8 @@ bool ShotList::add_video_shots(double time, const std::vector<hydro::BodyState>&
   }
 }
 
-void ShotList::add_between(double due, double time, const std::vector<hydro::BodyState>& states) {
+void ShotSelector::add_between(double due, double time,
+                               const std::vector<hydro::BodyState>& states) {
   Shot shot{.time = due, .states = {}, .frame = false, .video = true};
   const double interval = time - last_time_;
   for (std::size_t i = 0; i < states.size(); ++i)

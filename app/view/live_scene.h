@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/assembly/built_scene.h"
-#include "app/pictures/force_notes.h"
+#include "app/pictures/force_annotations.h"
 #include "app/pictures/pressure_range.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
@@ -17,11 +17,11 @@ namespace app {
 render::Camera framing(const engine::SimulationSpec& spec);
 
 /// A scene that is played: its simulation, and pictures of where it has come to.
-class Stage {
+class LiveScene {
  public:
   /// Both must outlive it.
   /// @param scene   With a render block.
-  Stage(const scene::Scene& scene, const assembly::BuiltScene& built);
+  LiveScene(const scene::Scene& scene, const assembly::BuiltScene& built);
 
   const engine::Simulation& simulation() const { return simulation_; }
 
@@ -48,7 +48,7 @@ class Stage {
   const engine::SimulationSpec& spec_;
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;
-  ForceNotes notes_;
+  ForceAnnotations notes_;
   PressureRange range_;  ///< Of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< None before the first picture.

@@ -22,12 +22,12 @@ struct Shot {
 /// Shots of a sequence, all of the same bodies. They wait in a file, so that the memory of a run
 /// does not grow with its length: one without a name, which goes with the process whatever becomes
 /// of it, or a named one, which a resumed run finds again.
-class ShotStore {
+class ShotSpool {
  public:
-  ShotStore() = default;
+  ShotSpool() = default;
   /// Keeps the shots in a named file, whose first `kept` shots of `bodies` bodies stay.
   /// @throws InputError if that file cannot be opened or has fewer
-  ShotStore(const std::filesystem::path& file, std::size_t kept, std::size_t bodies);
+  ShotSpool(const std::filesystem::path& file, std::size_t kept, std::size_t bodies);
 
   /// @throws OutputError if there is no room.
   void add(const Shot& shot);

@@ -1,4 +1,4 @@
-#include "app/view/pace.h"
+#include "app/view/playback_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double kSlack = 1e-9;  // of a step, for the rounding of what is owed
 
 }  // namespace
 
-long Pace::steps_due(double clock) {
+long PlaybackClock::steps_due(double clock) {
   if (paused_) return std::exchange(single_, 0);
   const double most = std::max(step_, kLongestDebt * speed_);
   owed_ = std::min(owed_ + speed_ * clock, most);
@@ -21,9 +21,9 @@ long Pace::steps_due(double clock) {
   return static_cast<long>(steps);
 }
 
-double Pace::until_next() const { return std::max(0.0, (step_ - owed_) / speed_); }
+double PlaybackClock::until_next() const { return std::max(0.0, (step_ - owed_) / speed_); }
 
-void Pace::note(double clock, long steps) {
+void PlaybackClock::note(double clock, long steps) {
   if (paused_) return;
   noted_clock_ += clock;
   noted_time_ += static_cast<double>(steps) * step_;
@@ -32,21 +32,21 @@ void Pace::note(double clock, long steps) {
   noted_clock_ = noted_time_ = 0;
 }
 
-void Pace::faster() { speed_ = std::min(2 * speed_, kFastest); }
+void PlaybackClock::faster() { speed_ = std::min(2 * speed_, kFastest); }
 
-void Pace::slower() { speed_ = std::max(speed_ / 2, kSlowest); }
+void PlaybackClock::slower() { speed_ = std::max(speed_ / 2, kSlowest); }
 
-void Pace::pause_or_go_on() {
+void PlaybackClock::pause_or_go_on() {
   paused_ = !paused_;
   single_ = 0;
   owed_ = noted_clock_ = noted_time_ = 0;
 }
 
-void Pace::step_once() {
+void PlaybackClock::step_once() {
   if (paused_) ++single_;
 }
 
-void Pace::restart() {
+void PlaybackClock::restart() {
   single_ = 0;
   owed_ = reached_ = noted_clock_ = noted_time_ = 0;
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/pictures/shot_store.h"
+#include "app/pictures/shot_spool.h"
 #include "app/render/annotation.h"
 #include "app/scene/scene.h"
 #include "engine/spec.h"
@@ -16,10 +16,10 @@ namespace app {
 
 /// Finds what is to be drawn on each picture of a sequence. Arrows have one scale: that of the
 /// largest force in the shots included is a fifth of a picture's height.
-class ForceNotes {
+class ForceAnnotations {
  public:
   /// Both must outlive it.
-  ForceNotes(const scene::Render& look, const engine::SimulationSpec& spec);
+  ForceAnnotations(const scene::Render& look, const engine::SimulationSpec& spec);
 
   /// Lets scale and legend cover the forces in a shot; does nothing unless they are shown.
   void include(const Shot& shot);

@@ -1,4 +1,4 @@
-#include "app/pictures/shots.h"
+#include "app/pictures/shot_selector.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace {
 
 using app::Shot;
-using app::ShotList;
+using app::ShotSelector;
 using testing::ElementsAre;
 
 /// Cubic interpolation of a parabola is exact but for round-off.
@@ -24,14 +24,14 @@ hydro::BodyState falling(double time) {
   return state;
 }
 
-std::vector<Shot> all_of(const app::ShotStore& store) {
+std::vector<Shot> all_of(const app::ShotSpool& store) {
   std::vector<Shot> shots;
   for (std::size_t i = 0; i < store.size(); ++i) shots.push_back(store.at(i));
   return shots;
 }
 
 /// Those of a run in steps to the end.
-std::vector<Shot> shots_of(ShotList list, double step, int steps, double first = 0) {
+std::vector<Shot> shots_of(ShotSelector list, double step, int steps, double first = 0) {
   for (int i = 0; i <= steps; ++i) list.add(first + i * step, {falling(first + i * step)});
   return all_of(list.shots());
 }
@@ -43,40 +43,40 @@ std::vector<double> times(const std::vector<Shot>& shots, bool Shot::*which) {
   return times;
 }
 
-TEST(ShotList, WithoutAVideoHasTheFirstStateOfEachTimeThatIsDue) {
-  const std::vector<Shot> shots = shots_of(ShotList(0.25, 1, 0), 0.125, 8);
+TEST(ShotSelector, WithoutAVideoHasTheFirstStateOfEachTimeThatIsDue) {
+  const std::vector<Shot> shots = shots_of(ShotSelector(0.25, 1, 0), 0.125, 8);
   EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.25, 0.5, 0.75));
   EXPECT_THAT(times(shots, &Shot::video), ElementsAre());
 }
 
-TEST(ShotList, OfAVideoPlaysInRealTimeWhateverTheStep) {
+TEST(ShotSelector, OfAVideoPlaysInRealTimeWhateverTheStep) {
   for (const double step : {1.0 / 60, 0.01, 0.04, 0.1, 0.3, 3.0})
     for (const int fps : {1, 24, 25, 30, 120}) {
       const int steps = static_cast<int>(std::ceil(3 / step - 1e-9));
       const std::vector<double> found =
-          times(shots_of(ShotList(1, 3, fps), step, steps), &Shot::video);
+          times(shots_of(ShotSelector(1, 3, fps), step, steps), &Shot::video);
       ASSERT_EQ(found.size(), static_cast<std::size_t>(3 * fps)) << step << " " << fps;
       for (std::size_t i = 0; i < found.size(); ++i)
         EXPECT_NEAR(found[i], static_cast<double>(i) / fps, 1e-6 / fps);
     }
 }
 
-TEST(ShotList, FindsStatesBetweenSteps) {
-  for (const Shot& shot : shots_of(ShotList(1, 3, 25), 0.3, 10))
+TEST(ShotSelector, FindsStatesBetweenSteps) {
+  for (const Shot& shot : shots_of(ShotSelector(1, 3, 25), 0.3, 10))
     EXPECT_NEAR(shot.states[0].position.z(), falling(shot.time).position.z(), kCubicRoundOff);
 }
 
-TEST(ShotList, DrawsOnceWhatIsAFrameAndOfTheVideo) {
-  const std::vector<Shot> shots = shots_of(ShotList(0.5, 2, 4), 0.25, 8);
+TEST(ShotSelector, DrawsOnceWhatIsAFrameAndOfTheVideo) {
+  const std::vector<Shot> shots = shots_of(ShotSelector(0.5, 2, 4), 0.25, 8);
   EXPECT_EQ(shots.size(), 8u);
   EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.5, 1, 1.5));
   EXPECT_EQ(times(shots, &Shot::video).size(), 8u);
 }
 
-TEST(ShotList, LeavesTheFramesAsTheyAreWithoutAVideo) {
-  const std::vector<Shot> bare = shots_of(ShotList(0.3, 2, 0), 0.07, 28);
+TEST(ShotSelector, LeavesTheFramesAsTheyAreWithoutAVideo) {
+  const std::vector<Shot> bare = shots_of(ShotSelector(0.3, 2, 0), 0.07, 28);
   std::vector<Shot> frames;
-  for (const Shot& shot : shots_of(ShotList(0.3, 2, 25), 0.07, 28))
+  for (const Shot& shot : shots_of(ShotSelector(0.3, 2, 25), 0.07, 28))
     if (shot.frame) frames.push_back(shot);
   ASSERT_EQ(frames.size(), bare.size());
   for (std::size_t i = 0; i < bare.size(); ++i) {
@@ -85,20 +85,20 @@ TEST(ShotList, LeavesTheFramesAsTheyAreWithoutAVideo) {
   }
 }
 
-TEST(ShotList, OfNoDurationHasTheInitialState) {
-  const std::vector<Shot> shots = shots_of(ShotList(0.3, 0, 25), 1, 0);
+TEST(ShotSelector, OfNoDurationHasTheInitialState) {
+  const std::vector<Shot> shots = shots_of(ShotSelector(0.3, 0, 25), 1, 0);
   ASSERT_EQ(shots.size(), 1u);
   EXPECT_TRUE(shots[0].frame && shots[0].video);
 }
 
-TEST(ShotList, BeginsWhereTheStatesDo) {
-  const std::vector<Shot> shots = shots_of(ShotList(1, 3, 4), 0.5, 4, 1.1);
+TEST(ShotSelector, BeginsWhereTheStatesDo) {
+  const std::vector<Shot> shots = shots_of(ShotSelector(1, 3, 4), 0.5, 4, 1.1);
   EXPECT_THAT(times(shots, &Shot::video), ElementsAre(1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75));
 }
 
-TEST(ShotStore, GivesBackWhatWasAddedInAnyOrder) {
+TEST(ShotSpool, GivesBackWhatWasAddedInAnyOrder) {
   support::Random random(5);
-  app::ShotStore store;
+  app::ShotSpool store;
   std::vector<Shot> shots;
   for (int i = 0; i < 20; ++i) {
     shots.push_back({.time = random.uniform(0, 9),
@@ -113,8 +113,8 @@ TEST(ShotStore, GivesBackWhatWasAddedInAnyOrder) {
   EXPECT_EQ(store.of_video(), 10u);
 }
 
-TEST(ShotStore, OfASceneWithoutBodiesHasTimes) {
-  app::ShotStore store;
+TEST(ShotSpool, OfASceneWithoutBodiesHasTimes) {
+  app::ShotSpool store;
   store.add({.time = 0.5});
   store.add({.time = 0.75});
   EXPECT_EQ(store.at(0).time, 0.5);

@@ -1,4 +1,4 @@
-#include "app/pictures/shot_store.h"
+#include "app/pictures/shot_spool.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -27,7 +27,7 @@ std::size_t numbers_in(std::size_t bodies) { return 3 + bodies * kStateSize; }
 
 }  // namespace
 
-ShotStore::ShotStore(const std::filesystem::path& file, std::size_t kept, std::size_t bodies)
+ShotSpool::ShotSpool(const std::filesystem::path& file, std::size_t kept, std::size_t bodies)
     : file_(std::fopen(file.c_str(), kept > 0 ? "r+b" : "w+b")), bodies_(bodies) {
   if (!file_)
     throw scene::InputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
@@ -43,11 +43,11 @@ ShotStore::ShotStore(const std::filesystem::path& file, std::size_t kept, std::s
   }
 }
 
-void ShotStore::save() {
+void ShotSpool::save() {
   if (file_ && ::fdatasync(::fileno(file_.get())) != 0) refuse("cannot keep");
 }
 
-void ShotStore::add(const Shot& shot) {
+void ShotSpool::add(const Shot& shot) {
   if (!file_) {
     file_.reset(std::tmpfile());
     if (!file_) refuse("cannot keep");
@@ -68,7 +68,7 @@ void ShotStore::add(const Shot& shot) {
   of_video_ += shot.video;
 }
 
-Shot ShotStore::at(std::size_t number) const {
+Shot ShotSpool::at(std::size_t number) const {
   assert(number < size_);
   std::vector<double> numbers(numbers_in(bodies_));
   const auto place = static_cast<long>(number * numbers.size() * sizeof(double));

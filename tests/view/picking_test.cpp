@@ -1,4 +1,4 @@
-#include "app/view/grip.h"
+#include "app/view/picking.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 namespace render {
 
 /// Triangles with a normal a vertex. A vertex of the mesh on a crease appears once for each side.
-struct Skin {
+struct ShadedMesh {
   Eigen::Matrix3Xd vertices;   ///< 3×V, in the mesh's frame [m].
   Eigen::Matrix3Xd normals;    ///< 3×V, unit.
   Eigen::Matrix3Xi triangles;  ///< 3×F
@@ -24,7 +24,7 @@ Eigen::Matrix2Xi edges_of(const hydro::TriMesh& mesh);
 
 /// Smooth normals: in each corner of a face the sum of the normals, weighted by area, of the faces
 /// around that vertex which lie within the crease angle of the face itself.
-Skin make_skin(const hydro::TriMesh& mesh);
+ShadedMesh make_shaded_mesh(const hydro::TriMesh& mesh);
 
 /// The same surface with triangles split until no edge is longer than `longest` [m]. Edges are
 /// halved, each on its own account, so that no gaps open. `longest` is raised as far as needed to

@@ -6,13 +6,13 @@ namespace app {
 ///
 /// A machine that cannot keep up gets no more steps for it: what it owes beyond kLongestDebt is
 /// forgiven, and the simulation goes slower than asked for.
-class Pace {
+class PlaybackClock {
  public:
   static constexpr double kSlowest = 1.0 / 16, kFastest = 16;
   static constexpr double kLongestDebt = 0.25;  ///< Of the clock [s].
 
   /// @param step   Of the simulation [s].
-  explicit Pace(double step) : step_(step) {}
+  explicit PlaybackClock(double step) : step_(step) {}
 
   /// Steps to take now that the clock has gone on by so much [s].
   long steps_due(double clock);

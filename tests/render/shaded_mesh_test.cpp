@@ -1,4 +1,4 @@
-#include "app/render/skin.h"
+#include "app/render/shaded_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -15,17 +15,17 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using hydro::TriMesh;
 
-TEST(Skin, KeepsTheEdgesOfABoxSharp) {
-  const render::Skin skin = render::make_skin(hydro::make_box({1, 2, 3}, 2));
+TEST(ShadedMesh, KeepsTheEdgesOfABoxSharp) {
+  const render::ShadedMesh skin = render::make_shaded_mesh(hydro::make_box({1, 2, 3}, 2));
   for (const auto n : skin.normals.colwise())
     EXPECT_NEAR(n.cwiseAbs().maxCoeff(), 1, support::tolerance(1e-15));
   // Six sides of nine vertices each.
   EXPECT_EQ(skin.vertices.cols(), 54);
 }
 
-TEST(Skin, MakesABallSmooth) {
+TEST(ShadedMesh, MakesABallSmooth) {
   const TriMesh ball = hydro::make_icosphere(2, 3);
-  const render::Skin skin = render::make_skin(ball);
+  const render::ShadedMesh skin = render::make_shaded_mesh(ball);
   EXPECT_EQ(skin.vertices.cols(), ball.vertex_count());
   for (Index i = 0; i < skin.vertices.cols(); ++i) {
     // Faces of 642 vertices see each other under 8 degrees; their mean is off by far less.
@@ -34,8 +34,8 @@ TEST(Skin, MakesABallSmooth) {
   }
 }
 
-TEST(Skin, KeepsTheRimOfACylinderSharpAndItsSideSmooth) {
-  const render::Skin skin = render::make_skin(hydro::make_cylinder(1, 2, 24, 2));
+TEST(ShadedMesh, KeepsTheRimOfACylinderSharpAndItsSideSmooth) {
+  const render::ShadedMesh skin = render::make_shaded_mesh(hydro::make_cylinder(1, 2, 24, 2));
   for (Index i = 0; i < skin.vertices.cols(); ++i) {
     const Vector3d n = skin.normals.col(i);
     const Vector3d out = Vector3d(skin.vertices(0, i), skin.vertices(1, i), 0).normalized();
@@ -46,13 +46,13 @@ TEST(Skin, KeepsTheRimOfACylinderSharpAndItsSideSmooth) {
   }
 }
 
-TEST(Skin, OfAFaceWithoutAreaHasUnitNormals) {
+TEST(ShadedMesh, OfAFaceWithoutAreaHasUnitNormals) {
   TriMesh mesh;
   mesh.vertices.resize(3, 3);
   mesh.vertices << 0, 1, 2, 0, 0, 0, 0, 0, 0;
   mesh.faces.resize(3, 1);
   mesh.faces << 0, 1, 2;
-  const render::Skin skin = render::make_skin(mesh);
+  const render::ShadedMesh skin = render::make_shaded_mesh(mesh);
   for (const auto n : skin.normals.colwise()) EXPECT_DOUBLE_EQ(n.norm(), 1);
 }
 
