@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene to change, of what most scenes have. A key that is commented out does as it stands.
+/// The starter scene. It has the keys that most scenes need; those that are commented out are
+/// valid.
 constexpr std::string_view kStarterScene =
     R"(# Lengths in m, masses in kg, seconds; z is up, the still water at z = 0.
 plimsoll: 1
@@ -35,14 +36,14 @@ water:
 
 # Coefficients of all bodies; each may have a `hydro` block of its own.
 hydro:
-  added_mass: deep              # none: quicker, and too quick in its motion
+  added_mass: deep              # none: no solve before the run, but bodies accelerate too fast
 
 bodies:
   - name: buoy
     cylinder: {{radius: 0.6, height: 1.4}}
     # mesh: {{file: hull.obj, scale: 1}}         # OBJ, STL or PLY in place of the cylinder
-    mass: 700                   # or a density, alone, as the crate has
-    center_of_mass: [0, 0, -0.35]              # low, so that it floats upright
+    mass: 700                   # or a density instead, as for the crate
+    center_of_mass: [0, 0, -0.35]              # a low one, so that it floats upright
     position: [0, 0, 1.1]
     orientation: {{euler_deg: [15, 10, 0]}}      # roll, pitch, yaw
     # linear_velocity: [1, 0, 0]
@@ -58,7 +59,7 @@ bodies:
 # joints:
 #   - {{type: ball, bodies: [buoy, crate], anchor: [1, 0.3, 0.8]}}
 
-log: {{every: 0.05}}              # forces: true also logs what acts on each body
+log: {{every: 0.05}}              # forces: true also logs the loads on each body
 
 render:
   every: 0.5
@@ -88,7 +89,7 @@ int new_scene(const fs::path& name) {
   write_whole(fs::absolute(file),
               fmt::format(fmt::runtime(kStarterScene), fmt::arg("title", title)));
   fmt::print(
-      "{0}: a buoy and a crate in waves, to be changed\n"
+      "{0}: wrote a scene of a buoy and a crate in waves\n"
       "Every key is in scenes/README.md. Next: plimsoll run {0}\n",
       file.string());
   return kDone;

@@ -69,8 +69,9 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.flat", "Still water: `flat: {}`."},
     {"water.surface.heightfield", "A fixed surface, given by heights on a grid."},
     {"water.surface.heightfield.file",
-     "A `.csv` file with rows of heights above `water.level` [m], or a 16-bit grey `.png`. Rows "
-     "are along y and columns along x. Outside the grid the nearest height of its edge holds."},
+     "A `.csv` file with rows of heights above `water.level` [m], or a 16-bit grey `.png`. The "
+     "row index counts along y and the column index along x. Outside the grid the nearest height "
+     "of its edge holds."},
     {"water.surface.heightfield.cell", "Distance between neighbouring grid points."},
     {"water.surface.heightfield.origin", "Position x, y of the first height of the first row."},
     {"water.surface.heightfield.range",
