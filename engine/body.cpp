@@ -12,17 +12,6 @@
 namespace engine {
 namespace {
 
-bool has_joint(const SimulationSpec& spec, BodyId body) {
-  return std::any_of(spec.joints.begin(), spec.joints.end(), [&](const JointSpec& joint) {
-    return joint.first == body || joint.second == body;
-  });
-}
-
-/// True if the water has loads on the body that can move it.
-bool feels_water(const BodySpec& spec) {
-  return spec.wet && !hydro::no_load(spec.coefficients) && !immovable(spec.locked);
-}
-
 /// Largest component of a change of added mass, over the least inertia [-].
 double relative_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
   return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();
@@ -43,16 +32,19 @@ hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
 /// A body without its hull.
 Body make_dry_body(const SimulationSpec& spec, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
+  const auto id = static_cast<BodyId>(index);
   Body body{.spec = &s,
             .box_B = hydro::bounding_box(s.mesh_B),
             .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
             .rigid_B = rigid_inertia(s),
             .inverse_inertia_B = s.inertia_B.inverse(),
-            .wet = spec.sea && feels_water(s),
+            .wet = spec.sea && s.wet && !hydro::no_load(s.coefficients) && !immovable(s.locked),
             .has_added_mass = spec.sea && s.added_mass && !immovable(s.locked),
             .movable = !immovable(s.locked),
             .locked = partly_locked(s.locked),
-            .jointed = has_joint(spec, static_cast<BodyId>(index)),
+            .jointed = std::any_of(
+                spec.joints.begin(), spec.joints.end(),
+                [id](const JointSpec& joint) { return joint.first == id || joint.second == id; }),
             .reduced_joint = find_reduced_joint(spec, index)};
   if (spec.sea)
     body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);

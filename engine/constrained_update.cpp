@@ -71,13 +71,9 @@ double contraction_factor(const Row& row) {
 struct Solver {
   World& world;
   const std::vector<Contact>& contacts;
-
-  std::vector<hydro::Twist> velocities(const std::vector<SolverBody>& bodies, double step) const {
-    return world.constrained_velocities(bodies, contacts, step);
-  }
 };
 
-/// One answer of the solver to the reactions r: the changes of velocity, and R.
+/// An answer of the solver to the reactions r: the changes of velocity, and R.
 struct Answer {
   std::vector<Vector6d> changes;
   std::vector<Vector6d> reactions;
@@ -94,7 +90,8 @@ Answer ask(const Solver& solver, std::vector<Row>& rows, const std::vector<Vecto
     row.solver.load = to_wrench(loads.back());
     bodies.push_back(row.solver);
   }
-  const std::vector<hydro::Twist> after = solver.velocities(bodies, step);
+  const std::vector<hydro::Twist> after =
+      solver.world.constrained_velocities(bodies, solver.contacts, step);
   Answer answer;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const hydro::BodyState& before = rows[i].solver.state;

@@ -27,12 +27,6 @@ bool explains(const ContactPoint& shallow, const ContactPoint& deep) {
              1.5 * shallow.depth;
 }
 
-double extent_of(const std::vector<ContactPoint>& points) {
-  Eigen::AlignedBox3d box;
-  for (const ContactPoint& point : points) box.extend(point.position_W);
-  return std::max(box.diagonal().norm(), kLeastExtent);
-}
-
 }  // namespace
 
 std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& points, double reach,
@@ -69,7 +63,9 @@ std::vector<std::size_t> representative(const std::vector<ContactPoint>& points,
   const auto shallower = [](const auto& a, const auto& b) { return a.depth < b.depth; };
   const auto deepest = std::max_element(points.begin(), points.end(), shallower);
   auto next = static_cast<std::size_t>(deepest - points.begin());
-  const double extent = extent_of(points);
+  Eigen::AlignedBox3d box;
+  for (const ContactPoint& point : points) box.extend(point.position_W);
+  const double extent = std::max(box.diagonal().norm(), kLeastExtent);
 
   std::vector<std::size_t> taken;
   std::vector<double> gap(points.size(), std::numeric_limits<double>::infinity());

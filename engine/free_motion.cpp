@@ -51,12 +51,6 @@ Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, 
   return b * (v + a * w.cross(v)) + (time - b) * straight;
 }
 
-/// True if the momentum p₁ has the energy of p₀, which an exact solution of (E2) keeps.
-bool keeps_energy(const Matrix6d& S_inverse, const Vector6d& p0, const Vector6d& p1) {
-  const double before = p0.dot(S_inverse * p0);
-  return std::abs(p1.dot(S_inverse * p1) - before) <= kDriftEnergyKept * before;
-}
-
 /// Derivative of p − p₀ − a (P × ω, L × ω + P × v) with respect to p, with u = S⁻¹ p and constant
 /// a.
 Matrix6d slope(const Matrix6d& S_inverse, const Vector6d& p, const Vector6d& u, double a) {
@@ -95,7 +89,10 @@ std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, dou
     mean.p += newton ? newton->solve(rest) : rest;
   }
   mean.u = S_inverse * mean.p;
-  if (!keeps_energy(S_inverse, p, 2 * mean.p - p)) return std::nullopt;
+  const Vector6d end = 2 * mean.p - p;
+  const double before = p.dot(S_inverse * p), after = end.dot(S_inverse * end);
+  // An exact solution keeps the energy.
+  if (!(std::abs(after - before) <= kDriftEnergyKept * before)) return std::nullopt;
   return mean;
 }
 

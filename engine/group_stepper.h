@@ -63,7 +63,7 @@ class GroupStepper {
   void restore(const Snapshot& snapshot);
 
   /// Length of the next substep, with its contacts and islands found.
-  double next_length(double rest, bool starts);
+  double next_length(double rest, bool starting);
   double fitting_length(double rest);
   double shortened(double h, double longest);
   double longest_substep(double rest) const;

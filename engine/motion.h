@@ -21,7 +21,7 @@ struct Motion {
   bool constrained = false;                ///< Joints or contacts acted in the last substep.
   Vector6d reaction_B = Vector6d::Zero();  ///< R of the last substep, in B.
   /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
-  /// [m/s^2]; none if there was no such substep.
+  /// [m/s^2]; none after a free substep.
   std::optional<Eigen::Vector3d> load_acceleration_W;
   /// Limit of the next substep by the last impact [s].
   double longest_after_impact = std::numeric_limits<double>::infinity();

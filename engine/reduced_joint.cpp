@@ -9,16 +9,6 @@ namespace {
 using Eigen::Vector3d;
 using Type = JointSpec::Type;
 
-/// True if the other end of the body's joint is immovable.
-bool is_grounded(const JointSpec& joint, const SimulationSpec& spec, BodyId body) {
-  const BodyId other = joint.first == body ? joint.second : joint.first;
-  return other == kWorld || immovable(spec.bodies[static_cast<std::size_t>(other)].locked);
-}
-
-bool can_be_reduced(Type type) {
-  return type == Type::hinge || type == Type::slider || type == Type::ball;
-}
-
 /// N of a ball joint at the point r from the centre of mass, in the axes of r.
 Subspace turning_about(const Vector3d& r) {
   Subspace N(6, 3);
@@ -42,10 +32,12 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
     if (only) return std::nullopt;
     only = &joint;
   }
+  if (!only || only->type == Type::fixed || only->type == Type::universal) return std::nullopt;
+  const BodyId other = only->first == id ? only->second : only->first;
+  const bool grounded =
+      other == kWorld || immovable(spec.bodies[static_cast<std::size_t>(other)].locked);
   const bool in_current = spec.sea && body.added_mass && !spec.sea->current.isZero(0);
-  if (!only || in_current || partly_locked(body.locked) || !can_be_reduced(only->type) ||
-      !is_grounded(*only, spec, id))
-    return std::nullopt;
+  if (!grounded || in_current || partly_locked(body.locked)) return std::nullopt;
   return ReducedJoint{.type = only->type,
                       .anchor_W = only->anchor_W,
                       .axis_W = only->axis_W,

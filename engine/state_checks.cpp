@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/constants.h"
+#include "engine/spatial_vector.h"
 
 namespace engine {
 namespace {
@@ -21,24 +22,21 @@ std::optional<std::string> vector_fault(const char* name, const Eigen::Vector3d&
   return std::nullopt;
 }
 
-using NamedWrench = std::pair<std::string, hydro::Wrench>;
+using NamedLoad = std::pair<std::string, Vector6d>;
 
 constexpr const char* kComponents[] = {"force x",  "force y",  "force z",
                                        "moment x", "moment y", "moment z"};
 
-double component(const hydro::Wrench& wrench, int i) {
-  return i < 3 ? wrench.force[i] : wrench.moment[i - 3];
-}
-
-std::vector<NamedWrench> by_name(const BodyLoads& loads) {
-  std::vector<NamedWrench> named;
+std::vector<NamedLoad> by_name(const BodyLoads& loads) {
+  std::vector<NamedLoad> named;
   for (std::size_t i = 0; i < loads.applied.size(); ++i)
-    named.emplace_back(fmt::format("applied load {}", i + 1), loads.applied[i]);
-  named.emplace_back("buoyancy", loads.water.buoyancy);
-  named.emplace_back("pressure drag", loads.water.pressure_drag);
-  named.emplace_back("viscous drag", loads.water.viscous_drag);
-  named.emplace_back("lift", loads.water.lift);
-  named.emplace_back("weight", loads.weight);
+    named.emplace_back(fmt::format("applied load {}", i + 1), to_vector6(loads.applied[i]));
+  const hydro::Loads& water = loads.water;
+  named.insert(named.end(), {{"buoyancy", to_vector6(water.buoyancy)},
+                             {"pressure drag", to_vector6(water.pressure_drag)},
+                             {"viscous drag", to_vector6(water.viscous_drag)},
+                             {"lift", to_vector6(water.lift)},
+                             {"weight", to_vector6(loads.weight)}});
   return named;
 }
 
@@ -74,8 +72,8 @@ std::optional<std::string> load_fault(const BodyLoads& loads) {
   if (sum.force.allFinite() && sum.moment.allFinite()) return std::nullopt;
   for (const auto& [name, load] : by_name(loads))
     for (int i = 0; i < 6; ++i)
-      if (!std::isfinite(component(load, i)))
-        return fmt::format("the {} of {} is {}", kComponents[i], name, component(load, i));
+      if (!std::isfinite(load[i]))
+        return fmt::format("the {} of {} is {}", kComponents[i], name, load[i]);
   return "the sum of the loads is not finite";
 }
 
@@ -84,10 +82,10 @@ std::string largest_load(const BodyLoads& loads) {
   std::string text = "no load acted on it";
   for (const auto& [name, load] : by_name(loads)) {
     for (int i = 0; i < 6; ++i) {
-      if (std::abs(component(load, i)) <= largest) continue;
-      largest = std::abs(component(load, i));
-      text = fmt::format("the largest load was {}, {} = {:g} {}", name, kComponents[i],
-                         component(load, i), i < 3 ? "N" : "N m");
+      if (std::abs(load[i]) <= largest) continue;
+      largest = std::abs(load[i]);
+      text = fmt::format("the largest load was {}, {} = {:g} {}", name, kComponents[i], load[i],
+                         i < 3 ? "N" : "N m");
     }
   }
   return text;

@@ -15,13 +15,9 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
   for (const Pair& pair : context_.world.joints())
     if (!is_reduced(pair.first) && !is_reduced(pair.second)) joints_.push_back(pair);
   limiter_of_.resize(bodies.size());
-  std::vector<bool> jointed(bodies.size(), false);
-  std::vector<std::vector<BodyId>> groups = connected_components(movable_, joints_);
-  for (const std::vector<BodyId>& group : groups)
-    for (const BodyId id : group) jointed[static_cast<std::size_t>(id)] = true;
-  for (const BodyId id : movable_)
-    if (!jointed[static_cast<std::size_t>(id)]) groups.push_back({id});
-  for (std::vector<BodyId>& group : groups) {
+  std::vector<Pair> pairs = joints_;
+  for (const BodyId id : movable_) pairs.emplace_back(kWorld, id);  // so that no body is left out
+  for (std::vector<BodyId>& group : connected_components(movable_, pairs)) {
     for (const BodyId id : group) limiter_of_[static_cast<std::size_t>(id)] = limiters_.size();
     limiters_.emplace_back(std::move(group), bodies, context_.environment);
   }
@@ -29,7 +25,8 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Group group{.bodies = {static_cast<BodyId>(i)}, .joints = {}, .near = {}};
     std::vector<EnergyLimiter*> limiters;
-    if (bodies[i].body.movable && !jointed[i]) limiters.push_back(&limiters_[limiter_of_[i]]);
+    if (bodies[i].body.movable && limiters_[limiter_of_[i]].group().size() == 1)
+      limiters.push_back(&limiters_[limiter_of_[i]]);
     alone_.emplace_back(context_, group, std::move(limiters), alone_, std::vector<Pair>{}, step_);
   }
 }

@@ -6,10 +6,6 @@
 namespace engine {
 namespace {
 
-Vector6d current_velocity(const Environment& environment) {
-  return to_vector6(environment.current(), Eigen::Vector3d::Zero());
-}
-
 /// ½ u·X u.
 double half_square(const Matrix6d& X, const Vector6d& u) { return u.dot(X * u) / 2; }
 
@@ -75,7 +71,7 @@ void record_update(const MovingBody& moving, const Environment& environment,
   const Matrix6d S = inertia_W(body, midpoint);
   const Vector6d u = midpoint.after + update.change;
   const Vector6d mean = (midpoint.before + u) / 2;
-  const Vector6d w = mean + current_velocity(environment);
+  const Vector6d w = mean + to_vector6(environment.current(), Eigen::Vector3d::Zero());
   const Vector6d impulse = S * update.change;
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
   if (update.reaction) {
