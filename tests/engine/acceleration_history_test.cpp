@@ -11,15 +11,15 @@ using engine::Vector6d;
 
 constexpr double kRadius = 0.7;
 
-/// A history of accelerations f(t) halfway through pieces of the given lengths; the last ends at 0.
-AccelerationHistory history(const std::vector<double>& pieces,
+/// A history of accelerations f(t) halfway through substeps of these lengths; the last ends at 0.
+AccelerationHistory history(const std::vector<double>& substeps,
                             const std::function<Vector6d(double)>& acceleration) {
   AccelerationHistory accelerations;
   double time = 0;
-  for (const double piece : pieces) time -= piece;
-  for (const double piece : pieces) {
-    accelerations.add(acceleration(time + piece / 2), piece, kRadius);
-    time += piece;
+  for (const double h : substeps) time -= h;
+  for (const double h : substeps) {
+    accelerations.add(acceleration(time + h / 2), h, kRadius);
+    time += h;
   }
   return accelerations;
 }
@@ -52,8 +52,8 @@ TEST(AccelerationHistory, PaceOfAnOscillationIsItsFrequency) {
     const AccelerationHistory accelerations = history(
         std::vector<double>(30, h), [&](double t) { return six(std::sin(omega * t + phase)); });
     EXPECT_TRUE(accelerations.resolved());
-    // Remembered from the last extreme, a quarter of a period or 13 pieces ago at most; the second
-    // difference is (ωh)²/12 low.
+    // Remembered from the last extreme, a quarter of a period or 13 substeps ago at most; the
+    // second difference is (ωh)²/12 low.
     EXPECT_LT(accelerations.dominant_frequency(), omega * (1 + tolerance(1e-12)));
     EXPECT_GT(accelerations.dominant_frequency(), omega * std::pow(0.9, 13) * 0.99);
   }

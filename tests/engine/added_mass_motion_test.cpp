@@ -146,14 +146,14 @@ TEST(FreeMotion, KeepsEnergyWhereItsEquationCannotBeSolved) {
       return u.dot(S_W * u) / 2;
     };
     const double before = energy(state);
-    // 1024 pieces in up to 64 parts, each within 1e-9 of the energy.
+    // 1024 parts, each halved up to 6 times, each within 1e-9 of the energy.
     EXPECT_NEAR(energy(engine::drifted(S, state, Vector3d::Zero(), time)) / before, 1,
                 tolerance(6.6e-5));
   }
 }
 
-// A body nearly without mass of its own, held in a current, turns ever faster as it comes across.
-TEST(FreeMotion, WithHeldDegreesOfFreedomKeepsTheEnergyThatTheyLeave) {
+// A body nearly without mass of its own, locked in a current, turns ever faster as it comes across.
+TEST(FreeMotion, WithLocksKeepsTheEnergyThatTheyLeave) {
   Vector6d inertia;
   inertia << 0.01, 0.05, 0.3, 1e-9, 8e-10, 1.2e-9;
   const Matrix6d S = diagonal(inertia);
@@ -164,14 +164,14 @@ TEST(FreeMotion, WithHeldDegreesOfFreedomKeepsTheEnergyThatTheyLeave) {
                                  .angular_velocity = {60, -20, 0}};
     const auto energy = [&](const hydro::BodyState& s) {
       const Matrix6d S_W = engine::rotate_tensor(s.orientation.toRotationMatrix(), S);
-      Vector6d free = engine::velocity(s, current), held = free;
+      Vector6d free = engine::velocity(s, current), locked_part = free;
       for (const int i : {0, 1, 5}) free[i] = 0;
-      for (const int i : {2, 3, 4}) held[i] = 0;
-      return (free.dot(S_W * free) - held.dot(S_W * held)) / 2;
+      for (const int i : {2, 3, 4}) locked_part[i] = 0;
+      return (free.dot(S_W * free) - locked_part.dot(S_W * locked_part)) / 2;
     };
     const engine::DofMask locked = {true, true, false, false, false, true};
     const hydro::BodyState end = engine::drifted(S, locked, state, current, time);
-    // A part of the most that the held motion can give.
+    // A part of the most that the locked motion can give.
     const double most = 0.3 * current.squaredNorm() / 2;
     EXPECT_NEAR(energy(end), energy(state), tolerance(0.01 * most)) << time;
     EXPECT_EQ(end.linear_velocity.head<2>(), Vector3d::Zero().head<2>());
@@ -179,7 +179,7 @@ TEST(FreeMotion, WithHeldDegreesOfFreedomKeepsTheEnergyThatTheyLeave) {
 }
 
 // A needle of 1 cm that weighs nothing, nearly out of the water: solutions that overflow are none.
-TEST(FreeMotion, WithHeldDegreesOfFreedomNeverRunsAway) {
+TEST(FreeMotion, WithLocksNeverDiverges) {
   Matrix6d S;
   S << 2.44051e-10, -2.1134e-11, 2.29677e-11, 5.1586e-17, -1.11088e-13, -1.03163e-13,    //
       -2.1134e-11, 1.99151e-09, -1.36074e-11, -8.79035e-15, -3.12663e-13, 9.44474e-12,   //
@@ -193,7 +193,7 @@ TEST(FreeMotion, WithHeldDegreesOfFreedomNeverRunsAway) {
     const Vector3d spin(random.uniform(-1000, 1000), random.uniform(-1000, 1000), 0);
     const hydro::BodyState state{.orientation = random.rotation(), .angular_velocity = spin};
     const hydro::BodyState end = engine::drifted(S, locked, state, {3, 1, 0}, 1.0 / 500);
-    // At most 4.5e-8 J of the start and 1e-8 J of the held motion, with no less than 9e-6 of 2e-9
+    // At most 4.5e-8 J of the start and 1e-8 J of the locked motion, with no less than 9e-6 of 2e-9
     // kg: the least eigenvalue of S in terms of its diagonal.
     EXPECT_LT(end.linear_velocity.norm(), 2500) << i;
   }

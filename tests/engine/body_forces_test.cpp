@@ -17,14 +17,14 @@ using support::sphere_body;
 
 constexpr double kSeaDensity = 1000;  // [kg/m^3]
 
-SimulationSpec with_books(SimulationSpec spec) {
+SimulationSpec recording(SimulationSpec spec) {
   spec.record_work = true;
   return spec;
 }
 
 SimulationSpec in_sea(BodySpec body, double step = kStep) {
   body.wet = true;
-  SimulationSpec spec = with_books(support::dry_world({std::move(body)}, step));
+  SimulationSpec spec = recording(support::dry_world({std::move(body)}, step));
   spec.sea = hydro::Sea{.density = kSeaDensity, .gravity = kGravity};
   return spec;
 }
@@ -42,7 +42,7 @@ BodyForces forces_after(const SimulationSpec& spec, double time) {
 }
 
 /// Difference of the two sides of the first equation of (E16) [J].
-double unbooked(const SimulationSpec& spec, const BodyForces& end) {
+double unrecorded(const SimulationSpec& spec, const BodyForces& end) {
   return end.kinetic_energy - Simulation(spec).forces()[0].kinetic_energy - end.works.sum();
 }
 
@@ -51,7 +51,7 @@ double off(const hydro::Wrench& wrench, const Vector3d& force) {
   return (wrench.force - force).norm() + wrench.moment.norm();
 }
 
-TEST(ForceLog, IsRefusedWithoutBooks) {
+TEST(ForceLog, IsRefusedWithoutARecord) {
   const Simulation simulation(support::dry_world({box_body("a", {1, 1, 1}, 1, {0, 0, 0})}, kStep));
   EXPECT_THROW(simulation.forces(), std::logic_error);
 }
@@ -71,13 +71,13 @@ TEST(ForceLog, BuoyancyOfABoxAtRestCarriesItsWeight) {
 TEST(ForceLog, WorkOfTheWeightIsTheEnergyOfAFall) {
   BodySpec box = box_body("box", {1, 2, 3}, 500, {0, 0, 100});
   box.initial.linear_velocity = {3, 0, 5};
-  const SimulationSpec spec = with_books(support::dry_world({box}, kStep));
+  const SimulationSpec spec = recording(support::dry_world({box}, kStep));
   const BodyForces end = forces_after(spec, 2);
   const double drop = kGravity * 2 * 2 / 2 - 5 * 2;
   const double fall = box.mass * kGravity * drop;
   EXPECT_NEAR(end.works.weight, fall, tolerance(1e-10 * fall));
   EXPECT_NEAR(end.potential_energy, box.mass * kGravity * (100 - drop), tolerance(1e-9 * fall));
-  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-10 * fall));
+  EXPECT_LT(std::abs(unrecorded(spec, end)), tolerance(1e-10 * fall));
   EXPECT_EQ(end.works.sum(), end.works.weight);
 }
 
@@ -95,14 +95,14 @@ TEST(ForceLog, ASphereAtItsTerminalVelocityGivesItsWeightToTheDrag) {
               -sunk - (end.works.buoyancy - start.works.buoyancy), tolerance(1e-6 * sunk));
 }
 
-TEST(ForceLog, AStiffKickBooksWhatTheDragTook) {
+TEST(ForceLog, AStiffUpdateRecordsTheWorkOfTheDrag) {
   BodySpec sphere = with_drag(sphere_body("sphere", 0.5, 1000, {0, 0, -50}), 1);
   sphere.initial.linear_velocity = {400, 0, 0};
   const SimulationSpec spec = in_sea(sphere, 0.1);
   const double before = Simulation(spec).forces()[0].kinetic_energy;
   const BodyForces end = forces_after(spec, 0.2);
   ASSERT_LT(end.kinetic_energy, 0.1 * before);
-  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-12 * before));
+  EXPECT_LT(std::abs(unrecorded(spec, end)), tolerance(1e-12 * before));
   // A load explicit in a step of 40 m would have taken many times what there was.
   EXPECT_LT(end.works.pressure_drag, 0);
   EXPECT_GT(end.works.pressure_drag, -1.001 * before);
@@ -256,7 +256,7 @@ TEST(ForceLog, OfABodyWithoutOtherLoadsTheAddedMassIsAllThatTurnsIt) {
   EXPECT_GT(pull.norm(), 1);
   EXPECT_LT((end.added_mass.force - pull).norm(), tolerance(1e-8 * pull.norm()));
   EXPECT_LT((end.added_mass.moment - turn).norm(), tolerance(1e-8 * turn.norm()));
-  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9 * end.kinetic_energy));
+  EXPECT_LT(std::abs(unrecorded(spec, end)), tolerance(1e-9 * end.kinetic_energy));
   EXPECT_EQ(end.works.sum(), end.works.added_mass);
 }
 
@@ -270,7 +270,7 @@ TEST(ForceLog, LocksHoldAgainstTheMunkMoment) {
   EXPECT_LT((end.constraint.moment + munk).norm(), tolerance(1e-9 * munk.norm()));
 }
 
-TEST(ForceLog, ABrakesWorkIsBooked) {
+TEST(ForceLog, TheLimitersWorkIsRecorded) {
   // A spar that whirls half out of the water, in steps far too long for it.
   BodySpec spar = with_drag(box_body("spar", {1, 1, 4}, 5, {0, 0, 3}, 2), 0);
   spar.initial.angular_velocity = {2, 30, 3};
@@ -278,7 +278,7 @@ TEST(ForceLog, ABrakesWorkIsBooked) {
   const BodyForces alone = forces_after(spec, 4);
   EXPECT_LT(alone.works.brake, -1000);
   // What is left is the offset of the states, large in such steps.
-  EXPECT_LT(std::abs(unbooked(spec, alone)), tolerance(0.1 * -alone.works.brake));
+  EXPECT_LT(std::abs(unrecorded(spec, alone)), tolerance(0.1 * -alone.works.brake));
   spec.bodies.push_back(spec.bodies[0]);
   spec.bodies[1].initial.position.x() = 6;
   spec.joints = {{.name = "pin",
@@ -298,18 +298,18 @@ TEST(ForceLog, LocksHoldWithoutWork) {
   BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 0});
   box.locked = {false, false, true, true, true, true};
   box.loads = {{.force = {30, 0, 0}}};
-  const SimulationSpec spec = with_books(support::dry_world({box}, kStep));
+  const SimulationSpec spec = recording(support::dry_world({box}, kStep));
   const BodyForces end = forces_after(spec, 1);
   EXPECT_LT(off(end.constraint, {0, 0, box.mass * kGravity}), tolerance(1e-9));
   EXPECT_EQ(end.works.constraint, 0);
-  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9));
+  EXPECT_LT(std::abs(unrecorded(spec, end)), tolerance(1e-9));
 }
 
 /// A dry box of half a tonne whose lower face is so high above the ground [m].
 SimulationSpec box_above_ground(double height) {
   BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 0.5 + height});
   box.collision = engine::CollisionShape::box;
-  SimulationSpec spec = with_books(support::dry_world({box}, kStep));
+  SimulationSpec spec = recording(support::dry_world({box}, kStep));
   spec.ground = engine::PlaneGround{0};
   return spec;
 }
@@ -327,14 +327,14 @@ TEST(ForceLog, AnImpactOnTheGroundTakesWhatTheWeightHasGiven) {
   const double fall = spec.bodies[0].mass * kGravity * 2;
   EXPECT_NEAR(end.works.weight, fall, tolerance(0.01 * fall));
   EXPECT_NEAR(end.works.constraint, -fall, tolerance(0.01 * fall));
-  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9 * fall));
+  EXPECT_LT(std::abs(unrecorded(spec, end)), tolerance(1e-9 * fall));
 }
 
 TEST(ForceLog, AHingeHoldsABobOnItsCircle) {
   BodySpec box = box_body("box", {0.2, 0.2, 0.2}, 500, {2, 0, 0});
   box.initial.angular_velocity = {0, 0, 3};
   box.initial.linear_velocity = {0, 6, 0};
-  SimulationSpec spec = with_books(support::dry_world({box}, kStep));
+  SimulationSpec spec = recording(support::dry_world({box}, kStep));
   spec.gravity = 0;
   spec.joints = {{.name = "pin", .type = engine::JointSpec::Type::hinge, .first = 0}};
   const Simulation end = support::after(spec, 100);
@@ -350,14 +350,14 @@ TEST(ForceLog, AnImmovableBodyIsHeldAgainstItsLoads) {
   BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 3});
   box.locked.fill(true);
   box.loads = {{.force = {7, 0, 0}}};
-  const BodyForces forces = forces_after(with_books(support::dry_world({box}, kStep)), kStep);
+  const BodyForces forces = forces_after(recording(support::dry_world({box}, kStep)), kStep);
   EXPECT_LT(off(forces.constraint, {-7, 0, box.mass * kGravity}), tolerance(1e-9));
 }
 
 TEST(ForceLog, AppliedLoadsAreThemselves) {
   BodySpec box = box_body("box", {1, 1, 1}, 500, {0, 0, 0});
   box.loads = {{.force = {7, 0, 0}, .at_B = {0, 2, 0}}, {.torque = {0, 0, 20}}};
-  SimulationSpec spec = with_books(support::dry_world({box}, kStep));
+  SimulationSpec spec = recording(support::dry_world({box}, kStep));
   spec.gravity = 0;
   const BodyForces start = Simulation(spec).forces()[0];
   EXPECT_EQ(start.applied.force, Vector3d(7, 0, 0));
@@ -366,20 +366,20 @@ TEST(ForceLog, AppliedLoadsAreThemselves) {
   EXPECT_NEAR(end.works.applied, end.kinetic_energy, tolerance(1e-10 * end.kinetic_energy));
 }
 
-TEST(ForceLog, OdesOwnStepIsBookedToo) {
+TEST(ForceLog, OdesOwnStepIsRecordedToo) {
   SimulationSpec spec = bobbing_raft(kStep, false);
   spec.integrator.method = engine::Integrator::Method::ode;
   const BodyForces end = forces_after(spec, 2);
   EXPECT_GT(std::abs(end.works.buoyancy), 1);
-  EXPECT_LT(std::abs(unbooked(spec, end)), tolerance(1e-9 * std::abs(end.works.weight) + 1e-6));
+  EXPECT_LT(std::abs(unrecorded(spec, end)), tolerance(1e-9 * std::abs(end.works.weight) + 1e-6));
 }
 
 TEST(ForceLog, DoesNotChangeTheMotion) {
   SimulationSpec spec = bobbing_raft(kStep, true);
-  const Simulation booked = support::after(spec, 200);
-  booked.forces();
+  const Simulation recorded = support::after(spec, 200);
+  recorded.forces();
   spec.record_work = false;
-  EXPECT_EQ(support::after(spec, 200).states()[0], booked.states()[0]);
+  EXPECT_EQ(support::after(spec, 200).states()[0], recorded.states()[0]);
 }
 
 }  // namespace

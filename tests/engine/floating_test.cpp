@@ -63,7 +63,7 @@ TEST(Floating, ABargeBobsAtItsOwnFrequencyHoweverLongTheStep) {
   const double omega = std::sqrt(kWater * support::kGravity * 4 * 3 / body.mass);
   const double exact = 2 * std::numbers::pi / omega;
   for (const double step : {1.0 / 15, 1.0 / 30, 0.01}) {
-    // The explicit step, in pieces of a quarter of a radian at most, is of the fourth order. A
+    // The explicit step, in substeps of a quarter of a radian at most, is of the fourth order. A
     // crossing found by a straight line is off by less than (ω h)³/50 of a step, shared by the
     // periods.
     const double bound = exact * std::pow(std::min(omega * step, 0.25), 4) / 24 +

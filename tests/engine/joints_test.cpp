@@ -69,8 +69,8 @@ TEST(Universal, SwingsWithThePeriodOfThePendulumToSecondOrder) {
                 tolerance(0.2));
 }
 
-// To the world they are guides (reduced_joint.h). What is left is the straight line through two
-// steps by which the crossing is found: (ω h)³/60 of the angle.
+// Both are reduced joints. The crossing is found on the straight line through two steps, with an
+// error of (ω h)³/60 of the angle.
 TEST(HingeAndBall, SwingWithThePeriodOfThePendulum) {
   EXPECT_LT(period_error(0.01, Type::hinge), tolerance(1e-6));
   EXPECT_LT(period_error(0.01, Type::ball), tolerance(1e-6));

@@ -199,7 +199,8 @@ TEST(LoadJacobian, KnowsTheWavesThatAPanelIsLongerThan) {
   const hydro::LoadJacobian J = hydro::load_jacobian(hull, sinking, sea, 0, coefficients);
   const double slope = (drag_at(-1.001) - drag_at(-0.999)) / -0.002;
   ASSERT_LT(slope, -100);
-  // Drag's surface is cut by the same pieces as the slope's, but those of its tree's tolerance.
+  // The drag's surface is cut into the same parts as the slope's, but for those of its tree's
+  // tolerance.
   EXPECT_NEAR(J.drag(2, 2), slope, tolerance(1e-2 * std::abs(slope)));
 }
 
