@@ -2,19 +2,23 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <cassert>
 
 namespace hydro {
 
 Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix) {
+  assert(is_symmetric(matrix));
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly)
       .eigenvalues();
 }
 
 Vector6d eigenvalues(const Matrix6d& matrix) {
+  assert(is_symmetric(matrix));
   return Eigen::SelfAdjointEigenSolver<Matrix6d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix) {
+  assert(is_symmetric(matrix));
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(matrix);
   return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
@@ -28,10 +32,12 @@ Cholesky6::Cholesky6(const Matrix6d& matrix) {
 Vector6d Cholesky6::solve(const Vector6d& x) const { return solve_upper(solve_lower(x)); }
 
 Vector6d Cholesky6::solve_lower(const Vector6d& x) const {
+  assert(positive_definite_);
   return lower_.triangularView<Eigen::Lower>().solve(x);
 }
 
 Vector6d Cholesky6::solve_upper(const Vector6d& x) const {
+  assert(positive_definite_);
   return lower_.transpose().triangularView<Eigen::Upper>().solve(x);
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 /// @file
 /// Six-component quantities and the state of a rigid body.
@@ -14,6 +15,26 @@ namespace hydro {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// The matrix [v]× with [v]× w = v × w for any w.
+inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+// Preconditions that functions assert. A quantity that is not a number passes: it is the caller's
+// to report.
+
+/// True unless a quaternion departs from a rotation by more than roundings make of it.
+inline bool is_unit(const Eigen::Quaterniond& q) { return !(std::abs(q.squaredNorm() - 1) > 1e-6); }
+inline bool is_unit(const Eigen::Vector3d& v) { return !(std::abs(v.squaredNorm() - 1) > 1e-6); }
+
+/// True unless a matrix departs from a symmetric one by more than roundings make of it.
+template <class Matrix>
+bool is_symmetric(const Matrix& m) {
+  return !((m - m.transpose()).cwiseAbs().maxCoeff() > 1e-9 * m.cwiseAbs().maxCoeff());
+}
 
 /// A force [N] and a moment [N m]. The point of the moment is the body's centre of mass unless the
 /// function that returns the wrench says otherwise.

@@ -55,7 +55,7 @@ struct AddedMass {
 /// The block `hydro`.
 struct Hydro : hydro::Coefficients {
   AddedMass added_mass;
-  double wave_tolerance = hydro::Summation().wave_tolerance;
+  double wave_tolerance = hydro::LoadAccuracy().wave_tolerance;
 };
 
 enum class Collision { automatic, mesh, box, sphere, none };

@@ -41,12 +41,6 @@ struct Stage {
   double error = 0;  ///< That finer panels would lessen.
 };
 
-Eigen::Matrix3d cross_matrix(const Vector3d& a) {
-  Eigen::Matrix3d cross;
-  cross << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return cross;
-}
-
 /// What errors are measured by: the added mass and a tenth of the displaced fluid's own inertia
 /// about the origin. Turned or moved, it transforms as the added mass does.
 Matrix6d scale_of(const Matrix6d& matrix, const SolidProperties& solid) {
@@ -141,15 +135,19 @@ AddedMassSolution solve_about_origin(const TriMesh& mesh_B, const AddedMassOptio
   return solution;
 }
 
-/// Solves about the centroid and moves the result, so that a moved body's is the same to round-off.
-AddedMassSolution solve_on_panels(const TriMesh& mesh_B, const Vector3d& centroid,
-                                  const AddedMassOptions& options) {
-  AddedMassSolution solution = solve_about_origin(translated(mesh_B, -centroid), options);
-  Matrix6d shift = Matrix6d::Identity();  // (n, r × n) from that about the centroid
-  shift.bottomLeftCorner<3, 3>() = cross_matrix(centroid);
+/// A' = T A Tᵀ and ψ' = T ψ with T = (1, 0; −[p]×, 1); A' is as symmetric as A.
+AddedMassSolution with_origin_at(const Vector3d& p, AddedMassSolution solution) {
+  Matrix6d shift = Matrix6d::Identity();
+  shift.bottomLeftCorner<3, 3>() = -cross_matrix(p);
   solution.matrix = (shift * solution.matrix * shift.transpose()).eval();
   for (CornerPotentials& psi : solution.potentials) psi = (shift * psi).eval();
   return solution;
+}
+
+/// Solves about the centroid and moves the result, so that a moved body's is the same to round-off.
+AddedMassSolution solve_on_panels(const TriMesh& mesh_B, const Vector3d& centroid,
+                                  const AddedMassOptions& options) {
+  return with_origin_at(-centroid, solve_about_origin(translated(mesh_B, -centroid), options));
 }
 
 AddedMassSolution solve_constant(const TriMesh& mesh_B) {
@@ -191,6 +189,12 @@ AddedMassSolution solve_added_mass(const TriMesh& mesh_B, const AddedMassOptions
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return solution;
+}
+
+AddedMassSolution moved_origin(AddedMassSolution solution, const Vector3d& p) {
+  AddedMassSolution moved = with_origin_at(p, std::move(solution));
+  moved.matrix = (0.5 * (moved.matrix + moved.matrix.transpose())).eval();
+  return moved;
 }
 
 Matrix6d triangle_share(const std::array<Vector3d, 3>& corners_B,

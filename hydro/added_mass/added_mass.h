@@ -63,6 +63,10 @@ struct AddedMassSolution {
 /// @throws std::invalid_argument if the mesh is not closed, or encloses nothing.
 AddedMassSolution solve_added_mass(const TriMesh& mesh_B, const AddedMassOptions& options = {});
 
+/// The solution of a body about another origin: A' = T A Tᵀ and ψ' = T ψ with T = (1, 0; −[p]×, 1).
+/// @param p   The new origin, in the old frame; the axes stay.
+AddedMassSolution moved_origin(AddedMassSolution solution, const Eigen::Vector3d& p);
+
 /// ∫ ψ_m N_n dS over a triangle on which ψ is linear: a row a motion m, a column a component n.
 /// Exact. For a part of a face, interpolate the face's potentials to the part's corners.
 Matrix6d triangle_share(const std::array<Eigen::Vector3d, 3>& corners_B,

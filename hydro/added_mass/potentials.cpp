@@ -1,5 +1,7 @@
 #include "hydro/added_mass/potentials.h"
 
+#include <cassert>
+
 namespace hydro::kernel {
 namespace {
 
@@ -32,6 +34,7 @@ Matrix6d share_of(const TriMesh& mesh_B, int face, const CornerPotentials& psi) 
 
 Potentials make_potentials(const TriMesh& mesh_B, const Panels& panels, const Tree& tree,
                            const std::vector<CornerPotentials>& corners) {
+  assert(static_cast<Eigen::Index>(corners.size()) == mesh_B.face_count());
   Potentials potentials;
   potentials.blocks.resize(panels.leaves.size() * kLeafFaces / kMostLanes);
   std::vector<Matrix6d> of_leaf(panels.leaves.size(), Matrix6d::Zero());

@@ -1,6 +1,7 @@
 #include "hydro/added_mass/surface_added_mass.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace hydro {
@@ -45,6 +46,7 @@ SurfaceAddedMass::SurfaceAddedMass(TriMesh mesh_B, const std::vector<SurfaceNode
 }
 
 Matrix6d SurfaceAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
+  assert(is_unit(state.orientation));
   const Vector3d& p = state.position;
   const WaterPlane plane{state.orientation.conjugate() * Vector3d::UnitZ(),
                          surface_height(sea, p.x(), p.y(), time) - p.z()};
@@ -52,6 +54,7 @@ Matrix6d SurfaceAddedMass::at(const BodyState& state, const Sea& sea, double tim
 }
 
 Matrix6d SurfaceAddedMass::under(const WaterPlane& plane) const {
+  assert(is_unit(plane.up));
   const double draught = draught_of(plane);
   if (draught <= 0) return Matrix6d::Zero();
   const int lower = std::min(static_cast<int>(draught), kUnbounded - 1);

@@ -1,34 +1,16 @@
 #include "hydro/added_mass/wetted_added_mass.h"
 
+#include <cassert>
 #include <optional>
 
 #include "hydro/added_mass/wetted_share.h"
 #include "hydro/decompositions.h"
-#include "hydro/loads/kernel/surface.h"
+#include "hydro/loads/kernel/water_surface.h"
 #include "hydro/loads/refine.h"
 
 namespace hydro {
-namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-}  // namespace
-
-AddedMassSolution moved_origin(AddedMassSolution solution, const Vector3d& p) {
-  Matrix6d shift = Matrix6d::Identity();
-  shift.bottomLeftCorner<3, 3>() = -cross_matrix(p);
-  const Matrix6d moved = shift * solution.matrix * shift.transpose();
-  solution.matrix = 0.5 * (moved + moved.transpose());
-  for (CornerPotentials& psi : solution.potentials) psi = (shift * psi).eval();
-  return solution;
-}
 
 Matrix6d semi_definite_part(const Matrix6d& matrix) {
   const Matrix6d symmetric = 0.5 * (matrix + matrix.transpose());
@@ -45,9 +27,12 @@ WettedAddedMass::WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution&
       whole_(semi_definite_part(solution.matrix)),
       panels_(kernel::make_panels(mesh_B)),
       tree_(kernel::make_tree(panels_)),
-      potentials_(kernel::make_potentials(mesh_B, panels_, tree_, solution.potentials)) {}
+      potentials_(kernel::make_potentials(mesh_B, panels_, tree_, solution.potentials)) {
+  assert(is_symmetric(solution.matrix));
+}
 
 Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
+  assert(is_unit(state.orientation));
   const SurfaceBounds bounds = surface_bounds(sea);
   if (tree_.nodes.empty() || state.position.z() - radius_ >= bounds.highest)
     return Matrix6d::Zero();
@@ -58,10 +43,10 @@ Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time
   const double half = up_B.cwiseAbs().dot(Vector3d::Map(root.half));
   if (middle - half >= bounds.highest) return Matrix6d::Zero();
   if (middle + half < bounds.lowest) return sea.density * whole_;
-  kernel::Immersion in;
+  kernel::LoadInputs in;
   Vector3d::Map(in.up) = up_B;
   in.below = sea.level - state.position.z();
-  std::optional<kernel::Surface> surface;
+  std::optional<kernel::WaterSurface> surface;
   if (!is_flat(sea)) {
     surface.emplace(sea, state, time, kSmallestPanel * radius_, panels_.longest_edge);
     in.surface = &*surface;

@@ -16,10 +16,6 @@
 
 namespace hydro {
 
-/// The solution of a body about another origin: A' = T A Tᵀ and ψ' = T ψ with T = (1, 0; −[p]×, 1).
-/// @param p   The new origin, in the old frame; the axes stay.
-AddedMassSolution moved_origin(AddedMassSolution solution, const Eigen::Vector3d& p);
-
 /// The symmetric part of a matrix with its negative eigenvalues set to zero (to round-off).
 Matrix6d semi_definite_part(const Matrix6d& matrix);
 

@@ -14,13 +14,13 @@ namespace hydro::kernel::HWY_NAMESPACE {
 using ShareSums = LaneSums<36>;
 
 /// The sums over a run of leaves, and the pieces that wait until there are enough.
-struct ShareWork {
+struct ShareWalk {
   const Panels& panels;
   const Potentials& potentials;
-  const Immersion& in;
-  ShareSums& sums;      ///< −∫ ψ_m N_n dS, row by row.
-  Pieces bending;       ///< The surface may bend over them by more than the tolerance.
-  Pieces cut_by_water;  ///< May be wet in part.
+  const LoadInputs& in;
+  ShareSums& sums;             ///< −∫ ψ_m N_n dS, row by row.
+  TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
+  TriangleQueue cut_by_water;  ///< May be wet in part.
 };
 
 /// ∫ {1, x, y, xx, xy, yy} dA.
@@ -60,7 +60,7 @@ HWY_INLINE void add_moments(ShareSums& sums, const Plane& p, const AreaMoments& 
   }
 }
 
-HWY_NOINLINE void add_pieces(ShareWork& work, const Pieces& pieces, int from, int used) {
+HWY_NOINLINE void add_pieces(ShareWalk& work, const TriangleQueue& pieces, int from, int used) {
   const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
                                  hn::FirstN(D(), static_cast<std::size_t>(used)));
   const auto moments = [](const Triangle& t, M counts) HWY_ATTR {
@@ -74,18 +74,18 @@ HWY_NOINLINE void add_pieces(ShareWork& work, const Pieces& pieces, int from, in
               [&](int i) HWY_ATTR { return hn::GatherIndex(D(), first.row[i], index); });
 }
 
-HWY_INLINE void drain_cut(ShareWork& work, bool to_the_last) {
+HWY_INLINE void drain_cut(ShareWalk& work, bool to_the_last) {
   drain(work, work.cut_by_water, to_the_last, add_pieces);
 }
 
-HWY_INLINE void drain(ShareWork& work, bool to_the_last) {
-  drain(work, work.bending, to_the_last, refine_pieces<ShareWork>);
+HWY_INLINE void drain(ShareWalk& work, bool to_the_last) {
+  drain(work, work.bending, to_the_last, refine_pieces<ShareWalk>);
   drain_cut(work, to_the_last);
 }
 
 /// The wet faces that count of a vector from `lane` of a leaf on; those across the waterline become
 /// pieces.
-HWY_INLINE void add_faces(ShareWork& work, std::int64_t leaf, int lane, M counts,
+HWY_INLINE void add_faces(ShareWalk& work, std::int64_t leaf, int lane, M counts,
                           const Values& depth) {
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   const V area = areas_at(faces, lane);
@@ -104,8 +104,8 @@ HWY_INLINE void add_faces(ShareWork& work, std::int64_t leaf, int lane, M counts
 }
 
 void wetted_share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                       const Immersion& in, ShareSums& sums) {
-  ShareWork work{panels, potentials, in, sums, {}, {}};
+                       const LoadInputs& in, ShareSums& sums) {
+  ShareWalk work{panels, potentials, in, sums, {}, {}};
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];
@@ -130,7 +130,7 @@ namespace hydro::kernel {
 HWY_EXPORT(wetted_share_here);
 
 Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                      const Immersion& in) {
+                      const LoadInputs& in) {
   LaneSums<36> sums;
   HWY_DYNAMIC_DISPATCH(wetted_share_here)(panels, tree, potentials, in, sums);
   Matrix6d share;

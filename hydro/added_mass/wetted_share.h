@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hydro/added_mass/potentials.h"
-#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/load_inputs.h"
 
 /// @file
 /// The integral ∫ ψ_m N_n dS over the wetted faces of a hull, by the walk through the tree and in
@@ -16,6 +16,6 @@ namespace hydro::kernel {
 
 /// ∫ ψ_m N_n dS over the wetted part of a hull. Of `in` the motion does not count.
 Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                      const Immersion& in);
+                      const LoadInputs& in);
 
 }  // namespace hydro::kernel

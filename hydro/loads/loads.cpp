@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
-#include "hydro/loads/kernel/surface.h"
 #include "hydro/loads/kernel/walk.h"
+#include "hydro/loads/kernel/water_surface.h"
 #include "hydro/parallel.h"
 
 namespace hydro {
@@ -26,7 +27,7 @@ double size_of(const Hull& hull) {
 constexpr double kLeastDip = 1e-13;
 
 /// True if no point of the hull's box is below the highest water.
-bool all_dry(const Hull& hull, const kernel::Immersion& in, double highest_elevation) {
+bool all_dry(const Hull& hull, const kernel::LoadInputs& in, double highest_elevation) {
   const kernel::Node& root = hull.tree.nodes[0];
   double deepest = in.below + highest_elevation;
   for (int axis = 0; axis < 3; ++axis)
@@ -39,7 +40,7 @@ void set(double (&to)[3], const Eigen::Vector3d& v) {
 }
 
 void set_motion(const Hull& hull, const Twist& motion_B, double density,
-                const Coefficients& coefficients, kernel::Immersion& in) {
+                const Coefficients& coefficients, kernel::LoadInputs& in) {
   set(in.linear, motion_B.linear);
   set(in.angular, motion_B.angular);
   in.moving = motion_B.linear.norm() + hull.radius * motion_B.angular.norm() > kLeastSpeed;
@@ -59,12 +60,12 @@ Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) 
 
 /// From how many leaves on several threads share a body: below they take longer to wake than to
 /// work. With whole branches and no viscous drag few leaves are looked into.
-int shared_from(const kernel::Immersion& in) {
+int shared_from(const kernel::LoadInputs& in) {
   return in.branches && !in.surface && !(in.moving && in.viscous) ? 8192 : 256;
 }
 
 /// The sum over all faces. Chunks are added in their order, whichever thread made them.
-kernel::Sums sum_hull(const Hull& hull, const kernel::Immersion& in) {
+kernel::Sums sum_hull(const Hull& hull, const kernel::LoadInputs& in) {
   kernel::Sums sums;
   const bool shared = static_cast<int>(hull.panels.leaves.size()) >= shared_from(in);
   if (!shared) {
@@ -85,6 +86,17 @@ kernel::Sums sum_hull(const Hull& hull, const kernel::Immersion& in) {
   return sums;
 }
 
+/// True unless the area vectors of a mesh leave a gap.
+[[maybe_unused]] bool is_closed(const TriMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (Eigen::Index f = 0; f < mesh.face_count(); ++f) {
+    sum += area_vector(mesh, f);
+    area += area_vector(mesh, f).norm();
+  }
+  return !(sum.norm() > 1e-9 * area);
+}
+
 }  // namespace
 
 Loads& Loads::operator+=(const Loads& other) {
@@ -103,6 +115,7 @@ Hull make_hull(TriMesh mesh_B) {
     hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
   hull.panels = kernel::make_panels(hull.mesh_B);
   hull.tree = kernel::make_tree(hull.panels);
+  assert(is_closed(hull.mesh_B));
   return hull;
 }
 
@@ -115,11 +128,12 @@ double drag_scale(const Coefficients& coefficients, const BodyState& state,
 }
 
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients, const Summation& how) {
+                    const Coefficients& coefficients, const LoadAccuracy& how) {
+  assert(is_unit(state.orientation));
   const SurfaceBounds bounds = surface_bounds(sea);
   if (state.position.z() - hull.radius >= bounds.highest || hull.tree.nodes.empty()) return {};
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  kernel::Immersion in;
+  kernel::LoadInputs in;
   // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
   // then taken from the level of the centre of mass, so that a deep body loses no digits.
   in.wet = state.position.z() + hull.radius < bounds.lowest;
@@ -131,7 +145,7 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
              {R_WB.transpose() * (state.linear_velocity - sea.current),
               R_WB.transpose() * state.angular_velocity},
              sea.density, coefficients, in);
-  std::optional<kernel::Surface> surface;
+  std::optional<kernel::WaterSurface> surface;
   if (!is_flat(sea)) {
     surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);
     in.surface = &*surface;

@@ -42,7 +42,7 @@ double drag_scale(const Coefficients& coefficients, const BodyState& state,
                   const Eigen::Vector3d& current);
 
 /// How the sum over the panels is made.
-struct Summation {
+struct LoadAccuracy {
   /// Whole branches of the tree are taken at once. On flat water the result is the same.
   bool branches = true;
   /// In waves a branch is taken whole where the error of the force that follows is below this part
@@ -56,6 +56,6 @@ struct Summation {
 /// its largest component. In waves the surface is taken as linear over panels that are split until
 /// it departs from linear by less than a tolerance.
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients, const Summation& how = {});
+                    const Coefficients& coefficients, const LoadAccuracy& how = {});
 
 }  // namespace hydro

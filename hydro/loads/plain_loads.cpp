@@ -18,7 +18,7 @@ constexpr Eigen::Index kFacesAPiece = 1024;
 
 /// Everything that the sum over the panels needs, with the vertices in W axes about the centre of
 /// mass.
-struct Immersion {
+struct PlainInputs {
   const Hull& hull;
   const Sea& sea;
   const Coefficients& coefficients;
@@ -30,17 +30,17 @@ struct Immersion {
   bool moving;                ///< Relative to the water.
 };
 
-Immersion immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                  const Coefficients& coefficients) {
-  Immersion in{.hull = hull,
-               .sea = sea,
-               .coefficients = coefficients,
-               .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
-               .r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices,
-               .elevation = Eigen::VectorXd::Zero(hull.mesh_B.vertex_count()),
-               .motion = {state.linear_velocity - sea.current, state.angular_velocity},
-               .level = sea.level - state.position.z(),
-               .moving = false};
+PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                    const Coefficients& coefficients) {
+  PlainInputs in{.hull = hull,
+                 .sea = sea,
+                 .coefficients = coefficients,
+                 .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
+                 .r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices,
+                 .elevation = Eigen::VectorXd::Zero(hull.mesh_B.vertex_count()),
+                 .motion = {state.linear_velocity - sea.current, state.angular_velocity},
+                 .level = sea.level - state.position.z(),
+                 .moving = false};
   in.moving = !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
   if (in.surface.flat()) return in;
   parallel_for(static_cast<std::size_t>(in.r.cols()),
@@ -49,7 +49,7 @@ Immersion immerse(const Hull& hull, const BodyState& state, const Sea& sea, doub
 }
 
 /// Drag and lift on a wet panel of the given unit normal.
-void add_motion_loads(const Immersion& in, const Panel& panel, const Eigen::Vector3d& normal,
+void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& normal,
                       Loads& loads) {
   const double half_density = 0.5 * in.sea.density;
   const PressureDrag& drag = in.coefficients.pressure_drag;
@@ -71,7 +71,7 @@ void add_motion_loads(const Immersion& in, const Panel& panel, const Eigen::Vect
 }
 
 /// All loads on a wet panel with the given depths at its vertices.
-void add_wet_panel(const Immersion& in, const Panel& panel, const Eigen::Vector3d& depth,
+void add_wet_panel(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& depth,
                    const Eigen::Vector3d& normal, Loads& loads) {
   const Wrench depth_load = pressure_load(panel, depth);
   loads.buoyancy += depth_load;
@@ -82,7 +82,7 @@ void add_wet_panel(const Immersion& in, const Panel& panel, const Eigen::Vector3
 
 /// One face, split where the surface bends over it and cut at the waterline. `below` is what the
 /// depth of a point at z = 0 over flat water is taken as.
-void add_face(const Immersion& in, Eigen::Index face, double below, bool all_wet, Loads& loads) {
+void add_face(const PlainInputs& in, Eigen::Index face, double below, bool all_wet, Loads& loads) {
   const auto vertex = in.hull.mesh_B.faces.col(face);
   const Panel panel = {in.r.col(vertex[0]), in.r.col(vertex[1]), in.r.col(vertex[2])};
   const Eigen::Vector3d elevation(in.elevation[vertex[0]], in.elevation[vertex[1]],
@@ -99,7 +99,7 @@ void add_face(const Immersion& in, Eigen::Index face, double below, bool all_wet
 }
 
 /// The sum over all faces, piece by piece.
-Loads sum_faces(const Immersion& in, double below, bool all_wet) {
+Loads sum_faces(const PlainInputs& in, double below, bool all_wet) {
   const Eigen::Index faces = in.hull.mesh_B.face_count();
   std::vector<Loads> pieces((faces + kFacesAPiece - 1) / kFacesAPiece);
   parallel_for(pieces.size(), [&](std::size_t piece) {
@@ -119,7 +119,7 @@ Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
                   const Coefficients& coefficients) {
   const SurfaceBounds bounds = surface_bounds(sea);
   if (state.position.z() - hull.radius >= bounds.highest) return {};
-  const Immersion in = immerse(hull, state, sea, time, coefficients);
+  const PlainInputs in = immerse(hull, state, sea, time, coefficients);
   if (in.r.row(2).minCoeff() + state.position.z() >= bounds.highest) return {};
   // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
   // then taken from the level of the centre of mass, so that a deep body loses no digits.

@@ -81,7 +81,7 @@ void loads_of_a_body(benchmark::State& state, const Case& c) {
   const hydro::Coefficients coefficients =
       c.what.starts_with("viscous") ? hydro::Coefficients{} : kInviscid;
   const bool plain = c.what == "plain" || c.what == "plain_viscous";
-  const hydro::Summation how{.branches = !c.what.ends_with("no_tree")};
+  const hydro::LoadAccuracy how{.branches = !c.what.ends_with("no_tree")};
   tbb::task_arena arena(c.threads);
   for (auto _ : state) {
     arena.execute([&] {

@@ -4,6 +4,7 @@
 
 #include "hydro/added_mass/bem/compressed.h"
 #include "hydro/added_mass/bem/dense.h"
+#include "hydro/added_mass/bem/dense_symmetric.h"
 #include "hydro/added_mass/bem/galerkin.h"
 #include "hydro/added_mass/bem/near_pairs.h"
 #include "hydro/added_mass/bem/pair.h"

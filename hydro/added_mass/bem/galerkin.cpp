@@ -4,6 +4,7 @@
 
 #include "hydro/added_mass/bem/conjugate_gradients.h"
 #include "hydro/added_mass/bem/dense.h"
+#include "hydro/added_mass/bem/dense_symmetric.h"
 
 namespace hydro::bem {
 namespace {

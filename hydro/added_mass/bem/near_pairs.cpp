@@ -1,6 +1,7 @@
 #include "hydro/added_mass/bem/near_pairs.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "hydro/parallel.h"
 
@@ -52,6 +53,18 @@ NearPairs::NearPairs(const Surface& surface) {
       if (b > a) near_[mirror[here]] = {a, turned(near_[here].integrals)};
     }
   });
+  assert(all_sorted());
+}
+
+bool NearPairs::all_sorted() const {
+  for (std::size_t a = 0; a + 1 < starts_.size(); ++a) {
+    const auto row = of(a);
+    if (!std::is_sorted(row.begin(), row.end(), [](const auto& one, const auto& other) {
+          return one.element < other.element;
+        }))
+      return false;
+  }
+  return true;
 }
 
 }  // namespace hydro::bem

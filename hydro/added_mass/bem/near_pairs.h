@@ -27,6 +27,8 @@ class NearPairs {
   }
 
  private:
+  bool all_sorted() const;
+
   std::vector<std::size_t> starts_;
   std::vector<NearElement> near_;
 };

@@ -18,13 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
 /// Sums over a run of leaves, and the pieces that are left over until there are enough.
-struct Work {
+struct LoadWalk {
   const Panels& panels;
-  const Immersion& in;
+  const LoadInputs& in;
   Sums& sums;
-  Pieces bending;       ///< The surface may bend over them by more than the tolerance.
-  Pieces cut_by_water;  ///< May be wet in part.
-  Pieces turning;       ///< Wet all over, v·n changes its sign: only pressure drag is missing.
+  TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
+  TriangleQueue cut_by_water;  ///< May be wet in part.
+  TriangleQueue turning;  ///< Wet all over, v·n changes its sign: only pressure drag is missing.
 };
 
 HWY_INLINE Values normal_speeds(const Flow& flow, const Triangle& t) {
@@ -32,7 +32,7 @@ HWY_INLINE Values normal_speeds(const Flow& flow, const Triangle& t) {
 }
 
 /// ½ρC_p with the sign of the motion into the water, where u is of one sign.
-HWY_INLINE V signed_drag(const Immersion& in, M forward) {
+HWY_INLINE V signed_drag(const LoadInputs& in, M forward) {
   return hn::IfThenElse(forward, all(in.drag_front), all(-in.drag_back));
 }
 
@@ -43,7 +43,7 @@ HWY_INLINE Traction lift_on(const Flow& flow, const Triangle& t, V scale) {
 }
 
 /// Pressure drag on the triangles that count, of any motion: cut where v·n is zero.
-HWY_INLINE Traction cut_drag_on(const Immersion& in, const Flow& flow, const Triangle& t,
+HWY_INLINE Traction cut_drag_on(const LoadInputs& in, const Flow& flow, const Triangle& t,
                                 M counts) {
   const Values u = normal_speeds(flow, t);
   const V high = highest(u);
@@ -61,9 +61,9 @@ HWY_INLINE Traction cut_drag_on(const Immersion& in, const Flow& flow, const Tri
 }
 
 /// All loads on the triangles that count; they are wet all over.
-inline HWY_NOINLINE void add_wet(Work& work, const Plane& p, const Triangle& t, M counts,
+inline HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M counts,
                                  const Values& depth) {
-  const Immersion& in = work.in;
+  const LoadInputs& in = work.in;
   const V area = hn::IfThenElseZero(counts, area_of(t));
   const V3 c_cross_n = cross(p.c, p.n);
   add(work.sums, kArea, area);
@@ -78,7 +78,7 @@ inline HWY_NOINLINE void add_wet(Work& work, const Plane& p, const Triangle& t, 
 }
 
 /// The loads on the pieces from `from` on, one a lane; the first `used` lanes count.
-HWY_INLINE void add_pieces(Work& work, const Pieces& pieces, int from, int used) {
+HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
   const Plane p = plane_of(work.panels, pieces, from);
   const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
                                  hn::FirstN(D(), static_cast<std::size_t>(used)));
@@ -88,32 +88,33 @@ HWY_INLINE void add_pieces(Work& work, const Pieces& pieces, int from, int used)
 }
 
 /// The pressure drag of pieces that are wet all over.
-HWY_INLINE void add_turning(Work& work, const Pieces& pieces, int from, int used) {
+HWY_INLINE void add_turning(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
   const Plane p = plane_of(work.panels, pieces, from);
   const M counts = hn::FirstN(D(), static_cast<std::size_t>(used));
   add_normal(work.sums, kPressureDrag, p, cross(p.c, p.n),
              cut_drag_on(work.in, flow_over(p, work.in), triangle_of(pieces, from), counts));
 }
 
-HWY_INLINE void drain_cut(Work& work, bool to_the_last) {
+HWY_INLINE void drain_cut(LoadWalk& work, bool to_the_last) {
   drain(work, work.cut_by_water, to_the_last, add_pieces);
 }
 
-HWY_INLINE void drain(Work& work, bool to_the_last) {
-  drain(work, work.bending, to_the_last, refine_pieces<Work>);
+HWY_INLINE void drain(LoadWalk& work, bool to_the_last) {
+  drain(work, work.bending, to_the_last, refine_pieces<LoadWalk>);
   drain_cut(work, to_the_last);
   drain(work, work.turning, to_the_last, add_turning);
 }
 
 /// What is known of a leaf beforehand.
-struct Known {
+struct LeafFacts {
   bool wet = false;              ///< All over.
   bool without_viscous = false;  ///< Its viscous drag is zero.
 };
 
 /// Pressure drag on the faces that count: those of one sign here, the others as pieces.
-HWY_INLINE void add_whole_drag(Work& work, const Plane& p, const V3& c_cross_n, const Flow& flow,
-                               const Triangle& t, V area, M counts, std::int64_t leaf, int lane) {
+HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross_n,
+                               const Flow& flow, const Triangle& t, V area, M counts,
+                               std::int64_t leaf, int lane) {
   const Values u = normal_speeds(flow, t);
   const M forward = highest(u) > zero();
   const M turns = hn::And(counts, hn::And(lowest(u) < zero(), forward));
@@ -124,10 +125,10 @@ HWY_INLINE void add_whole_drag(Work& work, const Plane& p, const V3& c_cross_n, 
 }
 
 /// The faces that count of a vector from `lane` of a leaf on, with the depths at their vertices.
-HWY_INLINE void add_faces(Work& work, std::int64_t leaf, int lane, M counts, const Values& depth,
-                          Known known) {
+HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
+                          const Values& depth, LeafFacts known) {
   const D d;
-  const Immersion& in = work.in;
+  const LoadInputs& in = work.in;
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   const V whole = areas_at(faces, lane);
   counts = hn::And(counts, whole > zero());  // Not those that only fill the leaf.
@@ -156,7 +157,7 @@ HWY_INLINE void add_faces(Work& work, std::int64_t leaf, int lane, M counts, con
 }
 
 /// The viscous drag alone of a leaf that is wet all over.
-HWY_INLINE void add_viscous_of_leaf(Work& work, std::int64_t leaf) {
+HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, std::int64_t leaf) {
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const Plane p = plane_at(faces, lane);
@@ -166,7 +167,7 @@ HWY_INLINE void add_viscous_of_leaf(Work& work, std::int64_t leaf) {
 }
 
 /// Buoyancy alone of a leaf that is wet all over and that the surface does not bend over.
-inline HWY_NOINLINE void add_buoyancy_of_leaf(Work& work, const Node& leaf) {
+inline HWY_NOINLINE void add_buoyancy_of_leaf(LoadWalk& work, const Node& leaf) {
   const D d;
   const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf.first)];
   const LeafSurface over = surface_over(*work.in.surface, leaf);

@@ -7,8 +7,8 @@
 #endif
 
 #include "hydro/loads/kernel/lanes-inl.h"
-#include "hydro/loads/kernel/surface.h"
 #include "hydro/loads/kernel/tree-inl.h"
+#include "hydro/loads/kernel/water_surface.h"
 
 /// @file
 /// Elevation of a grid: anywhere, with its heights gathered for each place, and over a few cells,

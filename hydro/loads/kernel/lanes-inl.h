@@ -8,7 +8,7 @@
 
 #include <hwy/highway.h>
 
-#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/load_inputs.h"
 #include "hydro/loads/kernel/panels.h"
 
 /// @file
@@ -87,7 +87,7 @@ struct Flow {
   HWY_INLINE V along2(V x) const { return hn::MulAdd(spin, x, b); }
 };
 
-HWY_INLINE Flow flow_over(const Plane& p, const Immersion& in) {
+HWY_INLINE Flow flow_over(const Plane& p, const LoadInputs& in) {
   const V3 omega = all3(in.angular);
   const V3 v = all3(in.linear) + cross(omega, p.c);
   return {dot(v, p.n),    zero() - dot(omega, p.e2), dot(omega, p.e1), dot(v, p.e1), dot(v, p.e2),

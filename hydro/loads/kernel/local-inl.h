@@ -18,7 +18,7 @@ namespace hydro::kernel::HWY_NAMESPACE {
 /// Sets the rows of the depth to the waves' Taylor series about the middle of a branch, up to
 /// second order, if what is left out is small enough. That is |k·d|³/6 of an amplitude at most, and
 /// on the mean over a plane patch not more than a quarter of what it is at its ends.
-inline bool set_local_waves(const Node& node, const Immersion& in, double (&depth)[kNormal]) {
+inline bool set_local_waves(const Node& node, const LoadInputs& in, double (&depth)[kNormal]) {
   const WaveField& waves = in.surface->waves;
   const double* c = node.centre;
   const double size = std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
@@ -42,7 +42,7 @@ inline bool set_local_waves(const Node& node, const Immersion& in, double (&dept
 
 /// Sets the rows of the depth to the grid's surface, if a branch lies over one cell: exact, as it
 /// is bilinear there. With p and q the place in the cell, h = h_0 + p h_p + q h_q + p q h_pq.
-inline bool set_local_grid(const Node& node, const Immersion& in, double (&depth)[kNormal]) {
+inline bool set_local_grid(const Node& node, const LoadInputs& in, double (&depth)[kNormal]) {
   if (in.wave_error == 0) return false;
   const GridField& grid = in.surface->grid;
   const double *e = grid.e_x, *f = grid.e_y;
@@ -69,7 +69,7 @@ inline bool set_local_grid(const Node& node, const Immersion& in, double (&depth
   return true;
 }
 
-inline bool set_local_depth(const Node& node, const Immersion& in, double (&depth)[kNormal]) {
+inline bool set_local_depth(const Node& node, const LoadInputs& in, double (&depth)[kNormal]) {
   return in.surface->is_grid() ? set_local_grid(node, in, depth) : set_local_waves(node, in, depth);
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/load_inputs.h"
 #include "hydro/mesh/mesh.h"
 
 /// @file

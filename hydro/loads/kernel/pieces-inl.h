@@ -10,7 +10,7 @@
 #include <bit>
 
 #include "hydro/loads/kernel/lanes-inl.h"
-#include "hydro/loads/kernel/pieces.h"
+#include "hydro/loads/kernel/triangle_queue.h"
 
 /// @file
 /// The faces of a leaf and pieces of faces in lanes, and the wet part of each.
@@ -50,7 +50,7 @@ HWY_INLINE Triangle triangle_at(const Leaf& leaf, int lane) {
 /// Where pieces `from` and on have a field of their face, counted in doubles from that field of the
 /// first face. `kSize` is the size of a block of kMostLanes faces [bytes].
 template <std::size_t kSize>
-HWY_INLINE VI index_in_blocks(const Pieces& pieces, int from) {
+HWY_INLINE VI index_in_blocks(const TriangleQueue& pieces, int from) {
   constexpr int kRows = static_cast<int>(kSize / sizeof(double)) / kMostLanes;
   static_assert(kRows * kMostLanes * sizeof(double) == kSize && kRows % 2 == 0 && kRows < 32);
   const VI place = hn::LoadU(DI(), pieces.face + from);
@@ -65,7 +65,7 @@ HWY_INLINE VI index_in_blocks(const Pieces& pieces, int from) {
 }
 
 /// The planes of pieces `from` and on.
-HWY_INLINE Plane plane_of(const Panels& panels, const Pieces& pieces, int from) {
+HWY_INLINE Plane plane_of(const Panels& panels, const TriangleQueue& pieces, int from) {
   const VI index = index_in_blocks<sizeof(FaceBlock)>(pieces, from);
   const FaceBlock& first = panels.leaves[0].block(0);
   const auto gather = [&](const double(&field)[3][kMostLanes]) HWY_ATTR {
@@ -78,12 +78,12 @@ HWY_INLINE Plane plane_of(const Panels& panels, const Pieces& pieces, int from) 
   return p;
 }
 
-HWY_INLINE Values load_values(const double (&from)[3][Pieces::kRoom], int at) {
+HWY_INLINE Values load_values(const double (&from)[3][TriangleQueue::kRoom], int at) {
   const D d;
   return {hn::LoadU(d, from[0] + at), hn::LoadU(d, from[1] + at), hn::LoadU(d, from[2] + at)};
 }
 
-HWY_INLINE Triangle triangle_of(const Pieces& pieces, int from) {
+HWY_INLINE Triangle triangle_of(const TriangleQueue& pieces, int from) {
   const Values x = load_values(pieces.x, from), y = load_values(pieces.y, from);
   return {{x.a, y.a}, {x.b, y.b}, {x.c, y.c}};
 }
@@ -91,7 +91,7 @@ HWY_INLINE Triangle triangle_of(const Pieces& pieces, int from) {
 /// Puts some faces of a leaf, from `lane` on, among the pieces. One by one: they are few, and
 /// compressing ten vectors takes longer.
 inline HWY_NOINLINE void append(const Panels& panels, M which, std::int64_t leaf, int lane,
-                                const Values& depth, Pieces& pieces) {
+                                const Values& depth, TriangleQueue& pieces) {
   const D d;
   alignas(64) double depths[3][kMostLanes];
   hn::Store(depth.a, d, depths[0]);
@@ -138,7 +138,7 @@ HWY_INLINE WetParts wet_parts(const Triangle& t, const Values& depth, M counts) 
 /// Works on pieces while there are enough to fill the lanes, or on all of them. What `add_some`
 /// puts back among them is worked on too.
 template <class Work, class Add>
-HWY_INLINE void drain(Work& work, Pieces& pieces, bool to_the_last, Add add_some) {
+HWY_INLINE void drain(Work& work, TriangleQueue& pieces, bool to_the_last, Add add_some) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   while (pieces.count >= lanes || (to_the_last && pieces.count > 0)) {
     const int some = std::min(pieces.count, lanes);

@@ -4,7 +4,7 @@
 
 namespace hydro::kernel {
 
-void add_plain_viscous(const Immersion& in, const PlainPanels& panels, int lanes, Sums& sums) {
+void add_plain_viscous(const LoadInputs& in, const PlainPanels& panels, int lanes, Sums& sums) {
   const Twist motion{Eigen::Vector3d(in.linear), Eigen::Vector3d(in.angular)};
   for (int lane = 0; lane < lanes; ++lane) {
     if (panels.counts[lane] == 0) continue;

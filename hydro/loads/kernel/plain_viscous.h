@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/load_inputs.h"
 
 /// @file
 /// The kernel's way back to the plain viscous drag, for triangles that fit none of its rules.
@@ -19,6 +19,6 @@ struct alignas(64) PlainPanels {
 };
 
 /// Adds `viscous_drag_load` of each wanted lane.
-void add_plain_viscous(const Immersion& in, const PlainPanels& panels, int lanes, Sums& sums);
+void add_plain_viscous(const LoadInputs& in, const PlainPanels& panels, int lanes, Sums& sums);
 
 }  // namespace hydro::kernel

@@ -9,7 +9,7 @@
 #include <cassert>
 
 #include "hydro/loads/kernel/pieces-inl.h"
-#include "hydro/loads/kernel/surface.h"
+#include "hydro/loads/kernel/water_surface.h"
 #include "hydro/loads/kernel/waves-inl.h"
 #include "hydro/loads/refine.h"
 
@@ -40,11 +40,11 @@ struct Bends {
 
 /// What the test of an edge needs to know of the planes.
 struct Bearings {
-  const Immersion& in;
+  const LoadInputs& in;
   Linear east, north, up;
 };
 
-HWY_INLINE Bearings bearings_of(const Immersion& in, const Plane& p) {
+HWY_INLINE Bearings bearings_of(const LoadInputs& in, const Plane& p) {
   return {in, along(in.surface->east, p), along(in.surface->north, p), along(in.up, p)};
 }
 
@@ -65,7 +65,7 @@ HWY_INLINE V grid_sag(const Bearings& to, const Plane& p, const V2& a, const V2&
 
 HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V2& b, V depth_a,
                         V depth_b) {
-  const Surface& surface = *to.in.surface;
+  const WaterSurface& surface = *to.in.surface;
   const BendLimits& limits = surface.limits;
   const V2 d = {b.x - a.x, b.y - a.y};
   const V dx = hn::MulAdd(to.east.x, d.x, to.east.y * d.y);
@@ -103,8 +103,8 @@ HWY_INLINE M above_all_water(const Bearings& to, const Triangle& t) {
 }
 
 /// Faces of a vector that the surface bends over go to `bending`. Returns those that are left.
-inline HWY_NOINLINE M without_bent(const Panels& panels, const Immersion& in, std::int64_t leaf,
-                                   int lane, const Values& depth, Pieces& bending) {
+inline HWY_NOINLINE M without_bent(const Panels& panels, const LoadInputs& in, std::int64_t leaf,
+                                   int lane, const Values& depth, TriangleQueue& bending) {
   const Leaf& faces = panels.leaves[static_cast<std::size_t>(leaf)];
   const Plane p = plane_at(faces, lane);
   const Triangle t = triangle_at(faces, lane);
@@ -117,9 +117,10 @@ inline HWY_NOINLINE M without_bent(const Panels& panels, const Immersion& in, st
 }
 
 /// Adds the triangles of some lanes. (Highway's Compress copies a table at each call.)
-HWY_INLINE void put_pieces(M which, VI face, const Triangle& t, const Values& depth, Pieces& to) {
+HWY_INLINE void put_pieces(M which, VI face, const Triangle& t, const Values& depth,
+                           TriangleQueue& to) {
   const D d;
-  assert(to.count + static_cast<int>(hn::Lanes(d)) <= Pieces::kRoom);
+  assert(to.count + static_cast<int>(hn::Lanes(d)) <= TriangleQueue::kRoom);
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, which, bits);
   std::int64_t chosen_lanes[kMostLanes] = {};
@@ -127,7 +128,7 @@ HWY_INLINE void put_pieces(M which, VI face, const Triangle& t, const Values& de
   for (unsigned left = bits[0]; left != 0; left &= left - 1)
     chosen_lanes[count++] = std::countr_zero(left);
   const auto order = hn::SetTableIndices(d, chosen_lanes);
-  const auto put = [&](V value, double(&field)[Pieces::kRoom]) HWY_ATTR {
+  const auto put = [&](V value, double(&field)[TriangleQueue::kRoom]) HWY_ATTR {
     hn::StoreU(hn::TableLookupLanes(value, order), d, field + to.count);
   };
   hn::StoreU(hn::TableLookupLanes(face, hn::SetTableIndices(DI(), chosen_lanes)), DI(),
@@ -174,15 +175,15 @@ HWY_INLINE Halving halving_of(const Bearings& to, const Plane& p, const Triangle
 }
 
 /// Halves the pieces from `from` on that the surface bends over and puts the halves back among
-/// them; the others go to those that are cut by the water. Pieces in the dry are dropped, and
-/// pieces of less than smallest² of area stay whole.
+/// them; the others go to those that are cut by the water. Pieces in the dry are dropped,
+/// and pieces of less than smallest² of area stay whole.
 ///
 /// The last pieces are taken first, so each generation adds `lanes` pieces at most, and no edge is
 /// longer than 2 · 256 smallest: after 18 generations the area is small.
 template <class Work>
-HWY_NOINLINE void refine_pieces(Work& work, Pieces& bending, int from, int used) {
+HWY_NOINLINE void refine_pieces(Work& work, TriangleQueue& bending, int from, int used) {
   const D d;
-  const Immersion& in = work.in;
+  const LoadInputs& in = work.in;
   const Plane p = plane_of(work.panels, bending, from);
   const VI face = hn::LoadU(DI(), bending.face + from);
   const Triangle t = triangle_of(bending, from);
@@ -200,7 +201,7 @@ HWY_NOINLINE void refine_pieces(Work& work, Pieces& bending, int from, int used)
     put_pieces(splits, face, {h.t.a, middle, h.t.c}, {h.depth.a, at_middle, h.depth.c}, bending);
     put_pieces(splits, face, {middle, h.t.b, h.t.c}, {at_middle, h.depth.b, h.depth.c}, bending);
   }
-  if (work.cut_by_water.count > Pieces::kRoom / 2) drain_cut(work, false);
+  if (work.cut_by_water.count > TriangleQueue::kRoom / 2) drain_cut(work, false);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE

@@ -22,7 +22,7 @@ struct Factors {
   double normal[kMoments - kNormal];  ///< For ∫ (v·n)² J dS.
 };
 
-inline Factors factors_of(const Immersion& in) {
+inline Factors factors_of(const LoadInputs& in) {
   const double* v = in.linear;
   const double* w = in.angular;
   Factors f = {{in.below, -in.up[0], -in.up[1], -in.up[2], 0, 0, 0, 0, 0, 0}, {}, {}};
@@ -56,7 +56,7 @@ HWY_INLINE V moment_product(const Node& node, const double* factor, int from, in
 // The lanes are components here: they go to lane 0 of their sums.
 
 /// Adds the buoyancy of a branch that is wet all over.
-HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const Immersion& in,
+HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const LoadInputs& in,
                                     Sums& sums) {
   alignas(64) double load[kMostLanes];
   for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(D())))
@@ -67,7 +67,7 @@ HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const Im
 
 /// Adds the area of a branch that is wet all over and the loads of its motion; `drag` is ½ρC_p with
 /// the sign of that.
-HWY_INLINE void add_branch_motion(const Node& node, const Factors& f, const Immersion& in,
+HWY_INLINE void add_branch_motion(const Node& node, const Factors& f, const LoadInputs& in,
                                   double drag, Sums& sums) {
   sums.lane[kArea][0] += node.moment[kOne][kAreaLane];
   if (!in.moving) return;
@@ -100,12 +100,12 @@ inline Range range_over(const double* centre, const double* half, const double* 
   return {middle - reach, middle + reach};
 }
 
-inline Range depth_range(const Node& node, const Immersion& in) {
+inline Range depth_range(const Node& node, const LoadInputs& in) {
   const double down[3] = {-in.up[0], -in.up[1], -in.up[2]};
   return range_over(node.centre, node.half, down, 3, in.below);
 }
 
-inline Range normal_speed_range(const Node& node, const Immersion& in) {
+inline Range normal_speed_range(const Node& node, const LoadInputs& in) {
   const double twist[6] = {in.linear[0],  in.linear[1],  in.linear[2],
                            in.angular[0], in.angular[1], in.angular[2]};
   return range_over(node.j_centre, node.j_half, twist, 6, 0);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/load_inputs.h"
 #include "hydro/loads/kernel/panels.h"
 
 /// @file

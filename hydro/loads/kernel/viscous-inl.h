@@ -215,7 +215,7 @@ HWY_INLINE void add_friction(Sums& sums, const Plane& p, V factor, const Frictio
 }
 
 /// Hands lanes to the plain version.
-inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const Immersion& in, const Sliding& s,
+inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const LoadInputs& in, const Sliding& s,
                                           M which) {
   const D d;
   PlainPanels panels;
@@ -236,7 +236,7 @@ inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const Immersion& in, const
 }
 
 /// Viscous drag on triangles that are wet all over.
-inline HWY_NOINLINE void add_viscous(Sums& sums, const Immersion& in, const Sliding& s) {
+inline HWY_NOINLINE void add_viscous(Sums& sums, const LoadInputs& in, const Sliding& s) {
   const D d;
   const ViscousDrag& law = *in.viscous;
   const bool thesis = law.law == ViscousDrag::Law::thesis;

@@ -19,7 +19,7 @@ namespace hydro::kernel::HWY_NAMESPACE {
 /// What is known of a branch and the waterline.
 enum class Wetness { dry, mixed, wet };
 
-HWY_INLINE Wetness wetness(const Node& node, const Immersion& in) {
+HWY_INLINE Wetness wetness(const Node& node, const LoadInputs& in) {
   if (in.wet) return Wetness::wet;
   Range depth = depth_range(node, in);
   if (in.surface && depth.high + in.surface->highest <= 0) return Wetness::dry;

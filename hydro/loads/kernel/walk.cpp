@@ -1,5 +1,7 @@
 #include "hydro/loads/kernel/walk.h"
 
+#include <cassert>
+
 #include "hydro/loads/kernel/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hydro/loads/kernel/walk.cpp"
@@ -15,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
 /// True if C_v is zero all over a branch: the thesis's law above 2 m/s. |v_t|² = |v|² − (v·n)².
-inline bool without_viscous_drag(const Node& node, const Immersion& in) {
+inline bool without_viscous_drag(const Node& node, const LoadInputs& in) {
   if (!in.viscous) return true;
   if (in.viscous->law != ViscousDrag::Law::thesis) return false;
   const double* w = in.angular;
@@ -35,7 +37,7 @@ inline bool without_viscous_drag(const Node& node, const Immersion& in) {
 
 /// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
 /// the sign of the motion.
-HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag) {
+HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double& drag) {
   drag = 0;
   if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
   const Range normal = normal_speed_range(node, in);
@@ -44,7 +46,7 @@ HWY_INLINE bool of_one_sign(const Node& node, const Immersion& in, double& drag)
 }
 
 /// Adds the viscous drag of a branch that is wet all over.
-HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch) {
+HWY_NOINLINE void add_viscous_of_branch(LoadWalk& work, const Tree& tree, int branch) {
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int i = branch; i < end;) {
     const Node& node = tree.nodes[static_cast<std::size_t>(i)];
@@ -58,7 +60,7 @@ HWY_NOINLINE void add_viscous_of_branch(Work& work, const Tree& tree, int branch
 }
 
 /// Adds the buoyancy of a branch that is wet all over and that the surface does not bend over.
-HWY_NOINLINE void add_buoyancy_of_branch(Work& work, Factors& factors, const Tree& tree,
+HWY_NOINLINE void add_buoyancy_of_branch(LoadWalk& work, Factors& factors, const Tree& tree,
                                          int branch) {
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int i = branch; i < end;) {
@@ -71,8 +73,8 @@ HWY_NOINLINE void add_buoyancy_of_branch(Work& work, Factors& factors, const Tre
 }
 
 /// Takes a wet branch whole if it can be.
-HWY_INLINE bool take_whole(Work& work, Factors& factors, const Tree& tree, int branch) {
-  const Immersion& in = work.in;
+HWY_INLINE bool take_whole(LoadWalk& work, Factors& factors, const Tree& tree, int branch) {
+  const LoadInputs& in = work.in;
   const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
   double drag;
   if (!of_one_sign(node, in, drag)) return false;
@@ -89,8 +91,8 @@ HWY_INLINE bool take_whole(Work& work, Factors& factors, const Tree& tree, int b
 }
 
 /// Goes through the nodes [node, end). Branches that fit in a chunk go to `chunks`, if it is there.
-HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* chunks) {
-  const Immersion& in = work.in;
+HWY_INLINE void walk(LoadWalk& work, const Tree& tree, int node, int end, Chunks* chunks) {
+  const LoadInputs& in = work.in;
   Factors factors = factors_of(in);
   while (node < end) {
     const Node& here = tree.nodes[static_cast<std::size_t>(node)];
@@ -101,10 +103,11 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
     } else if (in.branches && wet == Wetness::wet && take_whole(work, factors, tree, node)) {
       node = here.next;
     } else if (chunks && here.last - here.first <= tree.chunk_leaves) {
+      assert(chunks->count < kMostChunks);
       chunks->node[static_cast<std::size_t>(chunks->count++)] = node;
       node = here.next;
     } else {
-      Known known = {.wet = wet == Wetness::wet};
+      LeafFacts known = {.wet = wet == Wetness::wet};
       const bool uncut = known.wet && !(in.surface && in.surface->bends);
       if (here.leaf() && in.branches && in.moving && uncut)
         known.without_viscous = without_viscous_drag(here, in);
@@ -115,15 +118,15 @@ HWY_INLINE void walk(Work& work, const Tree& tree, int node, int end, Chunks* ch
   }
 }
 
-void sum_top_here(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums,
+void sum_top_here(const Panels& panels, const Tree& tree, const LoadInputs& in, Sums& sums,
                   Chunks& chunks) {
-  Work work{panels, in, sums, {}, {}, {}};
+  LoadWalk work{panels, in, sums, {}, {}, {}};
   walk(work, tree, 0, static_cast<int>(tree.nodes.size()), &chunks);
 }
 
-void sum_branch_here(const Panels& panels, const Tree& tree, const Immersion& in, int node,
+void sum_branch_here(const Panels& panels, const Tree& tree, const LoadInputs& in, int node,
                      Sums& sums) {
-  Work work{panels, in, sums, {}, {}, {}};
+  LoadWalk work{panels, in, sums, {}, {}, {}};
   walk(work, tree, node, tree.nodes[static_cast<std::size_t>(node)].next, nullptr);
   drain(work, true);
 }
@@ -137,13 +140,14 @@ namespace hydro::kernel {
 HWY_EXPORT(sum_top_here);
 HWY_EXPORT(sum_branch_here);
 
-Chunks sum_top(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums) {
+Chunks sum_top(const Panels& panels, const Tree& tree, const LoadInputs& in, Sums& sums) {
   Chunks chunks;
   HWY_DYNAMIC_DISPATCH(sum_top_here)(panels, tree, in, sums, chunks);
   return chunks;
 }
 
-void sum_branch(const Panels& panels, const Tree& tree, const Immersion& in, int node, Sums& sums) {
+void sum_branch(const Panels& panels, const Tree& tree, const LoadInputs& in, int node,
+                Sums& sums) {
   HWY_DYNAMIC_DISPATCH(sum_branch_here)(panels, tree, in, node, sums);
 }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "hydro/loads/kernel/immersion.h"
+#include "hydro/loads/kernel/load_inputs.h"
 #include "hydro/loads/kernel/panels.h"
 #include "hydro/loads/kernel/tree.h"
 
@@ -20,9 +20,9 @@ struct Chunks {
 };
 
 /// Adds the loads on branches that can be taken whole near the root, and lists the others.
-Chunks sum_top(const Panels& panels, const Tree& tree, const Immersion& in, Sums& sums);
+Chunks sum_top(const Panels& panels, const Tree& tree, const LoadInputs& in, Sums& sums);
 
 /// Adds the loads on one branch.
-void sum_branch(const Panels& panels, const Tree& tree, const Immersion& in, int node, Sums& sums);
+void sum_branch(const Panels& panels, const Tree& tree, const LoadInputs& in, int node, Sums& sums);
 
 }  // namespace hydro::kernel

@@ -10,7 +10,7 @@
 
 #include "hydro/loads/kernel/grid-inl.h"
 #include "hydro/loads/kernel/pieces-inl.h"
-#include "hydro/loads/kernel/surface.h"
+#include "hydro/loads/kernel/water_surface.h"
 
 /// @file
 /// The elevation of a surface that is not flat.
@@ -86,12 +86,12 @@ inline HWY_NOINLINE void expand_waves(const WaveField& waves, const double* c, d
 
 /// The elevation over a leaf.
 struct LeafSurface {
-  const Surface& surface;
+  const WaterSurface& surface;
   GridPatch patch;
   bool few_cells;  ///< The patch is all of it.
 };
 
-HWY_INLINE LeafSurface surface_over(const Surface& surface, const Node& leaf) {
+HWY_INLINE LeafSurface surface_over(const WaterSurface& surface, const Node& leaf) {
   LeafSurface over{surface, {}, false};
   if (surface.is_grid()) over.few_cells = set_patch(surface.grid, leaf, over.patch);
   return over;
@@ -102,7 +102,7 @@ HWY_INLINE V elevation_at(const LeafSurface& over, const V3& r) {
   return over.surface.is_grid() ? grid_at(over.surface.grid, r) : waves_at(over.surface.waves, r);
 }
 
-HWY_INLINE V depth_at(const Immersion& in, const LeafSurface& over, const V3& r) {
+HWY_INLINE V depth_at(const LoadInputs& in, const LeafSurface& over, const V3& r) {
   return all(in.below) + (elevation_at(over, r) - dot(all3(in.up), r));
 }
 
@@ -111,7 +111,7 @@ struct alignas(64) Depths {
   double at[3 * kLeafFaces];
 };
 
-inline HWY_NOINLINE void find_depths(const Panels& panels, const Immersion& in, const Node& leaf,
+inline HWY_NOINLINE void find_depths(const Panels& panels, const LoadInputs& in, const Node& leaf,
                                      Depths& depths) {
   const LeafVertices& vertices = panels.vertices[static_cast<std::size_t>(leaf.first)];
   const LeafSurface over = surface_over(*in.surface, leaf);

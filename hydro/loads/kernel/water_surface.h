@@ -39,13 +39,13 @@ struct GridField {
 };
 
 /// The surface around a body. It refers to the sea and to itself: neither copied nor moved.
-class Surface {
+class WaterSurface {
  public:
   /// @param smallest   As for SurfaceSampler.
-  Surface(const Sea& sea, const BodyState& state, double time, double smallest,
-          double longest_edge);
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
+  WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
+               double longest_edge);
+  WaterSurface(const WaterSurface&) = delete;
+  WaterSurface& operator=(const WaterSurface&) = delete;
 
   WaveField waves;  ///< Of no component where the sea is a grid.
   GridField grid;
@@ -62,6 +62,6 @@ struct ElevationRange {
   double low, high;
 };
 /// Of a grid; those of all the sea where the box is large.
-ElevationRange grid_over(const Surface& surface, const double* centre, const double* half);
+ElevationRange grid_over(const WaterSurface& surface, const double* centre, const double* half);
 
 }  // namespace hydro::kernel

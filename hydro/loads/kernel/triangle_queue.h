@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 #include "hydro/loads/kernel/panels.h"
@@ -12,7 +13,7 @@
 namespace hydro::kernel {
 
 /// Pieces of faces in the plane coordinates of their face.
-struct Pieces {
+struct TriangleQueue {
   static constexpr int kRoom = 8 * kLeafFaces;
 
   alignas(64) std::int64_t face[kRoom];  ///< `place_of` the face.
@@ -21,20 +22,22 @@ struct Pieces {
   alignas(64) double depth[3][kRoom];  ///< Of the vertices, linear between them [m].
   int count = 0;
 
-  Pieces() {}  // Leaves the arrays as they are: they are large and written before they are read.
+  TriangleQueue() {
+  }  // Leaves the arrays as they are: they are large and written before they are read.
 };
 
 /// Repeats the last piece up to `lanes` pieces, so that a vector of them holds proper numbers.
-void pad(Pieces& pieces, int lanes);
+void pad(TriangleQueue& pieces, int lanes);
 
 /// The place of a face among the lanes of all leaves.
 inline std::int64_t place_of(std::int64_t leaf, int lane) { return leaf * kLeafFaces + lane; }
 
 /// Adds a whole face with the depths at its vertices.
 inline void put_face(const Panels& panels, std::int64_t leaf, int lane,
-                     const std::array<double, 3>& depth, Pieces& pieces) {
+                     const std::array<double, 3>& depth, TriangleQueue& pieces) {
   const FaceBlock& faces = panels.leaves[static_cast<std::size_t>(leaf)].block(lane);
   const int at = lane % kMostLanes;
+  assert(pieces.count < TriangleQueue::kRoom);
   const int to = pieces.count++;
   pieces.face[to] = place_of(leaf, lane);
   for (int i = 0; i < 2; ++i) {

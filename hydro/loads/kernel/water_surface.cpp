@@ -1,4 +1,4 @@
-#include "hydro/loads/kernel/surface.h"
+#include "hydro/loads/kernel/water_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +48,8 @@ void set_grid(const HeightField& field, const BodyState& state, const Eigen::Mat
 
 }  // namespace
 
-Surface::Surface(const Sea& sea, const BodyState& state, double time, double smallest,
-                 double longest_edge) {
+WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
+                           double longest_edge) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
     set_waves(*sum, state, R_WB, time, waves);
@@ -67,7 +67,7 @@ Surface::Surface(const Sea& sea, const BodyState& state, double time, double sma
   }
 }
 
-ElevationRange grid_over(const Surface& surface, const double* centre, const double* half) {
+ElevationRange grid_over(const WaterSurface& surface, const double* centre, const double* half) {
   const ElevationRange all = {surface.lowest, surface.highest};
   const GridField& grid = surface.grid;
   double u = grid.u0, v = grid.v0, du = 0, dv = 0;

@@ -1,8 +1,11 @@
-#include "hydro/loads/kernel/pieces.h"
+#include "hydro/loads/kernel/triangle_queue.h"
+
+#include <cassert>
 
 namespace hydro::kernel {
 
-void pad(Pieces& pieces, int lanes) {
+void pad(TriangleQueue& pieces, int lanes) {
+  assert(pieces.count > 0 && lanes <= TriangleQueue::kRoom);
   const int last = pieces.count - 1;
   for (int i = pieces.count; i < lanes; ++i) {
     pieces.face[i] = pieces.face[last];

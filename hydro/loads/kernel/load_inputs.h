@@ -8,23 +8,23 @@
 
 namespace hydro::kernel {
 
-class Surface;
+class WaterSurface;
 
 /// Lanes of the widest vector unit in use.
 inline constexpr int kMostLanes = 8;
 
 /// The water around a hull, and its motion in it.
-struct Immersion {
+struct LoadInputs {
   double up[3] = {};       ///< Unit vector.
   double below = 0;        ///< Depth of the centre of mass under the surface taken as flat [m].
   double linear[3] = {};   ///< Velocity of the centre of mass relative to the water [m/s].
   double angular[3] = {};  ///< [rad/s]
   bool moving = false;     ///< Relative to the water.
   bool wet = false;        ///< All over: nothing needs to be looked at for the waterline.
-  const Surface* surface = nullptr;  ///< Null where the water is flat.
-  double wave_error = 0;             ///< Of the elevation, over branches that are taken whole [m].
-  bool branches = true;              ///< Branches of the tree may be taken whole.
-  double drag_front = 0;             ///< ½ρC_p [kg/m^3].
+  const WaterSurface* surface = nullptr;  ///< Null where the water is flat.
+  double wave_error = 0;  ///< Of the elevation, over branches that are taken whole [m].
+  bool branches = true;   ///< Branches of the tree may be taken whole.
+  double drag_front = 0;  ///< ½ρC_p [kg/m^3].
   double drag_back = 0;
   double lift = 0;  ///< ½ρC_l [kg/m^3].
   double half_density = 0;
