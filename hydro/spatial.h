@@ -7,7 +7,7 @@
 /// Six-component quantities and the state of a rigid body.
 ///
 /// Frames   W  world: z up, right-handed.   B  body: origin at the centre of mass.
-/// Order    of six is always surge, sway, heave, roll, pitch, yaw: translation first.
+/// Order    The six components are surge, sway, heave, roll, pitch, yaw: translation first.
 /// Units    SI.
 
 namespace hydro {
@@ -15,8 +15,8 @@ namespace hydro {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// A force [N] and a moment [N m]. The point of the moment is the body's centre of mass unless the
-/// function that returns the wrench says otherwise.
+/// A force [N] and a moment [N m]. The moment is about the body's centre of mass unless the
+/// function that returns the wrench states otherwise.
 struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -43,15 +43,15 @@ struct Twist {
   Eigen::Vector3d at(const Eigen::Vector3d& r) const { return linear + angular.cross(r); }
 };
 
-/// What changes of a rigid body. A value: it can be copied, compared and replayed.
+/// The state of a rigid body. It is a value: it can be copied, compared and replayed.
 struct BodyState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< p_WB, of the centre of mass [m].
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB, unit.
   Eigen::Vector3d linear_velocity =
-      Eigen::Vector3d::Zero();  ///< Of the centre of mass, in W [m/s].
+      Eigen::Vector3d::Zero();  ///< Velocity of the centre of mass, in W [m/s].
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< In W [rad/s].
 
-  /// Equal in every number.
+  /// True if all numbers are equal.
   bool operator==(const BodyState& other) const {
     return position == other.position && orientation.coeffs() == other.orientation.coeffs() &&
            linear_velocity == other.linear_velocity && angular_velocity == other.angular_velocity;

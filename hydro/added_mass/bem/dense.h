@@ -12,8 +12,8 @@
 namespace hydro::bem {
 
 struct DenseEquations {
-  Eigen::MatrixXd matrix;    ///< (1/4π) ∫∫ curl φ_k·curl φ_l / r [m]: its lower triangle.
-  std::vector<Swirl> swirl;  ///< Of the elements.
+  Eigen::MatrixXd matrix;    ///< (1/4π) ∫∫ curl φ_k·curl φ_l / r [m]: lower triangle.
+  std::vector<Swirl> swirl;  ///< One per element.
 };
 
 DenseEquations dense_equations(const Surface& surface);
@@ -21,12 +21,12 @@ DenseEquations dense_equations(const Surface& surface);
 /// Six numbers for each unknown.
 using SixColumns = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-/// A symmetric positive matrix, stored as its lower triangle, without its first unknowns x: what
-/// [A Cᵀ; C B] [x; y] = [f; g] leaves for y is (B − C A⁻¹ Cᵀ) y = g − C A⁻¹ f.
+/// A symmetric positive definite matrix, stored as its lower triangle, with its first unknowns x
+/// eliminated: [A Cᵀ; C B] [x; y] = [f; g] becomes (B − C A⁻¹ Cᵀ) y = g − C A⁻¹ f.
 class Eliminated {
  public:
-  /// Overwrites A, the first `count` rows and columns, by its factor of Cholesky's.
-  /// @throws std::invalid_argument if A is not positive.
+  /// Overwrites A, the first `count` rows and columns, by its Cholesky factor.
+  /// @throws std::invalid_argument if A is not positive definite.
   Eliminated(Eigen::MatrixXd lower_triangle, Eigen::Index count);
 
   SixColumns solve(const SixColumns& f) const;                   ///< A⁻¹ f.
@@ -34,8 +34,8 @@ class Eliminated {
   SixColumns backward(const SixColumns& y) const;                ///< Cᵀ y.
   SixColumns apply(const SixColumns& y) const;                   ///< (B − C A⁻¹ Cᵀ) y.
   double remaining(Eigen::Index i, Eigen::Index j) const;        ///< B_ij.
-  Eigen::Index count() const { return count_; }                  ///< Of x.
-  Eigen::Index rest() const { return matrix_.rows() - count_; }  ///< Of y.
+  Eigen::Index count() const { return count_; }                  ///< Length of x.
+  Eigen::Index rest() const { return matrix_.rows() - count_; }  ///< Length of y.
 
  private:
   Eigen::MatrixXd matrix_;
