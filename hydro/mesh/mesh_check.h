@@ -20,8 +20,7 @@ namespace hydro {
 struct MeshReport {
   struct Finding {
     Eigen::Index count = 0;
-    Eigen::Vector3d first =
-        Eigen::Vector3d::Zero();  ///< A point of the first fault, mesh frame [m].
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< Point of the first fault, mesh frame [m].
   };
   Finding not_finite;         ///< Vertices with an infinite or undefined coordinate.
   Finding open_edges;         ///< Edges with one face.

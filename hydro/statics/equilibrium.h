@@ -32,7 +32,7 @@ struct Flotation {
   double draught = 0;         ///< Depth of the lowest point [m].
   Hydrostatics hydrostatics;  ///< Hydrostatics in G.
 
-  /// Gradient in (1): the moment about the centre of mass over weight [m]; zero at equilibrium.
+  /// Gradient in (1): the moment arms about the centre of mass [m]; zero at equilibrium.
   Eigen::Vector2d gradient() const;
 };
 

@@ -45,8 +45,8 @@ class CompressedInteractions {
   /// order.
   template <class Function>
   void for_near(std::size_t place, Function&& f) const;
-  /// gather() sums the moments of a cluster from its children's; spread() adds the field of its
-  /// parent.
+  /// gather() forms a cluster's moments from its children's or its elements' charges; spread() adds
+  /// its parent's field and evaluates it at the points of a leaf.
   void gather(const Columns& charges, std::size_t cluster, std::vector<Columns>& moments) const;
   void spread(std::size_t cluster, std::vector<Columns>& fields, Columns& potentials) const;
   Eigen::Vector3d point_of(std::size_t element, std::size_t k) const;
@@ -61,12 +61,11 @@ class CompressedInteractions {
 
   const Surface& surface_;
   ClusterTree tree_;
-  std::vector<Grid> grids_;            ///< Grids of the clusters.
-  std::vector<int> leaf_of_;           ///< Leaf at each position of the tree's order.
-  std::vector<LeafBatch> batches_;     ///< Batches, leaf by leaf.
-  std::vector<std::size_t> batch_of_;  ///< First batch of each leaf, by cluster.
-  std::vector<std::size_t>
-      row_start_;  ///< Starts of the elements' near pairs, in the tree's order.
+  std::vector<Grid> grids_;             ///< Grids of the clusters.
+  std::vector<int> leaf_of_;            ///< Leaf at each position of the tree's order.
+  std::vector<LeafBatch> batches_;      ///< Batches, leaf by leaf.
+  std::vector<std::size_t> batch_of_;   ///< First batch of each leaf, by cluster.
+  std::vector<std::size_t> row_start_;  ///< Start of each element's near pairs.
   std::vector<int> near_;
   std::vector<double> single_;
   std::vector<Eigen::Matrix3d> self_;

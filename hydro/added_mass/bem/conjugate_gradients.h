@@ -18,8 +18,7 @@ struct Iterated {
 /// residual of each motion is at most `part` of its initial value. A motion that moves no water,
 /// such as a sphere's roll, is measured against the others.
 ///
-/// @param apply, precondition   Maps from Potential to Potential: the matrix and an approximate
-/// inverse.
+/// @param apply, precondition   Maps of Potentials: the matrix and an approximate inverse.
 /// @throws std::invalid_argument if it does not converge.
 template <class Apply, class Precondition>
 Iterated conjugate_gradients(const Potential& sides, double part, Apply apply,

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Elements in groups none of which has two at one vertex: the rows of one group's equations can
-/// be added to at the same time, and group by group all are in one order.
+/// Returns the elements in groups without common vertices: threads can add to the rows of one group
+/// at the same time, and the groups fix the order of summation.
 std::vector<std::vector<std::size_t>> apart(const Surface& surface) {
   std::vector<std::vector<std::size_t>> groups;
   std::vector<std::vector<bool>> taken(static_cast<std::size_t>(surface.vertex_count()));
@@ -39,8 +39,8 @@ std::vector<std::vector<std::size_t>> apart(const Surface& surface) {
   return groups;
 }
 
-/// Adds the upper triangle to the lower one, by squares that fit into a processor's memory. The
-/// diagonal counts twice.
+/// Adds the upper triangle to the lower one, in blocks that fit into a processor's cache. The
+/// diagonal is doubled.
 void fold(Eigen::MatrixXd& matrix) {
   constexpr Index kSide = 64;
   const Index count = matrix.rows();
@@ -53,7 +53,7 @@ void fold(Eigen::MatrixXd& matrix) {
   });
 }
 
-/// Zeros, written by all threads: a processor is handed new memory while it writes.
+/// A matrix of zeros, written by all threads because memory pages are mapped at the first write.
 Eigen::MatrixXd zeros(Index count) {
   Eigen::MatrixXd matrix(count, count);
   parallel_for(static_cast<std::size_t>(count),
@@ -97,8 +97,8 @@ class Assembly {
     result_.swirl[a] = summed(swirls);
   }
 
-  /// Adds the pairs of an element and those behind it to columns of the matrix, which lie together
-  /// in memory; those before it follow by symmetry.
+  /// Adds the pairs of an element with itself and later ones to columns of the matrix, which are
+  /// contiguous in memory; pairs with earlier elements follow by symmetry.
   void scatter(std::size_t a, std::size_t first, const LaneCouplings& couplings) {
     const std::size_t begin = std::max(first, a);
     const std::size_t end = std::min(first + kLanes, surface_.face_count());
@@ -119,8 +119,8 @@ class Assembly {
   DenseEquations result_;
 };
 
-/// Columns of the matrix taken at a time: one after another, each sum would wait for its last
-/// addition.
+/// Number of columns of the matrix processed at a time: with one, each addition would wait for the
+/// previous one.
 constexpr Index kColumns = 8;
 
 /// A row of six numbers and two zeros.
@@ -166,7 +166,7 @@ void add_columns(const double* columns, Index stride, Index rows, const Row* fac
   }
 }
 
-/// Both at once: each number of the matrix is read once.
+/// Does the work of dot_columns and add_columns with one read of each number of the matrix.
 PLIMSOLL_VECTOR_CLONES
 void dot_and_add_columns(const double* columns, Index stride, Index rows, const Row* x, Row* y,
                          const Row* factors, Row* sums) {
@@ -193,8 +193,8 @@ const double* place(const Block& block, Index row, Index column) {
 
 Index blocks_of(Index columns) { return (columns + kColumns - 1) / kColumns; }
 
-/// y += of x the part that kColumns columns of a symmetric matrix, from its diagonal on down, and
-/// the rows they stand for give. The last columns may be fewer: there is nothing below them.
+/// y += A x for kColumns columns of a symmetric matrix A from its diagonal down, and for their
+/// mirror rows. The last block may have fewer columns; no rows are below it.
 void add_symmetric(const Block& lower, Index first, const Rows& x, Rows& y) {
   const Index width = std::min(kColumns, lower.rows() - first), below = first + kColumns;
   Row sums[kColumns];
@@ -211,7 +211,7 @@ void add_symmetric(const Block& lower, Index first, const Rows& x, Rows& y) {
   }
 }
 
-/// y += kColumns columns of a block times x, or the fewer last ones.
+/// y += kColumns columns of a block times x; the last block may have fewer columns.
 void add_product(const Block& block, Index first, const Rows& x, Rows& y) {
   if (first + kColumns <= block.cols()) {
     add_columns(place(block, 0, first), block.outerStride(), block.rows(), &at(x, first), y.data());
@@ -221,16 +221,16 @@ void add_product(const Block& block, Index first, const Rows& x, Rows& y) {
     for (Index i = 0; i < block.rows(); ++i) at(y, i).lanes += block(i, c) * at(x, c).lanes;
 }
 
-/// Sums that threads take side by side: fixed, so that the result is the same for any number.
+/// Number of partial sums. It is fixed, so that the result is the same for any number of threads.
 constexpr std::size_t kChunks = 16;
 
-/// Σ f(block, sum) over blocks of columns, each chunk to a sum of its own.
+/// Σ f(block, sum) over blocks of columns, with a partial sum for each chunk.
 template <class Function>
 Rows summed_by_chunks(Index rows, Index blocks, Function f) {
   std::vector<Rows> parts(kChunks);
   parallel_for(kChunks, [&](std::size_t chunk) {
     parts[chunk].resize(static_cast<std::size_t>(rows));
-    // One after the other, for columns get shorter.
+    // Blocks are dealt in turn, because columns get shorter.
     for (auto block = static_cast<Index>(chunk); block < blocks;
          block += static_cast<Index>(kChunks))
       f(block, parts[chunk]);
@@ -287,8 +287,8 @@ void solve_triangles(const Block& L, Rows& x) {
   }
 }
 
-/// Overwrites the lower triangle of the first `count` rows and columns by its factor.
-/// @return false if it is not positive.
+/// Overwrites the lower triangle of the first `count` rows and columns by its Cholesky factor.
+/// @return false if the matrix is not positive definite.
 bool factorize(Eigen::MatrixXd& matrix, Index count) {
   constexpr Index kSide = 96;
   for (Index k = 0; k < count; k += kSide) {

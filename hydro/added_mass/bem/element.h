@@ -19,8 +19,7 @@ inline constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
 /// differently.
 inline constexpr double kSameLength = 1e-6;
 
-/// A triangle with the quantities that its integrals need. Edge e runs from corner e to corner e +
-/// 1.
+/// A triangle with the data of its integrals. Edge e runs from corner e to corner e + 1.
 struct Element {
   std::array<Eigen::Vector3d, 3> corners;    ///< [m]
   std::array<Eigen::Vector3d, 3> tangents;   ///< Unit vectors along the edges.
