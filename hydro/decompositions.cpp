@@ -41,7 +41,7 @@ Vector6d Cholesky6::solve_upper(const Vector6d& x) const {
   return lower_.transpose().triangularView<Eigen::Upper>().solve(x);
 }
 
-// Eigen unrolls the solution for a vector; for a matrix it allocates memory to work by blocks.
+// Eigen unrolls the solution for a vector; for a matrix it allocates memory and works by blocks.
 Matrix6d Cholesky6::solve_lower_by_columns(const Matrix6d& X) const {
   Matrix6d result;
   for (int i = 0; i < 6; ++i) result.col(i) = solve_lower(Vector6d(X.col(i)));

@@ -3,12 +3,12 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// Decompositions of small symmetric matrices, compiled once: Eigen's templates for them are what
-/// the compiler spends most of its time on.
+/// Decompositions of small symmetric matrices, compiled once because Eigen's templates for them
+/// dominate the compile time.
 
 namespace hydro {
 
-/// Of a symmetric matrix, ascending.
+/// Eigenvalues of a symmetric matrix, ascending.
 Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix);
 Vector6d eigenvalues(const Matrix6d& matrix);
 
@@ -19,13 +19,14 @@ struct EigenDecomposition6 {
 };
 EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix);
 
-/// L Lᵀ of a symmetric and positive definite matrix, L lower triangular. Reads its lower half.
+/// Cholesky factorisation L Lᵀ of a symmetric positive definite matrix, L lower triangular. Only
+/// the lower half of the matrix is read.
 class Cholesky6 {
  public:
   explicit Cholesky6(const Matrix6d& matrix);
 
   bool positive_definite() const { return positive_definite_; }
-  /// With zeros above the diagonal.
+  /// L, with zeros above the diagonal.
   const Matrix6d& lower() const { return lower_; }
   /// (L Lᵀ)⁻¹ x
   Vector6d solve(const Vector6d& x) const;
@@ -33,7 +34,7 @@ class Cholesky6 {
   Vector6d solve_lower(const Vector6d& x) const;
   /// L⁻ᵀ x
   Vector6d solve_upper(const Vector6d& x) const;
-  /// (L Lᵀ)⁻¹, symmetric: dearer than one solution, cheaper than four.
+  /// (L Lᵀ)⁻¹, symmetric: it costs more than one solution, less than four.
   Matrix6d inverse() const;
   /// L⁻¹ X L⁻ᵀ of a symmetric matrix: X in the metric of L Lᵀ.
   Matrix6d relative(const Matrix6d& X) const;

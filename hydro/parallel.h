@@ -13,12 +13,13 @@
 
 namespace hydro {
 
-/// Calls f(0) … f(count − 1), on as many threads as the caller's arena has, in no order. Results
-/// must not depend on it: let each call write to a place of its own, and add up afterwards.
+/// Calls f(0) … f(count − 1) in any order, on as many threads as the caller's arena has. Results
+/// must not depend on the order: each call writes to a place of its own, and sums are taken
+/// afterwards.
 ///
-/// The thread sanitizer does not see how the library, which is not built with it, hands work from
-/// thread to thread; it is told here that calls come after what stands before the loop and before
-/// what stands behind it. Races between calls it finds.
+/// The threading library is not built with the thread sanitizer, which therefore does not see how
+/// work moves between threads. The annotations state that the calls run after the code before the
+/// loop and before the code after it. Races between calls are still found.
 template <class Function>
 void parallel_for(std::size_t count, Function&& f) {
 #if defined(__SANITIZE_THREAD__)

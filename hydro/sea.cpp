@@ -7,8 +7,8 @@
 namespace hydro {
 namespace {
 
-/// The cell that holds a point of a height field and the point's place in it, 0 … 1 each way; a
-/// point beyond the grid is moved to its nearest edge.
+/// The cell of a height field that holds a point, and the point's coordinates in it, 0 … 1; a point
+/// beyond the grid is moved to the nearest edge.
 struct CellPoint {
   Eigen::Index row, column;
   double u, v;  // along columns (x) and rows (y)
@@ -28,7 +28,7 @@ CellPoint locate(const HeightField& field, double x, double y) {
   return p;
 }
 
-/// Heights at the corners of a cell; a grid of one row or column repeats it.
+/// Heights at the corners of a cell; in a grid of one row or column they repeat.
 struct CellCorners {
   double h00, h10, h01, h11;  // (row, column): h10 is one column on, h01 one row on
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// @file
-/// The sea as the bodies meet it: the height of its surface and the velocity of its water.
+/// The sea: the height of its surface and the velocity of its water.
 ///
 /// The surface is a height field z = ξ(x, y, t) in W; it is given, not simulated. The water moves
 /// with the uniform `current` everywhere. Pressure is hydrostatic below the local surface.
@@ -22,15 +22,16 @@ struct SurfaceBounds {
   double highest = 0;
 };
 
-/// A grid of heights above the still water level; bilinear between its points. Outside the grid the
-/// height of the nearest point of its edge holds. Constant in time. Made by `make_height_field`.
+/// A grid of heights above the still water level, bilinear between its points and constant in time.
+/// Outside the grid the height of the nearest point of its edge holds. `make_height_field` builds
+/// it.
 struct HeightField {
   Eigen::MatrixXd heights;  ///< rows × columns [m]; row index = y, column index = x.
-  double cell = 1;          ///< Distance of neighbouring grid points [m], > 0.
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< Of heights(0, 0), in W [m].
+  double cell = 1;          ///< Distance between neighbouring grid points [m], > 0.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< Place of heights(0, 0), in W [m].
   double deviation = 0;                              ///< Standard deviation of the heights [m].
   double bend = 0;       ///< Largest second difference of neighbouring heights [m].
-  SurfaceBounds bounds;  ///< Of the heights.
+  SurfaceBounds bounds;  ///< Bounds of the heights.
 };
 
 /// @throws std::invalid_argument if the grid is empty, a height is not finite or cell is not > 0.
@@ -66,19 +67,21 @@ struct Sea {
 /// Height ξ of the water surface over (x, y) at a time [m].
 double surface_height(const Sea& sea, double x, double y, double time);
 
-/// The same above the still water level: no digits are lost where level is large [m].
+/// Height of the water surface above the still water level [m]: no digits are lost where level is
+/// large.
 double surface_elevation(const Sea& sea, double x, double y, double time);
 
-/// (∂ξ/∂x, ∂ξ/∂y) over (x, y) at a time [-]; on an edge of a height field's cell, of one side.
+/// (∂ξ/∂x, ∂ξ/∂y) over (x, y) at a time [-]; on a cell edge of a height field, the slope of one
+/// side.
 Eigen::Vector2d surface_slope(const Sea& sea, double x, double y, double time);
 
-/// In W.
+/// Bounds of the surface height in W [m].
 SurfaceBounds surface_bounds(const Sea& sea);
 
 /// True if the surface is z = level everywhere and always.
 bool is_flat(const Sea& sea);
 
-/// True unless the surface stays as it is.
+/// True for waves; the other surfaces are constant in time.
 bool changes_with_time(const Sea& sea);
 
 }  // namespace hydro

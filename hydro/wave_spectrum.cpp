@@ -8,12 +8,12 @@
 namespace hydro {
 namespace {
 
-/// Steps of the frequency integrals; the midpoint rule's error is below 1e-6 with them.
+/// Steps of the frequency integrals, for which the error of the midpoint rule is below 1e-6.
 constexpr int kFrequencySteps = 40000;
 constexpr double kHighestFrequency = 20;  ///< In units of ω_p.
 constexpr int kDirectionSteps = 3600;
 
-/// Numbers that are the same with every standard library.
+/// Uniform random numbers in (0, 1), the same with every standard library.
 class Uniform {
  public:
   explicit Uniform(int seed) : engine_(static_cast<std::uint32_t>(seed)) {}
@@ -30,7 +30,7 @@ std::vector<double> band_frequencies(double gamma, int count) {
   double total = 0;
   for (int i = 0; i < kFrequencySteps; ++i) total += energy(i);
   std::vector<double> means;
-  double in_band = 0;  // energy and first moment of the band so far
+  double in_band = 0;  // energy and first moment of the current band
   double moment = 0;
   const double band = total / count;
   for (int i = 0; i < kFrequencySteps; ++i) {
@@ -49,7 +49,7 @@ std::vector<double> band_frequencies(double gamma, int count) {
   return means;
 }
 
-/// The angle below which the given part of cos^2s(θ/2) lies, −π … π.
+/// Angle, −π … π, below which the fraction `part` of cos^2s(θ/2) lies.
 double spread_angle(const std::vector<double>& cumulative, double part) {
   const double target = part * cumulative.back();
   const auto above = std::lower_bound(cumulative.begin(), cumulative.end(), target);

@@ -12,8 +12,8 @@ namespace hydro {
 ///     S(ω) ∝ ω^-5 exp(−5/4 (ω_p/ω)^4) γ^exp(−(ω/ω_p − 1)² / (2σ²)),  σ = 0.07 below ω_p, 0.09
 ///     above,
 ///
-/// scaled so that 4√m_0 is the significant height exactly, whatever γ. Directions spread as
-/// cos^2s(θ/2) about the heading, the same at all frequencies [L63].
+/// scaled so that 4√m_0 is exactly the significant height for any γ. Directions spread as
+/// cos^2s(θ/2) about the heading, equally at all frequencies [L63].
 ///
 /// [H73] Hasselmann et al. Measurements of wind-wave growth and swell decay. Dtsch. Hydrogr. Z. A8
 ///       (12), 1973.
@@ -23,15 +23,16 @@ struct JonswapSpectrum {
   double significant_height = 1;  ///< H_s [m].
   double peak_period = 7;         ///< T_p [s].
   double gamma = 3.3;             ///< Peak enhancement [-]; 1 gives Pierson–Moskowitz.
-  double heading = 0;             ///< Main direction, the waves travel to, from +x [rad].
+  double heading = 0;             ///< Main direction of travel, counter-clockwise from +x [rad].
   double spreading = 0;  ///< Exponent s; 0 stands for long-crested waves (all at `heading`).
-  int seed = 1;          ///< Of the phases and directions.
+  int seed = 1;          ///< Seed of the phases and directions.
   int components = 64;   ///< Number of waves, >= 1.
 };
 
-/// Waves of equal energy: the spectrum is cut into bands of equal energy and each is represented by
-/// a wave at its mean frequency, so m_0 and m_1 are those of the spectrum and no period repeats.
-/// Phases are random and uniform. Frequencies above 20 ω_p (1e-5 of the energy) are left out.
+/// Returns waves of equal energy: the spectrum is cut into bands of equal energy, and a wave at the
+/// mean frequency represents each band, so m_0 and m_1 equal those of the spectrum and the sea has
+/// no repeat period. Phases are random and uniform. Frequencies above 20 ω_p (1e-5 of the energy)
+/// are left out.
 WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, double gravity);
 
 /// S(ω) without its scale [-].

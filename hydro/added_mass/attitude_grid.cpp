@@ -9,10 +9,10 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-/// A node of less weight is not asked for.
+/// Weight below which a node is left out.
 constexpr double kLeastWeight = 1e-4;
 
-/// A place is taken to be on a node, or a line of them, from this near [steps].
+/// Distance below which a place counts as lying on a node or a line of nodes [steps].
 constexpr double kRoundOff = 1e-9;
 
 }  // namespace
@@ -28,7 +28,7 @@ Vector3d AttitudeGrid::direction(int node) const {
   Vector3d place(node / 2 / side - divisions_, node / 2 % side - divisions_, 0);
   place[2] = (divisions_ - std::abs(place[0]) - std::abs(place[1])) * (node % 2 == 0 ? 1 : -1);
   const Vector3d angles = place / divisions_;
-  // sin(stretch·angles) has the length 1 for one stretch from π/2 (on an edge) to 1.85 (centres).
+  // |sin(stretch·angles)| is 1 for one stretch between π/2 (on an edge) and 1.85 (face centres).
   double low = std::numbers::pi / 2, high = 1.9;
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (low + high);

@@ -4,12 +4,12 @@
 #include <array>
 
 /// @file
-/// A grid over the directions in which the vertical may stand in a body, for interpolation.
+/// An interpolation grid over the directions of the vertical in a body.
 ///
 /// The nodes lie on the octahedron |i| + |j| + |k| = m, which contains the six axes. A direction u
-/// is brought onto it by i = m·asin|u_x| / Σ asin|u|, and so on, with the signs of u: along the
-/// edges the nodes are then 90°/m apart, and about as much inside the faces. Three nodes surround
-/// a direction; it has their barycentric weights, so the interpolation is continuous.
+/// maps onto it by i = m·asin|u_x| / Σ asin|u|, and likewise j and k, with the signs of u: nodes
+/// are 90°/m apart along the edges and about as far inside the faces. A direction has the
+/// barycentric weights of the three nodes around it, so the interpolation is continuous.
 
 namespace hydro {
 
@@ -22,14 +22,15 @@ class AttitudeGrid {
 
   explicit AttitudeGrid(int divisions) : divisions_(divisions) {}
 
-  /// Nodes are numbered below this; not every number is a node.
+  /// Bound of the node numbers; not every number below it is a node.
   int bound() const { return 2 * (2 * divisions_ + 1) * (2 * divisions_ + 1); }
 
-  /// Unit.
+  /// Unit direction of a node.
   Eigen::Vector3d direction(int node) const;
 
-  /// The nodes around a unit direction, with weights >= 0 of sum 1. Weights below 1e-4 are given to
-  /// the others: a body that stands upright but for round-off or tiny motions has one node.
+  /// Returns the nodes around a unit direction, with weights >= 0 that sum to 1. Weights below 1e-4
+  /// are shared among the others, so a body that is upright but for round-off or tiny motions has
+  /// one node.
   std::array<Corner, 3> around(const Eigen::Vector3d& up) const;
 
  private:

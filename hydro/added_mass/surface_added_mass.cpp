@@ -9,24 +9,25 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Steps of 90° from axis to axis. Interpolation errors fall with its square, nodes grow with it.
+/// Number of steps in the 90° from axis to axis. Interpolation errors fall with its square; the
+/// number of nodes grows with it.
 constexpr int kAttitudes = 12;
 
-/// Steps of the draught from dry to just under, and from there to unbounded fluid.
+/// Numbers of steps of the draught from dry to just submerged, and from there to unbounded fluid.
 constexpr int kPiercing = 12;
 constexpr int kSubmerged = 6;
 constexpr int kUnbounded = kPiercing + kSubmerged;
 
-/// A curved bottom that meets the surface at less than about 20° leaves equation (1) of
-/// surface_solve.h badly conditioned: 0 = 0 where body and image touch. Up to this draught (18 % of
-/// the volume) a solution is checked against what holds exactly, reciprocity and that added mass
-/// grows with draught. One that fails by more than discretisation can is replaced by its
-/// neighbour's, in proportion to the volume.
+/// Where a curved bottom meets the surface at less than about 20°, equation (1) of surface_solve.h
+/// is badly conditioned: it is 0 = 0 where body and image touch. Up to this draught (18 % of the
+/// volume) a solution is checked for two exact properties: it is symmetric, and added mass grows
+/// with draught. A solution that violates them by more than the discretisation error is replaced by
+/// its neighbour's, in proportion to the volume.
 constexpr int kShallow = 3;
 constexpr double kMostAsymmetry = 0.05;
 constexpr double kMostExcess = 1.02;
 
-/// Of a body's volume, at a node where it pierces the surface [-].
+/// Wetted fraction of a body's volume at a surface-piercing node [-].
 double wetted_part(int draught) {
   const double x = static_cast<double>(draught) / kPiercing;
   return 1 - std::pow(1 - x * x, 3);
@@ -73,7 +74,7 @@ SurfaceAddedMass::Reach SurfaceAddedMass::reach(const Vector3d& up) const {
   return {heights.minCoeff(), heights.maxCoeff()};
 }
 
-/// The draught as a place between the grid's nodes: 0 dry … kUnbounded.
+/// The draught as a coordinate in the grid: from 0, dry, to kUnbounded.
 double SurfaceAddedMass::draught_of(const WaterPlane& plane) const {
   const double above = plane.height - plane.up.dot(middle_);
   if (above <= -radius_) return 0;
@@ -114,7 +115,7 @@ Matrix6d SurfaceAddedMass::solved(int attitude, int draught) const {
   return wetted_part(draught) / wetted_part(draught + 1) * deeper;
 }
 
-/// Two threads that miss the same node both solve it, and find the same: neither has to wait in
+/// Two threads that miss the same node both solve it and find the same matrix, so neither waits in
 /// the other's loop.
 const Matrix6d& SurfaceAddedMass::node(int attitude, int draught) const {
   static const Matrix6d kDry = Matrix6d::Zero();

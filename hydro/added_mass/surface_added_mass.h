@@ -12,44 +12,44 @@
 /// Added mass with a free surface (surface_solve.h) for any pose, from a grid of solutions.
 ///
 /// The matrix in body axes depends on the vertical's direction in the body and on the draught, not
-/// on heading. A node of the grid is solved when a pose near it is first met and kept; between
-/// nodes the matrix is interpolated linearly, which keeps it without negative eigenvalues.
+/// on heading. A node of the grid is solved when a pose near it first occurs, and its solution is
+/// kept. Between nodes the matrix is interpolated linearly, so it has no negative eigenvalues.
 ///
-/// The draught of a body that pierces the surface is the wetted part v of its volume, for attitudes
-/// that displace the same are most alike. Nodes stand at v = 1 − (1 − x²)³ for even steps of x:
-/// matrices change fastest as the first or the last corner goes under. A wholly submerged body has
-/// s = (R/(R + d))³ with its radius R and the depth d of its highest point, for the image's effect
-/// fades with the third power of the depth, and nodes at 1 − s = x². The last is the body in
-/// unbounded fluid.
+/// The draught of a surface-piercing body is measured by the wetted fraction v of its volume,
+/// because attitudes of equal displacement have the most similar matrices. Nodes are at v = 1 − (1
+/// − x²)³ for even steps of x: matrices change fastest as the first or the last corner submerges.
+/// For a wholly submerged body of radius R with its highest point at the depth d, the measure is s
+/// = (R/(R + d))³, because the effect of the image falls with the third power of the depth; nodes
+/// are at 1 − s = x². The last node is the body in unbounded fluid.
 ///
-/// In waves the surface is the level plane at the water's height above the body's centre.
+/// In waves the surface is taken as the level plane at the water's height over the centre of mass.
 
 namespace hydro {
 
-/// A solved node. The pair of numbers is its place in the grid, whatever body is asked about.
+/// A solved node with its two indices in the grid, which is the same for all bodies.
 struct SurfaceNode {
   int attitude = 0;
   int draught = 0;
-  Matrix6d matrix = Matrix6d::Zero();  ///< For ρ = 1, body axes about the centre of mass.
+  Matrix6d matrix = Matrix6d::Zero();  ///< A for ρ = 1, body axes about the centre of mass.
 };
 
 class SurfaceAddedMass final : public AddedMassModel {
  public:
-  /// @param mesh_B   Closed; its origin the centre of mass.
+  /// @param mesh_B   Closed; its origin is the centre of mass.
   /// @param known    Nodes that a model of the same mesh has solved before.
-  /// @param patches  Of each solution, as in solve_under.
+  /// @param patches  Number of patches in each solution, see solve_under.
   explicit SurfaceAddedMass(TriMesh mesh_B, const std::vector<SurfaceNode>& known = {},
                             int patches = kSurfacePatches);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
 
-  /// Interpolated, for ρ = 1.
+  /// Interpolated matrix for ρ = 1.
   Matrix6d under(const WaterPlane& plane) const;
 
   /// All nodes known so far, in the order of the grid.
   std::vector<SurfaceNode> nodes() const;
 
-  /// Nodes solved by this model.
+  /// Number of nodes solved by this model.
   int solves() const;
 
  private:
@@ -64,13 +64,13 @@ class SurfaceAddedMass final : public AddedMassModel {
   Matrix6d solved(int attitude, int draught) const;
 
   TriMesh mesh_B_;
-  Eigen::Vector3d middle_;  ///< Of the bounding box.
+  Eigen::Vector3d middle_;  ///< Centre of the bounding box [m].
   double volume_ = 0;       ///< [m^3]
-  double radius_ = 0;       ///< Of the mesh about `middle_` [m].
+  double radius_ = 0;       ///< Radius of the mesh about `middle_` [m].
   int patches_;
   AttitudeGrid attitudes_;
-  mutable std::mutex mutex_;                               ///< Of all below.
-  mutable std::map<std::pair<int, int>, Matrix6d> nodes_;  ///< Addresses stay as more come.
+  mutable std::mutex mutex_;                               ///< Guards the members below.
+  mutable std::map<std::pair<int, int>, Matrix6d> nodes_;  ///< Entries never move.
   mutable int solves_ = 0;
 };
 

@@ -13,23 +13,25 @@ using bem::Element;
 using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Triangles a patch, at least: with fewer the equation is met less well along edges of the hull.
+/// Least number of triangles per patch: with fewer the equation is less accurate along edges of the
+/// hull.
 constexpr double kPanelsAPatch = 3;
 
-/// A patch of more triangles has this many points, if they do.
+/// Number of points of a patch with more triangles than this, if they suffice.
 constexpr std::size_t kPointsAPatch = 12;
 
-/// Of the mean square of a patch's functions, 1 over its area, the least over its points.
+/// Least mean square of a patch's functions over its points; over its area it is 1.
 constexpr double kLeastTold = 0.25;
 
-/// How far apart, in square roots of the wetted area, two opposite faces count when triangles are
-/// grouped: a thin plate's sides, and the faces at an edge, then come to different patches.
+/// Weight of the normal when triangles are grouped, in square roots of the wetted area. It assigns
+/// the sides of a thin plate, and the faces at an edge, to different patches.
 constexpr double kNormalWeight = 0.5;
 
-/// A triangle of less than this part of the largest one's area carries no load worth its round-off.
+/// Area relative to the largest allowed one below which a triangle is dropped: its load is less
+/// than its round-off.
 constexpr double kLeastArea = 1e-9;
 
-/// Splits at the middle of the longest edge, until no part is larger than `most`.
+/// Splits a panel at the middle of the longest edge until no part has an area above `most`.
 void add_split(const Panel& panel, double most, std::vector<Element>& panels) {
   const double area = area_vector(panel).norm();
   if (area <= most) {
@@ -50,7 +52,7 @@ void add_split(const Panel& panel, double most, std::vector<Element>& panels) {
   add_split({middle, b, c}, most, panels);
 }
 
-/// Calls f with each wet part of a face, its depths with it.
+/// Calls f with each wet part of a face and its depths.
 template <class Function>
 void for_each_wet_part(const TriMesh& mesh_B, const WaterPlane& plane, Function&& f) {
   for (Index face = 0; face < mesh_B.face_count(); ++face) {
@@ -72,14 +74,15 @@ std::vector<Panel> wet_parts(const TriMesh& mesh_B, const WaterPlane& plane) {
 
 using Key = Eigen::Matrix<double, 6, 1>;
 
-/// Where a triangle lies and how it faces, as one point.
+/// The centroid and the weighted normal of a triangle as one point.
 Key key_of(const Element& panel, double normal_weight) {
   Key key;
   key << panel.centroid, normal_weight * panel.normal;
   return key;
 }
 
-/// The slopes of a patch, from the moments of its area: g·extent has a mean square of 1.
+/// The slopes of a patch, from the second moments of its area: the mean square of g·(y − centre) is
+/// 1.
 std::array<Vector3d, 2> slopes_of(const Patch& patch) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (const Element& panel : patch.panels)
@@ -98,7 +101,7 @@ std::array<Vector3d, 2> slopes_of(const Patch& patch) {
   return slopes;
 }
 
-/// Three points a triangle: exact for products of two functions, whose mean is then that of 1.
+/// Three points per triangle: the rule is exact for products of two functions.
 std::vector<PatchPoint> all_points(const std::vector<Element>& panels) {
   std::vector<PatchPoint> points;
   for (const Element& panel : panels)
@@ -120,7 +123,7 @@ std::vector<PatchPoint> few_points(const std::vector<Element>& panels) {
   return points;
 }
 
-/// True if the points tell the patch's functions apart about as well as its whole area does.
+/// True if the points distinguish the patch's functions about as well as its whole area does.
 bool tell_apart(const Patch& patch, const std::vector<PatchPoint>& points) {
   Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
   for (const PatchPoint& point : points) {
@@ -148,7 +151,7 @@ Patch make_patch(std::vector<Element> panels) {
   return patch;
 }
 
-/// Halves [begin, end) by area across its longest extent again and again, into `count` groups.
+/// Halves [begin, end) recursively by area across its longest extent, into `count` groups.
 void group(std::vector<Element>& panels, std::size_t begin, std::size_t end, int count,
            double normal_weight, std::vector<Patch>& patches) {
   const auto from = panels.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -181,7 +184,7 @@ void group(std::vector<Element>& panels, std::size_t begin, std::size_t end, int
 }  // namespace
 
 double wetted_volume(const TriMesh& mesh_B, const WaterPlane& plane) {
-  // The divergence theorem with the field −depth·up; in unbounded fluid with depths below the top.
+  // The divergence theorem is applied to −depth·up; in unbounded fluid depths are below the top.
   WaterPlane level = plane;
   if (!plane.bounded()) level.height = (plane.up.transpose() * mesh_B.vertices).maxCoeff();
   double volume = 0;

@@ -16,12 +16,12 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// From this many radii off a patch counts by its moments. With 4 instead of 8 the half-submerged
-/// sphere's matrix changes by less than 1e-3.
+/// Distance in radii beyond which a patch acts by its moments. With 4 instead of 8 the
+/// half-submerged sphere's matrix changes by less than 1e-3.
 constexpr double kFar = 4;
 
-/// Keeps the constant of a closed cavity's potential finite, which (1) leaves free and which loads
-/// nothing. Small enough to change nothing else.
+/// Term that keeps the constant of a closed cavity's potential finite, which (1) leaves free and
+/// which causes no load. It is small enough to change nothing else.
 constexpr double kCavity = 1e-8;
 
 MotionRow motions(const Vector3d& at, const Vector3d& normal) {
@@ -30,13 +30,13 @@ MotionRow motions(const Vector3d& at, const Vector3d& normal) {
   return row;
 }
 
-/// What a patch does to points far away.
+/// Moments of a patch for its effect on distant points.
 struct PatchMoments {
-  Eigen::Matrix3d area;                      ///< ∫ f_k n dS, a column a function k [m^2].
+  Eigen::Matrix3d area;                      ///< ∫ f_k n dS, one column per function k [m^2].
   std::array<Matrix3d, 3> lever;             ///< ∫ f_k n (y − centre)ᵀ dS [m^3].
   MotionRow source;                          ///< ∫ N dS.
   Eigen::Matrix<double, 3, 6> source_lever;  ///< ∫ (y − centre) N dS.
-  Eigen::Matrix<double, 3, 6> load;          ///< ∫ f_k N dS, a row a function.
+  Eigen::Matrix<double, 3, 6> load;          ///< ∫ f_k N dS, one row per function.
 };
 
 PatchMoments moments_of(const Patch& patch) {
@@ -47,7 +47,7 @@ PatchMoments moments_of(const Patch& patch) {
   m.source_lever.setZero();
   m.load.setZero();
   for (const Element& panel : patch.panels) {
-    for (std::size_t e = 0; e < 3; ++e) {  // the rule of the edges' middles: exact for degree 2
+    for (std::size_t e = 0; e < 3; ++e) {  // the edge-midpoint rule is exact for degree 2
       const Vector3d y = 0.5 * (panel.corners[e] + panel.corners[(e + 1) % 3]);
       const Vector3d f = patch.functions(y);
       const MotionRow N = panel.area / 3 * motions(y, panel.normal);
@@ -88,7 +88,7 @@ void add_near(const Patch& patch, const Vector3d& x, double factor, Seen& seen) 
   for (const Element& panel : patch.panels) {
     const Potentials p = bem::potentials(panel, x);
     const double height = panel.normal.dot(panel.centroid - x);
-    // In the panel's plane f changes along its slope; across it, by height·slope·n.
+    // Along the panel's plane f changes by its slope; across the plane by height·slope·n.
     seen.twofold[0] += factor * p.solid_angle;
     for (Index k = 0; k < 2; ++k) {
       const Vector3d& slope = patch.slopes[static_cast<std::size_t>(k)];
@@ -115,7 +115,7 @@ struct System {
   Eigen::Matrix<double, Eigen::Dynamic, 6> side;
 };
 
-/// Equation (1) in the mean over patch `i`: its three rows.
+/// Fills the three rows of equation (1) for patch `i`.
 void fill_rows(const std::vector<Patch>& patches, const std::vector<PatchMoments>& moments,
                const WaterPlane& plane, std::size_t i, System& system) {
   const Index row = 3 * static_cast<Index>(i);
@@ -134,12 +134,12 @@ void fill_rows(const std::vector<Patch>& patches, const std::vector<PatchMoments
     }
   }
   system.matrix.block<3, 3>(row, row) += (0.5 + kCavity) * own;
-  for (Index k = 0; k < 2; ++k)  // a function that the patch lacks gets no part
+  for (Index k = 0; k < 2; ++k)  // a function that the patch lacks has a coefficient of 0
     if (patches[i].slopes[static_cast<std::size_t>(k)].isZero(0))
       system.matrix(row + k + 1, row + k + 1) = 1;
 }
 
-/// PatchMoments count with the root of the wetted area as their lever.
+/// The symmetry_error of a matrix: rotations are divided by the root of the wetted area.
 double asymmetry(const Matrix6d& matrix, const std::vector<Patch>& patches) {
   double area = 0;
   for (const Patch& patch : patches) area += patch.area;

@@ -11,7 +11,7 @@ Eigen::Vector3d zero_between(const Eigen::Vector3d& p, double value_p, const Eig
   return p + (value_p / (value_p - value_q)) * (q - p);
 }
 
-/// One positive vertex, the first: a triangle is left.
+/// Positive part, a triangle, if only the first vertex is positive.
 PanelParts corner(const Panel& r, const Eigen::Vector3d& value) {
   const Eigen::Vector3d on01 = zero_between(r[0], value[0], r[1], value[1]);
   const Eigen::Vector3d on02 = zero_between(r[0], value[0], r[2], value[2]);
@@ -21,7 +21,7 @@ PanelParts corner(const Panel& r, const Eigen::Vector3d& value) {
   return parts;
 }
 
-/// One negative vertex, the first: a quadrilateral is left.
+/// Positive part, a quadrilateral, if only the first vertex is negative.
 PanelParts trapezium(const Panel& r, const Eigen::Vector3d& value) {
   const Eigen::Vector3d on10 = zero_between(r[1], value[1], r[0], value[0]);
   const Eigen::Vector3d on20 = zero_between(r[2], value[2], r[0], value[0]);
@@ -43,8 +43,8 @@ PanelParts positive_part(const Panel& panel, const Eigen::Vector3d& value) {
     whole.count = 1;
     return whole;
   }
-  // With a zero among the values a cut passes through that vertex; it counts to the negative side,
-  // which makes a sliver of no area at worst.
+  // A vertex with the value zero counts as negative; the cut through it makes at worst a sliver
+  // without area.
   int first = 0;
   while ((value[first] > 0) != (positive == 1)) ++first;
   const int second = (first + 1) % 3;

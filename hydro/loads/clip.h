@@ -10,7 +10,7 @@
 namespace hydro {
 
 /// Vertices of a triangular panel [m], counter-clockwise when seen from the water, relative to the
-/// body's centre of mass in W axes: a body far from the origin keeps its digits.
+/// body's centre of mass in W axes: a body far from the origin loses no digits.
 using Panel = std::array<Eigen::Vector3d, 3>;
 
 /// A triangle with the values of a linear function at its vertices, none of them negative.

@@ -10,7 +10,7 @@ namespace hydro {
 /// C_p of panels that move into the water (v·n > 0, the front) and out of it (the back).
 ///
 /// The defaults fit the tabulated drag of eleven bluff shapes best in the mean of |log(C_d ours /
-/// C_d tabulated)|: a median error of 15 %, where the thesis's single 0.6316 has 31 % (README.md
+/// C_d tabulated)|: a median error of 15 %, against 31 % for the thesis's single 0.6316 (README.md
 /// of this folder, "Coefficients").
 struct PressureDrag {
   double front = 0.93;  ///< [-], >= 0.
@@ -46,10 +46,10 @@ struct Coefficients {
   std::optional<DragCalibration> calibration;  ///< Scales the pressure drag.
 };
 
-/// The set of the 2014 thesis: C_p = 0.6316 on both sides, C_l = 0.01, its C_v.
+/// The coefficients of the 2014 thesis: C_p = 0.6316 on both sides, C_l = 0.01, its C_v.
 inline Coefficients thesis_coefficients() { return {.pressure_drag = {0.6316, 0.6316}}; }
 
-/// True if the water does nothing to a body with these coefficients.
+/// True if the water exerts no load on a body with these coefficients.
 inline bool no_load(const Coefficients& c) {
   return !c.buoyancy && c.pressure_drag.none() && c.lift == 0 && c.viscous_drag.none();
 }

@@ -18,7 +18,7 @@ struct Interval {
   double from, to;
 };
 
-/// Where a scan line at height `y` crosses the triangle with the given plane coordinates.
+/// Interval in which a scan line at height `y` crosses the triangle, in plane coordinates.
 Interval crossing(const std::array<Eigen::Vector2d, 3>& triangle, double y) {
   Interval cut{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (int i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ double panel_drag(const TriMesh& mesh, const PressureDrag& drag, int axis) {
   return 0.5 * (drag.front + drag.back) * sum;
 }
 
-/// The row of ν in e_axis · (v + ω × r).
+/// Coefficients of ν in e_axis · (v + ω × r).
 Vector6d row(int axis, const Eigen::Vector3d& r) {
   const Eigen::Vector3d e = Eigen::Vector3d::Unit(axis);
   Vector6d J;
@@ -93,7 +93,7 @@ double frontal_area(const TriMesh& mesh, int axis) {
     std::array<Eigen::Vector2d, 3> triangle;
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d p = mesh.vertices.col(mesh.faces(i, face));
-      triangle[i] = {p[x], (p[y] - low) / spacing - 0.5};  // line i is at i
+      triangle[i] = {p[x], (p[y] - low) / spacing - 0.5};  // scan line i is at y = i
     }
     const auto [least, most] = std::minmax({triangle[0].y(), triangle[1].y(), triangle[2].y()});
     const int last = std::min(kScanLines - 1, static_cast<int>(std::floor(most)));

@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What the sum over the panels needs.
+/// Input of the sum over the panels.
 struct Motion {
   const Coefficients& coefficients;
   Twist twist;       ///< Relative to the water.
-  double scale = 1;  ///< Of the pressure drag, by its calibration.
+  double scale = 1;  ///< Scale of the pressure drag, from its calibration.
 };
 
-/// Adds `weight` times b bᵀ, b being how a force along d at r counts: (d, r × d).
+/// Adds `weight` times b bᵀ, where b = (d, r × d) is the unit load along d at r.
 void add_along(const Vector3d& d, const Vector3d& r, double weight, Matrix6d& sum) {
   Vector6d b;
   b << d, r.cross(d);

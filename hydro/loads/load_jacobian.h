@@ -3,28 +3,27 @@
 #include "hydro/loads/loads.h"
 
 /// @file
-/// How the loads on a hull change with its velocity and with its height and heel.
+/// Derivatives of the loads on a hull with respect to its velocity and to its height and heel.
 ///
-/// Pressure drag pushes each part of the skin back along its normal; with b = (n, r × n) and the
-/// velocity u about the centre of mass, v_n = b·u and
+/// Pressure drag acts along the surface's normal: with b = (n, r × n) and the velocity u about the
+/// centre of mass, v_n = b·u and
 ///
 ///     ∂F/∂u = −ρ ∫ C_p |v_n| b bᵀ dS,                                                        (1)
 ///
-/// friction along its path: with B the 3×6 matrix of v = B u and t = v_t/|v_t|,
+/// Friction acts along the tangential velocity: with the 3×6 matrix B of v = B u and t = v_t/|v_t|,
 ///
 ///     ∂F/∂u = −½ρ ∫ C_v |v_t| Bᵀ (1 − n nᵀ + t tᵀ) B dS,                                     (2)
 ///
 /// where the change of C_v with speed is left out. Both are symmetric and negative semi-definite.
-/// The weight of water that the waterplane takes in or gives back adds, with c = (0, 0, 1, y, −x,
-/// 0),
+/// The change of displaced weight at the waterplane adds, with c = (0, 0, 1, y, −x, 0),
 ///
 ///     K = −ρ g ∫_waterplane c cᵀ dA = ρ g ∫_wet c cᵀ n_z dS                                  (3)
 ///
-/// per displacement, by the divergence theorem for c cᵀ ẑ; the turning of the buoyancy's own lever
-/// is left out, so that K too is negative semi-definite. Integrals by the rule of the edges'
-/// midpoints, whose weights are positive: exact for (3) in still water, to 2nd order elsewhere.
+/// per displacement, by the divergence theorem for c cᵀ ẑ. The rotation of the buoyancy's own lever
+/// is left out, so that K too is negative semi-definite. The integrals use the edge-midpoint rule,
+/// whose weights are positive: it is exact for (3) in still water and of second order elsewhere.
 ///
-/// About the centre of mass, W axes. Lift has no part in it.
+/// The derivatives are about the centre of mass, in W axes. Lift is left out.
 
 namespace hydro {
 

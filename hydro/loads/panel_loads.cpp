@@ -5,7 +5,7 @@
 namespace hydro {
 namespace {
 
-/// Equation (2).
+/// Weights w_i of equation (2).
 Eigen::Vector3d product_weights(const Eigen::Matrix3d& q) {
   Eigen::Vector3d w;
   for (int i = 0; i < 3; ++i) {

@@ -11,8 +11,8 @@
 ///
 ///     ∫ λ_0^a λ_1^b λ_2^c dA = 2A a! b! c! / (a + b + c + 2)!                             [EM73]
 ///
-/// so that a function f linear with vertex values f_i, and a quadratic form q = Σ_ij λ_i λ_j q_ij,
-/// have, with S = f_0 + f_1 + f_2,
+/// For a linear function f with vertex values f_i and S = f_0 + f_1 + f_2, and for a quadratic form
+/// q = Σ_ij λ_i λ_j q_ij, this gives
 ///
 ///     ∫ f dA = A S / 3            ∫ f r dA = (A/12) Σ_i (S + f_i) r_i                      (1)
 ///     w_i = (1/A) ∫ λ_i q dA = (3q_ii + q_jj + q_kk + 2(q_ij + q_ik) + q_jk) / 30          (2)
@@ -21,14 +21,15 @@
 /// Frames   r, n and velocities in W axes, r relative to the centre of mass; moments about it.
 /// Units    SI.
 /// Sign     n points out of the body into the water; a load is what the water does to the body.
-/// Errors   none are raised. Nothing divides by an area or a sum: a panel without area has no load.
+/// Errors   No function throws. Nothing divides by an area or a sum: a panel without area has no
+/// load.
 ///
 /// [EM73] Eisenberg, Malvern. On finite element integration in natural co-ordinates.
 ///        Int. J. Numer. Methods Eng. 7 (1973) 574-575.
 
 namespace hydro {
 
-/// A pressure linear on the panel, from its vertex values [Pa], by (1): F = −∫ p n dA.
+/// Load of a pressure linear on the panel, from its vertex values [Pa], by (1): F = −∫ p n dA.
 Wrench pressure_load(const Panel& panel, const Eigen::Vector3d& pressure);
 
 /// Pressure drag where the panel moves into the water (sign = +1) or out of it (−1) everywhere:
@@ -40,10 +41,10 @@ Wrench pressure_load(const Panel& panel, const Eigen::Vector3d& pressure);
 Wrench pressure_drag_load(const Panel& panel, const Eigen::Vector3d& normal,
                           const Eigen::Vector3d& normal_speed, double sign, double k);
 
-/// Lift: F = −k ∫ |v_t|² n dA with v_t = v − (v·n) n, by (2) and (3) with q_ij = v_t,i · v_t,j:
-/// the tangential direction may turn over the panel, as on a spinning body.
+/// Lift: F = −k ∫ |v_t|² n dA with v_t = v − (v·n) n, by (2) and (3) with q_ij = v_t,i · v_t,j: the
+/// tangential direction may vary over the panel, as on a spinning body.
 ///
-/// @param motion   Of the body relative to the water.
+/// @param motion   Motion of the body relative to the water.
 /// @param k        ½ ρ C_l [kg/m^3].
 Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion, double k);
 

@@ -31,8 +31,8 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
   }
 }
 
-/// Half way along a step the chord of a wave a·cos lies a (k·d)²/8 off its crest; the quartic is
-/// that for all components together, squared and averaged over their phases.
+/// At mid-step the chord of a wave a·cos is a (k·d)²/8 from its crest. The quartic is the mean
+/// square of a (k·d)² over the phases, summed over all components.
 bool SurfaceSampler::waves_bend(double dx, double dy) const {
   const std::array<double, 5>& quartic = limits_.quartic;
   const double square = quartic[0] * dx * dx * dx * dx + quartic[1] * dx * dx * dx * dy +
@@ -55,20 +55,20 @@ bool SurfaceSampler::may_bend(double length) const {
   if (flat_ || length * length <= limits_.smallest_squared) return false;
   if (const auto* field = std::get_if<HeightField>(&sea_.surface)) {
     const double cells = length / field->cell;
-    // A shorter edge bends less, but up to one cell the bound is the weaker one.
+    // A shorter edge bends less, but up to one cell the bound is weaker.
     return cells * cells * field->bend > 8 * limits_.tolerance ||
            std::min(cells, 1.0) * field->bend > 4 * limits_.tolerance;
   }
-  // (k·d)⁴ is |k|⁴|d|⁴ at most: the quartic's coefficients hold Σ ½a²|k|⁴.
+  // (k·d)⁴ is at most |k|⁴|d|⁴, and the quartic's coefficients give Σ ½a²|k|⁴.
   const std::array<double, 5>& quartic = limits_.quartic;
   const double fourth = quartic[0] + quartic[2] / 3 + quartic[4];
   return fourth * std::pow(length, 4) > 64 * limits_.tolerance * limits_.tolerance;
 }
 
-/// Over n > 1 cells second differences up to `bend` add to a sag of n² bend / 8; within a cell or
-/// two there is one kink at most, which gives n bend / 4. Only where such a bound is too large is
-/// the surface itself looked at, and only for steps that cannot hide anything between their ends
-/// and their middle.
+/// Over n > 1 cells second differences up to `bend` sum to a sag of at most n² bend / 8; within two
+/// cells there is at most one kink, with a sag of n bend / 4. Only where this bound is too large is
+/// the surface itself evaluated, and only for steps that cannot hide a bend between ends and
+/// middle.
 bool SurfaceSampler::grid_bends(const HeightField& field, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b) const {
   const double cells = (b - a).head<2>().norm() / field.cell;

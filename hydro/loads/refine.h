@@ -11,23 +11,23 @@
 /// Splitting of panels on which the water surface is not linear.
 ///
 /// Depth is taken as linear over a panel. On a large panel in short waves that is wrong, so its
-/// edges are halved until the surface departs from linear along each by less than a tolerance.
-/// Whether an edge is halved depends on that edge alone: neighbours agree and no cracks open, down
-/// to slivers of less than `smallest`² that are left as they are.
+/// edges are halved until the surface departs from linear along each by less than a tolerance. The
+/// decision to halve an edge depends on that edge alone, so neighbours agree and no cracks open,
+/// except at slivers with areas below `smallest`², which are left whole.
 
 namespace hydro {
 
-/// Loads split no panel to edges shorter than this part of the body's radius [-]. Smaller costs
-/// more in a rough sea, larger loses waves of a few such lengths.
+/// Length below which loads split no edge, over the body's radius [-]. A smaller value costs more
+/// in a rough sea; a larger one loses waves of a few such lengths.
 inline constexpr double kSmallestPanel = 1.0 / 256;
 
 /// The numbers that decide whether the surface bends over an edge by more than the tolerance.
 struct BendLimits {
-  /// Waves: the mean square over their phases of the surface's second difference over a step (dx,
-  /// dy) is the quartic Σ_j quartic[j] dx^(4−j) dy^j.
+  /// For waves: the mean square over their phases of the surface's second difference over a step
+  /// (dx, dy) is the quartic Σ_j quartic[j] dx^(4−j) dy^j.
   std::array<double, 5> quartic = {};
-  double tolerance = 0;         ///< kSagTolerance of the surface's standard deviation [m].
-  double smallest_squared = 0;  ///< Edges whose square is not above this are left whole [m^2].
+  double tolerance = 0;         ///< kSagTolerance times the surface's standard deviation [m].
+  double smallest_squared = 0;  ///< Edges of at most this squared length stay whole [m^2].
 };
 
 /// The water surface as seen from a body: elevations over points relative to its centre of mass.
@@ -41,18 +41,17 @@ class SurfaceSampler {
     return flat_ ? 0 : surface_elevation(sea_, p_WB_.x() + r.x(), p_WB_.y() + r.y(), time_);
   }
 
-  /// True if the surface departs from linear between two points by more than the tolerance, which
-  /// is kSagTolerance of the surface's standard deviation.
+  /// True if the surface departs from linear between two points by more than the tolerance.
   bool bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
-  /// False if no edge of the given length bends [m].
+  /// False if no edge of the given length [m] bends.
   bool may_bend(double length) const;
 
   const BendLimits& limits() const { return limits_; }
 
   bool flat() const { return flat_; }
 
-  /// True if a panel has less than smallest² of area: it is not worth splitting.
+  /// True if the area of a panel is below smallest²: it is not worth splitting.
   bool is_small(const Panel& panel) const {
     return area_vector(panel).squaredNorm() < limits_.smallest_squared * limits_.smallest_squared;
   }
@@ -69,20 +68,20 @@ class SurfaceSampler {
   BendLimits limits_;
 };
 
-/// Largest departure of the surface from linear along a panel's edge, as a part of the surface's
-/// standard deviation [-]. The error of the wave's part of a load is about two thirds of it.
+/// Largest departure of the surface from linear along a panel's edge, over the surface's standard
+/// deviation [-]. The relative error of the waves' part of a load is about two thirds of it.
 inline constexpr double kSagTolerance = 5e-3;
 
-/// An edge counts as longer than another if its square is so many times as large [-]: of edges that
-/// are equal but for roundings the first is halved, whatever axes the corners are given in.
+/// Ratio of squared lengths above which an edge counts as longer than another [-]: of edges that
+/// are equal but for rounding the first is halved, whatever axes the corners are given in.
 inline constexpr double kLonger = 1 + 1e-12;
 
 /// Splits a panel until the surface is linear over each piece, within the tolerance.
 ///
-/// @param elevation   Of the surface over the three vertices [m].
-/// @param skips       skips(piece): true for a piece that is of no interest, nor any part of it.
-/// @param visit       Called as visit(piece, elevation) for each piece.
-/// @param surface     A SurfaceSampler, or what has its functions.
+/// @param elevation   Elevation of the surface over the three vertices [m].
+/// @param skips       skips(piece) is true if neither the piece nor any part of it is of interest.
+/// @param visit       visit(piece, elevation) is called for each piece.
+/// @param surface     A SurfaceSampler, or an object with its functions.
 template <class Sampler, class Skips, class Visit>
 void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
                            const Sampler& surface, Skips&& skips, Visit&& visit) {
@@ -112,7 +111,7 @@ void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
                         skips, visit);
 }
 
-/// The same for all pieces.
+/// Splits a panel as above and visits all pieces.
 template <class Visit>
 void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
                            const SurfaceSampler& surface, Visit&& visit) {

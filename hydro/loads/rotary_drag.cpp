@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kMostPieces = 3;
 
-/// A ring about the pole where C_v = a + b·d, and G and H of (3) and (4) there:
-/// G = g + a ρ⁴/4 + b ρ⁵/5,  H = h + a ρ⁵/5 + b ρ⁶/6.
+/// A ring about the pole where C_v = a + b·d, with G and H of (3) and (4) in it: G = g + a ρ⁴/4 + b
+/// ρ⁵/5,  H = h + a ρ⁵/5 + b ρ⁶/6.
 struct Ring {
   double inner = 0;  ///< [m]
   double a = 0, b = 0, g = 0, h = 0;
@@ -26,7 +26,8 @@ struct Rings {
   int count = 0;
 };
 
-/// The law as seen from the pole: a speed v is at the distance v/spin. G and H are continuous.
+/// Rings of the drag law about the pole: the speed v occurs at the distance v/spin. G and H are
+/// continuous.
 Rings rings_of(std::span<const DragPiece> law, double spin) {
   Rings rings;
   for (const DragPiece& piece : law) {
@@ -41,7 +42,7 @@ Rings rings_of(std::span<const DragPiece> law, double spin) {
   return rings;
 }
 
-/// The line of an edge: unit vectors along it and square to it out of the panel, and its signed
+/// The line of an edge: unit vectors along it and normal to it out of the panel, and its signed
 /// distance from the pole, positive if the pole is on the panel's side.
 struct Line {
   Eigen::Vector3d along, out;
@@ -60,7 +61,7 @@ struct Moments {
   }
 };
 
-/// A part of an edge within one ring, from t0 to t1, at the distances r0 and r1 of the pole.
+/// A part of an edge within one ring, from t0 to t1, at the distances r0 and r1 from the pole.
 struct EdgePart {
   const Line& line;
   double t0, t1, r0, r1;
@@ -74,7 +75,7 @@ Moments constant_terms(const EdgePart& p, double a) {
   const double cube0 = p.r0 * p.r0 * p.r0;
   const double cube1 = p.r1 * p.r1 * p.r1;
   const double ratio = (p.t1 - p.t0) / (p.r0 + p.r1);
-  const double log = ratio < 1 ? 2 * std::atanh(ratio) : 0;  // On the pole's line: h² = 0.
+  const double log = ratio < 1 ? 2 * std::atanh(ratio) : 0;  // through the pole: h² = 0
   const double rho = 0.5 * (p.t1 * p.r1 - p.t0 * p.r0 + h * h * log);
   const double rho3 = 0.25 * (p.t1 * cube1 - p.t0 * cube0) + 0.75 * h * h * rho;
   return {a / 4 * h * (h * rho * p.line.out + (cube1 - cube0) / 3 * p.line.along),
@@ -92,7 +93,7 @@ Moments linear_terms(const EdgePart& p, double b) {
           b / 6 * h * (rho4(p.t1) - rho4(p.t0))};
 }
 
-/// The terms with g and h, outside the first ring, hence away from the pole: ∮ e dθ and ∮ dθ.
+/// The terms with g and h, ∮ e dθ and ∮ dθ; they occur outside the first ring, away from the pole.
 Moments inner_terms(const EdgePart& p, const Ring& ring) {
   const double h = p.line.h;
   return {ring.g *
@@ -110,7 +111,7 @@ Moments moments_of_part(const Line& line, double t0, double t1, const Ring& ring
   return sum;
 }
 
-/// An edge, cut where it passes from ring to ring: outermost, …, innermost, …, outermost.
+/// Moments of an edge, cut at the borders of rings: outermost, …, innermost, …, outermost.
 Moments moments_of_edge(const Line& line, double t0, double t1, const Rings& rings) {
   const int last = rings.count - 1;
   Moments sum;

@@ -9,8 +9,8 @@
 /// Viscous drag on a panel that turns in its plane, by closed forms.
 ///
 /// On a flat panel the tangential velocity of a rigid body is that of a rotation about a point of
-/// the panel's plane, the pole: v_t = ω_n n × s with ω_n = ω·n and s the place as seen from there.
-/// So |v_t| = |ω_n| d, d = |s|, and with a C_v that depends on the speed alone
+/// the panel's plane, the pole: v_t = ω_n n × s with ω_n = ω·n and s the position relative to the
+/// pole. So |v_t| = |ω_n| d, d = |s|, and with a C_v that depends on the speed alone
 ///
 ///     ∫ C_v |v_t| v_t dA        = |ω_n| ω_n n × ∫ C_v d s dA                               (1)
 ///     ∫ s × C_v |v_t| v_t dA    = |ω_n| ω_n n ∫ C_v d³ dA                                  (2)
@@ -21,8 +21,8 @@
 ///     ∫ C_v d s dA = ∮ G(ρ) e dθ,  G(ρ) = ∫_0^ρ C_v r³ dr                                  (3)
 ///     ∫ C_v d³ dA  = ∮ H(ρ) dθ,    H(ρ) = ∫_0^ρ C_v r⁴ dr                                  (4)
 ///
-/// On an edge at the distance h of the pole, t along it, ρ² = h² + t² and dθ = h dt/ρ²: for a C_v
-/// that is linear in the speed by pieces all of this is elementary.
+/// On an edge at the distance h from the pole, with t along it, ρ² = h² + t² and dθ = h dt/ρ²: for
+/// a C_v that is piecewise linear in the speed all integrals are elementary.
 
 namespace hydro {
 
@@ -33,12 +33,12 @@ struct DragPiece {
   double slope = 0;     ///< [s/m]
 };
 
-/// ∫ C_v |v_t| v_t dA and its moment about the centre of mass; the factor −½ρ is still to come.
+/// ∫ C_v |v_t| v_t dA and its moment about the centre of mass, without the factor −½ρ.
 ///
-/// With D the distance of the pole and s the size of the panel about (D/s)² roundings are lost: for
-/// a panel that hardly turns take a quadrature.
+/// For a pole at the distance D from a panel of size s, rounding errors grow by about (D/s)²;
+/// quadrature is better for a panel that hardly turns.
 ///
-/// @param motion   Of the body relative to the water; ω·n must not be zero.
+/// @param motion   Motion of the body relative to the water; ω·n must not be zero.
 /// @param law      Continuous pieces, 1 to 3 of them, by ascending speed; the first starts at 0.
 Wrench rotary_drag(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion,
                    std::span<const DragPiece> law);

@@ -10,28 +10,29 @@
 namespace hydro {
 namespace {
 
-/// Splitting ends here whatever the error: 4^-12 of the panel's area is left in a corner.
+/// Depth at which splitting ends whatever the error: a piece then has 4^-12 of the panel's area.
 constexpr int kMaxDepth = 12;
 
-/// Up to which ratio of the velocity's change over a panel to the velocity itself...
+/// Limits of the velocity's change over a panel relative to the velocity itself.
 struct Ratios {
-  /// ...the rule of degree 5 is taken: the first term it misses is of sixth order.
+  /// Limit for the rule of degree 5: the first term that it misses is of sixth order.
   double smooth;
-  /// ...the line where |v_t| has a given value is straight enough to cut a panel there: what lies
-  /// between the line and the cut costs a third-order term.
+  /// Limit for cutting a panel along a straight line of given |v_t|: the curvature of the true line
+  /// causes a third-order error.
   double straight;
 };
 
-/// Errors below 1e-7 and 1e-6.
+/// With these ratios errors are below 1e-7 and 1e-6.
 constexpr Ratios kForAdaptive = {0.2, 0.05};
 
-/// Errors below 1e-10. Beyond these ratios the closed form has more than ten digits.
+/// With these ratios errors are below 1e-10; beyond them the closed form has more than ten digits.
 constexpr Ratios kBesideClosedForm = {0.05, 0.002};
 
 /// The laws that `rotary_drag` integrates.
 constexpr std::array<DragPiece, 3> kThesisPieces = {{{0, 0.1, 0}, {1, 0.2, -0.1}, {2, 0, 0}}};
 
-/// Reynolds number below which the ITTC line is held: it is meant for ships, and has a pole at 100.
+/// Reynolds number below which C_v of the ITTC line is constant: the line is meant for ships and
+/// has a pole at 100.
 constexpr double kLeastReynolds = 1e4;
 
 /// Speeds where C_v has a kink [m/s], ascending.
@@ -75,7 +76,7 @@ double coefficient_on_branch(const ViscousDrag& law, double inside, double speed
   return 0;
 }
 
-/// The tangential velocity on a panel's plane, an affine function of the place.
+/// The tangential velocity on a panel's plane, an affine function of position.
 struct SlidingFlow {
   const Twist& motion;
   const Eigen::Vector3d& normal;
@@ -111,7 +112,7 @@ std::array<Node, 7> radon_rule() {
 const std::array<Node, 7> kRadon = radon_rule();
 
 /// ∫ C_v |v_t| v_t dA and its moment by the seven-point rule, on the branch of C_v that holds at
-/// the panel's centre; the factor −½ρ is still to come.
+/// the panel's centre, without the factor −½ρ.
 Wrench seven_points(const Panel& panel, const SlidingFlow& flow) {
   Wrench sum;
   double inside = 0;
@@ -128,8 +129,8 @@ Wrench seven_points(const Panel& panel, const SlidingFlow& flow) {
   return area_vector(panel).norm() * sum;
 }
 
-/// The same for a panel across the kinks from `kink` on: cut where the speed, taken as linear,
-/// reaches them.
+/// The integral of seven_points for a panel that crosses kinks from `kink` on: the panel is cut
+/// where the speed, taken as linear, reaches them.
 Wrench cut_at_kinks(const Panel& panel, const SlidingFlow& flow, const double* kink) {
   if (kink == flow.kinks.end()) return seven_points(panel, flow);
   Eigen::Vector3d excess;
@@ -148,8 +149,8 @@ std::array<Panel, 4> split_in_four(const Panel& r) {
   return {{{r[0], m2, m1}, {m2, r[1], m0}, {m1, m0, r[2]}, {m0, m1, m2}}};
 }
 
-/// Bounds of |v_t| over a panel, and its change from the centre at most: v_t turns about the
-/// normal.
+/// Bounds of |v_t| over a panel, and its largest change from the centre, since v_t rotates about
+/// the normal.
 struct SpeedRange {
   double low, high, change;
 };
@@ -169,7 +170,7 @@ bool contains_kink(const Kinks& kinks, const SpeedRange& range) {
                      [&](double kink) { return range.low < kink && kink < range.high; });
 }
 
-/// What `adaptive` may leave as its error: of the force, and by the lever arm of the moment.
+/// Error that `adaptive` may leave in the force and, times the lever arm, in the moment.
 struct Allowance {
   double force, arm;
   bool covers(const Wrench& error) const {
@@ -205,7 +206,7 @@ Wrench adaptive(const Panel& panel, const SlidingFlow& flow) {
   return adaptive(panel, flow, {kViscousTolerance * largest, arm}, 0);
 }
 
-/// For the laws that are linear in the speed by pieces.
+/// ∫ C_v |v_t| v_t dA and its moment for laws that are piecewise linear in the speed.
 Wrench by_pieces(const Panel& panel, const SlidingFlow& flow) {
   const SpeedRange range = speed_range(panel, flow);
   const bool thesis = flow.law.law == ViscousDrag::Law::thesis;

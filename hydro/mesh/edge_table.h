@@ -11,16 +11,16 @@ namespace hydro {
 
 /// A side of a face.
 struct HalfEdge {
-  int low, high;  ///< Its vertices, low < high.
+  int low, high;  ///< Vertices of the edge, low < high.
   int face;
-  bool rising;  ///< The face runs it from low to high.
+  bool rising;  ///< True if the face traverses the edge from low to high.
 };
 
-/// The sides of all faces, sorted by (low, high, face), so that those of one edge stand together.
-/// Faces that name a vertex twice have no proper sides and are left out. Linear in time.
+/// Returns the sides of all faces, sorted by (low, high, face), so that the sides on one edge are
+/// adjacent. Faces that name a vertex twice are left out. The time is linear.
 std::vector<HalfEdge> sorted_half_edges(const TriMesh& mesh);
 
-/// The end of the run of half-edges that starts at `begin` and lies on one edge.
+/// Returns the end of the run of half-edges on one edge that starts at `begin`.
 std::size_t edge_end(const std::vector<HalfEdge>& sorted, std::size_t begin);
 
 /// True if a face names a vertex twice.

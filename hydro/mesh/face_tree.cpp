@@ -47,7 +47,7 @@ std::vector<int> curve_order(const TriMesh& mesh) {
   return order;
 }
 
-/// The ray's part with parameter >= 0 passes the box.
+/// True if the ray, its parameter >= 0, meets the box.
 bool meets(const Eigen::AlignedBox3d& box, const Eigen::Array3d& start,
            const Eigen::Array3d& inverse_direction) {
   const Eigen::Array3d a = (box.min().array() - start) * inverse_direction;
@@ -55,7 +55,8 @@ bool meets(const Eigen::AlignedBox3d& box, const Eigen::Array3d& start,
   return a.max(b).minCoeff() >= std::max(a.min(b).maxCoeff(), 0.0);
 }
 
-/// Möller and Trumbore, Fast, minimum storage ray-triangle intersection (1997).
+/// True if the ray meets the triangle, after Möller and Trumbore, Fast, minimum storage
+/// ray-triangle intersection (1997).
 bool crosses(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
              const Eigen::Matrix3d& corners) {
   const Eigen::Vector3d e1 = corners.col(1) - corners.col(0);

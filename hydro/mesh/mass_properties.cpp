@@ -3,7 +3,7 @@
 namespace hydro {
 namespace {
 
-/// Integrals of 1, r and r·rᵀ over the solid, r from a point of the mesh.
+/// Integrals of 1, r and r·rᵀ over the solid, with r relative to a reference point.
 struct Moments {
   double volume = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -11,8 +11,8 @@ struct Moments {
 };
 
 /// Adds the tetrahedron spanned by the origin and a face. The second moment of a tetrahedron of
-/// volume V with a vertex at the origin is V/20 (Σ_i r_i r_iᵀ + s sᵀ), s = Σ_i r_i, after the
-/// integral of two barycentric coordinates over it, V (1 + δ_ij)/20.
+/// volume V with a vertex at the origin is V/20 (Σ_i r_i r_iᵀ + s sᵀ), s = Σ_i r_i, because the
+/// integral of two barycentric coordinates over it is V (1 + δ_ij)/20.
 void add_tetrahedron(Moments& m, const Eigen::Matrix3d& r) {
   const double volume = r.col(0).dot(r.col(1).cross(r.col(2))) / 6;
   const Eigen::Vector3d sum = r.rowwise().sum();
@@ -35,7 +35,7 @@ SolidProperties solid_properties(const TriMesh& mesh) {
   if (m.volume == 0) return {.volume = 0, .centroid = origin};
   const Eigen::Vector3d arm = m.first / m.volume;
   const Eigen::Matrix3d about_centroid = m.second - m.volume * (arm * arm.transpose());
-  // Exactly symmetric, whatever the order in which a product is summed.
+  // The mean with the transpose is exactly symmetric, whatever the order of summation in products.
   const Eigen::Matrix3d second = (about_centroid + about_centroid.transpose()) / 2;
   return {.volume = m.volume,
           .centroid = origin + arm,

@@ -11,10 +11,10 @@ struct SolidProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();   ///< About the centroid, mesh axes [m^5].
 };
 
-/// Exact to round-off: the sum over the tetrahedra that the faces span with the middle of the
-/// mesh's bounding box, so a mesh far from its origin loses no more digits than its coordinates. A
-/// cavity whose normals point into it counts negative, as does a mesh turned inward as a whole. For
-/// a mesh without volume the centroid is the middle of the box.
+/// Returns the integrals, exact to round-off: they are sums over the tetrahedra between the faces
+/// and the centre of the mesh's bounding box, so a mesh far from its origin loses no more digits
+/// than its coordinates do. The volume of a cavity, or of a mesh whose normals all point inward, is
+/// negative. For a mesh without volume the centroid is the centre of the box.
 SolidProperties solid_properties(const TriMesh& mesh);
 
 }  // namespace hydro

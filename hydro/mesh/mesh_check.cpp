@@ -15,13 +15,12 @@ namespace {
 
 using Finding = MeshReport::Finding;
 
-/// Height of a triangle over its longest edge, as a share of that edge, below which it has no area.
-/// Round-off then leaves four digits of its normal; files of floats never come near it unless three
-/// vertices stand exactly in a row.
+/// Height of a triangle over its longest edge, relative to that edge, below which it has no area.
+/// At this limit round-off leaves four digits of the normal; meshes from files of floats stay far
+/// above it unless three vertices are exactly collinear.
 constexpr double kFlat = 1e-12;
 
-/// Volume below which nothing is enclosed, as a share of area times extent: the round-off of the
-/// sum.
+/// Volume below which nothing is enclosed, relative to area times extent: the round-off of the sum.
 constexpr double kNoVolume = 1e-14;
 
 void add(Finding& finding, const Eigen::Vector3d& place) {
@@ -38,13 +37,13 @@ Eigen::Vector3d middle(const TriMesh& mesh, const HalfEdge& edge) {
   return (mesh.vertices.col(edge.low) + mesh.vertices.col(edge.high)) / 2;
 }
 
-/// Sum of the vertices of the face of a half-edge, less those of the edge.
+/// The vertex of the half-edge's face that is not on the edge.
 int third_vertex(const TriMesh& mesh, const HalfEdge& edge) {
   return mesh.faces.col(edge.face).sum() - edge.low - edge.high;
 }
 
-/// Faces on one edge whose third vertex was met before there. Each face is looked at on one of its
-/// edges only, that of its two lowest vertices.
+/// Finds faces on one edge that share the third vertex with an earlier face. Each face is checked
+/// on one edge only, that of its two lowest vertices.
 void find_duplicates(const TriMesh& mesh, const HalfEdge* begin, const HalfEdge* end,
                      Finding& duplicates) {
   std::vector<std::pair<int, int>> thirds;  // third vertex, face
@@ -80,7 +79,7 @@ bool is_flat(const TriMesh& mesh, Eigen::Index face) {
   return !((b - a).cross(c - a).norm() > kFlat * longest);
 }
 
-/// Volume of a closed mesh, from the middle of its box, and the round-off of that sum [m^3].
+/// Volume of a closed mesh, summed about the centre of its box, and the round-off of the sum [m^3].
 struct Volume {
   double value = 0;
   double rounding = 0;
@@ -99,7 +98,7 @@ Volume signed_volume(const TriMesh& mesh) {
   return volume;
 }
 
-/// Looks at each part by itself: parts turned against each other may add up to nothing.
+/// Checks each part separately, because the volumes of parts with opposite orientations may cancel.
 void check_parts(const std::vector<MeshPart>& parts, double rounding, MeshReport& report,
                  const TriMesh& mesh) {
   Eigen::Index solid = 0;
@@ -143,7 +142,7 @@ void require_vertices(const TriMesh& mesh) {
         ", expected 0 to " + std::to_string(mesh.vertex_count() - 1));
 }
 
-/// "3 edges are open, the first at (0.5, 0, 1)"; `one` and `many` are what follows the number.
+/// "3 edges are open, the first at (0.5, 0, 1)"; `one` or `many` follows the number.
 void tell(std::vector<std::string>& sentences, const Finding& finding, const char* one,
           const char* many) {
   if (finding.count == 0) return;

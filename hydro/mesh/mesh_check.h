@@ -7,51 +7,51 @@
 #include "hydro/mesh/mesh.h"
 
 /// @file
-/// Whether a triangle mesh bounds a solid: closed, two faces an edge, turned one way, outward.
+/// Checks that a triangle mesh bounds a solid: the mesh is closed, two faces meet at each edge, and
+/// all faces are oriented consistently and outward.
 ///
-/// Vertices must be shared between faces (see weld.h); what lies apart in the mesh is apart here.
-/// A mesh may have several closed parts: side by side, or inside each other. A part inside another
-/// bounds a cavity and must be turned inward, a part in that cavity outward, and so on.
+/// Adjacent faces must share vertices (see weld.h): equal positions alone do not connect faces. A
+/// mesh may have several closed parts, side by side or nested. A part inside another bounds a
+/// cavity and must be oriented inward, a part in that cavity outward, and so on.
 
 namespace hydro {
 
-/// What is wrong with a mesh, and where first. Counts are zero for a sound solid.
+/// The faults of a mesh, with the place of the first of each kind. A sound solid has zero counts.
 struct MeshReport {
   struct Finding {
     Eigen::Index count = 0;
-    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< A point of the first one, mesh frame [m].
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< Point of the first fault, mesh frame [m].
   };
   Finding not_finite;         ///< Vertices with an infinite or undefined coordinate.
   Finding open_edges;         ///< Edges with one face.
   Finding crowded_edges;      ///< Edges with more than two faces.
-  Finding misoriented_edges;  ///< Edges whose two faces are turned against each other.
+  Finding misoriented_edges;  ///< Edges whose two faces have opposite orientations.
   Finding degenerate_faces;   ///< Faces without area: flatter than 1e-12 of their longest edge.
   Finding duplicate_faces;    ///< Faces with the same three vertices as an earlier one.
   Finding self_overlaps;      ///< Pairs of faces that cut through each other (mesh_overlap.h).
-  Finding
-      misturned_parts;  ///< Closed parts turned against the rest: a solid counted twice or less.
-  bool inward = false;  ///< Closed and consistent, but normals point into the solid.
-  bool empty = false;   ///< Closed, but encloses nothing.
-  double volume = 0;    ///< Signed by the orientation [m^3]; 0 unless closed and finite.
+  Finding misturned_parts;    ///< Closed parts oriented against the rest.
+  bool inward = false;        ///< True for a closed, consistent mesh whose normals point inward.
+  bool empty = false;         ///< True for a closed mesh that encloses no volume.
+  double volume = 0;          ///< Signed by the orientation [m^3]; 0 unless closed and finite.
 
   bool closed() const { return open_edges.count == 0 && crowded_edges.count == 0; }
-  bool sound() const;  ///< Nothing is wrong.
+  bool sound() const;  ///< True if no fault was found.
 };
 
-/// Checks a mesh. Where vertices are not finite only what needs no coordinates is looked at; parts
-/// are looked at if the faces fit together and do not cut each other.
+/// Checks a mesh. If a vertex is not finite, only the connections between faces are checked. Parts
+/// are checked if the faces fit together and do not cut each other.
 /// @throws std::invalid_argument if a face names a vertex that does not exist.
 MeshReport check_mesh(const TriMesh& mesh);
 
-/// One sentence a fault, in plain words with count and place; empty for a sound solid.
+/// Describes each kind of fault in one sentence with count and place; empty for a sound solid.
 std::vector<std::string> describe(const MeshReport& report);
 
-/// A mesh after the one repair that has only one right answer: a mesh that is turned inward as a
-/// whole is turned outward.
+/// A mesh after the only unambiguous repair: a mesh whose normals all point inward is turned
+/// outward.
 struct RepairedMesh {
   TriMesh mesh;
-  MeshReport report;               ///< Of the mesh as it is here.
-  std::vector<std::string> notes;  ///< What was changed, one sentence each.
+  MeshReport report;               ///< Report on the repaired mesh.
+  std::vector<std::string> notes;  ///< Changes made, one sentence each.
 };
 RepairedMesh repaired(TriMesh mesh);
 

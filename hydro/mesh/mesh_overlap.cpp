@@ -10,7 +10,7 @@
 namespace hydro {
 namespace {
 
-constexpr double kMargin = 1e-6;  // of the diagonal of the mesh's box, see the header
+constexpr double kMargin = 1e-6;  // relative to the diagonal of the mesh's box, see the header
 
 /// A face with its unit normal.
 struct Triangle {
@@ -26,7 +26,7 @@ Triangle triangle(const TriMesh& mesh, int face) {
   return t;
 }
 
-/// Of all faces: each is met in some ten pairs.
+/// Returns the triangles of all faces, because each face occurs in about ten pairs.
 std::vector<Triangle> triangles_of(const TriMesh& mesh) {
   std::vector<Triangle> triangles(static_cast<std::size_t>(mesh.face_count()));
   parallel_for(triangles.size(),
@@ -39,12 +39,12 @@ Eigen::Vector3d heights_over(const Triangle& a, const Triangle& b) {
   return (b.corners.colwise() - a.corners.col(0)).transpose() * a.normal;
 }
 
-/// Normal of side i of a triangle in its plane, inward, unit.
+/// Inward unit normal of side i of a triangle, in its plane.
 Eigen::Vector3d inward(const Triangle& t, int i) {
   return t.normal.cross(t.corners.col((i + 1) % 3) - t.corners.col(i)).normalized();
 }
 
-/// p, a point in the triangle's plane, lies inside it, farther than the margin from its sides.
+/// True if p, in the triangle's plane, lies inside, farther than the margin from all sides.
 bool well_inside(const Triangle& t, const Eigen::Vector3d& p, double margin) {
   for (int i = 0; i < 3; ++i)
     if (!(inward(t, i).dot(p - t.corners.col(i)) > margin)) return false;
@@ -65,7 +65,7 @@ std::optional<Eigen::Vector3d> piercing(const Triangle& a, const Triangle& b,
   return std::nullopt;
 }
 
-/// A side of a separates the triangles, which lie in one plane.
+/// True if a side of `a` separates the two coplanar triangles.
 bool separates(const Triangle& a, const Triangle& b, double margin) {
   for (int i = 0; i < 3; ++i) {
     const Eigen::RowVector3d across = inward(a, i).transpose();
@@ -74,7 +74,7 @@ bool separates(const Triangle& a, const Triangle& b, double margin) {
   return false;
 }
 
-/// A common point of two triangles that cut each other; nothing if they do not.
+/// A common point of two triangles that cut each other; none if they do not.
 std::optional<Eigen::Vector3d> common_point(const Triangle& a, const Triangle& b, double margin) {
   const Eigen::Vector3d b_over_a = heights_over(a, b);
   const Eigen::Vector3d a_over_b = heights_over(b, a);
@@ -93,14 +93,14 @@ std::optional<Eigen::Vector3d> common_point(const Triangle& a, const Triangle& b
   return piercing(b, a, a_over_b, margin);
 }
 
-/// Faces that share three vertices are the same face, not a cut.
+/// True if the faces share three vertices: they are duplicates, not a cut.
 bool same_corners(const TriMesh& mesh, int f, int g) {
   for (const int v : mesh.faces.col(f))
     if ((mesh.faces.col(g).array() != v).all()) return false;
   return true;
 }
 
-/// What one leaf of the tree contributes.
+/// Overlaps found from one leaf of the tree.
 struct Found {
   Eigen::Index count = 0;
   std::pair<int, int> first;  ///< The lowest pair of faces.

@@ -28,7 +28,7 @@ class FaceSets {
 struct PartTable {
   std::vector<MeshPart> parts;
   std::vector<int> part_of_face;             ///< −1 for a face that names a vertex twice.
-  std::vector<std::vector<int>> some_faces;  ///< Of each part: the first, a middle and the last.
+  std::vector<std::vector<int>> some_faces;  ///< First, middle and last face of each part.
 };
 
 std::vector<int> label_faces(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
@@ -79,9 +79,9 @@ PartTable part_table(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
   return table;
 }
 
-/// A ray from a face's middle meets the faces of other parts an odd number of times.
+/// True if a ray from a face's centroid meets faces of other parts an odd number of times.
 bool starts_inside(const TriMesh& mesh, const FaceTree& tree, const PartTable& table, int face) {
-  // No axis, diagonal or other likely direction of an edge.
+  // The direction is no axis, diagonal or other likely direction of an edge.
   const Eigen::Vector3d direction(0.5403023058681398, 0.2983386154170817, 0.7867955282450121);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const int v : mesh.faces.col(face)) middle += mesh.vertices.col(v) / 3;
@@ -99,7 +99,8 @@ std::vector<MeshPart> closed_parts(const TriMesh& mesh, const std::vector<HalfEd
   PartTable table = part_table(mesh, edges);
   if (table.parts.size() == 1) return table.parts;
   for (std::size_t i = 0; i < table.parts.size(); ++i) {
-    // Three faces vote, because one of them may lie on the skin of a part that touches.
+    // The majority of three faces decides, because one of them may lie on the surface of another
+    // part.
     int inside = 0;
     for (const int face : table.some_faces[i])
       inside += starts_inside(mesh, tree, table, face) ? 1 : -1;

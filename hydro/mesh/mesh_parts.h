@@ -7,21 +7,21 @@
 #include "hydro/mesh/mesh.h"
 
 /// @file
-/// The closed parts of a mesh: sets of faces that hang together by edges.
+/// The closed parts of a mesh: sets of faces connected by edges.
 
 namespace hydro {
 
 struct MeshPart {
-  int first_face = 0;     ///< Its lowest face.
-  double volume = 0;      ///< Signed by its orientation [m^3].
-  bool in_other = false;  ///< Inside an odd number of the other parts.
+  int first_face = 0;     ///< Lowest face index of the part.
+  double volume = 0;      ///< Signed by the orientation [m^3].
+  bool in_other = false;  ///< True if inside an odd number of other parts.
 
-  /// A part is right if it adds to the solid outside and takes away inside.
+  /// True if the sign of the volume is wrong: it must be negative if in_other, else positive.
   bool misturned() const { return in_other ? volume > 0 : volume < 0; }
 };
 
-/// Parts in the order of their lowest face. The mesh must be closed and its faces consistent, free
-/// of cuts through each other; `edges` and `tree` must be of this mesh.
+/// Returns the parts in the order of their lowest face. The mesh must be closed, consistently
+/// oriented and free of overlaps; `edges` and `tree` must belong to it.
 std::vector<MeshPart> closed_parts(const TriMesh& mesh, const std::vector<HalfEdge>& edges,
                                    const FaceTree& tree);
 

@@ -81,9 +81,9 @@ Eigen::Matrix3Xd box_vertices(const Eigen::Vector3d& size, int n, const BoxLatti
   return vertices;
 }
 
-/// The side of the box where lattice coordinate `axis` is 0 or n. Its diagonals point to its
-/// middle; where a middle cell has no such direction, the sides' choices together have the symmetry
-/// of a tetrahedron.
+/// Adds the side of the box where lattice coordinate `axis` is 0 or n. Its diagonals point to its
+/// middle; where a middle cell has no such direction, the choices on all sides together have the
+/// symmetry of a tetrahedron.
 void add_box_side(FaceWriter& faces, const BoxLattice& number, int n, int axis, bool far) {
   const auto at = [&](int i, int j) {
     std::array<int, 3> p;
@@ -121,8 +121,8 @@ struct RingOfVertices {
   double z;    ///< [m]
 };
 
-/// Faces of a surface of revolution; `rings` counts the rings between the poles, numbered from the
-/// top, the poles before and after them.
+/// Faces of a surface of revolution with `rings` rings between the poles. Vertices are numbered
+/// from the top pole over the rings to the bottom pole.
 Eigen::Matrix3Xi revolution_faces(int rings, int slices) {
   Eigen::Matrix3Xi faces(3, 2 * slices * rings);
   FaceWriter writer(faces);
@@ -227,7 +227,7 @@ TriMesh make_ellipsoid(const Eigen::Vector3d& semi_axes, int slices, int stacks)
   require_triangles(2.0 * slices * (stacks - 1.0));
   std::vector<RingOfVertices> rings;
   for (int k = 1; k < stacks; ++k) {
-    // Measured from the equator, so that the two halves have the same digits.
+    // Latitude is measured from the equator, so that the two halves have the same digits.
     const double latitude = M_PI * (stacks - 2 * k) / (2.0 * stacks);
     rings.push_back({std::cos(latitude), std::sin(latitude)});
   }

@@ -12,15 +12,15 @@ namespace {
 
 using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
-/// Points kept so far, hashed by the cell of a grid that each lies in.
+/// The points kept so far, hashed by their grid cells.
 class KeptPoints {
  public:
   KeptPoints(const Eigen::Matrix3Xd& points, double tolerance) : points_(points) {
     const Eigen::AlignedBox3d box(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
     origin_ = box.min();
     tolerance_ = tolerance;
-    // Much wider than the tolerance, so that a point's neighbourhood is nearly always one cell;
-    // much finer than any mesh, so that few points share a cell.
+    // A cell is much wider than the tolerance, so that a point's neighbourhood is nearly always one
+    // cell, and much finer than any mesh, so that few points share a cell.
     cell_ = std::max({64 * tolerance, box.sizes().maxCoeff() * 0x1p-24, 1e-300});
     heads_.assign(std::bit_ceil(static_cast<std::size_t>(2 * points.cols())), -1);
     next_.assign(static_cast<std::size_t>(points.cols()), -1);
@@ -47,7 +47,7 @@ class KeptPoints {
   Cell cell_of(const Eigen::Vector3d& p) const {
     return ((p - origin_) / cell_).array().floor().cast<std::int64_t>();
   }
-  /// Different cells may share a slot; the distance tells their points apart.
+  /// Different cells may share a slot; find_in() compares distances.
   std::size_t slot(const Cell& c) const {
     std::uint64_t hash = 0;
     for (const std::int64_t k : c) {
@@ -66,11 +66,11 @@ class KeptPoints {
   const Eigen::Matrix3Xd& points_;
   Eigen::Vector3d origin_;
   double tolerance_, cell_;
-  std::vector<int> heads_;  ///< Last point kept of each slot, −1: none.
-  std::vector<int> next_;   ///< The one kept before it in its slot.
+  std::vector<int> heads_;  ///< Last point kept in each slot; −1 if none.
+  std::vector<int> next_;   ///< Point kept before each point in its slot.
 };
 
-/// For each vertex the one that stands for it.
+/// Returns for each vertex the kept vertex that replaces it.
 std::vector<int> representatives(const Eigen::Matrix3Xd& vertices, double tolerance) {
   KeptPoints kept(vertices, tolerance);
   std::vector<int> result(static_cast<std::size_t>(vertices.cols()));

@@ -11,26 +11,25 @@
 namespace hydro {
 namespace {
 
-constexpr double kLongestStep = 0.2;  ///< [rad] Keeps the search in the valley where it began.
+constexpr double kLongestStep = 0.2;  ///< [rad] Bound that keeps the search in its first valley.
 constexpr double kProbe = 1e-3;       ///< [rad] Turn of the attitudes tried around a result.
-constexpr int kMostSteps = 500;       ///< Of one search; a search takes some ten.
-constexpr int kMostSearches = 100;    ///< Each starts lower than the last; nearly always one.
-constexpr double kRoundOff = 1e-15;   ///< Of arms of the moment, over the radius.
+constexpr int kMostSteps = 500;       ///< Step limit of one search; most take about ten.
+constexpr int kMostSearches = 100;    ///< Search limit; nearly always one search suffices.
+constexpr double kRoundOff = 1e-15;   ///< Round-off of moment arms, over the radius.
 constexpr double kFlat = 1e-9;        ///< Metacentric heights that count as zero, over the radius.
-constexpr double kEnergyNoise =
-    1e-12;  ///< Differences of energy that mean nothing, over the radius.
+constexpr double kEnergyNoise = 1e-12;  ///< Round-off of energy differences, over the radius.
 
-/// What a search may turn about.
+/// Rotations allowed in a search.
 enum class Freedom { all, pitch_only };
 
-/// Energy over weight as a function of small turns about the horizontal axes [m].
+/// Energy over weight as a function of small rotations about the horizontal axes [m].
 struct Model {
   double energy = 0;
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
 };
 
-/// A held axis has no gradient and is stiff, so that no step turns about it.
+/// Returns the model; an excluded axis has no gradient and is stiff, so no step rotates about it.
 Model model_of(const Flotation& flotation, Freedom freedom) {
   Model model{.energy = -flotation.hydrostatics.centre_of_buoyancy.z(),
               .gradient = flotation.gradient(),
@@ -77,8 +76,8 @@ class Descent {
     return m.gradient.norm() <= kRoundOff * size_ && lowest_eigenvalue(m.hessian) >= -kFlat * size_;
   }
 
-  /// How well a step of the model turned out: real over foreseen decrease of energy. Where both are
-  /// lost in round-off the moment decides.
+  /// Quality of a step: actual over predicted decrease of energy. Where round-off hides both, the
+  /// moment decides.
   double merit(const Model& before, const Model& after, const Eigen::Vector2d& step) const {
     const double foreseen = -(before.gradient.dot(step) + 0.5 * step.dot(before.hessian * step));
     if (foreseen > kEnergyNoise * size_) return (before.energy - after.energy) / foreseen;

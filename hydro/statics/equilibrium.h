@@ -7,52 +7,52 @@
 #include "hydro/statics/hydrostatics.h"
 
 /// @file
-/// How a body floats at rest: the attitude of least potential energy, and what rights it at others.
+/// The attitude at which a body floats at rest, and its righting arms at other attitudes.
 ///
-/// At a given attitude the height is that of flotation (`floating_height`). The potential energy of
-/// body and water over weight is then the height of the centre of mass G above the centre of
-/// buoyancy B, a function of the attitude alone. For turns θ about the horizontal W axes, with B in
-/// G and the metacentric heights M of hydrostatics.h (heave eliminated),
+/// At a given attitude the body is at its floating height (`floating_height`). The potential energy
+/// of body and water, over the weight, is then the height of the centre of mass G above the centre
+/// of buoyancy B, a function of the attitude alone. For rotations θ about the horizontal W axes,
+/// with B expressed in G and the metacentric heights M of hydrostatics.h (heave eliminated),
 ///
 ///     e = −z_B,    ∂e/∂θ = (−y_B, x_B),    ∂²e/∂θ∂θ = M.                                     (1)
 ///
-/// It does not depend on turns about the vertical. It has a continuous gradient; M jumps where a
-/// face of the body comes to lie in the surface.
+/// The energy e does not depend on rotations about the vertical. Its gradient is continuous; M
+/// jumps where a face of the body lies in the surface.
 ///
 /// Frames   B: origin at the centre of mass.   G: the same origin, W axes.
-/// Units    SI. `volume` is what the body displaces, its mass over the density of water [m^3].
+/// Units    SI. `volume` is the displacement: the mass over the density of water [m^3].
 /// Errors   std::invalid_argument unless volume is positive and less than the body's.
 
 namespace hydro {
 
-/// A body that displaces its mass at some attitude. A value.
+/// A body that displaces its mass at some attitude.
 struct Flotation {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB
-  double height = 0;          ///< Of the centre of mass above the water [m].
-  double draught = 0;         ///< Of the lowest point [m].
-  Hydrostatics hydrostatics;  ///< In G.
+  double height = 0;          ///< Height of the centre of mass above the water [m].
+  double draught = 0;         ///< Depth of the lowest point [m].
+  Hydrostatics hydrostatics;  ///< Hydrostatics in G.
 
-  /// (1): the arms of the moment about the centre of mass, over weight [m]; zero at equilibrium.
+  /// Gradient in (1): the moment arms about the centre of mass [m]; zero at equilibrium.
   Eigen::Vector2d gradient() const;
 };
 
-/// The body as it is turned, at the height where it displaces `volume`.
+/// Returns the body at the given orientation and the height where it displaces `volume`.
 Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation);
 
-/// Whether small turns are resisted.
+/// Stability of a floating body against small rotations.
 enum class Stability {
   stable,   ///< Both principal metacentric heights are positive.
-  neutral,  ///< One is zero to 1e-9 of the body's radius, none negative.
+  neutral,  ///< One is zero within 1e-9 of the body's radius, none is negative.
   unstable
 };
 Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
 
-/// A least potential energy, found downhill from `start` by steps of at most 0.2 rad: a
-/// trust-region Newton method on (1). Steps are turns about horizontal axes. From a saddle or a
-/// maximum it leaves along the least stable direction, to the side that `trust_region_step` names.
-/// Where a search has ended, eight attitudes 1e-3 rad around are tried: a saddle that (1) shows
-/// from one side only, or not at all, is left too. The remaining arm of the moment is round-off,
-/// a few 1e-15 of the body's radius.
+/// Finds a local minimum of the potential energy downhill from `start`, by a trust-region Newton
+/// method on (1) with rotations of at most 0.2 rad about horizontal axes. From a saddle or a
+/// maximum the search leaves along the least stable direction, on the side chosen by
+/// `trust_region_step`. Where a search ends, eight attitudes 1e-3 rad around are tried, so it also
+/// leaves a saddle that (1) shows from one side only or not at all. The remaining moment arm is
+/// round-off, a few 1e-15 of the body's radius.
 Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start);
 
 /// A point of the curve of righting arms.
@@ -60,12 +60,12 @@ struct RightingArm {
   double heel = 0;     ///< [rad]
   double trim = 0;     ///< [rad]
   double draught = 0;  ///< [m]
-  double lever = 0;    ///< GZ, positive if it turns the body back from a positive heel [m].
+  double lever = 0;    ///< GZ, positive if it restores the body from a positive heel [m].
 };
 
-/// The righting arm at each heel, with height and trim at rest: R_WB = Ry(trim)·Rx(heel), so heel
-/// turns about the body's x axis and a positive trim puts its +x end down. Each search for the trim
-/// starts at the last one, the first at 0.
+/// Returns the righting arm at each heel, with height and trim in equilibrium: R_WB =
+/// Ry(trim)·Rx(heel), so heel is a rotation about the body's x axis and a positive trim lowers its
+/// +x end. Each search for the trim starts at the previous trim, the first at 0.
 ///
 /// GZ is the horizontal distance from B to G across the body's x axis, −y_B. The work of righting
 /// the body is weight times ∫ GZ cos(trim) dheel.
@@ -75,8 +75,9 @@ std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
 /// Roll, pitch and yaw of R = Rz(yaw)·Ry(pitch)·Rx(roll) [rad], pitch within ±π/2.
 Eigen::Vector3d euler_angles(const Eigen::Quaterniond& orientation);
 
-/// The orientation turned about the vertical until the horizontal part of the body's x axis points
-/// along `heading`, counter-clockwise from +x [rad]; as it is if that axis is vertical to 1e-9.
+/// Returns the orientation rotated about the vertical until the horizontal part of the body's x
+/// axis points along `heading`, counter-clockwise from +x [rad]; unchanged if that axis is vertical
+/// within 1e-9.
 Eigen::Quaterniond with_heading(const Eigen::Quaterniond& orientation, double heading);
 
 }  // namespace hydro

@@ -12,7 +12,7 @@
 namespace hydro {
 namespace {
 
-/// An edge of the waterplane, which is on its left seen from above.
+/// An edge of the waterline; seen from above, the waterplane is on its left.
 struct WaterlineEdge {
   Eigen::Vector2d from, to;
 };
@@ -26,7 +26,7 @@ struct WetSums {
   std::vector<WaterlineEdge> waterline;
 };
 
-/// Equations (1) to (3), and the triangle's edges at the surface.
+/// Adds the terms of (1) to (3) and the triangle's edges at the surface.
 void add_wet_triangle(const PanelPart& wet, WetSums& sums) {
   const Panel& r = wet.panel;
   const Eigen::Vector3d& d = wet.value;
@@ -44,7 +44,7 @@ void add_wet_triangle(const PanelPart& wet, WetSums& sums) {
   }
 }
 
-/// @param depths   Of the vertices.
+/// @param depths   Depths of the vertices [m].
 WetSums sum_wet_triangles(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths) {
   WetSums sums;
   for (const auto& face : mesh_G.faces.colwise()) {
@@ -56,8 +56,8 @@ WetSums sum_wet_triangles(const TriMesh& mesh_G, const Eigen::RowVectorXd& depth
   return sums;
 }
 
-/// Equations (4) and (5) about a point amid the waterline, so that a waterplane far from the centre
-/// of mass loses no digits.
+/// Evaluates (4) and (5) about the mean point of the waterline, so that a waterplane far from the
+/// centre of mass loses no digits.
 Waterplane waterplane_within(const std::vector<WaterlineEdge>& waterline) {
   Waterplane plane;
   if (waterline.empty()) return plane;
@@ -75,7 +75,7 @@ Waterplane waterplane_within(const std::vector<WaterlineEdge>& waterline) {
         c / 24 * (p * p.transpose() + q * q.transpose() + (p + q) * (p + q).transpose());
   }
   plane.centroid = middle;
-  if (plane.area <= 0) return {.centroid = middle};  // a point or a line, touched
+  if (plane.area <= 0) return {.centroid = middle};  // the body touches a point or a line
   const Eigen::Vector2d arm = first / plane.area;
   plane.centroid += arm;
   plane.second_moment -= plane.area * arm * arm.transpose();
@@ -105,7 +105,7 @@ WetVolume wet_volume(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths) {
 Eigen::Matrix3d restoring_stiffness(const Hydrostatics& h) {
   const Waterplane& w = h.waterplane;
   const Eigen::Vector3d lift(1, w.centroid.y(),
-                             -w.centroid.x());  // of the centroid, by each motion
+                             -w.centroid.x());  // heave of the centroid per motion
   Eigen::Matrix3d stiffness = w.area * lift * lift.transpose();
   stiffness.bottomRightCorner<2, 2>() += h.volume * metacentric_heights(h);
   return stiffness;
@@ -126,7 +126,8 @@ double floating_height(const TriMesh& mesh_G, double volume) {
     throw std::invalid_argument("found a displacement of " + std::to_string(volume) +
                                 " m^3, expected more than 0 and less than the body's volume, " +
                                 std::to_string(whole) + " m^3");
-  double wet = -mesh_G.vertices.row(2).maxCoeff();  // heights: all wet, all dry
+  double wet =
+      -mesh_G.vertices.row(2).maxCoeff();  // heights at which the body is all wet and all dry
   double dry = -mesh_G.vertices.row(2).minCoeff();
   double height = wet + (dry - wet) * (1 - volume / whole);
   for (int i = 0; i < 200; ++i) {

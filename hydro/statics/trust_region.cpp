@@ -7,7 +7,7 @@
 namespace hydro {
 namespace {
 
-/// −(Λ + shift)⁻¹ g, with 0 for a component without a gradient.
+/// −(Λ + shift)⁻¹ g; a component without gradient is 0.
 Eigen::Vector2d shifted_step(const Eigen::Vector2d& g, const Eigen::Vector2d& eigenvalues,
                              double shift) {
   Eigen::Vector2d s;
@@ -15,7 +15,7 @@ Eigen::Vector2d shifted_step(const Eigen::Vector2d& g, const Eigen::Vector2d& ei
   return s;
 }
 
-/// The step of length `radius` for the shift that gives it, which lies above `least`.
+/// Finds by bisection the shift above `least` whose step has the length `radius`; returns the step.
 Eigen::Vector2d boundary_step(const Eigen::Vector2d& g, const Eigen::Vector2d& eigenvalues,
                               double radius, double least) {
   double lo = least;
@@ -27,7 +27,7 @@ Eigen::Vector2d boundary_step(const Eigen::Vector2d& g, const Eigen::Vector2d& e
   return shifted_step(g, eigenvalues, hi);
 }
 
-/// +1 or −1, so that the larger component of `v` comes out positive.
+/// +1 or −1: the sign of the larger component of `v`.
 double sign_of_larger(const Eigen::Vector2d& v) {
   Eigen::Index larger;
   v.cwiseAbs().maxCoeff(&larger);

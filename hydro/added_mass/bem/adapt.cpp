@@ -6,11 +6,11 @@
 namespace hydro::bem {
 namespace {
 
-/// The part held by the edges that are halved. With less there are more solves, with more the
-/// panels are less well spread.
+/// Share of the total gain in the edges that are halved. A smaller value needs more solves; a
+/// larger one distributes the panels less well.
 constexpr double kHalvedPart = 0.75;
 
-/// Edges are equal if what they count for differs by less.
+/// Relative difference of gains below which edges count as equal.
 constexpr double kSame = 1e-6;
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Points of a part at which its equation is asked for. Their mean is used, so that the error of
-/// ψ at a point matters less; a constant on the part follows from any of them alone.
+/// Number of points of a part at which its equation is evaluated. Any point alone gives the
+/// constant of the part; the mean reduces the effect of the error of ψ at a point.
 constexpr int kSamples = 32;
 
 /// Faces of a part, evenly spread over its area.
@@ -29,7 +29,7 @@ std::vector<std::size_t> samples_of(const Surface& surface, int part) {
   return samples;
 }
 
-/// ∫ φ dΩ of the six functions on an element, seen from x.
+/// ∫ φ dΩ for the six functions on an element, seen from x.
 std::array<double, 6> double_layers(const Element& element, const PotentialMoments& seen,
                                     const Vector3d& x) {
   const double height = element.normal.dot(element.centroid - x);
@@ -47,7 +47,7 @@ std::array<double, 6> double_layers(const Element& element, const PotentialMomen
   return layers;
 }
 
-/// Σ N ∫ 1/r less ∫ ψ dΩ over all faces but one whose centroid x is, seen from x.
+/// Σ N ∫ 1/r − ∫ ψ dΩ seen from x, without ∫ ψ dΩ of the face `own` whose centroid is x.
 Vector6d excess(const Surface& surface, const Potential& psi, const Vector3d& x, std::size_t own) {
   Vector6d sum = Vector6d::Zero();
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
@@ -66,7 +66,7 @@ Vector6d excess(const Surface& surface, const Potential& psi, const Vector3d& x,
   return sum;
 }
 
-/// What (1/4π) Σ N ∫ 1/r lacks or exceeds of ½ψ + (1/4π) ∫ ψ dΩ at the centroid of a face.
+/// (1/4π) Σ N ∫ 1/r − ½ψ − (1/4π) ∫ ψ dΩ at the centroid of a face.
 Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) {
   Vector6d sum = excess(surface, psi, surface.elements[at].centroid, at) * kPerSphere;
   const std::array<int, 6> rows = functions_of(surface, at);
@@ -75,7 +75,7 @@ Vector6d residual(const Surface& surface, const Potential& psi, std::size_t at) 
   return sum;
 }
 
-/// The mean of the residuals over faces of a part: what its potential lacks.
+/// Mean residual over sample faces of a part: the missing constant of its potential.
 Vector6d mean_residual(const Surface& surface, const Potential& psi, int part) {
   const std::vector<std::size_t> samples = samples_of(surface, part);
   std::vector<Vector6d> residuals(samples.size());
@@ -86,7 +86,7 @@ Vector6d mean_residual(const Surface& surface, const Potential& psi, int part) {
   return mean;
 }
 
-/// The centroid of what a part encloses.
+/// Centroid of the volume that a part encloses.
 Vector3d centroid_of(const Surface& surface, int part) {
   double volume = 0;
   Vector3d moment = Vector3d::Zero();
@@ -111,9 +111,9 @@ bool is_inside(const Surface& surface, const Vector3d& x, int part) {
   return true;
 }
 
-/// The constant that a part's potential lacks. Inside the part (1/4π) Σ N ∫ 1/r is (1/4π) ∫ ψ dΩ:
-/// any point tells, best one away from the surface, and the centroid shares the body's symmetries.
-/// Where it is not inside, as a ring's, points on the surface are asked.
+/// The missing constant of a part's potential. Inside the part (1/4π) Σ N ∫ 1/r equals (1/4π) ∫ ψ
+/// dΩ at any point. The centroid is used because it is away from the surface and shares the body's
+/// symmetries; where it is not inside, as in a ring, points on the surface are used.
 Vector6d constant_of(const Surface& surface, const Potential& psi, int part) {
   const Vector3d x = centroid_of(surface, part);
   if (!is_inside(surface, x, part)) return mean_residual(surface, psi, part);

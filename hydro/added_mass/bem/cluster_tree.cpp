@@ -5,12 +5,12 @@
 namespace hydro::bem {
 namespace {
 
-/// Elements of a leaf at most. With more, more pairs are stored one by one; with fewer, there are
-/// more clusters to compute with.
+/// Largest number of elements in a leaf. A larger value stores more pairs one by one; a smaller one
+/// makes more clusters.
 constexpr int kLeaf = 40;
 
 /// Clusters are distant if their centres are farther apart than this times the sum of their half
-/// diagonals. Interpolation in them converges the faster the larger it is (compressed.h).
+/// diagonals. A larger value makes their interpolation converge faster (compressed.h).
 constexpr double kDistant = 1.6;
 
 void split(const std::vector<Element>& elements, int index, std::size_t level, ClusterTree& tree) {
@@ -48,7 +48,7 @@ bool distant(const Cluster& a, const Cluster& b) {
   return (a.box.center() - b.box.center()).squaredNorm() > reach * reach;
 }
 
-/// Sorts out the pairs of elements of two clusters, by ordered pairs of clusters.
+/// Covers all pairs of elements of two clusters by far and near pairs of their subclusters.
 void pair_up(ClusterTree& tree, int a, int b) {
   Cluster& left = tree.clusters[static_cast<std::size_t>(a)];
   Cluster& right = tree.clusters[static_cast<std::size_t>(b)];

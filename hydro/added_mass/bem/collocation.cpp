@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-/// 1 for the faces of a cavity's wall and of all that is in the cavity, else 0.
+/// 1 for the faces of a cavity's wall and of all parts in the cavity, else 0.
 Eigen::VectorXd in_cavity(const Surface& surface, int wall) {
   std::vector<double> angle(surface.parts.volume.size(), 0);
   std::vector<bool> seen(surface.parts.volume.size(), false);
@@ -26,14 +26,14 @@ Eigen::VectorXd in_cavity(const Surface& surface, int wall) {
   Eigen::VectorXd inside(surface.mesh.face_count());
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const int part = surface.part_of_face(f);
-    // −4π inside, as the wall's normals point in; −2π on the wall itself.
+    // The angle is −4π inside, because the wall's normals point in, and −2π on the wall itself.
     inside[static_cast<Index>(f)] =
         part == wall || angle[static_cast<std::size_t>(part)] < -2 * std::numbers::pi;
   }
   return inside;
 }
 
-/// Each cavity's constant gets an equation: that the mean on its wall is 0.
+/// Adds an equation for each cavity's constant: the mean of ψ on its wall is 0.
 void pin_cavities(const Surface& surface, Eigen::MatrixXd& matrix) {
   for (std::size_t k = 0; k < surface.parts.volume.size(); ++k) {
     if (surface.parts.volume[k] >= 0) continue;

@@ -3,12 +3,13 @@
 #include "hydro/added_mass/bem/galerkin.h"
 
 /// @file
-/// The plain method: ψ constant on each face, its equation met at the centroids,
-/// ½ψ + (1/4π) Σ ψ_T Ω_T = (1/4π) Σ N_T ∫_T 1/r, with solid angles Ω and N at the centroids.
+/// The collocation method: ψ is constant on each face and satisfies ½ψ + (1/4π) Σ ψ_T Ω_T = (1/4π)
+/// Σ N_T ∫_T 1/r at the centroids, with solid angles Ω and N at the centroids.
 
 namespace hydro::bem {
 
-/// A row a face. A cavity's ψ, of which the equation leaves a constant free, has a mean of 0.
+/// Returns ψ, one row per face. The equation leaves a constant of a cavity's ψ free; its mean is
+/// set to 0.
 Potential collocate(const Surface& surface);
 
 }  // namespace hydro::bem

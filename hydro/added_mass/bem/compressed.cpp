@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// For each node of the child, a column, the weights of its parent's nodes.
+/// Weights of the parent's nodes: one column per node of the child.
 Eigen::MatrixXd transfer(const Grid& parent, const Grid& child) {
   Eigen::MatrixXd matrix(parent.count(), child.count());
   for (Index i = 0; i < child.count(); ++i)
@@ -19,7 +19,7 @@ Eigen::MatrixXd transfer(const Grid& parent, const Grid& child) {
   return matrix;
 }
 
-/// row += Σ factor · densities of near elements.
+/// row += Σ factor · density over the near elements.
 PLIMSOLL_VECTOR_CLONES
 void add_rows(const double* factors, const int* near, std::size_t count, const double* densities,
               Index columns, double* row) {

@@ -14,11 +14,11 @@ struct Iterated {
   int steps = 0;
 };
 
-/// Solves matrix · x = sides, symmetric and positive, until the preconditioned residual of each
-/// motion is down to this part of what it was at first. A motion that moves no water, as a
-/// sphere's roll, is measured by the others.
+/// Solves matrix · x = sides with a symmetric positive definite matrix, until the preconditioned
+/// residual of each motion is at most `part` of its initial value. A motion that moves no water,
+/// such as a sphere's roll, is measured against the others.
 ///
-/// @param apply, precondition   Potential to Potential: the matrix, and about its inverse.
+/// @param apply, precondition   Maps of Potentials: the matrix and an approximate inverse.
 /// @throws std::invalid_argument if it does not converge.
 template <class Apply, class Precondition>
 Iterated conjugate_gradients(const Potential& sides, double part, Apply apply,
@@ -27,7 +27,7 @@ Iterated conjugate_gradients(const Potential& sides, double part, Apply apply,
   const auto products = [](const Potential& a, const Potential& b) {
     return Vector6d(a.cwiseProduct(b).colwise().sum().transpose());
   };
-  // 0 where a motion is done with.
+  // The ratio is 0 for a motion that has converged exactly.
   const auto ratio = [](const Vector6d& a, const Vector6d& b) {
     return Vector6d((b.array() == 0).select(0, a.cwiseQuotient(b)));
   };
@@ -36,7 +36,7 @@ Iterated conjugate_gradients(const Potential& sides, double part, Apply apply,
   Potential direction = precondition(residual);
   Vector6d size = products(residual, direction);
   const Vector6d goal = size.array().max(1e-12 * size.maxCoeff()) * part * part;
-  // Written so that a NaN does not pass for convergence.
+  // The condition is written so that a NaN does not pass for convergence.
   for (; !(size.array() <= goal.array()).all(); ++result.steps) {
     if (result.steps == kMostSteps || !size.allFinite())
       throw std::invalid_argument("the panels are too uneven to solve for the added mass");

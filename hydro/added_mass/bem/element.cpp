@@ -49,7 +49,7 @@ double solid_angle(const Element& element, const Vector3d& x) {
   const Vector3d b = element.corners[1] - x;
   const Vector3d c = element.corners[2] - x;
   const double ra = a.norm(), rb = b.norm(), rc = c.norm();
-  // From the plane: the triple product without its cancellation.
+  // The distance from the plane gives the triple product without cancellation.
   const double triple = 2 * element.area * element.normal.dot(element.centroid - x);
   if (std::abs(triple) <= 1e-14 * element.area * element.radius) return 0;
   return 2 * std::atan2(triple, ra * rb * rc + a.dot(b) * rc + b.dot(c) * ra + c.dot(a) * rb);
@@ -57,11 +57,11 @@ double solid_angle(const Element& element, const Vector3d& x) {
 
 namespace {
 
-/// What one edge gives to the integrals: those of 1/r, r, s·r and s/r along it, with s from the
-/// foot of x on the edge's line.
+/// Integrals of 1/r, r, s·r and s/r along one edge, with s measured from the foot of x on the
+/// edge's line.
 struct EdgeIntegrals {
-  double offset;   ///< Of the edge's line from x, along the conormal [m].
-  double inverse;  ///< ∫ 1/r ds. Infinite from the edge itself, but its factors there are 0.
+  double offset;   ///< Offset of the edge's line from x, along the conormal [m].
+  double inverse;  ///< ∫ 1/r ds, infinite on the edge itself, where its factors are 0.
   double linear;   ///< ∫ r ds.
   double rise;     ///< ∫ s r ds.
   double growth;   ///< ∫ s/r ds.
@@ -81,12 +81,12 @@ EdgeIntegrals along_edge(const Element& element, std::size_t e, const Vector3d& 
           (far * far * far - near * near * near) / 3, length * (2 * start + length) / sum};
 }
 
-/// The potentials, and f called for each edge.
+/// Returns the potentials, and calls f for each edge.
 template <class Function>
 Potentials integrated(const Element& element, const Vector3d& x, Function&& f) {
   const double height = element.normal.dot(element.centroid - x);
   Potentials result{0, Vector3d::Zero(), solid_angle(element, x), Vector3d::Zero()};
-  std::array<double, 3> range;  // of the corners from x
+  std::array<double, 3> range;  // distances of the corners from x
   for (std::size_t i = 0; i < 3; ++i) range[i] = (element.corners[i] - x).norm();
   for (std::size_t e = 0; e < 3; ++e) {
     const EdgeIntegrals edge = along_edge(element, e, x, range[e], range[(e + 1) % 3], height);
@@ -111,7 +111,8 @@ PotentialMoments potential_moments(const Element& element, const Vector3d& x) {
   result.second.setZero();
   result.stress.setZero();
   double distances = 0;  // 3 ∫ r dS − height² ∫ 1/r dS
-  // By ∇r = ρ/r and ∇(1/r) = −ρ/r³, with ρ = offset·conormal + s·tangent on the edge.
+  // The terms follow from ∇r = ρ/r and ∇(1/r) = −ρ/r³, with ρ = offset·conormal + s·tangent on the
+  // edge.
   static_cast<Potentials&>(result) =
       integrated(element, x, [&](std::size_t e, const EdgeIntegrals& edge) {
         const Vector3d& conormal = element.conormals[e];

@@ -11,22 +11,23 @@
 
 namespace hydro::bem {
 
-/// 1/(4π): with it 1/r is the potential of a unit source.
+/// 1/(4π): times 1/r it is the potential of a unit source.
 inline constexpr double kPerSphere = 1 / (4 * std::numbers::pi);
 
-/// Edges are of one length if they differ by less [-]: which of them is halved, or named first,
-/// must not hang on round-off, or a turned mesh would be treated in another way.
+/// Relative difference below which two edges count as equally long [-]. The choice of the edge that
+/// is halved or named first must not depend on round-off; else a rotated mesh would be treated
+/// differently.
 inline constexpr double kSameLength = 1e-6;
 
-/// A triangle with what its integrals need. Edge e runs from corner e to corner e + 1.
+/// A triangle with the data of its integrals. Edge e runs from corner e to corner e + 1.
 struct Element {
   std::array<Eigen::Vector3d, 3> corners;    ///< [m]
-  std::array<Eigen::Vector3d, 3> tangents;   ///< Unit, along the edges.
-  std::array<Eigen::Vector3d, 3> conormals;  ///< Unit, in the plane, out of the triangle.
-  std::array<double, 3> lengths;             ///< Of the edges [m].
+  std::array<Eigen::Vector3d, 3> tangents;   ///< Unit vectors along the edges.
+  std::array<Eigen::Vector3d, 3> conormals;  ///< Unit normals of the edges, in the plane, outward.
+  std::array<double, 3> lengths;             ///< Lengths of the edges [m].
   std::array<Eigen::Vector3d, 3> curls;      ///< n × ∇λ of the corners' hat functions [1/m].
   std::array<Eigen::Vector3d, 3> slopes;     ///< ∇λ [1/m].
-  Eigen::Vector3d normal;                    ///< Unit, out of the solid.
+  Eigen::Vector3d normal;                    ///< Unit normal, out of the solid.
   Eigen::Vector3d centroid;                  ///< [m]
   double area = 0;                           ///< [m^2]
   double radius = 0;  ///< Largest distance of a corner from the centroid [m].
@@ -34,14 +35,15 @@ struct Element {
 
 Element make_element(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-/// One element a face.
+/// Returns one element per face.
 std::vector<Element> make_elements(const TriMesh& mesh);
 
-/// The corners' hat functions at the foot of x in the element's plane: barycentric coordinates.
+/// Values of the corners' hat functions (barycentric coordinates) at the projection of x onto the
+/// element's plane.
 Eigen::Vector3d hats_at(const Element& element, const Eigen::Vector3d& x);
 
-/// Integrals over an element seen from a point x, with r = |y − x| and the part ρ of y − x in the
-/// element's plane.
+/// Integrals over an element seen from a point x, with r = |y − x| and the component ρ of y − x in
+/// the element's plane.
 struct Potentials {
   double single = 0;           ///< ∫ 1/r dS [m].
   Eigen::Vector3d first;       ///< ∫ (y − x)/r dS [m^2].
@@ -49,11 +51,11 @@ struct Potentials {
   Eigen::Vector3d attraction;  ///< ∫ ρ/r³ dS.
 };
 
-/// Exact to round-off, also on the element (its solid angle is 0 there) and at its corners, where
-/// `attraction` is not defined.
+/// Returns the integrals, exact to round-off also on the element (where its solid angle is 0) and
+/// at its corners, where `attraction` is undefined.
 Potentials potentials(const Element& element, const Eigen::Vector3d& x);
 
-/// Second moments as well.
+/// The potentials with second moments.
 struct PotentialMoments : Potentials {
   Eigen::Matrix3d second;  ///< ∫ ρ ρᵀ/r dS [m^3].
   Eigen::Matrix3d stress;  ///< ∫ ρ ρᵀ/r³ dS [m].

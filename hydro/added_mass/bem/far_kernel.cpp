@@ -37,8 +37,8 @@ const HatRule<6>& rule_6() {
   return rule;
 }
 
-/// 1/√x to round-off: a first guess from the bits of x, then Newton's method four times. It takes
-/// operations only that all processors have eight at a time.
+/// 1/√x to round-off: a first guess from the bits of x, then four steps of Newton's method. It uses
+/// only operations that all processors offer on eight lanes.
 [[gnu::always_inline]] inline void inverse_root(const Lanes& x, Lanes& root) {
   const LaneBits bits = 0x5fe6eb50c7b537a9 - (reinterpret_cast<LaneBits>(x) >> 1);
   root = reinterpret_cast<Lanes>(bits);
@@ -136,7 +136,7 @@ std::vector<Batch> batches_of(const std::vector<Element>& elements) {
     set(batch.normal, k, element.normal);
     set(batch.centroid, k, element.centroid);
     batch.radius[k] = element.radius;
-    // Copies count for nothing.
+    // Copies have no area and contribute nothing.
     batch.area[k] = f < elements.size() ? element.area : 0;
   }
   return batches;
@@ -182,7 +182,7 @@ void couple(const Element& a, const Batch& b, const LanePairs& pairs, LaneCoupli
     from_b[i] = hats[0][i] + hats[1][i] + hats[2][i];
   }
   const Lanes single = from_a[0] + from_a[1] + from_a[2];
-  // curl λ_i, and for the edge from corner i to j: 4 (λ_i curl λ_j + λ_j curl λ_i).
+  // The curls are curl λ_i and, for the edge from corner i to j, 4 (λ_i curl λ_j + λ_j curl λ_i).
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -12,20 +12,20 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Residuals are taken down to this part of what the bubbles' equations without hats have on the
-/// right. Rotations' added mass is in error by as much, and by a hundred times it on slivers; with
-/// 1e-8 a turned body differs by 1e-9.
+/// Residual of the bubbles' equations without hats, relative to their right-hand side. The error of
+/// the added mass in rotation is as large, and a hundred times larger on slivers; with 1e-8 the
+/// results for a rotated body differ by 1e-9.
 constexpr double kResidual = 1e-10;
 
-/// Adds what makes a constant on each part an equation of its own: that the mean of its hats is 0.
-/// @param matrix   Its lower triangle.
+/// Adds an equation for the constant on each part: the mean of its hats is 0.
+/// @param matrix   Lower triangle.
 void pin_means(const Surface& surface, Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd areas = areas_of_vertices(surface);
   for (std::size_t k = 0; k < surface.parts.volume.size(); ++k) {
     Eigen::VectorXd own = areas;
     for (Index i = 0; i < own.size(); ++i)
       if (surface.parts.of_vertex[static_cast<std::size_t>(i)] != static_cast<int>(k)) own[i] = 0;
-    // Any factor gives the same solution; this one is of the size of the other eigenvalues.
+    // Any factor gives the same solution; this one has the size of the other eigenvalues.
     const double factor = std::pow(own.sum(), -1.5);
     matrix.topLeftCorner(own.size(), own.size())
         .selfadjointView<Eigen::Lower>()
@@ -49,7 +49,7 @@ Potential loads_on(const Surface& surface) {
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const Element& element = surface.elements[f];
     const std::array<int, 6> rows = functions_of(surface, f);
-    // Every one of the six functions has a third of the area for its integral; its centre is `arm`.
+    // The integral of each of the six functions is a third of the area; its centre is `arm`.
     const auto add = [&](int row, const Vector3d& arm) {
       loads.row(row).head<3>() += element.area / 3 * element.normal.transpose();
       loads.row(row).tail<3>() += element.area / 3 * arm.cross(element.normal).transpose();

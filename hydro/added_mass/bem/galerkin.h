@@ -7,36 +7,36 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// The potential of a body that moves in unbounded fluid, by Galerkin's method with functions that
-/// are quadratic on every panel and continuous.
+/// The potential of a body that moves in unbounded fluid, by Galerkin's method with continuous
+/// functions that are quadratic on every panel.
 ///
-/// ψ is minus the velocity potential, so that ∂ψ/∂n = −w·n for the body's velocity field w: e, or
-/// e × r. The double layer of ψ is the field of a vortex sheet, and a field with the body's motion
-/// inside has vorticity 2e there. What its normal component must be on the surface reads, for all
-/// test functions v, with curl v = n × ∇v,
+/// ψ is minus the velocity potential, so that ∂ψ/∂n = −w·n for the body's velocity field w, which
+/// is e or e × r. The double layer of ψ is the field of a vortex sheet, and a field with the body's
+/// motion inside has vorticity 2e there. The condition on its normal component at the surface is,
+/// for all test functions v with curl v = n × ∇v,
 ///
 ///     (1/4π) ∫∫ curl ψ·curl v / r = ∫ (w·n) v + ∫ curl v·a,
 ///     4π a(x) = ∫_V curl w / r − ∫_S (n × w) / r.
 ///
-/// For translations a is that of ψ + x_m, a function of the same space, so that ν = ψ + x_m has
-/// a right-hand side without it. For rotations the divergence theorem makes
-/// 4π a = Σ_T [(n·e) ∫_T y/r − e (n·x) ∫_T 1/r]. No kernel stronger than 1/r is met, and with
-/// exact integrals the added mass is in error by the square of the error of ψ.
+/// For translations ν = ψ + x_m, a function of the same space, absorbs the term with a, so its
+/// right-hand side has none. For rotations the divergence theorem gives 4π a = Σ_T [(n·e) ∫_T y/r −
+/// e (n·x) ∫_T 1/r]. No kernel is stronger than 1/r, and with exact integrals the error of the
+/// added mass is quadratic in the error of ψ.
 ///
-/// The functions are the hats λ of the vertices, and for each edge the bubble 4 λ_i λ_j of its
-/// ends: ψ is linear between vertices, and a bubble's coefficient is what it has beyond that in the
-/// middle of the edge. The hats alone make the linear functions; that space's solution tells how
-/// well panels resolve the flow.
+/// The basis functions are the hats λ of the vertices and, for each edge, the bubble 4 λ_i λ_j of
+/// its ends: hats interpolate linearly between vertices, and a bubble's coefficient is the
+/// deviation from that at the middle of the edge. The hats alone span the linear functions; the
+/// solution in that space shows how well the panels resolve the flow.
 ///
-/// Constants on each closed part are free; the solvers set them so that each part's hats have a
-/// mean of 0, and anchored() as the fluid at rest far away sets them.
+/// A constant on each closed part is free. The solvers set it so that the part's hats have a mean
+/// of 0, anchored() so that the fluid is at rest far away.
 
 namespace hydro::bem {
 
-/// Coefficients: a row a vertex, then a row an edge; a column a motion.
+/// Coefficients: one row per vertex, then one per edge; one column per motion.
 using Potential = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-/// Vertices and edges.
+/// Number of vertices and edges.
 inline Eigen::Index function_count(const Surface& surface) {
   return surface.vertex_count() + static_cast<Eigen::Index>(surface.edges.faces.size());
 }
@@ -47,44 +47,44 @@ std::array<int, 6> functions_of(const Surface& surface, std::size_t face);
 /// ∫ N_m φ_k dS for function k and motion m, N = (n, r × n).
 Potential loads_on(const Surface& surface);
 
-/// The right-hand sides, those of translations for ν.
+/// Right-hand sides; the columns of translations are for ν.
 Potential right_hand_sides(const Surface& surface, const std::vector<Swirl>& swirl);
 
-/// ψ from what the right-hand sides give: the coordinates taken off again.
+/// Returns ψ from a solution for these right-hand sides: it subtracts x_m from ν.
 Potential potential_of(const Surface& surface, Potential solution);
 
 /// ∫ λ_i dS for each vertex [m^2].
 Eigen::VectorXd areas_of_vertices(const Surface& surface);
 
-/// A solution and how far its added mass may be from that of the surface.
+/// A solution and an estimate of the error of its added mass.
 ///
-/// A flow that is singular as r^γ along an edge is found by polynomials of degree p with an error
-/// of the added mass that falls as p^(−4γ) on the same panels (Stephan and Suri, 1989); γ = π/ω
-/// where the fluid fills an angle ω beside the edge, from 1/2 at a knife's edge over 2/3 at a
-/// cube's to 1 at a flat joint, beyond which flows are smooth and errors fall faster. So what
-/// quadratic functions lack is between 0 and 1/3 of what they have gained over linear ones on the
-/// same panels, less than 1/5 at a cube's edges; beside the corners of coarse panels up to 2/5. ψ
-/// is taken kBeyond of the gain farther, and as much stands for the doubt.
+/// If the flow is singular as r^γ along an edge, polynomials of degree p give an error of the added
+/// mass that falls as p^(−4γ) on the same panels (Stephan and Suri, 1989). Here γ = π/ω where the
+/// fluid fills an angle ω beside the edge: 1/2 at a knife edge, 2/3 at a cube's, 1 at a flat joint,
+/// beyond which flows are smooth and errors fall faster. The error of quadratic functions is
+/// therefore between 0 and 1/3 of their gain over linear ones on the same panels: less than 1/5 at
+/// a cube's edges, and up to 2/5 beside the corners of coarse panels. ψ is extrapolated by kBeyond
+/// times the gain; the same amount is the doubt.
 struct Solution {
   Potential psi;
-  Matrix6d doubt = Matrix6d::Zero();  ///< What the added mass for ρ = 1 may be wrong by.
+  Matrix6d doubt = Matrix6d::Zero();  ///< Error estimate of the added mass for ρ = 1.
   Eigen::Index unknowns = 0;
-  double bytes = 0;  ///< Of what was stored.
-  int steps = 0;     ///< Of the iteration.
+  double bytes = 0;  ///< Size of the stored interactions.
+  int steps = 0;     ///< Number of iterations.
 };
 inline constexpr double kBeyond = 0.2;
 
 /// Solves with every interaction stored.
-/// @throws std::invalid_argument if the panels are too thin for that.
+/// @throws std::invalid_argument if the panels are too thin for the factorisation.
 Solution solve_dense(const Surface& surface);
 
-/// Solves by compressed interactions, for large meshes: with hats alone, and nothing beyond. The
-/// doubt follows from what each bubble by itself would gain.
+/// Solves by compressed interactions, for large meshes: with hats alone and without extrapolation.
+/// The doubt follows from the gain that each bubble alone would bring.
 /// @throws std::invalid_argument if the iteration does not converge.
 Solution solve_compressed(const Surface& surface);
 
 /// ψ with constants such that the fluid is at rest far away. A cavity's potential has no such
-/// constant: the hats on its wall get a mean of 0.
+/// constant: the hats on its wall keep their mean of 0.
 Potential anchored(const Surface& surface, Potential psi);
 
 }  // namespace hydro::bem

@@ -13,10 +13,11 @@ namespace {
 
 using Eigen::Index;
 
-/// Points along a side: interpolation of 1/r at a distance of at least kDistant half diagonals
-/// either way is in error by (side/distance)^order. Here it is what it is along the longest side.
+/// Number of points along a side. The error of interpolating 1/r at a distance of at least kDistant
+/// half diagonals is (side/distance)^order; the order makes it equal to that along the longest
+/// side.
 int order_of(double side, double longest) {
-  constexpr double kNearest = 3.2;  // distance over the half of the longest side
+  constexpr double kNearest = 3.2;  // distance over half the longest side
   if (side <= 1e-12 * longest) return 1;
   const double order = kOrder * std::log(kNearest) / std::log(kNearest * longest / side);
   return std::clamp(static_cast<int>(std::ceil(order - 1e-9)), 1, kOrder);
@@ -58,7 +59,7 @@ using FloatBits __attribute__((vector_size(kBlock * sizeof(float)))) = int;
 
 /// out[j] = 1/|x − y_j|: a first guess from the bits of r², then Newton's method, whose error falls
 /// from 3e-2 over 2e-3 and 5e-6 to round-off.
-/// @param y   `count` x, y and z, a multiple of kBlock.
+/// @param y   `count` values of x, then of y, then of z; `count` is a multiple of kBlock.
 PLIMSOLL_VECTOR_CLONES
 void inverse_distances(const float* x, const float* y, Index count, float* out) {
   for (Index j = 0; j < count; j += kBlock) {
@@ -78,11 +79,11 @@ void inverse_distances(const float* x, const float* y, Index count, float* out) 
   }
 }
 
-/// Rows taken at a time: one after another, each sum would wait for its last addition.
+/// Number of rows processed at a time: with one, each addition would wait for the previous one.
 constexpr Index kRows = 8;
 
-/// sums = factors · moments for kRows rows and kBlock columns of it.
-/// @param stride   Of the factors' rows and of the moments'.
+/// sums = factors · moments for kRows rows and kBlock columns.
+/// @param stride   Row strides of `factors` and of `moments`.
 PLIMSOLL_VECTOR_CLONES
 void multiply_block(const float* factors, const float* moments, Index count,
                     std::pair<Index, Index> stride, float* sums) {

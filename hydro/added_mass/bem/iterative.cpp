@@ -9,15 +9,15 @@ namespace {
 
 using Eigen::Index;
 
-/// Residuals are taken down to this part of the right-hand sides. For translations the added mass
-/// is in error by its square.
+/// Residual relative to the right-hand sides. The error of the added mass in translation is its
+/// square.
 constexpr double kIterativeResidual = 3e-4;
 
-/// What bubbles gain one by one is at least this part of what they gain together, in which
-/// neighbours help each other: 0.2 to 0.7 on boxes, cylinders, tori and spheres.
+/// Lower bound of the bubbles' gain one by one over their gain together, to which neighbours
+/// contribute: the ratio is 0.2 to 0.7 on boxes, cylinders, tori and spheres.
 constexpr double kAlone = 0.2;
 
-/// The equations of the hats as they act on potentials.
+/// The matrix of the hats' equations as an operator on potentials.
 class HatEquations {
  public:
   HatEquations(const Surface& surface, const CompressedInteractions& interactions)
@@ -41,7 +41,7 @@ class HatEquations {
     return result;
   }
 
-  /// curl ψ: per element six motions for each axis.
+  /// curl ψ: for each element and axis, six motions.
   Columns sheet_of(const Potential& psi) const {
     Columns sheet = Columns::Zero(surface_.mesh.face_count(), 18);
     for (std::size_t f = 0; f < surface_.face_count(); ++f) {
@@ -53,7 +53,7 @@ class HatEquations {
     return sheet;
   }
 
-  /// The largest part of each diagonal element, that of single panels.
+  /// Dominant part of each diagonal element, from pairs of a panel with itself.
   Eigen::VectorXd diagonal() const {
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(surface_.vertex_count());
     for (std::size_t f = 0; f < surface_.face_count(); ++f) {
@@ -69,7 +69,7 @@ class HatEquations {
     return surface_.parts.of_vertex[static_cast<std::size_t>(vertex)];
   }
 
-  /// As solve_dense gives each part's mean an equation.
+  /// The equations for the means of the parts, as in solve_dense.
   Potential means_of(const Potential& psi) const {
     Potential sums = Potential::Zero(whole_.size(), 6);
     for (Index i = 0; i < psi.rows(); ++i) sums.row(part(i)) += areas_[i] * psi.row(i);
@@ -85,7 +85,7 @@ class HatEquations {
   Eigen::VectorXd whole_;  ///< Area of each part [m^2].
 };
 
-/// ∫∫ (curl φ)²/r of the bubbles over single panels, 4π of it.
+/// (1/4π) ∫∫ (curl φ)²/r of the bubbles, from pairs of a panel with itself.
 Eigen::VectorXd stiffness_of_bubbles(const Surface& surface,
                                      const CompressedInteractions& interactions) {
   Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(static_cast<Index>(surface.edges.faces.size()));
@@ -104,7 +104,7 @@ Eigen::VectorXd stiffness_of_bubbles(const Surface& surface,
   return stiffness;
 }
 
-/// What the bubbles' equations lack, a row an edge.
+/// Residuals of the bubbles' equations, one row per edge.
 Potential residuals_of_bubbles(const Surface& surface, const CompressedInteractions& interactions,
                                const Potential& sides, const Columns& sheet) {
   const Columns field = interactions.apply_to_hats(sheet);
@@ -141,7 +141,7 @@ Solution solve_compressed(const Surface& surface) {
   Potential nodal = Potential::Zero(sides.rows(), 6);
   nodal.topRows(surface.vertex_count()) = iterated.solution;
   solution.psi = potential_of(surface, std::move(nodal));
-  // Hats lack what the bubbles would gain, and what the bubbles would lack.
+  // The error of hats is the gain of the bubbles plus the error that would remain with them.
   solution.doubt = (1 + kBeyond) / kAlone * residuals.transpose() *
                    stiffness.cwiseInverse().asDiagonal() * residuals;
   solution.unknowns = surface.vertex_count();

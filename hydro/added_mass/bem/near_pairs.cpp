@@ -9,7 +9,7 @@ namespace hydro::bem {
 
 namespace {
 
-/// Corners that two faces have in common, as pair_integrals takes them.
+/// Corners that two faces have in common, in the form that pair_integrals takes.
 std::array<int, 3> shared_corners(const Surface& surface, std::size_t a, std::size_t b) {
   std::array<int, 3> shared = {-1, -1, -1};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -38,8 +38,8 @@ NearPairs::NearPairs(const Surface& surface) {
   starts_.push_back(0);
   for (const auto& row : near) starts_.push_back(starts_.back() + row.size());
   near_.resize(starts_.back());
-  // Each pair is integrated once. Its place in the later element's row: rows are visited in order,
-  // so that every element meets its earlier ones in order, too.
+  // Each pair is integrated once. `mirror` holds its place in the later element's row; rows are
+  // visited in order, so the earlier elements are in order there, too.
   std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
   std::vector<std::size_t> mirror(starts_.back());
   for (std::size_t a = 0; a < near.size(); ++a)

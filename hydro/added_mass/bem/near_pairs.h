@@ -7,11 +7,11 @@
 #include "hydro/added_mass/bem/surface.h"
 
 /// @file
-/// The pairs of elements that are too near for a rule of points.
+/// The pairs of elements that are too near for quadrature points on both.
 
 namespace hydro::bem {
 
-/// An element near another one, with the integrals over the pair: x is on the other one.
+/// An element near another one, with the integrals over the pair; x is on the other one.
 struct NearElement {
   std::size_t element;
   PairIntegrals integrals;
@@ -21,7 +21,7 @@ class NearPairs {
  public:
   explicit NearPairs(const Surface& surface);
 
-  /// The elements near element a, itself among them, in order.
+  /// Elements near element a, itself included, in ascending order.
   std::span<const NearElement> of(std::size_t a) const {
     return std::span(near_).subspan(starts_[a], starts_[a + 1] - starts_[a]);
   }
@@ -33,7 +33,7 @@ class NearPairs {
   std::vector<NearElement> near_;
 };
 
-/// The integrals over any near pair; those of (b, a) are the same to the last digit.
+/// Returns the integrals over a near pair; (a, b) and (b, a) agree to the last digit.
 PairIntegrals near_integrals(const Surface& surface, std::size_t a, std::size_t b);
 
 }  // namespace hydro::bem

@@ -11,14 +11,14 @@ namespace {
 using Corners = std::array<Eigen::Vector3d, 3>;
 using Eigen::Vector3d;
 
-/// Pieces that are no larger than this times their distance are not halved. As kNear and kFar, it
-/// is no simple fraction.
+/// Size over distance up to which pieces are not halved. Like kNear and kFar, it is no simple
+/// fraction.
 constexpr double kClose = 1.0137;
 
-/// Halvings of an element beside one that is very near.
+/// Largest number of halvings of an element beside a very near one.
 constexpr int kDeepest = 7;
 
-/// Adds the integrals over one piece of `a`, closed form over `b`.
+/// Adds the integrals over one piece of `a`, with the closed form over `b`.
 void add_piece(const Element& a, const Corners& piece, double area, const Rule& rule,
                const Element& b, PairIntegrals& sum) {
   for (const Node& node : rule) {
@@ -48,13 +48,15 @@ double size(const Corners& c) {
   return std::max({(c[0] - middle).norm(), (c[1] - middle).norm(), (c[2] - middle).norm()});
 }
 
-/// Elements are of one size if they differ by less: which is larger must not hang on round-off.
+/// Relative difference of areas below which elements count as equal: the choice of the larger must
+/// not depend on round-off.
 constexpr double kSameArea = 1e-9;
 
 void add_near(const Element& a, const Corners& c, double area, const Element& b, int depth,
               PairIntegrals& sum);
 
-/// In two at the middle of the longest edge; in four if no edge is longer than all others.
+/// Splits the piece in two at the middle of the longest edge, or in four if no edge is longer than
+/// all others.
 void add_parts(const Element& a, const Corners& c, double area, const Element& b, int depth,
                PairIntegrals& sum) {
   std::array<double, 3> lengths;
@@ -75,7 +77,7 @@ void add_parts(const Element& a, const Corners& c, double area, const Element& b
   add_near(a, {right, left, half}, area / 4, b, depth + 2, sum);
 }
 
-/// As add_piece, in parts where the second element is nearer than the piece's size.
+/// Adds a piece, in parts where the second element is nearer than the piece's size.
 void add_near(const Element& a, const Corners& c, double area, const Element& b, int depth,
               PairIntegrals& sum) {
   const Vector3d middle = (c[0] + c[1] + c[2]) / 3;
@@ -106,7 +108,7 @@ PairIntegrals self(const Element& a) {
   return sum;
 }
 
-/// The corners of `a` turned so that the common edge or corner comes first.
+/// The corners of `a`, rotated so that the common edge or corner is first.
 Corners turned(const Element& a, const std::array<int, 3>& shared, int count) {
   for (std::size_t i = 0; i < 3; ++i) {
     const bool here = shared[i] >= 0 && (count == 1 || shared[(i + 1) % 3] >= 0);

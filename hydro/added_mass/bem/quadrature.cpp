@@ -6,7 +6,7 @@
 namespace hydro::bem {
 namespace {
 
-/// Points of one orbit: (a, a, 1 − 2a) in all three turns.
+/// Adds the points of one orbit: (a, a, 1 − 2a) and its two cyclic permutations.
 void add_orbit(double a, double weight, Rule& rule) {
   for (int i = 0; i < 3; ++i) {
     Eigen::Vector3d at = Eigen::Vector3d::Constant(a);

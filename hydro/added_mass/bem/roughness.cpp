@@ -23,7 +23,7 @@ std::array<Vector6d, 6> motion_at_nodes(const Element& element) {
   return motion;
 }
 
-/// The means of N over the panels at each node, by their areas: a row a vertex, then a row an edge.
+/// Area-weighted means of N over the panels at each node: one row per vertex, then one per edge.
 Potential mean_motion(const Surface& surface) {
   Potential sums = Potential::Zero(function_count(surface), 6);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(sums.rows());
@@ -39,7 +39,7 @@ Potential mean_motion(const Surface& surface) {
   return areas.cwiseInverse().asDiagonal() * sums;
 }
 
-/// The wavelength that fits on a panel: its size, or twice its height if it is thin.
+/// Wavelength that fits on a panel: its size, or twice its height if the panel is thin.
 double width(const Element& element) {
   const double longest = *std::max_element(element.lengths.begin(), element.lengths.end());
   return std::min(std::sqrt(2 * element.area), 4 * element.area / longest);
@@ -56,7 +56,7 @@ Matrix6d roughness(const Surface& surface) {
     const std::array<int, 6> rows = functions_of(surface, f);
     for (std::size_t k = 0; k < 6; ++k) rest[k] -= mean.row(rows[k]).transpose();
     for (const Node& node : rule_of_degree_4()) {
-      // The quadratic function through the nodes.
+      // `here` is the quadratic function through the nodes.
       Vector6d here = Vector6d::Zero();
       for (std::size_t i = 0; i < 3; ++i) {
         const double hat = node.at[static_cast<int>(i)],

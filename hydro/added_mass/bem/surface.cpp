@@ -16,8 +16,8 @@ struct Builder {
   std::vector<Vector3i> faces;
   std::vector<int> parent;
 
-  /// Adds a face, split at the middles of its edges (−1: none), the longest of them first. With
-  /// three middles and no longest edge it falls into four alike: none comes first.
+  /// Adds a face, split at the middles of its edges (−1: none), the longest edge first. With three
+  /// middles and no single longest edge it is split into four similar faces.
   void add(Vector3i face, std::array<int, 3> middles, int from) {
     const std::size_t first = longest_split(face, middles);
     if (std::count(middles.begin(), middles.end(), -1) == 0 && has_rival(face, first)) {

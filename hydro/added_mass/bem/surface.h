@@ -9,32 +9,32 @@
 
 namespace hydro::bem {
 
-/// A conforming split of a mesh: the surface is the same.
+/// A conforming subdivision of a mesh; the surface is unchanged.
 struct Split {
   TriMesh mesh;
-  std::vector<int> parent;  ///< Per face, the face of the original mesh it is a part of.
+  std::vector<int> parent;  ///< For each face, the face of the original mesh that contains it.
 };
 
 /// The edges of a closed mesh.
 struct Edges {
   std::vector<std::array<int, 3>> of_face;  ///< Edge e of a face runs from corner e to e + 1.
-  std::vector<std::array<int, 2>> faces;    ///< Beside each edge.
+  std::vector<std::array<int, 2>> faces;    ///< The two faces beside each edge.
 };
 
 Edges edges_of(const TriMesh& mesh);
 
-/// Halves the marked edges. A face with several is halved at the longest of them first; no other
-/// edges need to be halved, so panels become thin where only some of their edges are marked.
+/// Halves the marked edges. A face with several is halved at the longest of them first. No other
+/// edges are halved, so panels become thin where only some of their edges are marked.
 Split bisected(const Split& split, const Edges& edges, const std::vector<bool>& marked);
 
-/// The parts that hang together by vertices, numbered by their first vertex.
+/// The parts of a mesh connected by vertices, in the order of their first vertex.
 struct Parts {
   std::vector<int> of_vertex;
-  std::vector<double> volume;  ///< Signed: a cavity's is negative [m^3].
+  std::vector<double> volume;  ///< Signed volume, negative for a cavity [m^3].
 };
 Parts parts_of(const TriMesh& mesh);
 
-/// A mesh with all that the equations on it need.
+/// A mesh with the data that its equations need.
 struct Surface {
   TriMesh mesh;
   std::vector<Element> elements;
