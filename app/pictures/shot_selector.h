@@ -42,7 +42,7 @@ class ShotSelector {
   int fps_;
   long next_ = 0;  ///< Number of the video's next picture.
   double last_time_ = 0;
-  std::vector<hydro::BodyState> last_;  ///< For a video only.
+  std::vector<hydro::BodyState> last_;  ///< States at `last_time_`, for a video only.
   ShotSpool shots_;
 };
 

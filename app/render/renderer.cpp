@@ -101,7 +101,7 @@ GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors) {
 
 struct Renderer::Impl {
   Impl(SceneDescription p, const std::filesystem::path& shaders);
-  ~Impl() { context_.make_current(); }  // Meshes are freed in the context they are of.
+  ~Impl() { context_.make_current(); }  // Meshes are freed in their own context.
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -130,7 +130,7 @@ struct Renderer::Impl {
   GlMesh nothing_;  ///< Vertices that a shader places by their indices.
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
-  double bodies_edge_ = 0;  ///< Longest edge of the bodies' skins [m].
+  double bodies_edge_ = 0;  ///< Longest edge of the bodies' meshes [m].
   std::vector<GlMesh> grounds_;
   std::optional<WaterSurface> surface_;
   std::optional<GlMesh> surface_mesh_;

@@ -70,8 +70,8 @@ class Renderer {
   /// Spacing of the grid lines on water and ground [m]; 0 if there is neither.
   double grid() const;
 
-  /// Sets the camera of the following pictures, at first `Picture::camera`. An unchanged camera
-  /// costs nothing.
+  /// Sets the camera of the following pictures, at first `SceneDescription::camera`. An unchanged
+  /// camera costs nothing.
   void look(const Camera& camera);
 
   /// Sets the size of the following pictures [px]. An unchanged size costs nothing.
@@ -83,7 +83,7 @@ class Renderer {
 
   /// Draws a picture without text. `add_overlay` (overlay.h) adds time and pressure scale;
   /// `ContactSheet` (sheet.h) takes the picture without them.
-  /// @param states   States in the order of `Picture::bodies`.
+  /// @param states   States in the order of `SceneDescription::bodies`.
   Image draw(const std::vector<hydro::BodyState>& states, double time);
 
  private:

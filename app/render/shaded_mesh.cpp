@@ -49,7 +49,7 @@ Vector3d corner_normal(const Eigen::Matrix3Xd& areas, const Index* begin, const 
   return sum.norm() > 0 ? Vector3d(sum.normalized()) : Vector3d(Vector3d::UnitZ());
 }
 
-/// Collects the vertices of a skin, one for each normal at a vertex of the mesh.
+/// Collects the vertices of a shaded mesh, one for each normal at a vertex of the mesh.
 class SkinVertices {
  public:
   explicit SkinVertices(Index mesh_vertices) : sides_(static_cast<std::size_t>(mesh_vertices)) {}

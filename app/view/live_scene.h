@@ -50,7 +50,7 @@ class LiveScene {
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
-  PressureRange range_;  ///< Of the pressures so far.
+  PressureRange range_;  ///< Range of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< Made for the first picture.
 };
