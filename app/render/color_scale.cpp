@@ -90,7 +90,7 @@ const std::vector<std::pair<std::string, ColorMap>>& color_maps() {
 }
 
 const std::array<Rgb, kScaleColors>& scale_colors(ColorMap map) {
-  // In the order of ColorMap.
+  // The maps are in the order of ColorMap.
   static const std::array<Colors, 6> all = {turbo(),           through(kViridis),
                                             through(kCividis), through(kCoolwarm),
                                             through(kGray),    through(kThesis)};

@@ -23,7 +23,7 @@ struct View {
   Eigen::Vector3d forward_W = Eigen::Vector3d::UnitY();  ///< Unit.
   Eigen::Vector3d right_W = Eigen::Vector3d::UnitX();    ///< Unit, level.
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();       ///< Unit.
-  double distance = 1;     ///< From the eye to the point looked at [m].
+  double distance = 1;     ///< Distance from the eye to the point looked at [m].
   double half_width = 1;   ///< Tangent of half the horizontal field of view [-].
   double half_height = 1;  ///< Tangent of half the vertical field of view [-].
   double near = 0;         ///< Nothing nearer is drawn [m].
@@ -37,7 +37,7 @@ struct View {
   }
 };
 
-/// Height of the picture at the distance of the point looked at [m].
+/// Returns the visible height at the distance of the point looked at [m].
 inline double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
 
 /// Makes the view of a camera. A camera that looks straight up or down has +y at the top of its

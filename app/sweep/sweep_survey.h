@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// A sweep: a scene, what is set in all runs, and what is varied.
+/// Plan of a sweep: the scene, the overrides of all runs and the varied parameters.
 struct SweepPlan {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;

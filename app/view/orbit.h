@@ -14,7 +14,7 @@ namespace app {
 
 /// Camera given by the spherical coordinates of its eye about the point that it looks at.
 struct Orbit {
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();  ///< In W [m].
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();  ///< Point looked at, in W [m].
   double distance = 1;                           ///< [m]
   double azimuth = 0;        ///< Azimuth of the eye seen from `to`, 0 on +x, positive to +y [rad].
   double elevation = 0;      ///< Elevation of the eye seen from `to` [rad].
