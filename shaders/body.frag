@@ -1,4 +1,4 @@
-// Own colour above the water, the pressure's colour below; they meet where the depth is zero.
+// The body's own colour above the water and the colour of its pressure below; they meet at depth 0.
 
 uniform vec3 u_color;
 uniform sampler2D u_scale;      // colours of the pressure scale, from low to high
@@ -6,10 +6,10 @@ uniform float u_pressure_min;   // [Pa]
 uniform float u_pressure_range; // [Pa]
 uniform float u_weight;         // rho g [Pa/m]
 uniform float u_drag_front;     // rho C_p / 2 where the surface moves into the water [Pa s^2/m^2]
-uniform float u_drag_back;      // the same where it moves out of it
-uniform float u_flat_depth;     // steps of depth below this are rounding [m]
-uniform float u_line_width;     // of the waterline [px]
-uniform bool u_bold;            // the waterline is to be seen first
+uniform float u_drag_back;      // rho C_p / 2 where it moves out of the water [Pa s^2/m^2]
+uniform float u_flat_depth;     // change of depth per pixel below which it is rounding [m]
+uniform float u_line_width;     // width of the waterline [px]
+uniform bool u_bold;            // true: the waterline is bold
 
 const vec3 k_line = vec3(0.97, 0.99, 1.0);
 const vec3 k_bold_line = vec3(0.88, 0.05, 0.52);  // a hue that no pressure has
@@ -34,7 +34,7 @@ vec3 dry_color(vec3 normal, vec3 to_eye) {
   return u_color * matt_light(normal) * mix(0.45, 1.0, v_open) + 0.10 * rim * k_horizon + gloss;
 }
 
-// Only brightness is shaded, and less, so that a colour can be read off the scale.
+// Shading changes only the brightness, and little, so that a colour can be found on the scale.
 vec3 wet_color(vec3 normal) {
   float speed = dot(v_velocity, normal);
   float drag = speed > 0.0 ? u_drag_front : u_drag_back;
@@ -47,7 +47,7 @@ void main() {
   vec3 to_eye = -normalize(v_position_E);
   vec3 normal = normalize(v_normal);
   float slope = length(vec2(dFdx(v_depth), dFdy(v_depth)));
-  // A face that lies in the surface itself is dry, and no waterline.
+  // A face in the water surface itself is dry and has no waterline.
   bool level = slope < u_flat_depth;
   float depth_px = level ? v_depth / u_flat_depth - 8.0 : v_depth / slope;
   float wet = u_sea ? clamp(depth_px + 0.5, 0.0, 1.0) : 0.0;

@@ -1,13 +1,13 @@
-// A rigid body: B to E, with the velocity of its surface against the water.
+// Transforms a rigid body from B to E, with the velocity of its surface relative to the water.
 
 layout(location = 0) in vec3 a_position_B;
 layout(location = 1) in vec3 a_normal_B;
-layout(location = 2) in float a_depth;  // below the water surface [m]
+layout(location = 2) in float a_depth;  // depth below the water surface [m]
 layout(location = 3) in float a_open;   // share of the sky that the body itself does not hide
 
 uniform mat3 u_rotation;  // R_WB
 uniform vec3 u_position;  // p_EB [m]
-uniform vec3 u_velocity;  // of B's origin against the water, in W [m/s]
+uniform vec3 u_velocity;  // velocity of B's origin relative to the water, in W [m/s]
 uniform vec3 u_spin;      // angular velocity, in W [rad/s]
 
 out vec3 v_position_E;

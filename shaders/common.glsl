@@ -1,47 +1,47 @@
 // The view and the light, shared by all shaders; each is compiled after this file.
 //
 // Frame E: axes of the world, z up, origin in the camera's eye. Lengths in m. Colours are as
-// displayed (sRGB) and shading multiplies them, so that hues of the pressure scale stay what they are.
+// displayed (sRGB) and shading multiplies them, so that it keeps the hues of the pressure scale.
 
 uniform mat4 u_clip_from_E;
 uniform vec3 u_key_light;    // toward the main light, unit, over the camera's left shoulder
 uniform vec3 u_back_light;   // toward the light that glitters on the water, unit
-uniform float u_visibility;  // distance at which things pale into the air [m]
+uniform float u_visibility;  // distance at which objects fade into the air [m]
 uniform float u_murk;        // absorption of the water [1/m]
 uniform float u_level;       // z of the still water in E [m]
-uniform bool u_sea;          // there is water
-uniform bool u_under;        // the eye is under water
-uniform float u_grid;        // distance of the lines that show the scale of ground and water [m]
-uniform vec3 u_grid_shift;   // the eye's place in its cell of that grid [m]
+uniform bool u_sea;          // true: there is water
+uniform bool u_under;        // true: the eye is under water
+uniform float u_grid;        // spacing of the grid lines on ground and water [m]
+uniform vec3 u_grid_shift;   // the eye's position in its cell of that grid [m]
 
 const vec3 k_zenith = vec3(0.50, 0.69, 0.88);
 const vec3 k_horizon = vec3(0.90, 0.94, 0.965);
-const vec3 k_deep = vec3(0.14, 0.39, 0.51);     // of deep water seen from above
-const vec3 k_shallow = vec3(0.36, 0.62, 0.70);  // of water lit from above, seen from within
+const vec3 k_deep = vec3(0.14, 0.39, 0.51);     // deep water seen from above
+const vec3 k_shallow = vec3(0.36, 0.62, 0.70);  // water lit from above, seen from within
 
-// The sky in a direction; below the horizon what the eye would see far away.
+// Returns the colour of the sky in a direction, and that of the horizon below it.
 vec3 sky(vec3 direction) {
   float up = normalize(direction).z;
   return mix(k_horizon, k_zenith, pow(clamp(up * 1.6, 0.0, 1.0), 0.6));
 }
 
-// The water itself in a direction, for an eye under water.
+// Returns the colour of the water in a direction, for an eye under water.
 vec3 inner_water(vec3 direction) {
   return mix(k_deep, k_shallow, smoothstep(-0.7, 0.9, normalize(direction).z));
 }
 
-// A colour as it arrives at the eye from p_E, through air or water.
+// Returns a colour at p_E as it is seen by the eye through air or water.
 vec3 through_medium(vec3 color, vec3 p_E) {
   float distance = length(p_E);
   if (u_under) return mix(inner_water(p_E), color, exp(-0.5 * u_murk * distance));
   return mix(k_horizon, color, exp(-pow(distance / u_visibility, 1.5)));
 }
 
-// Place in the grid of lines, one unit a cell.
+// Returns coordinates in the grid of lines, one unit per cell.
 vec2 grid_cells(vec3 p_E) { return (p_E.xy + u_grid_shift.xy) / u_grid; }
 
-// 1 on a grid line, 0 off it: lines a pixel and a half wide, gone where cells are too small to see.
-// Takes the change of `cells` from one pixel to the next, right and up.
+// Returns 1 on a grid line, 0 off it. Lines are 1.5 pixels wide and fade out where cells are too
+// small. `right` and `up` are the changes of `cells` from one pixel to the next.
 float grid_line(vec2 cells, vec2 right, vec2 up) {
   vec2 per_pixel = max(vec2(length(vec2(right.x, up.x)), length(vec2(right.y, up.y))), 1e-6);
   vec2 off_line = abs(fract(cells - 0.5) - 0.5) / per_pixel;
@@ -49,7 +49,7 @@ float grid_line(vec2 cells, vec2 right, vec2 up) {
   return max(line.x, line.y);
 }
 
-// Light on a matt surface: about 1 where it faces the main light, never below 0.5.
+// Returns the light on a matt surface: about 1 where it faces the main light, never below 0.5.
 float matt_light(vec3 normal) {
   float sky_part = 0.5 + 0.5 * normal.z;
   float key = max(dot(normal, u_key_light), 0.0);

@@ -1,4 +1,4 @@
-// Sky above the horizon. Below it deep water where there is a sea, else an even, pale backdrop.
+// Sky above the horizon; below it deep water if there is a sea, else a pale backdrop.
 
 in vec3 v_ray;
 out vec4 o_color;
@@ -7,7 +7,7 @@ void main() {
   vec3 ray = normalize(v_ray);
   vec3 color = sky(ray);
   if (ray.z < 0.0) {
-    // Where the sea would be hit, so that it pales toward the horizon as the water does.
+    // The ray meets the sea here, so that deep water fades towards the horizon as the surface does.
     vec3 p_E = ray * max(-u_level, 0.0) / max(-ray.z, 1e-5);
     color = u_sea ? through_medium(k_deep, p_E) : mix(k_horizon, vec3(0.80, 0.83, 0.85), min(-1.5 * ray.z, 1.0));
   }

@@ -1,8 +1,8 @@
-// A triangle that covers the picture, behind everything.
+// A triangle that covers the picture behind all other objects.
 
 uniform vec3 u_forward;  // the ray through the middle of the picture
-uniform vec3 u_right;    // what it gains up to the right border
-uniform vec3 u_up;       // what it gains up to the upper border
+uniform vec3 u_right;    // change of the ray from there to the right border
+uniform vec3 u_up;       // change of the ray from there to the upper border
 
 out vec3 v_ray;
 

@@ -1,8 +1,8 @@
-// The water surface: what lies behind it is absorbed by the length of water on the way, and the sky
-// is reflected by Fresnel's law in the approximation of C. Schlick, An inexpensive BRDF model for
-// physically-based rendering, Eurographics 1994. Colours are premultiplied by their opacity.
+// The water surface. It absorbs light from behind according to the length of water on the way, and
+// reflects the sky by Fresnel's law in the approximation of C. Schlick, An inexpensive BRDF model
+// for physically-based rendering, Eurographics 1994. Colours are premultiplied by their opacity.
 
-uniform sampler2DMS u_depth;  // of what is behind the water
+uniform sampler2DMS u_depth;  // depth buffer of the objects behind the water
 uniform float u_near;         // [m]
 uniform float u_far;          // [m]
 
@@ -11,12 +11,12 @@ in vec2 v_slope;
 out vec4 o_color;
 
 const int k_samples = 4;
-const float k_most_reflected = 0.25;  // before bodies, for the same reason as the next
+const float k_most_reflected = 0.25;  // in front of bodies, so that their pressure stays legible
 const float k_most_tint = 0.42;  // on bodies, so that their pressure stays legible at any depth
 
-// Share of the light from behind that the water takes, averaged over those of the pixel's samples
-// that have a thing behind them. Where some have none, the backdrop there is deep water already, so
-// that outlines of things under water stay smooth.
+// Returns the share of the light from behind that the water absorbs, averaged over those samples of
+// the pixel that have an object behind them. Samples without an object show deep water already, so
+// that outlines under water stay smooth.
 float tint(float surface_depth, float stretch) {
   float sum = 0.0;
   float count = 0.0;
@@ -33,7 +33,7 @@ float tint(float surface_depth, float stretch) {
 
 float fresnel(float cosine) { return 0.02 + 0.98 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }
 
-// Seen from above.
+// Returns the colour seen from above.
 vec4 upper_side(vec3 normal, vec3 to_eye) {
   float surface_depth = 1.0 / gl_FragCoord.w;
   float body = tint(surface_depth, length(v_position_E) / surface_depth);
@@ -50,7 +50,7 @@ vec4 upper_side(vec3 normal, vec3 to_eye) {
   return mix(vec4(color, 1.0 - (1.0 - body) * (1.0 - reflected)), vec4(1.0), line);
 }
 
-// Seen from within: a mirror of the deep outside Snell's window.
+// Returns the colour seen from below: the deep water is reflected outside Snell's window.
 vec4 lower_side(vec3 normal, vec3 to_eye) {
   float cosine = clamp(-dot(normal, to_eye), 0.0, 1.0);
   float mirror = 1.0 - smoothstep(0.55, 0.8, cosine);

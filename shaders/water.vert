@@ -1,7 +1,7 @@
 // The water surface, given in E.
 
 layout(location = 0) in vec3 a_position_E;
-layout(location = 1) in vec2 a_slope;  // of the height along x and y
+layout(location = 1) in vec2 a_slope;  // slopes of the height along x and y
 
 out vec3 v_position_E;
 out vec2 v_slope;

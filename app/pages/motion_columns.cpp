@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-/// Angles without the jumps by a whole turn [deg].
+/// Removes the jumps by a whole turn from a series of angles [deg].
 void unwrap(std::vector<double>& degrees) {
   constexpr double kTurn = 360;
   for (std::size_t i = 1; i < degrees.size(); ++i)

@@ -6,14 +6,15 @@
 #include "app/logs/trajectory.h"
 
 /// @file
-/// The motion of a body as columns of numbers, for plots.
+/// Motion of a body as columns of numbers, for plots.
 
 namespace app {
 
 /// x y z [m], roll pitch yaw [deg], vx vy vz [m/s], wx wy wz [rad/s].
 const std::vector<std::string>& motion_columns();
 
-/// The columns of motion_columns() of a track; angles go on beyond a half turn.
+/// Returns the columns named by motion_columns() for a track; angles are unwrapped, without jumps
+/// at ±180°.
 std::vector<std::vector<double>> motion_of(const BodyTrack& track);
 
 }  // namespace app

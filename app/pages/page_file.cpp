@@ -12,10 +12,10 @@
 namespace app {
 namespace {
 
-/// Stands in a page where the data belong.
+/// Placeholder for the data in a page.
 constexpr std::string_view kDataMark = "@PLIMSOLL_DATA@";
 
-/// JSON that may stand in a script element: nothing in it ends the element.
+/// Returns JSON that is safe in a script element: nothing in it ends the element.
 std::string script_text(const nlohmann::ordered_json& data) {
   const std::string json =
       data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

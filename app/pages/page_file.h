@@ -5,17 +5,17 @@
 #include <string>
 
 /// @file
-/// The pages that the build bundles, and how data get into them.
+/// Pages that the build bundles, and their filling with data.
 
 namespace app {
 
 inline constexpr const char* kRunPage = "page.html";
 inline constexpr const char* kComparisonPage = "comparison.html";
 
-/// A page without data. @throws InputError if the build has made none.
+/// Returns a page without data. @throws InputError if the build has made none.
 std::string empty_page(const std::string& name);
 
-/// Writes an empty page with the data in their place. @return its file and size, to be said.
+/// Writes a page with the data filled in. @return its file and size as text for the user.
 std::string write_page(const std::filesystem::path& file, std::string page,
                        const nlohmann::ordered_json& data);
 

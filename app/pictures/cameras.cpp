@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the body that the camera follows.
+/// Displacement from its start of the body that the camera follows [m, W].
 Vector3d displacement(const scene::Camera& camera, const engine::SimulationSpec& spec,
                       const Shot& shot) {
   if (camera.follow.empty()) return Vector3d::Zero();

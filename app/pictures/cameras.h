@@ -8,17 +8,17 @@
 #include "engine/spec.h"
 
 /// @file
-/// Where the cameras of a scene are.
+/// Cameras of a scene.
 
 namespace app {
 
-/// Those that draw: `cameras`, or else `camera` alone. A single one has no name, since its files
+/// Returns the scene's `cameras`, or else its `camera` alone, which has no name since its files
 /// need none.
 std::vector<scene::Camera> cameras_of(const scene::Render& render);
 
-/// The view at a time. A camera that follows a body has moved by as much as the body's centre of
-/// mass has from where it starts; one that orbits has turned about the vertical through the point
-/// it looks at.
+/// Returns a camera at the time of a shot. A camera that follows a body is displaced as far as the
+/// body's centre of mass from its start; an orbiting camera turns about the vertical through the
+/// point it looks at.
 render::Camera camera_at(const scene::Camera& camera, const engine::SimulationSpec& spec,
                          const Shot& shot);
 

@@ -15,10 +15,10 @@ namespace {
 using Eigen::Vector3d;
 using render::Rgb;
 
-/// Longest arrow, as a part of the picture's height.
+/// Length of the longest arrow as a fraction of the picture's height.
 constexpr double kLongest = 0.2;
 
-/// Forces of less than this part of the largest are left out.
+/// Smallest force that is drawn, as a fraction of the largest.
 constexpr double kShortest = 2e-3;
 
 const char* const kBuoyancy = "buoyancy";
@@ -42,12 +42,12 @@ std::array<NamedForce, 5> forces_on(const engine::BodySpec& body, const hydro::H
            {"lift", {20, 140, 60}, loads.lift}}};
 }
 
-/// The point nearest to the centre of mass on the line that a force acts along.
+/// Returns the point on the line of action of a force that is nearest to the centre of mass.
 Vector3d point_on_line(const hydro::Wrench& wrench) {
   return wrench.force.cross(wrench.moment) / wrench.force.squaredNorm();
 }
 
-/// 1, 2 or 5 times a power of ten, not more than `value`.
+/// Returns the largest of 1, 2, 5 times a power of ten that is at most `value`.
 double round_down(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double factor : {5.0, 2.0})

@@ -22,7 +22,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-/// And the folder, if it held nothing else.
+/// Removes the frames in a folder, and the folder if it is then empty.
 void remove_frames(const fs::path& folder) {
   for (const fs::path& file : entries_of(folder))
     if (is_png(file, "frame_")) fs::remove(file);

@@ -5,19 +5,19 @@
 #include <string>
 
 /// @file
-/// The pictures in the folder of a run. `camera` is the name of one of several cameras; empty where
-/// there is one.
+/// Files of the pictures of a run. `camera` is the name of one of several cameras, or empty if
+/// there is only one.
 
 namespace app {
 
-/// FOLDER/frames/frame_0000.png, FOLDER/frames/CAMERA/frame_0000.png: by its number, from 0.
+/// FOLDER/frames/frame_0000.png or FOLDER/frames/CAMERA/frame_0000.png, numbered from 0.
 std::filesystem::path frame_file(const std::filesystem::path& folder, const std::string& camera,
                                  std::size_t number);
 
-/// FOLDER/sheet.png, FOLDER/sheet_CAMERA.png.
+/// FOLDER/sheet.png or FOLDER/sheet_CAMERA.png.
 std::filesystem::path sheet_file(const std::filesystem::path& folder, const std::string& camera);
 
-/// drop.mp4, drop-CAMERA.mp4.
+/// drop.mp4 or drop-CAMERA.mp4.
 std::filesystem::path video_file(const std::filesystem::path& file, const std::string& camera);
 
 /// Removes the frames and the sheets that an earlier run left in a folder.

@@ -25,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pictures that may wait to be labelled and written; each takes width · height · 3 bytes.
+/// Largest number of pictures that wait to be annotated and written; each takes width · height · 3
+/// bytes.
 constexpr std::size_t kMostWaiting = 2;
 
 /// The pictures of a scene, drawn by one camera after the other.
@@ -64,7 +65,7 @@ class Drawing {
     return first;
   }
 
-  /// Empty ones for the frames of each camera.
+  /// Makes an empty folder for the frames of each camera.
   void make_folders() const {
     remove_pictures(target_.folder);
     for (const scene::Camera& camera : cameras_) {
@@ -109,7 +110,7 @@ class Drawing {
     finishing.finish();
   }
 
-  /// None where no shot is for it.
+  /// Starts the video of a camera; none if no shot belongs to a video.
   std::optional<Video> video_of(const scene::Camera& camera) {
     if (shots_.of_video() == 0) return std::nullopt;
     const VideoShape shape = {.width = look_.size[0],

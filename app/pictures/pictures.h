@@ -20,38 +20,38 @@ struct VideoReport {
   int fps = 0;
 };
 
-/// How the pictures came about.
+/// Account of the pictures that were drawn.
 struct PictureReport {
-  std::string device;                     ///< What drew them.
-  int frames = 0;                         ///< In `frames/`, of all cameras.
-  bool complete = false;                  ///< Not stopped before the last picture.
+  std::string device;                     ///< Graphics device.
+  int frames = 0;                         ///< Number of pictures in `frames/`, of all cameras.
+  bool complete = false;                  ///< True: the last picture was drawn.
   double pressure_max = 0;                ///< Upper end of the colour scale [Pa].
-  std::vector<std::string> cameras = {};  ///< Names, where there are several.
+  std::vector<std::string> cameras = {};  ///< Names, if there are several.
   std::vector<VideoReport> videos = {};
 };
 
-/// Where pictures go.
+/// Files to which pictures are written.
 struct PictureTarget {
   std::filesystem::path folder;
   VideoOptions video;
 };
 
-/// Told after each picture; returns false to stop there.
+/// Called after each picture; returns false to stop drawing.
 using PictureProgress = std::function<bool(int done, int all)>;
 
-/// Draws the shots by one camera after the other: frames and the figure of them all to the folder,
-/// by the names of picture_files.h, and the video. Pictures of an earlier sequence are removed. A
-/// video that is stopped has what was drawn; one that cannot be written is not there. Only for
-/// scenes with a render block.
+/// Draws the shots by one camera after the other and writes frames, contact sheet and video to the
+/// files of picture_files.h. Pictures of an earlier sequence are removed. A stopped video holds the
+/// pictures drawn so far; a video that cannot be written leaves no file. The scene must have a
+/// render block.
 /// @throws render::Error, OutputError
 PictureReport draw_pictures(const scene::Scene& scene, const assembly::BuiltScene& built,
                             const ShotSpool& shots, const PictureTarget& target,
                             const PictureProgress& progress);
 
-/// What there is to say of the videos, a line each.
+/// Returns one line of text for each video.
 std::vector<std::string> videos_made(const PictureReport& report);
 
-/// How a scene with a render block looks, but for the camera.
+/// Returns the render settings of a scene with a render block, without the camera.
 render::SceneDescription picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
                                     const render::PressureScale& scale);
 

@@ -10,7 +10,8 @@
 namespace app {
 namespace {
 
-/// Pressure drag counts with each face's own normal, so that flat sides show one pressure.
+/// Includes a body's pressures. Pressure drag uses the normals of faces, so that flat sides have
+/// one pressure.
 void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
                   const hydro::Sea& sea, double time, scene::ShownPressure shows,
                   PressureRange& range) {
@@ -67,8 +68,8 @@ render::Pressure shown_pressure(scene::ShownPressure shows) {
   throw std::logic_error("unknown part of the pressure");
 }
 
-/// The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten, away from zero: an end for
-/// a scale.
+/// Rounds an end of a scale away from zero to 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of
+/// ten.
 double rounded_out(double value) {
   if (value == 0) return 0;
   const double size = std::abs(value);
@@ -95,7 +96,7 @@ PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& sho
 }
 
 render::PressureScale pressure_scale(const scene::Render& look, const PressureRange& range) {
-  constexpr double kLeastSpan = 1;  // [Pa], for scenes in which nothing gets wet
+  constexpr double kLeastSpan = 1;  // smallest range [Pa], for scenes in which nothing gets wet
   const double lowest = look.pressure_min ? *look.pressure_min : rounded_out(range.lowest);
   const double highest = range.highest > lowest + kLeastSpan ? rounded_out(range.highest)
                                                              : std::max(lowest + 1000, 0.0);

@@ -6,7 +6,7 @@
 #include "engine/spec.h"
 
 /// @file
-/// The ends of a pressure scale that suits a sequence of pictures.
+/// Ends of a pressure scale for a sequence of pictures.
 
 namespace app {
 
@@ -16,14 +16,14 @@ struct PressureRange {
   void include(double pressure);
 };
 
-/// Over the bodies' wetted vertices, and 0.
+/// Returns the range of pressures over the bodies' wetted vertices, with 0 included.
 PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
                              scene::ShownPressure shows);
 
-/// The scale that a scene asks for; ends that are to be found hold the range, at round values.
+/// Returns the scale that a scene asks for. Automatic ends are round values that enclose the range.
 render::PressureScale pressure_scale(const scene::Render& look, const PressureRange& range);
 
-/// The same, over all shots.
+/// Returns the scale for the pressures in all shots.
 render::PressureScale pressure_scale(const scene::Render& look, const engine::SimulationSpec& spec,
                                      const ShotSpool& shots);
 

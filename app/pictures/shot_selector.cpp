@@ -24,7 +24,8 @@ void ShotSelector::resume(double time, const std::vector<hydro::BodyState>& stat
   shots_ = std::move(shots);
 }
 
-/// Those before this time. @return true if one is due at it.
+/// Adds the shots of the video that are due before `time` [s]. @return true if one is due at
+/// `time`.
 bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodyState>& states) {
   for (;; ++next_) {
     const double due = static_cast<double>(next_) / fps_;

@@ -9,30 +9,30 @@
 
 namespace app {
 
-/// Chooses from the states of a run those that are drawn: for frames the first state at or after
-/// each time that is due, for a video the states at its times, found between those of the run.
+/// Selects the states of a run that are drawn: for frames the first state at or after each due
+/// time, for a video states interpolated at its times.
 class ShotSelector {
  public:
-  /// @param every   Between frames [s].
-  /// @param end     No picture is of it or later [s].
-  /// @param fps     Pictures of the video in a second; 0: there is none.
+  /// @param every   Time between frames [s].
+  /// @param end     Time before which all pictures lie [s].
+  /// @param fps     Pictures of the video per second; 0: no video.
   ShotSelector(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
 
-  /// Keeps the shots in that store from the start.
+  /// Stores the shots in `shots`, to be called before the first state.
   void keep_in(ShotSpool shots) { shots_ = std::move(shots); }
-  /// Goes on after a run's state at `time`, with the shots that it had kept until then.
+  /// Continues after a run's state at `time` with the shots stored until then.
   void resume(double time, const std::vector<hydro::BodyState>& states, ShotSpool shots);
-  /// As ShotSpool::save.
+  /// Flushes the shots to the disk. @throws OutputError
   void save() { shots_.save(); }
 
-  /// To be told of all states in the order of time. @throws OutputError
+  /// Takes the run's next state; times must increase. @throws OutputError
   void add(double time, const std::vector<hydro::BodyState>& states);
 
-  /// In the order of time.
+  /// Returns the shots in the order of time.
   const ShotSpool& shots() const { return shots_; }
 
  private:
-  /// The rounding of step·count, for times of the video [s].
+  /// Tolerance for the rounding of step·count at times of the video [s].
   double slack() const { return 1e-6 / fps_; }
   bool add_video_shots(double time, const std::vector<hydro::BodyState>& states);
   void add_between(double due, double time, const std::vector<hydro::BodyState>& states);
@@ -42,7 +42,7 @@ class ShotSelector {
   int fps_;
   long next_ = 0;  ///< Number of the video's next picture.
   double last_time_ = 0;
-  std::vector<hydro::BodyState> last_;  ///< For a video only.
+  std::vector<hydro::BodyState> last_;  ///< States at `last_time_`, for a video only.
   ShotSpool shots_;
 };
 

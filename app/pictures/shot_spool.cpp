@@ -22,7 +22,8 @@ constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
   throw OutputError(fmt::format("{} the states to be drawn: {}", what, std::strerror(errno)));
 }
 
-/// Numbers of a shot: its time, whether it is a frame and of the video, and the states.
+/// Returns the count of numbers in a shot: the time, the flags for frames and video, and the
+/// states.
 std::size_t numbers_in(std::size_t bodies) { return 3 + bodies * kStateSize; }
 
 }  // namespace

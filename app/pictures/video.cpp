@@ -15,21 +15,21 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// Colours as high-definition players take them where nothing else is said.
+/// Colour space that players assume for high-definition video without a statement of its own.
 const Words kColors = {"-colorspace", "bt709", "-color_primaries", "bt709",
                        "-color_trc",  "bt709", "-color_range",     "tv"};
 const char* const kToVideoColors = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
 
-/// A palette a picture: one for all would need all pictures at once.
+/// Each picture gets its own palette: a common one would need all pictures at once.
 const char* const kPalettes =
     "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1";
 
 struct VideoFormat {
   std::string ending;
   std::string filters;
-  bool even;         ///< Width and height must be.
+  bool even;         ///< True: width and height must be even.
   Words encoder;     ///< Options for ffmpeg.
-  Words file_forms;  ///< Options that only a file has.
+  Words file_forms;  ///< Options that apply only to output into a file.
 };
 
 const std::vector<VideoFormat>& formats() {
@@ -68,7 +68,7 @@ void append(Words& words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
 }
 
-/// What ffmpeg is told but for where the video goes.
+/// Returns the arguments of ffmpeg without the output.
 Words encoding(const VideoFormat& format, const VideoShape& shape) {
   Words words = {"-hide_banner", "-loglevel", "error", "-nostdin"};
   append(words, {"-f", "rawvideo", "-pixel_format", "rgb24"});
@@ -88,7 +88,7 @@ Words to_file(const VideoFormat& format, const VideoShape& shape, const std::str
   return words;
 }
 
-/// The last of its lines that says why.
+/// Returns the last line of the encoder's messages that gives a reason.
 std::string reason(const PipedProgram& encoder) {
   Words lines = encoder.messages();
   while (lines.size() > 1 && lines.back().starts_with("Conversion failed")) lines.pop_back();

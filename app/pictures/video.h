@@ -10,47 +10,47 @@
 #include "app/render/image.h"
 
 /// @file
-/// Videos of a run's pictures, made by the ffmpeg program beside it: .mp4 (H.264), .webm (VP9) and
+/// Videos of a run's pictures, encoded by a separate ffmpeg process: .mp4 (H.264), .webm (VP9) and
 /// .gif.
 
 namespace app {
 
-/// What the command line asks for.
+/// Video that the command line asks for.
 struct VideoOptions {
-  std::filesystem::path file;  ///< Empty: no video. That of one of several cameras: video_file.
-  int fps = 25;                ///< Pictures in a second.
+  std::filesystem::path file;  ///< Empty: no video. With several cameras see video_file.
+  int fps = 25;                ///< Pictures per second.
 
   bool wanted() const { return !file.empty(); }
-  /// Pictures in a second of simulated time; 0 without a video.
+  /// Returns the pictures per second of simulated time; 0 without a video.
   int pictures_a_second() const { return wanted() ? fps : 0; }
 };
 
-/// What an encoder must know of the pictures.
+/// Properties of the pictures that an encoder must know.
 struct VideoShape {
   int width = 0;
   int height = 0;
   int fps = 25;
-  int threads = 1;  ///< That it may use.
+  int threads = 1;  ///< Threads that the encoder may use.
 };
 
-/// The ending of a name, in small letters: `.mp4`.
+/// Returns the extension of a file in lower case: `.mp4`.
 std::string video_ending(const std::filesystem::path& file);
-/// Those of videos that can be made.
+/// Returns the extensions of the supported video formats.
 std::vector<std::string> video_endings();
 
-/// A video that is being made, in a file beside its own until it is done: what is not done leaves
-/// nothing.
+/// A video that is being encoded, in a temporary file until it is complete. An incomplete video
+/// leaves no file.
 class Video {
  public:
-  /// Starts the encoder. @param file   With one of the endings.
-  /// @throws std::runtime_error if that is not possible
+  /// Starts the encoder. @param file   Video with one of the extensions.
+  /// @throws std::runtime_error if it cannot be started
   Video(const std::filesystem::path& file, const VideoShape& shape);
 
-  /// The next picture. It may wait for the encoder, and is not kept.
-  /// @throws OutputError with what the encoder says
+  /// Encodes the next picture; may wait for the encoder.
+  /// @throws OutputError with the encoder's message
   void add(const render::Image& picture);
 
-  /// Puts the video in its place. @throws OutputError with what the encoder says
+  /// Completes the video under its own name. @throws OutputError with the encoder's message
   void finish();
 
  private:
@@ -61,7 +61,7 @@ class Video {
   PipedProgram encoder_;
 };
 
-/// What keeps the encoder from making a video of one blank picture; empty if nothing does.
+/// Returns why the encoder cannot make a video of one blank picture; empty if it can.
 std::string encoder_fault(const std::filesystem::path& file, const VideoShape& shape);
 
 }  // namespace app

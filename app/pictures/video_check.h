@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// Whether a video can be made, before anything is run for it: of its name, its folder, and of the
-/// encoder, which is tried with one picture. Does nothing if none is wanted.
-/// @param out   A folder that will be there.
+/// Checks before a run that its video can be made: its name, its folder and the encoder, which is
+/// tried with one picture. Does nothing if no video is wanted.
+/// @param out   Output folder, which the run will create.
 /// @throws InputError
 void check_video(const VideoOptions& video, const scene::Render& render,
                  const std::filesystem::path& out, int threads);

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Of paper around what is drawn, so that it shows on any ground [px].
+/// Width of the pale outline that makes arrows and marks visible on any background [px].
 constexpr double kHalo = 1.5;
 
 /// Unit of lengths on a picture that is too small for text [px].
@@ -37,8 +37,8 @@ double distance_to_triangle(const Vector2d& p, const Vector2d (&corner)[3]) {
   return left || right ? -edge : edge;
 }
 
-/// Mixes a color into the pixels of a box by how much of them a shape covers.
-/// @param distance   From a place to the shape, negative inside [px].
+/// Mixes a colour into the pixels of a box, weighted by the part of each pixel that a shape covers.
+/// @param distance   Distance of a point from the shape, negative inside [px].
 template <class Distance>
 void fill_shape(Image& image, Vector2d low, Vector2d high, Rgb color, double weight,
                 Distance&& distance) {
@@ -54,7 +54,7 @@ void fill_shape(Image& image, Vector2d low, Vector2d high, Rgb color, double wei
     }
 }
 
-/// A shaft and a head that is not longer than the arrow.
+/// Draws a shaft and a head that is at most as long as the arrow.
 void draw_arrow(Image& image, const Vector2d& from, const Vector2d& to, double size, Rgb color) {
   const double length = (to - from).norm();
   if (length < 1) return;
@@ -80,7 +80,7 @@ void draw_mark(Image& image, const Vector2d& at, const Mark& mark, double size, 
   };
   fill_shape(image, at - reach, at + reach, kPaper, 0.9, disc(radius + kHalo));
   fill_shape(image, at - reach, at + reach, mark.color, 1, disc(radius));
-  // Quarters, as centres of gravity are drawn.
+  // Two pale quarters make the symbol of a centre of gravity.
   fill_shape(image, at - reach, at + reach, kPaper, 1, [&](const Vector2d& p) {
     const Vector2d d = p - at;
     return std::max(d.norm() - radius + 1.2, -d.x() * d.y() > 0 ? -0.5 : 0.5);

@@ -9,7 +9,7 @@
 #include "app/render/view.h"
 
 /// @file
-/// Arrows and marks put on a finished picture at places of the world. Nothing hides them.
+/// Arrows and marks drawn over a finished picture at points of the world. Bodies never hide them.
 
 namespace render {
 
@@ -37,22 +37,23 @@ struct Annotations {
   std::vector<Arrow> arrows;
   std::vector<Mark> marks;
   std::vector<LegendLine> legend;
-  double scale_length = 0;  ///< Of the arrow that the legend shows [m], at the point looked at.
-  std::string scale_name;   ///< What that arrow stands for.
+  double scale_length = 0;  ///< Length of the legend's arrow at the point looked at [m].
+  std::string scale_name;   ///< Label of that arrow.
 };
 
-/// Where a point is in a picture [px from its upper left corner]; none for one behind the eye.
+/// Returns the position of a point in a picture [px from the upper left corner]; none for a point
+/// behind the eye.
 std::optional<Eigen::Vector2d> pixel_of(const View& view, const Image& image,
                                         const Eigen::Vector3d& p_W);
 
-/// A line with round ends, antialiased; lengths in pixels.
+/// Draws an antialiased line with round ends; lengths in pixels.
 void draw_line(Image& image, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
                Rgb color, double weight = 1);
 
-/// Draws arrows and marks. @param view   That the picture was drawn from.
+/// Draws arrows and marks. @param view   View that the picture was drawn from.
 void annotate(Image& image, const View& view, const Annotations& notes);
 
-/// Draws the legend, lower left. A picture that is too small for text has none.
+/// Draws the legend at the lower left. A picture that is too small for text gets none.
 void add_legend(Image& image, const View& view, const Annotations& notes);
 
 }  // namespace render

@@ -22,7 +22,7 @@ constexpr Polynomial kBlue = {0.10667330,   12.64194608,  -60.58204836,
 constexpr double kTurboFirst = 0.09;
 constexpr double kTurboLast = 0.92;
 
-// Colours at even distances, 0xRRGGBB.
+// Colours at equal intervals, 0xRRGGBB.
 constexpr std::array kViridis = {
     0x440154, 0x470d60, 0x48186a, 0x482374, 0x472d7b, 0x453781, 0x424086, 0x3e4989, 0x3b528b,
     0x375b8d, 0x33638d, 0x2f6b8e, 0x2c728e, 0x297a8e, 0x26828e, 0x23898e, 0x21918c, 0x1f988b,
@@ -71,7 +71,7 @@ Colors through(std::span<const int> stations) {
   return colors;
 }
 
-/// The largest of 1, 2, 5 times a power of ten that divides `range` in at least three.
+/// Returns the largest of 1, 2, 5 times a power of ten that fits into `range` at least three times.
 double round_step(double range) {
   const double power = std::pow(10.0, std::floor(std::log10(range / 3)));
   for (const double factor : {5.0, 2.0})
@@ -90,7 +90,7 @@ const std::vector<std::pair<std::string, ColorMap>>& color_maps() {
 }
 
 const std::array<Rgb, kScaleColors>& scale_colors(ColorMap map) {
-  // In the order of ColorMap.
+  // The maps are in the order of ColorMap.
   static const std::array<Colors, 6> all = {turbo(),           through(kViridis),
                                             through(kCividis), through(kCoolwarm),
                                             through(kGray),    through(kThesis)};
@@ -118,7 +118,7 @@ std::string scale_name(Pressure shows) {
 std::vector<Tick> round_ticks(const PressureScale& scale) {
   const double low = scale.min / 1000, range = (scale.max - scale.min) / 1000;
   const double step = round_step(range);
-  // Half a thousandth of a step lets an end that is itself round keep its tick.
+  // A tolerance of 1/2000 of a step keeps the tick of a round end despite rounding.
   const double slack = 5e-4;
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   std::vector<Tick> ticks;

@@ -9,13 +9,13 @@
 
 namespace render {
 
-/// Colours from a low to a high end.
+/// Colour maps, from low to high values.
 ///
 /// - `turbo`: blue, cyan, green, yellow, red; the part from 0.09 to 0.92 of Turbo [M19], whose hue
 ///   runs one way and whose lightness has no false edges. Its near-black ends are cut, since they
 ///   would not show shape.
 /// - `viridis`, `cividis`: even in lightness, also for colour-blind eyes [vdW15, N18].
-/// - `coolwarm`: blue to red over a pale middle [M09], for what may be negative.
+/// - `coolwarm`: blue to red over a pale middle [M09], for values of both signs.
 /// - `gray`: dark to light.
 /// - `thesis`: blue, cyan, green, yellow, red, fully saturated, as the gradient that the project's
 ///   method was first shown with.
@@ -28,13 +28,14 @@ namespace render {
 /// [M09]   K. Moreland, Diverging color maps for scientific visualization, ISVC 2009.
 enum class ColorMap { turbo, viridis, cividis, coolwarm, gray, thesis };
 
-/// All of them by their names.
+/// Returns all colour maps with their names.
 const std::vector<std::pair<std::string, ColorMap>>& color_maps();
 
-/// What is shown of the gauge pressure on a wetted surface: ρ g h, ½ ρ C_p v_n |v_n|, or both.
+/// Part of the gauge pressure on a wetted surface that is shown: ρ g h, ½ ρ C_p v_n |v_n|, or their
+/// sum.
 enum class Pressure { total, hydrostatic, dynamic };
 
-/// Its ends are in Pa.
+/// A pressure scale and its ends [Pa].
 struct PressureScale {
   double min = 0;
   double max = 1;
@@ -42,24 +43,24 @@ struct PressureScale {
   Pressure shows = Pressure::total;
 };
 
-/// Of what a scale shows, for a figure; the unit is left out.
+/// Returns the name of the pressure that a scale shows, without the unit.
 std::string scale_name(Pressure shows);
 
-/// Number of colours that a scale is made of.
+/// Number of colours in a scale.
 inline constexpr int kScaleColors = 256;
 
 const std::array<Rgb, kScaleColors>& scale_colors(ColorMap map = ColorMap::turbo);
 
-/// The colour of a pressure [Pa]; beyond the ends the ends' colours hold.
+/// Returns the colour of a pressure [Pa], which is clamped to the ends of the scale.
 Rgb scale_color(const PressureScale& scale, double pressure);
 
 /// A mark on the scale.
 struct Tick {
   double place = 0;   ///< 0 at the low end, 1 at the high end.
-  std::string label;  ///< In kPa, without the unit.
+  std::string label;  ///< Value in kPa, without the unit.
 };
 
-/// Ticks at round values of kPa (1, 2 or 5 times a power of ten apart), between three and eight.
+/// Returns three to eight ticks at round values in kPa, 1, 2 or 5 times a power of ten apart.
 std::vector<Tick> round_ticks(const PressureScale& scale);
 
 }  // namespace render

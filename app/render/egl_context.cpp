@@ -50,7 +50,7 @@ void load_extension(const Egl& egl, Function& function, const char* name) {
 }
 
 Egl load_egl() {
-  // Never closed: drivers leave threads and exit handlers behind.
+  // The library is never closed, since drivers leave threads and exit handlers behind.
   void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   if (!library) throw Error(fmt::format("no graphics library ({}); {}", dlerror(), kAdvice));
   Egl egl;
@@ -112,21 +112,21 @@ bool has_word(const char* words, std::string_view word) {
   return words && fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
 }
 
-/// Mesa's own reading of the variable: anything but an explicit no.
+/// Reads the variable as Mesa does: anything but an explicit no counts as yes.
 bool software_only() {
   const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
   const std::string_view text = value ? value : "";
   return !(text.empty() || text == "0" || text == "false" || text == "no" || text == "n");
 }
 
-/// A way to a display that may or may not work.
+/// A display that may or may not work.
 struct Candidate {
   std::string name;
   EGLenum platform = 0;  ///< 0: the default display.
   void* native = nullptr;
 };
 
-/// Graphics processors before software rasterisers.
+/// Returns the devices, graphics processors before software rasterisers.
 std::vector<Candidate> device_candidates() {
   const Egl& e = egl();
   if (!e.QueryDevices || !e.QueryDeviceString || !e.GetPlatformDisplay) return {};
@@ -186,7 +186,7 @@ void make_current_or_throw(const DisplayAndContext& c) {
     throw Error(last_error());
 }
 
-/// A display is never terminated: it is the process's own, shared by all contexts on its device.
+/// Opens a candidate. Its display is never terminated, since all contexts on the device share it.
 DisplayAndContext open(const Candidate& candidate) {
   DisplayAndContext c;
   c.display = candidate.platform

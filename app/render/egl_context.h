@@ -9,19 +9,19 @@ namespace render {
 /// An OpenGL 3.3 core context without window or surface.
 ///
 /// Devices are tried in this order: graphics processors, software rasterisers, Mesa's surfaceless
-/// platform, the default display; the first that gives a context is taken. With
+/// platform, the default display; the first that yields a context is used. With
 /// LIBGL_ALWAYS_SOFTWARE=1 in the environment graphics processors are not tried.
 class EglContext {
  public:
   /// Makes the new context current. @throws Error with the reason of every device that failed and
   /// the packages to install.
   EglContext();
-  /// Frees the context and with it all that was made in it.
+  /// Destroys the context and all objects in it.
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  /// Directs the calls of this thread to this context. @throws Error
+  /// Makes the context current in this thread. @throws Error
   void make_current() const;
 
   const GlFunctions& gl() const { return gl_; }

@@ -5,8 +5,8 @@
 
 namespace render {
 
-/// The canvas that pictures are drawn on: four samples a pixel, colour and depth, with a
-/// copy of the depth that shaders can read. The context it is made in must be current when it goes.
+/// Framebuffer with colour and depth, four samples a pixel, and a copy of the depth that shaders
+/// can read. Its context must be current when it is destroyed.
 class Framebuffer {
  public:
   static constexpr int kSamples = 4;
@@ -17,14 +17,14 @@ class Framebuffer {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
-  /// Directs drawing here and empties the depth.
+  /// Binds the framebuffer and clears its colour and depth.
   void begin() const;
 
   /// Copies the depth drawn so far to the texture that `depth_copy` names (a sampler2DMS).
   void copy_depth() const;
   GLuint depth_copy() const { return depth_copy_; }
 
-  /// The finished picture, samples averaged.
+  /// Returns the finished picture with its samples averaged.
   Image read() const;
 
  private:

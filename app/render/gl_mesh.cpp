@@ -23,7 +23,7 @@ GlMesh::~GlMesh() {
   if (!gl_) return;
   gl_->DeleteVertexArrays(1, &array_);
   gl_->DeleteBuffers(1, &indices_);
-  gl_->DeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());  // Passes over zeros.
+  gl_->DeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());  // Zeros are ignored.
 }
 
 void GlMesh::swap(GlMesh& other) noexcept {

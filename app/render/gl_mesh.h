@@ -7,11 +7,11 @@
 
 namespace render {
 
-/// Indexed triangles or lines on the graphics device. Goes with the context it is made in, which
-/// must be current when it goes before.
+/// Indexed triangles or lines on the graphics device. Its context must be current when the mesh is
+/// destroyed.
 class GlMesh {
  public:
-  /// @param elements   3×T or 2×L, vertex numbers, in the order in which they are drawn.
+  /// @param elements   Vertex indices of triangles (3×T) or lines (2×L), in drawing order.
   GlMesh(const GlFunctions& gl, const Eigen::Ref<const Eigen::MatrixXi>& elements);
   ~GlMesh();
   GlMesh(GlMesh&& other) noexcept { swap(other); }
@@ -20,8 +20,8 @@ class GlMesh {
     return *this;
   }
 
-  /// Sets vertex attribute `location`: a column a vertex, 1 to 4 rows. May be called for each
-  /// picture; the number of columns stays the same.
+  /// Sets vertex attribute `location` from one column per vertex with 1 to 4 rows. The values may
+  /// change between pictures, the number of columns may not.
   void set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& values);
 
   void draw() const;

@@ -8,16 +8,16 @@
 
 namespace render {
 
-/// A vertex and a fragment shader, linked. Lives as long as the context it is made in.
+/// A linked vertex and fragment shader. It is destroyed with its context.
 class GlProgram {
  public:
   /// Compiles `name.vert` and `name.frag` of a folder, each after the folder's `common.glsl`.
-  /// @throws Error for a file that cannot be read, or `shaders/name.frag:LINE: …` with what the
-  ///         compiler says.
+  /// @throws Error if a file cannot be read, or `shaders/name.frag:LINE: …` with the compiler's
+  ///     message.
   GlProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& name);
 
   /// Makes the program current; `set` works on the current program. A uniform that the shaders do
-  /// not use is passed over, so that all programs can be given the same view.
+  /// not use is ignored, so that all programs can be given the same view.
   void use() const;
   void set(const char* uniform, int value) const;
   void set(const char* uniform, double value) const;
@@ -30,12 +30,12 @@ class GlProgram {
   GLuint program_ = 0;
 };
 
-/// Lines of a shader's own file are numbered from here for the compiler, those of the shared file
-/// from 1, so that a complaint's line tells the file. (Not all compilers keep the number of the
-/// source string that `#line` can set.)
+/// Line offset of a shader's own file. Lines of `common.glsl` start at 1, so that the line of a
+/// compiler's error identifies the file. (Not all compilers keep the number of the source string
+/// that `#line` can set.)
 inline constexpr int kOwnLines = 100'000;
 
-/// The first complaint in a compiler's log as `FILE:LINE: …`. Compilers write its place as
+/// Returns the first error in a compiler's log as `FILE:LINE: …`. Compilers write its line as
 /// `0:LINE(COLUMN):`, `0(LINE) :` or `0:LINE:`.
 std::string place_of_shader_error(const std::string& log, const std::filesystem::path& common,
                                   const std::filesystem::path& own);

@@ -11,7 +11,7 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
-/// Lanczos window of two lobes; zero from |x| = 2 on.
+/// Lanczos kernel of two lobes, zero for |x| >= 2.
 double lanczos(double x) {
   constexpr double kLobes = 2;
   if (std::abs(x) < 1e-9) return 1;
@@ -20,7 +20,7 @@ double lanczos(double x) {
   return kLobes * std::sin(s) * std::sin(s / kLobes) / (s * s);
 }
 
-/// Which source samples make one target sample, and how much of each; the weights sum to one.
+/// Source samples of one target sample and their weights, which sum to one.
 struct Taps {
   int first = 0;
   std::vector<double> weights;

@@ -7,8 +7,8 @@
 
 namespace render {
 
-/// No usable graphics, a shader that does not compile, a picture that cannot be written; the
-/// message says what to do.
+/// Reports that there is no usable graphics, that a shader does not compile or that a picture
+/// cannot be written. The message says what to do.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -38,24 +38,25 @@ struct Image {
   }
 };
 
-/// A blank image.
+/// Returns an image of one colour.
 Image filled_image(int width, int height, Rgb color);
 
-/// Mixes `color` into a pixel with the given weight, 0 … 1; a pixel outside the image is left.
+/// Mixes `color` into a pixel with the given weight, 0 … 1; pixels outside the image are ignored.
 void blend(Image& image, int x, int y, Rgb color, double weight);
 
-/// Mixes a rectangle with rounded corners into an image. Edges are antialiased; lengths in pixels.
+/// A rectangle with rounded corners; lengths in pixels.
 struct Panel {
   double left = 0, top = 0, width = 0, height = 0;
   double corner = 0;  ///< Radius.
 };
+/// Mixes a panel with antialiased edges into an image.
 void fill(Image& image, const Panel& panel, Rgb color, double weight = 1);
 
-/// Copies `source` into `image`, its upper left corner at (left, top); it must fit.
+/// Copies `source`, which must fit, into `image` with its upper left corner at (left, top).
 void paste(Image& image, const Image& source, int left, int top);
 
-/// The image at another size, resampled with a Lanczos window of two lobes, widened when the image
-/// shrinks so that nothing aliases.
+/// Returns the image at another size, resampled with a two-lobe Lanczos window, which is widened
+/// for smaller sizes to avoid aliasing.
 Image resized(const Image& image, int width, int height);
 
 }  // namespace render

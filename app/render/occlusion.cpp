@@ -23,8 +23,8 @@ constexpr Index kFewestRays = 8, kEnoughRays = 48;
 /// Rays start this far above their vertex, so that they do not meet its own faces.
 constexpr double kLift = 1e-3;  // of the mesh's size
 
-/// Directions about +z, as dense as the cosine to it: points on a disc, along a spiral of the
-/// golden angle, raised to the sphere.
+/// Returns directions about +z whose density is proportional to the cosine of their angle to it:
+/// points on a golden-angle spiral in the unit disc, projected onto the sphere.
 std::vector<Vector3d> directions(Index count) {
   constexpr double kGoldenAngle = 2.399963229728653;
   std::vector<Vector3d> all;
@@ -46,8 +46,8 @@ float open_share(const hydro::FaceTree& tree, const Vector3d& start, const Vecto
   return static_cast<float>(free) / static_cast<float>(rays.size());
 }
 
-/// True if no edge of a face bends inward by more than `lift`. A closed mesh of one part is convex
-/// then; of several, or open, it may hide from itself.
+/// Returns true if each edge has two faces and none bends inward by more than `lift` [m]. A closed
+/// mesh of one part is then convex; a mesh of several parts may still occlude itself.
 bool has_no_hollow_edge(const hydro::TriMesh& mesh, const std::vector<hydro::HalfEdge>& halves,
                         double lift) {
   const auto opposite = [&](const hydro::HalfEdge& side) {

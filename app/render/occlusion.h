@@ -4,12 +4,12 @@
 
 namespace render {
 
-/// How open the space over each vertex of a skin is, 0 … 1: the share of the directions over its
-/// surface, weighted by their cosine, in which nothing of the mesh stands. Found with up to 48
-/// directions a vertex, fewer for many vertices, so that it takes no more than about half a second;
-/// 1 everywhere for a skin of more than 50,000 vertices, and at once for a convex one.
+/// Returns the openness of each vertex of a shaded mesh, 0 … 1: the cosine-weighted share of
+/// directions above the surface in which no ray meets the mesh. Each vertex gets up to 48 rays,
+/// fewer where vertices are many, which bounds the time to about half a second. Convex meshes and
+/// shaded meshes of more than 50,000 vertices are open everywhere (1).
 ///
-/// @param mesh   That the skin is of.
+/// @param mesh   Mesh that `skin` was made from.
 Eigen::RowVectorXf openness(const hydro::TriMesh& mesh, const ShadedMesh& skin);
 
 }  // namespace render

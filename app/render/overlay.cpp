@@ -10,7 +10,7 @@
 namespace render {
 namespace {
 
-/// A place for a colour bar; colours run up, or to the right.
+/// Rectangle of a colour bar [px]; colours run upward if it is standing, else to the right.
 struct Bar {
   double left, top, width, height;
   bool standing;
@@ -28,7 +28,7 @@ void draw_colors(Image& image, const Bar& bar, ColorMap colors) {
   }
 }
 
-/// Middle of a tick on the bar, along it [px].
+/// Returns the coordinate of a tick along the bar [px].
 double tick_place(const Bar& bar, const Tick& tick) {
   return bar.standing ? std::round(bar.top + (1 - tick.place) * (bar.height - 1))
                       : std::round(bar.left + tick.place * (bar.width - 1));

@@ -7,19 +7,20 @@
 
 namespace render {
 
-/// Puts the time [s], the distance of the grid's lines [m] and more lines, upper left, and the
-/// labelled pressure scale, lower right, on a picture. Text grows with the picture. Without a scale
-/// (a dry scene), or a grid, none of it. A picture that is too small for text is left as it is.
+/// Writes the time [s], the spacing of the grid lines [m] and more lines at the upper left of a
+/// picture, and draws the labelled pressure scale at the lower right. The text size follows the
+/// picture's. A missing scale (a dry scene) or grid is left out. A picture that is too small for
+/// text stays unchanged.
 void add_overlay(Image& image, const std::optional<PressureScale>& scale, double time,
                  double grid = 0, const std::vector<std::string>& more = {});
 
-/// Puts lines of text, upper right.
+/// Writes lines of text at the upper right.
 void add_lines_right(Image& image, const std::vector<std::string>& lines);
 
-/// The pressure scale lying, for a figure: bar, ticks and name, on white.
+/// Returns a horizontal pressure scale for a figure: bar, ticks and name on white.
 Image lying_scale(const PressureScale& scale, int width, int text_size);
 
-/// The time as pictures show it: `t = 0.30 s`.
+/// Returns the time as pictures show it: `t = 0.30 s`.
 std::string time_label(double time);
 
 }  // namespace render

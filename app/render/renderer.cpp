@@ -20,15 +20,16 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Waves that depart from linear along an edge by less than this part of a pixel, seen at the point
-/// looked at, need no finer triangles.
+/// Deviation of waves from a straight edge that needs no finer triangles, at the point looked at
+/// [px].
 constexpr double kSagPixels = 0.3;
 
-/// Bounds the work of a picture: more triangles than this are not made for the sake of waves.
+/// Largest number of triangles that a body is split into for waves, which bounds the work of a
+/// picture.
 constexpr double kMostFaces = 100'000;
 
-/// Bodies that are made anew for a nearer view are made for edges of this part of what it asks, so
-/// that one which goes on coming nearer has them made but a few times.
+/// Edges of bodies that are split again for a nearer view, as a fraction of the length that this
+/// view needs. A camera that keeps approaching then has them split only a few times.
 constexpr double kFiner = 0.5;
 
 /// A body on the graphics device.
@@ -38,7 +39,7 @@ struct DrawnBody {
   std::optional<GlMesh> edges;
 };
 
-/// 1, 2 or 5 times a power of ten, about `length`.
+/// Returns the largest of 1, 2, 5 times a power of ten that is at most `length`.
 double round_length(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
   for (const double factor : {5.0, 2.0})
@@ -100,7 +101,7 @@ GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors) {
 
 struct Renderer::Impl {
   Impl(SceneDescription p, const std::filesystem::path& shaders);
-  ~Impl() { context_.make_current(); }  // Meshes are freed in the context they are of.
+  ~Impl() { context_.make_current(); }  // Meshes are freed in their own context.
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -112,7 +113,7 @@ struct Renderer::Impl {
   void make_surroundings();
   void set_view(const GlProgram& program, double time) const;
   double grid_length() const { return round_length(0.25 * picture_size(view_)); }
-  /// A pixel of a picture of 720 lines, but not less than one [px].
+  /// Returns the unit of line widths [px]: 1 for up to 720 lines, in proportion above.
   double line_unit() const { return std::max(1.0, picture_.height / 720.0); }
   void draw_sky(double time) const;
   void draw_ground(double time) const;
@@ -126,10 +127,10 @@ struct Renderer::Impl {
   const GlFunctions& gl_ = context_.gl();
   std::optional<Framebuffer> canvas_;
   GlProgram sky_, body_, edge_, ground_, water_;
-  GlMesh nothing_;  ///< Vertices that a shader makes up from their numbers.
+  GlMesh nothing_;  ///< Vertices that a shader places by their indices.
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
-  double bodies_edge_ = 0;  ///< Their longest [m].
+  double bodies_edge_ = 0;  ///< Longest edge of the bodies' meshes [m].
   std::vector<GlMesh> grounds_;
   std::optional<WaterSurface> surface_;
   std::optional<GlMesh> surface_mesh_;
@@ -167,13 +168,13 @@ void Renderer::Impl::resize(int width, int height) {
   make_surroundings();
 }
 
-/// The view and what depends on it, in arrays of their places about the eye.
+/// Makes the view and the meshes that depend on it, with coordinates relative to the eye.
 void Renderer::Impl::make_surroundings() {
   view_ = make_view(picture_.camera, picture_.width, picture_.height);
   const double sag = kSagPixels * picture_size(view_) / picture_.height;
   const double longest_edge = picture_.sea ? longest_straight_edge(*picture_.sea, sag)
                                            : std::numeric_limits<double>::infinity();
-  // Bodies are made anew only for a view that they are too coarse for.
+  // Bodies are made again only if they are too coarse for the view.
   if (bodies_.empty() || longest_edge < bodies_edge_) {
     bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * longest_edge;
     bodies_.clear();
@@ -191,7 +192,7 @@ void Renderer::Impl::make_surroundings() {
 }
 
 void Renderer::Impl::set_view(const GlProgram& program, double time) const {
-  // Lights stand with the camera, so that every view shows shape.
+  // Lights move with the camera, so that every view shows shape.
   const Vector3d level = Vector3d::UnitZ().cross(view_.right_W);
   const Vector3d& eye = view_.eye_W;
   const bool under = picture_.sea && picture_.water_visible &&
@@ -289,7 +290,8 @@ void Renderer::Impl::draw_water(double time) {
   gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, canvas_->depth_copy());
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  // Depth is written, and cells come from near to far: of waves behind waves the first is seen.
+  // Depth is written and cells are drawn from near to far, so that near waves hide those behind
+  // them.
   surface_mesh_->draw();
   gl_.Disable(GL_BLEND);
 }

@@ -18,25 +18,25 @@
 /// @file
 /// Pictures of bodies in the sea, drawn without a window.
 ///
-/// Above the water a body has its own colour; below it the gauge pressure on its surface on a
-/// colour scale: p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms, with the depth h, and v_n
-/// the speed against the water along the outward normal. The normal is the one the body is shaded
-/// with: smooth over edges of less than 40 degrees, so that the picture shows the pressure on the
-/// shape that the mesh stands for. The depth is linear over each triangle, and the two kinds of
-/// colour meet where it is zero.
+/// Above the water a body has its own colour. Below it a colour scale shows the gauge pressure on
+/// its surface, p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms; h is the depth and v_n the
+/// speed relative to the water along the outward normal. This is the shading normal, smooth over
+/// edges of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
+/// approximates. The depth is linear over each triangle, and the two kinds of colour meet where it
+/// is zero.
 ///
 /// No graphics library is loaded before the first Renderer is made.
 
 namespace render {
 
-/// A body as it is drawn: constant over a sequence.
+/// Look of a body, constant over a sequence.
 struct BodyAppearance {
   hydro::TriMesh mesh_B;
-  Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< Of the dry surface, RGB 0 … 1.
-  hydro::Coefficients coefficients;         ///< For the dynamic part of the pressure shown.
+  Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< Colour of the dry surface, RGB 0 … 1.
+  hydro::Coefficients coefficients;         ///< Coefficients of the dynamic pressure.
 };
 
-/// What is drawn, but for the bodies' states, the time and other cameras: constant over a sequence.
+/// Settings of a sequence; the bodies' states and the time are given for each picture.
 struct SceneDescription {
   int width = 960;
   int height = 720;
@@ -46,12 +46,12 @@ struct SceneDescription {
   std::optional<hydro::Sea> sea;           ///< None: a dry scene.
   std::optional<hydro::TriMesh> ground_W;  ///< Sea floor or shore.
   std::optional<double> ground_z;          ///< A flat sea floor, drawn to the horizon.
-  bool water_visible = true;               ///< False: pressures without the water before them.
+  bool water_visible = true;               ///< False: pressures are shown, but no water.
   bool bold_waterline = false;
-  bool wireframe = false;  ///< With the edges of the bodies' meshes.
+  bool wireframe = false;  ///< True: edges of the bodies' meshes are drawn.
 };
 
-/// Draws a sequence of pictures. Owns the graphics context; one thread at a time.
+/// Draws a sequence of pictures. It owns the graphics context and is used by one thread at a time.
 class Renderer {
  public:
   /// @throws Error if there is no graphics, naming the packages to install, or if a shader is
@@ -61,29 +61,29 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// The device drawn on, as the graphics library names it.
+  /// Graphics device, as the graphics library names it.
   const std::string& device() const;
 
-  /// Of the next picture.
+  /// View of the next picture.
   const View& view() const;
 
-  /// Distance of the lines on water and ground [m]; 0 if there is neither.
+  /// Spacing of the grid lines on water and ground [m]; 0 if there is neither.
   double grid() const;
 
-  /// Looks from a place from the next picture on; the first is `SceneDescription::camera`. The same
-  /// as before costs nothing.
+  /// Sets the camera of the following pictures, at first `SceneDescription::camera`. An unchanged
+  /// camera costs nothing.
   void look(const Camera& camera);
 
-  /// Makes pictures of a size from the next on [px]; the same costs nothing.
-  /// @throws Error if they cannot be
+  /// Sets the size of the following pictures [px]. An unchanged size costs nothing.
+  /// @throws Error if the device cannot draw this size
   void resize(int width, int height);
 
-  /// Shows pressures on another scale from the next picture on.
+  /// Sets the pressure scale of the following pictures.
   void show_pressures(const PressureScale& scale);
 
-  /// One picture, without text: `add_overlay` (overlay.h) puts time and pressure scale on it, and
-  /// `ContactSheet` (sheet.h) wants it bare.
-  /// @param states   In the order of `SceneDescription::bodies`.
+  /// Draws a picture without text. `add_overlay` (overlay.h) adds time and pressure scale;
+  /// `ContactSheet` (sheet.h) takes the picture without them.
+  /// @param states   States in the order of `SceneDescription::bodies`.
   Image draw(const std::vector<hydro::BodyState>& states, double time);
 
  private:

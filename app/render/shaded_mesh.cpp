@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using hydro::TriMesh;
 
-/// The faces around each vertex, one list after the other.
+/// Faces around each vertex as consecutive lists.
 struct FacesOfVertices {
   std::vector<Index> first;  // V + 1
   std::vector<Index> faces;
@@ -35,7 +35,8 @@ FacesOfVertices faces_of_vertices(const TriMesh& mesh) {
   return around;
 }
 
-/// Normals of the corners of a face's ring that belong to one smooth side.
+/// Returns the unit normal of a face's corner from those faces around its vertex that lie within
+/// the crease angle.
 Vector3d corner_normal(const Eigen::Matrix3Xd& areas, const Index* begin, const Index* end,
                        Index face) {
   const Vector3d own = areas.col(face).normalized();
@@ -44,11 +45,11 @@ Vector3d corner_normal(const Eigen::Matrix3Xd& areas, const Index* begin, const 
     const Vector3d a = areas.col(*f);
     if (a.dot(own) >= std::cos(kCreaseAngle) * a.norm()) sum += a;
   }
-  // A face without area has no side of its own; any unit vector will do, for it covers no pixel.
+  // A face without area covers no pixel, so that any unit vector will do.
   return sum.norm() > 0 ? Vector3d(sum.normalized()) : Vector3d(Vector3d::UnitZ());
 }
 
-/// Collects vertices, each with the sides it has so far.
+/// Collects the vertices of a shaded mesh, one for each normal at a vertex of the mesh.
 class SkinVertices {
  public:
   explicit SkinVertices(Index mesh_vertices) : sides_(static_cast<std::size_t>(mesh_vertices)) {}
@@ -80,7 +81,7 @@ class SkinVertices {
   std::vector<Vector3d> normals_;
 };
 
-/// Splits edges once; keeps the points made, so that two faces share the middle of their edge.
+/// Splits edges once. It stores their midpoints, so that two faces share that of their edge.
 class EdgeSplitter {
  public:
   EdgeSplitter(const TriMesh& mesh, double longest) : longest_(longest) {
@@ -100,7 +101,7 @@ class EdgeSplitter {
   }
 
  private:
-  /// The vertex in the middle of an edge, or -1 if the edge is short enough.
+  /// Returns the vertex in the middle of an edge, or -1 if the edge is short enough.
   int middle(int a, int b) {
     const Vector3d& p = vertices_[static_cast<std::size_t>(a)];
     const Vector3d& q = vertices_[static_cast<std::size_t>(b)];
@@ -111,12 +112,13 @@ class EdgeSplitter {
     return entry->second;
   }
 
-  /// One to four triangles, turned so that the number of split edges alone tells the case.
+  /// Adds one to four triangles. Corners are rotated so that the number of split edges determines
+  /// the case.
   void split(const Eigen::Vector3i& face) {
     std::array<int, 3> v = {face[0], face[1], face[2]};
     std::array<int, 3> m = {middle(v[0], v[1]), middle(v[1], v[2]), middle(v[2], v[0])};
     const auto count = std::count_if(m.begin(), m.end(), [](int i) { return i >= 0; });
-    // Turn until a lone split edge is the first, a lone whole edge the last.
+    // The rotation ends when a single split edge is first or a single whole edge is last.
     while ((count == 1 && m[0] < 0) || (count == 2 && m[2] >= 0)) {
       std::rotate(v.begin(), v.begin() + 1, v.end());
       std::rotate(m.begin(), m.begin() + 1, m.end());
@@ -144,8 +146,8 @@ double total_area(const TriMesh& mesh) {
   return area;
 }
 
-/// Twice the root mean square of how far waves depart from a straight line in the middle of an edge
-/// of the given length that lies along their heading [m].
+/// Returns twice the root mean square deviation of waves from a straight line [m], in the middle of
+/// an edge of the given length along their heading.
 double wave_sag(const hydro::WaveSurface& waves, double length) {
   double square = 0;
   for (const hydro::WaveComponent& w : waves.components) {
@@ -207,8 +209,8 @@ ShadedMesh make_shaded_mesh(const TriMesh& mesh) {
 }
 
 TriMesh subdivided(const TriMesh& mesh, double longest, double most_faces) {
-  // Edges end between half the limit and the limit; a right triangle with two sides of half the
-  // limit has an eighth of its square.
+  // Final edges measure between half the limit and the limit; a right triangle with two sides of
+  // half the limit has an area of an eighth of the limit squared.
   longest = std::max(longest, std::sqrt(8 * total_area(mesh) / most_faces));
   TriMesh result = mesh;
   while (longest_edge(result) > longest) result = EdgeSplitter(result, longest).result();

@@ -4,36 +4,37 @@
 #include "hydro/sea.h"
 
 /// @file
-/// Meshes as they are drawn.
+/// Meshes prepared for drawing.
 
 namespace render {
 
-/// Triangles with a normal a vertex. A vertex of the mesh on a crease appears once for each side.
+/// Triangles with vertex normals. A vertex of the mesh on a crease appears once for each side.
 struct ShadedMesh {
   Eigen::Matrix3Xd vertices;   ///< 3×V, in the mesh's frame [m].
   Eigen::Matrix3Xd normals;    ///< 3×V, unit.
   Eigen::Matrix3Xi triangles;  ///< 3×F
 };
 
-/// Edges at which normals turn by more than this stay sharp: those of a cube and of a cylinder's
-/// caps do, those of a sphere of 12 slices do not [rad].
+/// Angle between face normals above which an edge stays sharp [rad]: edges of a cube and of a
+/// cylinder's caps do, edges of a sphere of 12 slices do not.
 inline constexpr double kCreaseAngle = 0.6981317007977318;  // 40 degrees
 
-/// The edges of a mesh, each once: 2×E, vertex numbers.
+/// Returns the edges of a mesh, each once, as vertex indices (2×E).
 Eigen::Matrix2Xi edges_of(const hydro::TriMesh& mesh);
 
-/// Smooth normals: in each corner of a face the sum of the normals, weighted by area, of the faces
-/// around that vertex which lie within the crease angle of the face itself.
+/// Makes a mesh with smooth normals. The normal in a corner of a face is the area-weighted mean
+/// over the faces around that vertex whose normals lie within the crease angle of the face's.
 ShadedMesh make_shaded_mesh(const hydro::TriMesh& mesh);
 
-/// The same surface with triangles split until no edge is longer than `longest` [m]. Edges are
-/// halved, each on its own account, so that no gaps open. `longest` is raised as far as needed to
-/// make no more than about `most_faces`.
+/// Returns the surface with triangles split until no edge is longer than `longest` [m]. The length
+/// of an edge alone decides on its halving, so that no gaps open. `longest` is raised where it
+/// would lead to more than about `most_faces`.
 hydro::TriMesh subdivided(const hydro::TriMesh& mesh, double longest, double most_faces);
 
-/// The longest edge along which the water surface departs from linear by less than `sag` [m], in
-/// any direction: for waves twice the departure's root mean square over time, for a height field
-/// its cell. Infinite if the surface never departs so far.
+/// Returns the length of the longest edge, in any direction, along which the water surface deviates
+/// from a straight line by less than `sag` [m]. For waves the deviation is twice its root mean
+/// square over time; for a height field the length is that of its cell. The length is infinite if
+/// the surface never deviates so far.
 double longest_straight_edge(const hydro::Sea& sea, double sag);
 
 }  // namespace render

@@ -50,7 +50,7 @@ struct Font::Face {
     FT_Done_FreeType(library);
   }
 
-  /// Loads a letter with its picture, its origin `shift` 64ths of a pixel to the right.
+  /// Loads and renders a letter with its origin `shift` 64ths of a pixel to the right.
   FT_GlyphSlot letter(char c, long shift) const {
     FT_Vector offset = {shift, 0};
     FT_Set_Transform(face, nullptr, &offset);

@@ -7,23 +7,23 @@
 
 namespace render {
 
-/// How a line of text stands to the point it is put at.
+/// Alignment of a line of text with its point.
 enum class Align { left, center, right };
 
-/// Colours of what is written on pictures, and of its ground.
+/// Colours of text on pictures and of its background.
 inline constexpr Rgb kInk = {25, 32, 40};
 inline constexpr Rgb kPaper = {255, 255, 255};
 
-inline constexpr double kPaperWeight = 0.78;  ///< Lets the picture show through.
+inline constexpr double kPaperWeight = 0.78;  ///< Opacity of the background.
 
-/// Of text on a picture [px]: 18 at 720 lines, legible when it is printed a column wide. 0 on one
-/// of less than 120 pixels either way: letters would run together.
+/// Returns the text size for a picture [px]: 18 at 720 lines, legible when it is printed a column
+/// wide. The size is 0 if width or height is below 120 pixels, where letters would run together.
 int text_size_on(const Image& image);
 
 /// A typeface at one size.
 class Font {
  public:
-  /// DejaVu Sans, or what the system has in its place. @param size   Of an em [px].
+  /// Loads DejaVu Sans or the system's substitute for it. @param size   Em size [px].
   /// @throws Error if there is no font, naming the package to install.
   explicit Font(int size);
   ~Font();

@@ -6,8 +6,8 @@
 namespace render {
 namespace {
 
-/// Near and far, in distances to the point looked at. Single precision depth then tells surfaces
-/// apart that are 3e-6 of that distance from each other, there.
+/// Distances of the near and far planes, relative to that of the point looked at. Near this point
+/// depth in single precision resolves 3e-6 of its distance.
 constexpr double kNear = 0.02;
 constexpr double kFar = 5000;
 

@@ -11,7 +11,7 @@
 namespace render {
 
 struct Camera {
-  Eigen::Vector3d from = {6, -8, 3};  ///< In W [m].
+  Eigen::Vector3d from = {6, -8, 3};  ///< Eye, in W [m].
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad].
 
@@ -23,24 +23,25 @@ struct View {
   Eigen::Vector3d forward_W = Eigen::Vector3d::UnitY();  ///< Unit.
   Eigen::Vector3d right_W = Eigen::Vector3d::UnitX();    ///< Unit, level.
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();       ///< Unit.
-  double distance = 1;     ///< From the eye to the point looked at [m].
+  double distance = 1;     ///< Distance from the eye to the point looked at [m].
   double half_width = 1;   ///< Tangent of half the horizontal field of view [-].
   double half_height = 1;  ///< Tangent of half the vertical field of view [-].
   double near = 0;         ///< Nothing nearer is drawn [m].
   double far = 0;          ///< Nothing farther is drawn [m].
   Eigen::Matrix4d clip_from_E = Eigen::Matrix4d::Identity();
 
-  /// Direction of the ray through a point of the picture, x and y from -1 to 1, y up; its part
+  /// Direction of the ray through a point of the picture, x and y from -1 to 1, y up; its component
   /// along `forward_W` is 1.
   Eigen::Vector3d ray(double x, double y) const {
     return forward_W + x * half_width * right_W + y * half_height * up_W;
   }
 };
 
-/// Height of the picture at the distance of the point looked at [m].
+/// Returns the visible height at the distance of the point looked at [m].
 inline double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
 
-/// A camera that looks straight up or down has +y at the top of its picture.
+/// Makes the view of a camera. A camera that looks straight up or down has +y at the top of its
+/// picture.
 View make_view(const Camera& camera, int width, int height);
 
 }  // namespace render

@@ -11,19 +11,19 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Below this angle to the horizon the surface is one with it: half a pixel of most pictures [rad].
+/// Angle below the horizon at which the grid ends, half a pixel of most pictures [rad].
 constexpr double kHorizon = 4e-4;
 
-/// What part of the surface the camera may see.
+/// Part of the surface that the camera may see.
 struct Sector {
-  double height = 0;    ///< Of the eye over the surface, taken positive [m].
+  double height = 0;    ///< Distance of the eye from the surface [m].
   double steepest = 0;  ///< Largest angle below the horizon (above it, from under water) [rad].
   double flattest = 0;  ///< Smallest such angle [rad].
   double middle = 0;    ///< Azimuth of the camera's gaze [rad].
-  double spread = 0;    ///< Largest difference of azimuth from it [rad].
+  double spread = 0;    ///< Largest difference of azimuth from `middle` [rad].
 };
 
-/// Angles of the rays along the border of the picture.
+/// Finds the sector of the rays through a lattice of points of the picture.
 Sector seen_sector(const View& view, double side) {
   Sector s;
   s.flattest = M_PI / 2;
@@ -44,7 +44,7 @@ Sector seen_sector(const View& view, double side) {
   return s;
 }
 
-/// Room for waves: the nearest point seen is on the side of the slab next to the eye.
+/// Widens a sector for waves: the nearest visible point is on the side of the slab next to the eye.
 Sector widened(Sector s, const View& view, const Slab& slab, double side) {
   const double height = std::abs(view.eye_W.z() - slab.level);
   const double toward = side > 0 ? slab.highest - slab.level : slab.level - slab.lowest;
@@ -60,7 +60,7 @@ Sector widened(Sector s, const View& view, const Slab& slab, double side) {
   return s;
 }
 
-/// Radii of the rows, from the nearest to the farthest that is seen.
+/// Returns the radii of the rows from the nearest to the farthest visible one [m].
 std::vector<double> ring_radii(const Sector& s, const GridSteps& steps) {
   std::vector<double> radii = {s.height / std::tan(s.steepest)};
   const double last = s.height / std::tan(s.flattest);
@@ -83,7 +83,8 @@ std::vector<double> few_radii(const Sector& s, GridSteps steps) {
   return radii;
 }
 
-/// 1 for waves that a grid of the given cell shows, 0 for those it cannot, smooth between.
+/// Returns the part of a wave that a grid shows: 0 up to 3 cells a wavelength, 1 from 6 on, smooth
+/// between.
 double shown_part(double wavelength, double cell) {
   const double t = std::clamp((wavelength / cell - 3) / 3, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -98,7 +99,7 @@ hydro::Sea without_short_waves(const hydro::Sea& sea, double cell) {
   return result;
 }
 
-/// Gradient from the heights of the neighbours in the grid.
+/// Returns the gradient of the height from the neighbours in the grid.
 Vector2d slope_in_grid(const PolarGrid& grid, const Eigen::VectorXd& heights, int row, int column) {
   const auto difference = [&](int from_row, int from_column, int to_row, int to_column) {
     const Index from = Index{from_row} * grid.columns + from_column;

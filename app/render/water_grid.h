@@ -7,7 +7,7 @@
 #include "hydro/sea.h"
 
 /// @file
-/// The visible part of a level surface as a grid that suits the camera.
+/// Grid over the visible part of a level surface, with a resolution that suits the camera.
 
 namespace render {
 
@@ -19,31 +19,31 @@ struct PolarGrid {
   int columns = 0;
   Eigen::Matrix2Xd points_W;           ///< 2×(rows·columns), row after row from near to far [m].
   std::vector<double> cell;            ///< Larger side of the cells around each row [m].
-  Eigen::Matrix3Xi triangles() const;  ///< From near to far.
+  Eigen::Matrix3Xi triangles() const;  ///< Vertex indices, from near to far.
 };
 
-/// The heights between which the surface stays.
+/// Bounds of the surface's height [m].
 struct Slab {
-  double level = 0;  ///< Where the grid lies [m].
+  double level = 0;  ///< Height of the grid.
   double lowest = 0;
   double highest = 0;
 };
 
-/// How fine a grid is.
+/// Resolution of a grid.
 struct GridSteps {
-  double length = 0;  ///< Rows need not be nearer to each other than this [m].
-  double angle = 0;   ///< Nor than this, seen from the eye [rad].
+  double length = 0;  ///< Smallest distance between rows [m].
+  double angle = 0;   ///< Smallest angle between rows seen from the eye [rad].
   int columns = 0;
 };
 
-/// Fine enough for a level plane.
+/// Resolution for a level plane.
 inline constexpr GridSteps kFlatSteps = {.length = 0, .angle = 0.02, .columns = 60};
 
-/// A grid that fills the picture wherever between the slab's bounds the surface is. Steps are made
-/// larger where there would be more than 320 rows.
+/// Makes a grid that fills the picture for every surface height within the slab. Steps are enlarged
+/// if there would be more than 320 rows.
 PolarGrid make_polar_grid(const View& view, const Slab& slab, GridSteps steps);
 
-/// The water surface over a grid. Constant but for the time.
+/// Water surface over a grid; only its heights change with time.
 class WaterSurface {
  public:
   /// @param straight   Length over which the surface may be taken as linear, infinite if flat [m].
@@ -51,7 +51,7 @@ class WaterSurface {
 
   const PolarGrid& grid() const { return grid_; }
 
-  /// 5×(rows·columns): position in E [m] and slopes ∂ξ/∂x, ∂ξ/∂y of the surface.
+  /// Returns 5×(rows·columns) values: position in E [m] and slopes ∂ξ/∂x, ∂ξ/∂y of the surface.
   Eigen::MatrixXf vertices(double time) const;
 
  private:
@@ -59,7 +59,7 @@ class WaterSurface {
 
   PolarGrid grid_;
   Eigen::Vector3d eye_W_;
-  /// The sea; for waves one a row, without the waves that are too short for the row's cells.
+  /// The sea; with waves, one sea per row without the waves that are too short for the row's cells.
   std::vector<hydro::Sea> seas_;
 };
 

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Null if there is none.
+/// Returns null if there is no summary.
 Json read_summary(const fs::path& file) {
   if (!fs::exists(file)) return nullptr;
   std::ifstream stream(file);
@@ -41,7 +41,7 @@ std::optional<RunSource> source_in(const Json& summary, const fs::path& file) {
   }
 }
 
-/// Reads the scene as it was run and the meshes it names.
+/// Reads the scene that was run and the meshes it names.
 void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
   const fs::path summary = run.path / kSummaryFile;
   const std::optional<RunSource> source = source_in(run.summary, summary);
@@ -71,14 +71,14 @@ void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
   }
 }
 
-/// The log of forces that belongs to a trajectory; empty if there is none.
+/// Returns the force log that belongs to a trajectory; empty if there is none.
 fs::path forces_beside(const fs::path& trajectory) {
   if (is_hdf5(trajectory)) return trajectory;
   const fs::path file = trajectory.parent_path() / kForceLog;
   return fs::exists(file) ? file : "";
 }
 
-/// Forces of as many rows as the trajectory has, at its times.
+/// Checks that forces and trajectory have the same times, and counts the rows that both have.
 void check_forces(const fs::path& file, LoggedRun& run) {
   for (const auto& [name, track] : run.trajectory.tracks) {
     const auto found = run.forces->find(name);
@@ -94,7 +94,7 @@ void check_forces(const fs::path& file, LoggedRun& run) {
   }
 }
 
-/// What a killed run has of one body or log alone goes.
+/// Removes the rows that a killed run wrote for some bodies or logs only.
 void keep_common_rows(LoggedRun& run) {
   for (auto& [name, track] : run.trajectory.tracks) {
     track.times.resize(run.rows);

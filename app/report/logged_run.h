@@ -11,20 +11,20 @@
 
 namespace app {
 
-/// What a run has left in its folder, and its scene read again.
+/// Files that a run left in its folder, and its scene, which is read again.
 struct LoggedRun {
   std::filesystem::path path;
   nlohmann::ordered_json summary;  ///< Null if the run was killed before it wrote one.
-  scene::Scene scene;              ///< As it was run.
+  scene::Scene scene;              ///< The scene that was run.
   assembly::BuiltScene built;
-  std::vector<std::string> overrides;  ///< Of the scene's keys, as on the command line.
+  std::vector<std::string> overrides;  ///< Overrides of scene keys, as on the command line.
   Trajectory trajectory;
-  std::size_t rows = 0;            ///< Of each body: those that every log has of every body.
-  std::optional<ForceLog> forces;  ///< None unless they were logged.
+  std::size_t rows = 0;            ///< Rows per body that all logs have for all bodies.
+  std::optional<ForceLog> forces;  ///< None if forces were not logged.
 };
 
-/// @param scene   Where the scene lies now; empty: where it was run.
-/// @throws InputError if a part that is needed is missing, or one that is there is broken.
+/// @param scene   Present path of the scene; empty: the path at the time of the run.
+/// @throws InputError if a required file is missing or a file is damaged.
 LoggedRun read_run(const std::filesystem::path& folder, const std::filesystem::path& scene);
 
 }  // namespace app

@@ -8,8 +8,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The place that the replay's single-precision numbers are relative to: where the first body
-/// starts, at the water's level.
+/// Returns the origin of the replay's single-precision coordinates: the first body's start, at the
+/// water level.
 Eigen::Vector3d replay_origin(const LoggedRun& run) {
   Eigen::Vector3d origin = run.built.spec.bodies.empty()
                                ? Eigen::Vector3d::Zero()

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// From the first on, as many as there are without a gap.
+/// Returns the frames from the first on, up to the first gap.
 std::vector<fs::path> frame_files(const fs::path& folder, const std::string& camera) {
   std::vector<fs::path> files;
   for (;;) {
@@ -25,7 +25,7 @@ std::vector<fs::path> frame_files(const fs::path& folder, const std::string& cam
   }
 }
 
-/// When the pictures of a run were due [s].
+/// Returns the times of a run's pictures [s].
 std::vector<double> frame_times(const scene::Scene& scene, std::size_t count) {
   std::vector<double> times;
   FrameSchedule frames(scene.render->every, scene.duration);

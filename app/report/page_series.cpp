@@ -13,13 +13,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kPoseNumbers = 7;  ///< Position and quaternion.
-constexpr std::size_t kLeastRows = 16;   ///< Fewer say nothing about a motion.
+constexpr std::size_t kLeastRows = 16;   ///< Fewer rows would not show a motion.
 
 bool varies(const std::vector<double>& column) {
   return std::any_of(column.begin(), column.end(), [&](double v) { return v != column.front(); });
 }
 
-/// Everything that is plotted of a body, column by column.
+/// Visits all plotted columns of a body.
 using EachColumn = std::function<void(const std::vector<double>& column)>;
 void each_column(const LoggedRun& run, const std::string& body, const EachColumn& visit) {
   for (const std::vector<double>& column : motion_of(run.trajectory.tracks.at(body))) visit(column);

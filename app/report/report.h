@@ -5,11 +5,11 @@
 namespace app {
 
 struct ReportOptions {
-  std::filesystem::path folder;  ///< Of a run.
-  std::filesystem::path scene;   ///< Where the scene lies now; empty: where it was run.
+  std::filesystem::path folder;  ///< Output folder of a run.
+  std::filesystem::path scene;   ///< Present path of the scene; empty: the path in the run.
 };
 
-/// Writes FOLDER/report.html: the run in one page that needs no other file. @return the exit code
+/// Writes FOLDER/report.html: a page about the run that needs no other file. @return the exit code
 int report(const ReportOptions& options);
 
 }  // namespace app

@@ -8,10 +8,10 @@
 namespace app {
 namespace {
 
-/// A shape is told from others with no fewer faces than this [-].
+/// Smallest number of faces to which a shape is coarsened, so that it can be recognised.
 constexpr Eigen::Index kLeastFaces = 64;
 
-/// How much wider cells become until few enough faces are left [-].
+/// Factor by which cells are widened until few enough faces remain [-].
 constexpr double kWiden = 1.25;
 
 double area(const hydro::TriMesh& mesh) {
@@ -20,11 +20,11 @@ double area(const hydro::TriMesh& mesh) {
   return sum;
 }
 
-/// The mesh with the vertices of each cell of a grid in one.
+/// Returns the mesh with the vertices in each cell of a grid merged.
 hydro::TriMesh clustered(const hydro::TriMesh& mesh, double cell) {
   std::map<std::array<double, 3>, int> cells;
   std::vector<int> cluster;
-  std::vector<Eigen::Vector4d> sums;  // of the vertices, and their number
+  std::vector<Eigen::Vector4d> sums;  // sums of the vertices, and their number
   for (const auto& v : mesh.vertices.colwise()) {
     const std::array<double, 3> key = {std::floor(v.x() / cell), std::floor(v.y() / cell),
                                        std::floor(v.z() / cell)};
@@ -53,7 +53,7 @@ hydro::TriMesh clustered(const hydro::TriMesh& mesh, double cell) {
 
 hydro::TriMesh coarsened(const hydro::TriMesh& mesh, Eigen::Index most_faces) {
   if (mesh.face_count() <= most_faces) return mesh;
-  // Two triangles to a square of the grid.
+  // The estimate is two triangles per square of the grid.
   double cell = std::sqrt(2 * area(mesh) / static_cast<double>(most_faces));
   hydro::TriMesh coarse = clustered(mesh, cell);
   while (coarse.face_count() > most_faces) coarse = clustered(mesh, cell *= kWiden);
@@ -62,7 +62,7 @@ hydro::TriMesh coarsened(const hydro::TriMesh& mesh, Eigen::Index most_faces) {
 
 hydro::HeightField coarsened(const hydro::HeightField& field, Eigen::Index most) {
   const Eigen::Index rows = field.heights.rows(), columns = field.heights.cols();
-  // The last of them is beyond the edge, where the height of the edge holds.
+  // The last row or column may lie beyond the edge, where the height of the edge holds.
   const auto count = [](Eigen::Index all, Eigen::Index stride) {
     return (all - 1 + stride - 1) / stride + 1;
   };

@@ -9,25 +9,27 @@
 
 namespace app {
 
-/// The meshes of bodies, each once, and which body has which.
+/// Meshes of the bodies, each stored once, and the assignment of meshes to bodies.
 struct Shapes {
   struct Shape {
-    hydro::TriMesh mesh_B;      ///< As it is shown.
-    Eigen::Index of_faces = 0;  ///< That the body itself has.
+    hydro::TriMesh mesh_B;      ///< Mesh as it is shown.
+    Eigen::Index of_faces = 0;  ///< Number of faces of the body's own mesh.
   };
   std::vector<Shape> shapes;
   std::vector<std::size_t> of_body;  ///< Index of its shape, per body.
 };
 
-/// @param most_faces   Of all shapes together; larger ones are made coarser, each by its share.
+/// @param most_faces   Limit for all shapes together; larger shapes are coarsened, each to its
+///     share.
 Shapes find_shapes(const std::vector<engine::BodySpec>& bodies, Eigen::Index most_faces);
 
-/// The mesh with about `most_faces` at most: vertices within a cell of a cubic grid become one, at
-/// their mean; faces that lose a corner go. A mesh that has no more stays as it is.
+/// Returns the mesh with at most `most_faces` faces: vertices in a cell of a cubic grid are merged
+/// at their mean, and faces that lose a corner are removed. A mesh with few enough faces is
+/// returned unchanged.
 hydro::TriMesh coarsened(const hydro::TriMesh& mesh, Eigen::Index most_faces);
 
-/// The field with at most `most` (>= 4) heights, on wider cells: those of every so many rows and
-/// columns. A field that has no more stays as it is.
+/// Returns the field with at most `most` (>= 4) heights, taken from every n-th row and column. A
+/// field with few enough heights is returned unchanged.
 hydro::HeightField coarsened(const hydro::HeightField& field, Eigen::Index most);
 
 }  // namespace app

@@ -33,31 +33,31 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Between two looks at the keyboard's interrupt and the clock.
+/// Time between checks of the interrupt and the clock.
 constexpr milliseconds kGlance(50);
-/// Between two writings of the table.
+/// Shortest time between two writings of the table.
 constexpr milliseconds kTableInterval(1000);
-/// The table is written whole, and other ranks' folders are looked at one by one: the more runs,
-/// the longer each time takes. This bounds the part of the time that is spent on it.
+/// Ratio of the rest to the time of writing the table or polling the folders of other ranks. Both
+/// take longer with more runs; the ratio bounds their share of the time.
 constexpr int kRestsPerLook = 20;
 
-/// Whether a run is not to be done again.
+/// Returns true if a run must not be repeated.
 bool ended_by_itself(const RunOutcome& outcome) {
   return outcome.code == kDone || outcome.code == kCannotGoOn;
 }
 
-/// A run that goes on.
+/// A run in progress.
 struct Going {
   std::size_t run;
   RunSlot folder;
   Clock::time_point start;
 };
 
-/// Does runs of a sweep, each as a process of its own, and keeps their outcomes.
+/// Does runs of a sweep, each in a process of its own, and stores their outcomes.
 class Sweep {
  public:
-  /// @param runs     To be done here, in this order.
-  /// @param bodies   Of the table; none: no table is written.
+  /// @param runs     Runs to be done by this process, in this order.
+  /// @param bodies   Bodies in the table; none: no table is written.
   Sweep(const SweepPlan& plan, const SweepFolder& folder, std::vector<std::size_t> runs, int jobs,
         std::optional<std::vector<std::string>> bodies, bool quiet)
       : plan_(plan),
@@ -68,7 +68,8 @@ class Sweep {
         waiting_(runs.begin(), runs.end()),
         progress_(quiet) {}
 
-  /// Leaves out what has been done before. @param retry   Not what ended by other than itself.
+  /// Skips runs that have outcomes. @param retry   True: repeat runs that ended otherwise than with
+  /// exit codes 0 or 3.
   void resume(bool retry) {
     const auto is_done = [&](std::size_t run) {
       auto outcome = read_outcome(folder_.outcome_file(run));
@@ -83,7 +84,7 @@ class Sweep {
     to_do_ = waiting_.size();
   }
 
-  /// Does all runs that wait.
+  /// Does all waiting runs.
   void execute() {
     write_table();
     while (!waiting_.empty() || !going_.empty()) {
@@ -112,8 +113,7 @@ class Sweep {
     progress_.clear();
   }
 
-  /// Writes the outcomes that are known here, and those that others have left meanwhile if `others`
-  /// do runs, too.
+  /// Writes the known outcomes, after reading those of other processes if these do runs, too.
   void write_table() {
     if (!bodies_) return;
     const Clock::time_point start = Clock::now();
@@ -124,7 +124,7 @@ class Sweep {
     table_due_ = start + std::max<Clock::duration>(kTableInterval, kRestsPerLook * time);
   }
 
-  /// From now on the runs that are not done here are done by others.
+  /// Declares that all other runs are done by other processes.
   void expect_others() { others_ = true; }
 
   bool interrupted() const { return guard_.interrupted() || run_interrupted_; }
@@ -157,9 +157,9 @@ class Sweep {
 
   void finish(const EndedProcess& ended) {
     const auto found = going_.find(ended.process);
-    if (found == going_.end()) return;  // of whoever replaced himself by this program
+    if (found == going_.end()) return;  // a child of the process that exec'ed this program
     const Going& going = found->second;
-    // What was interrupted is done anew another time, whoever interrupted it.
+    // An interrupted run has no outcome, so that it is repeated next time.
     const bool by_signal = ended.code > EndedProcess::kSignalBase && guard_.interrupted();
     if (ended.code == kInterrupted || by_signal) {
       run_interrupted_ = true;
@@ -174,7 +174,7 @@ class Sweep {
     going_.erase(found);
   }
 
-  /// Starts no more, and asks those that go on to end.
+  /// Starts no more runs, and asks the runs in progress to end.
   void stop() {
     waiting_.clear();
     if (std::exchange(stopped_, true)) return;
@@ -196,7 +196,7 @@ class Sweep {
   const SweepFolder& folder_;
   std::size_t jobs_;
   std::optional<std::vector<std::string>> bodies_;
-  std::vector<std::optional<RunOutcome>> outcomes_;  ///< Per run of the sweep.
+  std::vector<std::optional<RunOutcome>> outcomes_;  ///< Outcomes per run of the sweep.
   std::deque<std::size_t> waiting_;
   std::map<pid_t, Going> going_;
   std::size_t done_before_ = 0;
@@ -231,7 +231,7 @@ SweepPlan plan_of(const SweepOptions& options) {
   return plan;
 }
 
-/// Tells how the sweep stands. @param outcomes   Those that count. Returns the exit code.
+/// Prints the state of the sweep. @return the exit code
 int report(const SweepOptions& options, const SweepPlan& plan,
            const std::vector<std::optional<RunOutcome>>& outcomes, bool interrupted) {
   std::size_t done = 0, failed = 0, first_failed = 0;
@@ -263,8 +263,8 @@ int do_one(const SweepOptions& options, const SweepPlan& plan, const SweepFolder
   return one.outcomes()[*options.only]->code == kDone ? kDone : kCannotGoOn;
 }
 
-/// The part of a rank. The others than the first end well if they could do their runs, whatever
-/// came of these: launchers end all ranks if one of them does not end well.
+/// Does the part of a rank. Ranks other than the first end with code 0 even if runs have failed,
+/// since launchers end all ranks if one ends otherwise.
 int do_part(const SweepOptions& options, const SweepPlan& plan, const SweepFolder& folder,
             SweepSurvey survey, Rank rank) {
   std::vector<std::size_t> runs;

@@ -4,12 +4,12 @@
 
 namespace app {
 
-/// Runs a scene with all values, each run in a process of its own, and writes `sweep.csv`.
+/// Runs a scene with all sets of values, each in a process of its own, and writes `sweep.csv`.
 ///
-/// What is done already is not done again: runs that ended by themselves, well (0) or in a state
-/// that is not finite (3). What ended otherwise is tried anew where this process does all runs.
-/// So many runs go on at a time as the machine has cores; where the process is one of several ranks
-/// (ranks.h) one, unless `jobs` says otherwise.
+/// Runs that ended with exit code 0 or 3 (a state that is not finite) before are not repeated. Runs
+/// that ended otherwise are repeated if this process does all runs. The number of simultaneous runs
+/// is `jobs`; by default it is the number of cores, or one if the process is one of several ranks
+/// (ranks.h).
 ///
 /// @return kDone, kCannotGoOn if a run failed or is missing, kInterrupted
 /// @throws InputError before anything runs

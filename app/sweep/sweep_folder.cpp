@@ -24,17 +24,18 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Results in the folder of a run.
+/// Result files in the folder of a run.
 constexpr const char* kResults[] = {kOutcomeFile, kTrajectoryLog, kForceLog, kSummaryFile};
 
-/// A number of the content of a file; of a missing one, that of an empty one.
+/// Returns a hash of a file's content; a missing file counts as empty.
 std::string fingerprint(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   return fmt::format("{:016x}", hash_of(bytes));
 }
 
-/// By the name of each part for messages. The scene may lie elsewhere if it is the same.
+/// Returns the identity as JSON, with keys that messages can name. The scene is represented by its
+/// content, not its path.
 Json to_json(const SweepIdentity& identity) {
   return {{"scene", fingerprint(identity.scene)},
           {"--set", identity.sets},
@@ -43,7 +44,7 @@ Json to_json(const SweepIdentity& identity) {
           {"--seed", identity.samples ? Json(identity.seed) : Json(nullptr)}};
 }
 
-/// The part in which a manifest differs; empty if there is none.
+/// Returns the first part in which a manifest differs; empty if there is none.
 std::string changed_part(const Json& manifest, const SweepIdentity& identity) {
   if (!manifest.is_object() || !manifest.contains("sweep") || !manifest.contains("files"))
     return "all, or is cut off";
@@ -105,7 +106,7 @@ bool SweepFolder::holds(const SweepIdentity& identity) const {
 
 void SweepFolder::begin(const SweepIdentity& identity, const std::set<fs::path>& files) const {
   std::error_code error;
-  // Shared, the runs may be those of another process that has begun the same sweep.
+  // In a shared folder the runs may be those of another process that has begun the same sweep.
   if (alone_ && !fs::is_empty(path() / "runs", error) && !error)
     throw scene::InputError(path() / "runs", "holds what no sweep has written; name another --out");
   Json manifest = {

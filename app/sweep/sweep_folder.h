@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// What a sweep was asked for, as it was written; a folder keeps the results of one.
+/// Definition of a sweep, as the user wrote it. A folder keeps the results of one sweep.
 struct SweepIdentity {
   std::filesystem::path scene;
   std::vector<std::string> sets;
@@ -21,7 +21,7 @@ struct SweepIdentity {
   std::uint64_t seed = 0;
 };
 
-/// A run's folder while the run is done: others that want it meanwhile are refused.
+/// Folder of a run, locked against other processes while the run is done.
 class RunSlot {
  public:
   /// Makes the folder or empties it. @throws InputError if it cannot be made or is in use
@@ -29,7 +29,7 @@ class RunSlot {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path messages_file() const { return path_ / kMessagesFile; }
-  /// Of the messages, for writing.
+  /// Returns the file descriptor of the messages, for writing.
   int messages() const { return messages_.descriptor(); }
 
  private:
@@ -37,22 +37,23 @@ class RunSlot {
   LockedFile messages_;
 };
 
-/// The folder of a sweep: `sweep.json`, which says what it is of, `sweep.csv`, and `runs/0000`….
+/// Folder of a sweep: its definition `sweep.json`, its table `sweep.csv`, and `runs/0000`….
 class SweepFolder {
  public:
   /// @throws InputError as OutputFolder does
   SweepFolder(const std::filesystem::path& path, OutputFolder::Use use);
 
-  /// Removes what the sweep that is there has left. @throws InputError if it cannot be removed
+  /// Removes the files of the sweep in this folder, if there is one. @throws InputError if it
+  /// cannot be removed
   void clear() const;
 
-  /// Whether it holds this sweep, done in part or whole. @throws InputError if it holds another, or
-  /// the scene or a file that it names is no longer the same
+  /// Returns true if the folder holds this sweep, in part or whole. @throws InputError if it holds
+  /// another sweep, or if the scene or a file that it names has changed
   bool holds(const SweepIdentity& identity) const;
 
-  /// Says that it holds this sweep from now on. @param files   Those that the scenes name.
-  /// @throws InputError if there are runs of no sweep, which may be someone else's, and no other
-  ///     process can have begun it meanwhile
+  /// Records that the folder holds this sweep. @param files   Files that the scenes name.
+  /// @throws InputError if there are runs that belong to no sweep, unless another process may have
+  ///     begun this sweep meanwhile
   void begin(const SweepIdentity& identity, const std::set<std::filesystem::path>& files) const;
 
   const std::filesystem::path& path() const { return folder_.path(); }

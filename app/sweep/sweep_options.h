@@ -8,19 +8,19 @@
 
 namespace app {
 
-/// A scene run many times with other values.
+/// Options of a sweep: a scene is run many times with different values.
 struct SweepOptions {
   std::filesystem::path scene;
   std::filesystem::path out;
   std::vector<std::string> sets;       ///< `KEY.PATH=VALUE`, in all runs.
   std::vector<std::string> varied;     ///< `KEY.PATH=VALUES`: see parse_sweep_parameter.
-  std::optional<std::size_t> samples;  ///< Of a Latin hypercube; none: all combinations.
-  std::uint64_t seed = 1;              ///< Of the samples.
+  std::optional<std::size_t> samples;  ///< Size of a Latin hypercube; none: all combinations.
+  std::uint64_t seed = 1;              ///< Seed of the samples.
   int jobs = 0;                        ///< Runs at a time. 0: see sweep().
-  bool fresh = false;                  ///< Do anew what was done.
-  bool slurm = false;                  ///< Write a script for Slurm, run nothing.
-  bool gather = false;                 ///< Write the table of what was done, run nothing.
-  std::optional<std::size_t> only;     ///< Do this run, and write no table.
+  bool fresh = false;                  ///< True: discard earlier results.
+  bool slurm = false;                  ///< True: write a Slurm script, run nothing.
+  bool gather = false;                 ///< True: write the table of finished runs, run nothing.
+  std::optional<std::size_t> only;     ///< The only run to be done, without a table.
   bool quiet = false;
 };
 

@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Angle of the body's z axis to the vertical [deg].
+/// Returns the angle of the body's z axis to the vertical [deg].
 double tilt_deg(const hydro::BodyState& state) {
   const Eigen::Vector3d axis = state.orientation * Eigen::Vector3d::UnitZ();
-  // By both legs of the angle: an arc cosine alone has no digits where the body is upright.
+  // The arc tangent is used, since the arc cosine loses its digits where the body is upright.
   return std::atan2(std::hypot(axis.x(), axis.y()), axis.z()) * 180 / std::numbers::pi;
 }
 
@@ -36,7 +36,7 @@ std::string text_of(const fs::path& file) {
 
 Json parsed(const fs::path& file) { return Json::parse(text_of(file), nullptr, false); }
 
-/// The first line that says what went wrong.
+/// Returns the first line that reports an error.
 std::string first_complaint(const fs::path& messages) {
   std::istringstream stream(text_of(messages));
   const std::string mark = "error: ";
@@ -70,12 +70,12 @@ std::vector<BodyOutcome> read_bodies(const fs::path& trajectory) {
     for (const std::string& name : read.names)
       bodies.push_back(body_outcome(name, read.tracks.at(name)));
   } catch (const std::runtime_error&) {
-    // The run ended before its first row; its message tells why.
+    // The run ended before its first row; its message gives the reason.
   }
   return bodies;
 }
 
-/// A cell of a CSV file.
+/// Returns a text as a cell of a CSV file.
 std::string cell(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

@@ -11,14 +11,14 @@
 #include "app/sweep/sweep_parameters.h"
 
 /// @file
-/// What one run of a sweep came to, the file that keeps it, and the table of them all.
+/// Outcome of a run of a sweep, the file that stores it, and the table of all outcomes.
 
 namespace app {
 
-/// Columns of a body, after its name and a dot. First its last state as in a trajectory, then, over
-/// all logged rows: lowest and highest z [m], greatest speed [m/s] and angular speed [rad/s],
-/// greatest acceleration [m/s^2] (the change of velocity from a row to the next over the time
-/// between), last and greatest tilt [deg] (the angle of the body's z axis to the vertical).
+/// Columns of a body, prefixed by its name and a dot: its last state as in a trajectory, then over
+/// all logged rows the lowest and highest z [m], the greatest speed [m/s], angular speed [rad/s]
+/// and acceleration [m/s^2] (the difference quotient of the velocity between rows), the last and
+/// the greatest tilt [deg] (the angle of the body's z axis to the vertical).
 inline constexpr std::array<std::string_view, 20> kBodyColumns = {"x",
                                                                   "y",
                                                                   "z",
@@ -42,38 +42,38 @@ inline constexpr std::array<std::string_view, 20> kBodyColumns = {"x",
 
 struct BodyOutcome {
   std::string name;
-  std::array<double, kBodyColumns.size()> values = {};  ///< As kBodyColumns.
+  std::array<double, kBodyColumns.size()> values = {};  ///< Values in the order of kBodyColumns.
 };
 
-/// The last and extreme values of a track of at least one row.
+/// Returns the last and extreme values of a track of at least one row.
 BodyOutcome body_outcome(const std::string& name, const BodyTrack& track);
 
 struct RunOutcome {
-  int code = 0;                     ///< Exit code of `run`; 128 and the signal that ended it.
+  int code = 0;                     ///< Exit code of `run`, or 128 + the signal that ended it.
   std::optional<double> simulated;  ///< [s]; none if the run did not begin.
-  double wall = 0;                  ///< Of the whole process [s].
-  std::string message;              ///< The error, else the warnings.
-  std::vector<BodyOutcome> bodies;  ///< Of the trajectory as far as it goes.
+  double wall = 0;                  ///< Wall time of the whole process [s].
+  std::string message;              ///< Error message, or else the warnings.
+  std::vector<BodyOutcome> bodies;  ///< Outcomes of the trajectory as far as it was written.
 };
 
-/// What a run that has ended left in its folder.
-/// @param messages   File of what it said.
+/// Collects the outcome of a run from its folder.
+/// @param messages   File with its messages.
 RunOutcome collect_outcome(const std::filesystem::path& folder,
                            const std::filesystem::path& messages, int code, double wall);
 
 /// Writes the file whole or not at all. @throws std::runtime_error if it cannot be written
 void write_outcome(const RunOutcome& outcome, const std::filesystem::path& file);
 
-/// None if there is no such file, or none of ours.
+/// Returns none if there is no such file, or if it holds no outcome.
 std::optional<RunOutcome> read_outcome(const std::filesystem::path& file);
 
-/// The table as CSV: a row a run that has an outcome, in the order of the runs.
-/// @param points    Of each run. @param bodies   Names, in the order of their columns.
+/// Returns the table as CSV with a row for each run that has an outcome, in the order of the runs.
+/// @param points   Values of each run. @param bodies   Names, in the order of their columns.
 std::string table_of(const std::vector<SweepParameter>& parameters,
                      const std::vector<SweepPoint>& points, const std::vector<std::string>& bodies,
                      const std::vector<std::optional<RunOutcome>>& outcomes);
 
-/// The number of a run as text: `0007`, also the name of its folder.
+/// Returns the number of a run as text, also the name of its folder: `0007`.
 std::string run_name(std::size_t index);
 
 }  // namespace app

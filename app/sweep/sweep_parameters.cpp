@@ -17,11 +17,10 @@
 namespace app {
 namespace {
 
-/// Part of a step by which the last value may miss whole steps: the rounding of (last −
-/// first)/step.
+/// Tolerance for the rounding of (last − first)/step, in steps.
 constexpr double kStepSlack = 1e-9;
 
-/// Decimal places up to which a double's own rounding is not seen.
+/// Largest number of decimal places that is free of a double's rounding.
 constexpr int kMostPlaces = 15;
 
 [[noreturn]] void refuse_values(const std::string& key_path, const std::string& found,
@@ -39,7 +38,7 @@ std::optional<double> finite_number(std::string_view text) {
   return value;
 }
 
-/// `a:b:c` → a, b, c
+/// Splits `a:b:c` into a, b, c.
 std::vector<std::string> split_at_colons(const std::string& text) {
   std::vector<std::string> parts = {""};
   for (const char c : text)
@@ -56,7 +55,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Splits YAML at the commas that stand in no brackets, braces or quotes.
+/// Splits YAML at the commas outside brackets, braces and quotes.
 std::vector<std::string> split_at_commas(const std::string& text) {
   std::vector<std::string> parts = {""};
   int depth = 0;
@@ -84,7 +83,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return parts;
 }
 
-/// Decimal places with which a number is written: 2 of `0.25`, 3 of `1e-3`.
+/// Returns the decimal places with which a number is written: 2 for `0.25`, 3 for `1e-3`.
 int decimal_places(const std::string& number) {
   const std::size_t exponent_at = number.find_first_of("eE");
   const std::string mantissa = number.substr(0, exponent_at);
@@ -96,8 +95,8 @@ int decimal_places(const std::string& number) {
   return static_cast<int>(std::clamp(static_cast<double>(places) - exponent, 0.0, 1000.0));
 }
 
-/// A number with no more decimal places than it may have, so that the third value of 0:1:0.1 is 0.2
-/// and its fourth 0.3.
+/// Returns a number with at most `places` decimal places, so that the third value of 0:1:0.1 is 0.2
+/// and the fourth 0.3.
 std::string rounded_text(double value, int places) {
   if (places > kMostPlaces) return fmt::format("{}", value);
   std::string text = fmt::format("{:.{}f}", value, places);
@@ -108,13 +107,13 @@ std::string rounded_text(double value, int places) {
   return text == "-0" ? "0" : text;
 }
 
-/// The values of `FIRST:LAST:STEP`, given as its three texts.
+/// Returns the values of `FIRST:LAST:STEP`, given as three texts.
 std::vector<std::string> stepped_values(const std::string& key_path, const std::string& text,
                                         const std::vector<std::string>& parts) {
   const double first = *finite_number(parts[0]);
   const double last = *finite_number(parts[1]);
   const double step = *finite_number(parts[2]);
-  const double steps = (last - first) / step;  // not a number or infinite for a step of 0
+  const double steps = (last - first) / step;  // NaN or infinite for a step of 0
   if (!(steps >= 0 && steps < static_cast<double>(kMostRuns)))
     refuse_values(key_path, text,
                   fmt::format("FIRST:LAST:STEP with steps that lead from the first to the last in "
@@ -128,9 +127,9 @@ std::vector<std::string> stepped_values(const std::string& key_path, const std::
   return values;
 }
 
-/// A whole number from 0 to below `count`, each as likely as any other.
+/// Returns a uniformly distributed integer in 0 … count − 1.
 std::uint64_t below(std::uint64_t count, std::mt19937_64& engine) {
-  // Of 2^64 numbers the last few would make the first ones likelier.
+  // The last 2^64 mod count numbers are rejected, since they would favour small results.
   const std::uint64_t excess = (std::mt19937_64::max() % count + 1) % count;
   for (;;) {
     const std::uint64_t number = engine();
@@ -138,12 +137,12 @@ std::uint64_t below(std::uint64_t count, std::mt19937_64& engine) {
   }
 }
 
-/// A number from 0 to below 1, a multiple of 2^−53.
+/// Returns a uniformly distributed number in [0, 1), a multiple of 2^−53.
 double unit_number(std::mt19937_64& engine) {
   return static_cast<double>(engine() >> 11) * 0x1p-53;
 }
 
-/// 0 … count−1 in a random order (Fisher, Yates).
+/// Returns 0 … count − 1 in random order (Fisher, Yates).
 std::vector<std::size_t> permutation(std::size_t count, std::mt19937_64& engine) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
@@ -151,7 +150,7 @@ std::vector<std::size_t> permutation(std::size_t count, std::mt19937_64& engine)
   return order;
 }
 
-/// A value in one of `samples` equal parts of what the parameter may be.
+/// Returns a value in part number `part` of `samples` equal parts of the parameter's values.
 std::string value_in_part(const SweepParameter& parameter, std::size_t part, std::size_t samples,
                           std::mt19937_64& engine) {
   if (!parameter.values.empty()) return parameter.values[part * parameter.values.size() / samples];

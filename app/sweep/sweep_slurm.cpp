@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// What stands in single braces is filled in.
+/// Template of the script; names in single braces are replaced.
 constexpr const char* kScript = R"(#!/bin/bash
 # The {runs} runs of a sweep as an array of jobs for Slurm, made by plimsoll sweep --slurm. To hand it
 # in, with a job after it that writes the table:
@@ -32,7 +32,7 @@ fi
 exec "${{sweep[@]}}" --only $((SLURM_ARRAY_TASK_ID + ${{SWEEP_FIRST:-0}}))
 )";
 
-/// Letters of a word that a shell takes as they are.
+/// Returns true if a shell takes a word literally.
 bool is_plain(const std::string& word) {
   return !word.empty() && word.find_first_not_of(
                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -46,7 +46,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The command that asks for the same sweep.
+/// Returns the command that defines the same sweep.
 std::vector<std::string> command_of(const SweepOptions& options) {
   std::vector<std::string> words = {program_path(), "sweep", options.scene.string()};
   const auto add = [&](const char* option, const std::string& value) {
@@ -62,7 +62,7 @@ std::vector<std::string> command_of(const SweepOptions& options) {
   return words;
 }
 
-/// A job's name has no blanks.
+/// Returns a name without blanks for the job.
 std::string job_name(const std::filesystem::path& scene) {
   std::string name = scene.stem().string();
   for (char& c : name)

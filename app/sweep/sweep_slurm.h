@@ -6,11 +6,11 @@
 
 namespace app {
 
-/// Shell words: what is no plain word stands in quotes.
+/// Returns words for a shell, with quotes around those that need them.
 std::string shell_words(const std::vector<std::string>& words);
 
-/// A script for Slurm. `bash SCRIPT` hands it in, with a job after it that writes the table;
-/// `sbatch SCRIPT` hands in the runs alone. @param runs   At least one.
+/// Returns a script for Slurm. `bash SCRIPT` submits the runs and a subsequent job that writes the
+/// table; `sbatch SCRIPT` submits the runs alone. @param runs   Number of runs, >= 1.
 std::string slurm_script(const SweepOptions& options, std::size_t runs);
 
 }  // namespace app

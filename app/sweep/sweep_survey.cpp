@@ -35,7 +35,7 @@ struct Shape {
   }
 };
 
-/// All that a body's solution of added mass depends on; empty if none is looked for.
+/// Returns a key of everything on which a body's added mass depends; empty if none is solved for.
 std::string added_mass_of(const scene::Body& body) {
   using Model = scene::AddedMass::Model;
   const scene::AddedMass& added_mass = body.hydro.added_mass;
@@ -54,8 +54,8 @@ void add_files(const scene::Scene& scene, std::set<std::filesystem::path>& files
     files.insert(heights->file);
 }
 
-/// Faults of several scenes, each once. Those of values that `--set` does not give are the
-/// parameters'.
+/// Distinct faults of several scenes. Faults of overrides that are not in `--set` are attributed to
+/// `--vary`.
 class AllFaults {
  public:
   explicit AllFaults(const SweepPlan& plan) : plan_(plan) {}
@@ -83,7 +83,7 @@ class AllFaults {
   std::vector<scene::Fault> faults_;
 };
 
-/// What was wrong with the scene of each run.
+/// Fault of each run's scene, if it has one.
 using RunFaults = std::vector<std::optional<scene::InputError>>;
 
 bool is_right_alone(const SweepPlan& plan, const scene::Override& override) {
@@ -97,7 +97,8 @@ bool is_right_alone(const SweepPlan& plan, const scene::Override& override) {
   return true;
 }
 
-/// Looks at every value of one parameter.
+/// Checks every value of one parameter: a value that is invalid alone and in all its runs is a
+/// fault.
 void check_values(const SweepPlan& plan, std::size_t parameter, const RunFaults& faults,
                   AllFaults& all) {
   std::map<std::string, std::vector<std::size_t>> runs;  // by value
@@ -110,8 +111,8 @@ void check_values(const SweepPlan& plan, std::size_t parameter, const RunFaults&
   }
 }
 
-/// Says before anything runs what would be wrong with all: a mesh that is not there, say. Most
-/// often the first scene is sound, and no other is looked at.
+/// Reports faults that all runs would have, such as a missing mesh, before any run starts. The
+/// first scene that can be assembled ends the check.
 void check_assembly(const SweepPlan& plan, const std::vector<std::size_t>& candidates) {
   AllFaults all(plan);
   for (const std::size_t run : candidates) {

@@ -5,7 +5,7 @@
 namespace app {
 namespace {
 
-/// One function out of several, for std::visit.
+/// Overload set of functions, for std::visit.
 template <typename... Functions>
 struct Either : Functions... {
   using Functions::operator()...;

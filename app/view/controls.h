@@ -9,11 +9,11 @@
 #include "app/view/playback_clock.h"
 
 /// @file
-/// What keys and mouse do, apart from any window.
+/// Response to keys and mouse, independent of any window.
 
 namespace app {
 
-/// What a key asks for.
+/// Command of a key.
 enum class Key { pause, step, restart, faster, slower, home, help, quit };
 
 enum class Button { left, middle, right };
@@ -21,7 +21,7 @@ enum class Button { left, middle, right };
 struct KeyPress {
   Key key;
 };
-/// Places are points of the window (orbit.h).
+/// Positions are points of the window (orbit.h).
 struct ButtonPress {
   Button button = Button::left;
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
@@ -33,17 +33,17 @@ struct MouseMove {
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
 };
 struct Wheel {
-  double notches = 0;  ///< Away from the hand.
+  double notches = 0;  ///< Positive away from the hand.
 };
 using Event = std::variant<KeyPress, ButtonPress, ButtonRelease, MouseMove, Wheel>;
 
-/// The body that a ray of the mouse meets.
+/// Finds the body that a ray of the mouse meets.
 using Pick = std::function<std::optional<Hit>(const Ray&)>;
 
-/// What keys and mouse have come to: where the camera is, how time goes, what is drawn by hand.
+/// State set by keys and mouse: camera, pace of time and body held by the mouse.
 class Controls {
  public:
-  /// @param step   Of the simulation [s].
+  /// @param step   Time step of the simulation [s].
   Controls(const render::Camera& home, double step, Pick pick);
 
   void take(const Event& event);
@@ -53,10 +53,10 @@ class Controls {
   const PlaybackClock& playback() const { return playback_; }
   bool help() const { return help_; }
   bool quit() const { return quit_; }
-  /// True once for each time that the simulation is to start anew.
+  /// Returns true once after each command to restart the simulation.
   bool take_restart();
 
-  /// The body that is held, and what draws it.
+  /// Body that is held, and the force that pulls it.
   struct Held {
     engine::BodyId body;
     engine::Pull pull;
@@ -76,7 +76,7 @@ class Controls {
   Pick pick_;
   Gesture gesture_ = Gesture::none;
   Eigen::Vector2d mouse_ = Eigen::Vector2d::Zero();
-  std::optional<Hit> grip_;  ///< Of `pull`.
+  std::optional<Hit> grip_;  ///< Point held while the gesture is `pull`.
   bool help_ = false, quit_ = false, restart_ = false;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What bodies reach so far about, as a part of what the camera shows at their distance.
+/// Extent of the bodies as a fraction of the visible extent at their distance.
 constexpr double kFilled = 0.55;
 
 }  // namespace

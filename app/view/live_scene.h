@@ -13,28 +13,29 @@
 
 namespace app {
 
-/// A camera from which all bodies are seen where they start.
+/// Returns a camera that shows all bodies at their start.
 render::Camera framing(const engine::SimulationSpec& spec);
 
-/// A scene that is played: its simulation, and pictures of where it has come to.
+/// A scene that is played: its simulation and pictures of its present state.
 class LiveScene {
  public:
-  /// Both must outlive it.
-  /// @param scene   With a render block.
+  /// Both arguments must outlive the object.
+  /// @param scene   Scene with a render block.
   LiveScene(const scene::Scene& scene, const assembly::BuiltScene& built);
 
   const engine::Simulation& simulation() const { return simulation_; }
 
-  /// From the start again, nothing held.
+  /// Restarts the simulation and releases the held body.
   void restart();
-  /// Draws a body by hand from now on, none of the others.
+  /// Pulls the held body from now on, and no other.
   void hold(const std::optional<Controls::Held>& held);
-  /// Takes so many steps, fewer if they take longer than that on the clock [s], but at least one.
-  /// @return how many it took. @throws engine::SimulationError
+  /// Takes up to `steps` steps, and stops early, after at least one, when `longest` clock time [s]
+  /// has passed.
+  /// @return the number of steps taken. @throws engine::SimulationError
   long advance(long steps, double longest);
 
-  /// With what a picture of the scene has, and a note below the time, unless it is empty. Automatic
-  /// scales grow with the highest pressures and forces so far.
+  /// Draws a picture with all the annotations that the scene asks for, and a note below the time
+  /// unless it is empty. Automatic scales grow with the largest pressures and forces so far.
   /// @throws render::Error
   render::Image picture(const render::Camera& camera, int width, int height,
                         const std::string& note);
@@ -49,9 +50,9 @@ class LiveScene {
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
-  PressureRange range_;  ///< Of the pressures so far.
+  PressureRange range_;  ///< Range of the pressures so far.
   render::PressureScale scale_;
-  std::optional<render::Renderer> renderer_;  ///< None before the first picture.
+  std::optional<render::Renderer> renderer_;  ///< Made for the first picture.
 };
 
 }  // namespace app

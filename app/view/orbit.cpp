@@ -10,10 +10,10 @@ namespace app {
 namespace {
 
 constexpr double kSteepest = 89 * std::numbers::pi / 180;
-constexpr double kZoom = 0.85;                      // a notch
+constexpr double kZoom = 0.85;                      // per notch
 constexpr double kNearest = 1e-3, kFarthest = 1e6;  // [m]
 
-/// Axes of the picture; its width does not matter for points in half heights.
+/// Returns the axes of the picture. Points in half heights do not depend on its width.
 render::View axes(const render::Camera& camera) { return render::make_view(camera, 1, 1); }
 
 }  // namespace

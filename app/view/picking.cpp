@@ -9,14 +9,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the hand, 2π over the 0.3 s in which a body follows it [1/s].
+/// Rate of the pull, 2π over the 0.3 s in which a body follows the mouse [1/s].
 constexpr double kRate = 2 * std::numbers::pi / 0.3;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// How often `along` goes into the way from `from` to a triangle; kNone if it is not met before
-/// that. [MT97] Möller and Trumbore. Fast, minimum storage ray-triangle intersection. J. Graphics
-/// Tools 2 (1997).
+/// Returns the ray parameter t > 0 for which from + t·along lies on a triangle; kNone if the ray
+/// misses it [MT97].
+///
+/// [MT97] Möller and Trumbore. Fast, minimum storage ray-triangle intersection.
+/// J. Graphics Tools 2 (1997).
 double distance_to_triangle(const Vector3d& from, const Vector3d& along,
                             const Eigen::Matrix3d& corners) {
   const Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0);

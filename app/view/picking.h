@@ -9,24 +9,24 @@
 #include "engine/spec.h"
 
 /// @file
-/// Bodies under the mouse, and the hand that draws them.
+/// Picking of bodies with the mouse, and the pull on a picked body.
 
 namespace app {
 
-/// The first point of a body that a ray meets, from either side of its triangles.
+/// First point of a body on a ray. Triangles are hit from both sides.
 struct Hit {
   engine::BodyId body = 0;
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< [m]
-  double depth = 0;                                ///< Along the camera's view [m].
+  double depth = 0;  ///< Distance along the camera's viewing direction [m].
 };
 
-/// @param states   In the order of the bodies.
+/// @param states   States in the order of the bodies.
 std::optional<Hit> first_hit(const Ray& ray, const std::vector<engine::BodySpec>& bodies,
                              const std::vector<hydro::BodyState>& states);
 
-/// What the point that was taken hold of is drawn with: to the mouse's place in the plane that
-/// faces the camera as far off as it was then.
-/// @param ray   Of the mouse now.
+/// Returns the pull on the held point towards the mouse's point in the plane that faces the camera
+/// at the depth of the hit.
+/// @param ray   Present ray of the mouse.
 engine::Pull pull_towards(const Hit& held, const Ray& ray);
 
 }  // namespace app

@@ -7,8 +7,8 @@
 namespace app {
 namespace {
 
-constexpr double kLook = 0.5;    // over which `reached` is found [s]
-constexpr double kSlack = 1e-9;  // of a step, for the rounding of what is owed
+constexpr double kLook = 0.5;    // interval over which `reached` is found [s]
+constexpr double kSlack = 1e-9;  // tolerance for the rounding of the backlog, in steps
 
 }  // namespace
 

@@ -53,7 +53,7 @@ void add_table(render::Image& image, int size) {
   }
 }
 
-/// A power of two: `1/8` … `16`.
+/// Returns a power of two as `1/8` … `16`.
 std::string speed_text(double speed) {
   return speed < 1 ? fmt::format("1/{:g}", 1 / speed) : fmt::format("{:g}", speed);
 }

@@ -7,10 +7,10 @@
 
 namespace app {
 
-/// How fast time goes, as the window tells it: `speed 1/4, reached 0.25`, or that it is paused.
+/// Returns the text about the pace of time: `speed 1/4, reached 0.25`, or that it is paused.
 std::string playback_text(const PlaybackClock& playback);
 
-/// Puts a line of help, or the whole of it, upper right.
+/// Writes one line of help, or all lines if `whole`, at the upper right.
 void add_help(render::Image& image, bool whole);
 
 }  // namespace app

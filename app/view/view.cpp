@@ -22,9 +22,9 @@
 namespace app {
 namespace {
 
-constexpr double kFrameTime = 1.0 / 60;  ///< Of the clock, from picture to picture at best [s].
-constexpr double kIdleTime = 0.25;       ///< Between looks at the window while nothing moves [s].
-constexpr double kLongestSteps = 0.1;    ///< Of the clock, from picture to picture [s].
+constexpr double kFrameTime = 1.0 / 60;  ///< Shortest clock time between pictures [s].
+constexpr double kIdleTime = 0.25;       ///< Clock time between polls while nothing moves [s].
+constexpr double kLongestSteps = 0.1;    ///< Clock time for steps between two pictures [s].
 
 std::string title_of(const scene::Scene& scene) {
   return "Plimsoll: " + (scene.title.empty() ? scene.file.stem().string() : scene.title);
@@ -35,7 +35,7 @@ render::Camera first_camera(const scene::Scene& scene) {
   return {camera.from, camera.to, camera.field_of_view};
 }
 
-/// A window in which a scene goes on until somebody closes it.
+/// A window in which a scene runs until the user closes it.
 class LiveView {
  public:
   LiveView(const ViewOptions& options, const scene::Scene& scene, const assembly::BuiltScene& built,
@@ -106,10 +106,10 @@ class LiveView {
   Window& window_;
   LiveScene live_;
   Controls controls_;
-  long last_step_;  ///< That a picture is kept of; -1: none.
+  long last_step_;  ///< Step of the snapshot; -1: none.
   bool done_ = false;
   std::array<int, 2> shown_size_ = {0, 0};
-  Clock::time_point clock_;  ///< When steps were last asked for.
+  Clock::time_point clock_;  ///< Time at which steps were last asked for.
 };
 
 }  // namespace

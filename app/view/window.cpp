@@ -36,7 +36,7 @@ std::optional<Key> key_of(int code) {
   }
 }
 
-/// By what is written on the key, on any keyboard.
+/// Maps the letter printed on a key to a command, for any keyboard layout.
 std::optional<Key> key_of_letter(unsigned letter) {
   switch (letter) {
     case '.':
@@ -71,7 +71,7 @@ std::optional<Button> button_of(int code) {
   }
 }
 
-/// The library while it is in use.
+/// Lifetime of the windowing library.
 struct Library {
   Library() {
     if (glfwInit() == GLFW_TRUE) return;
@@ -90,7 +90,7 @@ struct WindowCloser {
 using WindowHandle = std::unique_ptr<GLFWwindow, WindowCloser>;
 
 WindowHandle open_window(const std::string& title, int width, int height) {
-  // The pictures are drawn in a context of EGL, and a thread has one kind of context at a time.
+  // Pictures are drawn in an EGL context, and a thread can use only one kind of context at a time.
   glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -107,7 +107,7 @@ std::vector<Event>& events_of(GLFWwindow* window) {
   return *static_cast<std::vector<Event>*>(glfwGetWindowUserPointer(window));
 }
 
-/// A place in the units of the window's mouse as a point (orbit.h).
+/// Converts a position of the mouse in window units to a point (orbit.h).
 Eigen::Vector2d point_at(GLFWwindow* window, double x, double y) {
   int width = 0, height = 0;
   glfwGetWindowSize(window, &width, &height);
@@ -164,7 +164,7 @@ struct Window::Impl {
   render::GlFunctions gl;
   std::vector<Event> events;
   GLuint texture = 0;
-  GLuint source = 0;  ///< A framebuffer of the texture, to copy from.
+  GLuint source = 0;  ///< Framebuffer with the texture, the source of copies.
 };
 
 Window::Window(const std::string& title, int width, int height)
@@ -200,7 +200,7 @@ void Window::draw(const render::Image& image) {
   gl.FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, impl_->texture,
                           0);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  // Rows of an image come from the top, those of a framebuffer from below.
+  // Rows of an image start at the top, those of a framebuffer at the bottom.
   gl.BlitFramebuffer(0, 0, image.width, image.height, 0, height, width, 0, GL_COLOR_BUFFER_BIT,
                      GL_LINEAR);
 }

@@ -13,10 +13,10 @@
 
 namespace app {
 
-/// Empty if this program can open windows; else what to install and do.
+/// Returns an empty text if this program can open windows, else what to install and do.
 std::string why_no_window();
 
-/// One thread at a time; one window at a time.
+/// Window that is used by one thread. Only one may exist at a time.
 class Window {
  public:
   /// @throws render::Error if there is no screen or no graphics for a window.
@@ -25,19 +25,19 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Somebody has closed it.
+  /// Returns true after the user has closed it.
   bool closed() const;
-  /// Width and height [px]; zero while it is put aside.
+  /// Width and height [px]; zero while it is minimised.
   std::array<int, 2> size() const;
 
-  /// Keys and mouse since the last call, waiting for one so long [s].
+  /// Returns the events since the last call, after waiting for one for up to `wait` [s].
   std::vector<Event> events(double wait);
 
-  /// Fills the window with an image, stretched if it is of another size; `present` shows it.
+  /// Fills the window with an image, stretched to the window's size; `present` shows it.
   void draw(const render::Image& image);
-  /// What the window will show: its own pixels, between `draw` and `present`.
+  /// Returns the pixels that the window will show; to be called between `draw` and `present`.
   render::Image read() const;
-  /// Shows what was drawn; waits for the screen.
+  /// Shows the image that was drawn; waits for the screen's refresh.
   void present();
 
  private:

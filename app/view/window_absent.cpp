@@ -1,6 +1,6 @@
 #include "app/view/window.h"
 
-/// In the place of window.cpp where there was no library to build it with.
+/// Replaces window.cpp in builds without a windowing library.
 
 namespace app {
 

@@ -59,7 +59,7 @@ double floor_height(const BodySpec& body) {
   return std::min(0.0, body.initial.position.z()) + lowest(body);
 }
 
-/// Round hills as high as 0.4 sizes; the body is over the top of one.
+/// Returns round hills whose heights differ by 0.8 sizes; the body is above the top of one.
 engine::MeshGround hills(double top, double size) {
   constexpr int kCells = 24;
   engine::MeshGround ground;

@@ -6,16 +6,18 @@
 
 namespace stress {
 
-/// Height of a body's lowest point above its centre of mass, in its initial orientation [m].
+/// Returns the height of a body's lowest point above its centre of mass, in its initial orientation
+/// [m].
 double lowest(const engine::BodySpec& body);
 
-/// Puts the body into the scenario with what the run's `with` says: other bodies, joints, ground.
+/// Adds the body to the scenario, with the other bodies, joints and ground that the run's `with`
+/// names.
 ///
-/// free; locked: x, y and yaw are; pinned, hinged, slider: to the world; chain: three of it by ball
-/// joints from the world; fixed: two by a fixed joint; floor, terrain: ground under it, half the
-/// body's height below the water, or under the body if that starts deep; wall: its weight pushes it
-/// against a vertical face; stack: three on the floor; overload: the uppermost with a hundred times
-/// the mass.
+/// free: nothing; locked: x, y and yaw are locked; pinned, hinged, slider: a joint to the world;
+/// chain: three copies hang from the world by ball joints; fixed: two copies with a fixed joint;
+/// floor, terrain: ground half the body's height below the water, or under the body if that starts
+/// deep; wall: a force as large as its weight pushes the body against a vertical face; stack: three
+/// copies on the floor; overload: a stack whose uppermost body has a hundred times the mass.
 /// @throws std::invalid_argument for an unknown name.
 void arrange(const std::string& with, const engine::BodySpec& body, Scenario& scenario);
 

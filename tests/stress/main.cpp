@@ -50,7 +50,7 @@ bool chosen(const RunName& run, const Options& options) {
                      [&](const std::string& text) { return name.find(text) != std::string::npos; });
 }
 
-/// The runs that a file lists, one a line; lines that start with # are comments.
+/// Returns the runs that a file lists, one per line; lines that start with # are comments.
 std::vector<RunName> listed_runs(const fs::path& file) {
   std::ifstream stream(file);
   if (!stream) throw std::invalid_argument("cannot read " + file.string());
@@ -93,7 +93,7 @@ int do_one(const Options& options) {
   return outcome.fault.empty() ? 0 : 1;
 }
 
-/// A line on a terminal that says how far it is.
+/// Prints the progress as a line on a terminal.
 void show_progress(std::size_t done, std::size_t all, std::size_t failed) {
   if (!::isatty(STDERR_FILENO)) return;
   fmt::print(stderr, "\r{} of {} runs, {} failed{}", done, all, failed, done == all ? "\n" : "");

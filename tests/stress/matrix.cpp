@@ -27,7 +27,7 @@ std::vector<RunName> bases() {
   return runs;
 }
 
-/// Every base, and it with each value of each parameter.
+/// Returns every base run and its variations in each value of each parameter.
 std::vector<RunName> one_at_a_time() {
   std::vector<RunName> runs;
   for (const RunName& base : bases()) {
@@ -39,14 +39,14 @@ std::vector<RunName> one_at_a_time() {
   return runs;
 }
 
-/// Runs in which every value of a parameter occurs equally often, in random combinations.
+/// Returns runs in random combinations, in which every value of a parameter occurs equally often.
 std::vector<RunName> hypercube() {
   std::mt19937 random(20140601);
   std::vector<RunName> runs(kHypercubeRuns);
   for (const Dimension& dimension : dimensions()) {
     std::vector<std::size_t> order(runs.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    // The standard library's shuffle is not the same everywhere.
+    // The result of std::shuffle depends on the standard library.
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
     for (std::size_t i = 0; i < runs.size(); ++i)
       runs[i] = runs[i].with(dimension.key, dimension.values[order[i] % dimension.values.size()]);
@@ -55,7 +55,7 @@ std::vector<RunName> hypercube() {
   return runs;
 }
 
-/// A minute in the water with A/m far on both sides of one.
+/// Returns runs of a minute in the water with A/m far below and above one.
 std::vector<RunName> heavy_water() {
   std::vector<RunName> runs;
   const RunName base = parse_run("density=0.5 speed=1 spin=1 start=deep steps=3600");
@@ -88,7 +88,7 @@ std::vector<RunName> great_teapots() {
 
 using Part = std::vector<RunName> (*)();
 
-/// Each part of the matrix, and of how many of its runs one is in the subset.
+/// Parts of the matrix and their strides: one of so many runs is in the subset.
 constexpr std::pair<Part, std::size_t> kParts[] = {
     {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 5}, {great_teapots, 6}};
 

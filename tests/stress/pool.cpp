@@ -14,7 +14,7 @@
 namespace stress {
 namespace {
 
-/// A run that is being done.
+/// A run in progress.
 struct Worker {
   RunName run;
   pid_t process = 0;
@@ -56,7 +56,7 @@ Outcome finish(const Worker& worker) {
   return outcome;
 }
 
-/// Reads what there is. @returns false at the end.
+/// Reads the available output of a worker. @returns false at its end.
 bool listen(Worker& worker) {
   std::array<char, 4096> buffer{};
   const ssize_t count = ::read(worker.pipe, buffer.data(), buffer.size());
@@ -64,7 +64,7 @@ bool listen(Worker& worker) {
   return count > 0;
 }
 
-/// Waits for any worker to say something; takes those that have ended out of the list.
+/// Waits for output of any worker, and removes workers that have ended.
 void wait_for_one(std::vector<Worker>& workers, const Collector& collect) {
   std::vector<pollfd> pipes;
   for (const Worker& worker : workers) pipes.push_back({worker.pipe, POLLIN, 0});

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Differs between two builds of a program.
+/// Returns a text that differs between two builds of a program.
 std::string build_mark(const fs::path& program) {
   return fmt::format("# {} bytes, built at {}", fs::file_size(program),
                      fs::last_write_time(program).time_since_epoch().count());
@@ -30,7 +30,7 @@ std::vector<Result> read_results(const fs::path& file, const std::string& mark) 
   return results;
 }
 
-/// The runs that share a parameter's value, as a line of the table.
+/// Line of the table for the runs with one value of a parameter.
 struct Line {
   long runs = 0, failed = 0, judged = 0;
   double rise = 0;
@@ -54,7 +54,8 @@ struct Line {
   }
 };
 
-/// The values of a parameter in the order of the matrix, and after them others that were run.
+/// Returns the values of a parameter in the order of the matrix, followed by other values that were
+/// run.
 std::vector<std::string> values_of(const Dimension& dimension, const std::vector<Result>& results) {
   std::vector<std::string> values = dimension.values;
   for (const Result& result : results)

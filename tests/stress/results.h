@@ -8,7 +8,7 @@
 #include "tests/stress/outcome.h"
 
 /// @file
-/// Outcomes of runs on disk and as tables.
+/// Storage and tables of the outcomes of runs.
 
 namespace stress {
 
@@ -17,14 +17,15 @@ struct Result {
   Outcome outcome;
 };
 
-/// `stress.csv` in a folder: a line a run, written as it ends, so that what an interruption leaves
-/// is taken up by the next start. Lines of a program that has been built anew since are dropped.
+/// `stress.csv` in a folder. Each run adds a line when it ends, so that the next start resumes
+/// after an interruption. Lines of an older build of the program are dropped.
 class ResultFile {
  public:
-  /// @param program   Whose results these are. @throws std::runtime_error if it cannot be written.
+  /// @param program   Program that makes the results. @throws std::runtime_error if it cannot be
+  ///     written.
   ResultFile(const std::filesystem::path& folder, const std::filesystem::path& program);
 
-  /// Results of earlier starts.
+  /// Returns the results of earlier starts.
   const std::vector<Result>& earlier() const { return earlier_; }
   void add(const Result& result);
 
@@ -33,11 +34,11 @@ class ResultFile {
   std::ofstream out_;
 };
 
-/// For every parameter and each of its values: runs, failures, worst rise of energy, most substeps
-/// and solutions of a step.
+/// Returns for each value of each parameter: number of runs and failures, largest rise of energy,
+/// largest numbers of substeps and solutions in a step.
 std::string table(const std::vector<Result>& results);
 
-/// Every failure, with the command that repeats it; empty if there is none.
+/// Returns every failure with the command that repeats it; empty if there is none.
 std::string failures(const std::vector<Result>& results, const std::string& program);
 
 }  // namespace stress

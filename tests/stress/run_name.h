@@ -5,12 +5,12 @@
 #include <vector>
 
 /// @file
-/// A run of the stress test by its parameters. Its name says all of them, as
-/// `shape=cube density=0.5 …`, and is what repeats it.
+/// A run of the stress test, defined by its parameters. Its name lists them as `shape=cube
+/// density=0.5 …` and suffices to repeat the run.
 
 namespace stress {
 
-/// The parameters, in the order of a name. What their values mean stands in README.md.
+/// Parameters in the order of a name. README.md explains their values.
 enum class Key {
   shape,
   density,
@@ -29,17 +29,17 @@ enum class Key {
 };
 inline constexpr std::size_t kKeys = 14;
 
-/// A parameter and the values that the matrix gives it, the default first.
+/// A parameter and its values in the matrix, the default first.
 struct Dimension {
   Key key;
   std::string name;
   std::vector<std::string> values;
 };
 
-/// In the order of `Key`.
+/// Returns the parameters in the order of `Key`.
 const std::vector<Dimension>& dimensions();
 
-/// The values of all parameters.
+/// Values of all parameters.
 class RunName {
  public:
   RunName();  ///< Every parameter at its default.
@@ -47,8 +47,8 @@ class RunName {
   const std::string& operator[](Key key) const { return values_[static_cast<std::size_t>(key)]; }
   RunName with(Key key, const std::string& value) const;
 
-  /// A parameter's value as a number; a fraction such as 1/60 is one.
-  /// @throws std::invalid_argument if it is none.
+  /// Returns a parameter's value as a number, which may be a fraction such as 1/60.
+  /// @throws std::invalid_argument if it is no number.
   double number(Key key) const;
 
   std::string text() const;
@@ -58,8 +58,8 @@ class RunName {
   std::array<std::string, kKeys> values_;
 };
 
-/// The run with the parameters that a text gives, the others at their default.
-/// @throws std::invalid_argument for an unknown parameter or what is no `key=value`.
+/// Returns the run with the parameters in a text and defaults for the others.
+/// @throws std::invalid_argument for an unknown parameter or a word that is not `key=value`.
 RunName parse_run(const std::string& text);
 
 }  // namespace stress

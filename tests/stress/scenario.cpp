@@ -41,7 +41,8 @@ Eigen::Vector3d direction(const std::string& entry) {
   throw std::invalid_argument(fmt::format("'{}' is no direction of entry", entry));
 }
 
-/// No symmetry plane of a body is vertical, or all are that can be.
+/// Returns the initial orientation: as many symmetry planes as possible are vertical (flat), or
+/// none is (tilted).
 Eigen::Quaterniond orientation(const std::string& pose) {
   if (pose == "flat") return Eigen::Quaterniond::Identity();
   if (pose == "tilted")
@@ -50,7 +51,7 @@ Eigen::Quaterniond orientation(const std::string& pose) {
   throw std::invalid_argument(fmt::format("'{}' is no pose", pose));
 }
 
-/// Height of the centre of mass.
+/// Returns the initial height of the centre of mass [m].
 double height(const RunName& run, double size, double reach_down) {
   const std::string& start = run[Key::start];
   if (start == "above") return reach_down + 0.01 * size;

@@ -4,21 +4,22 @@
 #include "tests/stress/run_name.h"
 
 /// @file
-/// From a run's name to what is simulated.
+/// Conversion of a run's name to a simulation.
 
 namespace stress {
 
 struct Scenario {
   engine::SimulationSpec spec;
   long steps = 0;
-  double size = 0;                                 ///< Of one body [m].
-  double volume = 0;                               ///< Of one body [m^3].
+  double size = 0;                                 ///< Size of one body [m].
+  double volume = 0;                               ///< Volume of one body [m^3].
   Eigen::Vector3d push = Eigen::Vector3d::Zero();  ///< Constant force on the first body, W [N].
-  /// Still water, no lift, and nothing fixed that the water streams past: energy cannot grow.
+  /// True: energy cannot grow, since the water is still, there is no lift and nothing fixed stands
+  /// in a current.
   bool passive = false;
 };
 
-/// @throws std::invalid_argument for a value that is not known.
+/// @throws std::invalid_argument for an unknown value.
 Scenario make_scenario(const RunName& run);
 
 }  // namespace stress

@@ -18,14 +18,14 @@
 namespace stress {
 namespace {
 
-// Accurate enough to stress the mechanics with, and solved in a second.
+// The solution is accurate enough to stress the mechanics and takes a second.
 constexpr hydro::AddedMassOptions kSolver{.tolerance = 0.02, .most_panels = 1500};
 
 hydro::TriMesh stored_mesh(const std::string& name) {
   return assembly::read_mesh(std::string(PLIMSOLL_SOURCE_DIR) + "/scenes/meshes/" + name + ".obj");
 }
 
-/// Every triangle cut in four at the middles of its edges.
+/// Returns the mesh with every triangle cut into four at the midpoints of its edges.
 hydro::TriMesh quartered(const hydro::TriMesh& mesh) {
   std::map<std::pair<int, int>, int> middles;
   std::vector<Eigen::Vector3d> added;
@@ -61,7 +61,7 @@ hydro::TriMesh raw_mesh(const std::string& name) {
   throw std::invalid_argument(fmt::format("'{}' is no shape", name));
 }
 
-/// Largest extent 1, the centre of the volume in the origin.
+/// Returns a mesh with largest extent 1 and its centroid in the origin.
 hydro::TriMesh unit_mesh(const std::string& name) {
   const hydro::TriMesh mesh = raw_mesh(name);
   const Eigen::Vector3d center = hydro::solid_properties(mesh).centroid;
@@ -69,7 +69,8 @@ hydro::TriMesh unit_mesh(const std::string& name) {
                        1 / hydro::bounding_box(mesh).sizes().maxCoeff());
 }
 
-/// The solution of a mesh `size` times as large: φ grows with it, and once more for a rotation.
+/// Returns the solution for a mesh `size` times as large: φ scales with size, and with its square
+/// for rotations.
 hydro::AddedMassSolution scaled_solution(hydro::AddedMassSolution solution, double size) {
   hydro::Vector6d arm;
   arm << 1, 1, 1, size, size, size;

@@ -10,39 +10,41 @@
 #include "tests/stress/scenario.h"
 
 /// @file
-/// What may not happen in a run.
+/// Criteria by which a run fails.
 ///
-/// With E(t) = K + U the energy of all bodies, their added mass included, and U their potential
-/// energy (gravity, buoyancy, a constant push), in still water without lift
+/// Let E = K + U be the energy of all bodies, K their kinetic energy with added mass and U their
+/// potential energy (gravity, buoyancy, a constant push). In still water without lift
 ///
 ///     rise(t)  = E(t) − min E(s) − max C(s)  over s <= t,
 ///     scale(t) = max E(s) − min U(s)  over s <= t                                           (1)
 ///
-/// and the run fails if rise > kLargestRise · scale at any step. The scale does not depend on where
-/// U is zero; it is no more than the greatest energy so far above the lowest place that can be
-/// reached. C is the weight of all bodies and their displaced water times the deepest overlap of
-/// any two for each body: contacts are soft (engine/contacts.h), and push what has sunk into them
-/// out again. Energy that was lost and comes back is a rise, also if it stays below what it was at
-/// the start.
+/// and the run fails if rise > kLargestRise · scale at any step. The scale does not depend on the
+/// zero of U; it is at most the largest energy so far relative to the lowest reachable position. C
+/// is, summed over the bodies, the weight of all bodies and their displaced water times the deepest
+/// overlap of any two: contacts are soft (engine/contacts.h) and push overlapping bodies apart
+/// again. Energy that was lost and returns counts as a rise, even if it stays below its initial
+/// value.
 ///
-/// No body may get farther than its energy can carry it. The water can give it
-/// W = ρ g V (depth of its start below the highest water + size) by lifting it, gravity m g times
-/// how far it sank, a push F·x; and a wave that runs with speed c at most that in the frame in
-/// which it stands still. So with q the speed of its initial energy 2E_0/m,
+/// No body may move farther than its energy allows. By lifting a body the water can add at most W =
+/// ρ g V (depth of its start below the highest water + size), gravity adds m g times the depth
+/// sunk, a push F·x, and a wave of speed c no more than these in the frame in which it is steady.
+/// With the initial kinetic energy E_0 and q = √(2E_0/m), the speed
 ///
 ///     v = c + √((q + c)² + 2 (W + m g sunk + F·x)/m)                                        (2)
 ///
-/// bounds its speed, v t + size its way along the water and v²/2g + size its height above it.
+/// bounds the body's speed, v t + size its horizontal displacement and v²/2g + size its height
+/// above the water.
 
 namespace stress {
 
-inline constexpr double kLargestRise = 1e-3;  ///< Of the greatest energy so far.
-/// Least scale of (1), of the weight and the largest buoyancy times size: E has round-off in it.
+inline constexpr double kLargestRise = 1e-3;  ///< Limit of rise/scale in (1).
+/// Smallest scale in (1), relative to (weight + largest buoyancy) · size, because of round-off in
+/// E.
 inline constexpr double kSmallestScale = 1e-9;
-/// Most substeps of a body in a step. Its own movement asks for 64 at most
-/// (engine::kMostSubsteps); the rest is left for energy that halving must keep from rising.
+/// Largest number of substeps of a body in a step. Its motion needs at most 64
+/// (engine::kMostSubsteps); the energy limiter may halve them further.
 inline constexpr long kMostSubsteps = 1024;
-/// Most solutions of its constraints in a step: 60 for each of those 64 substeps.
+/// Largest number of solutions of its constraints in a step: 60 for each of those 64 substeps.
 inline constexpr long kMostSolutions = 3840;
 
 /// Follows a simulation from its initial state.
@@ -50,7 +52,8 @@ class Watch {
  public:
   explicit Watch(const Scenario& scenario);
 
-  /// To be called after every step. @returns what is wrong, if anything is.
+  /// Checks the state after a step; must be called after every step. @returns the fault, if there
+  /// is one.
   std::optional<std::string> look(const engine::Simulation& simulation);
 
   double energy() const { return energy_; }          ///< E [J]; 0 where it is not judged.
@@ -72,19 +75,19 @@ class Watch {
   std::optional<std::string> left(const engine::Simulation& simulation) const;
   std::optional<std::string> stalled(const engine::Simulation& simulation);
 
-  Scenario scenario_;  ///< What the bodies below refer to.
+  Scenario scenario_;  ///< The bodies below refer to it.
   engine::Environment environment_;
   std::vector<engine::Body> bodies_;
-  engine::World world_;                   ///< Finds the contacts of what was simulated.
-  std::vector<double> initial_energies_;  ///< Kinetic, of each body [J].
+  engine::World world_;                   ///< Finds the contacts of the simulated bodies.
+  std::vector<double> initial_energies_;  ///< Initial kinetic energy of each body [J].
   double lowest_ = 0, highest_ = 0, lowest_potential_ = 0;
   double smallest_scale_ = 0;
-  double weight_ = 0;   ///< Of all bodies and the water that they can displace [N].
-  double overlap_ = 0;  ///< Greatest C so far [J].
+  double weight_ = 0;   ///< Weight of all bodies and the water that they can displace [N].
+  double overlap_ = 0;  ///< Largest C so far [J].
   double energy_ = 0;
   double worst_rise_ = 0;
   long most_substeps_ = 0, most_solutions_ = 0;
-  std::vector<engine::Counts> counts_;  ///< After the step before.
+  std::vector<engine::Counts> counts_;  ///< Counts after the previous step.
 };
 
 }  // namespace stress

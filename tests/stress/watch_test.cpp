@@ -20,7 +20,7 @@ using stress::Scenario;
 using stress::Watch;
 using testing::HasSubstr;
 
-/// The fault that the watch finds within the run's steps; empty if none.
+/// Returns the fault that the watch finds within the run's steps; empty if none.
 std::string fault_of(const Scenario& watched, const engine::SimulationSpec& simulated) {
   Watch watch(watched);
   engine::Simulation simulation(simulated);

@@ -15,7 +15,7 @@ namespace {
 
 using hydro::Sea;
 
-/// A wave by its length and its steepness kA; waves break above 0.44.
+/// Adds a wave of given length and steepness kA; waves break above 0.44.
 void add_wave(Sea& sea, double length, double steepness) {
   const double amplitude = steepness * length / (2 * std::numbers::pi);
   sea.surface =
@@ -38,7 +38,7 @@ void add_bumps(Sea& sea, double size) {
   sea.surface = hydro::make_height_field(heights, size, {-10 * size, -10 * size});
 }
 
-/// The water rises by the body's size within a tenth of it.
+/// Makes a surface that rises by the body's size within a tenth of it.
 void add_cliff(Sea& sea, double size) {
   Eigen::MatrixXd heights = Eigen::MatrixXd::Zero(1, 2);
   heights(0, 1) = size;

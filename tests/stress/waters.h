@@ -6,11 +6,11 @@
 
 namespace stress {
 
-/// The water named by a run, its lengths in proportion to a body's size [m]; level 0.
+/// Returns the water that a run names, with lengths in proportion to a body's size [m] and level 0.
 /// @throws std::invalid_argument for an unknown name.
 hydro::Sea make_water(const std::string& name, double size);
 
-/// The largest speed at which the surface's shape moves over the water, or the water itself [m/s].
+/// Returns the largest of the phase speeds of the waves and the speed of the current [m/s].
 double fastest(const hydro::Sea& sea);
 
 }  // namespace stress

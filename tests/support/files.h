@@ -9,7 +9,7 @@
 
 namespace support {
 
-/// Names of what lies in a folder, sorted; none if it is not there.
+/// Returns the sorted names of a folder's entries; none if there is no such folder.
 inline std::vector<std::string> files_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   if (!std::filesystem::exists(folder)) return names;
@@ -19,7 +19,7 @@ inline std::vector<std::string> files_in(const std::filesystem::path& folder) {
   return names;
 }
 
-/// The content of a file; empty if there is none.
+/// Returns the content of a file; empty if there is no such file.
 inline std::string bytes_in(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -7,11 +7,11 @@
 #include "tests/support/random_pose.h"
 
 /// @file
-/// Closed meshes for tests, outward unless a name says otherwise.
+/// Closed meshes for tests, with outward normals unless a name says otherwise.
 
 namespace support {
 
-/// The tetrahedron with a corner at the origin and the others on the axes at `edges` [m].
+/// Returns the tetrahedron with a corner at the origin and the others on the axes at `edges` [m].
 inline hydro::TriMesh corner_tetrahedron(const Eigen::Vector3d& edges) {
   hydro::TriMesh mesh{Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xi(3, 4)};
   mesh.vertices.rightCols(3) = edges.asDiagonal();
@@ -21,7 +21,7 @@ inline hydro::TriMesh corner_tetrahedron(const Eigen::Vector3d& edges) {
   return mesh;
 }
 
-/// A torus about z: the mesh of the smooth one's points at equal angles.
+/// Returns a mesh of a torus about z, with vertices on the smooth torus at equal angles.
 inline hydro::TriMesh make_torus(double radius, double tube, int around, int across) {
   hydro::TriMesh mesh{Eigen::Matrix3Xd(3, around * across),
                       Eigen::Matrix3Xi(3, 2 * around * across)};
@@ -38,8 +38,8 @@ inline hydro::TriMesh make_torus(double radius, double tube, int around, int acr
   return mesh;
 }
 
-/// A lumpy solid that sees its whole surface from the origin, radius 0.6 … 1.4 m: every vertex of
-/// an icosphere moved along its ray. No two faces cut each other.
+/// Returns a random star-shaped solid of radius 0.6 … 1.4 m: every vertex of an icosphere is moved
+/// along its ray. No two faces intersect.
 inline hydro::TriMesh random_star(Random& random, int subdivisions = 2) {
   hydro::TriMesh mesh = hydro::make_icosphere(1, subdivisions);
   for (Eigen::Index i = 0; i < mesh.vertex_count(); ++i)
@@ -47,7 +47,8 @@ inline hydro::TriMesh random_star(Random& random, int subdivisions = 2) {
   return mesh;
 }
 
-/// Rotated at random about the origin and moved by up to `distance` along each axis.
+/// Returns a random rotation about the origin with a translation by up to `distance` along each
+/// axis.
 inline Eigen::Isometry3d random_pose(Random& random, double distance) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() = random.rotation().toRotationMatrix();
@@ -55,7 +56,7 @@ inline Eigen::Isometry3d random_pose(Random& random, double distance) {
   return X;
 }
 
-/// Both meshes as one, vertices not shared.
+/// Returns both meshes as one, without shared vertices.
 inline hydro::TriMesh united(const hydro::TriMesh& a, const hydro::TriMesh& b) {
   hydro::TriMesh mesh{Eigen::Matrix3Xd(3, a.vertex_count() + b.vertex_count()),
                       Eigen::Matrix3Xi(3, a.face_count() + b.face_count())};

@@ -7,7 +7,7 @@
 
 namespace support {
 
-/// Numbers of a test with a fixed seed; no global state.
+/// Random numbers of a test with a fixed seed and no global state.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
@@ -18,14 +18,14 @@ class Random {
   Eigen::Vector3d vector(double size) {
     return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
   }
-  /// A unit quaternion, uniform over the rotations.
+  /// Returns a unit quaternion, uniformly distributed over the rotations.
   Eigen::Quaterniond rotation() {
     std::normal_distribution<double> normal;
     Eigen::Vector4d q(normal(engine_), normal(engine_), normal(engine_), normal(engine_));
     q.normalize();
     return Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
   }
-  /// A state with coordinates up to `distance` and velocities up to `speed`.
+  /// Returns a state with coordinates up to `distance` and velocities up to `speed`.
   hydro::BodyState state(double distance, double speed) {
     return {.position = vector(distance),
             .orientation = rotation(),

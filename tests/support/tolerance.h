@@ -14,7 +14,7 @@ inline double tolerance_scale() {
   return scale;
 }
 
-/// A tolerance as a test states it, scaled.
+/// Returns a tolerance of a test, scaled.
 inline double tolerance(double value) { return value * tolerance_scale(); }
 
 }  // namespace support

@@ -5,10 +5,10 @@
 
 namespace support {
 
-/// A Wigley hull, |y| = B/2 (1 − (2x/L)²)(1 − (z/T)²) for −T <= z <= 0, with vertical sides above
-/// up to a deck at z = `freeboard` [m]. `divisions` along each edge of the box that is shaped to
-/// it; even, so that a row of vertices runs along z = 0. Faces of the box that shrink to a line at
-/// keel, stem and stern remain, without area.
+/// Returns a Wigley hull, |y| = B/2 (1 − (2x/L)²)(1 − (z/T)²) for −T <= z <= 0, with vertical sides
+/// above up to a deck at z = `freeboard` [m]. The hull is a deformed box with `divisions` along
+/// each edge, an even number so that a row of vertices runs along z = 0. Faces of the box that
+/// shrink to a line at keel, stem and stern remain, without area.
 inline hydro::TriMesh make_wigley(double length, double beam, double draught, double freeboard,
                                   int divisions) {
   hydro::TriMesh mesh = hydro::make_box({2, 2, 2}, divisions);
