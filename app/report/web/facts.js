@@ -95,9 +95,8 @@ const skips = ({skipped, bodies}) => {
   if (skipped.water) notes.push("Water: no water, or no body that it acts on.");
   if (skipped.pictures) notes.push(`Pictures: ${skipped.pictures}.`);
   const sum = (key) => Object.values(bodies).reduce((s, body) => s + (body[key] ?? 0), 0);
-  const dry = sum("steps_above_water"), resting = sum("steps_at_rest"), asleep = sum("steps_asleep");
+  const dry = sum("steps_above_water"), resting = sum("steps_at_rest");
   if (dry) notes.push(`Loads above the highest water: ${grouped(dry)} evaluations.`);
-  if (asleep) notes.push(`Motion of bodies asleep: ${grouped(asleep)} steps.`);
   if (resting) notes.push(`Loads of bodies at rest in still water: ${grouped(resting)} evaluations.`);
   return notes;
 };
@@ -107,15 +106,15 @@ const list = (title, notes) => notes.length === 0 ? "" :
           element("ul", {}, ...notes.map((note) => element("li", {textContent: note}))));
 
 const bodyTable = (run, select) => {
-  const head = ["body", "mass [kg]", "triangles", "steps free", "constrained", "pieces", "above water",
-                "at rest", "asleep", "loads left out"];
+  const head = ["body", "mass [kg]", "triangles", "steps free", "constrained", "substeps", "above water",
+                "at rest", "loads left out"];
   const table = element("table", {}, element("tr", {}, ...head.map((t) => element("th", {textContent: t}))));
   run.bodies.slice(0, MOST_BODIES).forEach((body, i) => {
     const s = run.summary?.bodies?.[body.name];
     const count = (value) => value === undefined ? "–" : grouped(value);
     const cells = [body.name, number(body.mass), grouped(run.shapes[body.shape].of_faces),
                    count(s?.motion?.free_steps), count(s?.motion?.constrained_steps), count(s?.motion?.pieces),
-                   count(s?.steps_above_water), count(s?.steps_at_rest), count(s?.steps_asleep),
+                   count(s?.steps_above_water), count(s?.steps_at_rest),
                    s?.loads_not_computed?.map((l) => l.replace("_", " ")).join(", ") || "–"];
     const row = element("tr", {onclick: () => select(i)}, ...cells.map((t) => element("td", {textContent: t})));
     table.append(row);

@@ -356,7 +356,7 @@ TEST_F(ProgramSweep, RanksCannotStartAnewTogether) {
   const Outcome outcome = here.run(command("o", kGrid + std::vector<std::string>{"--fresh"}),
                                    {"PMI_SIZE=2", "PMI_RANK=0"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, StartsWith("--fresh: cannot be given to several ranks"));
+  EXPECT_THAT(outcome.err, StartsWith("--fresh: cannot be combined with several ranks"));
 }
 
 #ifdef PLIMSOLL_MPIRUN
