@@ -23,11 +23,11 @@ struct RunSummary {
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
-  std::vector<std::string> warnings;  ///< engine::Simulation::warnings.
-  double wall = 0;                    ///< In all, the added mass included [s].
-  double wall_log = 0;                ///< [s]
-  double wall_render = 0;             ///< [s]
-  std::optional<double> resumed_at;   ///< Time of the last checkpoint that it was resumed from [s].
+  std::vector<std::string> warnings;   ///< engine::Simulation::warnings.
+  double wall = 0;                     ///< In all, the added mass included [s].
+  double wall_log = 0;                 ///< [s]
+  double wall_render = 0;              ///< [s]
+  std::optional<double> resumed_at;  ///< Time of the last checkpoint that it was resumed from [s].
   std::optional<PictureReport> pictures;
   std::string pictures_skipped;  ///< Why there are none.
 };

@@ -1,3 +1,5 @@
+#include "app/assembly/build.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -5,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/assembly/build.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/mass_properties.h"
 #include "tests/app/scene_text.h"

@@ -1,10 +1,11 @@
+#include "app/run/resolved_scene.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/assembly/build.h"
 #include "app/base/progress.h"
-#include "app/run/resolved_scene.h"
 #include "tests/app/scene_text.h"
 
 namespace {
