@@ -173,8 +173,8 @@ TEST_F(ProgramReport, SaysThatTheSceneIsNoLongerThereAndFindsItWhereItIs) {
              "bodies: [{name: t, mesh: {file: meshes/t.obj}, density: 500}]\n");
   ASSERT_EQ(here.run({"run", "scenes/t.yaml", "--out", "o", "--quiet"}).code, 0);
   fs::rename(here / "scenes", here / "away");
-  EXPECT_THAT(fault_of("o"), HasSubstr("scenes/t.yaml and what it names are no longer there; say "
-                                       "with --scene where the scene lies now"));
+  EXPECT_THAT(fault_of("o"), HasSubstr("scenes/t.yaml and the files it names no longer exist; give "
+                                       "the present place of the scene with --scene"));
   EXPECT_THAT(fault_of("o --scene none.yaml"), StartsWith("none.yaml: "));
   EXPECT_EQ(data("o --scene away/t.yaml")["shapes"][0]["faces"], 4);
 }
@@ -182,7 +182,7 @@ TEST_F(ProgramReport, SaysThatTheSceneIsNoLongerThereAndFindsItWhereItIs) {
 TEST_F(ProgramReport, ReadsARunThatWasKilledWithItsSceneNamed) {
   run_box();
   fs::remove(here / "o/summary.json");
-  EXPECT_THAT(fault_of("o"), HasSubstr("summary.json: is missing: the run was stopped; name its "
+  EXPECT_THAT(fault_of("o"), HasSubstr("summary.json: is missing: the run was stopped; give its "
                                        "scene with --scene"));
   const json page = data("o --scene box.yaml");
   EXPECT_TRUE(page["summary"].is_null());
@@ -215,8 +215,8 @@ TEST_F(ProgramReport, RefusesLogsThatAreBrokenAndSaysWhere) {
   std::string shifted = forces;
   shifted.replace(shifted.find("\n0.01,"), 6, "\n0.011,");
   here.write("o/forces.csv", shifted);
-  EXPECT_THAT(fault_of("o"), HasSubstr("row 2 of body box is of 0.011 s and that of trajectory.csv "
-                                       "of 0.01 s"));
+  EXPECT_THAT(fault_of("o"), HasSubstr("row 2 of body box has the time 0.011 s and that of "
+                                       "trajectory.csv 0.01 s"));
 }
 
 TEST_F(ProgramReport, RefusesASummaryThatIsBroken) {
