@@ -53,6 +53,16 @@ engine::SimulationSpec dry_world(std::vector<engine::BodySpec> bodies, double st
   return spec;
 }
 
+engine::SimulationSpec left_to_the_solver(engine::SimulationSpec spec) {
+  using Type = engine::JointSpec::Type;
+  for (const engine::JointSpec& joint : std::vector(spec.joints)) {
+    spec.joints.push_back(joint);
+    // The anchor of a hinge lies on its axis.
+    if (joint.type == Type::hinge) spec.joints.back().type = Type::ball;
+  }
+  return spec;
+}
+
 engine::MeshGround slope(double angle, double heading, int cells) {
   constexpr double kLength = 100;
   hydro::TriMesh mesh;
