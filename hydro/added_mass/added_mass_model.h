@@ -5,8 +5,8 @@
 
 namespace hydro {
 
-/// Added mass of a body as it lies in the water. Constant but for what it stores for itself; may be
-/// asked by several threads at once and answers the same whatever was asked before.
+/// The added mass of a body as it lies in the water. A model is constant but for results that it
+/// keeps. Several threads may ask it at once, and an answer does not depend on earlier questions.
 class AddedMassModel {
  public:
   virtual ~AddedMassModel() = default;

@@ -11,8 +11,8 @@
 ///
 /// made symmetric and without negative eigenvalues. ψ is that of the wholly submerged body, so the
 /// free surface is not felt: a body half under has half of its added mass if it is symmetric about
-/// the waterline. Exact for ψ linear on each face and, in waves, for the surface as the loads take
-/// it (refine.h).
+/// the waterline. The integral is exact for ψ that is linear on each face and, in waves, for the
+/// surface that the loads take (refine.h).
 
 namespace hydro {
 
@@ -21,8 +21,8 @@ Matrix6d semi_definite_part(const Matrix6d& matrix);
 
 class WettedAddedMass final : public AddedMassModel {
  public:
-  /// @param mesh_B     Closed; its origin the centre of mass.
-  /// @param solution   Of this mesh, about the same origin.
+  /// @param mesh_B     Closed; its origin is the centre of mass.
+  /// @param solution   The solution for this mesh, about the same origin.
   WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;

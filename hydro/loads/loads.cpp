@@ -13,17 +13,18 @@
 namespace hydro {
 namespace {
 
-/// Motion slower than this has no drag: its square would be a denormal number, slow to work with.
+/// A motion slower than this has no drag: its square would be a denormal number, slow to work with
+/// [m/s].
 constexpr double kLeastSpeed = 1e-120;
 
-/// Volume over area [m]: an error of the elevation that is the same part of it makes an error of
-/// the force that is that part of the buoyancy at most.
+/// Volume over area [m]. If the elevation is wrong by a part of it, the force is wrong by that part
+/// of the buoyancy at most.
 double size_of(const Hull& hull) {
   const auto& moment = hull.tree.nodes[0].moment;
   return moment[kernel::kPlace + 2][2] / moment[kernel::kOne][kernel::kAreaLane];
 }
 
-/// A hull that dips less deep than this part of its radius is dry: roundings are as large.
+/// A hull that dips less deep than this part of its radius counts as dry: roundings are as large.
 constexpr double kLeastDip = 1e-13;
 
 /// True if no point of the hull's box is below the highest water.
@@ -58,13 +59,13 @@ Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) 
   return {R_WB * vector(which), R_WB * vector(which + 3)};
 }
 
-/// From how many leaves on several threads share a body: below they take longer to wake than to
-/// work. With whole branches and no viscous drag few leaves are looked into.
+/// The number of leaves from which several threads share a body. Below it threads take longer to
+/// wake than to work. With whole branches and no viscous drag few leaves are looked into.
 int shared_from(const kernel::LoadInputs& in) {
   return in.branches && !in.surface && !(in.moving && in.viscous) ? 8192 : 256;
 }
 
-/// The sum over all faces. Chunks are added in their order, whichever thread made them.
+/// The sum over all faces. Chunks are added in their order, whichever thread summed them.
 kernel::Sums sum_hull(const Hull& hull, const kernel::LoadInputs& in) {
   kernel::Sums sums;
   const bool shared = static_cast<int>(hull.panels.leaves.size()) >= shared_from(in);

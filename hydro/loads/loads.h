@@ -12,10 +12,10 @@
 
 namespace hydro {
 
-/// A body's wetted skin, as the water sees it. Constant.
+/// The outer surface of a body, as the water sees it. It is constant.
 struct Hull {
-  TriMesh mesh_B;     ///< Closed, outward; in B, its origin the centre of mass.
-  double radius = 0;  ///< Of the smallest sphere about the centre of mass that holds the mesh [m].
+  TriMesh mesh_B;         ///< Closed and outward; its origin is the centre of mass.
+  double radius = 0;      ///< Largest distance of a vertex from the centre of mass [m].
   kernel::Panels panels;  ///< The mesh as the kernel reads it.
   kernel::Tree tree;
 };
@@ -23,7 +23,7 @@ struct Hull {
 /// Builds a hull from a closed mesh in B.
 Hull make_hull(TriMesh mesh_B);
 
-/// Loads by kind, moments about the centre of mass, in W; the sum is what the water does.
+/// The loads of the water by kind, in W. Moments are about the centre of mass.
 struct Loads {
   Wrench buoyancy;
   Wrench pressure_drag;
@@ -36,12 +36,13 @@ struct Loads {
   Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift; }
 };
 
-/// What the calibration of a body's drag multiplies it with in the given motion [-]; 1 without one.
+/// The factor of a body's pressure drag by its calibration in the given motion [-]. It is 1 without
+/// a calibration.
 /// @param current   Velocity of the water [m/s].
 double drag_scale(const Coefficients& coefficients, const BodyState& state,
                   const Eigen::Vector3d& current);
 
-/// How the sum over the panels is made.
+/// Accuracy of the sum over the panels.
 struct LoadAccuracy {
   /// Whole branches of the tree are taken at once. On flat water the result is the same.
   bool branches = true;

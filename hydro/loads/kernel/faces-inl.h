@@ -12,19 +12,20 @@
 #include "hydro/loads/kernel/waves-inl.h"
 
 /// @file
-/// Loads on the faces of a leaf: those that are wet all over at once, the others as pieces.
+/// The loads on the faces of a leaf. Faces that are wet all over are summed where they lie; the
+/// others wait in queues as pieces.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
-/// Sums over a run of leaves, and the pieces that are left over until there are enough.
+/// The state of a walk: its sums, and the pieces that wait until they fill a vector.
 struct LoadWalk {
   const Panels& panels;
   const LoadInputs& in;
   Sums& sums;
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
-  TriangleQueue cut_by_water;  ///< May be wet in part.
-  TriangleQueue turning;  ///< Wet all over, v·n changes its sign: only pressure drag is missing.
+  TriangleQueue cut_by_water;  ///< They may be wet in part.
+  TriangleQueue turning;       ///< They are wet, v·n changes its sign; pressure drag is missing.
 };
 
 HWY_INLINE Values normal_speeds(const Flow& flow, const Triangle& t) {
@@ -42,7 +43,7 @@ HWY_INLINE Traction lift_on(const Flow& flow, const Triangle& t, V scale) {
   return square_on(t, scale, along1) + square_on(t, scale, along2);
 }
 
-/// Pressure drag on the triangles that count, of any motion: cut where v·n is zero.
+/// The pressure drag on the triangles that count, for any motion. They are cut where v·n is zero.
 HWY_INLINE Traction cut_drag_on(const LoadInputs& in, const Flow& flow, const Triangle& t,
                                 M counts) {
   const Values u = normal_speeds(flow, t);
@@ -60,7 +61,7 @@ HWY_INLINE Traction cut_drag_on(const LoadInputs& in, const Flow& flow, const Tr
          drag(cut.corner, cut.at_corner, turns, cut.alone_positive);
 }
 
-/// All loads on the triangles that count; they are wet all over.
+/// Adds all loads on the triangles that count. These are wet all over.
 inline HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M counts,
                                  const Values& depth) {
   const LoadInputs& in = work.in;
@@ -77,7 +78,7 @@ inline HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle&
   if (in.viscous) add_viscous(work.sums, in, {p, flow, t, area});
 }
 
-/// The loads on the pieces from `from` on, one a lane; the first `used` lanes count.
+/// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count.
 HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
   const Plane p = plane_of(work.panels, pieces, from);
   const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
@@ -87,7 +88,7 @@ HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from
     add_wet(work, p, wet.second, wet.has_second, wet.at_second);
 }
 
-/// The pressure drag of pieces that are wet all over.
+/// Adds the pressure drag of pieces that are wet all over.
 HWY_INLINE void add_turning(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
   const Plane p = plane_of(work.panels, pieces, from);
   const M counts = hn::FirstN(D(), static_cast<std::size_t>(used));
@@ -105,13 +106,14 @@ HWY_INLINE void drain(LoadWalk& work, bool to_the_last) {
   drain(work, work.turning, to_the_last, add_turning);
 }
 
-/// What is known of a leaf beforehand.
+/// Facts about a leaf that the walk has found out.
 struct LeafFacts {
-  bool wet = false;              ///< All over.
+  bool wet = false;              ///< It is wet all over.
   bool without_viscous = false;  ///< Its viscous drag is zero.
 };
 
-/// Pressure drag on the faces that count: those of one sign here, the others as pieces.
+/// Adds the pressure drag on the faces that count and on which v·n has one sign. The others are
+/// queued.
 HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross_n,
                                const Flow& flow, const Triangle& t, V area, M counts,
                                std::int64_t leaf, int lane) {
@@ -124,14 +126,15 @@ HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross
   if (!hn::AllFalse(D(), turns)) append(work.panels, turns, leaf, lane, u, work.turning);
 }
 
-/// The faces that count of a vector from `lane` of a leaf on, with the depths at their vertices.
+/// Adds the loads on the faces that count, of a vector of a leaf's faces from `lane` on.
+/// @param depth   The depths at their vertices [m].
 HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
                           const Values& depth, LeafFacts known) {
   const D d;
   const LoadInputs& in = work.in;
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   const V whole = areas_at(faces, lane);
-  counts = hn::And(counts, whole > zero());  // Not those that only fill the leaf.
+  counts = hn::And(counts, whole > zero());  // Faces that only fill the leaf do not count.
   M wet = counts;
   if (!known.wet) {
     const M dips = hn::And(counts, highest(depth) > zero());
@@ -156,7 +159,7 @@ HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
   if (in.viscous && !known.without_viscous) add_viscous(work.sums, in, {p, flow, t, area});
 }
 
-/// The viscous drag alone of a leaf that is wet all over.
+/// Adds the viscous drag alone of a leaf that is wet all over.
 HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, std::int64_t leaf) {
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
@@ -166,7 +169,7 @@ HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, std::int64_t leaf) {
   }
 }
 
-/// Buoyancy alone of a leaf that is wet all over and that the surface does not bend over.
+/// Adds the buoyancy alone of a leaf that is wet all over and over which the surface does not bend.
 inline HWY_NOINLINE void add_buoyancy_of_leaf(LoadWalk& work, const Node& leaf) {
   const D d;
   const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf.first)];

@@ -11,8 +11,8 @@
 #include "hydro/loads/kernel/water_surface.h"
 
 /// @file
-/// Elevation of a grid: anywhere, with its heights gathered for each place, and over a few cells,
-/// with nine numbers for all places.
+/// The elevation of a grid. Anywhere, its heights are gathered for each place; over a few cells
+/// nine numbers serve all places.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -55,7 +55,7 @@ struct GridPatch {
 HWY_INLINE bool set_patch(const GridField& grid, const Node& box, GridPatch& patch) {
   const Range u = range_over(box.centre, box.half, grid.e_x, 3, grid.u0);
   const Range v = range_over(box.centre, box.half, grid.e_y, 3, grid.v0);
-  // Beyond its edge the grid goes on with the edge's height: as if by lines more.
+  // Beyond its edge the grid goes on with the edge's height, as if it had more lines.
   const auto line = [](double low, std::int64_t lines) {
     return std::clamp(std::floor(low), -2.0, static_cast<double>(lines)) + 1;
   };
@@ -65,8 +65,8 @@ HWY_INLINE bool set_patch(const GridField& grid, const Node& box, GridPatch& pat
   const auto held = [](double at, std::int64_t lines) {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(at), 0, lines - 1);
   };
-  // Of a function on three lines: its value on the middle one, its slope before that and what its
-  // slope gains there.
+  // From a function's values on three lines: its value on the middle one, its slope before that
+  // line and the change of slope there.
   const auto hinge = [](double before, double on, double behind, double* c, int step) {
     c[0] = on;
     c[step] = on - before;

@@ -56,13 +56,13 @@ HWY_INLINE V3 point_on(const Plane& p, const V2& r) {
           hn::MulAdd(p.e1.z, r.x, hn::MulAdd(p.e2.z, r.y, p.c.z))};
 }
 
-/// Triangles in plane coordinates, counter-clockwise. Fields, not an array: the compiler keeps them
-/// in registers.
+/// Triangles in plane coordinates, counter-clockwise. The compiler keeps fields in registers; an
+/// array it would not.
 struct Triangle {
   V2 a, b, c;
 };
 
-/// Of a linear function at the vertices of triangles.
+/// The values of a linear function at the vertices of triangles.
 struct Values {
   V a, b, c;
 };
@@ -70,7 +70,7 @@ struct Values {
 HWY_INLINE V lowest(const Values& f) { return hn::Min(f.a, hn::Min(f.b, f.c)); }
 HWY_INLINE V highest(const Values& f) { return hn::Max(f.a, hn::Max(f.b, f.c)); }
 
-/// Area [m^2].
+/// The area [m^2].
 HWY_INLINE V area_of(const Triangle& t) {
   return all(0.5) * hn::MulSub(t.b.x - t.a.x, t.c.y - t.a.y, (t.c.x - t.a.x) * (t.b.y - t.a.y));
 }
@@ -162,7 +162,7 @@ struct Cut {
   M alone_positive;  ///< The corner is where the function is positive.
 };
 
-/// One of three, the first unless a mask says otherwise.
+/// Selects one of three values: the first, unless a mask selects another.
 HWY_INLINE V chosen(M second, M third, V a, V b, V c) {
   return hn::IfThenElse(second, b, hn::IfThenElse(third, c, a));
 }

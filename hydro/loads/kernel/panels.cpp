@@ -10,7 +10,8 @@ namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// Where a face is and where it looks: centroids over half the size of the mesh, and normals.
+/// The place and direction of each face: its centroid over the size of the mesh, and half its
+/// normal.
 std::vector<Vector6d> features(const TriMesh& mesh) {
   const double size = mesh.vertices.colwise().norm().maxCoeff();
   std::vector<Vector6d> all(static_cast<std::size_t>(mesh.face_count()));
@@ -18,14 +19,14 @@ std::vector<Vector6d> features(const TriMesh& mesh) {
     const auto v = mesh.faces.col(i);
     all[i].head<3>() =
         (mesh.vertices.col(v[0]) + mesh.vertices.col(v[1]) + mesh.vertices.col(v[2])) / (3 * size);
-    // Sides of a thin plate are told apart by their normals; on round bodies place decides.
+    // Normals tell the sides of a thin plate apart; on round bodies the place decides.
     all[i].tail<3>() = 0.5 * area_vector(mesh, i).normalized();
   }
   return all;
 }
 
-/// Halves a run of faces along its widest feature until a vector is left: in a leaf, too, since
-/// vectors that are wet all over, or dry, take less work. The first part is full.
+/// Halves a run of faces along its widest feature until a vector is left. Leaves are ordered, too,
+/// since vectors that are wholly wet or dry take less work. The first half is full.
 void order(const std::vector<Vector6d>& features, int* first, int* last) {
   const auto count = last - first;
   if (count <= kMostLanes) return;
@@ -89,7 +90,7 @@ Vector6d vertex_moment(const TriMesh& mesh, Eigen::Index face, int i) {
   return moment;
 }
 
-/// Blocks of the leaves as they are filled, one after the other.
+/// The blocks of the leaves, which are filled one after the other.
 class VertexList {
  public:
   VertexList(const TriMesh& mesh, std::vector<VertexBlock>& blocks)
@@ -129,9 +130,9 @@ class VertexList {
 
   const TriMesh& mesh_;
   std::vector<VertexBlock>& blocks_;
-  int first_ = 0;            ///< Block of the leaf.
+  int first_ = 0;            ///< The first block of the leaf.
   int end_ = 0;              ///< Place of its next vertex, counted through all blocks.
-  std::vector<int> places_;  ///< Of each vertex, where it was met last; -1: nowhere.
+  std::vector<int> places_;  ///< The place where each vertex was met last; -1: none.
 };
 
 }  // namespace

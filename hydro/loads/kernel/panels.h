@@ -7,13 +7,12 @@
 #include "hydro/mesh/mesh.h"
 
 /// @file
-/// The faces of a hull as the kernel reads them: in leaves of 32 neighbours, numbers of one kind
-/// side by side.
+/// The faces of a hull as the kernel reads them. A leaf has 32 neighbouring faces; numbers of one
+/// kind lie side by side.
 ///
 /// A face is kept as its centroid c, its unit normal n, a unit vector e_1 in its plane and, with
 /// e_2 = n × e_1, the plane coordinates (x, y) of its vertices r_i = c + x_i e_1 + y_i e_2. Axes
-/// are those of the body: nothing needs to be turned when the body moves, the water is turned
-/// instead.
+/// are those of the body: when the body moves, the water is turned and not the faces.
 ///
 /// All fields that a load is made of are polynomials of (x, y). With Σ x_i = Σ y_i = 0, for linear
 /// functions f, g, h that vanish at the centroid,
@@ -25,7 +24,7 @@
 
 namespace hydro::kernel {
 
-/// Faces of a leaf: a multiple of the lanes of every vector unit.
+/// The number of faces of a leaf. It is a multiple of the lanes of every vector unit.
 inline constexpr int kLeafFaces = 32;
 
 /// Faces in body axes about the centre of mass [m, m^2].
@@ -34,12 +33,12 @@ struct alignas(64) FaceBlock {
   double n[3][kMostLanes];   ///< Unit normals, out of the body.
   double e1[3][kMostLanes];  ///< Unit vectors along each face's longest side.
   double area[kMostLanes];
-  double x[2][kMostLanes];  ///< Of the first two vertices; the third makes the sum zero.
+  double x[2][kMostLanes];  ///< x of the first two vertices; the three add up to 0.
   double y[2][kMostLanes];
 };
 
-/// Blocks, so that memory is read in its order. A leaf that is not full repeats its last face with
-/// no area. Lanes of a leaf count through its blocks.
+/// A leaf's faces in blocks, so that memory is read in its order. A leaf that is not full repeats
+/// its last face with an area of 0. Lanes are counted through all blocks of a leaf.
 struct Leaf {
   FaceBlock blocks[kLeafFaces / kMostLanes];
 
@@ -51,7 +50,7 @@ struct Leaf {
 struct Face {
   Eigen::Vector3d c, n, e1, e2;
   double area;
-  Eigen::Vector3d x, y;  ///< Of the vertices.
+  Eigen::Vector3d x, y;  ///< Plane coordinates of the vertices.
 
   Eigen::Vector3d corner(int i) const { return c + x[i] * e1 + y[i] * e2; }
 };
@@ -66,18 +65,18 @@ struct alignas(64) VertexBlock {
   double j[6][kMostLanes];  ///< ∫ φ J dS over the leaf's faces.
 };
 
-/// Where a leaf's vertices are, each of which it has once.
+/// The places of a leaf's vertices. A leaf has each vertex once.
 struct alignas(64) LeafVertices {
-  std::int64_t of_face[3][kLeafFaces] = {};  ///< Places among the leaf's vertices.
-  int first = 0, last = 0;                   ///< Blocks [first, last); the last is filled up.
+  std::int64_t of_face[3][kLeafFaces] = {};  ///< The place of each face's corners among them.
+  int first = 0, last = 0;                   ///< The leaf has blocks [first, last).
 };
 
 /// All faces of a mesh that have an area.
 struct Panels {
   std::vector<Leaf> leaves;
-  std::vector<LeafVertices> vertices;  ///< One for each leaf.
+  std::vector<LeafVertices> vertices;  ///< There is one for each leaf.
   std::vector<VertexBlock> blocks;
-  std::vector<int> face;    ///< Of the mesh, in the order of the leaves.
+  std::vector<int> face;    ///< Index in the mesh, in the order of the leaves.
   double longest_edge = 0;  ///< [m]
 };
 

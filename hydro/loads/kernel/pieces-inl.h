@@ -13,7 +13,7 @@
 #include "hydro/loads/kernel/triangle_queue.h"
 
 /// @file
-/// The faces of a leaf and pieces of faces in lanes, and the wet part of each.
+/// The faces of a leaf, and pieces of faces, in lanes; and the wet part of each.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -88,8 +88,8 @@ HWY_INLINE Triangle triangle_of(const TriangleQueue& pieces, int from) {
   return {{x.a, y.a}, {x.b, y.b}, {x.c, y.c}};
 }
 
-/// Puts some faces of a leaf, from `lane` on, among the pieces. One by one: they are few, and
-/// compressing ten vectors takes longer.
+/// Puts some faces of a leaf, from `lane` on, among the pieces. They are few, so they are put one
+/// by one: to compress ten vectors takes longer.
 inline HWY_NOINLINE void append(const Panels& panels, M which, std::int64_t leaf, int lane,
                                 const Values& depth, TriangleQueue& pieces) {
   const D d;

@@ -10,16 +10,16 @@
 #include "hydro/loads/kernel/tree.h"
 
 /// @file
-/// Loads on whole branches, by the moments of `tree.h`.
+/// The loads on whole branches follow from the moments of `tree.h`.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
-/// What the moments are multiplied with: the same for all branches.
+/// The factors of the moments. They are the same for all branches.
 struct Factors {
-  double depth[kNormal];              ///< Rows before kNormal, for ∫ h J dS.
-  double speed[kNormal];              ///< Rows before kNormal, for ∫ |v|² J dS.
-  double normal[kMoments - kNormal];  ///< For ∫ (v·n)² J dS.
+  double depth[kNormal];              ///< The factors of the rows before kNormal in ∫ h J dS.
+  double speed[kNormal];              ///< The factors of the same rows in ∫ |v|² J dS.
+  double normal[kMoments - kNormal];  ///< The factors of the rows from kNormal on in ∫ (v·n)² J dS.
 };
 
 inline Factors factors_of(const LoadInputs& in) {
@@ -40,10 +40,10 @@ inline Factors factors_of(const LoadInputs& in) {
   return f;
 }
 
-/// Rows [from, to) of a node's moments, the lanes from `a` on, each times its factor.
+/// The sum of rows [from, to) of a node's moments times their factors, for the lanes from `a` on.
 HWY_INLINE V moment_product(const Node& node, const double* factor, int from, int to, int a) {
   const D d;
-  V even = zero(), odd = zero();  // Two sums: the adders work on both at once.
+  V even = zero(), odd = zero();  // The adders work on two sums at once.
   int k = from;
   for (; k + 1 < to; k += 2) {
     even = hn::MulAdd(all(factor[k - from]), hn::Load(d, node.moment[k] + a), even);
@@ -53,7 +53,7 @@ HWY_INLINE V moment_product(const Node& node, const double* factor, int from, in
   return even + odd;
 }
 
-// The lanes are components here: they go to lane 0 of their sums.
+// The lanes are components here. Each goes to lane 0 of its sum.
 
 /// Adds the buoyancy of a branch that is wet all over.
 HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const LoadInputs& in,
@@ -66,7 +66,7 @@ HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const Lo
 }
 
 /// Adds the area of a branch that is wet all over and the loads of its motion; `drag` is ½ρC_p with
-/// the sign of that.
+/// the sign of v·n.
 HWY_INLINE void add_branch_motion(const Node& node, const Factors& f, const LoadInputs& in,
                                   double drag, Sums& sums) {
   sums.lane[kArea][0] += node.moment[kOne][kAreaLane];
@@ -89,7 +89,7 @@ struct Range {
   double low, high;
 };
 
-/// Of a linear function with the given gradient over a box.
+/// The range of a linear function with the given gradient over a box.
 inline Range range_over(const double* centre, const double* half, const double* gradient, int n,
                         double constant) {
   double middle = constant, reach = 0;

@@ -18,7 +18,7 @@ Vector6d along_normal(const Vector3d& r, const Vector3d& n) {
 }
 
 constexpr int kPoints = 6;
-/// What J is multiplied with at each of the points, and J there: laid out as a node's moments are.
+/// The factors of J at each of the points, and J there, laid out as a node's moments are.
 using Factors = Eigen::Matrix<double, kMoments, kPoints>;
 using Lanes = Eigen::Matrix<double, kPoints, kMostLanes, Eigen::RowMajor>;
 using Moments = Eigen::Matrix<double, kMoments, kMostLanes, Eigen::RowMajor>;
@@ -55,7 +55,7 @@ void add_face(const Face& face, Node& node) {
   Eigen::Map<Moments>(node.moment[0]) += factors.lazyProduct(lanes);
 }
 
-/// Bounds as lowest and highest values while a node is made.
+/// The bounds of a node while it is made, as lowest and highest values.
 struct Bounds {
   Vector3d low = Vector3d::Constant(HUGE_VAL), high = Vector3d::Constant(-HUGE_VAL);
   Vector6d j_low = Vector6d::Constant(HUGE_VAL), j_high = Vector6d::Constant(-HUGE_VAL);
@@ -74,7 +74,7 @@ struct Bounds {
   }
 };
 
-/// Widened by some roundings, so that the bounds hold for what the kernel computes.
+/// The bounds are widened by some roundings, so that they hold for what the kernel computes.
 void set_bounds(const Bounds& b, Node& node) {
   constexpr double kWiden = 1e-14;
   const double size = b.low.cwiseAbs().cwiseMax(b.high.cwiseAbs()).maxCoeff();

@@ -6,7 +6,8 @@
 #include "hydro/loads/kernel/panels.h"
 
 /// @file
-/// A tree over the leaves of a hull, whose nodes know the loads on all their faces at once.
+/// A tree over the leaves of a hull. A node holds moments that give the loads on all its faces at
+/// once.
 ///
 /// With J = (n, r × n) and the twist ν the normal velocity is v·n = J·ν, and
 ///
@@ -20,7 +21,7 @@
 
 namespace hydro::kernel {
 
-/// Rows of moments: what J is multiplied with under the integral.
+/// The rows of moments, named by the factor that J has under the integral.
 enum : int {
   kOne = 0,
   kPlace = 1,    ///< x, y, z.
@@ -29,25 +30,25 @@ enum : int {
   kMoments = 31
 };
 
-/// The lane of a row that holds the integral with 1 in place of J: row kOne's is the area.
+/// The lane that holds the integral with 1 in place of J. In row kOne that is the area.
 inline constexpr int kAreaLane = 6;
 
 struct alignas(64) Node {
   double moment[kMoments][kMostLanes] = {};  ///< ∫ J_a {…} dS, a in the lanes.
-  double centre[3], half[3];                 ///< Of a box around the vertices [m].
+  double centre[3], half[3];                 ///< The box around the vertices [m].
   double j_centre[6], j_half[6];             ///< Bounds of J over the faces.
-  int first = 0, last = 0;                   ///< Leaves [first, last).
-  int next = 0;  ///< The node after all of this branch; a leaf's is the node behind it.
+  int first = 0, last = 0;                   ///< The node has leaves [first, last).
+  int next = 0;  ///< The index of the node that follows the whole branch.
 
   bool leaf() const { return last - first == 1; }
 };
 
 struct Tree {
   std::vector<Node> nodes;  ///< A branch follows its root, first child first.
-  int chunk_leaves = 0;     ///< Branches of up to so many leaves are one piece of work.
+  int chunk_leaves = 0;     ///< A branch of this many leaves or fewer is one piece of work.
 };
 
-/// Pieces of work that a tree is cut into, at most.
+/// The largest number of pieces of work that a tree is cut into.
 inline constexpr int kMostChunks = 128;
 
 Tree make_tree(const Panels& panels);

@@ -7,8 +7,8 @@
 #include "hydro/loads/kernel/panels.h"
 
 /// @file
-/// Triangles that wait to be split or cut: a few of each leaf, worked on together so that lanes are
-/// full.
+/// Triangles that wait to be split or cut. Each leaf has few of them; they are collected, so that
+/// they fill the lanes of a vector.
 
 namespace hydro::kernel {
 
@@ -19,11 +19,12 @@ struct TriangleQueue {
   alignas(64) std::int64_t face[kRoom];  ///< `place_of` the face.
   alignas(64) double x[3][kRoom];        ///< [m]
   alignas(64) double y[3][kRoom];
-  alignas(64) double depth[3][kRoom];  ///< Of the vertices, linear between them [m].
+  alignas(64) double depth[3][kRoom];  ///< The depths at the vertices; depth is linear between them
+                                       ///< [m].
   int count = 0;
 
   TriangleQueue() {
-  }  // Leaves the arrays as they are: they are large and written before they are read.
+  }  // The arrays stay unset: they are large, and each place is written before it is read.
 };
 
 /// Repeats the last piece up to `lanes` pieces, so that a vector of them holds proper numbers.

@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
-/// What is known of a branch and the waterline.
+/// How a branch lies to the waterline.
 enum class Wetness { dry, mixed, wet };
 
 HWY_INLINE Wetness wetness(const Node& node, const LoadInputs& in) {
@@ -34,7 +34,7 @@ HWY_INLINE Wetness wetness(const Node& node, const LoadInputs& in) {
   return depth.low >= 0 ? Wetness::wet : Wetness::mixed;
 }
 
-/// All faces of a leaf under flat water.
+/// Adds all faces of a leaf under flat water.
 template <class Work, class... Known>
 HWY_INLINE void add_leaf(Work& work, const Node& node, Known... known) {
   const int leaf = node.first;
@@ -53,7 +53,7 @@ HWY_INLINE void add_leaf(Work& work, const Node& node, Known... known) {
   drain(work, false);
 }
 
-/// A leaf that may be wet in part.
+/// Adds a leaf in waves that may be wet in part.
 template <class Work, class... Known>
 HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) {
   const int leaf = node.first;

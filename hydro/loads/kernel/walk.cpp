@@ -82,7 +82,7 @@ HWY_INLINE bool take_whole(LoadWalk& work, Factors& factors, const Tree& tree, i
     add_branch_buoyancy(node, factors, in, work.sums);
   } else {
     if (in.surface->bends) return false;
-    // Cheaper than to ask each branch of it for the sign of its motion, too.
+    // This is cheaper than to ask each of its branches for the sign of its motion, too.
     add_buoyancy_of_branch(work, factors, tree, branch);
   }
   add_branch_motion(node, factors, in, drag, work.sums);

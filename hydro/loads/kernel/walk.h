@@ -7,13 +7,13 @@
 #include "hydro/loads/kernel/tree.h"
 
 /// @file
-/// The kernel: the walk through a hull's tree that adds up its loads, by the best vector unit that
-/// the processor has. It is done in two parts, so that several threads can share the second: what
-/// the walk adds and which branches it leaves depends on the hull and the water alone.
+/// The walk through a hull's tree that adds up its loads, by the best vector unit that the
+/// processor has. It has two parts, so that several threads can share the second. What the first
+/// adds and which branches it leaves depend on the hull and the water alone.
 
 namespace hydro::kernel {
 
-/// Branches that still have to be looked into: each is one piece of work.
+/// The branches that the second part has to look into. Each is one piece of work.
 struct Chunks {
   std::array<int, kMostChunks> node;
   int count = 0;

@@ -77,7 +77,7 @@ ElevationRange grid_over(const WaterSurface& surface, const double* centre, cons
     du += std::abs(grid.e_x[axis]) * half[axis];
     dv += std::abs(grid.e_y[axis]) * half[axis];
   }
-  constexpr double kMostLines = 4;  // More take longer than what they spare.
+  constexpr double kMostLines = 4;  // To look at more takes longer than it saves.
   if (!(du < kMostLines / 2 && dv < kMostLines / 2)) return all;
   const auto line = [](double place, std::int64_t lines) {
     return static_cast<std::int64_t>(std::clamp(place, 0.0, static_cast<double>(lines - 1)));

@@ -10,35 +10,38 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// A sea that is not flat as the kernel reads it: its elevation as a function of the place on the
-/// body, in body axes about the centre of mass, at one time.
+/// The surface of a sea that is not flat, as the kernel reads it: its elevation at one time is a
+/// function of the place on the body, in body axes about the centre of mass.
 
 namespace hydro::kernel {
 
-/// Linear waves: Σ amplitude·cos(k·r + phase), up to a multiple of eight with amplitude 0.
+/// Linear waves Σ amplitude·cos(k·r + phase). Waves of amplitude 0 make their number a multiple of
+/// eight.
 struct WaveField {
   static constexpr int kRoom = 128;
 
   /// Rows: amplitude [m], k_x, k_y, k_z [rad/m] and phase [rad].
   std::array<double, 5 * kRoom> few;
-  std::vector<double> many;  ///< In use where `few` has no room.
+  std::vector<double> many;  ///< Holds the rows where `few` is too small.
   const double* row[5] = {};
   int count = 0;
-  double curvature = 0;  ///< Σ |amplitude| k²: bound of the second derivatives [1/m].
-  double third = 0;      ///< Σ |amplitude| |k|³, of the third ones [1/m^2].
+  double curvature = 0;  ///< Σ |amplitude| k², a bound of the second derivatives [1/m].
+  double third = 0;      ///< Σ |amplitude| |k|³, a bound of the third derivatives [1/m^2].
 };
 
-/// A grid: bilinear between heights at the columns u = e_x·r + u_0 and rows v = e_y·r + v_0.
+/// A grid of heights. The elevation is bilinear between them; a place r lies at column
+/// u = e_x·r + u_0 and row v = e_y·r + v_0.
 struct GridField {
-  const double* heights = nullptr;  ///< By columns [m].
+  const double* heights = nullptr;  ///< The heights, column by column [m].
   std::int64_t rows = 0, columns = 0;
   double e_x[3] = {}, e_y[3] = {};  ///< [1/m]
-  double u0 = 0, v0 = 0;            ///< Of the centre of mass.
+  double u0 = 0, v0 = 0;            ///< The column and row of the centre of mass.
   double cell = 1;                  ///< Distance of neighbouring lines [m].
   double bend = 0;                  ///< Largest second difference of neighbouring heights [m].
 };
 
-/// The surface around a body. It refers to the sea and to itself: neither copied nor moved.
+/// The surface around a body. It refers to the sea and to itself, so it is neither copied nor
+/// moved.
 class WaterSurface {
  public:
   /// @param smallest   As for SurfaceSampler.
@@ -47,7 +50,7 @@ class WaterSurface {
   WaterSurface(const WaterSurface&) = delete;
   WaterSurface& operator=(const WaterSurface&) = delete;
 
-  WaveField waves;  ///< Of no component where the sea is a grid.
+  WaveField waves;  ///< They have no component where the sea is a grid.
   GridField grid;
   double lowest = 0, highest = 0;      ///< Bounds of the elevation [m].
   bool bends = false;                  ///< Some edge of the hull may have to be split.
@@ -61,7 +64,7 @@ class WaterSurface {
 struct ElevationRange {
   double low, high;
 };
-/// Of a grid; those of all the sea where the box is large.
+/// Bounds of a grid's elevation over a box; where the box is large they are those of the whole sea.
 ElevationRange grid_over(const WaterSurface& surface, const double* centre, const double* half);
 
 }  // namespace hydro::kernel

@@ -31,7 +31,7 @@ HWY_INLINE V waves_at(const WaveField& waves, const V3& r) {
   return sum;
 }
 
-// The same at one place, several waves at once.
+// The functions below work on one place and several waves at once.
 
 HWY_INLINE V row(const WaveField& waves, int which, int from) {
   return hn::LoadU(D(), waves.row[which] + from);
@@ -88,7 +88,7 @@ inline HWY_NOINLINE void expand_waves(const WaveField& waves, const double* c, d
 struct LeafSurface {
   const WaterSurface& surface;
   GridPatch patch;
-  bool few_cells;  ///< The patch is all of it.
+  bool few_cells;  ///< The patch covers all of the leaf.
 };
 
 HWY_INLINE LeafSurface surface_over(const WaterSurface& surface, const Node& leaf) {
@@ -106,7 +106,7 @@ HWY_INLINE V depth_at(const LoadInputs& in, const LeafSurface& over, const V3& r
   return all(in.below) + (elevation_at(over, r) - dot(all3(in.up), r));
 }
 
-/// Depths of a leaf's vertices, each once [m].
+/// The depths of a leaf's vertices [m]. Each vertex is there once.
 struct alignas(64) Depths {
   double at[3 * kLeafFaces];
 };
