@@ -10,6 +10,7 @@
 #include "app/pictures/video.h"
 #include "app/run/run_source.h"
 #include "engine/simulation_state.h"
+#include "engine/spec.h"
 
 /// @file
 /// What a run saves of itself while it goes on, so that it can be resumed after it was killed.
