@@ -32,6 +32,9 @@ inline constexpr double kStartingPart = 1.0 / 8;
 /// Shortest substep that energy, surface or tolerance ask for, over the step [-]. Smaller: stiff
 /// motions are halved more often before they are clamped.
 inline constexpr double kShortestPart = 1.0 / 256;
+/// Shortest substep that the energy or a tolerance asks for in a group under constraints, over the
+/// step [-]. Smaller: chains that spin solve their constraints thousands of times in a step.
+inline constexpr double kShortestConstrainedPart = 1.0 / 32;
 /// Rest of a step that may be left out, over the step [-]: the round-off of a sum of substeps.
 inline constexpr double kRoundOffPart = 1e-12;
 

@@ -40,7 +40,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       alone_(&alone),
       is_alone_(group_.bodies.size() == 1 && group_.joints.empty() && group_.near.empty()),
       step_(step),
-      shortest_(kShortestPart * step),
+      shortest_((is_alone_ ? kShortestPart : kShortestConstrainedPart) * step),
       impacts_(context_, group_, touching, step),
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -129,9 +129,11 @@ bool GroupStepper::must_halve(double h, bool halves) {
   bool gained = false, followed = true, overshot = false;
   for (const Judged& judged : judged_) {
     if (!member(judged.members.front()->id).in_island) continue;
-    gained = judged.limiter->judge(judged.members, context_.environment, h, halves) || gained;
+    gained = judged.limiter->judge(judged.members, context_.environment, h, halves && is_alone_) ||
+             gained;
   }
-  if (h / 2 < shortest_) return false;
+  if (h / 2 < kShortestPart * step_) return false;
+  gained = gained && h / 2 >= shortest_;
   for (const Member& m : members_) {
     if (!m.in_island || !(gained || m.abrupt)) continue;
     const Motion& before = m.moving->motion;
