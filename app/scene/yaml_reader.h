@@ -27,7 +27,7 @@ struct YamlNode {
   std::string text;     ///< A scalar as written.
   bool quoted = false;  ///< The scalar is a text even if it looks like a number.
   std::vector<YamlNode> items;     ///< Entries of a list.
-  std::vector<YamlEntry> entries;  ///< A map's, in file order; keys may repeat.
+  std::vector<YamlEntry> entries;  ///< In file order; keys may repeat.
 
   bool is(Kind which) const { return kind == which; }
   /// True for the unquoted scalar `word`.
