@@ -13,7 +13,7 @@ namespace app {
 /// Returns the path of this program's executable.
 std::string program_path();
 
-/// How a child process ended.
+/// The end of a child process.
 struct EndedProcess {
   /// Offset added to the number of a signal that ended a process, as in shells.
   static constexpr int kSignalBase = 128;

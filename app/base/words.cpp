@@ -6,8 +6,8 @@ namespace app {
 
 namespace {
 
-/// Returns the number of slips to allow: half the letters of a word of up to three, a third of them
-/// in a longer word, but at least two.
+/// Returns the number of slips to allow: half the letters of a word of up to three letters, and a
+/// third of the letters of a longer word, but at least two.
 int usual_limit(const std::string& word) {
   const int letters = static_cast<int>(word.size());
   if (letters < 4) return letters / 2;

@@ -73,7 +73,7 @@ struct BodyComparison {
 };
 
 struct Comparison {
-  std::vector<BodyComparison> bodies;  ///< Those of the first log, then the rest.
+  std::vector<BodyComparison> bodies;  ///< The first log's, then the others.
   bool same() const;
 };
 

@@ -29,8 +29,8 @@ struct Trajectory {
   std::map<std::string, BodyTrack> tracks;
 };
 
-/// Adds a row to a body's track. Times must ascend, and quaternions must have unit length within 1
-/// %.
+/// Adds a row to a body's track. Times must ascend, and quaternions must have unit length to within
+/// 0.01.
 /// @return the fault of the row; empty if there is none
 std::string add_row(const std::string& name, double time, const StateRow& row, BodyTrack& track);
 
