@@ -21,12 +21,12 @@ using hydro::AddedMassSolution;
 using hydro::SurfaceNode;
 using hydro::TriMesh;
 
-/// The last letter is the version of the file's layout. A machine of another byte order finds
+/// The last letter is the version of the file's layout. A machine of another byte order reads
 /// another word.
 constexpr std::uint64_t kMagic = 0x504c494d534f4c32;       // PLIMSOL2
 constexpr std::uint64_t kNodesMagic = 0x504c494d53524632;  // PLIMSRF2
 
-/// A double of the solution: the matrix, six numbers, and six potentials at three corners a face.
+/// Doubles of a solution: the matrix and six numbers, and per face six potentials at three corners.
 constexpr std::size_t kNumbers = 36 + 6;
 constexpr std::size_t kNumbersAFace = 18;
 
@@ -38,7 +38,7 @@ void append_mesh(std::string& bytes, const TriMesh& mesh) {
   app::append(bytes, mesh.faces.data(), static_cast<std::size_t>(mesh.faces.size()));
 }
 
-/// All that a solution depends on.
+/// Returns the identity of a solution, everything that it depends on.
 std::string identity_of(const TriMesh& mesh, const AddedMassOptions& options) {
   std::string bytes;
   app::append(bytes, kMagic);
@@ -50,7 +50,7 @@ std::string identity_of(const TriMesh& mesh, const AddedMassOptions& options) {
   return bytes;
 }
 
-/// All that the nodes of a mesh depend on.
+/// Returns the identity of a mesh's nodes, everything that they depend on.
 std::string identity_of_nodes(const TriMesh& mesh_B) {
   std::string bytes;
   app::append(bytes, kNodesMagic);
@@ -59,7 +59,7 @@ std::string identity_of_nodes(const TriMesh& mesh_B) {
   return bytes;
 }
 
-/// Everything in a file.
+/// Returns all bytes of a solution's file.
 std::string encode(const std::string& identity, const AddedMassSolution& solution) {
   std::string content;
   app::append(content, solution.matrix.data(), 36);
@@ -72,7 +72,7 @@ std::string encode(const std::string& identity, const AddedMassSolution& solutio
   return app::checked(identity, content);
 }
 
-/// The solution in the content of a file.
+/// Returns the solution in the content of a file.
 AddedMassSolution decode(const char* bytes, std::size_t faces) {
   std::array<double, kNumbers> numbers;
   std::memcpy(numbers.data(), bytes, sizeof(numbers));
@@ -94,7 +94,7 @@ AddedMassSolution decode(const char* bytes, std::size_t faces) {
   return solution;
 }
 
-/// A node: two whole numbers and the matrix.
+/// A node has two whole numbers and a matrix.
 constexpr std::size_t kNodeBytes = 2 * sizeof(std::int64_t) + 36 * sizeof(double);
 
 void append_node(std::string& bytes, const SurfaceNode& node) {
@@ -117,7 +117,7 @@ std::string not_kept(const std::exception& error) {
   return fmt::format("the added mass is not kept for later runs: {}", error.what());
 }
 
-/// What a file keeps; none, with a warning unless it is missing, if it is of no use.
+/// Returns the solution in a file; none if the file is missing, or, with a warning, unusable.
 std::optional<AddedMassSolution> load(const fs::path& file, const std::string& identity,
                                       std::size_t faces, app::Reporter& reporter) {
   try {
@@ -131,7 +131,7 @@ std::optional<AddedMassSolution> load(const fs::path& file, const std::string& i
   return std::nullopt;
 }
 
-/// The value of an environment variable that is set to something.
+/// Returns the value of an environment variable; none if it is unset or empty.
 std::optional<std::string> variable(const char* name) {
   const char* value = std::getenv(name);
   if (value == nullptr || *value == '\0') return std::nullopt;

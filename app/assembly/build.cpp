@@ -110,7 +110,8 @@ Eigen::Matrix3d to_matrix(const scene::Inertia& i) {
   return m;
 }
 
-/// What a body says of its mass, and for the rest that of a solid of uniform density.
+/// Returns the mass properties that a scene gives a body, and for the rest those of a solid of
+/// uniform density.
 MassProperties mass_properties(const scene::Body& body, const hydro::SolidProperties& solid) {
   MassProperties p;
   p.mass = body.density ? *body.density * solid.volume : body.mass.value_or(0);
@@ -120,12 +121,13 @@ MassProperties mass_properties(const scene::Body& body, const hydro::SolidProper
   return p;
 }
 
-/// True if everything that the scene leaves out can only be found from a closed mesh.
+/// True if a closed mesh is needed, for the loads of the water or for a mass property that the
+/// scene omits.
 bool needs_solid(const scene::Body& body, bool wet) {
   return wet || body.density || !body.inertia || !body.center_of_mass;
 }
 
-/// False, with a fault, for masses far below or above what double precision carries through a step.
+/// Returns false and adds a fault for masses that double precision cannot carry through a step.
 bool mass_is_usable(const MassProperties& p, const std::string& path, BuildLog& log) {
   const bool usable = std::isfinite(p.mass) && p.mass > 1e-30 && p.mass < 1e30 &&
                       p.inertia.allFinite() && p.inertia.diagonal().minCoeff() > 1e-60;
@@ -138,7 +140,7 @@ bool mass_is_usable(const MassProperties& p, const std::string& path, BuildLog& 
   return usable;
 }
 
-/// A body that the engine would refuse, such as one that starts beyond all bounds.
+/// Adds a fault for a body that the engine refuses, for example one that starts out of bounds.
 void check_motion(const engine::BodySpec& spec, const std::string& path, BuildLog& log) {
   try {
     engine::check_body(spec);
@@ -147,7 +149,7 @@ void check_motion(const engine::BodySpec& spec, const std::string& path, BuildLo
   }
 }
 
-/// A mistyped step or duration would keep the program busy for ever.
+/// Refuses more than kMostSteps steps, which a mistyped step or duration may give.
 void check_step_count(BuildLog& log) {
   const double steps = log.scene.duration / log.scene.step;
   if (!(steps <= app::kMostSteps))
@@ -156,7 +158,7 @@ void check_step_count(BuildLog& log) {
                                log.scene.duration, log.scene.step, steps, app::kMostSteps));
 }
 
-/// Ground that the engine would refuse: it lies beyond all bounds.
+/// Adds a fault for ground that the engine refuses because it lies out of bounds.
 void check_ground(const engine::Ground& ground, BuildLog& log) {
   try {
     engine::check_ground(ground);
@@ -179,8 +181,8 @@ engine::AppliedLoad applied_load(const scene::AppliedLoad& load, const Eigen::Ve
   return applied;
 }
 
-/// The coefficients with what follows from the mesh: the length of the friction line, by default
-/// the longest side of the bounding box, and the calibration.
+/// Completes the coefficients from the mesh: the length of the friction line, by default the
+/// longest side of the bounding box, and the calibration.
 hydro::Coefficients build_coefficients(const scene::Body& body, const hydro::TriMesh& mesh_B,
                                        const std::string& path, BuildLog& log) {
   hydro::Coefficients coefficients = body.hydro;
@@ -197,7 +199,7 @@ hydro::Coefficients build_coefficients(const scene::Body& body, const hydro::Tri
   return coefficients;
 }
 
-/// False if the water does nothing to a body.
+/// True if the water acts on a body.
 bool feels_water(const scene::Body& body, const scene::Scene& scene) {
   using Model = scene::AddedMass::Model;
   const Model model = body.hydro.added_mass.model;
@@ -244,7 +246,8 @@ engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {
   return engine::kWorld;
 }
 
-/// Some unit vector normal to `axis`: the one nearest to the world axis that is least along it.
+/// Returns a unit vector normal to `axis`, nearest to the world axis that is the least parallel to
+/// it.
 Eigen::Vector3d some_normal(const Eigen::Vector3d& axis) {
   Eigen::Index least;
   axis.cwiseAbs().minCoeff(&least);

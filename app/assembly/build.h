@@ -7,22 +7,22 @@
 
 namespace assembly {
 
-/// Loads the meshes and height fields that a scene names, checks them, finds masses, centres of
-/// mass and inertias, and gives each body its model of added mass. A solution of added mass that
-/// the store lacks is solved for, which may take minutes, and kept there.
-/// @param reporter   Is told the notes of the scene, what takes time, and warnings of the store.
+/// Loads and checks the meshes and height fields that a scene names, computes masses, centres of
+/// mass and inertias, and gives each body its model of added mass. A solution that the store lacks
+/// is computed, which may take minutes, and stored.
+/// @param reporter   Receives notes on the scene, long computations and warnings of the store.
 /// @throws InputError with every fault found, at the place of its key in the scene
 BuiltScene build(const scene::Scene& scene, AddedMassStore& store,
                  app::Reporter& reporter = app::quiet());
 
-/// The same on so many threads, which the simulation will use too.
+/// Does as `build` on `threads` threads, which the simulation will use too.
 BuiltScene build_on_threads(int threads, const scene::Scene& scene, AddedMassStore& store,
                             app::Reporter& reporter = app::quiet());
 
-/// The same but for the added mass, which no body has then: for those who only look at the scene.
+/// Does as `build` but gives no body added mass, for callers that run no simulation.
 BuiltScene build_without_added_mass(const scene::Scene& scene);
 
-/// Keeps what the models of `surface` have solved for while the scene was simulated.
+/// Stores the nodes that the `surface` models have solved during the simulation.
 void keep_solutions(const BuiltScene& built, const AddedMassStore& store,
                     app::Reporter& reporter = app::quiet());
 

@@ -18,8 +18,8 @@ namespace {
 
 using Model = scene::AddedMass::Model;
 
-/// What a body that may move in water has: `none` where the scene leaves it open and the water does
-/// nothing else to the body.
+/// Returns the model of a body; `none` if the water does not act on it or all its degrees of
+/// freedom are locked.
 Model model_of(const scene::Body& body, const engine::BodySpec& spec) {
   const bool held = std::all_of(spec.locked.begin(), spec.locked.end(), [](bool is) { return is; });
   if (!spec.wet || held) return Model::none;
@@ -27,8 +27,7 @@ Model model_of(const scene::Body& body, const engine::BodySpec& spec) {
   return model == Model::automatic ? Model::deep : model;
 }
 
-/// Models of deep added mass by what they are of, so that bodies with the same mesh and centre of
-/// mass have one.
+/// Models of deep added mass; bodies with equal mesh and centre of mass share one.
 class DeepModels {
  public:
   std::shared_ptr<const hydro::WettedAddedMass> of(const engine::BodySpec& body,
@@ -36,7 +35,7 @@ class DeepModels {
                                                    const StoredAddedMass& stored) {
     for (const Entry& entry : entries_)
       if (entry.solution == stored.solution && entry.com_C == solid.com_C) return entry.model;
-    const bool moves = !solid.com_C.isZero(0);  // It does not where density is uniform.
+    const bool moves = !solid.com_C.isZero(0);  // False for uniform density.
     auto model =
         moves ? std::make_shared<const hydro::WettedAddedMass>(
                     body.mesh_B, hydro::moved_origin(*stored.solution, solid.com_C))
@@ -54,7 +53,7 @@ class DeepModels {
   std::vector<Entry> entries_;
 };
 
-/// Models of `surface`, one for all bodies with the same mesh about their centre of mass.
+/// Models of `surface`; bodies with equal meshes about the centre of mass share one.
 class SurfaceModels {
  public:
   std::shared_ptr<const hydro::SurfaceAddedMass> of(const engine::BodySpec& body,
@@ -75,7 +74,7 @@ class SurfaceModels {
       entries_;
 };
 
-/// Gives a body the model, and returns what is to be told of it.
+/// Sets the model `matrix` of a body and returns its report.
 AddedMassReport add_matrix(const scene::AddedMass& added_mass, engine::BodySpec& body) {
   const auto model =
       std::make_shared<const hydro::ConstantAddedMass>(body.mesh_B, added_mass.matrix);
@@ -83,7 +82,8 @@ AddedMassReport add_matrix(const scene::AddedMass& added_mass, engine::BodySpec&
   return {.model = Model::matrix, .matrix = model->matrix(), .stored = {}, .surface = {}};
 }
 
-/// Told of the body in unbounded fluid, which is one solution; others are found as they are met.
+/// Sets the model `surface` of a body. The report has the body in unbounded fluid, which is one
+/// solution; others follow during the simulation.
 AddedMassReport add_surface(double density, const AddedMassStore& store, app::Reporter& reporter,
                             SurfaceModels& models, engine::BodySpec& body) {
   const auto model = models.of(body, store, reporter);
@@ -115,7 +115,7 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
   const std::filesystem::path file = store.file_of(mesh, options);
   const bool had_file = is_there(file);
   if (auto stored = store.find(mesh, options, reporter)) return *stored;
-  // Of the processes that look for it one solves, and the others wait.
+  // The process that holds the lock solves; the others wait.
   reporter.working_on(fmt::format("added mass of {}: another process solves for it", name));
   const app::FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
   if (lock.waited() || is_there(file) != had_file)

@@ -8,21 +8,21 @@
 #include "app/scene/scene.h"
 
 /// @file
-/// From what a scene says of added mass to the models that the simulation asks.
+/// Builds the models of added mass that a scene asks for.
 
 namespace assembly {
 
-/// The solution of a mesh, from the store or else found now and kept there. Of several processes
-/// that look for it at once one solves, and the others wait.
-/// @param name   Of the body, for what is told.
+/// Returns the solution of a mesh, which is computed and stored if the store lacks it. If several
+/// processes need it at once, one computes it and the others wait.
+/// @param name   Name of the body in messages.
 /// @throws std::invalid_argument if the mesh encloses nothing
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
                                   const hydro::AddedMassOptions& options, AddedMassStore& store,
                                   app::Reporter& reporter);
 
-/// Gives its model of added mass to each body that needs one: it is to have added mass, feels the
-/// water, and is not held in all six degrees of freedom. Bodies of one mesh share a solution.
-/// @throws InputError for a mesh of which none can be found
+/// Sets the model of added mass of each body, unless its model is `none`, the water does not act on
+/// it, or it is locked in all six degrees of freedom. Bodies with equal meshes share a solution.
+/// @throws InputError for a mesh that has no solution
 void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore& store,
                     app::Reporter& reporter);
 

@@ -30,7 +30,7 @@ hydro::TriMesh primitive(const scene::Shape& shape) {
       shape);
 }
 
-/// The faults of a report that matter for the given use.
+/// Returns the faults of a report that matter for the requirement.
 hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
   if (needed == Soundness::closed) return report;
   hydro::MeshReport kept;

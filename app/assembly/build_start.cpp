@@ -9,7 +9,8 @@ namespace assembly {
 
 std::string why_not_afloat(double mass, double volume, double density) {
   const double most = density * volume;
-  // The volume of a mesh has some digits less than a double: what it displaces is as heavy then.
+  // Round-off of a mesh's volume is larger than that of a double; within 1e-12 the masses are
+  // equal.
   if (mass < (1 - 1e-12) * most) return "";
   return fmt::format(
       "it {}: its mass is {:.7g} kg and its volume of {:.7g} m^3 displaces {:.7g} kg",

@@ -20,16 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A bound on pixels, against pictures whose header lies: 100 million heights fill 0.8 GB.
+/// Largest number of pixels; it guards against a wrong header. 100 million heights fill 0.8 GB.
 constexpr double kMostPixels = 1e8;
 
-/// A line of a table that is taken apart from left to right.
+/// A line of a table that is parsed from left to right.
 class TableLine {
  public:
   TableLine(const fs::path& file, int number, std::string_view text)
       : file_(file), number_(number), text_(text.substr(0, text.find('#'))) {}
 
-  /// The heights in the line; none if it is empty.
+  /// Returns the heights in the line; none if it is empty.
   std::vector<double> values() {
     std::vector<double> row;
     skip_space();
@@ -97,7 +97,7 @@ Eigen::MatrixXd read_table(const fs::path& file, std::istream& in) {
                                     static_cast<Eigen::Index>(columns));
 }
 
-/// An open picture and what libpng needs to read it; frees both.
+/// An open picture and the structures of libpng; frees both.
 struct PngReader {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{nullptr, std::fclose};
   png_structp png = nullptr;
@@ -117,8 +117,8 @@ struct PngReader {
 
 void on_png_warning(png_structp, png_const_charp) {}
 
-/// Reads up to the pixels. False with `error` set if libpng gives up; it leaves by longjmp, so this
-/// function and the next hold no object that needs destruction.
+/// Reads the picture up to its pixels. Returns false and sets `error` if libpng fails. It leaves by
+/// longjmp, so this function and the next hold no object that needs destruction.
 bool read_png_header(PngReader& reader) {
   if (setjmp(png_jmpbuf(reader.png))) return false;
   png_init_io(reader.png, reader.stream.get());

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using hydro::TriMesh;
 
-/// Welding distance as a share of the largest coordinate: one step of a float, 2^-23.
+/// Welding distance relative to the largest coordinate: one step of a float, 2^-23.
 constexpr double kWeld = 0x1p-23;
 
 std::string lower_extension(const fs::path& file) {
@@ -35,8 +35,9 @@ std::string lower_extension(const fs::path& file) {
   return extension;
 }
 
-/// The two counts that an OFF file starts with, vertices and faces. assimp believes them and fills
-/// memory accordingly before it meets the end of the file; each element takes a line of its own.
+/// Compares the numbers of vertices and faces that an OFF file announces with its size; each
+/// element takes a line. assimp allocates memory for these numbers before it reaches the end of the
+/// file.
 void require_true_off_counts(const fs::path& file) {
   std::ifstream in(file);
   const double size = static_cast<double>(fs::file_size(file));
@@ -78,7 +79,7 @@ Eigen::Affine3d transformation(const aiMatrix4x4& m) {
   return X;
 }
 
-/// Puts the parts of a scene together, vertex by vertex and triangle by triangle.
+/// Joins the parts of a file into one mesh.
 class Collector {
  public:
   Collector(const fs::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
@@ -120,7 +121,7 @@ class Collector {
     throw scene::InputError(file_, text.str());
   }
 
-  /// A mirroring transformation would turn the face over.
+  /// A mirroring transformation would reverse the face.
   void add_face(const aiMesh& part, const aiFace& face, int first, bool mirrored) {
     for (const int corner : {0, mirrored ? 2 : 1, mirrored ? 1 : 2}) {
       if (face.mIndices[corner] >= part.mNumVertices)
@@ -137,7 +138,7 @@ class Collector {
   std::vector<int> faces_;
 };
 
-/// The triangulation of assimp 5.2 ends the process when it meets a face without corners.
+/// Refuses a face without corners, on which the triangulation of assimp 5.2 ends the process.
 void require_corners(const fs::path& file, const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m)
     for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)

@@ -13,7 +13,7 @@
 namespace assembly {
 namespace {
 
-/// One kind of element: how many there are, and the bytes that each takes at least.
+/// A kind of element: its count and the least bytes of each.
 struct Element {
   std::string name;
   double count = 0;
@@ -34,8 +34,8 @@ double bytes_of(const std::string& type) {
   return type == "double" || type == "float64" ? 8 : 4;
 }
 
-/// Bytes of `property TYPE NAME` or `property list COUNT_TYPE ITEM_TYPE NAME`, the words after the
-/// first.
+/// Returns the least bytes of a property, given the words after `property` in `property TYPE NAME`
+/// or `property list COUNT_TYPE ITEM_TYPE NAME`.
 double property_bytes(std::istream& words, const Element& element) {
   std::string type, item;
   words >> type;
@@ -70,7 +70,7 @@ Head read_head(std::istream& in) {
   return head;
 }
 
-/// Lines from here to the end of the file, empty ones left out.
+/// Counts the lines from here to the end of the file that are not empty.
 double count_lines(std::istream& in) {
   double lines = 0;
   std::string line;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What names of unfinished files hold, before what tells them apart.
+/// Names of temporary files hold this mark before a number that distinguishes them.
 const char* const kPart = ".part-";
 
 [[noreturn]] void fail(const fs::path& file, int error) {
@@ -25,7 +25,7 @@ const char* const kPart = ".part-";
       fmt::format("{} cannot be written: {}", file.string(), std::strerror(error)));
 }
 
-/// Removes what killed processes left of files with the extension of this one.
+/// Removes the old temporary files of killed processes for files with the same extension.
 void remove_old_parts(const fs::path& file) {
   const std::string mark = file.extension().string() + kPart;
   const auto yesterday = fs::file_time_type::clock::now() - std::chrono::hours(24);
@@ -43,7 +43,7 @@ void remove_old_parts(const fs::path& file) {
 PartFile::PartFile(const fs::path& file) : file_(file) {
   constexpr mode_t kAsUmaskLeaves = 0666;
   remove_old_parts(file);
-  // Another machine may have a process of this number.
+  // A process on another machine may have the same number.
   for (int i = 0; handle_ < 0; ++i) {
     name_ = fmt::format("{}{}{}-{}", file.string(), kPart, ::getpid(), i);
     handle_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kAsUmaskLeaves);

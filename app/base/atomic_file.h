@@ -6,22 +6,21 @@
 
 namespace app {
 
-/// A new file beside another, in whose place it comes when it is done; until then it is removed
-/// again. Parts of files with the same extension that a killed process left behind a day ago or
-/// more are removed, too.
+/// A temporary file beside another one, which `rename` replaces by it; without that call the
+/// destructor removes it. The constructor also removes temporary files for the same extension that
+/// killed processes left in the folder at least a day ago.
 class PartFile {
  public:
-  /// @throws std::runtime_error, as all below, that names the file and says why it cannot be
-  /// written
+  /// @throws std::runtime_error, as `write` and `rename` do, that names the file and the reason
   explicit PartFile(const std::filesystem::path& file);
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
-  /// Under which it may be written by others, too.
+  /// Path of the temporary file; other code may write to it.
   const std::string& name() const { return name_; }
   void write(std::string_view bytes) const;
-  /// To be called last.
+  /// Flushes the file to the disk and moves it to its final name. No call may follow.
   void rename();
 
  private:
@@ -31,9 +30,8 @@ class PartFile {
   bool renamed_ = false;
 };
 
-/// Writes a file, and folders above it that are missing, so that it is there with all its bytes or
-/// stays as it was, whatever happens meanwhile: a full disk, a cut of power, another process that
-/// does the same.
+/// Writes a file and the missing folders above it. The file is complete or unchanged even after a
+/// full disk, a power failure or a concurrent write by another process.
 /// @throws std::runtime_error that names the file and says why it cannot be written
 void write_whole(const std::filesystem::path& file, std::string_view bytes);
 

@@ -7,11 +7,11 @@
 namespace app {
 namespace {
 
-/// For which tasks are left to gather, so that few of them wake the thread: to wake it takes longer
-/// than to write a row.
+/// Time for which tasks collect before they wake the thread: waking it takes longer than writing a
+/// row.
 constexpr std::chrono::milliseconds kRest(2);
 
-/// Does the task and lets go of it. @return what it has thrown; null if nothing.
+/// Runs and destroys the task. @return its exception; null if it threw none
 std::exception_ptr error_of(Background::Task task) {
   try {
     task();

@@ -10,30 +10,30 @@
 
 namespace app {
 
-/// Does tasks in the order in which they are put, one at a time, on a thread of its own: files are
-/// written while the caller goes on. Tasks are put by one thread, and own what they work on or work
-/// on what nobody else touches before `finish`.
+/// Runs tasks one at a time, in the order of `put`, on a separate thread, so that files are written
+/// while the caller continues. One thread puts all tasks. A task owns its data, or uses data that
+/// nothing else touches before `finish`.
 ///
-/// After a task that throws no other is done, as if the caller had done them all itself.
+/// No task runs after one that has thrown, as if the caller had run them all.
 class Background {
  public:
   using Task = std::function<void()>;
 
-  /// @param threads   That the caller may use: with 1 there is no other, and `put` does the task.
-  /// @param most      Tasks that may wait, at least 1: so much memory they take at most.
+  /// @param threads   Number of threads that the caller may use; with 1, `put` runs the task.
+  /// @param most      Largest number of waiting tasks, at least 1; it bounds their memory.
   Background(int threads, std::size_t most);
 
-  /// Does what waits; call `finish` to learn whether it could be done.
+  /// Runs the waiting tasks and drops their errors, which `finish` would report.
   ~Background();
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// Hands over a task; waits while too many wait.
-  /// @throws what a task has thrown, from then on always
+  /// Queues a task; blocks while the queue is full.
+  /// @throws the exception of a task; every later call throws it again
   void put(Task task);
 
   /// Waits until all tasks are done. More may be put after it.
-  /// @throws what a task has thrown, from then on always
+  /// @throws the exception of a task; every later call throws it again
   void finish();
 
  private:
@@ -43,7 +43,7 @@ class Background {
   void rethrow() const;
 
   const std::size_t most_;
-  std::mutex mutex_;  ///< Guards all below but the thread.
+  std::mutex mutex_;  ///< Guards all members below except `thread_`.
   std::condition_variable more_;
   std::condition_variable fewer_;
   std::deque<Task> waiting_;

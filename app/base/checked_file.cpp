@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kWord = sizeof(std::uint64_t);
 
-/// What is wrong with the bytes of a file; empty if nothing is.
+/// Describes the fault in the bytes of a file; empty if there is none.
 std::string fault_of(const std::string& bytes, const std::string& identity,
                      std::optional<std::size_t> size) {
   if (bytes.size() < kWord || std::memcmp(bytes.data(), identity.data(), kWord) != 0)
@@ -31,9 +31,8 @@ std::string fault_of(const std::string& bytes, const std::string& identity,
   return own ? "" : "belongs to another mesh or method";
 }
 
-/// The bytes of a file, of one that is longer than `most` the first of them and one; none if there
-/// is no file.
-/// @throws std::runtime_error if there is something that cannot be read
+/// Reads at most the first `most` + 1 bytes of a file; none if there is no file.
+/// @throws std::runtime_error if the file exists but cannot be read
 std::optional<std::string> read_bytes(const fs::path& file, std::uintmax_t most) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -59,7 +58,7 @@ std::uint64_t hash_of(std::span<const char> bytes) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data(), length);
     hash = (hash ^ word) * std::uint64_t{0x100000001b3};
-    // A product's upper bits tell nothing to the lower ones: two changed signs would cancel.
+    // A product's upper bits do not affect its lower ones: two changed signs would cancel.
     hash ^= hash >> 32;
     bytes = bytes.subspan(length);
   }

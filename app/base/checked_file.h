@@ -8,12 +8,14 @@
 #include <string_view>
 
 /// @file
-/// Files of the user's cache: all that their content depends on, the content, and a checksum.
+/// Files of the user's cache. Each holds its identity (all inputs that the content depends on), the
+/// content and a checksum.
 
 namespace app {
 
-/// FNV-1a (Fowler, Noll, Vo) of words of 64 bits instead of bytes, in an eighth of the time, each
-/// mixed downward too: any one byte that is changed changes it.
+/// Computes the FNV-1a hash (Fowler, Noll, Vo) over 64-bit words instead of bytes, in an eighth of
+/// the time. The upper bits are mixed into the lower ones after each word. A change of any one byte
+/// changes the hash.
 std::uint64_t hash_of(std::span<const char> bytes);
 
 template <class T>
@@ -26,12 +28,11 @@ void append(std::string& bytes, T value) {
   append(bytes, &value, 1);
 }
 
-/// Everything in a file. `identity` begins with a word of 8 bytes that tells such files from
-/// others.
+/// Returns all bytes of a file. `identity` begins with an 8-byte word that marks the kind of file.
 std::string checked(const std::string& identity, std::string_view content);
 
-/// The content of a file; none if there is no file.
-/// @param size   Of the content [bytes]; none: any.
+/// Reads the content of a file; none if there is no file.
+/// @param size   Expected size of the content [bytes]; none accepts any size.
 /// @throws std::runtime_error that says what is wrong with the file
 std::optional<std::string> read_checked(const std::filesystem::path& file,
                                         const std::string& identity,

@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-/// Exit code of a child that could not become the program, as shells give it.
+/// Exit code of a child that could not execute the program, as in shells.
 constexpr int kCannotExecute = 127;
 
 std::optional<EndedProcess> ended_child() {
@@ -26,12 +26,12 @@ std::optional<EndedProcess> ended_child() {
   return EndedProcess{process, code};
 }
 
-/// What happens in the child. Nothing here may allocate: a thread of the parent may have held the
-/// allocator's lock when it was copied.
+/// Executes the program in the child. It must not allocate: another thread of the parent may have
+/// held the allocator's lock during the fork.
 [[noreturn]] void become_program(const char* program, char* const* arguments, int messages,
                                  pid_t parent, const sigset_t& signals) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(kCannotExecute);  // it has ended already
+  if (::getppid() != parent) ::_exit(kCannotExecute);  // the parent has ended
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(messages, STDOUT_FILENO);
@@ -60,7 +60,7 @@ ChildProcesses::ChildProcesses() {
 ChildProcesses::~ChildProcesses() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 pid_t ChildProcesses::start(const std::vector<std::string>& arguments, int messages) const {
-  // Under this name the program is found even if its file has been replaced meanwhile.
+  // This path leads to the running program even if its file has been replaced.
   const char* const program = "/proc/self/exe";
   std::vector<std::string> words = arguments;
   words.insert(words.begin(), "plimsoll");

@@ -4,23 +4,22 @@
 #include <string>
 
 /// @file
-/// The program's standard streams: results go to the output, everything said about them to the
-/// error stream.
+/// The program's standard streams: results go to standard output, messages to standard error.
 
 namespace app {
 
-/// Opens those of the three standard streams that the caller has closed, on nothing: a file that is
-/// written must not take their place.
+/// Opens /dev/null for each standard stream that the caller has closed, so that no output file
+/// takes its descriptor.
 void open_standard_streams();
 
-/// Writes a line to standard error. Whether anybody reads it does not matter to the program.
+/// Writes a line to standard error and ignores errors.
 void say(const std::string& line);
 
-/// `1 body`, `2 bodies`.
+/// Returns a count with its noun: `1 body`, `2 bodies`.
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
-/// Hands over what was printed to standard output.
-/// @throws std::runtime_error if it could not be written
+/// Flushes standard output.
+/// @throws std::runtime_error if the output could not be written
 void flush_output();
 
 }  // namespace app

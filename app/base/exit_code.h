@@ -2,7 +2,7 @@
 
 namespace app {
 
-/// Exit codes of the program, as scripts rely on them.
+/// Exit codes of the program; scripts rely on them.
 enum ExitCode {
   kDone = 0,
   kDiffers = 1,       ///< `compare` found a difference beyond tolerance.

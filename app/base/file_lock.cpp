@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// Whether the open file is the one that has this name now; who had the lock before removed his.
+/// True if the open file still has this name: the previous holder of a lock removes its file.
 bool has_name(int handle, const std::filesystem::path& name) {
   struct stat open = {};
   struct stat named = {};
@@ -31,7 +31,7 @@ FileLock::FileLock(const std::filesystem::path& file) : file_(file) {
 bool FileLock::try_lock() {
   constexpr mode_t kOwnerOnly = 0600;
   lock_ = LockedFile(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kOwnerOnly));
-  if (!lock_.is_open()) return true;  // without a lock: the folder cannot be written
+  if (!lock_.is_open()) return true;  // no lock is possible: the folder cannot be written
   bool locked = lock_.try_lock(LockedFile::Lock::exclusive);
   if (!locked) {
     waited_ = true;

@@ -6,19 +6,19 @@
 
 namespace app {
 
-/// Work that one process at a time does: a file that is there, and locked, while it is done. File
-/// systems that know no locks let all pass.
+/// Lock file for work that only one process at a time may do. On a file system without locks, every
+/// process proceeds.
 class FileLock {
  public:
-  /// Waits for the lock. @param file   Made for it, with the folders above; empty: there is no
-  /// lock.
+  /// Waits for the lock.
+  /// @param file   Lock file, created with the folders above it; an empty path locks nothing.
   explicit FileLock(const std::filesystem::path& file);
-  /// Removes the file, too.
+  /// Releases the lock and removes the file.
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// Another had it when it was asked for.
+  /// True if another process held the lock at first.
   bool waited() const { return waited_; }
 
  private:

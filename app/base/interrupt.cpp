@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-/// Any thread may be the one that takes the signal.
+/// True after a signal, which any thread may receive.
 std::atomic<bool> noted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -21,7 +21,7 @@ extern "C" void note_signal(int number) {
 
 InterruptGuard::InterruptGuard() {
   noted = false;
-  // What the caller has switched off, as a shell does for a job in the background, stays off.
+  // Signals that the caller ignores, as a shell does for background jobs, stay ignored.
   for (const int number : kSignals)
     if (std::signal(number, note_signal) == SIG_IGN) std::signal(number, SIG_IGN);
 }

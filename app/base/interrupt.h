@@ -2,7 +2,8 @@
 
 namespace app {
 
-/// While it lives, the first Ctrl-C (or TERM) is only noted; a second one ends the program.
+/// While a guard lives, the first Ctrl-C (or SIGTERM) is only recorded; a second one ends the
+/// program.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the program is started with: its streams and what signals mean to it.
+/// The streams and signal settings that the program starts with.
 class Surroundings {
  public:
   Surroundings(int input, int messages) {
@@ -30,7 +30,7 @@ class Surroundings {
     ::posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
     ::posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     ::posix_spawn_file_actions_adddup2(&actions_, messages, STDERR_FILENO);
-    // In a process group of its own it gets no Ctrl-C from the terminal.
+    // A process in a group of its own receives no Ctrl-C from the terminal.
     ::posix_spawnattr_init(&attributes_);
     ::posix_spawnattr_setpgroup(&attributes_, 0);
     sigset_t none;
@@ -99,7 +99,7 @@ PipedProgram::~PipedProgram() {
 
 bool PipedProgram::write(std::span<const std::uint8_t> bytes) const {
   while (!bytes.empty()) {
-    // To a socket one may write without the signal that a pipe without a reader raises.
+    // A write to a socket, unlike one to a pipe, can avoid SIGPIPE when there is no reader.
     const ssize_t written = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return false;

@@ -10,33 +10,34 @@
 
 namespace app {
 
-/// The file of a program that the environment's PATH leads to; empty if there is none.
+/// Returns the path of a program found through PATH; empty if there is none.
 std::filesystem::path find_program(const std::string& name);
 
-/// A program that works on what it is given on its standard input. It ends by itself if this
-/// process does, and Ctrl-C is not for it.
+/// Child process that processes its standard input. The input closes when this process ends, and
+/// Ctrl-C does not reach the child.
 class PipedProgram {
  public:
-  /// Starts it. @throws std::runtime_error if that is not possible
+  /// Starts the program. @throws std::runtime_error if it cannot be started
   PipedProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
-  /// Ends it.
+  /// Kills the program if it still runs.
   ~PipedProgram();
   PipedProgram(const PipedProgram&) = delete;
   PipedProgram& operator=(const PipedProgram&) = delete;
 
-  /// Waits while it is behind. @return false if it takes no more
+  /// Writes to the program's input; blocks while its buffer is full. @return false if the program
+  /// has closed it
   bool write(std::span<const std::uint8_t> bytes) const;
 
-  /// Tells it that this was all, and waits for its end. @return whether it has ended well
+  /// Closes the input and waits for the program's end. @return true if its exit code is 0
   bool finish();
 
-  /// The lines that it has said on standard error.
+  /// Returns the lines that the program has written to standard error.
   std::vector<std::string> messages() const;
 
  private:
   pid_t process_ = 0;  ///< 0 once it has ended.
-  int input_ = -1;     ///< The near end of its standard input.
-  int messages_ = -1;  ///< A file without a name that holds what it says.
+  int input_ = -1;     ///< This process's end of the program's standard input.
+  int messages_ = -1;  ///< Anonymous file that receives the program's standard error.
 };
 
 }  // namespace app

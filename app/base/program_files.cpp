@@ -6,7 +6,7 @@ namespace app {
 
 namespace {
 
-/// A folder beside the installed program, else one of that name in `otherwise`.
+/// Returns the folder beside the installed program, else the folder of that name in `otherwise`.
 std::filesystem::path installed_or(const std::filesystem::path& otherwise,
                                    const std::string& folder) {
   std::error_code error;

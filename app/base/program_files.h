@@ -5,11 +5,12 @@
 
 namespace app {
 
-/// A folder that belongs to the program (`shaders`): beside the program where it is installed
-/// (../share/plimsoll), else in the source tree that it was built from.
+/// Returns a folder of the program's data (`shaders`): in ../share/plimsoll beside an installed
+/// program, else in the source tree that it was built from.
 std::filesystem::path program_files(const std::string& folder);
 
-/// The same of files that the build makes (`report`), else in the build tree.
+/// Returns a folder of files that the build makes (`report`): as for `program_files`, but the build
+/// tree takes the place of the source tree.
 std::filesystem::path built_files(const std::string& folder);
 
 }  // namespace app

@@ -11,13 +11,13 @@
 namespace app {
 namespace {
 
-/// Columns of the screen; 0 if it does not say.
+/// Returns the columns of the terminal; 0 if they are unknown.
 std::size_t screen_width() {
   winsize size = {};
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-/// `42 s`, `12 min`, `3.5 h`
+/// Formats a time as `42 s`, `12 min` or `3.5 h`.
 std::string rough_time(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", std::ceil(seconds));
@@ -42,8 +42,8 @@ ProgressLine::~ProgressLine() { clear(); }
 void ProgressLine::show(const std::string& text) {
   if (!enabled_) return;
   next_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
-  // A line that is wider than the screen would go on in a second one, which nothing takes away. The
-  // last column stays free.
+  // A line wider than the terminal would wrap into a second line, which nothing erases. The last
+  // column stays free.
   const std::size_t width = screen_width();
   const std::string line = width > 1 ? text.substr(0, width - 1) : text;
   std::fprintf(stderr, "\r\033[K%s", line.c_str());

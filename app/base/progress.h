@@ -6,28 +6,27 @@
 namespace app {
 
 /// `teapot_drop: 1.20 of 6 s   20 %  3.2 x real time  2 s left`
-/// @param time       Simulated so far [s], > 0.
-/// @param duration   [s]
-/// @param wall       That it took [s], > 0.
+/// @param time       Simulated time so far [s], > 0.
+/// @param duration   Duration of the scene [s].
+/// @param wall       Wall time so far [s], > 0.
 std::string progress_text(const std::string& name, double time, double duration, double wall);
 
-/// One line on standard error that keeps itself up to date; nothing where that is no terminal.
+/// A progress line on standard error, shown only if that is a terminal.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
 
-  /// True if there is a screen to show a line on.
+  /// True if there is a terminal to show the line on.
   bool enabled() const { return enabled_; }
 
-  /// True if there is a screen to show a line on and the last one has stood for a tenth of a
-  /// second.
+  /// True if the line is enabled and was last shown at least 0.1 s ago.
   bool due() const { return enabled_ && std::chrono::steady_clock::now() >= next_; }
 
-  /// Shows the line, as much of it as the screen is wide.
+  /// Shows the line, cut to the width of the terminal.
   void show(const std::string& text);
 
-  /// Takes the line off the screen.
+  /// Erases the line.
   void clear();
 
  private:

@@ -4,16 +4,16 @@
 
 namespace app {
 
-/// Is told how a long computation goes on. Each function does nothing unless it is overridden, so
-/// that a Reporter itself is a quiet one.
+/// Receives the progress of a long computation. Each function does nothing unless it is overridden,
+/// so a plain Reporter is quiet.
 class Reporter {
  public:
   virtual ~Reporter() = default;
 
   /// The computation begins with `what`, which lasts until the next call or until `done`.
   virtual void working_on(const std::string& what);
-  /// The computation goes on to something that is not worth telling. @param result   What the last
-  /// part came to; empty if nothing is to be said of it.
+  /// The part that `working_on` named has ended.
+  /// @param result   Result of that part; empty if it is not reported.
   virtual void done(const std::string& result);
   /// The input is right, but its author should know something about it.
   virtual void note(const std::string& message);
@@ -21,7 +21,7 @@ class Reporter {
   virtual void warning(const std::string& message);
 };
 
-/// A reporter that tells nothing to nobody.
+/// Returns a reporter that ignores everything.
 Reporter& quiet();
 
 }  // namespace app

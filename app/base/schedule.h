@@ -5,13 +5,13 @@
 
 namespace app {
 
-/// Times 0, every, 2·every, …: says of ascending times which are the first at or after one of them.
+/// Selects from ascending times the first at or after each of 0, every, 2·every, ….
 class Schedule {
  public:
-  /// @param every   [s], > 0; 0 stands for every time that is asked about.
+  /// @param every   Interval [s], > 0; 0 selects every time.
   explicit Schedule(double every) : every_(every) {}
 
-  /// True if a time has been reached that was not reached when last asked.
+  /// True if a scheduled time has been reached since the last call.
   bool due(double time) {
     if (every_ <= 0) return true;
     const double reached = std::floor(time / every_ + kSlack);
@@ -21,19 +21,21 @@ class Schedule {
   }
 
  private:
-  /// Part of an interval by which a time may fall short: the rounding of step·count.
+  /// Fraction of an interval by which a time may fall short; it covers the rounding of step·count.
   static constexpr double kSlack = 1e-6;
   double every_;
   double next_ = 0;
 };
 
-/// Pictures are of times before the end, as frames of a film are; a scene without duration has one.
+/// True if a picture may show the time: it lies before the end, as the frames of a film do, or is
+/// 0.
 inline bool is_frame_time(double time, double end) { return time == 0 || time < end * (1 - 1e-9); }
 
-/// Says of ascending times which have a picture.
+/// Selects from ascending times those that have a picture.
 class FrameSchedule {
  public:
-  /// @param every   [s]; @param end   Of the scene [s].
+  /// @param every   Interval of pictures [s].
+  /// @param end     End of the scene [s].
   FrameSchedule(double every, double end) : schedule_(every), end_(end) {}
 
   bool due(double time) { return is_frame_time(time, end_) && schedule_.due(time); }
@@ -43,11 +45,11 @@ class FrameSchedule {
   double end_;
 };
 
-/// Most steps of a run: a day and more at a microsecond each.
+/// Largest number of steps of a run; it allows more than a day at a step of a microsecond.
 inline constexpr double kMostSteps = 1e11;
 
-/// Steps that make up a duration; the last one may reach beyond it. The slack is the rounding of
-/// a duration that is a whole number of steps. At most kMostSteps.
+/// Returns the number of steps that cover a duration, at most kMostSteps; the last step may end
+/// beyond it. The slack covers the rounding of a duration that is a whole number of steps.
 inline long step_count(double duration, double step) {
   assert(duration / step <= kMostSteps);
   return std::lround(std::ceil(duration / step * (1 - 1e-12)));

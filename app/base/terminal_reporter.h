@@ -7,11 +7,11 @@
 
 namespace app {
 
-/// Tells on standard error: what is being done on a line that keeps itself up to date, if that is a
-/// terminal; notes and warnings on lines of their own.
+/// Reports to standard error: the current work on a progress line, notes and warnings on separate
+/// lines.
 class TerminalReporter : public Reporter {
  public:
-  /// @param quiet   Warnings only.
+  /// @param quiet   True if only warnings are shown.
   explicit TerminalReporter(bool quiet) : quiet_(quiet), line_(quiet) {}
 
   void working_on(const std::string& what) override;

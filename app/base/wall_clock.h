@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// Counts the wall time since it was made.
+/// Measures the wall time since its construction.
 class WallClock {
  public:
   double seconds() const {

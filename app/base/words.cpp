@@ -6,7 +6,8 @@ namespace app {
 
 namespace {
 
-/// Two slips in a word, one in a very short word; one in three letters of a long word.
+/// Returns the number of slips to allow: half the letters of a word of up to three letters, and a
+/// third of the letters of a longer word, but at least two.
 int usual_limit(const std::string& word) {
   const int letters = static_cast<int>(word.size());
   if (letters < 4) return letters / 2;

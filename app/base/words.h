@@ -6,18 +6,19 @@
 
 namespace app {
 
-/// Number of single-letter changes, insertions, removals and swaps of neighbours that turn `a`
+/// Counts the single-letter changes, insertions, removals and swaps of neighbours that turn `a`
 /// into `b` (optimal string alignment).
 int edit_distance(const std::string& a, const std::string& b);
 
-/// The candidate nearest to `word`, the first of several; none if more than `most` changes away.
+/// Returns the first of the candidates nearest to `word`; none if all are more than `most` changes
+/// away.
 std::optional<std::string> nearest(const std::string& word,
                                    const std::vector<std::string>& candidates, int most);
 
-/// `; did you mean X?` with the nearest candidate, empty if none is near.
+/// Returns `; did you mean X?` with the nearest candidate; empty if none is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
-/// `a, b or c`
+/// Joins words to `a, b or c`.
 std::string enumerate(const std::vector<std::string>& words, const std::string& conjunction);
 
 }  // namespace app

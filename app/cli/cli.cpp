@@ -35,7 +35,7 @@ std::vector<scene::Override> parse_overrides(const std::vector<std::string>& arg
   return overrides;
 }
 
-/// `position=1e-6,orientation_deg=0.01`
+/// Parses `position=1e-6,orientation_deg=0.01`.
 std::map<std::string, double> parse_tolerances(const std::vector<std::string>& arguments) {
   std::map<std::string, double> tolerances;
   for (const std::string& argument : arguments) {
@@ -57,12 +57,12 @@ LogFormat parse_format(const std::string& word) {
   throw scene::InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
 }
 
-/// `0:60:5` → 0, 5 … 60, in radians.
+/// Parses `0:60:5` to 0, 5 … 60 degrees, in radians.
 std::vector<double> parse_heels(const std::string& argument) {
   double first = 0, last = 0, step = 0;
   int end = 0;
   const bool read = std::sscanf(argument.c_str(), "%lf:%lf:%lf%n", &first, &last, &step, &end) == 3;
-  // Not a number fails every comparison.
+  // NaN fails every comparison.
   const bool fits = std::abs(first) <= 180 && std::abs(last) <= 180 && step >= 0.01;
   if (!read || argument.size() != static_cast<std::size_t>(end) || !fits || first > last)
     throw scene::InputError("--heel",
@@ -76,7 +76,7 @@ std::vector<double> parse_heels(const std::string& argument) {
   return heels;
 }
 
-/// What the options of all commands are read into.
+/// Values of the options of all commands.
 struct Arguments {
   RunOptions run;
   CompareOptions compare;
@@ -302,7 +302,7 @@ int run_hydrostatics(Arguments& a, const std::vector<scene::Override>& overrides
   return hydrostatics(a.hydrostatics);
 }
 
-/// Names the commands there are if the first word is none of them.
+/// Lists the commands if the first word is not a command.
 void check_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.starts_with('-')) return;

@@ -10,7 +10,7 @@ namespace {
 
 using Completes = CompletedOption::Value;
 
-/// The words of `TEXT:{galerkin,constant}`, as the parser names a choice.
+/// Returns the words of a choice, which the parser names `TEXT:{galerkin,constant}`.
 std::vector<std::string> choices_in(const std::string& type) {
   const std::size_t begin = type.find('{');
   const std::size_t end = type.find('}');
@@ -22,7 +22,7 @@ std::vector<std::string> choices_in(const std::string& type) {
 }
 
 Completes what_completes(const std::string& type) {
-  // Trajectories and folders of runs are what `compare` calls A and B.
+  // `compare` names its trajectories or folders of runs A and B.
   for (const char* file : {"FILE", "SCENE", "A", "B"})
     if (type == file) return Completes::file;
   if (type == "DIR") return Completes::folder;

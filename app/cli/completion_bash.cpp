@@ -10,7 +10,7 @@ namespace {
 
 using Completes = CompletedOption::Value;
 
-/// The part that does not hang on the commands.
+/// The part that does not depend on the commands.
 constexpr std::string_view kFunctions = R"(
 # Adds the names of files, or of folders (-d), that begin with a word.
 _plimsoll_files()
@@ -105,7 +105,7 @@ std::string bash_action(const CompletedOption& option) {
   return ":";
 }
 
-/// `run)` and what follows a word of it.
+/// Returns the branch of a command: `run)` and the completion of its words.
 std::string bash_branch(const CompletedCommand& command, const std::string& arguments) {
   std::string names, values;
   for (const CompletedOption& option : command.options) {

@@ -10,7 +10,7 @@ namespace {
 
 using Completes = CompletedOption::Value;
 
-/// The part that does not hang on the commands.
+/// The part that does not depend on the commands.
 constexpr std::string_view kOverrides = R"(
 # Completes KEY.PATH=VALUE: the path step by step, then the words that a key may have. Entries of
 # lists are named as they are typed, or else by index 0; cameras as they are typed.
@@ -34,7 +34,7 @@ _plimsoll_override()
 }
 )";
 
-/// Within single quotes.
+/// Puts a text into single quotes.
 std::string zsh_quoted(const std::string& text) {
   std::string quoted;
   for (const char c : text) {
@@ -65,7 +65,8 @@ std::string zsh_action(const CompletedOption& option) {
   return "";
 }
 
-/// `'--out=[Folder]:folder:_files -/'`, a name each; `':file:_files'` of an argument.
+/// Returns a specification per name of an option, `'--out=[Folder]:folder:_files -/'`, or that of
+/// an argument, `':file:_files'`.
 std::string zsh_specification(const CompletedOption& option) {
   std::string text;
   for (const std::string& name : option.names)

@@ -16,13 +16,12 @@
 
 namespace {
 
-/// Has freed memory stay with the process, up to some megabytes: what reads a mesh or the store
-/// frees as much as the next one needs, and pages that the kernel hands out anew are a large part
-/// of a short run.
+/// Keeps some megabytes of freed memory in the process. Readers of meshes and of the store free as
+/// much as the next one needs, and new pages from the kernel take a large part of a short run.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMebibyte = 1 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);  // The largest that it takes.
+  ::mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);  // The largest value that is accepted.
   ::mallopt(M_TRIM_THRESHOLD, 64 * kMebibyte);
 #endif
 }

@@ -7,13 +7,13 @@
 namespace app {
 namespace {
 
-/// One value each time the option is given.
+/// Adds an option that takes one value each time it is given.
 void add_repeated(CLI::App* command, const char* name, std::vector<std::string>& values,
                   const char* type, const char* what) {
   command->add_option(name, values, what)->type_name(type)->allow_extra_args(false)->take_all();
 }
 
-/// How the runs are drawn and done.
+/// Adds the options for sampling and running.
 void add_manner(CLI::App* command, SweepOptions& o) {
   CLI::Option* samples =
       command

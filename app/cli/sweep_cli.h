@@ -8,7 +8,7 @@ class App;
 
 namespace app {
 
-/// Adds the command `sweep` with its options, which are read into `options`.
+/// Adds the command `sweep`, whose values are stored in `options`.
 void add_sweep(CLI::App& program, SweepOptions& options);
 
 }  // namespace app

@@ -28,7 +28,7 @@ struct Submerged {
   std::string name;
   assembly::CenteredMesh solid;
   Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
-  double density = 1000;  ///< Of the water [kg/m^3].
+  double density = 1000;  ///< Density of the water [kg/m^3].
 };
 
 Submerged body_of_mesh(const AddedMassCommand& o) {
@@ -42,7 +42,7 @@ Submerged body_of_mesh(const AddedMassCommand& o) {
   return body;
 }
 
-/// A closed mesh about the centroid of its volume.
+/// Moves a closed mesh to the centroid of its volume.
 assembly::CenteredMesh centered(const hydro::TriMesh& mesh_B) {
   const Eigen::Vector3d centroid_B = hydro::solid_properties(mesh_B).centroid;
   return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
@@ -60,7 +60,7 @@ std::vector<Submerged> bodies_of_scene(const AddedMassCommand& o) {
     const engine::BodySpec& spec = built.spec.bodies[i];
     const std::vector<std::string> wrong = hydro::describe(hydro::check_mesh(spec.mesh_B));
     if (!wrong.empty()) faults.push_back({{scene.file}, spec.name, wrong.front()});
-    // A body that needs no closed mesh in its scene has not been looked at as a solid.
+    // A body whose scene needs no closed mesh has no solid.
     const assembly::CenteredMesh& solid = built.solids[i];
     bodies.push_back({spec.name, solid.mesh_C.face_count() > 0 ? solid : centered(spec.mesh_B),
                       built.centers_of_mass[i], density});
@@ -80,7 +80,7 @@ std::vector<Submerged> bodies_of(const AddedMassCommand& o) {
   return {body_of_mesh(o)};
 }
 
-/// A solution about the body's centre of mass, and whether it was stored.
+/// A solution about the body's centre of mass, and a flag for one from the store.
 struct Found {
   hydro::AddedMassSolution solution;
   bool from_store = false;
@@ -102,7 +102,7 @@ Json to_json(const Submerged& body, const Found& found) {
           {"bytes", solution.bytes}};
 }
 
-/// The matrix row by row; what is below the symmetry error or round-off is still shown.
+/// Prints the matrix row by row, including entries below the symmetry error or round-off.
 std::string table_of(const Submerged& body, const Found& found) {
   const hydro::AddedMassSolution& solution = found.solution;
   std::string text = fmt::format(

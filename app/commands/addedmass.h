@@ -11,14 +11,14 @@ namespace app {
 
 struct AddedMassCommand {
   std::filesystem::path file;     ///< A scene if its extension is .yaml or .yml, else a mesh.
-  std::optional<double> density;  ///< Of the water [kg/m^3]; none: the scene's, or 1000.
-  std::vector<scene::Override> overrides;  ///< Of a scene.
+  std::optional<double> density;  ///< Density of the water [kg/m^3]; none: the scene's, or 1000.
+  std::vector<scene::Override> overrides;  ///< Overrides of a scene.
   hydro::AddedMassOptions options;
-  bool store = true;  ///< Solutions are taken from the store and kept there.
+  bool store = true;  ///< Solutions are read from the store and written to it.
   bool json = false;
 };
 
-/// Prints the added mass of a mesh or of a scene's bodies, each wholly submerged and alone.
+/// Prints the added mass of a mesh or of a scene's bodies, each submerged and alone.
 /// @return the exit code
 int addedmass(const AddedMassCommand& command);
 

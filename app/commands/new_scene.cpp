@@ -66,7 +66,7 @@ render:
   camera: {{from: [3.6, -5.4, 2], to: [0.6, 0.1, 0.3]}}
 )";
 
-/// In double quotes, as YAML reads it back.
+/// Puts a text into double quotes for YAML.
 std::string quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {

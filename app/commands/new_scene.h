@@ -4,8 +4,9 @@
 
 namespace app {
 
-/// Writes a scene to start from, with comments. @param name   With or without `.yaml`; a file of
-/// that name is left alone. @return the exit code
+/// Writes a commented starter scene. An existing file is not changed.
+/// @param name   Name with or without `.yaml`.
+/// @return the exit code
 int new_scene(const std::filesystem::path& name);
 
 }  // namespace app

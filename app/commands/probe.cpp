@@ -21,7 +21,7 @@ Json to_json(const hydro::Wrench& w) {
   return {{"force", to_json(w.force)}, {"torque", to_json(w.moment)}};
 }
 
-/// A matrix of six turned from body axes into world axes.
+/// Rotates a 6 × 6 matrix from body axes into world axes.
 Json in_world_axes(const hydro::Matrix6d& matrix_B, const Eigen::Matrix3d& R_WB) {
   hydro::Matrix6d turn = hydro::Matrix6d::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R_WB;

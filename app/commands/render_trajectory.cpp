@@ -21,7 +21,7 @@
 namespace app {
 namespace {
 
-/// The logged states that are to be drawn, as a run of the scene would have drawn them.
+/// Selects the logged states that a run of the scene would have drawn.
 ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows, const scene::Scene& scene,
                           const engine::SimulationSpec& spec, const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;

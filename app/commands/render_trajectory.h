@@ -17,8 +17,7 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// Draws the pictures of a logged trajectory, as a run of its scene draws them. @return the exit
-/// code
+/// Draws the same pictures of a logged trajectory as a run of its scene. @return the exit code
 int render_trajectory(const RenderOptions& options);
 
 }  // namespace app

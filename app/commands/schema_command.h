@@ -2,8 +2,9 @@
 
 namespace app {
 
-/// Prints the scene format for editors, as a JSON Schema. @param markdown   The tables of keys of
-/// scenes/README.md instead. @return the exit code
+/// Prints the scene format for editors as a JSON Schema.
+/// @param markdown   True prints the tables of keys of scenes/README.md instead.
+/// @return the exit code
 int schema(bool markdown);
 
 }  // namespace app

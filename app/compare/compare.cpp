@@ -43,7 +43,7 @@ Tolerances tolerances_of(const CompareOptions& options) {
   return {};
 }
 
-/// True if what is printed goes to somebody who has not asked for plain text.
+/// True if the output is a terminal and NO_COLOR is not set.
 bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
 
 }  // namespace

@@ -10,16 +10,17 @@ namespace app {
 struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
-  /// By quantity (`position`, …); only those named are judged. Empty: those of a file.
+  /// Tolerances by quantity (`position`, …); only these quantities are judged. Empty: a file has
+  /// them.
   std::map<std::string, double> tolerances;
-  /// Of tolerances. Empty: tolerances.yaml in the folder of `a` or of `b`, or else all to 1e-9.
+  /// File of tolerances. Empty: tolerances.yaml in the folder of `a` or `b`, or else 1e-9 for all.
   std::filesystem::path tolerance_file;
-  bool json = false;            ///< JSON is printed, no table.
+  bool json = false;            ///< JSON is printed instead of a table.
   std::filesystem::path junit;  ///< Report for a CI server; empty: none.
   std::filesystem::path html;   ///< Page with plots, for a browser; empty: none.
 };
 
-/// Prints how far two trajectories differ. @return kDone, or kDiffers beyond tolerance
+/// Prints the differences of two trajectories. @return kDone, or kDiffers beyond tolerance
 int compare(const CompareOptions& options);
 
 }  // namespace app

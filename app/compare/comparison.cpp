@@ -12,9 +12,9 @@ namespace {
 using Eigen::Quaterniond;
 using hydro::BodyState;
 
-constexpr double kSameTime = 1e-9;  ///< Of a time, or [s] below 1 s: two logs of one run round.
+constexpr double kSameTime = 1e-9;  ///< Round-off of logged times, relative, or [s] below 1 s.
 
-/// Angle of the rotation between two attitudes [deg].
+/// Returns the angle of the rotation between two attitudes [deg].
 double angle_between(const BodyState& a, const BodyState& b) {
   const Quaterniond d = a.orientation.conjugate() * b.orientation;
   return 2 * std::atan2(d.vec().norm(), std::abs(d.w())) * 180 / std::numbers::pi;
@@ -24,7 +24,7 @@ bool same_time(double a, double b) {
   return std::abs(a - b) <= kSameTime * std::max(1.0, std::abs(a));
 }
 
-/// Rows of a track outside the times of another.
+/// Counts the rows of a track outside the times of another.
 std::size_t rows_beyond(const BodyTrack& track, const BodyTrack& other) {
   return static_cast<std::size_t>(
       std::count_if(track.times.begin(), track.times.end(), [&](double time) {

@@ -10,12 +10,12 @@
 #include "app/logs/trajectory.h"
 
 /// @file
-/// How far two trajectories differ, body by body, and whether that is within tolerance.
+/// Differences of two trajectories, body by body, and their verdict.
 ///
-/// Where the logs have other times than each other, the one with more rows of a body is taken
-/// between them: the place by Hermite's cubic through the places and velocities around the time,
-/// the attitude likewise by the turn from the earlier one, velocities on the line. That is wrong by
-/// some a'' h⁴/384, with a'' the second derivative of the acceleration and h the log's interval.
+/// Where the logs have different times, the one with more rows of a body is interpolated: the
+/// position by Hermite's cubic through positions and velocities, the attitude likewise by its
+/// rotation from the earlier one, velocities linearly. The error of the position is about a''
+/// h⁴/384, with a'' the second derivative of the acceleration and h the log's interval.
 
 namespace app {
 
@@ -28,15 +28,16 @@ struct ComparedQuantity {
 /// position, orientation_deg, linear_velocity, angular_velocity.
 extern const std::array<ComparedQuantity, 4> kComparedQuantities;
 
-/// Largest differences that are none.
+/// Largest differences that count as equal.
 struct Tolerances {
   static constexpr double kDefault = 1e-9;
   static constexpr double kNotJudged = std::numeric_limits<double>::infinity();
 
-  std::map<std::string, double> all;                            ///< By quantity.
-  std::map<std::string, std::map<std::string, double>> bodies;  ///< By body and quantity.
+  std::map<std::string, double> all;                            ///< Key: quantity.
+  std::map<std::string, std::map<std::string, double>> bodies;  ///< Keys: body, quantity.
 
-  /// kDefault if none is given at all; kNotJudged for a quantity that is not among those that are.
+  /// Returns the tolerance of a quantity: kDefault if no tolerance is given at all, kNotJudged if
+  /// only other quantities have one.
   double of(const std::string& body, const std::string& quantity) const;
 };
 
@@ -44,7 +45,7 @@ struct Tolerances {
 /// @throws InputError with all faults
 Tolerances read_tolerances(const std::filesystem::path& file);
 
-/// How far one quantity of a body differs.
+/// The difference in one quantity of a body.
 struct Difference {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -61,25 +62,25 @@ struct BodyComparison {
   enum class In { both, only_a, only_b };
   std::string name;
   In in = In::both;
-  std::vector<double> times;     ///< At which it was compared [s].
-  std::size_t interpolated = 0;  ///< Of them, where one log had no row.
+  std::vector<double> times;     ///< Times of the comparison [s].
+  std::size_t interpolated = 0;  ///< Number of times at which one log had no row.
   std::size_t only_a = 0;        ///< Rows before the other log begins or after it ends.
   std::size_t only_b = 0;
-  std::array<Difference, 4> differences;               ///< As kComparedQuantities.
-  std::array<std::vector<double>, 4> difference_over;  ///< The same at each time.
+  std::array<Difference, 4> differences;               ///< In the order of kComparedQuantities.
+  std::array<std::vector<double>, 4> difference_over;  ///< The differences at each time.
 
   bool same() const;
 };
 
 struct Comparison {
-  std::vector<BodyComparison> bodies;  ///< In the order of the first, then those only in the other.
+  std::vector<BodyComparison> bodies;  ///< The first log's, then the others.
   bool same() const;
 };
 
 Comparison compare_trajectories(const Trajectory& a, const Trajectory& b,
                                 const Tolerances& tolerances);
 
-/// The state at a time within a track's.
+/// Returns the state at a time within the track.
 hydro::BodyState state_at(const BodyTrack& track, double time);
 
 }  // namespace app

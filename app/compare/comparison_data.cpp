@@ -13,9 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Columns = std::vector<std::vector<double>>;
 
-constexpr std::size_t kLeastComparedRows = 16;  ///< Fewer say nothing about a motion.
+constexpr std::size_t kLeastComparedRows = 16;  ///< Fewer rows do not show a motion.
 
-/// Columns at their times, made fewer.
+/// Returns times and columns, thinned to `most` rows.
 Json packed_rows(const std::vector<double>& times, const Columns& columns, std::size_t most) {
   if (times.empty()) return nullptr;
   const Thinning thinning(times.size(), most);
@@ -27,7 +27,7 @@ Json packed_rows(const std::vector<double>& times, const Columns& columns, std::
           {"columns", packed_columns}};
 }
 
-/// Shifts angles of B by whole turns, so that they start beside A's.
+/// Shifts the angles of B by whole turns, so that they start nearest to those of A.
 void start_alike(const Columns& a, Columns& b) {
   constexpr double kTurn = 360;
   for (std::size_t k = 3; k < 6; ++k) {

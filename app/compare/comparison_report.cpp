@@ -13,7 +13,7 @@ std::string tolerance_text(const Difference& d) {
   return d.judged() ? fmt::format("{:g}", d.tolerance) : "-";
 }
 
-/// Green, red or grey.
+/// Colours a text green, red or grey.
 std::string colored(const std::string& text, const Difference& d, bool color) {
   if (!color) return text;
   return fmt::format("\033[{}m{}\033[0m", !d.judged() ? 90 : d.within() ? 32 : 31, text);

@@ -28,7 +28,7 @@ void check_positive(const std::optional<double>& value, const std::string& optio
         option, fmt::format("found {:g}, expected a positive number [{}]", *value, unit));
 }
 
-/// What floats at a draught with the mesh's z axis up [kg].
+/// Returns the mass that floats at a draught with the mesh's z axis up [kg].
 double mass_at_draught(const hydro::TriMesh& mesh_B, double draught, double density) {
   const double height = mesh_B.vertices.row(2).maxCoeff() - mesh_B.vertices.row(2).minCoeff();
   if (draught >= height)
@@ -103,7 +103,7 @@ FloatingState state_of(const hydro::TriMesh& mesh_B, double displaced,
   return state;
 }
 
-/// @throws InputError if nothing floats, with the reason for each body.
+/// Checks that a body floats. @throws InputError with the reason for each body if none does.
 void check_that_one_floats(const std::vector<FloatingReport>& reports,
                            const std::filesystem::path& file) {
   std::vector<scene::Fault> faults;

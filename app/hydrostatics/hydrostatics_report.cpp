@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Numbers this much smaller than their scale are round-off, and the table has 0 for them.
+/// Largest round-off of a number relative to its scale; the table shows 0 for it.
 constexpr double kRoundOff = 1e-12;
 
 std::string word(hydro::Stability stability) {
@@ -31,10 +31,10 @@ std::string word(hydro::Stability stability) {
 
 std::vector<double> list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Metacentric heights and what they are made of.
+/// Adds the metacentric heights and the terms they consist of.
 void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
   const hydro::Hydrostatics& h = f.hydrostatics;
-  const double keel = -f.draught - f.height;  // of the lowest point, in G
+  const double keel = -f.draught - f.height;  // height of the lowest point, in G
   const double size = f.draught;
   const Eigen::Matrix2d gm = hydro::metacentric_heights(h);
   const Eigen::Vector2d principal =
@@ -54,7 +54,8 @@ void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
   all.push_back({"gm_largest", "m", {principal[1]}, size});
 }
 
-/// Restoring stiffness about the centre of mass, by the usual numbers of heave, roll and pitch.
+/// Adds the restoring stiffness about the centre of mass; 3, 4 and 5 stand for heave, roll and
+/// pitch.
 void add_stiffness(const FloatingBody& body, const hydro::Flotation& f,
                    std::vector<Quantity>& all) {
   const Eigen::Matrix3d c =
@@ -128,7 +129,7 @@ std::string shown(const Quantity& q) {
   return text;
 }
 
-/// A line a quantity, its value in each of the columns.
+/// Writes a line per quantity with its value in each column.
 void write_lines(const std::vector<std::vector<Quantity>>& columns, std::string& table) {
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
     const Quantity& q = columns[0][i];
@@ -164,7 +165,7 @@ void write_table(const FloatingReport& report, std::string& table) {
   write_curve_table(report, table);
 }
 
-/// What the names in the table do not say.
+/// Explanation of the names in the table.
 const char* const kLegend =
     "\ncom and centre_of_…: mesh frame. Heights kb and kg: above the lowest point. heel_deg and "
     "trim_deg:\nroll and pitch of the mesh, +x end down positive. second_moment_…, bm_… and gm_…: "

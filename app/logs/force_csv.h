@@ -8,25 +8,26 @@
 #include "app/logs/row_file.h"
 
 /// @file
-/// The log of forces as CSV: `time,body` and the columns of force_log.h, one row a body a time.
+/// The log of forces as CSV: `time,body` and the columns of force_log.h, with one row per body and
+/// time.
 
 namespace app {
 
-/// The header line.
+/// Returns the header line.
 std::string force_header();
 
-/// Writes forces while they are found. What was added is in the file when `add` returns.
+/// Writes forces during a run. Rows are in the file when `add` returns.
 class ForceWriter {
  public:
   /// Replaces the file, or keeps the first `kept` bytes of it (row_file.h). @throws InputError
   ForceWriter(const std::filesystem::path& file, std::vector<std::string> names,
               const std::optional<std::uint64_t>& kept = {});
 
-  /// Adds one row a body, in the order of the names, with digits that read back to the same
+  /// Adds one row per body, in the order of the names, with digits that read back to the same
   /// numbers. @throws OutputError if the disk is full.
   void add(double time, const std::vector<engine::BodyForces>& forces);
 
-  /// As RowFile::save.
+  /// See RowFile::save.
   std::uint64_t save() { return file_.save(); }
 
  private:
@@ -34,7 +35,7 @@ class ForceWriter {
   RowFile file_;
 };
 
-/// Reads what ForceWriter has written. @throws InputError with the line at fault.
+/// Reads a file of ForceWriter. @throws InputError with the line at fault.
 ForceLog read_force_csv(const std::filesystem::path& file);
 
 }  // namespace app

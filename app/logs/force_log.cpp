@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-/// A load by its name in the log.
+/// A load and its name in the log.
 struct NamedLoad {
   std::string_view name;
   hydro::Wrench load;
@@ -27,11 +27,11 @@ std::array<NamedLoad, 8> named_loads(const engine::BodyForces& f) {
            {"constraint", f.constraint, w.constraint}}};
 }
 
-/// The numbers of a row, and the names of their columns if these are asked for.
+/// Returns the numbers of a row, and fills in the names of their columns unless `columns` is null.
 std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::string>* columns) {
   std::vector<double> row;
   const auto put = [&](const std::string& column, double number) {
-    row.push_back(number == 0 ? 0 : number);  // no -0: it would tell two equal loads apart
+    row.push_back(number == 0 ? 0 : number);  // no -0: equal loads would differ
     if (columns) columns->push_back(column);
   };
   const std::array<NamedLoad, 8> loads = named_loads(forces);

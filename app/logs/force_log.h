@@ -7,20 +7,20 @@
 #include "engine/body_forces.h"
 
 /// @file
-/// The forces on bodies over time, and the columns in which a log has them.
+/// The forces on bodies over time, and the columns of their log.
 ///
-/// Columns: of each load `<load>_fx` … `_fz` [N] and `<load>_tx` … `_tz` [N m], about the centre of
-/// mass, in W; `wetted_area` [m^2], `displaced_volume` [m^3]; `kinetic_energy`,
-/// `added_kinetic_energy`, `potential_energy` [J]; `work_<load>` [J] since the start, `work_brake`
-/// last. The loads are buoyancy, pressure_drag, viscous_drag, lift, added_mass, applied, weight and
-/// constraint. engine/body_forces.h says what each means.
+/// Each load has the columns `<load>_fx` … `_fz` [N] and `<load>_tx` … `_tz` [N m], about the
+/// centre of mass, in W. The others are `wetted_area` [m^2], `displaced_volume` [m^3];
+/// `kinetic_energy`, `added_kinetic_energy`, `potential_energy` [J]; `work_<load>` [J] since the
+/// start, `work_brake` last. The loads are buoyancy, pressure_drag, viscous_drag, lift, added_mass,
+/// applied, weight and constraint. engine/body_forces.h says what each means.
 
 namespace app {
 
-/// The names of the columns.
+/// Returns the names of the columns.
 std::vector<std::string> force_columns();
 
-/// The numbers of one body at one time, in the order of force_columns().
+/// Returns the numbers of one body at one time, in the order of force_columns().
 std::vector<double> force_row(const engine::BodyForces& forces);
 
 /// The loads on one body over time.
@@ -29,6 +29,6 @@ struct ForceTrack {
   std::vector<std::vector<double>> columns;  ///< In the order of force_columns().
 };
 
-using ForceLog = std::map<std::string, ForceTrack>;  ///< By the name of the body.
+using ForceLog = std::map<std::string, ForceTrack>;  ///< The key is the body's name.
 
 }  // namespace app

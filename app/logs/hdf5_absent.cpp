@@ -1,7 +1,7 @@
 #include "app/logs/hdf5_file.h"
 #include "app/scene/diagnostics.h"
 
-/// In the place of hdf5_file.cpp where there was no library to build it with.
+/// Replaces hdf5_file.cpp in a build without the library.
 
 namespace app {
 namespace {

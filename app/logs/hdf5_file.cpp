@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-// Later versions of the library have other functions by the same names.
+// Later versions of the library give these names to other functions.
 #define H5_USE_110_API
 #include <hdf5.h>
 
@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of zlib. Most of a number's digits are noise that no level makes smaller.
+/// Compression level of zlib. Most of a number's digits are noise that no level compresses.
 constexpr unsigned kDeflateLevel = 1;
 
-/// What the tables of all datasets' chunks may grow by at once [bytes].
+/// Largest growth of the chunk tables of all datasets between two reservations [bytes].
 constexpr std::size_t kStructureRoom = std::size_t{1} << 20;
 
 /// An object of the library.
@@ -42,12 +42,12 @@ class Handle {
   }
 
   operator hid_t() const { return id_; }
-  /// False if it could not be closed; there is no second attempt.
+  /// Closes the object once. @return false if that failed
   bool close() {
     const hid_t id = std::exchange(id_, -1);
     return id < 0 || closer_(id) >= 0;
   }
-  /// Leaves it open.
+  /// Gives up the object without closing it.
   void release() { id_ = -1; }
 
  private:
@@ -55,8 +55,8 @@ class Handle {
   Closer closer_ = nullptr;
 };
 
-/// Before anything else of the library, in each thread: it prints nothing, and leaves alone at the
-/// program's end what could not be written.
+/// Must precede all other calls of the library in each thread. The library then prints nothing, and
+/// writes nothing at the program's end.
 void prepare_library() {
   static const bool once = [] {
     H5dont_atexit();
@@ -66,8 +66,8 @@ void prepare_library() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// What the system said, among all that the library says of its last error; or else the innermost
-/// of that.
+/// Returns the system's message within the library's last error, or else the library's innermost
+/// message.
 std::string last_error() {
   std::string found = "the HDF5 library failed";
   const auto look = [](unsigned, const H5E_error2_t* error, void* text) -> herr_t {
@@ -83,9 +83,9 @@ std::string last_error() {
   return found;
 }
 
-/// Without the library's own locks, which some file systems refuse: a run locks its folder. What
-/// the library knows of the file's structure is written by a flush, all of it, and never between:
-/// so the file is whole after each.
+/// Returns properties that disable the library's own locks, which some file systems refuse; a run
+/// locks its folder instead. The library writes the file's structure only in a flush, so that the
+/// file is complete after each.
 Handle file_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access, false, true);
@@ -100,7 +100,7 @@ Handle file_access() {
   return access;
 }
 
-/// The type of texts of any length.
+/// Returns the type of texts of any length.
 Handle text_type() {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, H5T_VARIABLE);
@@ -110,7 +110,7 @@ Handle text_type() {
 
 using Extents = std::vector<hsize_t>;
 
-/// Of rows and what one of them has.
+/// Returns the extents of rows with the shape `row`.
 Extents shape_of(hsize_t rows, const std::vector<std::size_t>& row) {
   Extents shape = {rows};
   shape.insert(shape.end(), row.begin(), row.end());
@@ -121,14 +121,14 @@ Handle space_of(const Extents& shape, const hsize_t* most = nullptr) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), most), H5Sclose};
 }
 
-/// Without the time of its making, so that equal runs have equal files.
+/// Returns properties without a creation time, so that equal runs have equal files.
 Handle dataset_properties() {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
   return properties;
 }
 
-/// No cache of chunks: each is written once.
+/// Returns properties that disable the chunk cache, since each chunk is written once.
 Handle write_through() {
   Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   H5Pset_chunk_cache(access, 1, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
@@ -161,12 +161,12 @@ std::string why_no_hdf5() { return ""; }
 struct Hdf5Writer::File {
   struct Series {
     Handle dataset;
-    std::vector<std::size_t> shape;  ///< Of a row.
-    std::size_t numbers = 1;         ///< Of a row.
+    std::vector<std::size_t> shape;  ///< Shape of a row.
+    std::size_t numbers = 1;         ///< Numbers of a row.
     hsize_t rows = 0;
   };
 
-  /// Lets go of everything without a word to the library, which would write more.
+  /// Gives up all objects without closing them, because the library would write more.
   void abandon() {
     for (Series& each : series) each.dataset.release();
     file.release();
@@ -181,7 +181,7 @@ struct Hdf5Writer::File {
     throw OutputError(fmt::format("{}: cannot be written: {}", path.string(), why));
   }
 
-  /// What the library has put into the file [bytes].
+  /// Returns the size of the file as the library sees it [bytes].
   off_t size() {
     hsize_t bytes = 0;
     check(H5Fget_filesize(file, &bytes) >= 0);
@@ -194,13 +194,13 @@ struct Hdf5Writer::File {
     return *static_cast<int*>(pointer);
   }
 
-  /// Gives back the room that was taken and is not used.
+  /// Frees the disk space that was reserved and is not used.
   void give_back() {
     if (::ftruncate(descriptor(), size()) != 0) fail(std::strerror(errno));
   }
 
-  /// Takes room on the disk for what is known and so much more [bytes].
-  /// @return 0, or the error where there is no room. Other faults show when something is written.
+  /// Reserves disk space for the file's present size and `more` bytes.
+  /// @return 0, or the error if there is no space. Other errors appear when data is written.
   int reserve(std::size_t more) {
     const off_t end = size() + static_cast<off_t>(more);
     if (end <= reserved) return 0;
@@ -212,8 +212,8 @@ struct Hdf5Writer::File {
 
   fs::path path;
   Handle file;
-  std::vector<Series> series;  ///< After the file: closed before it.
-  off_t reserved = 0;          ///< The file's end on the disk may be there [bytes].
+  std::vector<Series> series;  ///< Declared after the file so that they are closed before it.
+  off_t reserved = 0;          ///< File size for which disk space is reserved [bytes].
 };
 
 Hdf5Writer::Hdf5Writer(const fs::path& file, Mode mode) : file_(std::make_unique<File>()) {

@@ -10,61 +10,63 @@
 #include <vector>
 
 /// @file
-/// HDF5 files of numbers over time. Only hdf5_file.cpp knows the library. A program that was built
-/// without it has hdf5_absent.cpp in its place, where both constructors throw InputError.
+/// HDF5 files of numbers over time. Only hdf5_file.cpp uses the library. A program built without
+/// the library has hdf5_absent.cpp instead, where both constructors throw InputError.
 
 namespace app {
 
-/// What to do about a program that was built without the library; empty if it has it.
+/// Returns advice for a program that was built without the library; empty if it has the library.
 std::string why_no_hdf5();
 
 /// Rows of numbers over time: a dataset whose first dimension grows.
 struct Hdf5Series {
   std::string name;
   std::string units;
-  /// Names along the last dimension, if it has more than one number.
+  /// Names of the numbers along the last dimension, if it has more than one.
   std::vector<std::string> columns;
-  std::vector<std::size_t> shape;  ///< Of a row: the further dimensions.
+  std::vector<std::size_t> shape;  ///< Dimensions of a row.
 };
 
-/// Texts by their names.
+/// Pairs of a name and a text.
 using Hdf5Attributes = std::vector<std::pair<std::string, std::string>>;
 
-/// A file that is written while a run goes on: first its structure, then rows. After `flush` it has
-/// all rows before, whatever becomes of the program later, but for a kill within a `flush` itself.
+/// A file that is written during a run: first its structure, then rows. `flush` saves all earlier
+/// rows, even if the program is killed later; only a kill during a `flush` may damage the file.
 ///
-/// All but the constructor throw OutputError if the file cannot be written. From then on it is left
-/// as the last `flush` has made it.
+/// All functions but the constructor throw OutputError if the file cannot be written. The file then
+/// keeps the state of the last `flush`.
 class Hdf5Writer {
  public:
   enum class Mode {
-    replace,  ///< A new file takes the place of one that is there.
-    extend    ///< The file is there; its series are found and go on.
+    replace,  ///< A new file replaces an existing one.
+    extend    ///< The file exists and its series are continued.
   };
-  /// @throws InputError if it cannot be written, or is to be extended and is damaged.
+  /// @throws InputError if the file cannot be written, or cannot be extended because it is damaged.
   explicit Hdf5Writer(const std::filesystem::path& file, Mode mode = Mode::replace);
-  /// Call `close` before, to learn whether it could be.
+  /// Leaves the file as the last `flush` or `close` made it.
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
   void set_attributes(const Hdf5Attributes& attributes);
-  /// A dataset of texts.
+  /// Adds a dataset of texts.
   void add_texts(const std::string& name, const std::vector<std::string>& texts);
-  /// @param chunk   What is compressed and stored as one: rows, and so many of their first
-  /// dimension
-  ///     at most. @return the series' number, from 0.
+  /// Adds an empty series.
+  /// @param chunk   Size of a chunk, which is compressed and stored as a unit: rows, and at most so
+  ///     many entries of a row's first dimension.
+  /// @return the series' number, from 0.
   std::size_t add_series(const Hdf5Series& series, const std::array<std::size_t, 2>& chunk);
 
-  /// A series of a file that is extended: its first `rows` rows stay, others go.
+  /// Finds a series of a file that is extended, keeps its first `rows` rows and drops the others.
   /// @return the series' number. @throws InputError if it is missing or shorter.
   std::size_t find_series(const Hdf5Series& series, std::size_t rows);
 
-  /// Takes room on the disk for so many more bytes of numbers. Where there is none, all rows before
-  /// are flushed before it throws.
+  /// Reserves disk space for `bytes` more bytes of numbers. If there is none, all earlier rows are
+  /// flushed before the function throws.
   void reserve(std::size_t bytes);
-  /// @param numbers   Whole rows, a chunk's or in the end fewer: each part of a chunk that comes by
-  ///     itself is stored anew.
+  /// Adds rows to a series.
+  /// @param numbers   Whole rows that fill a chunk, or at the end fewer: a chunk is written again
+  ///     each time a part of it is added.
   void append(std::size_t series, std::span<const double> numbers);
   void flush();
   void close();
@@ -74,9 +76,9 @@ class Hdf5Writer {
   std::unique_ptr<File> file_;
 };
 
-/// Reads what Hdf5Writer has written, also where it was killed.
+/// Reads a file of Hdf5Writer, even if its program was killed.
 ///
-/// All throw InputError if the file is not as expected.
+/// All functions throw InputError if the file is not as expected.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& file);
@@ -84,10 +86,10 @@ class Hdf5Reader {
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
-  /// True if there is a dataset of that name.
+  /// True if the file has a dataset of that name.
   bool has(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
-  /// All numbers of a series, row by row. @param shape   That its rows must have.
+  /// Returns all numbers of a series, row by row. @param shape   Expected shape of a row.
   std::vector<double> numbers(const std::string& name, const std::vector<std::size_t>& shape) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// The numbers of `bodies`.
+/// Describes a dataset of numbers of `bodies` bodies.
 Hdf5Series series_of(std::string name, std::string units, std::vector<std::string> columns,
                      std::size_t bodies) {
   if (columns.size() == 1) return {std::move(name), std::move(units), {}, {bodies}};
@@ -17,7 +17,7 @@ Hdf5Series series_of(std::string name, std::string units, std::vector<std::strin
   return {std::move(name), std::move(units), std::move(columns), {bodies, width}};
 }
 
-/// Of a column of forces.csv that is no part of a load.
+/// Returns the units of a column of forces.csv that belongs to no load.
 std::string units_of(const std::string& column) {
   if (column == "wetted_area") return "m^2";
   if (column == "displaced_volume") return "m^3";

@@ -17,19 +17,22 @@
 ///     buoyancy, …         T × N × 6: <load>_fx … _fz [N], <load>_tx … _tz [N m]
 ///     wetted_area, …      T × N, each further column of forces.csv
 ///
-/// All bodies are in one dataset: a group for each of a thousand bodies takes longer than the CSV
-/// files. Datasets have the attribute `units`, and `columns` for what their last dimension is, by
-/// the names of the CSV files; the file has `format`, `plimsoll`, `scene` and `title`.
+/// Each dataset holds all bodies: a group for each of a thousand bodies takes longer than the CSV
+/// files. Datasets have the attributes `units` and `columns`, which has the CSV names of the
+/// entries of their last dimension. The file has the attributes `format`, `plimsoll`, `scene` and
+/// `title`.
 
 namespace app {
 
-/// The datasets of the motion of so many bodies, in the order of the columns of trajectory.csv.
+/// Returns the datasets of the motion of `bodies` bodies, in the order of the columns of
+/// trajectory.csv.
 std::vector<Hdf5Series> state_series(std::size_t bodies);
 
-/// The datasets of the forces, in the order of force_columns(), the six columns of a load in one.
+/// Returns the datasets of the forces, in the order of force_columns(); the six columns of a load
+/// form one dataset.
 std::vector<Hdf5Series> force_series(std::size_t bodies);
 
-/// How many numbers of a body a row of the series has.
+/// Returns the count of numbers per body in a row of the series.
 std::size_t width_of(const Hdf5Series& series);
 
 }  // namespace app

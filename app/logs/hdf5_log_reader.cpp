@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kMagic = "\x89HDF\r\n\x1a\n";
 
-/// A log that is read: its times and bodies, and its series with a row for each time.
+/// An open log with its times and bodies, and its series, which have a row per time.
 struct OpenLog {
   explicit OpenLog(const std::filesystem::path& path)
       : file(path), reader(path), times(reader.numbers("time", {})) {
@@ -47,7 +47,7 @@ struct OpenLog {
 
 bool is_finite(double number) { return std::isfinite(number); }
 
-/// Adds the columns of a series to each body's.
+/// Adds the columns of a series to the track of each body.
 void add_columns(const OpenLog& log, const Hdf5Series& series, ForceLog& forces) {
   const std::size_t width = width_of(series);
   const std::size_t row = log.bodies.size() * width;

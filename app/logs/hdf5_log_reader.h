@@ -14,10 +14,11 @@ namespace app {
 /// True if the file starts as an HDF5 file does.
 bool is_hdf5(const std::filesystem::path& file);
 
-/// The trajectory in a log, with as many rows as the log has times. @throws InputError
+/// Reads the trajectory in a log, with one row per time of the log. @throws InputError
 Trajectory read_hdf5_trajectory(const std::filesystem::path& file);
 
-/// The forces in a log, with as many rows; none if they were not logged. @throws InputError
+/// Reads the forces in a log, with one row per time; none if they were not logged. @throws
+/// InputError
 std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file);
 
 }  // namespace app

@@ -13,20 +13,19 @@
 namespace app {
 namespace {
 
-const char* const kFormat = "1";  ///< Of the layout.
+const char* const kFormat = "1";  ///< Version of the layout.
 
-/// Bodies of a chunk, so that to read one of very many is not to read all.
+/// Bodies per chunk, so that one body can be read without reading all.
 constexpr std::size_t kChunkBodies = 16;
 
-/// Rows of a chunk. More of them make the file little smaller, and are lost by a program that is
-/// killed.
+/// Rows per chunk. More rows hardly make the file smaller, and a killed program loses them.
 constexpr std::size_t kMostRows = 128;
 constexpr std::size_t kFewestRows = 16;
-constexpr std::size_t kMostWaiting = std::size_t{64} << 20;  ///< [bytes], but for the fewest rows.
+constexpr std::size_t kMostWaiting = std::size_t{64} << 20;  ///< [bytes], if kFewestRows fit.
 
 constexpr std::chrono::seconds kBetweenFlushes(1);
 
-/// All of them, by the number of bodies and whether forces are logged.
+/// Returns all series of a log.
 std::vector<Hdf5Series> all_series(const LogSubject& subject) {
   const std::size_t bodies = subject.bodies.size();
   std::vector<Hdf5Series> all = state_series(bodies);
@@ -57,11 +56,11 @@ Hdf5Log::~Hdf5Log() {
   try {
     finish();
   } catch (const OutputError&) {
-    // Whoever wants to know has called `finish`.
+    // A caller that needs the error calls `finish`.
   }
 }
 
-/// With the first row, so that a disk that is full already is an error of the log's.
+/// Is called with the first row, so that a full disk is an error of the log.
 void Hdf5Log::make_structure() {
   const std::array<std::size_t, 2> chunk = {chunk_, kChunkBodies};
   file_.set_attributes({{"format", kFormat},
@@ -111,7 +110,7 @@ void Hdf5Log::wait(double time, const std::vector<hydro::BodyState>& states,
   }
 }
 
-/// The times last: of what they tell nothing is missing.
+/// Writes the times last, so that the file has all data of every time in it.
 void Hdf5Log::write_waiting() {
   const auto write = [&](Series& series) {
     file_.append(series.number, series.waiting);

@@ -10,19 +10,19 @@
 #include "app/logs/log.h"
 
 /// @file
-/// The log of a run as HDF5 (hdf5_layout.h), written while the run goes on.
+/// The log of a run as HDF5 (hdf5_layout.h), written during the run.
 
 namespace app {
 
-/// Writes run.h5. Rows wait until a chunk is full, and `finish` writes the rest: where the program
-/// is killed a chunk is lost at most, and what was written in the last second.
+/// Writes run.h5. Rows are buffered until a chunk is full, and `finish` writes the rest. A killed
+/// program loses at most one chunk and the rows of the last second.
 class Hdf5Log : public Log {
  public:
-  /// Replaces the file, or keeps the first `kept` rows of it.
+  /// Replaces the file, or keeps its first `kept` rows.
   /// @throws InputError if the file cannot be written, or the program has no HDF5
   Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,
           const std::optional<std::size_t>& kept = {});
-  /// Writes what waits, if that is possible.
+  /// Writes the buffered rows if possible.
   ~Hdf5Log() override;
 
   void add(double time, const std::vector<hydro::BodyState>& states,
@@ -31,10 +31,10 @@ class Hdf5Log : public Log {
   void finish() override;
 
  private:
-  /// One dataset, and its rows that wait.
+  /// A dataset and its buffered rows.
   struct Series {
-    std::size_t number = 0;   ///< In the file.
-    std::size_t columns = 1;  ///< Numbers of a body.
+    std::size_t number = 0;   ///< Number in the file.
+    std::size_t columns = 1;  ///< Numbers per body.
     std::vector<double> waiting;
   };
 
@@ -46,14 +46,14 @@ class Hdf5Log : public Log {
   void flush();
 
   LogSubject subject_;
-  std::size_t chunk_;        ///< Rows.
+  std::size_t chunk_;        ///< Rows of a chunk.
   std::size_t written_ = 0;  ///< Rows in the file.
   Hdf5Writer file_;
   bool started_ = false;
   std::chrono::steady_clock::time_point flushed_;
-  bool ended_ = false;  ///< Closed, or failed: not to be touched again.
+  bool ended_ = false;  ///< The file is closed or has failed; no more writes.
   Series times_;
-  std::vector<Series> series_;  ///< Of the bodies.
+  std::vector<Series> series_;  ///< Series of the bodies.
 };
 
 }  // namespace app

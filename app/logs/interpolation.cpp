@@ -9,14 +9,14 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using hydro::BodyState;
 
-/// Hermite's cubic at the part s of an interval h.
+/// Evaluates Hermite's cubic at the fraction s of an interval h.
 Vector3d hermite(const Vector3d& x0, const Vector3d& v0, const Vector3d& x1, const Vector3d& v1,
                  double h, double s) {
   const double t = 1 - s;
   return t * t * (1 + 2 * s) * x0 + s * s * (1 + 2 * t) * x1 + h * s * t * (t * v0 - s * v1);
 }
 
-/// The shorter rotation vector of an attitude.
+/// Returns the shorter rotation vector of an attitude.
 Vector3d rotation_vector(Quaterniond q) {
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   const double sine = q.vec().norm();

@@ -4,8 +4,9 @@
 
 namespace app {
 
-/// The state at the part `s` of the time `h` [s] between two: cubic in position and attitude, with
-/// the velocities that the two have; of third order, exact at both ends.
+/// Returns the state at the fraction `s` of the interval `h` [s] between two states. Position and
+/// attitude are Hermite cubics that match the velocities, which are interpolated linearly. The
+/// result is of third order and exact at both ends.
 hydro::BodyState between(const hydro::BodyState& a, const hydro::BodyState& b, double h, double s);
 
 }  // namespace app

@@ -56,7 +56,7 @@ void read_rows(const std::filesystem::path& file, std::string_view header, const
         file, fmt::format("cannot be read; expected {} that plimsoll run has written", kind));
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    const bool cut_off = stream.eof();  // the last line has no end: its writer was stopped
+    const bool cut_off = stream.eof();  // a last line without an end: its writer was stopped
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (number == 1) {
       if (line != header) refuse_row(file, 1, fmt::format("expected the header {}", header));

@@ -8,28 +8,29 @@
 #include <vector>
 
 /// @file
-/// Logs of a run as CSV, read back: `time,body,…`, one row a body a time, numbers only behind the
-/// name.
+/// Reader of the CSV logs of a run: `time,body,…`, with one row per body and time and only numbers
+/// after the name.
 
 namespace app {
 
-/// The head of a row.
+/// Start of a row.
 struct LogRow {
   double time = 0;        ///< [s]
-  std::string_view body;  ///< Of the text that was read.
+  std::string_view body;  ///< Part of the text that was read.
 };
 
-/// @throws InputError for row `line` of a log.
+/// Refuses row `line` of a log. @throws InputError always.
 [[noreturn]] void refuse_row(const std::filesystem::path& file, int line,
                              const std::string& message);
 
-/// Reads a row. @param numbers   Filled with what stands behind the name.
-/// @throws InputError unless there are just as many, all finite.
+/// Reads a row.
+/// @param numbers   Filled with the numbers after the name.
+/// @throws InputError unless the row has as many numbers, all finite.
 LogRow read_log_row(std::string_view text, const std::filesystem::path& file, int line,
                     std::span<double> numbers);
 
-/// Hands each row of a log to `read`, with the number of its line. A last line that was cut off is
-/// left out. @param kind   Of the log, as a fault names it: `a trajectory`.
+/// Calls `read` with each row of a log and its line number. A last line without an end is dropped.
+/// @param kind   Kind of log that a fault names: `a trajectory`.
 /// @throws InputError if the file cannot be read or begins with another header.
 void read_rows(const std::filesystem::path& file, std::string_view header, const std::string& kind,
                const std::function<void(std::string_view row, int line)>& read);

@@ -6,16 +6,16 @@
 
 namespace app {
 
-/// A folder that one run writes to. Others that want it meanwhile are refused, so that no two runs
-/// mix their files.
+/// A folder that one run writes to. Other runs are refused meanwhile, so that their files do not
+/// mix.
 class OutputFolder {
  public:
   enum class Use {
     alone,
-    shared  ///< With others that say so, too: they keep apart what they write by themselves.
+    shared  ///< Shared with other users of this value, which keep their files apart.
   };
 
-  /// Makes the folder and holds it. @throws InputError if it cannot be made or is in use.
+  /// Creates and locks the folder. @throws InputError if it cannot be created or is in use.
   explicit OutputFolder(const std::filesystem::path& path, Use use = Use::alone);
 
   const std::filesystem::path& path() const { return path_; }

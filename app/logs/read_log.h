@@ -7,11 +7,11 @@
 #include "app/logs/trajectory.h"
 
 /// @file
-/// The logs of a run read back, CSV or HDF5.
+/// Reader of the logs of a run, CSV or HDF5.
 
 namespace app {
 
-/// The trajectory in the folder of a run; a path that is no folder is returned as it is.
+/// Returns the trajectory in the folder of a run; a path that is no folder is returned unchanged.
 std::filesystem::path trajectory_of(const std::filesystem::path& given);
 
 /// Reads a trajectory of at least one row. @throws InputError with the line or row at fault.

@@ -11,19 +11,19 @@
 
 namespace app {
 
-/// A CSV file that is written while a run goes on. What was added is in the file when `add`
-/// returns.
+/// A CSV file that is written during a run. Rows are in the file when `add` returns.
 class RowFile {
  public:
-  /// Replaces the file by one of the header line; or keeps the first `kept` bytes of it, which
-  /// whole rows end with. @throws InputError if it cannot be written, or is shorter than that.
+  /// Replaces the file by the header line, or keeps its first `kept` bytes, which end with a whole
+  /// row.
+  /// @throws InputError if the file cannot be written or is shorter than that.
   RowFile(const std::filesystem::path& file, std::string_view header,
           const std::optional<std::uint64_t>& kept);
 
   /// @param rows   Whole lines. @throws OutputError if the disk is full.
   void add(const fmt::memory_buffer& rows);
 
-  /// Has the system put all rows on the disk. @return the length of the file [bytes]
+  /// Flushes all rows to the disk. @return the length of the file [bytes]
   /// @throws OutputError
   std::uint64_t save();
 

@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-constexpr double kUnitTolerance = 0.01;  ///< Of quaternions that others wrote with few digits.
+constexpr double kUnitTolerance = 0.01;  ///< Allows for quaternions with few digits.
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// The motion of bodies over time, as a log has it.
+/// The motion of bodies over time in a log.
 
 namespace app {
 
@@ -29,8 +29,9 @@ struct Trajectory {
   std::map<std::string, BodyTrack> tracks;
 };
 
-/// Adds a row to those of a body: times must ascend, quaternions be of unit length to 1 %.
-/// @return what is wrong with the row, empty if nothing is
+/// Adds a row to a body's track. Times must ascend, and quaternions must have unit length to within
+/// 0.01.
+/// @return the fault of the row; empty if there is none
 std::string add_row(const std::string& name, double time, const StateRow& row, BodyTrack& track);
 
 }  // namespace app

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kHeader = "time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 
-/// One row; a body's times must ascend.
+/// Reads one row; a body's times must ascend.
 void read_row(std::string_view text, const std::filesystem::path& file, int line,
               Trajectory& trajectory) {
   StateRow values;

@@ -8,22 +8,22 @@
 #include "app/logs/trajectory.h"
 
 /// @file
-/// Trajectories as CSV: `time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz`, one row a body a time.
+/// Trajectories as CSV: `time,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz`, one row per body and time.
 
 namespace app {
 
-/// Writes a trajectory while it is made. What was added is in the file when `add` returns.
+/// Writes a trajectory during a run. Rows are in the file when `add` returns.
 class TrajectoryWriter {
  public:
   /// Replaces the file, or keeps the first `kept` bytes of it (row_file.h). @throws InputError
   TrajectoryWriter(const std::filesystem::path& file, std::vector<std::string> names,
                    const std::optional<std::uint64_t>& kept = {});
 
-  /// Adds one row a body, in the order of the names, with digits that read back to the same
+  /// Adds one row per body, in the order of the names, with digits that read back to the same
   /// numbers. @throws OutputError if the disk is full.
   void add(double time, const std::vector<hydro::BodyState>& states);
 
-  /// As RowFile::save.
+  /// See RowFile::save.
   std::uint64_t save() { return file_.save(); }
 
  private:
@@ -31,7 +31,7 @@ class TrajectoryWriter {
   RowFile file_;
 };
 
-/// Reads a trajectory, which may be without rows. A last line that was cut off is left out.
+/// Reads a trajectory, which may have no rows. A last line without an end is dropped.
 /// @throws InputError with the line at fault.
 Trajectory read_trajectory_csv(const std::filesystem::path& file);
 

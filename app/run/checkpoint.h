@@ -13,7 +13,7 @@
 #include "engine/spec.h"
 
 /// @file
-/// What a run saves of itself while it goes on, so that it can be resumed after it was killed.
+/// Checkpoint of a run, from which it can be resumed after it was killed.
 
 namespace app {
 
@@ -27,24 +27,26 @@ struct CheckpointChoices {
 
 struct Checkpoint {
   RunSource source;
-  std::string inputs;  ///< digest_of() what the scene was built to.
+  std::string inputs;  ///< digest_of() the simulation that was built from the scene.
   CheckpointChoices choices;
-  LogPosition log;  ///< Rows that belong to the run up to here.
-  long shots = 0;   ///< States to be drawn that belong to it.
+  LogPosition log;  ///< Rows of the run up to the checkpoint.
+  long shots = 0;   ///< Number of states to be drawn up to the checkpoint.
   engine::SimulationState state;
 };
 
-/// A digest of everything that a simulation is made of: two specifications with the same one move
-/// alike from the same state.
+/// Returns a digest of a specification. Two specifications with the same digest give the same
+/// motion from the same state.
 std::string digest_of(const engine::SimulationSpec& spec);
 
-/// Writes the checkpoint of a run into its folder, whole or not at all. @throws OutputError
+/// Writes the checkpoint of a run into its folder; a failure leaves the old one unchanged. @throws
+/// OutputError
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
 
-/// @throws InputError if there is none, or it is of another version, or cut off.
+/// Reads the checkpoint in a folder.
+/// @throws InputError if there is none, or if it has another version or is cut off.
 Checkpoint read_checkpoint(const std::filesystem::path& folder);
 
-/// Removes the checkpoint of a run that has ended, and the states that wait to be drawn.
+/// Removes the checkpoint of a run that has ended, and its states to be drawn.
 void remove_checkpoint(const std::filesystem::path& folder);
 
 }  // namespace app

@@ -19,18 +19,18 @@
 namespace app {
 namespace {
 
-/// Kinds of bodies that have a row of their own.
+/// Largest number of kinds of bodies that have rows.
 constexpr std::size_t kMostKinds = 3;
 
-/// Some digits of a number and all of those before the point, without an exponent unless it is very
-/// long or very small.
+/// Formats a number with `digits` significant digits and all digits before the point, without an
+/// exponent unless the number is very large or small.
 std::string number_text(double value, int digits) {
   constexpr double kLongest = 1e9;
   const bool fits = std::abs(value) < kLongest && std::abs(value) >= std::pow(10, digits);
   return fits ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
 }
 
-/// Least and largest of a quantity over some bodies.
+/// Least and largest value of a quantity over several bodies.
 struct Spread {
   double least = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();
@@ -47,14 +47,14 @@ struct Spread {
     const std::string from = number_text(least, 3), to = number_text(largest, 3);
     return from == to ? from : from + " to " + to;
   }
-  /// Of a height; that of bodies which are all on the other side is told as a distance.
+  /// Formats a range of heights; if all are negative, as distances on the other side.
   std::string text_or(const char* other_side) const {
     if (largest >= 0) return text();
     return fmt::format("{} {}", Spread{-largest, -least}.text(), other_side);
   }
 };
 
-/// How far a body in its initial pose reaches up and down.
+/// Returns the lowest and highest z of a body in its initial pose.
 Spread height_of(const engine::BodySpec& body) {
   const Eigen::RowVector3d up = body.initial.orientation.toRotationMatrix().row(2);
   Spread range;
@@ -69,24 +69,24 @@ std::string size_of(const hydro::TriMesh& mesh) {
                      number_text(size[2], 3));
 }
 
-/// Where a body's added mass comes from.
+/// Names the origin of a body's added mass.
 std::string source_of(const assembly::AddedMassReport& report) {
   if (report.surface) return "surface";
   if (!report.stored) return "given";
   return report.stored->from_store ? "deep, from store" : "deep, solved now";
 }
 
-/// Bodies of which all that is told is the same, but for where they are.
+/// Bodies whose descriptions differ only in their positions.
 struct BodyKind {
   Cells body;        ///< Triangles, size, volume, mass, start.
-  Cells added_mass;  ///< Source and diagonal; empty if they have none.
+  Cells added_mass;  ///< Source and diagonal; empty without added mass.
   std::vector<std::string> names;
-  Spread draught;    ///< Of the lowest point below the still water [m].
-  Spread freeboard;  ///< Of the highest point above it [m].
+  Spread draught;    ///< Depth of the lowest point below the still water [m].
+  Spread freeboard;  ///< Height of the highest point above it [m].
   Spread triangles;
   Spread mass;  ///< [kg]
 
-  /// A body's name, and how many are like it.
+  /// Returns a body's name and the number of bodies like it.
   std::string title() const {
     return names.size() == 1 ? names.front()
                              : fmt::format("{} like {}", names.size(), names.front());
@@ -99,7 +99,7 @@ Cells body_row(const scene::Body& scene, const engine::BodySpec& body) {
           number_text(body.mass, 5), scene.start == scene::Start::equilibrium ? "afloat" : "given"};
 }
 
-/// The method `ode` leaves out added mass that was found.
+/// True if the simulation uses a body's added mass, which the method `ode` ignores.
 bool has_added_mass(const assembly::BuiltScene& built, std::size_t body) {
   return built.spec.integrator.method != engine::Integrator::Method::ode &&
          built.added_mass[body].has_value();
@@ -111,7 +111,7 @@ Cells added_mass_row(const assembly::AddedMassReport& report) {
   return row;
 }
 
-/// The kinds of bodies, the most frequent first.
+/// Returns the kinds of bodies, the most frequent first.
 std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltScene& built) {
   std::vector<BodyKind> kinds;
   std::map<std::pair<Cells, Cells>, std::size_t> known;
@@ -157,7 +157,7 @@ std::string headline(const scene::Scene& scene, const assembly::BuiltScene& buil
                             water_text(scene), counted(spec.threads, "thread", "threads"));
 }
 
-/// The bodies of a list by name; of many how many they are.
+/// Lists the names of bodies, or counts them if there are many.
 std::string named_bodies(const std::vector<std::string>& names, std::size_t all) {
   constexpr std::size_t kMostNames = 3;
   if (names.size() == all && all > 1) return "all bodies";
@@ -165,7 +165,7 @@ std::string named_bodies(const std::vector<std::string>& names, std::size_t all)
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Why the bodies have no added mass, where they have none.
+/// Explains why a body has no added mass.
 std::string reason_for_no_added_mass(const engine::SimulationSpec& spec,
                                      const engine::BodySpec& body) {
   if (spec.integrator.method == engine::Integrator::Method::ode) return "method ode has none";
@@ -174,7 +174,7 @@ std::string reason_for_no_added_mass(const engine::SimulationSpec& spec,
   return "added_mass: none";
 }
 
-/// Something that is not computed of some bodies.
+/// A quantity that is not computed for some bodies.
 struct Omission {
   std::string what;
   std::string reason;
@@ -190,7 +190,7 @@ void note_omission(const std::string& what, const std::string& reason, const std
   found->names.push_back(name);
 }
 
-/// What is not computed of single bodies.
+/// Returns the quantities that are not computed for single bodies.
 std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
   std::vector<Omission> omissions;
   const engine::SimulationSpec& spec = built.spec;
@@ -222,7 +222,7 @@ std::vector<std::string> omission_texts(const assembly::BuiltScene& built,
   return texts;
 }
 
-/// The kinds beyond those that have rows.
+/// Describes the kinds of bodies without rows.
 std::string rest_of(const std::vector<BodyKind>& kinds) {
   std::size_t bodies = 0;
   Spread triangles, mass;
@@ -253,7 +253,7 @@ std::vector<Cells> body_table(std::span<const BodyKind> kinds, bool water) {
   return rows;
 }
 
-/// Of the kinds that have added mass.
+/// Returns the rows of the kinds that have added mass.
 std::vector<Cells> added_mass_table(std::span<const BodyKind> kinds) {
   std::vector<Cells> rows = {
       {"added mass", "", "surge", "sway", "heave kg", "roll", "pitch", "yaw kg m^2"}};

@@ -51,17 +51,17 @@ LogSubject log_subject(const scene::Scene& scene, const assembly::BuiltScene& bu
           .title = scene.title};
 }
 
-/// Times that may wait to be logged. A row with its forces takes less than a kilobyte, so that a
-/// megabyte holds them unless there are very many bodies.
+/// Returns the largest number of times that may wait to be logged. A row with its forces takes less
+/// than a kilobyte, so they need at most a megabyte unless there are very many bodies.
 std::size_t most_waiting(std::size_t bodies) {
   constexpr std::size_t kRows = 1024;
   return std::max<std::size_t>(2, kRows / std::max<std::size_t>(1, bodies));
 }
 
-/// One run: the simulation and what is kept of it.
+/// A run: the simulation and its output.
 class Run {
  public:
-  /// @param last   The checkpoint that it goes on from; null: it starts.
+  /// @param last   Checkpoint to resume from; null for a new run.
   Run(const RunOptions& options, const scene::Scene& scene, const assembly::BuiltScene& built,
       const OutputFolder& folder, const Checkpoint* last)
       : options_(options),
@@ -100,7 +100,7 @@ class Run {
     summary_.wall = built_.added_mass_seconds + clock_.seconds();
     if (!options_.quiet) report(code);
     write_summary(summary_, summary_file());
-    // What was interrupted, or found no room on the disk, can go on.
+    // A run that was interrupted, or stopped by a full disk, can be resumed.
     if (code == kDone || code == kCannotGoOn) remove_checkpoint(folder_.path());
     return code;
   }
@@ -117,15 +117,15 @@ class Run {
   bool wants_pictures() const { return scene_.render && options_.render; }
   std::filesystem::path summary_file() const { return folder_.path() / kSummaryFile; }
 
-  /// A folder tells of one run: what an earlier one left goes, should this one be killed or draw
-  /// nothing. Its trajectory has been replaced already.
+  /// Removes the results of an earlier run, so that the folder describes one run even if this one
+  /// is killed or draws nothing. The trajectory has been replaced already.
   void remove_earlier_results() const {
     std::filesystem::remove(summary_file());
     remove_pictures(folder_.path());
     std::filesystem::remove(folder_.path() / kReportFile);
   }
 
-  /// Steps to the end, logging. Returns the exit code so far.
+  /// Simulates and logs to the end. Returns the exit code so far.
   int simulate() {
     int code = kDone;
     try {
@@ -142,8 +142,8 @@ class Run {
     return code;
   }
 
-  /// Returns the exit code so far. @throws OutputError if a row cannot be written, also where a
-  /// later step could not be taken.
+  /// Returns the exit code so far. @throws OutputError if a row cannot be written, even if a later
+  /// step failed.
   int step_to_end() {
     const long steps = step_count(scene_.duration, scene_.step);
     try {
@@ -164,7 +164,7 @@ class Run {
     return simulation_.steps() < steps ? interrupted() : kDone;
   }
 
-  /// Saves everything that a resumed run needs, the rows and shots so far first.
+  /// Saves the rows and shots so far, then the checkpoint.
   void save_checkpoint() {
     LogPosition position;
     logging_.put([&] { position = log_->save(); });
@@ -187,7 +187,7 @@ class Run {
     return kInterrupted;
   }
 
-  /// Notes and tells what went wrong. The first error is the one that the summary keeps.
+  /// Prints an error. The summary keeps the first one.
   int failed(ExitCode code, const std::string& error) {
     summary_.ended = "failed";
     if (summary_.error.empty()) summary_.error = error;
@@ -196,7 +196,7 @@ class Run {
     return code;
   }
 
-  /// Logs the state and remembers it for a picture, if either is due.
+  /// Logs the state and stores it for a picture, if either is due.
   void keep() {
     const double time = simulation_.time();
     if (log_due_.due(time)) {
@@ -207,7 +207,7 @@ class Run {
     if (wants_pictures()) shots_.add(time, simulation_.states());
   }
 
-  /// Hands over a row a body.
+  /// Queues a row per body for the log.
   void log(double time) {
     std::vector<engine::BodyForces> forces;
     if (scene_.log_forces) forces = simulation_.forces();
@@ -216,7 +216,7 @@ class Run {
     });
   }
 
-  /// Waits until all that was logged is in the files.
+  /// Waits until all rows are in the files.
   void finish_log() {
     const WallClock clock;
     logging_.put([this] { log_->finish(); });
@@ -229,7 +229,7 @@ class Run {
                                  clock_.seconds()));
   }
 
-  /// Empty if there are to be pictures.
+  /// Returns the reason; empty if there will be pictures.
   std::string reason_for_no_pictures(int code) const {
     if (!scene_.render) return "the scene has no render block";
     if (!options_.render) return "--no-render";
@@ -238,7 +238,7 @@ class Run {
     return "";
   }
 
-  /// Draws the shots. Pictures come last: a run that failed is drawn up to there and keeps its own
+  /// Draws the shots at the end of the run. A failed run is drawn up to its failure and keeps its
   /// exit code.
   int draw(int code) {
     const WallClock clock;
@@ -296,7 +296,7 @@ class Run {
   std::unique_ptr<Log> log_;
   Schedule log_due_;
   ShotSelector shots_;
-  Background logging_;  ///< Last: it works on the log.
+  Background logging_;  ///< Declared last because it uses the log.
 };
 
 void check_video_of_run(const RunOptions& options, const scene::Scene& scene,
@@ -311,7 +311,8 @@ void check_video_of_run(const RunOptions& options, const scene::Scene& scene,
   check_video(options.video, *scene.render, out, thread_count(options.threads));
 }
 
-/// The options that a run was started with; threads, quiet and, if given, checkpoint are new.
+/// Returns the options of the original run, but `threads`, `quiet` and, if given, `checkpoint` from
+/// the new command line.
 RunOptions resumed_options(const RunOptions& given, const Checkpoint& last) {
   return {.scene = last.source.file,
           .out = given.resume,

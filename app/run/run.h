@@ -15,16 +15,16 @@ struct RunOptions {
   std::vector<scene::Override> overrides;
   LogFormat format = LogFormat::csv;
   double checkpoint = 0;         ///< Wall time between two checkpoints [s]; 0: there are none.
-  std::filesystem::path resume;  ///< Folder of a run to go on with; empty: a new one.
+  std::filesystem::path resume;  ///< Folder of a run to resume; empty: a new run.
   bool render = true;
   VideoOptions video;
-  int threads = 0;  ///< 0: as many as the machine has.
+  int threads = 0;  ///< 0: all hardware threads.
   bool quiet = false;
 };
 
-/// Runs a scene to its end, from its start or from the last checkpoint of a run that was stopped,
-/// and writes its log, its summary and its pictures. A run that was resumed writes the same rows
-/// and pictures as one that was not stopped.
+/// Runs a scene from its start, or from the last checkpoint of a stopped run, to its end, and
+/// writes the log, summary and pictures. A resumed run writes the same rows and pictures as an
+/// uninterrupted one.
 /// @return kDone; kCannotGoOn for a state that is not finite; kInterrupted; kWrongInput if a result
 ///     could not be written
 /// @throws InputError before the first step

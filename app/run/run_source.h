@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// Where the scene of a run was read from, its text, and what the command line put over it: all
-/// that it can be read again from, wherever the program is started then.
+/// The file and text of a run's scene and its overrides. The scene can be read again from them in
+/// any working directory.
 struct RunSource {
   std::filesystem::path file;  ///< Absolute.
   std::string text;
@@ -20,15 +20,16 @@ struct RunSource {
 
 RunSource run_source(const scene::Scene& scene, const std::vector<scene::Override>& overrides);
 
-/// The scene as it was run. @param file   Where it lies now; what it names is relative to that.
+/// Returns the scene as it was run.
+/// @param file   Present path of the scene; paths in it are relative to its folder.
 /// @throws InputError
 scene::Scene read_again(const RunSource& source, const std::filesystem::path& file);
 
-/// The overrides as the command line's were. @throws InputError
+/// Returns the overrides of the command line. @throws InputError
 std::vector<scene::Override> overrides_of(const RunSource& source);
 
 nlohmann::ordered_json to_json(const RunSource& source);
-/// @throws nlohmann::json::exception if it is not what to_json has made.
+/// Reverses to_json. @throws nlohmann::json::exception if the JSON has another form.
 RunSource source_from(const nlohmann::ordered_json& json);
 
 }  // namespace app

@@ -26,7 +26,7 @@ Json motion_summary(const engine::Counts& counts) {
           {"braked_pieces", counts.clamped}};
 }
 
-/// The added mass of the wholly submerged body and where it came from; null if it has none.
+/// Returns the added mass of the submerged body and its origin; null if there is none.
 Json to_json(const std::optional<assembly::AddedMassReport>& report) {
   if (!report) return nullptr;
   if (report->surface)
@@ -54,7 +54,8 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"added_mass", to_json(summary.built.added_mass[i])}};
 }
 
-/// Cameras and videos only where there are several, or any.
+/// Returns the report of pictures; cameras are listed if there are several, videos if there are
+/// any.
 Json to_json(const PictureReport& pictures) {
   Json json = {{"device", pictures.device},
                {"frames", pictures.frames},
@@ -114,7 +115,7 @@ std::vector<std::string> unused_loads(const engine::BodySpec& body) {
 }
 
 void write_summary(const RunSummary& summary, const std::filesystem::path& file) {
-  // A file name may be no UTF-8; its odd bytes become U+FFFD.
+  // A file name may be invalid UTF-8; its invalid bytes become U+FFFD.
   const std::string text = to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
   try {
     write_whole(file, text + '\n');

@@ -11,31 +11,32 @@
 
 namespace app {
 
-/// What `summary.json` tells of a run.
+/// Contents of `summary.json`.
 struct RunSummary {
   const scene::Scene& scene;
   const assembly::BuiltScene& built;
-  const std::vector<scene::Override>& overrides;  ///< Of the scene's keys.
+  const std::vector<scene::Override>& overrides;  ///< Overrides of the scene's keys.
   std::string ended = "completed";                ///< Or `interrupted`, `failed`.
-  std::string error;                              ///< Of a failed run.
+  std::string error;                              ///< Error of a failed run.
   long steps = 0;
   double simulated = 0;  ///< [s]
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
   std::vector<std::string> warnings;   ///< engine::Simulation::warnings.
-  double wall = 0;                     ///< In all, the added mass included [s].
+  double wall = 0;                     ///< Total, including the added mass [s].
   double wall_log = 0;                 ///< [s]
   double wall_render = 0;              ///< [s]
-  std::optional<double> resumed_at;  ///< Time of the last checkpoint that it was resumed from [s].
+  std::optional<double> resumed_at;    ///< Time of the checkpoint it was resumed from [s].
   std::optional<PictureReport> pictures;
-  std::string pictures_skipped;  ///< Why there are none.
+  std::string pictures_skipped;  ///< Reason why there are none.
 };
 
-/// The load kinds of a body that are not computed, by their keys.
+/// Returns the keys of the loads on a body that are not computed.
 std::vector<std::string> unused_loads(const engine::BodySpec& body);
 
-/// Writes the file whole or not at all. @throws OutputError if it cannot be written.
+/// Writes the file; a failure leaves an old one unchanged. @throws OutputError if it cannot be
+/// written.
 void write_summary(const RunSummary& summary, const std::filesystem::path& file);
 
 }  // namespace app

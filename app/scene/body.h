@@ -14,7 +14,7 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// The bodies of a scene and what the block `hydro` says of them.
+/// The bodies of a scene and their block `hydro`.
 
 namespace scene {
 
@@ -27,7 +27,7 @@ struct AppliedLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   bool in_body_frame = false;         ///< `frame: body`
-  std::optional<Eigen::Vector3d> at;  ///< In the mesh frame; none: the centre of mass.
+  std::optional<Eigen::Vector3d> at;  ///< In the mesh frame; none: at the centre of mass.
   double start = 0;
   double end = std::numeric_limits<double>::infinity();
   struct Sine {
@@ -37,18 +37,18 @@ struct AppliedLoad {
   std::optional<Sine> sine;
 };
 
-/// Where a body's added mass comes from.
+/// Origin of a body's added mass.
 struct AddedMass {
   enum class Model {
-    automatic,  ///< `deep` for a body that feels the water.
+    automatic,  ///< `deep` for a body that the water acts on.
     none,
-    deep,     ///< Of the body in unbounded fluid; the wetted panels' share.
-    surface,  ///< With ψ = 0 on the water's surface, the limit of high frequency.
-    matrix    ///< As given.
+    deep,     ///< The wetted panels' share of the added mass in unbounded fluid.
+    surface,  ///< High-frequency limit: ψ = 0 on the water surface.
+    matrix    ///< The matrix that the scene gives.
   };
   Model model = Model::automatic;
-  double tolerance = 1e-3;  ///< Of `deep`: of the estimated relative error [-].
-  /// Of `matrix`: about the centre of mass, body axes [kg, kg m, kg m^2].
+  double tolerance = 1e-3;  ///< Bound of the estimated relative error of `deep` [-].
+  /// Added mass of `matrix` about the centre of mass, body axes [kg, kg m, kg m^2].
   hydro::Matrix6d matrix = hydro::Matrix6d::Zero();
 };
 
@@ -60,10 +60,10 @@ struct Hydro : hydro::Coefficients {
 
 enum class Collision { automatic, mesh, box, sphere, none };
 
-/// Where a body is at time 0.
+/// Pose of a body at time 0.
 enum class Start {
-  given,       ///< At `position` and `orientation`.
-  equilibrium  ///< Afloat at rest, as they lead to it.
+  given,       ///< The pose given by `position` and `orientation`.
+  equilibrium  ///< The equilibrium afloat that this pose leads to.
 };
 
 struct Body {
@@ -73,12 +73,12 @@ struct Body {
   std::optional<double> mass;
   std::optional<Eigen::Vector3d> center_of_mass;       ///< In the mesh frame; with `mass` only.
   std::optional<Inertia> inertia;                      ///< With `mass` only.
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the mesh frame's origin, in W.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Mesh frame's origin, in W.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Start start = Start::given;
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
-  Hydro hydro;  ///< The scene's defaults with the body's own keys over them.
+  Hydro hydro;  ///< The scene's defaults, overridden by the body's own keys.
   std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;
   std::array<bool, 6> locked = {};

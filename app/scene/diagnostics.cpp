@@ -16,7 +16,7 @@ std::string joined(const std::vector<Fault>& faults) {
   return text;
 }
 
-/// The path without its last part; empty for a key of the top level.
+/// Returns the path without its last part; empty for a key of the top level.
 std::string parent_path(const std::string& key_path) {
   const std::size_t end = key_path.find_last_of(".[");
   return end == std::string::npos ? "" : key_path.substr(0, end);

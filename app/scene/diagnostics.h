@@ -7,7 +7,7 @@
 #include <vector>
 
 /// @file
-/// What is wrong with an input, and where: collected while it is read, thrown all at once.
+/// Faults of an input and their places. They are collected while it is read and thrown together.
 
 namespace scene {
 
@@ -18,25 +18,25 @@ struct Place {
   int column = 0;
 };
 
-/// The place of the value of each key, by key path (`bodies[1].mesh.file`); the whole stands under
-/// the empty path.
+/// The place of the value of each key, by key path (`bodies[1].mesh.file`). The empty path stands
+/// for the whole input.
 using Places = std::map<std::string, Place>;
 
 /// `Place::file` of a value that was given on the command line instead of in a file.
 inline const char* const kOverridePlace = "--set";
 
-/// One thing that is wrong with an input file.
+/// A single fault of an input.
 struct Fault {
   Place place;
-  std::string key_path;  ///< `bodies[1].mass`; empty if the file as a whole is meant.
-  std::string message;   ///< What was found and what would be right.
+  std::string key_path;  ///< `bodies[1].mass`; empty for a fault of the whole file.
+  std::string message;   ///< The value that was found and what was expected.
 };
 
-/// `FILE:LINE:COLUMN: KEY.PATH: message`; parts that are not known are left out. A fault of an
-/// override reads `--set KEY.PATH: message`.
+/// Formats a fault as `FILE:LINE:COLUMN: KEY.PATH: message` without the parts that are unknown. A
+/// fault of an override reads `--set KEY.PATH: message`.
 std::string to_string(const Fault& fault);
 
-/// A wrong input, with every fault that was found. `what()` has one fault a line.
+/// Reports every fault of an input; `what()` has one line per fault.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Fault> faults);
@@ -48,19 +48,19 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// Where `key_path` stands, or else the smallest block around it that stands in `places`
+/// Returns the place of `key_path`, or else of the smallest enclosing block that `places` has
 /// (`bodies[1].mass` → `bodies[1]` → `bodies` → the whole).
 Place place_of(const Places& places, std::string key_path);
 
-/// Collects faults, to throw them all at once.
+/// Collects faults in order to throw them together.
 class Faults {
  public:
   void add(Fault fault) { faults_.push_back(std::move(fault)); }
-  /// A fault of one key, at its place or that of the smallest block around it.
+  /// Adds a fault of one key, at the place that place_of() gives.
   void add(const Places& places, const std::string& key_path, const std::string& message);
   bool empty() const { return faults_.empty(); }
-  /// @throws InputError with all faults in the order of the file, those of overrides first; does
-  ///     nothing if there is none.
+  /// @throws InputError with all faults in the order of the file, those of overrides first. Nothing
+  ///     is thrown if there is no fault.
   void throw_if_any() const;
 
  private:

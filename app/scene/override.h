@@ -8,8 +8,8 @@ namespace scene {
 
 /// A value that replaces or adds one key of a scene: `--set bodies[0].density=700`.
 struct Override {
-  std::string key_path;  ///< Entries of a list by index or by name: `bodies[teapot].density`.
-  std::string value;     ///< YAML.
+  std::string key_path;  ///< List entries have an index or a name: `bodies[teapot].density`.
+  std::string value;     ///< The value as YAML.
 };
 
 /// Splits `KEY.PATH=VALUE`. @throws InputError if there is no `=` or no key.

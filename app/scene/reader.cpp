@@ -16,7 +16,7 @@ namespace {
 const char* const kVersion = "1";
 const char* const kVersionExpected = "1, the version of the scene format";
 
-/// How often the state is logged, and whether the forces are.
+/// Interval of the log, and a flag for the log of forces.
 struct LogBlock {
   std::optional<double> every;
   bool forces = false;
@@ -28,7 +28,7 @@ void read(MapReader& map, LogBlock& log) {
   map.optional("forces", log.forces, TruthRule{});
 }
 
-/// Faults for names that stand before in the list. `list` is `bodies` or `joints`.
+/// Adds a fault for each name that is used twice. `list` is `bodies` or `joints`.
 void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> first_uses;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -60,7 +60,7 @@ void check_joint_bodies(MapReader& map, const Scene& scene) {
   }
 }
 
-/// What a start in equilibrium needs of the whole scene.
+/// Checks what `start: equilibrium` needs from other blocks of the scene.
 void check_starts(MapReader& map, const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].start != Start::equilibrium) continue;
@@ -76,7 +76,7 @@ void name_nameless_joints(std::vector<Joint>& joints) {
     if (joints[i].name.empty()) joints[i].name = fmt::format("joint{}", i);
 }
 
-/// The place of every key below `node`; of the first where one is repeated.
+/// Records the place of every key below `node`, and of a repeated key the first place.
 void collect_places(const YamlNode& node, const std::string& path, Reading& reading) {
   reading.places.emplace(path, reading.place(node.mark));
   for (std::size_t i = 0; i < node.items.size(); ++i)
@@ -87,7 +87,7 @@ void collect_places(const YamlNode& node, const std::string& path, Reading& read
   }
 }
 
-/// Where keys of this name stand: `at the top level`, `under bodies[]`.
+/// Lists the blocks that have a key of this name: `at the top level`, `under bodies[]`.
 std::vector<std::string> homes_of(const std::string& key,
                                   const std::vector<KeyDescription>& catalogue) {
   std::vector<std::string> homes;
@@ -100,8 +100,8 @@ std::vector<std::string> homes_of(const std::string& key,
   return homes;
 }
 
-/// What the writer of an unknown key may have meant: a key that is one letter off, the same key in
-/// its right place, the key with its unit, or else a key that is a little further off.
+/// Suggests a replacement of an unknown key, in this order: a key with one letter changed, the
+/// block where the key belongs, the key with its unit, a key with more letters changed.
 std::string advice(const UnknownKey& unknown, const std::vector<KeyDescription>& catalogue) {
   const std::vector<std::string> homes = homes_of(unknown.key, catalogue);
   if (const auto near = app::nearest(unknown.key, unknown.known, homes.empty() ? 0 : 1))
@@ -125,7 +125,7 @@ void add_unknown_keys(Reading& reading) {
   }
 }
 
-/// A file of another version is not read further: its keys may mean something else.
+/// Refuses a file of another version, whose keys may have other meanings.
 void check_version(const YamlNode& root, Reading& reading) {
   const YamlNode* version = root.find("plimsoll");
   if (version == nullptr || version->is_word(kVersion)) return;

@@ -4,7 +4,7 @@
 #include "app/scene/scene.h"
 
 /// @file
-/// The blocks of a scene: what keys each has, and how they go together.
+/// Readers of a scene's blocks: their keys and the constraints between them.
 
 namespace scene {
 
@@ -22,7 +22,7 @@ void read(MapReader& map, Sphere& sphere);
 void read(MapReader& map, Icosphere& sphere);
 void read(MapReader& map, Ellipsoid& ellipsoid);
 void read(MapReader& map, Cylinder& cylinder);
-/// The one shape among a body's keys.
+/// Reads the one shape among a body's keys.
 void read_shape(MapReader& map, Shape& shape);
 
 void read(MapReader& map, Hydro& hydro);
@@ -37,12 +37,12 @@ void read(MapReader& map, Joint& joint);
 void read(MapReader& map, Render& render);
 void read(MapReader& map, Camera& camera);
 void read(MapReader& map, std::vector<Camera>& cameras);
-/// Of `camera` or `cameras`: the bodies that they follow.
+/// Checks that the bodies followed by `camera` or `cameras` exist.
 void check_followed_bodies(MapReader& map, const Scene& scene);
 
 void read(MapReader& map, Integrator& integrator);
 
-/// The whole file.
+/// Reads the whole file.
 void read(MapReader& map, Scene& scene);
 
 }  // namespace scene

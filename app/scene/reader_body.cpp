@@ -18,7 +18,7 @@ void read(MapReader& map, Calibration& calibration) {
   map.required("drag", calibration.drag, positive());
 }
 
-/// Names become cells of a CSV file and keys of overrides.
+/// True if a name can be a cell of a CSV file and a key of an override.
 bool fits_in_csv(const std::string& name) {
   return std::none_of(name.begin(), name.end(), [](char c) {
     return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
@@ -35,7 +35,7 @@ void read_name(MapReader& map, std::string& name) {
 /// Round-off of the principal moments, relative to the largest.
 constexpr double kMomentRoundOff = 1e-9;
 
-/// No solid turns harder about one axis than about the two others together.
+/// Checks that no principal moment of inertia exceeds the sum of the other two.
 void check_inertia(MapReader& map, const Inertia& inertia) {
   Eigen::Matrix3d matrix;
   matrix << inertia.xx, inertia.xy, inertia.xz, inertia.xy, inertia.yy, inertia.yz, inertia.xz,
@@ -75,7 +75,7 @@ void read_mass(MapReader& map, Body& body) {
       map.fault(key, "follows from density and the mesh; it is allowed with mass only");
 }
 
-/// Tabulated drag takes the place of the panels' own: there must be some to scale.
+/// Reads the block `calibrate`. Tabulated drag scales the panels' drag, so there must be some.
 void read_calibration(MapReader& map, Body& body) {
   Calibration calibration;
   if (!map.block("calibrate", calibration)) return;
@@ -157,7 +157,7 @@ const ChoiceRule<Collision> kCollisions = {{{"mesh", Collision::mesh},
 
 const ChoiceRule<Start> kStarts = {{{"given", Start::given}, {"equilibrium", Start::equilibrium}}};
 
-/// A body that is to find its own height and attitude must be free to, and carried by the water.
+/// Checks that a body with `start: equilibrium` has buoyancy and is free to heave, roll and pitch.
 void check_start(MapReader& map, const Body& body) {
   if (body.start != Start::equilibrium) return;
   if (body.locked[2] || body.locked[3] || body.locked[4])

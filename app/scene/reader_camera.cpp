@@ -10,8 +10,8 @@
 namespace scene {
 namespace {
 
-/// Up in a picture is the world's up, so the camera cannot look along it. The smallest slope that
-/// still tells sideways from round-off.
+/// Smallest horizontal part of the view direction, relative to its length. A picture's up is the
+/// world's up, so the camera cannot look along it.
 constexpr double kLeastSideways = 1e-6;
 
 void check_view(MapReader& map, const Camera& camera) {
@@ -22,7 +22,7 @@ void check_view(MapReader& map, const Camera& camera) {
     map.fault("", "looks straight up or down, expected from and to to differ in x or y");
 }
 
-/// Files are named by it.
+/// True if a name can be part of a file name.
 bool is_camera_name(const std::string& name) {
   return !name.empty() && name.size() <= kLongestCameraName &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -35,7 +35,7 @@ std::string in_lower_case(std::string name) {
   return name;
 }
 
-/// Some file systems do not tell a small letter from a capital.
+/// Checks that names differ by more than case, which some file systems ignore.
 void check_camera_names(MapReader& map, const std::vector<Camera>& cameras) {
   std::map<std::string, std::string> first_uses;
   for (const Camera& camera : cameras) {

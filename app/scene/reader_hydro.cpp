@@ -9,7 +9,7 @@ namespace {
 
 using Law = hydro::ViscousDrag::Law;
 
-/// A coefficient, or `false`, or something else.
+/// Returns the shapes of a coefficient, of `false`, and the others.
 std::vector<ValueShape> coefficient_or(const std::vector<ValueShape>& others) {
   std::vector<ValueShape> shapes = {shape(not_negative(), false, 0),
                                     {.kind = ValueShape::Kind::off}};
@@ -17,7 +17,7 @@ std::vector<ValueShape> coefficient_or(const std::vector<ValueShape>& others) {
   return shapes;
 }
 
-/// A coefficient, or `false` to switch its load off.
+/// Reads a coefficient, or `false`, which switches its load off.
 void read_coefficient(MapReader& map, const std::string& key, double& coefficient) {
   const std::string expected = "a number >= 0, or false";
   const auto value = map.find(key, expected, number_text(coefficient), coefficient_or({}));
@@ -33,7 +33,7 @@ std::string drag_text(const hydro::PressureDrag& drag) {
   return "{front: " + number_text(drag.front) + ", back: " + number_text(drag.back) + "}";
 }
 
-/// One C_p, `false`, or one for each side.
+/// Reads one C_p, `false`, or one C_p for each side.
 void read_pressure_drag(MapReader& map, hydro::PressureDrag& drag) {
   const std::string expected = "a number >= 0, false, or {front, back}";
   const auto value =
@@ -77,7 +77,7 @@ void read_viscous_drag(MapReader& map, hydro::ViscousDrag& drag) {
   drag.coefficient = coefficient;
 }
 
-/// The length of the friction line.
+/// Reads the length of the friction line.
 void read_length(MapReader& map, hydro::ViscousDrag& drag) {
   std::optional<double> length;
   if (map.optional("length", length, positive("m"))) drag.length = *length;
@@ -105,7 +105,7 @@ std::string model_text(const AddedMass& added_mass) {
                                               : "deep";
 }
 
-/// A word for the model, or a block with its options.
+/// Reads a word for the model, or a block with its options.
 void read_added_mass(MapReader& map, AddedMass& added_mass) {
   const std::string expected = "none, deep, {model, tolerance}, or {matrix}";
   const auto value = map.find_unless_block("added_mass", expected, model_text(added_mass),
@@ -122,7 +122,7 @@ void read_added_mass(MapReader& map, AddedMass& added_mass) {
 /// Round-off of a matrix that was computed elsewhere and printed, relative to its largest entry.
 constexpr double kMatrixRoundOff = 1e-9;
 
-/// A fault unless the matrix is one that a fluid can have.
+/// Adds a fault unless the matrix is a possible added mass.
 void check_matrix(MapReader& map, const hydro::Matrix6d& matrix) {
   const double scale = matrix.cwiseAbs().maxCoeff();
   Eigen::Index row, column;
@@ -142,7 +142,7 @@ void check_matrix(MapReader& map, const hydro::Matrix6d& matrix) {
                                     scale * least));
 }
 
-/// Six rows of six. @return true if it was there and right.
+/// Reads six rows of six numbers. @return true if they are present and valid
 bool read_matrix(MapReader& map, hydro::Matrix6d& matrix) {
   const std::string expected = "a list of 6 lists of 6 numbers [kg, kg m, kg m^2]";
   const auto value = map.find("matrix", expected, "", {list_shape(shape(number(), false, 6), 6)});
@@ -166,7 +166,7 @@ void read(MapReader& map, hydro::PressureDrag& drag) {
   map.optional("back", drag.back, not_negative());
 }
 
-/// The block takes the place of what held before it, as one key.
+/// Reads a block that replaces all earlier settings, as a single key does.
 void read(MapReader& map, AddedMass& added_mass) {
   added_mass = {.model = Model::deep};
   map.optional("model", added_mass.model, kModels);

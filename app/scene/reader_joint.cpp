@@ -17,11 +17,11 @@ const ChoiceRule<Type> kTypes = {{{"ball", Type::ball},
                                   {"fixed", Type::fixed},
                                   {"universal", Type::universal}}};
 
-/// Which of its optional keys a joint of some type has.
+/// True if a joint of this type has the optional key.
 bool needs_anchor(Type type) { return type != Type::slider && type != Type::fixed; }
 bool has_axis(Type type) { return type != Type::ball && type != Type::fixed; }
 
-/// What `check_keys` finds.
+/// Notes the conditions that `check_keys` checks.
 void note_keys(MapReader& map) {
   for (const auto& [word, type] : kTypes.choices) {
     std::vector<std::string> needed, refused;
@@ -61,11 +61,11 @@ void read_direction(MapReader& map, const std::string& key, std::optional<Eigen:
   axis->normalize();
 }
 
-/// How far the axes of a universal joint may be from perpendicular: what rounding to three digits
-/// does [rad].
+/// Largest deviation from a right angle between the axes of a universal joint [rad]; it covers
+/// rounding to three digits.
 constexpr double kSquareness = 2e-3;
 
-/// The two axes of a universal joint are those of its cross.
+/// Makes the second axis of a universal joint exactly normal to the first.
 void square_axes(MapReader& map, const Eigen::Vector3d& axis, Eigen::Vector3d& axis2) {
   const double angle = std::acos(std::clamp(axis.dot(axis2), -1.0, 1.0));
   if (std::abs(angle - std::numbers::pi / 2) > kSquareness)

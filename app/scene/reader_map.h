@@ -9,12 +9,12 @@
 
 namespace scene {
 
-/// Reads one block of a scene: a YAML map into a struct, key by key. Faults are collected, and the
-/// keys that nobody asked for are faults too.
+/// Reads one block of a scene, a YAML map, into a struct key by key. Faults are collected; a key
+/// that no reader asks for is a fault.
 ///
-/// For each struct there is a `void read(MapReader&, Struct&)` that asks for its keys and then
-/// checks how they go together. It also serves to list the keys: a reader without a map finds no
-/// value, enters every block, and leaves the description of each key in the reading's catalogue.
+/// Each struct has a `void read(MapReader&, Struct&)` that asks for its keys and then checks the
+/// constraints between them. This function also lists the keys: a reader without a map finds no
+/// value, enters every block, and adds the description of each key to the reading's catalogue.
 class MapReader {
  public:
   /// @param map    The YAML map; null to list the keys.
@@ -22,7 +22,7 @@ class MapReader {
 
   bool has(const std::string& key) const { return map_ != nullptr && map_->find(key) != nullptr; }
 
-  /// Reads a key that must be there. @return true if it was there and right.
+  /// Reads a required key. @return true if it is present and valid
   template <class T, class Rule>
   bool required(const std::string& key, T& target, const Rule& rule) {
     const auto value =
@@ -30,7 +30,8 @@ class MapReader {
     return value && Field<Rule, T>::read(*value, rule, target);
   }
 
-  /// Reads a key without which `target` stays as it is. @return true if it was there and right.
+  /// Reads an optional key; without it `target` is unchanged. @return true if it is present and
+  /// valid
   template <class T, class Rule>
   bool optional(const std::string& key, T& target, const Rule& rule) {
     const auto value = find(key, Field<Rule, T>::expected(rule), Field<Rule, T>::text(rule, target),
@@ -38,16 +39,16 @@ class MapReader {
     return value && Field<Rule, T>::read(*value, rule, target);
   }
 
-  /// The value of a key, for those that no rule covers; a missing one is a fault if `fallback` is
+  /// Returns the value of a key that no rule covers; a missing one is a fault if `fallback` is
   /// `required`.
-  /// @param shapes   What is expected, for the list of keys; any of them.
+  /// @param shapes   Allowed shapes, for the list of keys.
   std::optional<Value> find(const std::string& key, const std::string& expected,
                             const std::string& fallback,
                             const std::vector<ValueShape>& shapes = {});
 
-  /// Reads a key that may hold a block or something else: the block into `target`, or else the
+  /// Reads a key that may hold a block or something else. A block goes into `target`; any other
   /// value is returned.
-  /// @param shapes   Of what may stand in place of the block.
+  /// @param shapes   Allowed shapes besides the block.
   template <class T>
   std::optional<Value> find_unless_block(const std::string& key, const std::string& expected,
                                          const std::string& fallback, T& target,
@@ -60,7 +61,7 @@ class MapReader {
     return std::nullopt;
   }
 
-  /// Reads an optional block. @return true if it was there and a map.
+  /// Reads an optional block. @return true if it is present and a map
   template <class T>
   bool block(const std::string& key, T& target) {
     const auto value = find(key, "a map", "", {{.kind = ValueShape::Kind::map}});
@@ -68,13 +69,13 @@ class MapReader {
     return value && enter_map(*value, target);
   }
 
-  /// Reads an optional block whose presence means something.
+  /// Reads an optional block into an optional target.
   template <class T>
   bool block(const std::string& key, std::optional<T>& target) {
     return alternative<T>(key, target);
   }
 
-  /// Reads an optional block that makes `target` hold a T.
+  /// Reads an optional block; if present, `target` holds a T.
   template <class T, class Holder>
   bool alternative(const std::string& key, Holder& target) {
     T alternative{};
@@ -84,7 +85,8 @@ class MapReader {
   }
 
   /// Reads an optional list of blocks, each of which starts as a copy of `prototype`.
-  /// @param least   How many the reader asks for where the key is there; it checks that itself.
+  /// @param least   Least length of a list that is present, for the list of keys; the caller checks
+  ///     it.
   template <class T>
   bool blocks(const std::string& key, std::vector<T>& target, const T& prototype = {},
               std::size_t least = 0) {
@@ -101,25 +103,25 @@ class MapReader {
     return true;
   }
 
-  /// The keys of a block whose entries the user names, each once, in the order of the file; to
-  /// list the keys, kAnyName stands for them.
+  /// Returns the keys of a block whose entries the user names, each once, in the order of the file.
+  /// A reader without a map returns kAnyName.
   std::vector<std::string> names() const;
 
-  /// A fault unless exactly one of these keys is there. @return true if so.
+  /// Adds a fault unless exactly one of these keys is present. @return true if so
   bool exactly_one_of(const std::vector<std::string>& keys);
-  /// A fault if more than one of these keys is there. @return true if not.
+  /// Adds a fault if more than one of these keys is present. @return true if not
   bool at_most_one_of(const std::vector<std::string>& keys);
-  /// Notes for the list of keys that a key needs or refuses others of its block, which the reader
-  /// checks itself.
-  /// @param word   The value of the key for which that holds; empty: all.
+  /// Notes for the list of keys that a key needs or refuses others of its block; the caller checks
+  /// this.
+  /// @param word   Value of the key for which the condition holds; empty: any value.
   void note_condition(const std::string& key, const std::string& word,
                       const std::vector<std::string>& needed,
                       const std::vector<std::string>& refused);
 
-  /// A fault of one key of this map; of the whole map if `key` is empty.
+  /// Adds a fault of one key of this map, or of the whole map if `key` is empty.
   void fault(const std::string& key, const std::string& message);
 
-  /// To be called last: faults for repeated keys and for keys that were not asked for.
+  /// Adds faults for repeated keys and for keys that no reader asked for. This is the last call.
   void report_other_keys();
 
   const std::string& path() const { return path_; }
@@ -127,7 +129,7 @@ class MapReader {
 
  private:
   std::string child_path(const std::string& key) const;
-  /// After a fault, false.
+  /// Both functions add a fault if they return false.
   static bool is_list(const Value& value);
   static bool is_map(const Value& value);
 

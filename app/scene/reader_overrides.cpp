@@ -14,12 +14,12 @@ namespace scene {
 
 namespace {
 
-/// Why an override cannot be applied.
+/// The reason why an override cannot be applied.
 struct Obstacle {
   std::string message;
 };
 
-/// Stands in brackets for an entry behind the last one of a list.
+/// Stands in brackets for a new entry at the end of a list.
 constexpr const char* kNewEntry = "+";
 
 /// One step of a key path: a key, or an entry of a list by index or name.
@@ -28,7 +28,7 @@ struct Step {
   bool in_brackets = false;
 };
 
-/// Takes the next step off the front of `rest`; `first`: no dot stands before a key.
+/// Removes the next step from the front of `rest`. If `first`, no dot precedes a key.
 Step take_step(std::string& rest, bool first) {
   Step step;
   step.in_brackets = rest.front() == '[';
@@ -50,7 +50,7 @@ std::vector<Step> split(std::string key_path) {
   return steps;
 }
 
-/// The value of a key, which is made if it is not there.
+/// Returns the value of a key, which is created if it is missing.
 YamlNode& enter_key(YamlNode& node, const std::string& key, const std::string& path) {
   if (node.is(YamlNode::Kind::null)) node.kind = YamlNode::Kind::map;
   if (!node.is(YamlNode::Kind::map))
@@ -67,7 +67,7 @@ std::optional<std::size_t> parse_index(const std::string& text) {
   return index;
 }
 
-/// The entries' names; empty for one without.
+/// Returns the names of a list's entries; empty for an entry without a name.
 std::vector<std::string> names_in(const YamlNode& list) {
   std::vector<std::string> names;
   for (const YamlNode& item : list.items) {
@@ -77,7 +77,7 @@ std::vector<std::string> names_in(const YamlNode& list) {
   return names;
 }
 
-/// The index that the brackets mean: a number, or else the name of an entry.
+/// Returns the index that the brackets mean: the entry of that name, else the number.
 std::size_t resolve_index(const YamlNode& list, const std::string& text, const std::string& path) {
   const std::vector<std::string> names = names_in(list);
   const auto named = std::find(names.begin(), names.end(), text);
@@ -100,7 +100,7 @@ struct Found {
   std::string path;
 };
 
-/// One step on from a value; a key that is not there is made, and so is the entry of `[+]`.
+/// Follows one step from a value; a missing key and the entry of `[+]` are created.
 Found enter(const Found& from, const Step& step) {
   YamlNode& node = *from.node;
   if (!step.in_brackets)
@@ -117,14 +117,14 @@ Found enter(const Found& from, const Step& step) {
   return {&node.items[index], fmt::format("{}[{}]", from.path, index)};
 }
 
-/// The value at the end of these steps from the root.
+/// Follows the steps from the root and returns the last value.
 Found follow(YamlNode& root, std::span<const Step> steps) {
   Found found = {&root, ""};
   for (const Step& step : steps) found = enter(found, step);
   return found;
 }
 
-/// Takes a key or an entry of a list away.
+/// Removes a key or a list entry.
 void remove(YamlNode& root, const std::vector<Step>& steps) {
   const Step& last = steps.back();
   const Found home = follow(root, std::span(steps).first(steps.size() - 1));
@@ -164,7 +164,7 @@ void apply_override(const Override& override, YamlNode& root, Faults& faults) {
   try {
     const std::vector<Step> steps = split(override.key_path);
     YamlNode value = parse_value(override.value);
-    // An empty value may be a slip: it stays, as a fault.
+    // An empty value may be a typing error, so it is kept and becomes a fault.
     if (value.is(YamlNode::Kind::null) && !override.value.empty()) return remove(root, steps);
     *follow(root, steps).node = std::move(value);
   } catch (const Obstacle& obstacle) {

@@ -6,10 +6,9 @@
 
 namespace scene {
 
-/// Puts the value of an override into the tree, making the blocks on the way that are not there and
-/// the entries of lists that `[+]` asks for; the value `null` takes away what is there.
-/// What it puts there has line 0. Adds a fault if the path cannot be followed or the value is not
-/// valid YAML.
+/// Sets the value of an override in the tree, and creates missing blocks on its path and the list
+/// entries that `[+]` asks for. The value `null` removes the key or entry. New values have line 0.
+/// A path that cannot be followed, or a value that is not valid YAML, is a fault.
 void apply_override(const Override& override, YamlNode& root, Faults& faults);
 
 }  // namespace scene

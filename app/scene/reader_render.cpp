@@ -7,7 +7,7 @@ namespace scene {
 
 namespace {
 
-/// A number, or `auto`: none. Left as it is without the key, and after a fault.
+/// Reads a number, or `auto` as none. Without the key, or after a fault, `end` is unchanged.
 void read_end(MapReader& map, const char* key, const char* fallback, std::optional<double>& end) {
   const std::string expected = "a number [Pa], or auto";
   const auto value =
@@ -20,7 +20,7 @@ void read_end(MapReader& map, const char* key, const char* fallback, std::option
     end = number_of_it;
 }
 
-/// The colour scale.
+/// The block of the colour scale.
 struct PressureBlock {
   std::optional<double> min = 0, max;
   Colors colors = Colors::turbo;
@@ -39,7 +39,7 @@ void read(MapReader& map, PressureBlock& pressure) {
                                    {"thesis", Colors::thesis}}};
   map.optional("shows", pressure.shows, what);
   map.optional("colors", pressure.colors, scales);
-  // Dynamic pressure is below that of the still water where a surface leaves it.
+  // Dynamic pressure is negative where a surface recedes from the water.
   if (pressure.shows == ShownPressure::dynamic) pressure.min.reset();
   read_end(map, "min", "0; auto if shows is dynamic", pressure.min);
   read_end(map, "max", "auto", pressure.max);
@@ -75,7 +75,7 @@ void read_shown(MapReader& map, Show& show) {
   }
 }
 
-/// How the figure of all pictures is laid out.
+/// The block `sheet`, the layout of all pictures on a page.
 struct SheetBlock {
   std::optional<int> columns;
 };

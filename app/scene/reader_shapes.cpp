@@ -4,8 +4,8 @@ namespace scene {
 
 namespace {
 
-// Counts are bounded so that a slip of the keyboard does not fill the memory: each of these limits
-// gives some ten million triangles.
+// Counts are bounded so that a typing error does not fill the memory: each of these limits gives
+// some ten million triangles.
 const NumberRule kDivisions = between(1, 1000);
 const NumberRule kSlices = between(3, 2000);
 const NumberRule kSphereStacks = between(2, 2000);

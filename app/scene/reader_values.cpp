@@ -11,7 +11,7 @@ namespace scene {
 
 namespace {
 
-/// A text in a fault, cut so that the fault stays one short line.
+/// Cuts a text so that its fault stays one short line.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kLongest = 40;
   std::string line;
@@ -20,14 +20,14 @@ std::string shortened(const std::string& text) {
   return text.size() > kLongest ? line + "…" : line;
 }
 
-/// A number as people write it: decimal digits, a point, an exponent. Leading zeros mean nothing.
+/// Parses a decimal number with an optional point and exponent. Leading zeros have no meaning.
 template <class T>
 std::errc parse(const YamlNode& node, T& target) {
   if (!node.is(YamlNode::Kind::scalar) || node.quoted) return std::errc::invalid_argument;
   const char* first = node.text.data();
   const char* last = first + node.text.size();
   const bool plus = node.text.starts_with('+');
-  if (plus) ++first;  // from_chars knows no plus
+  if (plus) ++first;  // from_chars accepts no plus
   const char* digits = !plus && node.text.starts_with('-') ? first + 1 : first;
   if (digits == last || (*digits != '.' && (*digits < '0' || *digits > '9')))
     return std::errc::invalid_argument;
@@ -39,7 +39,7 @@ bool within(const NumberRule& rule, double value) {
   return rule.above_lo ? value > rule.lo && value <= rule.hi : value >= rule.lo && value <= rule.hi;
 }
 
-/// Refuses what `parse` did not take or the rule does not allow.
+/// Refuses a value that `parse` did not accept or the rule does not allow.
 bool accept(const Value& value, std::errc error, bool allowed, const std::string& expected) {
   if (error == std::errc::result_out_of_range) {
     value.fault(

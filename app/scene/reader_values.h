@@ -18,33 +18,33 @@
 #include "app/scene/yaml_reader.h"
 
 /// @file
-/// From a YAML value to a field of a scene. A rule says which values are right, in words too; the
-/// type of the field says how many numbers there are and whether they are whole.
+/// Conversion of a YAML value to a field of a scene. A rule defines and describes the valid values;
+/// the type of the field sets the count of numbers and whether they are whole.
 
 namespace scene {
 
-/// A key that no reader asked for, and the keys that it stands among.
+/// A key that no reader asked for, and the keys that its block may have.
 struct UnknownKey {
   Place place;
-  std::string block_path;  ///< Of the map that holds it.
+  std::string block_path;  ///< Path of the map that holds the key.
   std::string key;
   std::vector<std::string> known;
 };
 
-/// What the readers of one scene's blocks share.
+/// The data that the readers of a scene's blocks share.
 struct Reading {
   std::filesystem::path file;
-  Places places;  ///< Of every key.
+  Places places;  ///< The place of every key.
   Faults faults;
   std::vector<UnknownKey> unknown_keys;
-  KeyCatalogue catalogue;  ///< Of every key that was asked for, where keys are listed.
+  KeyCatalogue catalogue;  ///< Every key that was asked for, if keys are listed.
 
   Place place(Mark mark) const;
-  /// A fault of one key, where the key or the block around it stands.
+  /// Adds a fault of one key, at the place of the key or of the block around it.
   void fault(const std::string& key_path, const std::string& message);
 };
 
-/// A value and where it stands.
+/// A value and its key path.
 struct Value {
   const YamlNode& node;
   std::string path;
@@ -56,22 +56,22 @@ struct Value {
   Value item(std::size_t index) const;
 };
 
-/// The value as it is shown in a fault: `-5`, `"5"`, `a list of 3`.
+/// Describes the value for a fault: `-5`, `"5"`, `a list of 3`.
 std::string describe(const YamlNode& node);
 
 /// Numbers from `lo` to `hi`, in the scene file's unit.
 struct NumberRule {
-  std::string unit;  ///< Of the scene file; empty for a pure number.
+  std::string unit;  ///< Unit in the scene file; empty for a pure number.
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
   bool above_lo = false;  ///< `lo` itself is refused.
-  double factor = 1;      ///< From the scene file's unit to SI.
+  double factor = 1;      ///< Factor from the scene file's unit to SI.
 };
 NumberRule number(const std::string& unit = "");
 NumberRule positive(const std::string& unit = "");
 NumberRule not_negative(const std::string& unit = "");
 NumberRule between(double lo, double hi, const std::string& unit = "");
-/// An angle in degrees, kept in radians.
+/// An angle in degrees, stored in radians.
 NumberRule degrees();
 NumberRule degrees_between(double lo, double hi);
 
@@ -83,7 +83,7 @@ struct TextRule {
 struct TruthRule {};
 /// A file that exists, relative to the scene's folder.
 struct FileRule {};
-/// One of some words, each with its meaning.
+/// One of several words, each with its meaning.
 template <class T>
 struct ChoiceRule {
   std::vector<std::pair<std::string, T>> choices;
@@ -95,11 +95,11 @@ struct ChoiceRule {
   }
 };
 
-/// A number of a rule, or a list of them; `count` 0: not a list.
+/// Returns the shape of a number, or of a list of `count` numbers if that is not 0.
 ValueShape shape(const NumberRule& rule, bool whole, std::size_t count);
-/// `a positive number [kg]`, `a list of 3 numbers [m]`; `count` 0: not a list.
+/// Describes that shape: `a positive number [kg]`, `a list of 3 numbers [m]`.
 std::string expectation(const NumberRule& rule, bool whole, std::size_t count);
-/// A decimal number within the rule, in SI. @return false after a fault.
+/// Reads a decimal number within the rule and converts it to SI. @return false after a fault
 bool read_number(const Value& value, const NumberRule& rule, const std::string& expected,
                  double& target);
 bool read_whole(const Value& value, const NumberRule& rule, const std::string& expected,
@@ -110,8 +110,8 @@ bool read_word(const Value& value, const std::vector<std::string>& words, std::s
 std::string number_text(double value);
 std::string list_text(std::span<const double> values);
 
-/// How a rule reads a field of each type: `read` (false after a fault), the words for what is
-/// expected, the same as a shape, and the words for the field's value.
+/// Applies a rule to a field of some type: `read` (false after a fault), `expected` in words,
+/// `shape`, and `text` of the field's value.
 template <class Rule, class T>
 struct Field;
 
@@ -214,7 +214,7 @@ struct Field<ChoiceRule<T>, T> {
   }
 };
 
-/// A field that is empty without its key.
+/// A field that stays empty without its key.
 template <class Rule, class T>
 struct Field<Rule, std::optional<T>> {
   static std::string expected(const Rule& rule) { return Field<Rule, T>::expected(rule); }

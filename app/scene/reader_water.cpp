@@ -8,7 +8,7 @@ namespace scene {
 
 namespace {
 
-/// The extension of a file in small letters: `.png`.
+/// Returns the extension of a file in lower case: `.png`.
 std::string extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
   std::transform(text.begin(), text.end(), text.begin(),
@@ -16,8 +16,8 @@ std::string extension(const std::filesystem::path& file) {
   return text;
 }
 
-/// A picture has grey levels, which only a range turns into heights; a table has heights. A file
-/// with another extension is told apart by its content when it is loaded.
+/// Checks `range`, which turns the grey levels of a picture into heights; a table has heights. A
+/// file with another extension is classified by its content when it is loaded.
 void check_format(MapReader& map, const HeightField& field) {
   const std::string format = extension(field.file);
   if (format == ".png" && !map.has("range"))

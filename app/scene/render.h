@@ -12,19 +12,19 @@
 
 namespace scene {
 
-/// Characters of a camera's name.
+/// Largest number of characters in a camera's name.
 inline constexpr std::size_t kLongestCameraName = 64;
 
 struct Camera {
-  std::string name;                              ///< Of one of `cameras`.
+  std::string name;                              ///< Set for each of `cameras`.
   Eigen::Vector3d from = {6, -8, 3};             ///< At time 0.
   Eigen::Vector3d to = Eigen::Vector3d::Zero();  ///< At time 0.
   double field_of_view = 0.6108652381980153;     ///< Vertical [rad], 35 degrees.
-  std::string follow;                            ///< A body's name; empty: none.
-  double orbit = 0;                              ///< [rad/s]
+  std::string follow;                            ///< Name of the body to follow; empty: none.
+  double orbit = 0;                              ///< Rate of turn about `to` [rad/s].
 };
 
-/// What is drawn besides the bodies, the water and the ground.
+/// Elements to draw besides the bodies, the water and the ground.
 struct Show {
   bool forces = false;
   bool centres = false;
@@ -35,15 +35,15 @@ struct Show {
 /// The colour scales, by the names of their keys (app/render/color_scale.h).
 enum class Colors { turbo, viridis, cividis, coolwarm, gray, thesis };
 
-/// What the colours show of the gauge pressure on a wetted surface.
+/// Part of the gauge pressure on a wetted surface that the colours show.
 enum class ShownPressure { total, hydrostatic, dynamic };
 
 struct Render {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
   Camera camera;
-  std::vector<Camera> cameras;             ///< In place of `camera`, unless empty.
-  std::optional<int> sheet_columns;        ///< None: as fits.
+  std::vector<Camera> cameras;             ///< These replace `camera` unless empty.
+  std::optional<int> sheet_columns;        ///< None: chosen to fit.
   std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
   std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
   Colors colors = Colors::turbo;

@@ -14,9 +14,9 @@
 #include "app/scene/water.h"
 
 /// @file
-/// A scene as its file says it: one struct a block, one field a key, values checked one by one.
-/// Lengths, masses and times are in SI; an angle whose key ends in `_deg` is in radians here.
-/// Meshes are named, not loaded; the room app/assembly finds what follows from them.
+/// A scene as its file describes it: each block has a struct, each key a field, and each value is
+/// checked by itself. Lengths, masses and times are in SI; an angle whose key ends in `_deg` is
+/// stored in radians. Meshes are named, not loaded; app/assembly loads them and derives the rest.
 
 namespace scene {
 
@@ -39,7 +39,7 @@ struct Integrator {
   enum class Method { split, ode };
   Method method = Method::split;
   std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
-  double sleep = 0;                 ///< Read for old scenes [m/s]; without effect.
+  double sleep = 0;                 ///< Accepted from old scenes [m/s]; has no effect.
 };
 
 struct Scene {
@@ -57,9 +57,9 @@ struct Scene {
   bool log_forces = false;
   std::optional<Render> render;
 
-  std::string text;  ///< The file as it was read, without what the command line put over it.
+  std::string text;  ///< The text of the file, without overrides.
 
-  /// Where the value of each key stands, for faults that are found later (see Faults::add).
+  /// The place of each key's value, for faults that are found later (see Faults::add).
   Places places;
 };
 

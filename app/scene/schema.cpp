@@ -25,7 +25,7 @@ std::string block_of(const std::string& path) {
 
 std::string key_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-/// An unquoted scalar as YAML means it.
+/// Converts an unquoted YAML scalar.
 Json yaml_scalar(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
   const char* const end = text.data() + text.size();
@@ -64,7 +64,7 @@ class SchemaWriter {
  public:
   explicit SchemaWriter(KeyCatalogue catalogue) : catalogue_(std::move(catalogue)) {}
 
-  /// A map, with all that stands in it. @param path   `bodies[]`; empty: the whole scene.
+  /// Describes a map and its contents. @param path   `bodies[]`; empty: the whole scene.
   Json block(const std::string& path) const {
     Json schema = {{"type", "object"}, {"additionalProperties", false}};
     Json properties = Json::object();
@@ -83,7 +83,7 @@ class SchemaWriter {
   }
 
  private:
-  /// A map whose keys the user names.
+  /// Describes a map whose keys the user names.
   Json named_entries(const KeyDescription& entry) const {
     return {{"type", "object"},
             {"minProperties", 1},
@@ -168,7 +168,7 @@ class SchemaWriter {
   KeyCatalogue catalogue_;
 };
 
-/// The table that a key stands in.
+/// Returns the name of the table that lists a key.
 std::string key_table_of(const std::string& path) {
   const std::string first = path.substr(0, path.find_first_of(".["));
   return first == path || first == "integrator" ? "scene" : first;

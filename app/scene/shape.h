@@ -15,7 +15,7 @@ struct Mesh {
 };
 struct Box {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m]
-  int divisions = 1;                               ///< Along each edge.
+  int divisions = 1;                               ///< Divisions along each edge.
 };
 struct Sphere {
   double radius = 1;

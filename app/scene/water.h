@@ -34,7 +34,7 @@ struct Spectrum {
   double heading = 0;             ///< [rad]
   double spreading = 0;           ///< Exponent s of cos^2s(θ/2); 0: long-crested.
   int seed = 1;
-  int components = 64;  ///< Number of waves that stand for the spectrum.
+  int components = 64;  ///< Number of waves that represent the spectrum.
 };
 using Surface = std::variant<Flat, HeightField, std::vector<Wave>, Spectrum>;
 

@@ -27,13 +27,13 @@ constexpr std::uintmax_t kLargestFile = 8u << 20;
 /// A scene nests ten levels. The library recurses, so the limit also guards the stack.
 constexpr std::size_t kDeepestNesting = 60;
 
-/// Bounds what nested aliases can unfold to.
+/// Bounds the values that nested aliases can expand to.
 constexpr std::size_t kMostNodes = 500'000;
 
 /// No key of a scene is longer than a word [bytes].
 constexpr std::size_t kLongestKey = 100;
 
-/// What stops the building of a tree.
+/// Exception that stops the construction of a tree.
 struct Refusal {
   Mark mark;
   std::string message;
@@ -64,7 +64,7 @@ void merge_entries(const YamlNode& source, std::vector<YamlEntry>& entries,
     if (keys.insert(entry.key).second) entries.push_back(entry);
 }
 
-/// Replaces merge keys by the entries they bring; a map's own entries win.
+/// Replaces merge keys by the entries they insert; a map's own entries have precedence.
 void resolve_merge_keys(YamlNode& map) {
   const auto is_merge = [](const YamlEntry& entry) { return entry.key == "<<"; };
   if (std::none_of(map.entries.begin(), map.entries.end(), is_merge)) return;
@@ -87,7 +87,7 @@ void resolve_merge_keys(YamlNode& map) {
 class TreeBuilder : public YAML::EventHandler {
  public:
   YamlNode take_root() { return std::move(root_); }
-  /// Of the last quoted scalar; line 0 if there is none.
+  /// Returns the place of the last quoted scalar; line 0 if there is none.
   Mark last_quoted() const { return last_quoted_; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
@@ -129,11 +129,11 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
  private:
-  /// A list or map whose end has not been met.
+  /// A list or map whose end has not been reached.
   struct Open {
     YamlNode node;
     YAML::anchor_t anchor = 0;
-    std::optional<YamlEntry> entry;  ///< Of a map: its key is read, its value is not.
+    std::optional<YamlEntry> entry;  ///< Entry of a map whose key is read and whose value is not.
   };
 
   YamlNode make_node(YamlNode::Kind kind, const YAML::Mark& mark) {
@@ -194,7 +194,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   static void add_to_map(Open& map, YamlNode node) {
     if (map.entry) {
-      // The library marks a value that is not there at whatever follows it.
+      // The library gives a missing value the place of whatever follows it.
       if (node.is(YamlNode::Kind::null)) node.mark = map.entry->mark;
       map.entry->value = std::move(node);
       map.node.entries.push_back(std::move(*map.entry));
@@ -214,7 +214,7 @@ class TreeBuilder : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-/// Length of the UTF-8 sequence at `text[i]`; 0 if there is none that a text may hold.
+/// Returns the length of the UTF-8 sequence at `text[i]`; 0 if it is not valid in a text.
 std::size_t utf8_length(const std::string& text, std::size_t i) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char lead = byte(i);
@@ -226,7 +226,7 @@ std::size_t utf8_length(const std::string& text, std::size_t i) {
   return length;
 }
 
-/// The place of the first byte that is not UTF-8 text.
+/// Returns the place of the first byte that is not UTF-8 text.
 std::optional<Mark> first_bad_byte(const std::string& text) {
   Mark mark{1, 1};
   for (std::size_t i = 0; i < text.size();) {
@@ -238,7 +238,7 @@ std::optional<Mark> first_bad_byte(const std::string& text) {
   return std::nullopt;
 }
 
-/// The text from a mark on; empty if the mark is not in the text.
+/// Returns the text from a mark on; empty if the mark is outside the text.
 std::string_view text_from(const std::string& text, Mark mark) {
   std::size_t start = 0;
   for (int line = 1; line < mark.line && start != std::string::npos; ++line) {
@@ -250,8 +250,8 @@ std::string_view text_from(const std::string& text, Mark mark) {
   return start < text.size() ? std::string_view(text).substr(start) : std::string_view{};
 }
 
-/// Whether a quoted scalar at the start of `text` is never closed: the library takes the end of
-/// the file for its end.
+/// True if a quoted scalar at the start of `text` is never closed: the library takes the end of the
+/// file as its end.
 bool runs_to_the_end(std::string_view text) {
   if (text.empty() || (text[0] != '"' && text[0] != '\'')) return false;
   for (std::size_t i = 1; i < text.size(); ++i) {
@@ -266,7 +266,7 @@ bool runs_to_the_end(std::string_view text) {
   return true;
 }
 
-/// A remark on what the library only calls an illegal map value.
+/// Returns a hint at a tab, for which the library only reports an illegal map value.
 std::string tab_hint(const std::string& text, Mark mark) {
   const std::string_view line = text_from(text, {mark.line, 1});
   const std::size_t first = line.find_first_not_of(' ');
@@ -277,8 +277,8 @@ InputError input_error(const std::filesystem::path& file, Mark mark, const std::
   return InputError({Fault{{file, mark.line, mark.column}, "", message}});
 }
 
-/// What the parser says, the same for all its versions: from 0.8 on yaml-cpp appends the name of an
-/// anchor that is not defined, which stands at the place of the fault anyway.
+/// Makes the parser's message the same for all versions: from 0.8 on yaml-cpp appends the name of
+/// an undefined anchor, which stands at the place of the fault anyway.
 std::string parser_message(const std::string& message) {
   const std::string undefined = "the referenced anchor is not defined";
   return message.starts_with(undefined) ? undefined : message;

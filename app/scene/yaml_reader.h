@@ -5,7 +5,7 @@
 #include <vector>
 
 /// @file
-/// YAML text as a tree of plain values. What the YAML library makes hard to see is kept: places
+/// YAML text as a tree of plain values. The tree keeps details that the YAML library hides: places
 /// counted from 1, quotes, repeated keys, and scalars as they are written.
 
 namespace scene {
@@ -18,38 +18,38 @@ struct Mark {
 
 struct YamlEntry;
 
-/// A value and everything below it. Aliases are replaced by what they stand for, merge keys (`<<`)
-/// by the keys they bring.
+/// A value and everything below it. Aliases are replaced by their values, merge keys (`<<`) by the
+/// entries they insert.
 struct YamlNode {
   enum class Kind { null, scalar, list, map };
   Kind kind = Kind::null;
-  Mark mark;                       ///< Of the first letter; for a null in a map, of its key.
-  std::string text;                ///< Of a scalar, as written.
-  bool quoted = false;             ///< A text even if it looks like a number.
-  std::vector<YamlNode> items;     ///< Of a list.
-  std::vector<YamlEntry> entries;  ///< Of a map, in the order of the file; a key may be repeated.
+  Mark mark;            ///< Place of the first letter; for a null in a map, the place of its key.
+  std::string text;     ///< A scalar as written.
+  bool quoted = false;  ///< The scalar is a text even if it looks like a number.
+  std::vector<YamlNode> items;     ///< Entries of a list.
+  std::vector<YamlEntry> entries;  ///< In file order; keys may repeat.
 
   bool is(Kind which) const { return kind == which; }
-  /// The unquoted scalar `word`.
+  /// True for the unquoted scalar `word`.
   bool is_word(const char* word) const { return is(Kind::scalar) && !quoted && text == word; }
-  /// The value of the first entry with this key; null if there is none.
+  /// Returns the value of the first entry with this key; null if there is none.
   const YamlNode* find(const std::string& key) const;
 };
 
 struct YamlEntry {
   std::string key;
-  Mark mark;  ///< Of the key.
+  Mark mark;  ///< Place of the key.
   YamlNode value;
 };
 
-/// The whole text of a file.
-/// @throws InputError if it is missing, no ordinary file, over 8 MiB, or not UTF-8 text.
+/// Reads the text of a file.
+/// @throws InputError if it is missing, not a regular file, over 8 MiB, or not UTF-8 text.
 std::string read_text(const std::filesystem::path& file);
 
 /// Parses one YAML document; text without content gives a null node.
-/// @param file   Named in faults.
+/// @param file   File named in faults.
 /// @throws InputError if it is not valid YAML, has several documents, nests deeper than 60 levels,
-///     grows beyond 500 000 values through its aliases, or has keys that are no plain words.
+///     grows beyond 500 000 values through its aliases, or has keys that are not plain words.
 YamlNode parse_yaml(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace scene
