@@ -32,9 +32,11 @@ void finish(SubstepBody& b, const Environment& environment, bool constrained, do
   const Eigen::Matrix3d R_BW = b.midpoint.R_WB.transpose();
   Motion& end = b.end = b.halfway;
   if (b.body().has_added_mass) set_added_mass(end, b.added_B, h);
-  // Explicit changes do not follow from implicit ones, nor from those by contacts.
+  // Explicit changes do not follow from implicit ones, nor from those by contacts. Under joints an
+  // implicit change is left out of the history, so that what the joints do to it is judged.
+  const bool tells = !b.touching && !(constrained && update.implicit);
   if (update.implicit || update.unpredicted || b.touching) end.accelerations.clear();
-  if (!b.touching) end.accelerations.add(1 / h * rotate(R_BW, update.change), h, b.body().radius);
+  if (tells) end.accelerations.add(1 / h * rotate(R_BW, update.change), h, b.body().radius);
   if (!b.touching && !update.implicit) end.accelerations.set_slope(rotate(R_BW, update.slope));
   end.constrained = constrained;
   end.reaction_B = b.reaction_B;
