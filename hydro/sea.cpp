@@ -125,16 +125,6 @@ HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen:
   return field;
 }
 
-WaveComponent deep_water_wave(double amplitude, double wavelength, double heading, double phase,
-                              double gravity) {
-  const double k = 2 * M_PI / wavelength;
-  return {.amplitude = amplitude,
-          .kx = k * std::cos(heading),
-          .ky = k * std::sin(heading),
-          .omega = std::sqrt(gravity * k),
-          .phase = phase};
-}
-
 double surface_elevation(const Sea& sea, double x, double y, double time) {
   return std::visit([&](const auto& surface) { return elevation(surface, x, y, time); },
                     sea.surface);

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <variant>
 #include <vector>
 
 /// @file
 /// The sea: the height of its surface and the velocity of its water.
 ///
-/// The surface is a height field z = ξ(x, y, t) in W; it is given, not simulated. The water moves
-/// with the uniform `current` everywhere. Pressure is hydrostatic below the local surface.
+/// The surface is a height field z = ξ(x, y, t) in W; it is given, not simulated. Below waves the
+/// water moves and its pressure decays as linear theory has it (airy_waves.h). Elsewhere it moves
+/// with the uniform `current`, and pressure is hydrostatic below the local surface.
 /// Units SI; heights are in W (not relative to `level`) unless a name says otherwise.
 
 namespace hydro {
@@ -38,28 +40,32 @@ struct HeightField {
 HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen::Vector2d& origin);
 
 /// One long-crested wave: height above level = amplitude·cos(kx·x + ky·y − omega·t + phase).
+/// `linear_wave` (airy_waves.h) makes one that obeys the dispersion relation.
 struct WaveComponent {
   double amplitude = 0;  ///< [m]
   double kx = 0;         ///< Wave number along x [rad/m].
   double ky = 0;         ///< Wave number along y [rad/m].
-  double omega = 0;      ///< Angular frequency [rad/s].
+  double omega = 0;      ///< Angular frequency for an observer at rest [rad/s].
   double phase = 0;      ///< [rad]
+};
+
+/// The model of the water below waves.
+enum class Kinematics {
+  airy,        ///< Linear waves: pressure and motion decay with depth.
+  hydrostatic  ///< The thesis's: pressure by the height of the water above, and no motion.
 };
 
 /// A sum of linear waves.
 struct WaveSurface {
   std::vector<WaveComponent> components;
+  Kinematics kinematics = Kinematics::airy;
 };
-
-/// A deep-water linear wave (omega^2 = g k) of the given length [m] and heading, the direction it
-/// travels to, counter-clockwise from +x [rad].
-WaveComponent deep_water_wave(double amplitude, double wavelength, double heading, double phase,
-                              double gravity);
 
 struct Sea {
   double density = 1000;                              ///< [kg/m^3]
   double gravity = 9.80665;                           ///< [m/s^2]
   double level = 0;                                   ///< z of the still water [m].
+  double depth = std::numeric_limits<double>::infinity();  ///< Of the still water [m], > 0.
   Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Velocity of the water everywhere [m/s].
   std::variant<FlatSurface, HeightField, WaveSurface> surface;
 };

@@ -88,21 +88,20 @@ double jonswap_shape(double omega, double peak_omega, double gamma) {
   return std::pow(ratio, -5) * std::exp(-1.25 * std::pow(ratio, -4)) * std::pow(gamma, peak);
 }
 
-WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, double gravity) {
+WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, const Sea& sea) {
   Uniform uniform(spectrum.seed);
   const double variance = spectrum.significant_height * spectrum.significant_height / 16;
   const double amplitude = std::sqrt(2 * variance / spectrum.components);
   const double peak_omega = 2 * M_PI / spectrum.peak_period;
   const std::vector<double> angles = directions(spectrum.spreading, spectrum.components, uniform);
-  WaveSurface sea;
+  WaveSurface waves;
   const std::vector<double> frequencies = band_frequencies(spectrum.gamma, spectrum.components);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    const double omega = frequencies[i] * peak_omega;
-    const double wavelength = 2 * M_PI * gravity / (omega * omega);
-    sea.components.push_back(deep_water_wave(amplitude, wavelength, spectrum.heading + angles[i],
-                                             2 * M_PI * uniform(), gravity));
+    const double k = wave_number(frequencies[i] * peak_omega, sea.depth, sea.gravity);
+    waves.components.push_back(
+        linear_wave(sea, amplitude, k, spectrum.heading + angles[i], 2 * M_PI * uniform()));
   }
-  return sea;
+  return waves;
 }
 
 }  // namespace hydro

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydro/sea.h"
+#include "hydro/airy_waves.h"
 
 /// @file
 /// An irregular sea as a sum of linear waves.
@@ -33,7 +33,9 @@ struct JonswapSpectrum {
 /// mean frequency represents each band, so m_0 and m_1 equal those of the spectrum and the sea has
 /// no repeat period. Phases are random and uniform. Frequencies above 20 ω_p (1e-5 of the energy)
 /// are left out.
-WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, double gravity);
+/// @param sea   Its depth, gravity and current. Frequencies are those in the frame of its water, so
+///   that an adverse current stops no wave.
+WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, const Sea& sea);
 
 /// S(ω) without its scale [-].
 double jonswap_shape(double omega, double peak_omega, double gamma);

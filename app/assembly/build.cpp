@@ -25,15 +25,15 @@ namespace {
 
 std::string body_path(std::size_t i) { return fmt::format("bodies[{}]", i); }
 
-hydro::WaveSurface wave_surface(const std::vector<scene::Wave>& waves, double gravity) {
+hydro::WaveSurface wave_surface(const std::vector<scene::Wave>& waves, const hydro::Sea& sea) {
   hydro::WaveSurface surface;
   for (const scene::Wave& w : waves)
     surface.components.push_back(
-        hydro::deep_water_wave(w.amplitude, w.wavelength, w.heading, w.phase, gravity));
+        hydro::linear_wave(sea, w.amplitude, 2 * M_PI / w.wavelength, w.heading, w.phase));
   return surface;
 }
 
-hydro::WaveSurface spectrum_surface(const scene::Spectrum& s, double gravity) {
+hydro::WaveSurface spectrum_surface(const scene::Spectrum& s, const hydro::Sea& sea) {
   return hydro::jonswap_sea({.significant_height = s.significant_height,
                              .peak_period = s.peak_period,
                              .gamma = s.gamma,
@@ -41,16 +41,16 @@ hydro::WaveSurface spectrum_surface(const scene::Spectrum& s, double gravity) {
                              .spreading = s.spreading,
                              .seed = s.seed,
                              .components = s.components},
-                            gravity);
+                            sea);
 }
 
 hydro::Sea build_sea(const scene::Water& water, double gravity, BuildLog& log) {
   hydro::Sea sea{
       .density = water.density, .gravity = gravity, .level = water.level, .current = water.current};
   if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface))
-    sea.surface = wave_surface(*waves, gravity);
+    sea.surface = wave_surface(*waves, sea);
   else if (const auto* spectrum = std::get_if<scene::Spectrum>(&water.surface))
-    sea.surface = spectrum_surface(*spectrum, gravity);
+    sea.surface = spectrum_surface(*spectrum, sea);
   else if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
     sea.surface = height_field(*field, "water.surface.heightfield", log);
   return sea;

@@ -60,7 +60,7 @@ Sea sea_of(const std::string& name) {
     sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.3, 12, 0.3, 0, sea.gravity)}};
   if (name == "field") sea.surface = swell();
   if (name == "jonswap")
-    sea.surface = hydro::jonswap_sea({.significant_height = 1.5, .spreading = 4}, sea.gravity);
+    sea.surface = hydro::jonswap_sea({.significant_height = 1.5, .spreading = 4}, sea);
   return sea;
 }
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "hydro/airy_waves.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"

@@ -3,6 +3,7 @@
 #include "engine/anderson.h"
 #include "engine/constants.h"
 #include "engine/energy.h"
+#include "hydro/airy_waves.h"
 #include "hydro/loads/load_jacobian.h"
 #include "tests/engine/prelude.h"
 

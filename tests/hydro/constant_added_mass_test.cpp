@@ -1,3 +1,4 @@
+#include "hydro/airy_waves.h"
 #include "hydro/added_mass/constant_added_mass.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hydro/airy_waves.h"
 #include "hydro/loads/loads.h"
 #include "hydro/loads/plain_loads.h"
 #include "hydro/loads/refine.h"

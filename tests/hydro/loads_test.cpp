@@ -1,3 +1,4 @@
+#include "hydro/airy_waves.h"
 #include "hydro/loads/loads.h"
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "app/render/gl_program.h"
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"

@@ -28,7 +28,7 @@ void add_jonswap(Sea& sea, double size) {
       .significant_height = length / 20,
       .peak_period = std::sqrt(2 * std::numbers::pi * length / sea.gravity),
       .spreading = 10};
-  sea.surface = hydro::jonswap_sea(spectrum, sea.gravity);
+  sea.surface = hydro::jonswap_sea(spectrum, sea);
 }
 
 void add_bumps(Sea& sea, double size) {

@@ -1,0 +1,133 @@
+#include "hydro/airy_waves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace hydro {
+namespace {
+
+/// Newton steps that a wave number may take: three are enough without a current, and some ten for a
+/// wave that the current almost stops.
+constexpr int kMostNewtonSteps = 60;
+
+/// Waves feel no bottom at this kh: 1 − tanh kh is below round-off.
+constexpr double kDeep = 20;
+
+struct Dispersion {
+  double sigma;           ///< [rad/s]
+  double group_velocity;  ///< dσ/dk [m/s].
+};
+
+Dispersion dispersion(double k, double depth, double gravity) {
+  const double kh = k * depth;
+  if (!(kh < kDeep)) {
+    const double sigma = std::sqrt(gravity * k);
+    return {sigma, sigma / (2 * k)};
+  }
+  const double t = std::tanh(kh);
+  const double sigma = std::sqrt(gravity * k * t);
+  return {sigma, gravity * (t + kh * (1 - t * t)) / (2 * sigma)};
+}
+
+/// A wave number near that of (1) without current, from below 1 % [G02].
+///
+/// [G02] Guo. Simple and explicit solution of wave dispersion equation. Coastal Eng. 45 (2002)
+///       71-74.
+double near_wave_number(double frequency, double depth, double gravity) {
+  const double deep = frequency * frequency / gravity;
+  const double alpha = deep * depth;
+  if (!(alpha < kDeep)) return deep;
+  return alpha / depth * std::pow(-std::expm1(-std::pow(alpha, 1.25)), -0.4);
+}
+
+}  // namespace
+
+double intrinsic_frequency(double wave_number, double depth, double gravity) {
+  return dispersion(wave_number, depth, gravity).sigma;
+}
+
+double wave_number(double frequency, double depth, double gravity, double along) {
+  // σ(k) is concave: Newton's method comes from below after its first step, and stays there.
+  double k = near_wave_number(frequency, depth, gravity);
+  for (int i = 0; i < kMostNewtonSteps; ++i) {
+    const Dispersion d = dispersion(k, depth, gravity);
+    const double slope = d.group_velocity + along;
+    const double step = (frequency - d.sigma - k * along) / slope;
+    if (!(slope > 0) || !std::isfinite(step)) break;
+    k += step;
+    if (std::abs(step) <= 4e-16 * k) return k;
+  }
+  const Dispersion d = dispersion(k, depth, gravity);
+  if (std::abs(d.sigma + k * along - frequency) <= 1e-12 * frequency) return k;
+  throw std::invalid_argument(
+      fmt::format("a wave with a period of {:g} s cannot travel against a current of {:g} m/s",
+                  2 * M_PI / frequency, -along));
+}
+
+WaveComponent linear_wave(const Sea& sea, double amplitude, double wave_number, double heading,
+                          double phase) {
+  const double kx = wave_number * std::cos(heading), ky = wave_number * std::sin(heading);
+  return {.amplitude = amplitude,
+          .kx = kx,
+          .ky = ky,
+          .omega = intrinsic_frequency(wave_number, sea.depth, sea.gravity) +
+                   kx * sea.current.x() + ky * sea.current.y(),
+          .phase = phase};
+}
+
+WaveComponent deep_water_wave(double amplitude, double wavelength, double heading, double phase,
+                              double gravity) {
+  return linear_wave({.gravity = gravity}, amplitude, 2 * M_PI / wavelength, heading, phase);
+}
+
+bool has_airy_waves(const Sea& sea) {
+  const auto* waves = std::get_if<WaveSurface>(&sea.surface);
+  return waves && waves->kinematics == Kinematics::airy;
+}
+
+AiryWaves::AiryWaves(const Sea& sea, double time)
+    : depth_(sea.depth), gravity_(sea.gravity), level_(sea.level), current_(sea.current) {
+  if (!has_airy_waves(sea)) return;
+  for (const WaveComponent& w : std::get<WaveSurface>(sea.surface).components) {
+    const double k = std::hypot(w.kx, w.ky);
+    if (w.amplitude == 0 || k == 0) continue;
+    waves_.push_back({.amplitude = w.amplitude,
+                      .k = k,
+                      .kx = w.kx,
+                      .ky = w.ky,
+                      .phase = std::remainder(w.phase - w.omega * time, 2 * M_PI),
+                      .velocity_scale = sea.gravity / intrinsic_frequency(k, depth_, sea.gravity),
+                      .weight = 1 / (1 + std::exp(-2 * k * depth_))});
+  }
+}
+
+WaterMotion AiryWaves::at(const Eigen::Vector3d& p_W, double s) const {
+  WaterMotion water{.head = s, .velocity = current_};
+  const double below = std::max(s, 0.0);
+  const double elevation = s + (p_W.z() - level_);
+  const double down =
+      deep() ? below : std::min(depth_, below * depth_ / std::max(depth_ + elevation, 1e-300));
+  for (const Wave& w : waves_) {
+    const double theta = w.kx * p_W.x() + w.ky * p_W.y() + w.phase;
+    const double sine = std::sin(theta), cosine = std::cos(theta);
+    const double falls = std::exp(-w.k * down);
+    const double rises = deep() ? 0 : std::exp(w.k * (down - 2 * depth_));
+    const double C = w.weight * (falls + rises), S = w.weight * (falls - rises);
+    const Eigen::Vector3d along(w.kx * C, w.ky * C, 0);
+    const Eigen::Vector3d up(0, 0, w.k * S);
+    water.head -= w.amplitude * (1 - C) * cosine;
+    water.velocity += w.amplitude * w.velocity_scale * (cosine * along + sine * up);
+    water.acceleration += w.amplitude * gravity_ * (sine * along - cosine * up);
+  }
+  return water;
+}
+
+WaterMotion water_at(const Sea& sea, const Eigen::Vector3d& p_W, double time) {
+  const double s = surface_elevation(sea, p_W.x(), p_W.y(), time) + (sea.level - p_W.z());
+  return AiryWaves(sea, time).at(p_W, s);
+}
+
+}  // namespace hydro
