@@ -1,10 +1,7 @@
 #include "hydro/airy_waves.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace hydro {
 namespace {
@@ -49,7 +46,7 @@ double intrinsic_frequency(double wave_number, double depth, double gravity) {
   return dispersion(wave_number, depth, gravity).sigma;
 }
 
-double wave_number(double frequency, double depth, double gravity, double along) {
+std::optional<double> wave_number(double frequency, double depth, double gravity, double along) {
   // σ(k) is concave: Newton's method comes from below after its first step, and stays there.
   double k = near_wave_number(frequency, depth, gravity);
   for (int i = 0; i < kMostNewtonSteps; ++i) {
@@ -60,11 +57,9 @@ double wave_number(double frequency, double depth, double gravity, double along)
     k += step;
     if (std::abs(step) <= 4e-16 * k) return k;
   }
-  const Dispersion d = dispersion(k, depth, gravity);
-  if (std::abs(d.sigma + k * along - frequency) <= 1e-12 * frequency) return k;
-  throw std::invalid_argument(
-      fmt::format("a wave with a period of {:g} s cannot travel against a current of {:g} m/s",
-                  2 * M_PI / frequency, -along));
+  const bool near =
+      std::abs(intrinsic_frequency(k, depth, gravity) + k * along - frequency) <= 1e-12 * frequency;
+  return near ? std::optional(k) : std::nullopt;
 }
 
 WaveComponent linear_wave(const Sea& sea, double amplitude, double wave_number, double heading,

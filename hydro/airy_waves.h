@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hydro/sea.h"
@@ -42,8 +43,8 @@ double intrinsic_frequency(double wave_number, double depth, double gravity);
 /// The smallest wave number k > 0 with ω = σ(k) + k U, to round-off [rad/m].
 /// @param frequency   ω, seen by an observer at rest [rad/s], > 0.
 /// @param along       U: component of the current along the direction of travel [m/s].
-/// @throws std::invalid_argument if there is none: the current stops the wave.
-double wave_number(double frequency, double depth, double gravity, double along = 0);
+/// @return none if the current stops the wave
+std::optional<double> wave_number(double frequency, double depth, double gravity, double along = 0);
 
 /// A wave on a sea: ω follows from the wave number, the sea's depth and its current.
 /// @param heading   Direction of travel, counter-clockwise from +x [rad].

@@ -97,7 +97,7 @@ WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, const Sea& sea) {
   WaveSurface waves;
   const std::vector<double> frequencies = band_frequencies(spectrum.gamma, spectrum.components);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    const double k = wave_number(frequencies[i] * peak_omega, sea.depth, sea.gravity);
+    const double k = wave_number(frequencies[i] * peak_omega, sea.depth, sea.gravity).value();
     waves.components.push_back(
         linear_wave(sea, amplitude, k, spectrum.heading + angles[i], 2 * M_PI * uniform()));
   }
