@@ -68,8 +68,8 @@ WaveComponent linear_wave(const Sea& sea, double amplitude, double wave_number, 
   return {.amplitude = amplitude,
           .kx = kx,
           .ky = ky,
-          .omega = intrinsic_frequency(wave_number, sea.depth, sea.gravity) +
-                   kx * sea.current.x() + ky * sea.current.y(),
+          .omega = intrinsic_frequency(wave_number, sea.depth, sea.gravity) + kx * sea.current.x() +
+                   ky * sea.current.y(),
           .phase = phase};
 }
 

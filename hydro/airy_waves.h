@@ -61,7 +61,7 @@ bool has_airy_waves(const Sea& sea);
 
 /// The water at a point.
 struct WaterMotion {
-  double head = 0;  ///< p/(ρg) [m].
+  double head = 0;                                         ///< p/(ρg) [m].
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< In W, the current included [m/s].
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< u̇ [m/s^2].
 };

@@ -62,9 +62,9 @@ struct WaveSurface {
 };
 
 struct Sea {
-  double density = 1000;                              ///< [kg/m^3]
-  double gravity = 9.80665;                           ///< [m/s^2]
-  double level = 0;                                   ///< z of the still water [m].
+  double density = 1000;                                   ///< [kg/m^3]
+  double gravity = 9.80665;                                ///< [m/s^2]
+  double level = 0;                                        ///< z of the still water [m].
   double depth = std::numeric_limits<double>::infinity();  ///< Of the still water [m], > 0.
   Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Velocity of the water everywhere [m/s].
   std::variant<FlatSurface, HeightField, WaveSurface> surface;

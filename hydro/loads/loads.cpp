@@ -149,7 +149,9 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
   std::optional<kernel::WaterSurface> surface;
   if (!is_flat(sea)) {
     surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);
+    surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
+    in.moving = in.moving || surface->is_airy();
     in.wave_error = how.wave_tolerance * size_of(hull);
   }
   const kernel::Sums sums = sum_hull(hull, in);
@@ -158,7 +160,8 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
               .viscous_drag = wrench(sums, kernel::kViscousDrag, R_WB),
               .lift = wrench(sums, kernel::kLift, R_WB),
               .wetted_area = sums.total(kernel::kArea)};
-  loads.displaced_volume = loads.buoyancy.force.z();
+  loads.displaced_volume =
+      surface && surface->is_airy() ? sums.total(kernel::kVolume) : loads.buoyancy.force.z();
   loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;

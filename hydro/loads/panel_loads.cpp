@@ -40,12 +40,9 @@ Wrench pressure_drag_load(const Panel& panel, const Eigen::Vector3d& normal,
   return normal_load(panel, normal, normal_speed * normal_speed.transpose(), sign * k);
 }
 
-Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion, double k) {
-  Eigen::Matrix3d tangential;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d v = motion.at(panel[i]);
-    tangential.col(i) = v - v.dot(normal) * normal;
-  }
+Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Eigen::Matrix3d& velocity,
+                 double k) {
+  const Eigen::Matrix3d tangential = velocity - normal * (normal.transpose() * velocity);
   return normal_load(panel, normal, tangential.transpose() * tangential, k);
 }
 

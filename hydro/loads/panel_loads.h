@@ -44,8 +44,10 @@ Wrench pressure_drag_load(const Panel& panel, const Eigen::Vector3d& normal,
 /// Lift: F = −k ∫ |v_t|² n dA with v_t = v − (v·n) n, by (2) and (3) with q_ij = v_t,i · v_t,j: the
 /// tangential direction may vary over the panel, as on a spinning body.
 ///
-/// @param motion   Motion of the body relative to the water.
-/// @param k        ½ ρ C_l [kg/m^3].
-Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Twist& motion, double k);
+/// @param velocity   Velocity of the body relative to the water at the vertices, a column each, W
+///                   [m/s].
+/// @param k          ½ ρ C_l [kg/m^3].
+Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Eigen::Matrix3d& velocity,
+                 double k);
 
 }  // namespace hydro

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hydro/airy_waves.h"
 #include "hydro/loads/clip.h"
 #include "hydro/loads/panel_loads.h"
 #include "hydro/loads/refine.h"
@@ -23,11 +24,15 @@ struct PlainInputs {
   const Sea& sea;
   const Coefficients& coefficients;
   SurfaceSampler surface;
+  AiryWaves waves;
+  Eigen::Vector3d p_WB;       ///< The centre of mass [m].
   Eigen::Matrix3Xd r;         ///< 3×V [m].
   Eigen::VectorXd elevation;  ///< Of the surface over each vertex, above the level [m].
-  Twist motion;               ///< Relative to the water.
+  Twist motion;               ///< Relative to the current.
   double level;               ///< Of the still water above the centre of mass [m].
   bool moving;                ///< Relative to the water.
+
+  bool airy() const { return !waves.waves().empty(); }
 };
 
 PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
@@ -36,26 +41,51 @@ PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, do
                  .sea = sea,
                  .coefficients = coefficients,
                  .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
+                 .waves = AiryWaves(sea, time),
+                 .p_WB = state.position,
                  .r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices,
                  .elevation = Eigen::VectorXd::Zero(hull.mesh_B.vertex_count()),
                  .motion = {state.linear_velocity - sea.current, state.angular_velocity},
                  .level = sea.level - state.position.z(),
                  .moving = false};
-  in.moving = !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
+  in.moving = in.airy() || !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
   if (in.surface.flat()) return in;
   parallel_for(static_cast<std::size_t>(in.r.cols()),
                [&](std::size_t i) { in.elevation[i] = in.surface.elevation(in.r.col(i)); });
   return in;
 }
 
-/// Drag and lift on a wet panel of the given unit normal.
+/// The water at the corners of a wet panel.
+struct CornerWater {
+  Eigen::Vector3d head;                                ///< p/(ρg) but for a constant [m].
+  Eigen::Matrix3d velocity = Eigen::Matrix3d::Zero();  ///< Relative to the current [m/s].
+};
+
+/// The water at the corners of a panel at given depths. `constant` is what depths under `below`
+/// miss of the true ones.
+CornerWater water_at_corners(const PlainInputs& in, const Panel& panel,
+                             const Eigen::Vector3d& depth, double constant) {
+  CornerWater water{.head = depth};
+  if (!in.airy()) return water;
+  for (int i = 0; i < 3; ++i) {
+    const double s = depth[i] + constant;
+    const WaterMotion at = in.waves.at(in.p_WB + panel[i], s);
+    water.head[i] += at.head - s;
+    water.velocity.col(i) = at.velocity - in.sea.current;
+  }
+  return water;
+}
+
+/// Drag and lift on a wet panel of the given unit normal. Viscous drag takes the mean of the waves'
+/// velocity over the panel.
 void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& normal,
-                      Loads& loads) {
+                      const Eigen::Matrix3d& water, Loads& loads) {
   const double half_density = 0.5 * in.sea.density;
   const PressureDrag& drag = in.coefficients.pressure_drag;
+  Eigen::Matrix3d velocity;
+  for (int i = 0; i < 3; ++i) velocity.col(i) = in.motion.at(panel[i]) - water.col(i);
   if (!drag.none()) {
-    Eigen::Vector3d normal_speed;
-    for (int i = 0; i < 3; ++i) normal_speed[i] = in.motion.at(panel[i]).dot(normal);
+    const Eigen::Vector3d normal_speed = velocity.transpose() * normal;
     for (const PanelPart& front : positive_part(panel, normal_speed))
       loads.pressure_drag +=
           pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
@@ -64,20 +94,22 @@ void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Ve
           pressure_drag_load(back.panel, normal, back.value, -1, half_density * drag.back);
   }
   if (in.coefficients.lift != 0)
-    loads.lift += lift_load(panel, normal, in.motion, half_density * in.coefficients.lift);
-  if (!in.coefficients.viscous_drag.none())
+    loads.lift += lift_load(panel, normal, velocity, half_density * in.coefficients.lift);
+  if (!in.coefficients.viscous_drag.none()) {
+    const Twist motion{in.motion.linear - water.rowwise().mean(), in.motion.angular};
     loads.viscous_drag +=
-        viscous_drag_load(panel, normal, in.motion, in.coefficients.viscous_drag, half_density);
+        viscous_drag_load(panel, normal, motion, in.coefficients.viscous_drag, half_density);
+  }
 }
 
 /// All loads on a wet panel with the given depths at its vertices.
 void add_wet_panel(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& depth,
-                   const Eigen::Vector3d& normal, Loads& loads) {
-  const Wrench depth_load = pressure_load(panel, depth);
-  loads.buoyancy += depth_load;
-  loads.displaced_volume += depth_load.force.z();
+                   double constant, const Eigen::Vector3d& normal, Loads& loads) {
+  const CornerWater water = water_at_corners(in, panel, depth, constant);
+  loads.buoyancy += pressure_load(panel, water.head);
+  loads.displaced_volume += pressure_load(panel, depth).force.z();
   loads.wetted_area += area_vector(panel).norm();
-  if (in.moving) add_motion_loads(in, panel, normal, loads);
+  if (in.moving) add_motion_loads(in, panel, normal, water.velocity, loads);
 }
 
 /// One face, split where the surface bends over it and cut at the waterline. `below` is what the
@@ -91,9 +123,10 @@ void add_face(const PlainInputs& in, Eigen::Index face, double below, bool all_w
   const auto add_piece = [&](const Panel& piece, const Eigen::Vector3d& piece_elevation) {
     Eigen::Vector3d depth;
     for (int i = 0; i < 3; ++i) depth[i] = below + (piece_elevation[i] - piece[i].z());
-    if (all_wet) return add_wet_panel(in, piece, depth, normal, loads);
+    const double constant = in.level - below;
+    if (all_wet) return add_wet_panel(in, piece, depth, constant, normal, loads);
     for (const PanelPart& wet : positive_part(piece, depth))
-      add_wet_panel(in, wet.panel, wet.value, normal, loads);
+      add_wet_panel(in, wet.panel, wet.value, constant, normal, loads);
   };
   for_each_linear_piece(panel, elevation, in.surface, add_piece);
 }

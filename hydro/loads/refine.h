@@ -10,10 +10,11 @@
 /// @file
 /// Splitting of panels on which the water surface is not linear.
 ///
-/// Depth is taken as linear over a panel. On a large panel in short waves that is wrong, so its
-/// edges are halved until the surface departs from linear along each by less than a tolerance. The
-/// decision to halve an edge depends on that edge alone, so neighbours agree and no cracks open,
-/// except at slivers with areas below `smallest`², which are left whole.
+/// Depth is taken as linear over a panel, and so are head and velocity of the water under Airy
+/// waves. On a large panel in short waves that is wrong, so its edges are halved until the surface,
+/// or the head, departs from linear along each by less than a tolerance. The decision to halve an
+/// edge depends on that edge alone, so neighbours agree and no cracks open, except at slivers with
+/// areas below `smallest`², which are left whole.
 
 namespace hydro {
 
@@ -26,6 +27,9 @@ struct BendLimits {
   /// For waves: the mean square over their phases of the surface's second difference over a step
   /// (dx, dy) is the quartic Σ_j quartic[j] dx^(4−j) dy^j.
   std::array<double, 5> quartic = {};
+  /// For Airy waves: a step (dx, dy, dz) adds (dive[0] dx² + dive[1] dx dy + dive[2] dy² + dive[3]
+  /// dz²) dz² for the head at the surface; below, it bends less.
+  std::array<double, 4> dive = {};
   double tolerance = 0;         ///< kSagTolerance times the surface's standard deviation [m].
   double smallest_squared = 0;  ///< Edges of at most this squared length stay whole [m^2].
 };
@@ -57,7 +61,7 @@ class SurfaceSampler {
   }
 
  private:
-  bool waves_bend(double dx, double dy) const;
+  bool waves_bend(const Eigen::Vector3d& step) const;
   bool grid_bends(const HeightField& field, const Eigen::Vector3d& a,
                   const Eigen::Vector3d& b) const;
 

@@ -3,8 +3,8 @@
 #include <tbb/task_arena.h>
 
 #include "app/assembly/mesh_io.h"
-#include "hydro/airy_waves.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "hydro/loads/loads.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"

@@ -1,7 +1,7 @@
 #include "engine/constants.h"
-#include "hydro/airy_waves.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "tests/engine/prelude.h"
 
 namespace {

@@ -2,10 +2,10 @@
 
 #include <limits>
 
-#include "hydro/airy_waves.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "tests/engine/prelude.h"
 
 /// A run that is continued from a restored state against one that was never interrupted.

@@ -1,8 +1,8 @@
-#include "hydro/airy_waves.h"
 #include "hydro/added_mass/constant_added_mass.h"
 
 #include <gtest/gtest.h>
 
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/primitives.h"
 
 namespace {

@@ -135,7 +135,9 @@ TEST(LiftLoad, MatchesQuadratureOnASpinningPanel) {
     const auto traction = [&](const Vector3l& r) -> Vector3l {
       return -2.5L * c.v_t(r).squaredNorm() * c.n();
     };
-    expect_near(hydro::lift_load(c.panel, c.normal, c.motion, 2.5),
+    Eigen::Matrix3d velocity;
+    for (int k = 0; k < 3; ++k) velocity.col(k) = c.motion.at(c.panel[static_cast<std::size_t>(k)]);
+    expect_near(hydro::lift_load(c.panel, c.normal, velocity, 2.5),
                 quadrature(c.polygon(), traction), kClosedFormRounding * 1000 * c.area());
   }
 }

@@ -161,8 +161,9 @@ double moment(const hydro::WaveSurface& sea, int order, double peak) {
 
 TEST(Jonswap, HasItsSignificantHeightExactly) {
   for (const int components : {1, 7, 64, 300}) {
-    const auto sea = hydro::jonswap_sea(
-        {.significant_height = 1.7, .spreading = 5, .components = components}, {.gravity = 9.80665});
+    const auto sea =
+        hydro::jonswap_sea({.significant_height = 1.7, .spreading = 5, .components = components},
+                           {.gravity = 9.80665});
     double variance = 0;
     for (const auto& w : sea.components) variance += w.amplitude * w.amplitude / 2;
     EXPECT_EQ(sea.components.size(), components);
@@ -176,8 +177,8 @@ TEST(Jonswap, HasTheMeanPeriodsOfTheSpectrum) {
   const double table[][3] = {
       {1, 0.771773, 0.710420}, {3.3, 0.834329, 0.777441}, {7, 0.877476, 0.828533}};
   for (const auto& [gamma, t01, t02] : table) {
-    const auto sea =
-        hydro::jonswap_sea({.peak_period = 8, .gamma = gamma, .components = 500}, {.gravity = 9.80665});
+    const auto sea = hydro::jonswap_sea({.peak_period = 8, .gamma = gamma, .components = 500},
+                                        {.gravity = 9.80665});
     const double peak = 2 * M_PI / 8;
     EXPECT_NEAR(1 / moment(sea, 1, peak), t01, support::tolerance(5e-4));
     EXPECT_NEAR(1 / std::sqrt(moment(sea, 2, peak)), t02, support::tolerance(0.01));
@@ -206,7 +207,8 @@ TEST(Jonswap, WithoutSpreadingIsLongCrested) {
 
 TEST(Jonswap, DependsOnItsSeedAlone) {
   const auto height = [](int seed) {
-    const Sea sea{.surface = hydro::jonswap_sea({.spreading = 4, .seed = seed}, {.gravity = 9.80665})};
+    const Sea sea{.surface =
+                      hydro::jonswap_sea({.spreading = 4, .seed = seed}, {.gravity = 9.80665})};
     return hydro::surface_height(sea, 3, 4, 5);
   };
   EXPECT_EQ(height(1), height(1));

@@ -2,9 +2,9 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "hydro/airy_waves.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "hydro/loads/loads.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/primitives.h"

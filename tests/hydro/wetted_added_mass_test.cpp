@@ -1,4 +1,3 @@
-#include "hydro/airy_waves.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,7 @@
 #include <numbers>
 
 #include "hydro/added_mass/plain_wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
 #include "hydro/loads/refine.h"
 #include "hydro/mesh/mass_properties.h"

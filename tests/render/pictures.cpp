@@ -74,8 +74,8 @@ Scene ship_in_storm() {
   s.states = {
       {.position = {0, 0, 0.5}, .orientation = turned(35, {0, 0, 1}) * turned(6, {1, 1, 0})}};
   hydro::Sea sea;
-  sea.surface =
-      hydro::jonswap_sea({.significant_height = 3, .peak_period = 7, .spreading = 4}, {.gravity = kGravity});
+  sea.surface = hydro::jonswap_sea({.significant_height = 3, .peak_period = 7, .spreading = 4},
+                                   {.gravity = kGravity});
   s.picture.sea = sea;
   s.picture.pressure.max = 40e3;
   s.picture.camera = {.from = {30, -48, 15}, .to = {0, 0, 0}};

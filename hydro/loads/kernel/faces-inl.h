@@ -6,6 +6,7 @@
 #define PLIMSOLL_KERNEL_FACES
 #endif
 
+#include "hydro/loads/kernel/airy-inl.h"
 #include "hydro/loads/kernel/pieces-inl.h"
 #include "hydro/loads/kernel/refine-inl.h"
 #include "hydro/loads/kernel/viscous-inl.h"
@@ -28,8 +29,41 @@ struct LoadWalk {
   TriangleQueue turning;       ///< They are wet, v·n changes its sign; pressure drag is missing.
 };
 
-HWY_INLINE Values normal_speeds(const Flow& flow, const Triangle& t) {
+// The motion at the corners relative to the water, which is still or moves.
+
+HWY_INLINE Values normal_speeds(const Flow& flow, const Plane&, const Triangle& t, const Values&) {
   return {flow.normal_at(t.a), flow.normal_at(t.b), flow.normal_at(t.c)};
+}
+HWY_INLINE Values normal_speeds(const Flow& flow, const Plane& p, const Triangle& t,
+                                const MovingWater& water) {
+  return normal_speeds(flow, p, t, water.depth) - along_of(water, p.n);
+}
+
+/// v·e1 and v·e2.
+struct Tangential {
+  Values along1, along2;
+};
+
+HWY_INLINE Tangential tangential_speeds(const Flow& flow, const Plane&, const Triangle& t,
+                                        const Values&) {
+  return {{flow.along1(t.a.y), flow.along1(t.b.y), flow.along1(t.c.y)},
+          {flow.along2(t.a.x), flow.along2(t.b.x), flow.along2(t.c.x)}};
+}
+HWY_INLINE Tangential tangential_speeds(const Flow& flow, const Plane& p, const Triangle& t,
+                                        const MovingWater& water) {
+  const Tangential own = tangential_speeds(flow, p, t, water.depth);
+  return {own.along1 - along_of(water, p.e1), own.along2 - along_of(water, p.e2)};
+}
+
+/// The flow past faces for viscous drag, which takes the mean of the water's velocity.
+HWY_INLINE Flow mean_flow(const Flow& flow, const Plane&, const Values&) { return flow; }
+HWY_INLINE Flow mean_flow(const Flow& flow, const Plane& p, const MovingWater& water) {
+  const V third = all(1.0 / 3);
+  const V3 sum = water.a + water.b + water.c;
+  Flow mean = flow;
+  mean.a = hn::NegMulAdd(third, dot(sum, p.e1), flow.a);
+  mean.b = hn::NegMulAdd(third, dot(sum, p.e2), flow.b);
+  return mean;
 }
 
 /// ½ρC_p with the sign of the motion into the water, where u is of one sign.
@@ -37,16 +71,14 @@ HWY_INLINE V signed_drag(const LoadInputs& in, M forward) {
   return hn::IfThenElse(forward, all(in.drag_front), all(-in.drag_back));
 }
 
-HWY_INLINE Traction lift_on(const Flow& flow, const Triangle& t, V scale) {
-  const Values along1 = {flow.along1(t.a.y), flow.along1(t.b.y), flow.along1(t.c.y)};
-  const Values along2 = {flow.along2(t.a.x), flow.along2(t.b.x), flow.along2(t.c.x)};
-  return square_on(t, scale, along1) + square_on(t, scale, along2);
+HWY_INLINE Traction lift_on(const Triangle& t, V scale, const Tangential& v) {
+  return square_on(t, scale, v.along1) + square_on(t, scale, v.along2);
 }
 
-/// The pressure drag on the triangles that count, for any motion. They are cut where v·n is zero.
-HWY_INLINE Traction cut_drag_on(const LoadInputs& in, const Flow& flow, const Triangle& t,
+/// The pressure drag on the triangles that count, for any v·n at the corners. They are cut where it
+/// is zero.
+HWY_INLINE Traction cut_drag_on(const LoadInputs& in, const Values& u, const Triangle& t,
                                 M counts) {
-  const Values u = normal_speeds(flow, t);
   const V high = highest(u);
   const M turns = hn::And(counts, hn::And(lowest(u) < zero(), high > zero()));
   const Cut cut = cut_at_zero(t, u, turns);
@@ -61,21 +93,33 @@ HWY_INLINE Traction cut_drag_on(const LoadInputs& in, const Flow& flow, const Tr
          drag(cut.corner, cut.at_corner, turns, cut.alone_positive);
 }
 
+/// The volume that is below the surface under Airy waves. Elsewhere it is that of the buoyancy.
+HWY_INLINE void add_volume(LoadWalk&, const Plane&, const Triangle&, V, const Values&) {}
+HWY_INLINE void add_volume(LoadWalk& work, const Plane& p, const Triangle& t, V area,
+                           const MovingWater& water) {
+  const V down = zero() - dot(p.n, all3(work.in.up));
+  add(work.sums, kVolume, down * linear_on(t, area, water.depth).q);
+}
+
 /// Adds all loads on the triangles that count. These are wet all over.
-inline HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M counts,
-                                 const Values& depth) {
+template <class Water>
+HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M counts,
+                          const Water& water) {
   const LoadInputs& in = work.in;
   const V area = hn::IfThenElseZero(counts, area_of(t));
   const V3 c_cross_n = cross(p.c, p.n);
   add(work.sums, kArea, area);
-  add_normal(work.sums, kBuoyancy, p, c_cross_n, linear_on(t, area, depth));
+  add_normal(work.sums, kBuoyancy, p, c_cross_n, linear_on(t, area, head_of(water)));
+  add_volume(work, p, t, area, water);
   if (!in.moving) return;
   const Flow flow = flow_over(p, in);
   if (in.drag_front != 0 || in.drag_back != 0)
-    add_normal(work.sums, kPressureDrag, p, c_cross_n, cut_drag_on(in, flow, t, counts));
+    add_normal(work.sums, kPressureDrag, p, c_cross_n,
+               cut_drag_on(in, normal_speeds(flow, p, t, water), t, counts));
   if (in.lift != 0)
-    add_normal(work.sums, kLift, p, c_cross_n, lift_on(flow, t, all(in.lift) * area));
-  if (in.viscous) add_viscous(work.sums, in, {p, flow, t, area});
+    add_normal(work.sums, kLift, p, c_cross_n,
+               lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
+  if (in.viscous) add_viscous(work.sums, in, {p, mean_flow(flow, p, water), t, area});
 }
 
 /// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count.
@@ -83,17 +127,23 @@ HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from
   const Plane p = plane_of(work.panels, pieces, from);
   const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
                                  hn::FirstN(D(), static_cast<std::size_t>(used)));
-  add_wet(work, p, wet.first, wet.has_first, wet.at_first);
-  if (!hn::AllFalse(D(), wet.has_second))
-    add_wet(work, p, wet.second, wet.has_second, wet.at_second);
+  const auto add_part = [&](const Triangle& part, M counts, const Values& depth) HWY_ATTR {
+    if (work.in.surface && work.in.surface->is_airy())
+      add_wet(work, p, part, counts, water_at_corners<Ask::velocity>(work.in, p, part, depth));
+    else
+      add_wet(work, p, part, counts, depth);
+  };
+  add_part(wet.first, wet.has_first, wet.at_first);
+  if (!hn::AllFalse(D(), wet.has_second)) add_part(wet.second, wet.has_second, wet.at_second);
 }
 
-/// Adds the pressure drag of pieces that are wet all over.
+/// Adds the pressure drag of pieces that are wet all over. Their `depth` is v·n at the corners.
 HWY_INLINE void add_turning(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
   const Plane p = plane_of(work.panels, pieces, from);
   const M counts = hn::FirstN(D(), static_cast<std::size_t>(used));
-  add_normal(work.sums, kPressureDrag, p, cross(p.c, p.n),
-             cut_drag_on(work.in, flow_over(p, work.in), triangle_of(pieces, from), counts));
+  add_normal(
+      work.sums, kPressureDrag, p, cross(p.c, p.n),
+      cut_drag_on(work.in, load_values(pieces.depth, from), triangle_of(pieces, from), counts));
 }
 
 HWY_INLINE void drain_cut(LoadWalk& work, bool to_the_last) {
@@ -114,10 +164,8 @@ struct LeafFacts {
 
 /// Adds the pressure drag on the faces that count and on which v·n has one sign. The others are
 /// queued.
-HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross_n,
-                               const Flow& flow, const Triangle& t, V area, M counts,
-                               std::int64_t leaf, int lane) {
-  const Values u = normal_speeds(flow, t);
+HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross_n, const Values& u,
+                               const Triangle& t, V area, M counts, std::int64_t leaf, int lane) {
   const M forward = highest(u) > zero();
   const M turns = hn::And(counts, hn::And(lowest(u) < zero(), forward));
   const V scale = signed_drag(work.in, forward) * area;
@@ -127,9 +175,11 @@ HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross
 }
 
 /// Adds the loads on the faces that count, of a vector of a leaf's faces from `lane` on.
-/// @param depth   The depths at their vertices [m].
-HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
-                          const Values& depth, LeafFacts known) {
+/// @param water   The depths at their vertices [m], or all of the water there.
+template <class Water>
+HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts, const Water& water,
+                          LeafFacts known) {
+  const Values& depth = depth_of(water);
   const D d;
   const LoadInputs& in = work.in;
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
@@ -149,23 +199,26 @@ HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
   const V area = hn::IfThenElseZero(wet, whole);
   const V3 c_cross_n = cross(p.c, p.n);
   add(work.sums, kArea, area);
-  add_normal(work.sums, kBuoyancy, p, c_cross_n, linear_on(t, area, depth));
+  add_normal(work.sums, kBuoyancy, p, c_cross_n, linear_on(t, area, head_of(water)));
+  add_volume(work, p, t, area, water);
   if (!in.moving) return;
   const Flow flow = flow_over(p, in);
   if (in.drag_front != 0 || in.drag_back != 0)
-    add_whole_drag(work, p, c_cross_n, flow, t, area, wet, leaf, lane);
+    add_whole_drag(work, p, c_cross_n, normal_speeds(flow, p, t, water), t, area, wet, leaf, lane);
   if (in.lift != 0)
-    add_normal(work.sums, kLift, p, c_cross_n, lift_on(flow, t, all(in.lift) * area));
-  if (in.viscous && !known.without_viscous) add_viscous(work.sums, in, {p, flow, t, area});
+    add_normal(work.sums, kLift, p, c_cross_n,
+               lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
+  if (in.viscous && !known.without_viscous)
+    add_viscous(work.sums, in, {p, mean_flow(flow, p, water), t, area});
 }
 
-/// Adds the viscous drag alone of a leaf that is wet all over.
-HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, std::int64_t leaf) {
+/// Adds the viscous drag alone of a leaf that is wet all over and moves as `in` tells.
+HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, const LoadInputs& in, std::int64_t leaf) {
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const Plane p = plane_at(faces, lane);
     const V area = areas_at(faces, lane);
-    add_viscous(work.sums, work.in, {p, flow_over(p, work.in), triangle_at(faces, lane), area});
+    add_viscous(work.sums, in, {p, flow_over(p, in), triangle_at(faces, lane), area});
   }
 }
 

@@ -33,7 +33,16 @@ struct LoadInputs {
 };
 
 /// The first row of each load in `Sums`. A load has six rows, force before moment.
-enum : int { kBuoyancy = 0, kPressureDrag = 6, kLift = 12, kViscousDrag = 18, kArea = 24, kSums };
+/// The volume is there under Airy waves only.
+enum : int {
+  kBuoyancy = 0,
+  kPressureDrag = 6,
+  kLift = 12,
+  kViscousDrag = 18,
+  kArea = 24,
+  kVolume = 25,
+  kSums
+};
 
 /// Sums are kept lane by lane. Lanes are added up at the end only, in their order.
 template <int kCount>

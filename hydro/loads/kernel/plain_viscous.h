@@ -15,7 +15,10 @@ inline constexpr double kHeldCoefficient = 0.075 / 4;
 struct alignas(64) PlainPanels {
   double r[3][3][kMostLanes];  ///< Vertex, axis, lane [m].
   double n[3][kMostLanes];     ///< Unit normals.
-  double counts[kMostLanes];   ///< 0 for a lane that is not wanted.
+  double linear[3]
+               [kMostLanes];  ///< Velocity in the plane relative to the water: linear + spin n × r.
+  double spin[kMostLanes];    ///< [rad/s]
+  double counts[kMostLanes];  ///< 0 for a lane that is not wanted.
 };
 
 /// Adds `viscous_drag_load` of each wanted lane.

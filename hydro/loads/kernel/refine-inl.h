@@ -48,11 +48,15 @@ HWY_INLINE Bearings bearings_of(const LoadInputs& in, const Plane& p) {
   return {in, along(in.surface->east, p), along(in.surface->north, p), along(in.up, p)};
 }
 
-HWY_INLINE V waves_second_difference_squared(const BendLimits& limits, V dx, V dy) {
+HWY_INLINE V waves_second_difference_squared(const BendLimits& limits, V dx, V dy, V zz) {
   const V xx = dx * dx, xy = dx * dy, yy = dy * dy;
   const auto q = [&](int j) HWY_ATTR { return all(limits.quartic[static_cast<std::size_t>(j)]); };
-  return hn::MulAdd(xx, hn::MulAdd(q(0), xx, hn::MulAdd(q(1), xy, q(2) * yy)),
-                    yy * hn::MulAdd(q(3), xy, q(4) * yy));
+  const auto dive = [&](int j) HWY_ATTR { return all(limits.dive[static_cast<std::size_t>(j)]); };
+  const V level = hn::MulAdd(xx, hn::MulAdd(q(0), xx, hn::MulAdd(q(1), xy, q(2) * yy)),
+                             yy * hn::MulAdd(q(3), xy, q(4) * yy));
+  const V rate =
+      hn::MulAdd(dive(0), xx, hn::MulAdd(dive(1), xy, hn::MulAdd(dive(2), yy, dive(3) * zz)));
+  return hn::MulAdd(rate, zz, level);
 }
 
 /// The elevation of a grid above level half way between two points, less the mean of theirs.
@@ -71,11 +75,15 @@ HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V
   const V dx = hn::MulAdd(to.east.x, d.x, to.east.y * d.y);
   const V dy = hn::MulAdd(to.north.x, d.x, to.north.y * d.y);
   const V squared = hn::MulAdd(dx, dx, dy * dy);
-  const M long_enough = squared > all(limits.smallest_squared);
   const double tolerance = limits.tolerance;
-  if (!surface.is_grid())
-    return hn::And(long_enough, waves_second_difference_squared(limits, dx, dy) >
-                                    all(64 * tolerance * tolerance));
+  if (!surface.is_grid()) {
+    const V dz = hn::MulAdd(to.up.x, d.x, to.up.y * d.y);
+    const V zz = surface.is_airy() ? dz * dz : zero();
+    return hn::And(
+        squared + zz > all(limits.smallest_squared),
+        waves_second_difference_squared(limits, dx, dy, zz) > all(64 * tolerance * tolerance));
+  }
+  const M long_enough = squared > all(limits.smallest_squared);
   const GridField& grid = surface.grid;
   const V cells2 = squared * all(1 / (grid.cell * grid.cell));
   const M far = hn::And(long_enough, cells2 > all(1));

@@ -56,13 +56,23 @@ HWY_INLINE V moment_product(const Node& node, const double* factor, int from, in
 // The lanes are components here. Each goes to lane 0 of its sum.
 
 /// Adds the buoyancy of a branch that is wet all over.
-HWY_INLINE void add_branch_buoyancy(const Node& node, const Factors& f, const LoadInputs& in,
-                                    Sums& sums) {
+/// @param head   Factors of the rows of the head.
+HWY_INLINE void add_branch_buoyancy(const Node& node, const double (&head)[kNormal],
+                                    const LoadInputs& in, Sums& sums) {
   alignas(64) double load[kMostLanes];
   for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(D())))
-    hn::Store(moment_product(node, f.depth, kOne, in.surface ? kNormal : kSquare, a), D(),
-              load + a);
+    hn::Store(moment_product(node, head, kOne, in.surface ? kNormal : kSquare, a), D(), load + a);
   for (int a = 0; a < 6; ++a) sums.lane[kBuoyancy + a][0] -= load[a];
+}
+
+/// Adds the volume below the surface.
+/// @param depth   Factors of the rows of the depth.
+HWY_INLINE void add_branch_volume(const Node& node, const double (&depth)[kNormal],
+                                  const LoadInputs& in, Sums& sums) {
+  alignas(64) double load[kMostLanes];
+  for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(D())))
+    hn::Store(moment_product(node, depth, kOne, kNormal, a), D(), load + a);
+  for (int a = 0; a < 3; ++a) sums.lane[kVolume][0] -= in.up[a] * load[a];
 }
 
 /// Adds the area of a branch that is wet all over and the loads of its motion; `drag` is ½ρC_p with

@@ -217,6 +217,12 @@ HWY_INLINE void add_friction(Sums& sums, const Plane& p, V factor, const Frictio
 /// Hands lanes to the plain version.
 inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const LoadInputs& in, const Sliding& s,
                                           M which) {
+  // The motion in the plane: v = linear + spin n × r.
+  const auto store = [](const V3& v, double(&to)[3][kMostLanes]) HWY_ATTR {
+    hn::Store(v.x, D(), to[0]);
+    hn::Store(v.y, D(), to[1]);
+    hn::Store(v.z, D(), to[2]);
+  };
   const D d;
   PlainPanels panels;
   const Plane& p = s.plane;
@@ -228,9 +234,16 @@ inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const LoadInputs& in, cons
   corner(s.t.a, panels.r[0]);
   corner(s.t.b, panels.r[1]);
   corner(s.t.c, panels.r[2]);
-  hn::Store(s.plane.n.x, d, panels.n[0]);
-  hn::Store(s.plane.n.y, d, panels.n[1]);
-  hn::Store(s.plane.n.z, d, panels.n[2]);
+  const V a = s.flow.a, b = s.flow.b, spin = s.flow.spin;
+  const V3 around = cross(p.n, p.c);
+  const auto linear = [&](V e1, V e2, V n_cross_c) HWY_ATTR {
+    return hn::MulAdd(a, e1, hn::NegMulAdd(spin, n_cross_c, b * e2));
+  };
+  store({linear(p.e1.x, p.e2.x, around.x), linear(p.e1.y, p.e2.y, around.y),
+         linear(p.e1.z, p.e2.z, around.z)},
+        panels.linear);
+  hn::Store(spin, d, panels.spin);
+  store(p.n, panels.n);
   hn::Store(hn::IfThenElseZero(which, all(1)), d, panels.counts);
   add_plain_viscous(in, panels, static_cast<int>(hn::Lanes(d)), sums);
 }

@@ -6,6 +6,7 @@
 #define PLIMSOLL_KERNEL_WALK
 #endif
 
+#include "hydro/loads/kernel/airy-inl.h"
 #include "hydro/loads/kernel/refine-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
 #include "hydro/loads/kernel/waves-inl.h"
@@ -54,20 +55,34 @@ HWY_INLINE void add_leaf(Work& work, const Node& node, Known... known) {
 }
 
 /// Adds a leaf in waves that may be wet in part.
-template <class Work, class... Known>
-HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) {
-  const int leaf = node.first;
+/// @param water   The water at its vertices: `Depths` or `LeafWater`.
+template <class Work, class Vertices, class... Known>
+HWY_INLINE void add_leaf_under(const Vertices& water, Work& work, int leaf, Known... known) {
   const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf)];
-  Depths depths;
-  find_depths(work.panels, work.in, node, depths);
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
-    const Values depth = depths_of(vertices, depths, lane);
-    const M straight = work.in.surface->bends
-                           ? without_bent(work.panels, work.in, leaf, lane, depth, work.bending)
-                           : hn::FirstN(D(), kMostLanes);
-    add_faces(work, leaf, lane, straight, depth, known...);
+    const auto at = water.at_faces(vertices, lane);
+    const M straight = work.in.surface->bends ? without_bent(work.panels, work.in, leaf, lane,
+                                                             depth_of(at), work.bending)
+                                              : hn::FirstN(D(), kMostLanes);
+    add_faces(work, leaf, lane, straight, at, known...);
   }
   drain(work, false);
+}
+
+/// Adds a leaf of which the depths alone matter.
+template <class Work, class... Known>
+HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) {
+  Depths depths;
+  find_depths(work.panels, work.in, node, depths);
+  add_leaf_under(depths, work, node.first, known...);
+}
+
+/// Adds a leaf under Airy waves.
+template <Ask kAsk, class Work, class... Known>
+HWY_INLINE void add_leaf_in_airy_waves(Work& work, const Node& node, Known... known) {
+  LeafWater water;
+  find_water<kAsk>(work.panels, work.in, node, water);
+  add_leaf_under(water, work, node.first, known...);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
+#include "hydro/loads/kernel/airy_branch-inl.h"
 #include "hydro/loads/kernel/faces-inl.h"
 #include "hydro/loads/kernel/local-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
@@ -37,23 +38,25 @@ inline bool without_viscous_drag(const Node& node, const LoadInputs& in) {
 
 /// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
 /// the sign of the motion.
-HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double& drag) {
+/// @param error   What the motion relative to the water may miss [m/s].
+HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double error, double& drag) {
   drag = 0;
   if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
   const Range normal = normal_speed_range(node, in);
   drag = normal.high > 0 ? in.drag_front : -in.drag_back;
-  return normal.low >= 0 || normal.high <= 0;
+  return normal.low >= error || normal.high <= -error;
 }
 
 /// Adds the viscous drag of a branch that is wet all over.
-HWY_NOINLINE void add_viscous_of_branch(LoadWalk& work, const Tree& tree, int branch) {
+HWY_NOINLINE void add_viscous_of_branch(LoadWalk& work, const LoadInputs& in, const Tree& tree,
+                                        int branch) {
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int i = branch; i < end;) {
     const Node& node = tree.nodes[static_cast<std::size_t>(i)];
-    if (without_viscous_drag(node, work.in)) {
+    if (without_viscous_drag(node, in)) {
       i = node.next;
     } else {
-      if (node.leaf()) add_viscous_of_leaf(work, node.first);
+      if (node.leaf()) add_viscous_of_leaf(work, in, node.first);
       ++i;
     }
   }
@@ -66,28 +69,76 @@ HWY_NOINLINE void add_buoyancy_of_branch(LoadWalk& work, Factors& factors, const
   for (int i = branch; i < end;) {
     const Node& node = tree.nodes[static_cast<std::size_t>(i)];
     const bool whole = set_local_depth(node, work.in, factors.depth);
-    if (whole) add_branch_buoyancy(node, factors, work.in, work.sums);
+    if (whole) add_branch_buoyancy(node, factors.depth, work.in, work.sums);
     if (!whole && node.leaf()) add_buoyancy_of_leaf(work, node);
     i = whole ? node.next : i + 1;
   }
+}
+
+/// True if a constant velocity of the water over a branch leaves no larger an error of the pressure
+/// than its head may have.
+inline bool is_steady(const Node& node, const LoadInputs& in, double error) {
+  double speed2 = 0, turning2 = 0, reach2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    speed2 += in.linear[i] * in.linear[i];
+    turning2 += in.angular[i] * in.angular[i];
+    const double reach = std::abs(node.centre[i]) + node.half[i];
+    reach2 += reach * reach;
+  }
+  const double fastest = std::sqrt(speed2) + std::sqrt(turning2 * reach2) + error;
+  constexpr double kLargestFriction = 0.1;  // C_v of all laws but that of a constant.
+  const double friction = !in.viscous ? 0 : std::max(kLargestFriction, in.viscous->coefficient);
+  const double coefficient =
+      std::max(in.drag_front, in.drag_back) + in.lift + friction * in.half_density;
+  return 2 * coefficient * fastest * error <=
+         2 * in.half_density * in.surface->gravity * in.wave_error;
+}
+
+/// Takes a wet branch under Airy waves whole if it can be.
+HWY_NOINLINE bool take_whole_in_airy_waves(LoadWalk& work, const Tree& tree, int branch) {
+  const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
+  BranchWater water;
+  if (!find_branch_water(node, work.in, water)) return false;
+  LoadInputs in = work.in;
+  for (int i = 0; i < 3; ++i) in.linear[i] -= water.velocity[i];
+  double drag;
+  if (!is_steady(node, in, water.velocity_error)) return false;
+  if (!of_one_sign(node, in, water.velocity_error, drag)) return false;
+  add_branch_buoyancy(node, water.head, in, work.sums);
+  add_branch_volume(node, water.depth, in, work.sums);
+  add_branch_motion(node, factors_of(in), in, drag, work.sums);
+  if (in.viscous) add_viscous_of_branch(work, in, tree, branch);
+  return true;
 }
 
 /// Takes a wet branch whole if it can be.
 HWY_INLINE bool take_whole(LoadWalk& work, Factors& factors, const Tree& tree, int branch) {
   const LoadInputs& in = work.in;
   const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
+  if (in.surface && in.surface->is_airy()) return take_whole_in_airy_waves(work, tree, branch);
   double drag;
-  if (!of_one_sign(node, in, drag)) return false;
+  if (!of_one_sign(node, in, 0, drag)) return false;
   if (!in.surface || set_local_depth(node, in, factors.depth)) {
-    add_branch_buoyancy(node, factors, in, work.sums);
+    add_branch_buoyancy(node, factors.depth, in, work.sums);
   } else {
     if (in.surface->bends) return false;
     // This is cheaper than to ask each of its branches for the sign of its motion, too.
     add_buoyancy_of_branch(work, factors, tree, branch);
   }
   add_branch_motion(node, factors, in, drag, work.sums);
-  if (in.moving && in.viscous) add_viscous_of_branch(work, tree, branch);
+  if (in.moving && in.viscous) add_viscous_of_branch(work, in, tree, branch);
   return true;
+}
+
+/// Takes a leaf face by face.
+HWY_INLINE void take_leaf(LoadWalk& work, const Node& leaf, Wetness wet) {
+  const LoadInputs& in = work.in;
+  LeafFacts known = {.wet = wet == Wetness::wet};
+  if (in.surface && in.surface->is_airy())
+    return add_leaf_in_airy_waves<Ask::velocity>(work, leaf, known);
+  const bool uncut = known.wet && !(in.surface && in.surface->bends);
+  if (in.branches && in.moving && uncut) known.without_viscous = without_viscous_drag(leaf, in);
+  in.surface ? add_leaf_in_waves(work, leaf, known) : add_leaf(work, leaf, known);
 }
 
 /// Goes through the nodes [node, end). Branches that fit in a chunk go to `chunks`, if it is there.
@@ -107,12 +158,7 @@ HWY_INLINE void walk(LoadWalk& work, const Tree& tree, int node, int end, Chunks
       chunks->node[static_cast<std::size_t>(chunks->count++)] = node;
       node = here.next;
     } else {
-      LeafFacts known = {.wet = wet == Wetness::wet};
-      const bool uncut = known.wet && !(in.surface && in.surface->bends);
-      if (here.leaf() && in.branches && in.moving && uncut)
-        known.without_viscous = without_viscous_drag(here, in);
-      if (here.leaf())
-        in.surface ? add_leaf_in_waves(work, here, known) : add_leaf(work, here, known);
+      if (here.leaf()) take_leaf(work, here, wet);
       ++node;
     }
   }

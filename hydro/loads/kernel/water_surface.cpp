@@ -3,31 +3,53 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/airy_waves.h"
+
 namespace hydro::kernel {
 namespace {
 
-void set_waves(const WaveSurface& sea, const BodyState& state, const Eigen::Matrix3d& R_WB,
-               double time, WaveField& waves) {
-  waves.count = static_cast<int>(sea.components.size() + 7) / 8 * 8;
+/// Makes room for `count` waves of amplitude 0.
+double* make_room(std::size_t count, WaveField& waves) {
+  waves.count = static_cast<int>(count + 7) / 8 * 8;
   const std::size_t room = static_cast<std::size_t>(std::max(waves.count, 8));
   double* to = waves.few.data();
   if (waves.count > WaveField::kRoom) {
-    waves.many.resize(5 * room);
+    waves.many.resize(WaveField::kRows * room);
     to = waves.many.data();
   }
-  std::fill(to, to + 5 * room, 0.0);
-  for (std::size_t i = 0; i < 5; ++i) waves.row[i] = to + i * room;
-  for (std::size_t i = 0; i < sea.components.size(); ++i) {
-    const WaveComponent& w = sea.components[i];
+  std::fill(to, to + WaveField::kRows * room, 0.0);
+  for (std::size_t i = 0; i < WaveField::kRows; ++i) waves.row[i] = to + i * room;
+  return to;
+}
+
+void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& state,
+               const Eigen::Matrix3d& R_WB, double time, WaveField& waves) {
+  double* to = make_room(surface.components.size(), waves);
+  const std::size_t room = static_cast<std::size_t>(std::max(waves.count, 8));
+  waves.airy = surface.kinematics == Kinematics::airy && waves.count > 0;
+  waves.deep = !(sea.depth < AiryWaves::kDeepest);
+  waves.water_depth = waves.deep ? 0 : sea.depth;
+  for (std::size_t i = 0; i < surface.components.size(); ++i) {
+    const WaveComponent& w = surface.components[i];
+    const auto set = [&](int row, double value) {
+      to[static_cast<std::size_t>(row) * room + i] = value;
+    };
     const Eigen::Vector3d k = R_WB.transpose() * Eigen::Vector3d(w.kx, w.ky, 0);
-    to[i] = w.amplitude;
-    for (int axis = 0; axis < 3; ++axis) to[(1 + axis) * room + i] = k[axis];
+    const double number = std::hypot(w.kx, w.ky);
+    set(WaveField::kAmplitude, w.amplitude);
+    for (int axis = 0; axis < 3; ++axis) set(WaveField::kVector + axis, k[axis]);
     const double phase =
         w.kx * state.position.x() + w.ky * state.position.y() - w.omega * time + w.phase;
-    to[4 * room + i] = std::remainder(phase, 2 * M_PI);
-    const double squared = w.kx * w.kx + w.ky * w.ky;
-    waves.curvature += std::abs(w.amplitude) * squared;
-    waves.third += std::abs(w.amplitude) * squared * std::sqrt(squared);
+    set(WaveField::kPhase, std::remainder(phase, 2 * M_PI));
+    waves.height += std::abs(w.amplitude);
+    waves.slope += std::abs(w.amplitude) * number;
+    waves.curvature += std::abs(w.amplitude) * number * number;
+    waves.third += std::abs(w.amplitude) * number * number * number;
+    set(WaveField::kWeight, 0.5);
+    if (!waves.airy || number == 0) continue;
+    set(WaveField::kNumber, number);
+    set(WaveField::kVelocity, sea.gravity / intrinsic_frequency(number, sea.depth, sea.gravity));
+    set(WaveField::kWeight, 1 / (1 + std::exp(-2 * number * sea.depth)));
   }
 }
 
@@ -52,7 +74,8 @@ WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, 
                            double longest_edge) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
-    set_waves(*sum, state, R_WB, time, waves);
+    set_waves(*sum, sea, state, R_WB, time, waves);
+  gravity = sea.gravity;
   if (const auto* field = std::get_if<HeightField>(&sea.surface))
     set_grid(*field, state, R_WB, grid);
   const SurfaceBounds bounds = surface_bounds(sea);

@@ -20,13 +20,28 @@ namespace hydro::kernel {
 struct WaveField {
   static constexpr int kRoom = 128;
 
-  /// Rows: amplitude [m], k_x, k_y, k_z [rad/m] and phase [rad].
-  std::array<double, 5 * kRoom> few;
+  /// The rows. Waves without Airy's kinematics have the first five.
+  enum : int {
+    kAmplitude = 0,  ///< [m]
+    kVector = 1,     ///< k_x, k_y, k_z [rad/m].
+    kPhase = 4,      ///< [rad]
+    kNumber = 5,     ///< |k| [rad/m].
+    kVelocity = 6,   ///< g/σ [m/s].
+    kWeight = 7,     ///< 1/(1 + e^{−2kh}) [-].
+    kRows
+  };
+
+  std::array<double, kRows * kRoom> few;
   std::vector<double> many;  ///< Holds the rows where `few` is too small.
-  const double* row[5] = {};
+  const double* row[kRows] = {};
   int count = 0;
-  double curvature = 0;  ///< Σ |amplitude| k², a bound of the second derivatives [1/m].
-  double third = 0;      ///< Σ |amplitude| |k|³, a bound of the third derivatives [1/m^2].
+  bool airy = false;       ///< The water moves below the waves, and its pressure decays.
+  bool deep = true;        ///< The waves feel no bottom.
+  double water_depth = 0;  ///< Of the still water, where it is not deep [m].
+  double height = 0;       ///< Σ |amplitude|, a bound of the elevation [m].
+  double slope = 0;        ///< Σ |amplitude| k, a bound of the slope [-].
+  double curvature = 0;    ///< Σ |amplitude| k², a bound of the second derivatives [1/m].
+  double third = 0;        ///< Σ |amplitude| |k|³, a bound of the third derivatives [1/m^2].
 };
 
 /// A grid of heights. The elevation is bilinear between them; a place r lies at column
@@ -53,11 +68,14 @@ class WaterSurface {
   WaveField waves;  ///< They have no component where the sea is a grid.
   GridField grid;
   double lowest = 0, highest = 0;      ///< Bounds of the elevation [m].
+  double gravity = 0;                  ///< [m/s^2]
+  double hidden_depth = 0;             ///< What `LoadInputs::below` misses of the true depth [m].
   bool bends = false;                  ///< Some edge of the hull may have to be split.
   BendLimits limits;                   ///< These tell which edge has to be.
   double east[3] = {}, north[3] = {};  ///< The directions of x and y of the world, in body axes.
 
   bool is_grid() const { return grid.heights != nullptr; }
+  bool is_airy() const { return waves.airy; }
 };
 
 /// Bounds of the elevation over a box of a body [m].

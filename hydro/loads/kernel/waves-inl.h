@@ -109,6 +109,15 @@ HWY_INLINE V depth_at(const LoadInputs& in, const LeafSurface& over, const V3& r
 /// The depths of a leaf's vertices [m]. Each vertex is there once.
 struct alignas(64) Depths {
   double at[3 * kLeafFaces];
+
+  HWY_INLINE Values at_faces(const LeafVertices& vertices, int lane) const {
+    const D d;
+    const hn::Rebind<std::int64_t, D> di;
+    const auto corner = [&](int i) HWY_ATTR {
+      return hn::GatherIndex(d, at, hn::Load(di, vertices.of_face[i] + lane));
+    };
+    return {corner(0), corner(1), corner(2)};
+  }
 };
 
 inline HWY_NOINLINE void find_depths(const Panels& panels, const LoadInputs& in, const Node& leaf,
@@ -122,15 +131,6 @@ inline HWY_NOINLINE void find_depths(const Panels& panels, const LoadInputs& in,
       hn::Store(depth_at(in, over, load3(here.r, lane)), D(), to);
       to += hn::Lanes(D());
     }
-}
-
-HWY_INLINE Values depths_of(const LeafVertices& vertices, const Depths& depths, int lane) {
-  const D d;
-  const hn::Rebind<std::int64_t, D> di;
-  const auto corner = [&](int i) HWY_ATTR {
-    return hn::GatherIndex(d, depths.at, hn::Load(di, vertices.of_face[i] + lane));
-  };
-  return {corner(0), corner(1), corner(2)};
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE

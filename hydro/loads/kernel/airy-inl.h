@@ -1,0 +1,158 @@
+// Included once for each processor: no include guard of the usual kind.
+#if defined(PLIMSOLL_KERNEL_AIRY) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLIMSOLL_KERNEL_AIRY
+#undef PLIMSOLL_KERNEL_AIRY
+#else
+#define PLIMSOLL_KERNEL_AIRY
+#endif
+
+#include "hydro/loads/kernel/waves-inl.h"
+
+/// @file
+/// The water under Airy waves (airy_waves.h) at places in lanes.
+
+HWY_BEFORE_NAMESPACE();
+namespace hydro::kernel::HWY_NAMESPACE {
+
+/// What is asked of the water.
+enum class Ask { velocity, acceleration };
+
+/// The water at a place.
+struct Water {
+  V head;  ///< p/(ρg), but for a constant [m].
+  V3 u;    ///< Velocity relative to the current [m/s], or acceleration [m/s^2]; body axes.
+};
+
+/// Depth below the level at which the functions of depth are taken: −z* of Wheeler's stretching.
+/// @param s      Depth below the surface, >= 0 [m].
+/// @param rise   Elevation of the surface [m].
+HWY_INLINE V stretched(const WaveField& waves, V s, V rise) {
+  if (waves.deep) return s;
+  const V h = all(waves.water_depth);
+  return hn::Min(h, s * h / hn::Max(h + rise, all(1e-300)));
+}
+
+/// C and S of (2) there, for one wave.
+struct DepthFunctions {
+  V C, S;
+};
+
+HWY_INLINE DepthFunctions depth_functions(const WaveField& waves, V k, V weight, V down) {
+  const V falls = hn::Exp(D(), zero() - k * down);
+  if (waves.deep) return {falls, falls};
+  const V rises = hn::Exp(D(), k * (down - all(2 * waves.water_depth)));
+  return {weight * (falls + rises), weight * (falls - rises)};
+}
+
+/// The water at places of the given depth below the surface, as `LoadInputs` counts it.
+template <Ask kAsk>
+HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth) {
+  const WaveField& waves = in.surface->waves;
+  const V3 up = all3(in.up);
+  const V s = depth + all(in.surface->hidden_depth);
+  const V level = all(in.below + in.surface->hidden_depth);
+  const V down = stretched(waves, hn::Max(s, zero()), s - (level - dot(up, r)));
+  V head = depth, rise = zero();
+  V3 u = {zero(), zero(), zero()};
+  for (int i = 0; i < waves.count; ++i) {
+    if (waves.row[WaveField::kAmplitude][i] == 0) continue;
+    const auto value = [&](int row) HWY_ATTR { return all(waves.row[row][i]); };
+    const V3 k = {value(WaveField::kVector), value(WaveField::kVector + 1),
+                  value(WaveField::kVector + 2)};
+    const V amplitude = value(WaveField::kAmplitude);
+    const V phase = dot(k, r) + value(WaveField::kPhase);
+    const V cosine = hn::Cos(D(), phase), sine = hn::Sin(D(), phase);
+    const V number = value(WaveField::kNumber);
+    const auto [C, S] = depth_functions(waves, number, value(WaveField::kWeight), down);
+    head = hn::NegMulAdd(amplitude * (all(1) - C), cosine, head);
+    const bool velocity = kAsk == Ask::velocity;
+    const V scale =
+        amplitude * (velocity ? value(WaveField::kVelocity) : all(in.surface->gravity));
+    const V along = scale * C * (velocity ? cosine : sine);
+    u = {hn::MulAdd(along, k.x, u.x), hn::MulAdd(along, k.y, u.y), hn::MulAdd(along, k.z, u.z)};
+    const V upward = scale * number * S;
+    rise = velocity ? hn::MulAdd(upward, sine, rise) : hn::NegMulAdd(upward, cosine, rise);
+  }
+  return {head, {hn::MulAdd(rise, up.x, u.x), hn::MulAdd(rise, up.y, u.y),
+                 hn::MulAdd(rise, up.z, u.z)}};
+}
+
+/// The water at the corners of faces.
+struct MovingWater {
+  Values depth;  ///< Below the surface [m].
+  Values head;
+  V3 a, b, c;  ///< `Water::u` at the corners.
+};
+
+/// The water at the corners of pieces of faces.
+template <Ask kAsk>
+inline HWY_NOINLINE MovingWater water_at_corners(const LoadInputs& in, const Plane& p,
+                                                 const Triangle& t, const Values& depth) {
+  const Water a = water_at<kAsk>(in, point_on(p, t.a), depth.a);
+  const Water b = water_at<kAsk>(in, point_on(p, t.b), depth.b);
+  const Water c = water_at<kAsk>(in, point_on(p, t.c), depth.c);
+  return {depth, {a.head, b.head, c.head}, a.u, b.u, c.u};
+}
+
+/// The water at the vertices of a leaf. Each vertex is there once.
+struct alignas(64) LeafWater {
+  Depths depths;
+  double head[3 * kLeafFaces];
+  double u[3][3 * kLeafFaces];
+
+  HWY_INLINE MovingWater at_faces(const LeafVertices& vertices, int lane) const {
+    const D d;
+    const hn::Rebind<std::int64_t, D> di;
+    const auto corner = [&](const double* from, int i) HWY_ATTR {
+      return hn::GatherIndex(d, from, hn::Load(di, vertices.of_face[i] + lane));
+    };
+    const auto vector = [&](int i) HWY_ATTR {
+      return V3{corner(u[0], i), corner(u[1], i), corner(u[2], i)};
+    };
+    return {depths.at_faces(vertices, lane),
+            {corner(head, 0), corner(head, 1), corner(head, 2)},
+            vector(0),
+            vector(1),
+            vector(2)};
+  }
+};
+
+template <Ask kAsk>
+inline HWY_NOINLINE void find_water(const Panels& panels, const LoadInputs& in, const Node& leaf,
+                                    LeafWater& water) {
+  find_depths(panels, in, leaf, water.depths);
+  const LeafVertices& vertices = panels.vertices[static_cast<std::size_t>(leaf.first)];
+  int to = 0;
+  for (int block = vertices.first; block < vertices.last; ++block)
+    for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(D()))) {
+      const VertexBlock& here = panels.blocks[static_cast<std::size_t>(block)];
+      const Water at =
+          water_at<kAsk>(in, load3(here.r, lane), hn::Load(D(), water.depths.at + to));
+      hn::Store(at.head, D(), water.head + to);
+      hn::Store(at.u.x, D(), water.u[0] + to);
+      hn::Store(at.u.y, D(), water.u[1] + to);
+      hn::Store(at.u.z, D(), water.u[2] + to);
+      to += static_cast<int>(hn::Lanes(D()));
+    }
+}
+
+// Faces ask for what they need of the water: depth and head are one where it is still.
+
+HWY_INLINE const Values& depth_of(const Values& depth) { return depth; }
+HWY_INLINE const Values& depth_of(const MovingWater& water) { return water.depth; }
+HWY_INLINE const Values& head_of(const Values& depth) { return depth; }
+HWY_INLINE const Values& head_of(const MovingWater& water) { return water.head; }
+
+/// u·d at the corners.
+HWY_INLINE Values along_of(const MovingWater& water, const V3& d) {
+  return {dot(water.a, d), dot(water.b, d), dot(water.c, d)};
+}
+
+HWY_INLINE Values operator-(const Values& a, const Values& b) {
+  return {a.a - b.a, a.b - b.b, a.c - b.c};
+}
+
+}  // namespace hydro::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
