@@ -15,6 +15,11 @@ class AddedMassModel {
   /// kg m^2]: symmetric, without negative eigenvalues. Zero if the body is dry. Velocities of the
   /// state do not matter.
   virtual Matrix6d at(const BodyState& state, const Sea& sea, double time) const = 0;
+
+  /// The load of the water that accelerates past the body under Airy waves: with the acceleration
+  /// v' of the body its added mass makes A (u̇ − v') in a uniform flow, and this is A u̇. W axes,
+  /// moment about the centre of mass [N, N m]. Zero where the sea has no Airy waves.
+  virtual Wrench wave_load(const BodyState& state, const Sea& sea, double time) const = 0;
 };
 
 }  // namespace hydro

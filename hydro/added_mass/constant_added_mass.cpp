@@ -1,6 +1,8 @@
 #include "hydro/added_mass/constant_added_mass.h"
 
+#include "hydro/added_mass/rigid_wave_load.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "hydro/loads/refine.h"
 
 namespace hydro {
@@ -44,6 +46,11 @@ bool is_wet(const Hull& hull, const BodyState& state, const Sea& sea, double tim
 
 ConstantAddedMass::ConstantAddedMass(TriMesh mesh_B, const Matrix6d& matrix)
     : hull_(make_hull(std::move(mesh_B))), matrix_(semi_definite_part(matrix)) {}
+
+Wrench ConstantAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  if (!has_airy_waves(sea)) return {};
+  return rigid_wave_load(at(state, sea, time), hull_.mesh_B, state, sea, time);
+}
 
 Matrix6d ConstantAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
   return is_wet(hull_, state, sea, time) ? matrix_ : Matrix6d::Zero();

@@ -1,5 +1,6 @@
 #include "hydro/added_mass/potentials.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace hydro::kernel {
@@ -43,6 +44,7 @@ Potentials make_potentials(const TriMesh& mesh_B, const Panels& panels, const Tr
     const CornerPotentials& psi = corners[static_cast<std::size_t>(face)];
     const std::size_t leaf = place / kLeafFaces;
     of_leaf[leaf] += share_of(mesh_B, face, psi);
+    potentials.largest = std::max(potentials.largest, psi.topRows<3>().cwiseAbs().maxCoeff());
     const CornerPotentials rows =
         in_the_plane(face_of(panels.leaves[leaf], static_cast<int>(place % kLeafFaces)), psi);
     PotentialBlock& block = potentials.blocks[place / kMostLanes];

@@ -4,6 +4,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "hydro/added_mass/rigid_wave_load.h"
+#include "hydro/airy_waves.h"
+
 namespace hydro {
 namespace {
 
@@ -52,6 +55,11 @@ Matrix6d SurfaceAddedMass::at(const BodyState& state, const Sea& sea, double tim
   const WaterPlane plane{state.orientation.conjugate() * Vector3d::UnitZ(),
                          surface_height(sea, p.x(), p.y(), time) - p.z()};
   return sea.density * under(plane);
+}
+
+Wrench SurfaceAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  if (!has_airy_waves(sea)) return {};
+  return rigid_wave_load(at(state, sea, time), mesh_B_, state, sea, time);
 }
 
 Matrix6d SurfaceAddedMass::under(const WaterPlane& plane) const {

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "hydro/added_mass/wetted_share.h"
+#include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
 #include "hydro/loads/kernel/water_surface.h"
+#include "hydro/loads/loads.h"
 #include "hydro/loads/refine.h"
 
 namespace hydro {
@@ -31,27 +33,52 @@ WettedAddedMass::WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution&
   assert(is_symmetric(solution.matrix));
 }
 
-Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
-  assert(is_unit(state.orientation));
-  const SurfaceBounds bounds = surface_bounds(sea);
-  if (tree_.nodes.empty() || state.position.z() - radius_ >= bounds.highest)
-    return Matrix6d::Zero();
-  if (state.position.z() + radius_ < bounds.lowest) return sea.density * whole_;
-  const Vector3d up_B = state.orientation.conjugate() * Vector3d::UnitZ();
-  const kernel::Node& root = tree_.nodes.front();
-  const double middle = state.position.z() + up_B.dot(Vector3d::Map(root.centre));
-  const double half = up_B.cwiseAbs().dot(Vector3d::Map(root.half));
-  if (middle - half >= bounds.highest) return Matrix6d::Zero();
-  if (middle + half < bounds.lowest) return sea.density * whole_;
-  kernel::LoadInputs in;
-  Vector3d::Map(in.up) = up_B;
-  in.below = sea.level - state.position.z();
-  std::optional<kernel::WaterSurface> surface;
-  if (!is_flat(sea)) {
-    surface.emplace(sea, state, time, kSmallestPanel * radius_, panels_.longest_edge);
+/// The inputs of the kernel, which refer to the surface: neither copied nor moved.
+struct WettedAddedMass::Immersion {
+  Immersion(const WettedAddedMass& model, const BodyState& state, const Sea& sea, double time) {
+    assert(is_unit(state.orientation));
+    const SurfaceBounds bounds = surface_bounds(sea);
+    if (model.tree_.nodes.empty() || state.position.z() - model.radius_ >= bounds.highest) return;
+    const Vector3d up_B = state.orientation.conjugate() * Vector3d::UnitZ();
+    const kernel::Node& root = model.tree_.nodes.front();
+    const double middle = state.position.z() + up_B.dot(Vector3d::Map(root.centre));
+    const double half = up_B.cwiseAbs().dot(Vector3d::Map(root.half));
+    if (middle - half >= bounds.highest) return;
+    dry = false;
+    in.wet = middle + half < bounds.lowest;
+    Vector3d::Map(in.up) = up_B;
+    in.below = sea.level - state.position.z();
+    if (is_flat(sea) || (in.wet && !has_airy_waves(sea))) return;
+    surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge);
     in.surface = &*surface;
+    in.wave_error = LoadAccuracy{}.wave_tolerance * volume_over_area(model.tree_);
   }
-  return sea.density * semi_definite_part(kernel::wetted_share(panels_, tree_, potentials_, in));
+  Immersion(const Immersion&) = delete;
+  Immersion& operator=(const Immersion&) = delete;
+
+  bool dry = true;
+  kernel::LoadInputs in;
+  std::optional<kernel::WaterSurface> surface;
+};
+
+Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
+  const Immersion water(*this, state, sea, time);
+  if (water.dry) return Matrix6d::Zero();
+  if (water.in.wet) return sea.density * whole_;
+  return sea.density *
+         semi_definite_part(kernel::wetted_share(panels_, tree_, potentials_, water.in));
+}
+
+Wrench WettedAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  if (!has_airy_waves(sea)) return {};
+  const Immersion water(*this, state, sea, time);
+  if (water.dry || !water.in.surface) return {};
+  const kernel::WaveShare part = kernel::wave_share(panels_, tree_, potentials_, water.in);
+  const Matrix6d A = water.in.wet ? whole_ : semi_definite_part(part.share);
+  const Vector3d u_B =
+      state.orientation.conjugate() * water_at(sea, state.position, time).acceleration;
+  const Vector6d load_B = sea.density * (part.load + (A - part.share).leftCols<3>() * u_B);
+  return {state.orientation * load_B.head<3>(), state.orientation * load_B.tail<3>()};
 }
 
 }  // namespace hydro

@@ -13,6 +13,13 @@
 /// free surface is not felt: a body half under has half of its added mass if it is symmetric about
 /// the waterline. The integral is exact for ψ that is linear on each face and, in waves, for the
 /// surface that the loads take (refine.h).
+///
+/// Under Airy waves the same potentials give the load of the water's acceleration by Haskind's
+/// formula,
+///
+///     D_m = [A (u̇_c, 0)]_m + ρ ∫_{S_w} ψ_m (u̇ − u̇_c)·n dS,                                 (2)
+///
+/// with u̇_c that at the centre of mass, so that a uniform flow meets the very A of (1).
 
 namespace hydro {
 
@@ -27,10 +34,16 @@ class WettedAddedMass final : public AddedMassModel {
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
 
+  /// By (2).
+  Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
+
   /// A of the wholly submerged body for ρ = 1.
   const Matrix6d& whole() const { return whole_; }
 
  private:
+  /// How a body lies to the water of a sea at a time.
+  struct Immersion;
+
   double radius_ = 0;  ///< As Hull::radius [m].
   Matrix6d whole_;
   kernel::Panels panels_;

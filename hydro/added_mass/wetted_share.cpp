@@ -6,19 +6,24 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
+#include "hydro/loads/kernel/airy_branch-inl.h"
 #include "hydro/loads/kernel/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
-using ShareSums = LaneSums<36>;
+/// Rows of the sums: ∫ ψ_m N_n dS with a minus, row by row; then ∫ ψ_m u̇·n dS.
+enum : int { kShare = 0, kLoad = 36, kShareSums = 42 };
+using ShareSums = LaneSums<kShareSums>;
 
 /// The sums over a run of leaves, and the pieces that wait until there are enough.
+/// @tparam kWaves   The load of the waves is asked for, too.
+template <bool kWaves>
 struct ShareWalk {
   const Panels& panels;
   const Potentials& potentials;
   const LoadInputs& in;
-  ShareSums& sums;             ///< −∫ ψ_m N_n dS, row by row.
+  ShareSums& sums;
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< May be wet in part.
 };
@@ -60,33 +65,56 @@ HWY_INLINE void add_moments(ShareSums& sums, const Plane& p, const AreaMoments& 
   }
 }
 
-HWY_NOINLINE void add_pieces(ShareWalk& work, const TriangleQueue& pieces, int from, int used) {
+/// Adds ∫ ψ_m u̇·n dA of triangles of the given area.
+template <class Row>
+HWY_INLINE void add_wave_load(ShareSums& sums, const Plane& p, const Triangle& t, V area,
+                              const MovingWater& water, Row row) {
+  const Traction f = linear_on(t, area, along_of(water, p.n));
+  for (int m = 0; m < 6; ++m)
+    add(sums, kLoad + m,
+        hn::MulAdd(row(3 * m), f.q, hn::MulAdd(row(3 * m + 1), f.qx, row(3 * m + 2) * f.qy)));
+}
+template <class Row>
+HWY_INLINE void add_wave_load(ShareSums&, const Plane&, const Triangle&, V, const Values&, Row) {}
+
+template <bool kWaves>
+HWY_NOINLINE void add_pieces(ShareWalk<kWaves>& work, const TriangleQueue& pieces, int from,
+                             int used) {
   const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
                                  hn::FirstN(D(), static_cast<std::size_t>(used)));
-  const auto moments = [](const Triangle& t, M counts) HWY_ATTR {
-    return moments_of(t, hn::IfThenElseZero(counts, area_of(t)));
-  };
-  AreaMoments a = moments(wet.first, wet.has_first);
-  if (!hn::AllFalse(D(), wet.has_second)) a = a + moments(wet.second, wet.has_second);
+  const Plane p = plane_of(work.panels, pieces, from);
   const VI index = index_in_blocks<sizeof(PotentialBlock)>(pieces, from);
   const PotentialBlock& first = work.potentials.blocks[0];
-  add_moments(work.sums, plane_of(work.panels, pieces, from), a,
-              [&](int i) HWY_ATTR { return hn::GatherIndex(D(), first.row[i], index); });
+  const auto row = [&](int i) HWY_ATTR { return hn::GatherIndex(D(), first.row[i], index); };
+  const auto part = [&](const Triangle& t, M counts, const Values& depth) HWY_ATTR {
+    const V area = hn::IfThenElseZero(counts, area_of(t));
+    if constexpr (kWaves)
+      add_wave_load(work.sums, p, t, area,
+                    water_at_corners<Ask::acceleration>(work.in, p, t, depth), row);
+    return moments_of(t, area);
+  };
+  AreaMoments a = part(wet.first, wet.has_first, wet.at_first);
+  if (!hn::AllFalse(D(), wet.has_second)) a = a + part(wet.second, wet.has_second, wet.at_second);
+  add_moments(work.sums, p, a, row);
 }
 
-HWY_INLINE void drain_cut(ShareWalk& work, bool to_the_last) {
-  drain(work, work.cut_by_water, to_the_last, add_pieces);
+template <bool kWaves>
+HWY_INLINE void drain_cut(ShareWalk<kWaves>& work, bool to_the_last) {
+  drain(work, work.cut_by_water, to_the_last, add_pieces<kWaves>);
 }
 
-HWY_INLINE void drain(ShareWalk& work, bool to_the_last) {
-  drain(work, work.bending, to_the_last, refine_pieces<ShareWalk>);
+template <bool kWaves>
+HWY_INLINE void drain(ShareWalk<kWaves>& work, bool to_the_last) {
+  drain(work, work.bending, to_the_last, refine_pieces<ShareWalk<kWaves>>);
   drain_cut(work, to_the_last);
 }
 
 /// The wet faces that count of a vector from `lane` of a leaf on; those across the waterline become
 /// pieces.
-HWY_INLINE void add_faces(ShareWalk& work, std::int64_t leaf, int lane, M counts,
-                          const Values& depth) {
+template <bool kWaves, class Water>
+HWY_INLINE void add_faces(ShareWalk<kWaves>& work, std::int64_t leaf, int lane, M counts,
+                          const Water& water) {
+  const Values& depth = depth_of(water);
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   const V area = areas_at(faces, lane);
   const M dips = hn::And(hn::And(counts, area > zero()), highest(depth) > zero());
@@ -98,27 +126,67 @@ HWY_INLINE void add_faces(ShareWalk& work, std::int64_t leaf, int lane, M counts
   const PotentialBlock& potentials =
       work.potentials.blocks[static_cast<std::size_t>(place_of(leaf, lane) / kMostLanes)];
   const int at = lane % kMostLanes;
-  add_moments(work.sums, plane_at(faces, lane),
-              moments_of(triangle_at(faces, lane), hn::IfThenElseZero(wet, area)),
-              [&](int i) HWY_ATTR { return hn::Load(D(), potentials.row[i] + at); });
+  const auto row = [&](int i) HWY_ATTR { return hn::Load(D(), potentials.row[i] + at); };
+  const Plane p = plane_at(faces, lane);
+  const Triangle t = triangle_at(faces, lane);
+  const V counted = hn::IfThenElseZero(wet, area);
+  add_wave_load(work.sums, p, t, counted, water, row);
+  add_moments(work.sums, p, moments_of(t, counted), row);
 }
 
-void wetted_share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                       const LoadInputs& in, ShareSums& sums) {
-  ShareWalk work{panels, potentials, in, sums, {}, {}};
+/// Adds the share of a branch that is wet all over.
+inline void add_share(const Matrix6d& share, ShareSums& sums) {
+  for (int m = 0; m < 6; ++m)
+    for (int n = 0; n < 6; ++n) sums.lane[kShare + 6 * m + n][0] -= share(m, n);
+}
+
+/// The water's acceleration in the middle of a branch, if it is nearly constant over it.
+inline bool find_steady_acceleration(const Node& node, const LoadInputs& in, double largest,
+                                     double (&acceleration)[3]) {
+  const double size = size_of(node);
+  const BranchSums at = sum_over_branch(node, in, size);
+  if (largest * at.sums.bend * size > in.wave_error) return false;
+  for (int a = 0; a < 3; ++a)
+    acceleration[a] = -in.surface->gravity * (at.sums.head_g[a] + at.sums.along_z * in.up[a]);
+  return true;
+}
+
+template <bool kWaves>
+void share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                const LoadInputs& in, ShareSums& sums) {
+  ShareWalk<kWaves> work{panels, potentials, in, sums, {}, {}};
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];
     const Wetness wet = wetness(node, in);
-    if (wet == Wetness::wet) {
+    const Matrix6d& share = potentials.shares[i];
+    double u[3] = {};
+    bool whole = wet == Wetness::wet;
+    if constexpr (kWaves)
+      whole = whole && find_steady_acceleration(node, in, potentials.largest, u);
+    if (whole) {
+      add_share(share, sums);
       for (int m = 0; m < 6; ++m)
-        for (int n = 0; n < 6; ++n) sums.lane[6 * m + n][0] -= potentials.shares[i](m, n);
-    } else if (wet == Wetness::mixed && node.leaf()) {
-      in.surface ? add_leaf_in_waves(work, node) : add_leaf(work, node);
+        sums.lane[kLoad + m][0] += share(m, 0) * u[0] + share(m, 1) * u[1] + share(m, 2) * u[2];
+    } else if (wet != Wetness::dry && node.leaf()) {
+      if constexpr (kWaves)
+        add_leaf_in_airy_waves<Ask::acceleration>(work, node);
+      else
+        in.surface ? add_leaf_in_waves(work, node) : add_leaf(work, node);
     }
-    i = wet == Wetness::mixed ? i + 1 : static_cast<std::size_t>(node.next);
+    i = whole || wet == Wetness::dry ? static_cast<std::size_t>(node.next) : i + 1;
   }
   drain(work, true);
+}
+
+void wetted_share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                       const LoadInputs& in, ShareSums& sums) {
+  share_here<false>(panels, tree, potentials, in, sums);
+}
+
+void wave_share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                     const LoadInputs& in, ShareSums& sums) {
+  share_here<true>(panels, tree, potentials, in, sums);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE
@@ -128,15 +196,33 @@ HWY_AFTER_NAMESPACE();
 namespace hydro::kernel {
 
 HWY_EXPORT(wetted_share_here);
+HWY_EXPORT(wave_share_here);
 
-Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                      const LoadInputs& in) {
-  LaneSums<36> sums;
-  HWY_DYNAMIC_DISPATCH(wetted_share_here)(panels, tree, potentials, in, sums);
+namespace {
+
+Matrix6d share_of(const LaneSums<42>& sums) {
   Matrix6d share;
   for (int m = 0; m < 6; ++m)
     for (int n = 0; n < 6; ++n) share(m, n) = -sums.total(6 * m + n);
   return share;
+}
+
+}  // namespace
+
+Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                      const LoadInputs& in) {
+  LaneSums<42> sums;
+  HWY_DYNAMIC_DISPATCH(wetted_share_here)(panels, tree, potentials, in, sums);
+  return share_of(sums);
+}
+
+WaveShare wave_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                     const LoadInputs& in) {
+  LaneSums<42> sums;
+  HWY_DYNAMIC_DISPATCH(wave_share_here)(panels, tree, potentials, in, sums);
+  WaveShare result{.share = share_of(sums)};
+  for (int m = 0; m < 6; ++m) result.load[m] = sums.total(36 + m);
+  return result;
 }
 
 }  // namespace hydro::kernel

@@ -18,4 +18,15 @@ namespace hydro::kernel {
 Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
                       const LoadInputs& in);
 
+/// The integrals under Airy waves.
+struct WaveShare {
+  Matrix6d share = Matrix6d::Zero();  ///< ∫ ψ_m N_n dS.
+  Vector6d load = Vector6d::Zero();   ///< ∫ ψ_m u̇·n dS, u̇ in body axes.
+};
+
+/// Both over the wetted part of a hull. Whole branches are taken where u̇ changes over them by less
+/// than g times `in.wave_error` over the largest potential.
+WaveShare wave_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                     const LoadInputs& in);
+
 }  // namespace hydro::kernel

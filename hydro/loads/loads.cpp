@@ -17,13 +17,6 @@ namespace {
 /// [m/s].
 constexpr double kLeastSpeed = 1e-120;
 
-/// Volume over area [m]. If the elevation is wrong by a part of it, the force is wrong by that part
-/// of the buoyancy at most.
-double size_of(const Hull& hull) {
-  const auto& moment = hull.tree.nodes[0].moment;
-  return moment[kernel::kPlace + 2][2] / moment[kernel::kOne][kernel::kAreaLane];
-}
-
 /// A hull that dips less deep than this part of its radius counts as dry: roundings are as large.
 constexpr double kLeastDip = 1e-13;
 
@@ -152,7 +145,7 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
     surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
     in.moving = in.moving || surface->is_airy();
-    in.wave_error = how.wave_tolerance * size_of(hull);
+    in.wave_error = how.wave_tolerance * kernel::volume_over_area(hull.tree);
   }
   const kernel::Sums sums = sum_hull(hull, in);
   Loads loads{.buoyancy = wrench(sums, kernel::kBuoyancy, R_WB),

@@ -60,19 +60,20 @@ inline StretchBounds stretch_bounds(const WaveField& w) {
 
 /// The water over a branch.
 struct BranchWater {
-  double depth[kNormal];    ///< Rows of the depth below the surface.
-  double head[kNormal];     ///< Rows of the head.
-  double velocity[3];       ///< In the middle, relative to the current; body axes [m/s].
-  double velocity_error;    ///< Bound of its change over the branch [m/s].
+  double depth[kNormal];  ///< Rows of the depth below the surface.
+  double head[kNormal];   ///< Rows of the head.
+  double velocity[3];     ///< In the middle, relative to the current; body axes [m/s].
+  double velocity_error;  ///< Bound of its change over the branch [m/s].
 };
 
 /// Sums over the waves at the middle of a branch.
 struct WaveSums {
-  double rise, rise_g[3], rise_h[6];        ///< ξ, its gradient and second derivatives.
-  double head, head_g[3], head_h[6];        ///< Φ and its derivatives at a given z*.
-  double along_z, along_z_g[3], along_zz;   ///< ∂Φ/∂z*, its gradient, ∂²Φ/∂z*².
-  double velocity[3], upward;               ///< u, but for `upward` times the vertical.
-  double third, shear;                      ///< Bound (2) over |δ|³, that of u over |δ|.
+  double rise, rise_g[3], rise_h[6];       ///< ξ, its gradient and second derivatives.
+  double head, head_g[3], head_h[6];       ///< Φ and its derivatives at a given z*.
+  double along_z, along_z_g[3], along_zz;  ///< ∂Φ/∂z*, its gradient, ∂²Φ/∂z*².
+  double velocity[3], upward;              ///< u, but for `upward` times the vertical.
+  double third, shear;                     ///< Bound (2) over |δ|³, that of u over |δ|.
+  double bend;                             ///< Bound of the change of ∇Φ over |δ| [1/m].
 };
 
 /// Rows from a value, gradient and second derivatives xx, yy, zz, xy, yz, zx at c.
@@ -94,7 +95,7 @@ inline void set_rows(double value, const double (&g)[3], const double (&h)[6], c
 inline HWY_NOINLINE void sum_waves(const WaveField& waves, const double* c, double height,
                                    double highest, const StretchBounds& b, WaveSums& sums) {
   V head = zero(), along_z = zero(), along_zz = zero(), upward = zero(), third = zero(),
-    shear = zero(), head_g[3], head_h[6], along_z_g[3], velocity[3];
+    shear = zero(), bend = zero(), head_g[3], head_h[6], along_z_g[3], velocity[3];
   for (V& v : head_g) v = zero();
   for (V& v : head_h) v = zero();
   for (V& v : along_z_g) v = zero();
@@ -116,7 +117,9 @@ inline HWY_NOINLINE void sum_waves(const WaveField& waves, const double* c, doub
     third = hn::MulAdd(top * k,
                        hn::MulAdd(k * k, all(p * p * p / 6), hn::MulAdd(k, all(p * b.q), all(b.t))),
                        third);
-    shear = hn::MulAdd(top * scale, k * k * all(M_SQRT2 * p), shear);
+    const V second = top * k * k * all(M_SQRT2 * p);
+    shear = hn::MulAdd(second, scale, shear);
+    bend = bend + second;
     for (int x = 0; x < 3; ++x) {
       const V kx = row(waves, WaveField::kVector + x, i);
       const V ky = row(waves, WaveField::kVector + (x + 1) % 3, i);
@@ -133,6 +136,7 @@ inline HWY_NOINLINE void sum_waves(const WaveField& waves, const double* c, doub
   sums.upward = total(upward);
   sums.third = total(third);
   sums.shear = total(shear);
+  sums.bend = total(bend);
   for (int x = 0; x < 3; ++x) {
     sums.head_g[x] = total(head_g[x]);
     sums.along_z_g[x] = total(along_z_g[x]);
@@ -170,23 +174,40 @@ inline void set_branch_water(const Node& node, const LoadInputs& in, const WaveS
   water.velocity_error = s.shear * size;
 }
 
-/// The water over a branch that is wet all over.
-/// @return false if the head is not quadratic within the error allowed
-inline bool find_branch_water(const Node& node, const LoadInputs& in, BranchWater& water) {
-  const WaveField& waves = in.surface->waves;
-  const double size = std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
-                                node.half[2] * node.half[2]);
+/// Largest distance from the middle of a branch's box [m].
+inline double size_of(const Node& node) {
+  return std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
+                   node.half[2] * node.half[2]);
+}
+
+struct BranchSums {
   WaveSums sums;
+  Stretch at;
+};
+
+/// The sums over the waves for a branch of the given size.
+inline BranchSums sum_over_branch(const Node& node, const LoadInputs& in, double size) {
+  const WaveField& waves = in.surface->waves;
+  BranchSums result;
+  WaveSums& sums = result.sums;
   expand_waves(waves, node.centre, sums.rise, sums.rise_g, sums.rise_h);
   double z = -(in.below + in.surface->hidden_depth);
   for (int a = 0; a < 3; ++a) z += in.up[a] * node.centre[a];
-  const Stretch at = stretch_at(waves, z, sums.rise);
+  const Stretch at = result.at = stretch_at(waves, z, sums.rise);
   const StretchBounds bounds = stretch_bounds(waves);
   const double highest = std::min(0.0, at.height + bounds.p * size);
   sum_waves(waves, node.centre, std::min(0.0, at.height), highest, bounds, sums);
+  return result;
+}
+
+/// The water over a branch that is wet all over.
+/// @return false if the head is not quadratic within the error allowed
+inline bool find_branch_water(const Node& node, const LoadInputs& in, BranchWater& water) {
+  const double size = size_of(node);
+  const BranchSums at = sum_over_branch(node, in, size);
   // The mean over a plane patch is off by no more than a quarter of what its ends are.
-  if (sums.third * size * size * size / 4 > in.wave_error) return false;
-  set_branch_water(node, in, sums, at, size, water);
+  if (at.sums.third * size * size * size / 4 > in.wave_error) return false;
+  set_branch_water(node, in, at.sums, at.at, size, water);
   return true;
 }
 

@@ -125,6 +125,11 @@ void build(const Panels& panels, int first, int last, std::vector<Node>& nodes) 
 
 }  // namespace
 
+double volume_over_area(const Tree& tree) {
+  const auto& moment = tree.nodes[0].moment;
+  return moment[kPlace + 2][2] / moment[kOne][kAreaLane];
+}
+
 Tree make_tree(const Panels& panels) {
   Tree tree;
   const int leaves = static_cast<int>(panels.leaves.size());

@@ -53,4 +53,8 @@ inline constexpr int kMostChunks = 128;
 
 Tree make_tree(const Panels& panels);
 
+/// Volume over area of a hull [m]. A head that is wrong by a part of it makes the force wrong by
+/// that part of the buoyancy at most.
+double volume_over_area(const Tree& tree);
+
 }  // namespace hydro::kernel

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "hydro/mesh/mesh.h"
+#include "hydro/sea.h"
+#include "hydro/spatial.h"
+
+/// @file
+/// The load of the water's acceleration for added masses without potentials.
+///
+/// A matrix A alone tells the load of water that accelerates as a rigid body would. So the motion a
+/// is taken whose normal acceleration is nearest to the water's over the wetted surface,
+///
+///     a = argmin ∫_{S_w} (J·a − u̇·n)² dS,        J = (n, r × n),                              (1)
+///
+/// and the load is A a: exact in uniform flow. Of a spar in short waves it knows that heave is felt
+/// by the bottom and surge by the sides. Motions along the surface, as the turning of a sphere,
+/// move no water; of them a has nothing.
+
+namespace hydro {
+
+/// @param A       About the centre of mass, body axes [kg, kg m, kg m^2].
+/// @param mesh_B  Closed; its origin is the centre of mass.
+/// @return A a in W, its moment about the centre of mass
+Wrench rigid_wave_load(const Matrix6d& A, const TriMesh& mesh_B, const BodyState& state,
+                       const Sea& sea, double time);
+
+}  // namespace hydro
