@@ -253,8 +253,9 @@ void constrained_update(const StepContext& context, Island& island, double time,
       c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
       c.load_acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();
     }
-    if (done) return;
+    if (done) break;
   }
+  for (SubstepBody* c : bodies) c->predicted = c->update.change;
 }
 
 }  // namespace engine

@@ -81,7 +81,13 @@ void GroupStepper::advance_in_substeps(double time, double length, bool halves) 
   double done = 0;
   for (int i = 0;; ++i) {
     const double h = next_length(length - done, starting && i < AccelerationHistory::kTrend);
-    take_limited_substep(time + done, h, halves);
+    take_substeps(time + done, h);
+    if (must_halve(h, halves)) {
+      advance_in_substeps(time + done, h / 2, true);
+      advance_in_substeps(time + done + h / 2, h / 2, true);
+    } else {
+      accept(time + done, h);
+    }
     done += h;
     if (length - done <= kRoundOffPart * step_) return;
   }
@@ -110,13 +116,6 @@ void GroupStepper::advance_within_tolerance(double time, double length) {
     if (length - done <= kRoundOffPart * step_) return;
     h = std::max(length_for_error(h, error), shortest_);
   }
-}
-
-void GroupStepper::take_limited_substep(double time, double h, bool halves) {
-  take_substeps(time, h);
-  if (!must_halve(h, halves)) return accept(time, h);
-  advance_in_substeps(time, h / 2, true);
-  advance_in_substeps(time + h / 2, h / 2, true);
 }
 
 void GroupStepper::take_substeps(double time, double h) {

@@ -74,9 +74,7 @@ struct Simulation::Impl {
   SimulationState state() const;
   void restore(const SimulationState::Data& data);
 
-  // The stages of a step.
-  void advance();
-  void accept();
+  void accept_step();
   void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
 
@@ -122,21 +120,6 @@ MovingBody& Simulation::Impl::body(BodyId id) {
   return bodies[static_cast<std::size_t>(id)];
 }
 
-void Simulation::Impl::advance() {
-  for (MovingBody& moving : bodies)
-    if (moving.motion.work) moving.motion.work->start_step();
-  const double collision_before = world.collision_seconds();
-  double wall = 0;
-  {
-    const Stopwatch stopwatch(wall);
-    if (spec.integrator.method == Integrator::Method::split)
-      stepper.advance(time());
-    else
-      ode_step(context, time(), spec.step);
-  }
-  book_time(wall, world.collision_seconds() - collision_before);
-}
-
 void Simulation::Impl::book_time(double wall, double collision) {
   double loads = -loads_so_far;
   for (const MovingBody& moving : bodies) loads += moving.cache.seconds;
@@ -150,7 +133,7 @@ void Simulation::Impl::book_time(double wall, double collision) {
   timings.engine += wall - collision - hydro;
 }
 
-void Simulation::Impl::accept() {
+void Simulation::Impl::accept_step() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     states[i] = bodies[i].motion.state;
     bodies[i].inputs.loads.clear();
@@ -286,15 +269,24 @@ void Simulation::step() {
   if (impl.broken)
     throw SimulationError(time(), "", "the simulation has stopped on an earlier error");
   impl.broken = true;
+  for (MovingBody& moving : impl.bodies)
+    if (moving.motion.work) moving.motion.work->start_step();
+  const double collision_before = impl.world.collision_seconds();
+  double wall = 0;
   try {
-    impl.advance();
+    const Stopwatch stopwatch(wall);
+    if (impl.spec.integrator.method == Integrator::Method::split)
+      impl.stepper.advance(time());
+    else
+      ode_step(impl.context, time(), impl.spec.step);
   } catch (const MotionFault& fault) {
     throw SimulationError(time(), fault.body(), fault.what());
   } catch (const OdeFault& fault) {
     impl.give_up(fault);
   }
+  impl.book_time(wall, impl.world.collision_seconds() - collision_before);
+  impl.accept_step();
   impl.broken = false;
-  impl.accept();
 }
 
 }  // namespace engine
