@@ -13,7 +13,6 @@
 #include "engine/ode_step.h"
 #include "engine/state_data.h"
 #include "engine/stopwatch.h"
-#include "engine/wave_resolution.h"
 #include "hydro/parallel.h"
 
 namespace engine {
@@ -90,7 +89,6 @@ struct Simulation::Impl {
   bool broken = false;  ///< A step stopped halfway.
   Timings timings;
   double loads_so_far = 0;  ///< Seconds of all bodies' loads after the last step.
-  std::vector<std::string> warnings;
   std::optional<SimulationState> start;
 };
 
@@ -139,10 +137,6 @@ void Simulation::Impl::accept_step() {
     bodies[i].inputs.loads.clear();
   }
   ++steps;
-  for (std::size_t i = 0; i < bodies.size() && warnings.empty(); ++i)
-    if (const auto warning =
-            wave_resolution_warning(bodies[i].body, states[i], environment, spec.step))
-      warnings.push_back(*warning);
 }
 
 std::vector<BodyForces> Simulation::Impl::forces() {
@@ -163,7 +157,6 @@ SimulationState Simulation::Impl::state() const {
                             .counts = moving.counts,
                             .water_state = moving.cache.water_state});
   data->stepper = stepper.state();
-  data->warnings = warnings;
   return SimulationState(std::move(data));
 }
 
@@ -181,7 +174,6 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
   }
   stepper.restore(data.stepper);
   steps = data.steps;
-  warnings = data.warnings;
   broken = false;
 }
 
@@ -213,7 +205,6 @@ long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
-const std::vector<std::string>& Simulation::warnings() const { return impl_->warnings; }
 
 Skips Simulation::skips() const {
   const auto feels_water = [](const MovingBody& moving) {

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 1";
+constexpr std::string_view kMagic = "plimsoll state 2";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -148,7 +148,7 @@ void visit(Archive& a, EnergyRange& r) {
 }
 template <class Archive>
 void visit(Archive& a, SimulationState::Data& data) {
-  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges, data.warnings);
+  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges);
 }
 
 }  // namespace
