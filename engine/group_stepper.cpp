@@ -13,21 +13,21 @@ namespace engine {
 namespace {
 
 /// A body where contacts are looked for.
-World::Placed placed(const SubstepBody& b, const Environment& environment) {
+World::Placed placed(const SubstepBody& b) {
   const Motion& motion = b.moving->motion;
   return {.body = b.id,
           .state = b.halfway.state,
           .inertia = {.mass = contact_mass(b.body(), motion),
                       .fall = contact_fall(b.body(), motion),
-                      .acceleration = motion.load_acceleration_W.value_or(-environment.gravity *
-                                                                          Eigen::Vector3d::UnitZ()),
+                      .acceleration = motion.load_acceleration_W.value_or(
+                          -b.body().environment.gravity * Eigen::Vector3d::UnitZ()),
                       .matrix_B = b.body().rigid_B + motion.added()}};
 }
 
 /// True if the motion has no history yet and is about to get one.
-bool starts(const MovingBody& moving, const Environment& environment) {
+bool starts(const MovingBody& moving) {
   return moving.motion.accelerations.empty() && shows_trend(moving.body, moving.motion) &&
-         (moving.body.reduced_joint || may_be_wet(moving.body, environment, moving.motion.state));
+         (moving.body.reduced_joint || may_be_wet(moving.body, moving.motion.state));
 }
 
 }  // namespace
@@ -76,8 +76,7 @@ void GroupStepper::advance(double time, double length) {
 }
 
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
-  const bool starting =
-      is_alone_ && !halves && starts(*members_.front().moving, context_.environment);
+  const bool starting = is_alone_ && !halves && starts(*members_.front().moving);
   double done = 0;
   for (int i = 0;; ++i) {
     const double h = next_length(length - done, starting && i < AccelerationHistory::kTrend);
@@ -128,26 +127,23 @@ bool GroupStepper::must_halve(double h, bool halves) {
   bool gained = false, followed = true, overshot = false;
   for (const Judged& judged : judged_) {
     if (!member(judged.members.front()->id).in_island) continue;
-    gained = judged.limiter->judge(judged.members, context_.environment, h, halves && is_alone_) ||
-             gained;
+    gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
   if (h / 2 < kShortestPart * step_) return false;
   gained = gained && h / 2 >= shortest_;
   for (const Member& m : members_) {
     if (!m.in_island || !(gained || m.abrupt)) continue;
     const Motion& before = m.moving->motion;
-    followed = followed && can_be_followed(m.body(), context_.environment, before, h);
-    overshot = overshot ||
-               (m.abrupt && m.body().wet &&
-                overshoots_surface(m.body(), context_.environment, before.state, m.end.state, h));
+    followed = followed && can_be_followed(m.body(), before, h);
+    overshot = overshot || (m.abrupt && m.body().wet &&
+                            overshoots_surface(m.body(), before.state, m.end.state, h));
   }
   return overshot || (gained && followed);
 }
 
 void GroupStepper::accept(double time, double h) {
   for (const Judged& judged : judged_)
-    if (member(judged.members.front()->id).in_island)
-      judged.limiter->clamp(judged.members, context_.environment);
+    if (member(judged.members.front()->id).in_island) judged.limiter->clamp(judged.members);
   for (Member& m : members_)
     if (m.in_island) m.moving->motion = m.end;
   if (is_alone_) return;
@@ -196,17 +192,16 @@ double GroupStepper::longest_substep(double rest) const {
   double h = rest;
   for (const Island& island : islands_)
     for (const SubstepBody* b : island.bodies)
-      h = std::min(h, substep_limit(b->body(), context_.environment, b->moving->motion, rest, step_,
-                                    island.constrained));
+      h = std::min(h, substep_limit(b->body(), b->moving->motion, rest, step_, island.constrained));
   return h;
 }
 
 void GroupStepper::find_contacts(double h) {
   std::vector<World::Placed> bodies;
   for (Member& m : members_) {
-    drift_halfway(m, context_.environment, h);
+    drift_halfway(m, h);
     m.touching = false;
-    if (context_.collides) bodies.push_back(placed(m, context_.environment));
+    if (context_.collides) bodies.push_back(placed(m));
   }
   if (context_.collides) contacts_ = context_.world.collide(bodies, group_.near, h);
   for (const Pair& pair : contacts_.pairs)

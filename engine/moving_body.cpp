@@ -37,14 +37,13 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
   return loads;
 }
 
-hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time) {
+hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time) {
   const BodySpec& spec = *moving.body.spec;
   LoadCache& cache = moving.cache;
   BodyLoads& loads = cache.loads;
   loads.applied = applied_loads(moving, state, time);
-  loads.weight = {.force = {0, 0, -spec.mass * environment.gravity}};
-  if (moving.body.wet && !may_be_wet(moving.body, environment, state)) {
+  loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
+  if (moving.body.wet && !may_be_wet(moving.body, state)) {
     ++moving.counts.dry;
     loads.water = {};
     cache.water_state.reset();
@@ -52,7 +51,7 @@ hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
     ++moving.counts.resting;
   } else if (moving.body.wet) {
     const Stopwatch stopwatch(cache.seconds);
-    const hydro::Sea& sea = *environment.sea;
+    const hydro::Sea& sea = *moving.body.environment.sea;
     loads.water = hydro::compute_loads(*moving.body.hull, state, sea, time, spec.coefficients,
                                        spec.summation);
     cache.water_state.reset();
@@ -64,16 +63,14 @@ hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
   return total;
 }
 
-Matrix6d find_added_mass(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time) {
+Matrix6d find_added_mass(MovingBody& moving, const hydro::BodyState& state, double time) {
   const Stopwatch stopwatch(moving.cache.seconds);
-  return added_mass(moving.body, environment, state, time);
+  return added_mass(moving.body, state, time);
 }
 
-void restore_cache(MovingBody& moving, const Environment& environment,
-                   const std::optional<hydro::BodyState>& water_state) {
+void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state) {
   moving.cache.water_state.reset();
-  if (water_state && moving.body.wet) find_loads(moving, environment, *water_state, 0);
+  if (water_state && moving.body.wet) find_loads(moving, *water_state, 0);
 }
 
 void check_state(const MovingBody& moving, const hydro::BodyState& state) {

@@ -80,7 +80,6 @@ struct Simulation::Impl {
   SimulationSpec spec;
   World world;
   tbb::task_arena threads;
-  Environment environment;
   std::vector<MovingBody> bodies;
   StepContext context;
   Stepper stepper;
@@ -96,11 +95,10 @@ Simulation::Impl::Impl(SimulationSpec description)
     : spec(std::move(description)),
       world(make_world(spec)),
       threads(std::max(1, spec.threads)),
-      environment(make_environment(spec)),
       bodies(make_moving_bodies(spec)),
       context{.world = world,
               .bodies = bodies,
-              .environment = environment,
+              .gravity = spec.gravity,
               .parallel_for =
                   [this](std::size_t n, const std::function<void(std::size_t)>& f) {
                     threads.execute([&] { hydro::parallel_for(n, f); });
@@ -142,9 +140,8 @@ void Simulation::Impl::accept_step() {
 std::vector<BodyForces> Simulation::Impl::forces() {
   if (!spec.record_work) throw std::logic_error("the simulation keeps no record of work");
   std::vector<BodyForces> forces(bodies.size());
-  context.parallel_for(bodies.size(), [&](std::size_t i) {
-    forces[i] = forces_on(bodies[i], environment, time(), spec.step);
-  });
+  context.parallel_for(bodies.size(),
+                       [&](std::size_t i) { forces[i] = forces_on(bodies[i], time(), spec.step); });
   return forces;
 }
 
@@ -169,7 +166,7 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
     bodies[i].motion = data.bodies[i].motion;
     bodies[i].inputs = data.bodies[i].inputs;
     bodies[i].counts = data.bodies[i].counts;
-    restore_cache(bodies[i], environment, data.bodies[i].water_state);
+    restore_cache(bodies[i], data.bodies[i].water_state);
     states[i] = bodies[i].motion.state;
   }
   stepper.restore(data.stepper);

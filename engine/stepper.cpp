@@ -19,7 +19,7 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
   for (const BodyId id : movable_) pairs.emplace_back(kWorld, id);  // so that no body is left out
   for (std::vector<BodyId>& group : connected_components(movable_, pairs)) {
     for (const BodyId id : group) limiter_of_[static_cast<std::size_t>(id)] = limiters_.size();
-    limiters_.emplace_back(std::move(group), bodies, context_.environment);
+    limiters_.emplace_back(std::move(group), bodies);
   }
   alone_.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<Pair> Stepper::near_pairs() {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     boxes.push_back(swept_box(world.shape_box(static_cast<BodyId>(i)), bodies[i].motion.state,
-                              context_.environment.gravity, step_));
+                              context_.gravity, step_));
   boxes.push_back(world.ground_box());
   return world.touchable(broad_phase_.find(boxes));
 }

@@ -11,12 +11,12 @@ namespace engine {
 namespace {
 
 /// Drifts a free body to the middle of the substep, from its corrected state (E9).
-void begin_free(SubstepBody& b, const Environment& environment, double h) {
+void begin_free(SubstepBody& b, double h) {
   b.halfway = b.moving->motion;
   b.correction = find_correction(b.body(), b.halfway, h);
   if (b.correction) correct(b.body(), *b.correction, 1, b.halfway);
   b.start = b.halfway.state;
-  drift(b.body(), environment, b.halfway, h / 2);
+  drift(b.body(), b.halfway, h / 2);
 }
 
 /// Takes what the first linearisation of the loads needs from the last substep.
@@ -34,7 +34,7 @@ void begin_constrained(SubstepBody& b, double h) {
 }
 
 /// The second half of the substep, with the added mass of its end.
-void finish(SubstepBody& b, const Environment& environment, bool constrained, double h) {
+void finish(SubstepBody& b, bool constrained, double h) {
   const VelocityUpdate& update = b.update;
   const Eigen::Matrix3d R_BW = b.midpoint.R_WB.transpose();
   Motion& end = b.end = b.halfway;
@@ -48,25 +48,25 @@ void finish(SubstepBody& b, const Environment& environment, bool constrained, do
   end.constrained = constrained;
   end.reaction_B = b.reaction_B;
   end.load_acceleration_W = b.load_acceleration_W;
-  end.state = with_velocity(end.state, b.midpoint.after + update.change, environment.current());
+  end.state = with_velocity(end.state, b.midpoint.after + update.change, b.body().current());
   check_state(*b.moving, end.state);
   if (end.work) {
     const Vector6d reaction = rotate(b.midpoint.R_WB, b.reaction_B);
-    record_update(*b.moving, environment, b.midpoint,
+    record_update(*b.moving, b.midpoint,
                   {.change = update.change,
                    .h = h,
                    .implicit = update.implicit,
                    .reaction = constrained ? &reaction : nullptr},
                   end);
   }
-  drift(b.body(), environment, end, h / 2);
+  drift(b.body(), end, h / 2);
   check_state(*b.moving, end.state);
 }
 
 /// Work of the reactions on a body over the substep [J].
-double reaction_work(const SubstepBody& b, const Environment& environment, double h) {
+double reaction_work(const SubstepBody& b, double h) {
   const Vector6d u = b.midpoint.after + b.update.change / 2 +
-                     to_vector6(environment.current(), Eigen::Vector3d::Zero());
+                     to_vector6(b.body().current(), Eigen::Vector3d::Zero());
   return h * rotate(b.midpoint.R_WB, b.reaction_B).dot(u);
 }
 
@@ -81,40 +81,38 @@ bool is_unpredictable(const SubstepBody& b, double h) {
 }
 
 /// True if the loads halfway may not have been those on the way of a free body.
-bool is_abrupt(const SubstepBody& b, const Environment& environment, double h) {
+bool is_abrupt(const SubstepBody& b, double h) {
   if (b.update.implicit || !b.body().wet) return b.update.implicit;
   return b.end.state.angular_velocity.norm() * h > kLargestSwing ||
-         crosses_surface(b.body(), environment, b.start, b.end.state) ||
+         crosses_surface(b.body(), b.start, b.end.state) ||
          (!b.end.accelerations.resolved() && is_unpredictable(b, h));
 }
 
 /// Finds the added mass of the final poses, for another pass of updates; after the last one it
 /// shares the momentum (E4). @return the worst agreement with what the updates were taken with
-AddedMassMatch match_added_mass(Island& island, const Environment& environment, double time,
-                                bool last_pass) {
+AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   auto worst = AddedMassMatch::equal;
   for (SubstepBody* b : island.bodies) {
     if (!b->body().has_added_mass) continue;
-    const Matrix6d found_B = find_added_mass(*b->moving, environment, b->end.state, time);
+    const Matrix6d found_B = find_added_mass(*b->moving, b->end.state, time);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
     worst = std::max(worst, match);
-    if (last_pass) b->end = share_momentum(b->body(), environment, b->end, found_B);
+    if (last_pass) b->end = share_momentum(b->body(), b->end, found_B);
     b->added_B = found_B;
   }
   return worst;
 }
 
 /// Counts the substep, tells whether it is to be judged, and takes the correction back.
-void conclude(SubstepBody& b, const Environment& environment, bool constrained, double h) {
+void conclude(SubstepBody& b, bool constrained, double h) {
   Counts& counts = b.moving->counts;
   counts.implicit += b.update.implicit;
   counts.constrained += constrained;
   ++counts.substeps;
-  if (constrained) b.reaction_work = reaction_work(b, environment, h);
-  b.abrupt = constrained
-                 ? b.body().wet && crosses_surface(b.body(), environment, b.start, b.end.state)
-                 : is_abrupt(b, environment, h);
+  if (constrained) b.reaction_work = reaction_work(b, h);
+  b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
+                         : is_abrupt(b, h);
   if (!b.correction) return;
   const auto after = find_correction(b.body(), b.end, h).value_or(*b.correction);
   correct(b.body(), after, -1, b.end);
@@ -122,17 +120,16 @@ void conclude(SubstepBody& b, const Environment& environment, bool constrained, 
 
 }  // namespace
 
-void drift_halfway(SubstepBody& b, const Environment& environment, double h) {
+void drift_halfway(SubstepBody& b, double h) {
   b.halfway = b.moving->motion;
-  drift(b.body(), environment, b.halfway, h / 2);
+  drift(b.body(), b.halfway, h / 2);
   check_state(*b.moving, b.halfway.state);
 }
 
 void take_substep(const StepContext& context, Island& island, double time, double h) {
-  const Environment& environment = context.environment;
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
-    constrained ? begin_constrained(*b, h) : begin_free(*b, environment, h);
+    constrained ? begin_constrained(*b, h) : begin_free(*b, h);
     if (b->body().has_added_mass) b->added_B = expected_added_mass(b->body(), b->moving->motion, h);
   }
   // Updates are repeated until the added mass that they are taken with is that of the final pose.
@@ -141,22 +138,22 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
   for (int pass = 1; pass <= most && match != AddedMassMatch::equal; ++pass) {
     for (SubstepBody* b : island.bodies) {
       const bool projects = !constrained && b->body().has_added_mass;
-      b->midpoint = make_midpoint(b->body(), environment, b->halfway, b->added_B,
+      b->midpoint = make_midpoint(b->body(), b->halfway, b->added_B,
                                   projects ? mobility(b->body(), b->halfway.state) : Mobility{});
     }
     SubstepBody& first = *island.bodies.front();
     if (constrained)
       constrained_update(context, island, time + h / 2, h);
     else if (pass == 1)
-      first.update = free_update(*first.moving, environment, first.midpoint, time + h / 2, h);
+      first.update = free_update(*first.moving, first.midpoint, time + h / 2, h);
     else
-      first.update = resolve_with_inertia(*first.moving, environment, first.midpoint, first.update,
-                                          time + h / 2, h);
-    for (SubstepBody* b : island.bodies) finish(*b, environment, constrained, h);
+      first.update =
+          resolve_with_inertia(*first.moving, first.midpoint, first.update, time + h / 2, h);
+    for (SubstepBody* b : island.bodies) finish(*b, constrained, h);
     if (match == AddedMassMatch::near) break;
-    match = match_added_mass(island, environment, time + h, pass == most);
+    match = match_added_mass(island, time + h, pass == most);
   }
-  for (SubstepBody* b : island.bodies) conclude(*b, environment, constrained, h);
+  for (SubstepBody* b : island.bodies) conclude(*b, constrained, h);
 }
 
 }  // namespace engine

@@ -21,7 +21,7 @@ namespace engine {
 struct StepContext {
   World& world;
   std::vector<MovingBody>& bodies;
-  const Environment& environment;
+  double gravity = 0;  ///< [m/s^2]
   ParallelFor parallel_for;
   bool collides = true;  ///< False: nothing in the scene can touch.
   double tolerance = 0;  ///< As Integrator::tolerance.
@@ -56,7 +56,7 @@ struct Island {
 };
 
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.
-void drift_halfway(SubstepBody& member, const Environment& environment, double h);
+void drift_halfway(SubstepBody& member, double h);
 
 /// Finds the motion of each body of the island at the end of the substep; moves none.
 /// A constrained island must have been drifted halfway.
