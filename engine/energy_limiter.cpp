@@ -9,6 +9,32 @@
 namespace engine {
 namespace {
 
+/// Scale of energies whose changes are round-off [J]: 1e-9 of the weight of the body and of the
+/// water in its place, times its size.
+double least_energy_scale(const Body& body) {
+  const double radius = body.radius;
+  const double water =
+      body.environment.sea ? body.environment.sea->density * std::pow(radius, 3) : 0;
+  return 1e-9 * body.environment.gravity * (body.spec->mass + water) * radius;
+}
+
+/// True if lift or applied loads may add to the energy: no earlier energy then bounds it.
+bool is_driven(const MovingBody& moving) {
+  return moving.body.spec->coefficients.lift != 0 || !moving.body.spec->loads.empty() ||
+         !moving.inputs.loads.empty() || moving.inputs.pull;
+}
+
+/// Largest work that the last lift and applied loads may have done between two states a time h [s]
+/// apart; 0 if they took energy [J].
+double work_done(const MovingBody& moving, const hydro::BodyState& before,
+                 const hydro::BodyState& after, double h) {
+  const Eigen::Vector3d current = moving.body.current();
+  hydro::Wrench load = moving.cache.loads.water.lift;
+  for (const hydro::Wrench& applied : moving.cache.loads.applied) load += applied;
+  const Vector6d F = to_vector6(load);
+  return h * std::max({0.0, F.dot(velocity(before, current)), F.dot(velocity(after, current))});
+}
+
 /// True if the loads of a free substep were abrupt, or if one under joints is a large part of an
 /// oscillation.
 bool is_suspect(const SubstepBody& b, double h) {
@@ -28,7 +54,7 @@ void EnergyRange::extend(double energy, double potential) {
 EnergyLimiter::EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies)
     : group_(std::move(group)) {
   for (const BodyId id : group_) {
-    const Body& body = bodies[static_cast<std::size_t>(id)].body;
+    const Body& body = bodies[id].body;
     floor_ += least_energy_scale(body);
     in_still_water_ = in_still_water_ && must_not_gain_energy(body);
   }

@@ -45,8 +45,8 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].id = group_.bodies[i];
-    members_[i].moving = &context_.bodies[static_cast<std::size_t>(group_.bodies[i])];
-    members_[i].in_island = is_alone_;
+    members_[i].moving = &context_.bodies[group_.bodies[i]];
+    if (is_alone_) members_[i].island = 0;
   }
   for (EnergyLimiter* limiter : limiters) {
     judged_.push_back({.limiter = limiter, .members = {}});
@@ -58,7 +58,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
 
 GroupStepper::Member& GroupStepper::member(BodyId id) {
   const auto place = std::lower_bound(group_.bodies.begin(), group_.bodies.end(), id);
-  return members_[static_cast<std::size_t>(place - group_.bodies.begin())];
+  return members_[place - group_.bodies.begin()];
 }
 
 void GroupStepper::advance(double time, double length) {
@@ -101,7 +101,7 @@ void GroupStepper::advance_within_tolerance(double time, double length) {
     take_substeps(time + done, h);
     std::vector<std::pair<const Member*, Motion>> whole;
     for (const Member& m : members_)
-      if (m.in_island) whole.emplace_back(&m, m.end);
+      if (m.island) whole.emplace_back(&m, m.end);
     for (const double start : {done, done + h / 2}) advance_in_substeps(time + start, h / 2, false);
     double error = 0;
     for (const auto& [m, end] : whole)
@@ -126,13 +126,13 @@ void GroupStepper::take_substeps(double time, double h) {
 bool GroupStepper::must_halve(double h, bool halves) {
   bool gained = false, followed = true, overshot = false;
   for (const Judged& judged : judged_) {
-    if (!member(judged.members.front()->id).in_island) continue;
+    if (!member(judged.members.front()->id).island) continue;
     gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
   if (h / 2 < kShortestPart * step_) return false;
   gained = gained && h / 2 >= shortest_;
   for (const Member& m : members_) {
-    if (!m.in_island || !(gained || m.abrupt)) continue;
+    if (!m.island || !(gained || m.abrupt)) continue;
     const Motion& before = m.moving->motion;
     followed = followed && can_be_followed(m.body(), before, h);
     overshot = overshot || (m.abrupt && m.body().wet &&
@@ -143,13 +143,12 @@ bool GroupStepper::must_halve(double h, bool halves) {
 
 void GroupStepper::accept(double time, double h) {
   for (const Judged& judged : judged_)
-    if (member(judged.members.front()->id).in_island) judged.limiter->clamp(judged.members);
+    if (member(judged.members.front()->id).island) judged.limiter->clamp(judged.members);
   for (Member& m : members_)
-    if (m.in_island) m.moving->motion = m.end;
+    if (m.island) m.moving->motion = m.end;
   if (is_alone_) return;
   parallel_for_rethrow(context_.parallel_for, members_.size(), [&](std::size_t i) {
-    if (!members_[i].in_island)
-      (*alone_)[static_cast<std::size_t>(members_[i].id)].advance(time, h);
+    if (!members_[i].island) (*alone_)[members_[i].id].advance(time, h);
   });
   impacts_.accept(contacts_.pairs);
 }
@@ -214,18 +213,13 @@ void GroupStepper::find_islands() {
   std::vector<Pair> pairs = group_.joints;
   pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
   islands_.clear();
-  for (Member& m : members_) m.in_island = false;
-  std::vector<std::size_t> home(members_.size());
-  const auto index = [this](BodyId id) {
-    return static_cast<std::size_t>(&member(id) - members_.data());
-  };
+  for (Member& m : members_) m.island.reset();
   for (const std::vector<BodyId>& connected : connected_components(group_.bodies, pairs)) {
     const Member& first = member(connected.front());
     if (connected.size() == 1 && first.body().reduced_joint && !first.touching) continue;
     Island island;
     for (const BodyId id : connected) {
-      member(id).in_island = true;
-      home[index(id)] = islands_.size();
+      member(id).island = islands_.size();
       island.bodies.push_back(&member(id));
     }
     islands_.push_back(std::move(island));
@@ -233,7 +227,7 @@ void GroupStepper::find_islands() {
   for (const Contact& contact : contacts_.points) {
     const auto& [first, second] = contact.pair;
     const BodyId movable = can_move(context_.bodies, first) ? first : second;
-    islands_[home[index(movable)]].contacts.push_back(contact);
+    islands_[*member(movable).island].contacts.push_back(contact);
   }
 }
 

@@ -38,7 +38,7 @@ class GroupStepper {
 
  private:
   struct Member : SubstepBody {
-    bool in_island = false;  ///< Of the present substep.
+    std::optional<std::size_t> island;  ///< Its place in `islands_`; none: it is in no island.
   };
   /// Bodies that one limiter judges.
   struct Judged {

@@ -59,13 +59,8 @@ hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, doub
   }
   const hydro::Wrench total = loads.total();
   if (!total.force.allFinite() || !total.moment.allFinite())
-    throw MotionFault(moving.body, load_fault(loads).value());
+    throw MotionFault(moving.body, load_fault(loads));
   return total;
-}
-
-Matrix6d find_added_mass(MovingBody& moving, const hydro::BodyState& state, double time) {
-  const Stopwatch stopwatch(moving.cache.seconds);
-  return added_mass(moving.body, state, time);
 }
 
 void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state) {

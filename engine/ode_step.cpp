@@ -27,7 +27,7 @@ void ode_step(const StepContext& context, double time, double step) {
   std::vector<bool> touching(bodies.size(), false);
   for (const Pair& pair : world.contacts().pairs)
     for (const BodyId id : {pair.first, pair.second})
-      if (id != kWorld) touching[static_cast<std::size_t>(id)] = true;
+      if (id != kWorld) touching[id] = true;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     MovingBody& moving = bodies[i];
     const Body& body = moving.body;

@@ -32,9 +32,8 @@ bool has_a_pair(const SimulationSpec& spec) {
 }
 
 World make_world(const SimulationSpec& spec) {
-  if (!(spec.step > 0 && std::isfinite(spec.step))) {
+  if (!(spec.step > 0 && std::isfinite(spec.step)))
     throw std::invalid_argument(fmt::format("the step is {} s, not positive", spec.step));
-  }
   World world(spec.gravity);
   const bool meets = has_a_pair(spec);
   for (const BodySpec& body : spec.bodies) world.add_body(body, meets);
@@ -50,11 +49,7 @@ std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec) {
   for (Body& body : make_bodies(spec)) {
     const hydro::BodyState initial = without_locked_motion(body.spec->locked, body.spec->initial);
     Motion motion = motion_at(body, spec, initial, 0);
-    moving.push_back({.body = std::move(body),
-                      .motion = std::move(motion),
-                      .inputs = {},
-                      .cache = {},
-                      .counts = {}});
+    moving.push_back({.body = std::move(body), .motion = std::move(motion)});
   }
   return moving;
 }
@@ -113,7 +108,7 @@ Simulation::Impl::Impl(SimulationSpec description)
 MovingBody& Simulation::Impl::body(BodyId id) {
   if (id < 0 || id >= static_cast<BodyId>(bodies.size()))
     throw std::invalid_argument(fmt::format("there is no body {}", id));
-  return bodies[static_cast<std::size_t>(id)];
+  return bodies[id];
 }
 
 void Simulation::Impl::book_time(double wall, double collision) {
@@ -241,7 +236,7 @@ void Simulation::set_motion(BodyId body, const hydro::BodyState& state) {
   const hydro::BodyState allowed = displaced(moving.body, state, Vector6d::Zero());
   moving.motion = motion_at(moving.body, impl_->spec, allowed, impl_->time());
   impl_->stepper.forget(body);
-  impl_->states[static_cast<std::size_t>(body)] = moving.motion.state;
+  impl_->states[body] = moving.motion.state;
 }
 
 SimulationState Simulation::state() const {

@@ -4,7 +4,7 @@
 
 #include "engine/constants.h"
 #include "engine/constrained_update.h"
-#include "engine/processing_correction.h"
+#include "engine/stopwatch.h"
 #include "engine/substep_limit.h"
 
 namespace engine {
@@ -94,7 +94,8 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   auto worst = AddedMassMatch::equal;
   for (SubstepBody* b : island.bodies) {
     if (!b->body().has_added_mass) continue;
-    const Matrix6d found_B = find_added_mass(*b->moving, b->end.state, time);
+    const Stopwatch stopwatch(b->moving->cache.seconds);
+    const Matrix6d found_B = added_mass(b->body(), b->end.state, time);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
     worst = std::max(worst, match);

@@ -14,12 +14,12 @@ namespace {
 /// What the parts of one update share.
 struct UpdateContext {
   MovingBody& moving;
-  const Body& body;
   const MidpointState& midpoint;
-  Vector6d u;  ///< Velocity halfway without the loads, in W, relative to the water.
-  Mobility mobility;
   double time;
   double h;
+  const Body& body = moving.body;
+  Vector6d u = midpoint.mean();  ///< Halfway without the loads, in W, relative to the water.
+  Mobility mobility = engine::mobility(body, midpoint.motion->state);
 
   const hydro::BodyState& state() const { return midpoint.motion->state; }
   const hydro::Loads& water() const { return moving.cache.loads.water; }
@@ -50,17 +50,6 @@ struct UpdateContext {
                       R_WB * (body.inverse_inertia_B * (R_WB.transpose() * rhs.tail<3>())));
   }
 };
-
-UpdateContext make_context(MovingBody& moving, const MidpointState& midpoint, double time,
-                           double h) {
-  return {.moving = moving,
-          .body = moving.body,
-          .midpoint = midpoint,
-          .u = midpoint.mean(),
-          .mobility = mobility(moving.body, midpoint.motion->state),
-          .time = time,
-          .h = h};
-}
 
 /// Loads of another pose on the reduced joint as loads of this pose that do the same to its rates.
 Vector6d brought_back(const UpdateContext& s, const Vector6d& F, const hydro::BodyState& from) {
@@ -255,7 +244,7 @@ VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, do
   if (!body.wet && !body.has_added_mass && !body.locked && !body.reduced_joint &&
       !moving.inputs.pull)
     return {.change = dry_change(moving, midpoint, time, h)};
-  const UpdateContext s = make_context(moving, midpoint, time, h);
+  const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   const AccelerationHistory& history = midpoint.motion->accelerations;
   const Vector6d predicted = h * rotate(midpoint.R_WB, history.expected(h / 2));
   VelocityUpdate update;
@@ -277,7 +266,7 @@ VelocityUpdate resolve_with_inertia(MovingBody& moving, const MidpointState& mid
 
 EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
                              const Vector6d& expected, double time, double h) {
-  const UpdateContext s = make_context(moving, midpoint, time, h);
+  const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   Vector6d at = s.u + expected / 2;
   EffectiveLoad result{.inertia = s.S(), .load = s.loads(at)};
   result.implicit = is_stiff(s, at, s.u + expected + h * s.accelerated(result.load));

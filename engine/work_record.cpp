@@ -21,11 +21,6 @@ double own_kinetic_energy(const Body& body, const Motion& motion) {
   return v.dot(momentum(body.rigid_B, motion, v)) / 2;
 }
 
-/// K + E_A
-double whole_kinetic_energy(const Body& body, const Motion& motion) {
-  return own_kinetic_energy(body, motion) + added_kinetic_energy(body, motion);
-}
-
 /// Adds an impulse of the water that moves with a body, by which a current does work.
 void add_added_impulse(const Body& body, const Vector6d& impulse, WorkRecord& record) {
   record.added_impulse += impulse;
@@ -121,7 +116,10 @@ void record_added_mass(const Body& body, const Motion& before, Motion& after) {
 }
 
 void record_clamp(const Body& body, const Motion& before, Motion& after) {
-  after.work->works.brake += whole_kinetic_energy(body, after) - whole_kinetic_energy(body, before);
+  const auto energy = [&](const Motion& motion) {
+    return own_kinetic_energy(body, motion) + added_kinetic_energy(body, motion);
+  };
+  after.work->works.brake += energy(after) - energy(before);
 }
 
 void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,
