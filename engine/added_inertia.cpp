@@ -12,7 +12,7 @@ namespace {
 /// The matrix without coupling of locked degrees of freedom, which get this diagonal.
 Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
   for (int i = 0; i < 6; ++i) {
-    if (!locked[static_cast<std::size_t>(i)]) continue;
+    if (!locked[i]) continue;
     matrix.row(i).setZero();
     matrix.col(i).setZero();
     matrix(i, i) = diagonal;
@@ -75,7 +75,7 @@ InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
   const Split split(uncoupled(inertia, locked, 1), uncoupled(change, locked, 0));
   InertiaChange result{.inertia = split.inertia(), .velocity = split.velocity(u)};
   for (int i = 0; i < 6; ++i)
-    if (locked[static_cast<std::size_t>(i)]) result.velocity[i] = u[i];
+    if (locked[i]) result.velocity[i] = u[i];
   return result;
 }
 
@@ -89,7 +89,7 @@ Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Mobility& mobility) {
   const DofMask& locked = mobility.locked;
   if (partly_locked(locked)) matrix = uncoupled(matrix, locked, 1);
   for (int i = 0; i < 6; ++i)
-    if (locked[static_cast<std::size_t>(i)]) rhs[i] = 0;
+    if (locked[i]) rhs[i] = 0;
   return hydro::Cholesky6(matrix).solve(rhs);
 }
 

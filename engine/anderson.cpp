@@ -19,14 +19,12 @@ Eigen::VectorXd Anderson::next(const Eigen::VectorXd& x, const Eigen::VectorXd& 
   const auto count = static_cast<Eigen::Index>(residual_changes_.size());
   if (count == 0) return image;
   Eigen::MatrixXd changes(x.size(), count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    changes.col(i) = residual_changes_[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < count; ++i) changes.col(i) = residual_changes_[i];
   // The rank-revealing solution is the least one where changes repeat each other.
   const Eigen::VectorXd weights =
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(changes).solve(residual);
   Eigen::VectorXd next = image;
-  for (Eigen::Index i = 0; i < count; ++i)
-    next -= weights[i] * image_changes_[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < count; ++i) next -= weights[i] * image_changes_[i];
   return next;
 }
 

@@ -30,10 +30,11 @@ hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
 }
 
 /// A body without its hull.
-Body make_dry_body(const SimulationSpec& spec, std::size_t index) {
+Body make_dry_body(const SimulationSpec& spec, const Environment& environment, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
   const auto id = static_cast<BodyId>(index);
   Body body{.spec = &s,
+            .environment = environment,
             .box_B = hydro::bounding_box(s.mesh_B),
             .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
             .rigid_B = rigid_inertia(s),
@@ -58,15 +59,17 @@ Environment make_environment(const SimulationSpec& spec) {
   if (!spec.sea) return environment;
   const hydro::SurfaceBounds bounds = hydro::surface_bounds(*spec.sea);
   environment.sea = &*spec.sea;
+  environment.level = spec.sea->level;
   environment.highest = bounds.highest;
   environment.lowest = bounds.lowest;
   return environment;
 }
 
 std::vector<Body> make_bodies(const SimulationSpec& spec) {
+  const Environment environment = make_environment(spec);
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
-    Body body = make_dry_body(spec, i);
+    Body body = make_dry_body(spec, environment, i);
     if (body.wet) {
       const auto same = std::find_if(bodies.begin(), bodies.end(), [&](const Body& other) {
         return other.hull && hydro::same_mesh(other.hull->mesh_B, body.spec->mesh_B);
@@ -83,12 +86,9 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time) {
   Motion motion{.state = state};
-  const Environment environment = make_environment(spec);
-  if (body.has_added_mass)
-    motion.added_B = unless_zero(added_mass(body, environment, motion.state, time));
+  if (body.has_added_mass) motion.added_B = unless_zero(added_mass(body, motion.state, time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
-  if (spec.record_work)
-    motion.work = {.added_energy_at_start = added_kinetic_energy(body, environment, motion)};
+  if (spec.record_work) motion.work = {.added_energy_at_start = added_kinetic_energy(body, motion)};
   return motion;
 }
 
@@ -102,8 +102,8 @@ VerticalExtent vertical_extent(const Body& body, const hydro::BodyState& state) 
   return {.lowest = center - height / 2, .height = height};
 }
 
-bool may_be_wet(const Body& body, const Environment& environment, const hydro::BodyState& state) {
-  return vertical_extent(body, state).lowest < environment.highest;
+bool may_be_wet(const Body& body, const hydro::BodyState& state) {
+  return vertical_extent(body, state).lowest < body.environment.highest;
 }
 
 Mobility mobility(const Body& body, const hydro::BodyState& state) {
@@ -123,23 +123,21 @@ Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d
   return inertia;
 }
 
-hydro::BodyState state_after_drift(const Body& body, const Environment& environment,
-                                   const Motion& motion, double time) {
+hydro::BodyState state_after_drift(const Body& body, const Motion& motion, double time) {
   if (!body.reduced_joint && !body.locked && !motion.added_B)
     return drifted(*body.spec, motion.state, time);
   const Matrix6d S = body.rigid_B + motion.added();
   if (body.reduced_joint) return advance_on_joint(*body.reduced_joint, S, motion.state, time);
-  if (!body.locked) return drifted(S, motion.state, environment.current(), time);
-  return project_onto_locks(
-      body.spec->locked, body.spec->initial,
-      drifted(S, body.spec->locked, motion.state, environment.current(), time));
+  if (!body.locked) return drifted(S, motion.state, body.current(), time);
+  return project_onto_locks(body.spec->locked, body.spec->initial,
+                            drifted(S, body.spec->locked, motion.state, body.current(), time));
 }
 
-void drift(const Body& body, const Environment& environment, Motion& motion, double time) {
+void drift(const Body& body, Motion& motion, double time) {
   std::optional<Motion> before;
   if (motion.work) before = motion;
-  motion.state = state_after_drift(body, environment, motion, time);
-  if (before) record_drift(body, environment, *before, time, motion);
+  motion.state = state_after_drift(body, motion, time);
+  if (before) record_drift(body, *before, time, motion);
 }
 
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change) {
@@ -160,9 +158,8 @@ double contact_fall(const Body& body, const Motion& motion) {
   return std::min(1.0, (body.spec->mass + body.displacement) / contact_mass(body, motion));
 }
 
-Matrix6d added_mass(const Body& body, const Environment& environment, const hydro::BodyState& state,
-                    double time) {
-  return body.has_added_mass ? body.spec->added_mass->at(state, *environment.sea, time)
+Matrix6d added_mass(const Body& body, const hydro::BodyState& state, double time) {
+  return body.has_added_mass ? body.spec->added_mass->at(state, *body.environment.sea, time)
                              : Matrix6d(Matrix6d::Zero());
 }
 
@@ -192,18 +189,17 @@ AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
                                                             : AddedMassMatch::distant;
 }
 
-Motion share_momentum(const Body& body, const Environment& environment, const Motion& before,
-                      const Matrix6d& added_B) {
+Motion share_momentum(const Body& body, const Motion& before, const Matrix6d& added_B) {
   Motion motion = before;
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Matrix6d change = rotate_tensor(R_WB, added_B - motion.added());
   const Vector6d u = inertia_change(inertia_W(body, motion), change, mobility(body, motion.state),
-                                    velocity(motion.state, environment.current()))
+                                    velocity(motion.state, body.current()))
                          .velocity;
-  motion.state = with_velocity(motion.state, u, environment.current());
+  motion.state = with_velocity(motion.state, u, body.current());
   motion.added_B = unless_zero(added_B);
   motion.added_rate_B.reset();
-  if (motion.work) record_added_mass(body, environment, before, motion);
+  if (motion.work) record_added_mass(body, before, motion);
   return motion;
 }
 

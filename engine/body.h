@@ -9,8 +9,8 @@
 #include "engine/reduced_joint.h"
 
 /// @file
-/// The constant side of a body, its surroundings, and how it moves without loads. Its changing side
-/// is in motion.h.
+/// The constant side of a body with its surroundings, and how it moves without loads. Its changing
+/// side is in motion.h.
 
 namespace engine {
 
@@ -18,10 +18,9 @@ namespace engine {
 struct Environment {
   double gravity = 0;               ///< [m/s^2]
   const hydro::Sea* sea = nullptr;  ///< Null: a dry scene.
+  double level = 0;                 ///< Height of the water at rest; 0 without water [m].
   double highest = 0;               ///< Height that the water surface never exceeds [m].
   double lowest = 0;                ///< Height that the water surface never falls below [m].
-
-  Eigen::Vector3d current() const { return sea ? sea->current : Eigen::Vector3d::Zero(); }
 };
 
 Environment make_environment(const SimulationSpec& spec);
@@ -29,6 +28,7 @@ Environment make_environment(const SimulationSpec& spec);
 /// A rigid body. B is its frame: origin in the centre of mass, axes of the mesh.
 struct Body {
   const BodySpec* spec = nullptr;
+  Environment environment;
   std::shared_ptr<const hydro::Hull> hull;  ///< Null if not wet; bodies of one mesh share it.
   Eigen::AlignedBox3d box_B;                ///< Bounds the mesh.
   double radius = 0;        ///< Distance of the farthest vertex from the centre of mass [m].
@@ -41,6 +41,11 @@ struct Body {
   bool locked = false;          ///< At least one degree of freedom is locked.
   bool jointed = false;         ///< At least one joint holds it.
   std::optional<ReducedJoint> reduced_joint;
+
+  /// Velocity of the water.
+  Eigen::Vector3d current() const {
+    return environment.sea ? environment.sea->current : Eigen::Vector3d::Zero();
+  }
 };
 
 /// All bodies of the specification, which must outlive them.
@@ -59,7 +64,7 @@ struct VerticalExtent {
 VerticalExtent vertical_extent(const Body& body, const hydro::BodyState& state);
 
 /// True if the water surface may reach the body in this state.
-bool may_be_wet(const Body& body, const Environment& environment, const hydro::BodyState& state);
+bool may_be_wet(const Body& body, const hydro::BodyState& state);
 
 /// The velocities that locks or the reduced joint leave to the body, in W.
 Mobility mobility(const Body& body, const hydro::BodyState& state);
@@ -70,10 +75,9 @@ Matrix6d inertia_W(const Body& body, const Motion& motion);
 
 /// The state after `time` [s] of motion by inertia alone, (E1) to (E3): added mass, locks and the
 /// reduced joint act, loads do not.
-hydro::BodyState state_after_drift(const Body& body, const Environment& environment,
-                                   const Motion& motion, double time);
+hydro::BodyState state_after_drift(const Body& body, const Motion& motion, double time);
 /// Moves the body to that state, and records the work.
-void drift(const Body& body, const Environment& environment, Motion& motion, double time);
+void drift(const Body& body, Motion& motion, double time);
 
 /// The state moved by (Δx, Δθ) in W and projected on locks and reduced joint; its velocity stays.
 hydro::BodyState displaced(const Body& body, hydro::BodyState state, const Vector6d& change);
@@ -85,8 +89,7 @@ double contact_mass(const Body& body, const Motion& motion);
 double contact_fall(const Body& body, const Motion& motion);
 
 /// A of the body in a state, in B.
-Matrix6d added_mass(const Body& body, const Environment& environment, const hydro::BodyState& state,
-                    double time);
+Matrix6d added_mass(const Body& body, const hydro::BodyState& state, double time);
 
 /// Sets A, and its rate over the substep of length h [s] that ends with it.
 void set_added_mass(Motion& motion, const Matrix6d& added_B, double h);
@@ -108,7 +111,6 @@ AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
 
 /// The motion with the added mass `added_B` of its pose, where updates have not led to agreement,
 /// as when a body first touches the water: the water that it gains shares its momentum (E4).
-Motion share_momentum(const Body& body, const Environment& environment, const Motion& before,
-                      const Matrix6d& added_B);
+Motion share_momentum(const Body& body, const Motion& before, const Matrix6d& added_B);
 
 }  // namespace engine

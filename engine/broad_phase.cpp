@@ -82,16 +82,12 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping(
   return pairs;
 }
 
-bool BroadPhase::contain(const std::vector<Eigen::AlignedBox3d>& boxes) const {
-  if (boxes.size() != wide_.size()) return false;
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (!wide_[i].contains(boxes[i])) return false;
-  return true;
-}
-
 std::vector<std::pair<std::size_t, std::size_t>> BroadPhase::find(
     const std::vector<Eigen::AlignedBox3d>& boxes) {
-  if (!contain(boxes)) {
+  const bool contained =
+      std::equal(boxes.begin(), boxes.end(), wide_.begin(), wide_.end(),
+                 [](const auto& box, const auto& wide) { return wide.contains(box); });
+  if (!contained) {
     wide_.clear();
     for (const Eigen::AlignedBox3d& box : boxes) wide_.push_back(widened(box));
     pairs_ = overlapping(wide_);

@@ -37,8 +37,6 @@ class BroadPhase {
       const std::vector<Eigen::AlignedBox3d>& boxes);
 
  private:
-  bool contain(const std::vector<Eigen::AlignedBox3d>& boxes) const;
-
   std::vector<Eigen::AlignedBox3d> wide_;                   ///< The wider boxes.
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< Pairs of those, ascending.
 };

@@ -75,7 +75,7 @@ void World::collide(double step) {
 }
 
 void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
-  bodies_.at(static_cast<std::size_t>(id)).inertia = inertia;
+  bodies_.at(id).inertia = inertia;
 }
 
 World::Contacts World::collide(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs,
@@ -102,12 +102,6 @@ std::vector<double> World::closing_times(
     if (speed > slow) times.push_back(point.depth / speed);
   }
   return times;
-}
-
-World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) const {
-  Contacts contacts;
-  for (const Pair& pair : pairs) add_contacts(contacts, pair, step);
-  return contacts;
 }
 
 std::vector<Pair> World::touchable(
@@ -148,27 +142,30 @@ Eigen::Vector3d World::approach(const Pair& pair, const Eigen::Vector3d& point_W
          velocity_without_contact(pair.second, point_W, step);
 }
 
-void World::add_contacts(Contacts& contacts, const Pair& pair, double step) const {
-  const std::vector<ContactPoint> points = touching_points(pair, step);
-  if (points.empty()) return;
-  contacts.pairs.push_back(pair);
-  double mass = 0, fall = 0;
-  for (const BodyId id : {pair.first, pair.second}) {
-    if (!handle_of(id)) continue;
-    const Inertia& inertia = bodies_[static_cast<std::size_t>(id)].inertia;
-    mass = std::max(mass, inertia.mass);
-    fall = std::max(fall, inertia.fall);
+World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) const {
+  Contacts contacts;
+  for (const Pair& pair : pairs) {
+    const std::vector<ContactPoint> points = touching_points(pair, step);
+    if (points.empty()) continue;
+    contacts.pairs.push_back(pair);
+    double mass = 0, fall = 0;
+    for (const BodyId id : {pair.first, pair.second}) {
+      if (!handle_of(id)) continue;
+      mass = std::max(mass, bodies_[id].inertia.mass);
+      fall = std::max(fall, bodies_[id].inertia.fall);
+    }
+    for (const ContactPoint& point : points) {
+      ContactStiffness stiffness = contact_stiffness(
+          unit_ * mass, points.size(), step, weights(pair, point, points.size(), mass, step));
+      stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
+      stiffness.speed *= -point.normal_W.dot(approach(pair, point.position_W, 0));
+      contacts.points.push_back({.pair = pair,
+                                 .point = point,
+                                 .stiffness = stiffness,
+                                 .sliding_W = approach(pair, point.position_W, step)});
+    }
   }
-  for (const ContactPoint& point : points) {
-    ContactStiffness stiffness = contact_stiffness(unit_ * mass, points.size(), step,
-                                                   weights(pair, point, points.size(), mass, step));
-    stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
-    stiffness.speed *= -point.normal_W.dot(approach(pair, point.position_W, 0));
-    contacts.points.push_back({.pair = pair,
-                               .point = point,
-                               .stiffness = stiffness,
-                               .sliding_W = approach(pair, point.position_W, step)});
-  }
+  return contacts;
 }
 
 ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::size_t points,
@@ -177,8 +174,7 @@ ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::
   double lightness = 0;
   for (const BodyId id : {pair.first, pair.second}) {
     if (!handle_of(id)) continue;
-    const std::optional<Matrix6d>& inertia_B =
-        bodies_[static_cast<std::size_t>(id)].inertia.matrix_B;
+    const std::optional<Matrix6d>& inertia_B = bodies_[id].inertia.matrix_B;
     if (!inertia_B) return {};
     const hydro::BodyState now = state(id);
     const Vector6d push =
@@ -194,7 +190,7 @@ Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d
   if (!handle_of(id)) return Eigen::Vector3d::Zero();
   const hydro::BodyState now = state(id);
   return now.linear_velocity + now.angular_velocity.cross(point_W - now.position) +
-         step * bodies_[static_cast<std::size_t>(id)].inertia.acceleration;
+         step * bodies_[id].inertia.acceleration;
 }
 
 }  // namespace engine

@@ -161,7 +161,7 @@ inline constexpr int kHeapIterations = 50;              ///< Iterations for more
 inline constexpr int kFallbackIterations = 200;         ///< Where the exact solver gives up.
 inline constexpr double kLeastSolverMass = 1e-6;  ///< Below it masses are scaled for ODE [kg].
 
-// ── Input (state_checks.h, body_check.h, pull.h, wave_resolution.h) ─────────────────────────────
+// ── Input (state_checks.h, body_check.h, pull.h) ────────────────────────────────────────────────
 
 /// Largest coordinate, speed and angular speed of a body [m, m/s, rad/s]. Beyond it round-off of
 /// coordinates exceeds 1e-7 m.
@@ -170,7 +170,5 @@ inline constexpr double kInertiaTolerance = 1e-6;  ///< Asymmetry, or excess of 
 inline constexpr double kUnitTolerance = 1e-9;     ///< Error of the length of a quaternion [-].
 /// Largest rate of a pull, times the step [-]: the explicit update allows ½ of twice the rate.
 inline constexpr double kFastestPull = 0.2;
-/// Steps per period of encounter below which a warning is given [-].
-inline constexpr double kStepsPerWave = 8;
 
 }  // namespace engine

@@ -44,9 +44,8 @@ void choose_solver_mass(const SubstepBody& c, Row& row, double factor) {
   row.root = hydro::Cholesky6(row.M_o);
 }
 
-Row make_row(const SubstepBody& c, const Environment& environment, double time, double h) {
-  const EffectiveLoad effective =
-      effective_load(*c.moving, environment, c.midpoint, c.predicted, time, h);
+Row make_row(const SubstepBody& c, double time, double h) {
+  const EffectiveLoad effective = effective_load(*c.moving, c.midpoint, c.predicted, time, h);
   const hydro::BodyState& state = c.halfway.state;
   const Vector6d jump = c.midpoint.after - c.midpoint.before;
   Row row{.S = effective.inertia,
@@ -239,9 +238,8 @@ void constrained_update(const StepContext& context, Island& island, double time,
   int solves = 0;
   for (int i = 0; i < kMostLinearisations && solves < kMostSolvesInAll; ++i) {
     std::vector<Row> rows(bodies.size());
-    parallel_for_rethrow(context.parallel_for, bodies.size(), [&](std::size_t k) {
-      rows[k] = make_row(*bodies[k], context.environment, time, h);
-    });
+    parallel_for_rethrow(context.parallel_for, bodies.size(),
+                         [&](std::size_t k) { rows[k] = make_row(*bodies[k], time, h); });
     const Answer answer = solve(solver, island, rows, h, solves);
     const bool done = has_converged(island, rows, answer);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -253,8 +251,9 @@ void constrained_update(const StepContext& context, Island& island, double time,
       c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
       c.load_acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();
     }
-    if (done) return;
+    if (done) break;
   }
+  for (SubstepBody* c : bodies) c->predicted = c->update.change;
 }
 
 }  // namespace engine

@@ -48,10 +48,9 @@ void World::add_joint(const JointSpec& spec) {
   const auto known = [this](BodyId id) {
     return id == kWorld || (id >= 0 && id < static_cast<BodyId>(bodies_.size()));
   };
-  if (spec.first == spec.second || !known(spec.first) || !known(spec.second)) {
+  if (spec.first == spec.second || !known(spec.first) || !known(spec.second))
     throw std::invalid_argument(fmt::format(
         "joint '{}': it must join two different bodies, or a body and the world", spec.name));
-  }
   const Pair pair = std::minmax(spec.first, spec.second);
   // The ground is no body: bodies that are jointed to the world still touch it.
   if (pair.first != kWorld)
@@ -60,7 +59,7 @@ void World::add_joint(const JointSpec& spec) {
   if (!handle_of(spec.first) && !handle_of(spec.second)) return;
   joints_.push_back(pair);
   for (const BodyId id : {spec.first, spec.second})
-    if (id != kWorld) bodies_[static_cast<std::size_t>(id)].constrained = true;
+    if (id != kWorld) bodies_[id].constrained = true;
   create_joint(world_.get(), spec, handle_of(spec.first), handle_of(spec.second));
 }
 
@@ -81,7 +80,7 @@ std::vector<hydro::Twist> World::constrained_velocities(const std::vector<Solver
                                                         const std::vector<Contact>& contacts,
                                                         double step) {
   const auto is_constrained = [this](const SolverBody& b) {
-    return bodies_.at(static_cast<std::size_t>(b.body)).constrained;
+    return bodies_.at(b.body).constrained;
   };
   const IslandProblem problem{.bodies = bodies, .contacts = contacts, .step = step, .unit = unit_};
   if (std::none_of(bodies.begin(), bodies.end(), is_constrained))

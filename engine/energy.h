@@ -12,27 +12,14 @@
 
 namespace engine {
 
-/// ½ u·(M + A) u with the added mass of the motion [J].
-double kinetic_energy(const Body& body, const Environment& environment, const Motion& motion);
+/// ½ u·(M + A) u with the added mass of the motion and u relative to a frame of this velocity [J].
+double kinetic_energy(const Body& body, const Motion& motion, const Eigen::Vector3d& frame);
 
 /// m g z + U [J]
-double potential_energy(const Body& body, const Environment& environment,
-                        const hydro::BodyState& state);
-
-/// Scale of energies whose changes are round-off [J]: 1e-9 of the weight of the body and of the
-/// water in its place, times its size.
-double least_energy_scale(const Body& body, const Environment& environment);
+double potential_energy(const Body& body, const hydro::BodyState& state);
 
 /// True if the loads that may add to the body's energy are known: the water stands still, or
 /// carries along a body without locks and joints.
-bool must_not_gain_energy(const Body& body, const Environment& environment);
-
-/// True if lift or applied loads may add to the energy: no earlier energy then bounds it.
-bool is_driven(const MovingBody& moving);
-
-/// Largest work that the last lift and applied loads may have done between two states a time h [s]
-/// apart; 0 if they took energy [J].
-double work_done(const MovingBody& moving, const Environment& environment,
-                 const hydro::BodyState& before, const hydro::BodyState& after, double h);
+bool must_not_gain_energy(const Body& body);
 
 }  // namespace engine

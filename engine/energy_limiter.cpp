@@ -9,9 +9,30 @@
 namespace engine {
 namespace {
 
-/// Kinetic energy of a motion in W, whatever the water does [J].
-double absolute_energy(const Body& body, const Motion& motion) {
-  return kinetic_energy(body, Environment{}, motion);
+/// Scale of energies whose changes are round-off [J]: 1e-9 of the weight of the body and of the
+/// water in its place, times its size.
+double least_energy_scale(const Body& body) {
+  const double radius = body.radius;
+  const double water =
+      body.environment.sea ? body.environment.sea->density * std::pow(radius, 3) : 0;
+  return 1e-9 * body.environment.gravity * (body.spec->mass + water) * radius;
+}
+
+/// True if lift or applied loads may add to the energy: no earlier energy then bounds it.
+bool is_driven(const MovingBody& moving) {
+  return moving.body.spec->coefficients.lift != 0 || !moving.body.spec->loads.empty() ||
+         !moving.inputs.loads.empty() || moving.inputs.pull;
+}
+
+/// Largest work that the last lift and applied loads may have done between two states a time h [s]
+/// apart; 0 if they took energy [J].
+double work_done(const MovingBody& moving, const hydro::BodyState& before,
+                 const hydro::BodyState& after, double h) {
+  const Eigen::Vector3d current = moving.body.current();
+  hydro::Wrench load = moving.cache.loads.water.lift;
+  for (const hydro::Wrench& applied : moving.cache.loads.applied) load += applied;
+  const Vector6d F = to_vector6(load);
+  return h * std::max({0.0, F.dot(velocity(before, current)), F.dot(velocity(after, current))});
 }
 
 /// True if the loads of a free substep were abrupt, or if one under joints is a large part of an
@@ -30,18 +51,16 @@ void EnergyRange::extend(double energy, double potential) {
   lowest_potential = std::min(lowest_potential, potential);
 }
 
-EnergyLimiter::EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies,
-                             const Environment& environment)
+EnergyLimiter::EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies)
     : group_(std::move(group)) {
   for (const BodyId id : group_) {
-    const Body& body = bodies[static_cast<std::size_t>(id)].body;
-    floor_ += least_energy_scale(body, environment);
-    in_still_water_ = in_still_water_ && must_not_gain_energy(body, environment);
+    const Body& body = bodies[id].body;
+    floor_ += least_energy_scale(body);
+    in_still_water_ = in_still_water_ && must_not_gain_energy(body);
   }
 }
 
-bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, const Environment& environment,
-                          double h, bool halves) {
+bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bool halves) {
   excess_ = 0;
   next_ = range_;
   if (std::any_of(members.begin(), members.end(), [](const auto* b) { return b->touching; })) {
@@ -51,26 +70,25 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, const Enviro
   const auto suspect = [h](const SubstepBody* b) { return is_suspect(*b, h); };
   if (!halves && std::none_of(members.begin(), members.end(), suspect)) return false;
   if (in_still_water_)
-    judge_energy(members, environment, h);
+    judge_energy(members, h);
   else if (members.front()->end.constrained)
     judge_joints(members);
   return excess_ > allowed_;
 }
 
-void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members,
-                                 const Environment& environment, double h) {
+void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, double h) {
   double before = 0, potential_before = 0, potential = 0, work = 0;
   bool driven = false;
   kinetic_ = 0;
   for (const SubstepBody* b : members) {
     const Motion& start = b->moving->motion;
-    const double stored = potential_energy(b->body(), environment, start.state);
+    const double stored = potential_energy(b->body(), start.state);
     potential_before += stored;
-    before += stored + kinetic_energy(b->body(), environment, start);
-    potential += potential_energy(b->body(), environment, b->end.state);
-    kinetic_ += kinetic_energy(b->body(), environment, b->end);
+    before += stored + kinetic_energy(b->body(), start, b->body().current());
+    potential += potential_energy(b->body(), b->end.state);
+    kinetic_ += kinetic_energy(b->body(), b->end, b->body().current());
     driven = driven || is_driven(*b->moving);
-    work += work_done(*b->moving, environment, start.state, b->end.state, h);
+    work += work_done(*b->moving, start.state, b->end.state, h);
   }
   next_.extend(before, potential_before);
   if (driven) next_.lowest = before + work;
@@ -81,10 +99,11 @@ void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members,
 }
 
 void EnergyLimiter::judge_joints(const std::vector<SubstepBody*>& members) {
+  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
   double start = 0, end = 0, gain = 0;
   for (const SubstepBody* b : members) {
-    start += absolute_energy(b->body(), b->moving->motion);
-    end += absolute_energy(b->body(), b->end);
+    start += kinetic_energy(b->body(), b->moving->motion, still);
+    end += kinetic_energy(b->body(), b->end, still);
     gain += b->reaction_work;
   }
   // Drag may take at once what joints add; what loads take later they take of the gain, too.
@@ -98,21 +117,20 @@ void EnergyLimiter::judge_joints(const std::vector<SubstepBody*>& members) {
   if (excess_ > 0) next_.given_by_joints -= std::min(excess_, end);
 }
 
-void EnergyLimiter::clamp(const std::vector<SubstepBody*>& members,
-                          const Environment& environment) {
+void EnergyLimiter::clamp(const std::vector<SubstepBody*>& members) {
   range_ = next_;
   if (!(excess_ > 0)) return;
   const bool enough = kinetic_ > excess_;
   const bool much = excess_ > allowed_;
   if (!enough && !much) return;
   const double part = enough ? std::sqrt(1 - excess_ / kinetic_) : 0;
-  const Eigen::Vector3d frame =
-      in_still_water_ ? environment.current() : Eigen::Vector3d(Eigen::Vector3d::Zero());
   for (SubstepBody* b : members) {
+    Eigen::Vector3d frame = Eigen::Vector3d::Zero();
+    if (in_still_water_) frame = b->body().current();
     if (!enough) b->end = b->moving->motion;
     const Motion fast = b->end;
     b->end.state = with_velocity(fast.state, part * velocity(fast.state, frame), frame);
-    if (b->end.work) record_clamp(b->body(), environment, fast, b->end);
+    if (b->end.work) record_clamp(b->body(), fast, b->end);
     if (!much) continue;
     b->end.accelerations.clear();
     ++b->moving->counts.clamped;

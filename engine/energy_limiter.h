@@ -36,8 +36,7 @@ struct EnergyRange {
 class EnergyLimiter {
  public:
   /// @param group   Bodies that joints connect, ascending, or one body.
-  EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies,
-                const Environment& environment);
+  EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies);
 
   const std::vector<BodyId>& group() const { return group_; }
 
@@ -46,19 +45,17 @@ class EnergyLimiter {
   /// @param halves    The substep is half of one that had too much energy: it is judged in any
   /// case.
   /// @return true if the group has so much energy that the substep is to be halved.
-  bool judge(const std::vector<SubstepBody*>& members, const Environment& environment, double h,
-             bool halves);
+  bool judge(const std::vector<SubstepBody*>& members, double h, bool halves);
 
   /// After judge() for the same substep, which stands: slows ends that have too much energy. Bodies
   /// that move with less energy than that stay where they were.
-  void clamp(const std::vector<SubstepBody*>& members, const Environment& environment);
+  void clamp(const std::vector<SubstepBody*>& members);
 
   const EnergyRange& range() const { return range_; }
   void restore(const EnergyRange& range) { range_ = range; }
 
  private:
-  void judge_energy(const std::vector<SubstepBody*>& members, const Environment& environment,
-                    double h);
+  void judge_energy(const std::vector<SubstepBody*>& members, double h);
   void judge_joints(const std::vector<SubstepBody*>& members);
 
   std::vector<BodyId> group_;

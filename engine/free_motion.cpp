@@ -183,7 +183,7 @@ bool keeps_energy(const PartlyLockedBody& body, const LockedMotion& before,
   const auto square = [&](const LockedMotion& motion, bool of_locked) {
     Vector6d u = motion.u;
     for (int i = 0; i < 6; ++i)
-      if (body.locked[static_cast<std::size_t>(i)] != of_locked) u[i] = 0;
+      if (body.locked[i] != of_locked) u[i] = 0;
     return u.dot(body.inertia_W(motion.q) * u) / 2;
   };
   const double free0 = square(before, false), locked0 = square(before, true);

@@ -13,21 +13,21 @@ namespace engine {
 namespace {
 
 /// A body where contacts are looked for.
-World::Placed placed(const SubstepBody& b, const Environment& environment) {
+World::Placed placed(const SubstepBody& b) {
   const Motion& motion = b.moving->motion;
   return {.body = b.id,
           .state = b.halfway.state,
           .inertia = {.mass = contact_mass(b.body(), motion),
                       .fall = contact_fall(b.body(), motion),
-                      .acceleration = motion.load_acceleration_W.value_or(-environment.gravity *
-                                                                          Eigen::Vector3d::UnitZ()),
+                      .acceleration = motion.load_acceleration_W.value_or(
+                          -b.body().environment.gravity * Eigen::Vector3d::UnitZ()),
                       .matrix_B = b.body().rigid_B + motion.added()}};
 }
 
 /// True if the motion has no history yet and is about to get one.
-bool starts(const MovingBody& moving, const Environment& environment) {
+bool starts(const MovingBody& moving) {
   return moving.motion.accelerations.empty() && shows_trend(moving.body, moving.motion) &&
-         (moving.body.reduced_joint || may_be_wet(moving.body, environment, moving.motion.state));
+         (moving.body.reduced_joint || may_be_wet(moving.body, moving.motion.state));
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].id = group_.bodies[i];
-    members_[i].moving = &context_.bodies[static_cast<std::size_t>(group_.bodies[i])];
-    members_[i].in_island = is_alone_;
+    members_[i].moving = &context_.bodies[group_.bodies[i]];
+    if (is_alone_) members_[i].island = 0;
   }
   for (EnergyLimiter* limiter : limiters) {
     judged_.push_back({.limiter = limiter, .members = {}});
@@ -58,7 +58,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
 
 GroupStepper::Member& GroupStepper::member(BodyId id) {
   const auto place = std::lower_bound(group_.bodies.begin(), group_.bodies.end(), id);
-  return members_[static_cast<std::size_t>(place - group_.bodies.begin())];
+  return members_[place - group_.bodies.begin()];
 }
 
 void GroupStepper::advance(double time, double length) {
@@ -76,12 +76,17 @@ void GroupStepper::advance(double time, double length) {
 }
 
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
-  const bool starting =
-      is_alone_ && !halves && starts(*members_.front().moving, context_.environment);
+  const bool starting = is_alone_ && !halves && starts(*members_.front().moving);
   double done = 0;
   for (int i = 0;; ++i) {
     const double h = next_length(length - done, starting && i < AccelerationHistory::kTrend);
-    take_limited_substep(time + done, h, halves);
+    take_substeps(time + done, h);
+    if (must_halve(h, halves)) {
+      advance_in_substeps(time + done, h / 2, true);
+      advance_in_substeps(time + done + h / 2, h / 2, true);
+    } else {
+      accept(time + done, h);
+    }
     done += h;
     if (length - done <= kRoundOffPart * step_) return;
   }
@@ -96,7 +101,7 @@ void GroupStepper::advance_within_tolerance(double time, double length) {
     take_substeps(time + done, h);
     std::vector<std::pair<const Member*, Motion>> whole;
     for (const Member& m : members_)
-      if (m.in_island) whole.emplace_back(&m, m.end);
+      if (m.island) whole.emplace_back(&m, m.end);
     for (const double start : {done, done + h / 2}) advance_in_substeps(time + start, h / 2, false);
     double error = 0;
     for (const auto& [m, end] : whole)
@@ -112,13 +117,6 @@ void GroupStepper::advance_within_tolerance(double time, double length) {
   }
 }
 
-void GroupStepper::take_limited_substep(double time, double h, bool halves) {
-  take_substeps(time, h);
-  if (!must_halve(h, halves)) return accept(time, h);
-  advance_in_substeps(time, h / 2, true);
-  advance_in_substeps(time + h / 2, h / 2, true);
-}
-
 void GroupStepper::take_substeps(double time, double h) {
   if (islands_.size() == 1) return take_substep(context_, islands_.front(), time, h);
   parallel_for_rethrow(context_.parallel_for, islands_.size(),
@@ -128,33 +126,29 @@ void GroupStepper::take_substeps(double time, double h) {
 bool GroupStepper::must_halve(double h, bool halves) {
   bool gained = false, followed = true, overshot = false;
   for (const Judged& judged : judged_) {
-    if (!member(judged.members.front()->id).in_island) continue;
-    gained = judged.limiter->judge(judged.members, context_.environment, h, halves && is_alone_) ||
-             gained;
+    if (!member(judged.members.front()->id).island) continue;
+    gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
   if (h / 2 < kShortestPart * step_) return false;
   gained = gained && h / 2 >= shortest_;
   for (const Member& m : members_) {
-    if (!m.in_island || !(gained || m.abrupt)) continue;
+    if (!m.island || !(gained || m.abrupt)) continue;
     const Motion& before = m.moving->motion;
-    followed = followed && can_be_followed(m.body(), context_.environment, before, h);
-    overshot = overshot ||
-               (m.abrupt && m.body().wet &&
-                overshoots_surface(m.body(), context_.environment, before.state, m.end.state, h));
+    followed = followed && can_be_followed(m.body(), before, h);
+    overshot = overshot || (m.abrupt && m.body().wet &&
+                            overshoots_surface(m.body(), before.state, m.end.state, h));
   }
   return overshot || (gained && followed);
 }
 
 void GroupStepper::accept(double time, double h) {
   for (const Judged& judged : judged_)
-    if (member(judged.members.front()->id).in_island)
-      judged.limiter->clamp(judged.members, context_.environment);
+    if (member(judged.members.front()->id).island) judged.limiter->clamp(judged.members);
   for (Member& m : members_)
-    if (m.in_island) m.moving->motion = m.end;
+    if (m.island) m.moving->motion = m.end;
   if (is_alone_) return;
   parallel_for_rethrow(context_.parallel_for, members_.size(), [&](std::size_t i) {
-    if (!members_[i].in_island)
-      (*alone_)[static_cast<std::size_t>(members_[i].id)].advance(time, h);
+    if (!members_[i].island) (*alone_)[members_[i].id].advance(time, h);
   });
   impacts_.accept(contacts_.pairs);
 }
@@ -197,17 +191,16 @@ double GroupStepper::longest_substep(double rest) const {
   double h = rest;
   for (const Island& island : islands_)
     for (const SubstepBody* b : island.bodies)
-      h = std::min(h, substep_limit(b->body(), context_.environment, b->moving->motion, rest, step_,
-                                    island.constrained));
+      h = std::min(h, substep_limit(b->body(), b->moving->motion, rest, step_, island.constrained));
   return h;
 }
 
 void GroupStepper::find_contacts(double h) {
   std::vector<World::Placed> bodies;
   for (Member& m : members_) {
-    drift_halfway(m, context_.environment, h);
+    drift_halfway(m, h);
     m.touching = false;
-    if (context_.collides) bodies.push_back(placed(m, context_.environment));
+    if (context_.collides) bodies.push_back(placed(m));
   }
   if (context_.collides) contacts_ = context_.world.collide(bodies, group_.near, h);
   for (const Pair& pair : contacts_.pairs)
@@ -220,18 +213,13 @@ void GroupStepper::find_islands() {
   std::vector<Pair> pairs = group_.joints;
   pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
   islands_.clear();
-  for (Member& m : members_) m.in_island = false;
-  std::vector<std::size_t> home(members_.size());
-  const auto index = [this](BodyId id) {
-    return static_cast<std::size_t>(&member(id) - members_.data());
-  };
+  for (Member& m : members_) m.island.reset();
   for (const std::vector<BodyId>& connected : connected_components(group_.bodies, pairs)) {
     const Member& first = member(connected.front());
     if (connected.size() == 1 && first.body().reduced_joint && !first.touching) continue;
     Island island;
     for (const BodyId id : connected) {
-      member(id).in_island = true;
-      home[index(id)] = islands_.size();
+      member(id).island = islands_.size();
       island.bodies.push_back(&member(id));
     }
     islands_.push_back(std::move(island));
@@ -239,7 +227,7 @@ void GroupStepper::find_islands() {
   for (const Contact& contact : contacts_.points) {
     const auto& [first, second] = contact.pair;
     const BodyId movable = can_move(context_.bodies, first) ? first : second;
-    islands_[home[index(movable)]].contacts.push_back(contact);
+    islands_[*member(movable).island].contacts.push_back(contact);
   }
 }
 

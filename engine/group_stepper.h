@@ -38,7 +38,7 @@ class GroupStepper {
 
  private:
   struct Member : SubstepBody {
-    bool in_island = false;  ///< Of the present substep.
+    std::optional<std::size_t> island;  ///< Its place in `islands_`; none: it is in no island.
   };
   /// Bodies that one limiter judges.
   struct Judged {
@@ -54,8 +54,7 @@ class GroupStepper {
   Member& member(BodyId id);
   void advance_in_substeps(double time, double length, bool halves);
   void advance_within_tolerance(double time, double length);
-  /// Moves the islands by one substep and accepts it, or takes it in halves.
-  void take_limited_substep(double time, double h, bool halves);
+  /// Finds the ends of a substep of all islands.
   void take_substeps(double time, double h);
   bool must_halve(double h, bool halves);
   void accept(double time, double h);

@@ -10,9 +10,8 @@ namespace engine {
 namespace {
 
 /// The state after `time` [s] by drift and the extrapolated acceleration.
-hydro::BodyState expected_state(const MovingBody& moving, const Environment& environment,
-                                double time) {
-  hydro::BodyState state = state_after_drift(moving.body, environment, moving.motion, time);
+hydro::BodyState expected_state(const MovingBody& moving, double time) {
+  hydro::BodyState state = state_after_drift(moving.body, moving.motion, time);
   const Vector6d acceleration_B = moving.motion.accelerations.expected(time / 2);
   state.position += time * time / 2 * (state.orientation * acceleration_B.head<3>());
   return state;
@@ -27,7 +26,7 @@ Impacts::Impacts(const StepContext& context, const Group& group, const std::vect
       first_(kFirstAfterImpact * std::min(step, kShortestContact)),
       begun_(kImpactBegun * first_),
       step_(step),
-      slow_(kShortestContact * std::max(context.environment.gravity, kLeastGravity)) {
+      slow_(kShortestContact * std::max(context.gravity, kLeastGravity)) {
   std::set_intersection(group.near.begin(), group.near.end(), touching.begin(), touching.end(),
                         std::back_inserter(touching_));
 }
@@ -88,8 +87,7 @@ std::optional<double> Impacts::onset(const Pair& pair, double time) const {
   for (int i = 0; i < kMostOnsetLooks; ++i) {
     std::vector<std::pair<BodyId, hydro::BodyState>> places;
     for (const BodyId id : {pair.first, pair.second})
-      if (can_move(context_->bodies, id))
-        places.emplace_back(id, expected_state(body(id), context_->environment, time));
+      if (can_move(context_->bodies, id)) places.emplace_back(id, expected_state(body(id), time));
     std::optional<double> earliest;
     for (const double since : context_->world.closing_times(places, pair, slow_)) {
       const double start = time - since;

@@ -56,7 +56,7 @@ class Impacts {
   const std::vector<Pair>& touching() const { return touching_; }
 
  private:
-  MovingBody& body(BodyId id) const { return context_->bodies[static_cast<std::size_t>(id)]; }
+  MovingBody& body(BodyId id) const { return context_->bodies[id]; }
   bool may_meet_fast(const Pair& pair) const;
   std::optional<double> onset(const Pair& pair, double time) const;
 

@@ -99,7 +99,7 @@ std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
     const auto place = std::lower_bound(bodies.begin(), bodies.end(), id,
                                         [](const SolverBody& b, BodyId i) { return b.body < i; });
     if (place == bodies.end() || place->body != id) return nullptr;
-    return handles[static_cast<std::size_t>(place - bodies.begin())];
+    return handles[place - bodies.begin()];
   };
   prepare_all();
   for (const Contact& contact : problem.contacts)
@@ -120,33 +120,25 @@ std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
 }
 
 /// A world with a number of bodies, all disabled between two calls.
-class IslandSolver::PooledWorld {
- public:
-  explicit PooledWorld(std::size_t bodies)
-      : threading_(dThreadingAllocateSelfThreadedImplementation()),
-        world_(dWorldCreate()),
-        contact_joints_(dJointGroupCreate(0)) {
+struct IslandSolver::PooledWorld {
+  explicit PooledWorld(std::size_t count)
+      : threading(dThreadingAllocateSelfThreadedImplementation()),
+        world(dWorldCreate()),
+        contact_joints(dJointGroupCreate(0)) {
     // The implementation that worlds share by default is not safe for several threads.
     dWorldSetStepThreadingImplementation(
-        world_.get(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
-    for (std::size_t i = 0; i < bodies; ++i) {
-      bodies_.push_back(dBodyCreate(world_.get()));
-      dBodySetGyroscopicMode(bodies_.back(), 0);
-      dBodyDisable(bodies_.back());
+        world.get(), dThreadingImplementationGetFunctions(threading.get()), threading.get());
+    for (std::size_t i = 0; i < count; ++i) {
+      bodies.push_back(dBodyCreate(world.get()));
+      dBodySetGyroscopicMode(bodies.back(), 0);
+      dBodyDisable(bodies.back());
     }
   }
 
-  std::size_t size() const { return bodies_.size(); }
-  std::vector<hydro::Twist> velocities(const IslandProblem& problem) {
-    return solve(world_.get(), contact_joints_.get(), bodies_, problem,
-                 problem.contacts.size() <= kMostDirectContacts);
-  }
-
- private:
-  ThreadingHandle threading_;
-  WorldHandle world_;
-  JointGroupHandle contact_joints_;  ///< It is destroyed before the world.
-  std::vector<dxBody*> bodies_;
+  ThreadingHandle threading;
+  WorldHandle world;
+  JointGroupHandle contact_joints;  ///< It is destroyed before the world.
+  std::vector<dxBody*> bodies;
 };
 
 std::unique_ptr<IslandSolver::PooledWorld> IslandSolver::take(std::size_t bodies) {
@@ -161,7 +153,7 @@ std::unique_ptr<IslandSolver::PooledWorld> IslandSolver::take(std::size_t bodies
 
 void IslandSolver::give_back(std::unique_ptr<PooledWorld> world) {
   const std::lock_guard lock(mutex_);
-  pool_[world->size()].push_back(std::move(world));
+  pool_[world->bodies.size()].push_back(std::move(world));
 }
 
 IslandSolver::IslandSolver() = default;
@@ -169,9 +161,11 @@ IslandSolver::~IslandSolver() = default;
 
 std::vector<hydro::Twist> IslandSolver::velocities(const IslandProblem& problem) {
   open_ode();
-  std::unique_ptr<PooledWorld> world = take(problem.bodies.size());
-  std::vector<hydro::Twist> result = world->velocities(problem);
-  give_back(std::move(world));
+  std::unique_ptr<PooledWorld> pooled = take(problem.bodies.size());
+  std::vector<hydro::Twist> result =
+      solve(pooled->world.get(), pooled->contact_joints.get(), pooled->bodies, problem,
+            problem.contacts.size() <= kMostDirectContacts);
+  give_back(std::move(pooled));
   return result;
 }
 

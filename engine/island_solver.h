@@ -85,7 +85,7 @@ class IslandSolver {
   std::vector<hydro::Twist> velocities(const IslandProblem& problem);
 
  private:
-  class PooledWorld;
+  struct PooledWorld;
   std::unique_ptr<PooledWorld> take(std::size_t bodies);
   void give_back(std::unique_ptr<PooledWorld> world);
 

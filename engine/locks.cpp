@@ -41,9 +41,8 @@ hydro::BodyState without_locked_motion(const DofMask& locked, hydro::BodyState s
 
 hydro::BodyState project_onto_locks(const DofMask& locked, const hydro::BodyState& initial,
                                     hydro::BodyState state) {
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     if (locked[i]) state.position[i] = initial.position[i];
-  }
   state.orientation = locked_orientation(locked, initial.orientation, state.orientation);
   return without_locked_motion(locked, state);
 }

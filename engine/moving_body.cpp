@@ -8,18 +8,6 @@
 namespace engine {
 namespace {
 
-/// Puts the loads of the water in a state into the cache.
-void compute_water_loads(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time) {
-  const BodySpec& spec = *moving.body.spec;
-  moving.cache.loads.water = hydro::compute_loads(*moving.body.hull, state, *environment.sea, time,
-                                                  spec.coefficients, spec.summation);
-  if (hydro::changes_with_time(*environment.sea))
-    moving.cache.water_state.reset();
-  else
-    moving.cache.water_state = state;
-}
-
 /// The load at a time: moment about the centre of mass, in W.
 hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, double time) {
   // A multiple of the step differs from the time as written by round-off.
@@ -33,29 +21,7 @@ hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, dou
   return std::sin(2 * std::numbers::pi * load.sine->frequency * time + load.sine->phase) * whole;
 }
 
-/// Finds the loads of the water: none above its highest point, and those of the cache where neither
-/// body nor water has moved.
-void find_water_loads(MovingBody& moving, const Environment& environment,
-                      const hydro::BodyState& state, double time) {
-  LoadCache& cache = moving.cache;
-  if (!may_be_wet(moving.body, environment, state)) {
-    ++moving.counts.dry;
-    cache.loads.water = {};
-    cache.water_state.reset();
-  } else if (cache.water_state == state) {
-    ++moving.counts.resting;
-  } else {
-    compute_water_loads(moving, environment, state, time);
-  }
-}
-
 }  // namespace
-
-void restore_cache(MovingBody& moving, const Environment& environment,
-                   const std::optional<hydro::BodyState>& water_state) {
-  moving.cache.water_state.reset();
-  if (water_state && moving.body.wet) compute_water_loads(moving, environment, *water_state, 0);
-}
 
 std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
                                          double time) {
@@ -71,25 +37,35 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
   return loads;
 }
 
-hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time) {
-  BodyLoads& loads = moving.cache.loads;
+hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time) {
+  const BodySpec& spec = *moving.body.spec;
+  LoadCache& cache = moving.cache;
+  BodyLoads& loads = cache.loads;
   loads.applied = applied_loads(moving, state, time);
-  loads.weight = {.force = {0, 0, -moving.body.spec->mass * environment.gravity}};
-  if (moving.body.wet) {
-    const Stopwatch stopwatch(moving.cache.seconds);
-    find_water_loads(moving, environment, state, time);
+  loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
+  if (moving.body.wet && !may_be_wet(moving.body, state)) {
+    ++moving.counts.dry;
+    loads.water = {};
+    cache.water_state.reset();
+  } else if (moving.body.wet && cache.water_state == state) {
+    ++moving.counts.resting;
+  } else if (moving.body.wet) {
+    const Stopwatch stopwatch(cache.seconds);
+    const hydro::Sea& sea = *moving.body.environment.sea;
+    loads.water = hydro::compute_loads(*moving.body.hull, state, sea, time, spec.coefficients,
+                                       spec.summation);
+    cache.water_state.reset();
+    if (!hydro::changes_with_time(sea)) cache.water_state = state;
   }
   const hydro::Wrench total = loads.total();
   if (!total.force.allFinite() || !total.moment.allFinite())
-    throw MotionFault(moving.body, load_fault(loads).value());
+    throw MotionFault(moving.body, load_fault(loads));
   return total;
 }
 
-Matrix6d find_added_mass(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time) {
-  const Stopwatch stopwatch(moving.cache.seconds);
-  return added_mass(moving.body, environment, state, time);
+void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state) {
+  moving.cache.water_state.reset();
+  if (water_state && moving.body.wet) find_loads(moving, *water_state, 0);
 }
 
 void check_state(const MovingBody& moving, const hydro::BodyState& state) {

@@ -39,25 +39,19 @@ struct MovingBody {
 
 /// True for a body that can move; false for kWorld.
 inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
-  return id != kWorld && bodies[static_cast<std::size_t>(id)].body.movable;
+  return id != kWorld && bodies[id].body.movable;
 }
 
 /// The sum of all loads on the body in a state, its weight included; the cache keeps them.
 /// @throws MotionFault if they are not finite.
-hydro::Wrench find_loads(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time);
+hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time);
 
 /// Makes the cache that of a body whose water_state is this one.
-void restore_cache(MovingBody& moving, const Environment& environment,
-                   const std::optional<hydro::BodyState>& water_state);
+void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state);
 
 /// The loads of the scene and of the program on the body in a state.
 std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
                                          double time);
-
-/// A of the body in a state, in B; its wall time counts as the water's.
-Matrix6d find_added_mass(MovingBody& moving, const Environment& environment,
-                         const hydro::BodyState& state, double time);
 
 /// A load or a state of a body is not finite, or beyond all bounds.
 class MotionFault : public std::runtime_error {

@@ -5,11 +5,10 @@
 namespace engine {
 namespace {
 
-void apply_loads(World& world, MovingBody& moving, BodyId id, const Environment& environment,
-                 double time, double step) {
+void apply_loads(World& world, MovingBody& moving, BodyId id, double time, double step) {
   const hydro::BodyState& state = moving.motion.state;
   world.set_state(id, state);
-  hydro::Wrench load = find_loads(moving, environment, state, time);
+  hydro::Wrench load = find_loads(moving, state, time);
   if (const auto fault = motion_fault(*moving.body.spec, state, load, step))
     throw MotionFault(moving.body, *fault + " after the step; " + largest_load(moving.cache.loads));
   load += -1.0 * moving.cache.loads.weight;  // ODE's own
@@ -22,14 +21,13 @@ void ode_step(const StepContext& context, double time, double step) {
   World& world = context.world;
   std::vector<MovingBody>& bodies = context.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].body.movable)
-      apply_loads(world, bodies[i], static_cast<BodyId>(i), context.environment, time, step);
+    if (bodies[i].body.movable) apply_loads(world, bodies[i], static_cast<BodyId>(i), time, step);
   if (context.collides) world.collide(step);
   world.advance(step);
   std::vector<bool> touching(bodies.size(), false);
   for (const Pair& pair : world.contacts().pairs)
     for (const BodyId id : {pair.first, pair.second})
-      if (id != kWorld) touching[static_cast<std::size_t>(id)] = true;
+      if (id != kWorld) touching[id] = true;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     MovingBody& moving = bodies[i];
     const Body& body = moving.body;

@@ -34,8 +34,7 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
   }
   if (!only || only->type == Type::fixed || only->type == Type::universal) return std::nullopt;
   const BodyId other = only->first == id ? only->second : only->first;
-  const bool grounded =
-      other == kWorld || immovable(spec.bodies[static_cast<std::size_t>(other)].locked);
+  const bool grounded = other == kWorld || immovable(spec.bodies[other].locked);
   const bool in_current = spec.sea && body.added_mass && !spec.sea->current.isZero(0);
   if (!grounded || in_current || partly_locked(body.locked)) return std::nullopt;
   return ReducedJoint{.type = only->type,

@@ -13,7 +13,6 @@
 #include "engine/ode_step.h"
 #include "engine/state_data.h"
 #include "engine/stopwatch.h"
-#include "engine/wave_resolution.h"
 #include "hydro/parallel.h"
 
 namespace engine {
@@ -33,9 +32,8 @@ bool has_a_pair(const SimulationSpec& spec) {
 }
 
 World make_world(const SimulationSpec& spec) {
-  if (!(spec.step > 0 && std::isfinite(spec.step))) {
+  if (!(spec.step > 0 && std::isfinite(spec.step)))
     throw std::invalid_argument(fmt::format("the step is {} s, not positive", spec.step));
-  }
   World world(spec.gravity);
   const bool meets = has_a_pair(spec);
   for (const BodySpec& body : spec.bodies) world.add_body(body, meets);
@@ -51,11 +49,7 @@ std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec) {
   for (Body& body : make_bodies(spec)) {
     const hydro::BodyState initial = without_locked_motion(body.spec->locked, body.spec->initial);
     Motion motion = motion_at(body, spec, initial, 0);
-    moving.push_back({.body = std::move(body),
-                      .motion = std::move(motion),
-                      .inputs = {},
-                      .cache = {},
-                      .counts = {}});
+    moving.push_back({.body = std::move(body), .motion = std::move(motion)});
   }
   return moving;
 }
@@ -74,16 +68,13 @@ struct Simulation::Impl {
   SimulationState state() const;
   void restore(const SimulationState::Data& data);
 
-  // The stages of a step.
-  void advance();
-  void accept();
+  void accept_step();
   void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
 
   SimulationSpec spec;
   World world;
   tbb::task_arena threads;
-  Environment environment;
   std::vector<MovingBody> bodies;
   StepContext context;
   Stepper stepper;
@@ -92,7 +83,6 @@ struct Simulation::Impl {
   bool broken = false;  ///< A step stopped halfway.
   Timings timings;
   double loads_so_far = 0;  ///< Seconds of all bodies' loads after the last step.
-  std::vector<std::string> warnings;
   std::optional<SimulationState> start;
 };
 
@@ -100,11 +90,10 @@ Simulation::Impl::Impl(SimulationSpec description)
     : spec(std::move(description)),
       world(make_world(spec)),
       threads(std::max(1, spec.threads)),
-      environment(make_environment(spec)),
       bodies(make_moving_bodies(spec)),
       context{.world = world,
               .bodies = bodies,
-              .environment = environment,
+              .gravity = spec.gravity,
               .parallel_for =
                   [this](std::size_t n, const std::function<void(std::size_t)>& f) {
                     threads.execute([&] { hydro::parallel_for(n, f); });
@@ -119,22 +108,7 @@ Simulation::Impl::Impl(SimulationSpec description)
 MovingBody& Simulation::Impl::body(BodyId id) {
   if (id < 0 || id >= static_cast<BodyId>(bodies.size()))
     throw std::invalid_argument(fmt::format("there is no body {}", id));
-  return bodies[static_cast<std::size_t>(id)];
-}
-
-void Simulation::Impl::advance() {
-  for (MovingBody& moving : bodies)
-    if (moving.motion.work) moving.motion.work->start_step();
-  const double collision_before = world.collision_seconds();
-  double wall = 0;
-  {
-    const Stopwatch stopwatch(wall);
-    if (spec.integrator.method == Integrator::Method::split)
-      stepper.advance(time());
-    else
-      ode_step(context, time(), spec.step);
-  }
-  book_time(wall, world.collision_seconds() - collision_before);
+  return bodies[id];
 }
 
 void Simulation::Impl::book_time(double wall, double collision) {
@@ -150,24 +124,19 @@ void Simulation::Impl::book_time(double wall, double collision) {
   timings.engine += wall - collision - hydro;
 }
 
-void Simulation::Impl::accept() {
+void Simulation::Impl::accept_step() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     states[i] = bodies[i].motion.state;
     bodies[i].inputs.loads.clear();
   }
   ++steps;
-  for (std::size_t i = 0; i < bodies.size() && warnings.empty(); ++i)
-    if (const auto warning =
-            wave_resolution_warning(bodies[i].body, states[i], environment, spec.step))
-      warnings.push_back(*warning);
 }
 
 std::vector<BodyForces> Simulation::Impl::forces() {
   if (!spec.record_work) throw std::logic_error("the simulation keeps no record of work");
   std::vector<BodyForces> forces(bodies.size());
-  context.parallel_for(bodies.size(), [&](std::size_t i) {
-    forces[i] = forces_on(bodies[i], environment, time(), spec.step);
-  });
+  context.parallel_for(bodies.size(),
+                       [&](std::size_t i) { forces[i] = forces_on(bodies[i], time(), spec.step); });
   return forces;
 }
 
@@ -180,7 +149,6 @@ SimulationState Simulation::Impl::state() const {
                             .counts = moving.counts,
                             .water_state = moving.cache.water_state});
   data->stepper = stepper.state();
-  data->warnings = warnings;
   return SimulationState(std::move(data));
 }
 
@@ -193,12 +161,11 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
     bodies[i].motion = data.bodies[i].motion;
     bodies[i].inputs = data.bodies[i].inputs;
     bodies[i].counts = data.bodies[i].counts;
-    restore_cache(bodies[i], environment, data.bodies[i].water_state);
+    restore_cache(bodies[i], data.bodies[i].water_state);
     states[i] = bodies[i].motion.state;
   }
   stepper.restore(data.stepper);
   steps = data.steps;
-  warnings = data.warnings;
   broken = false;
 }
 
@@ -230,7 +197,6 @@ long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
-const std::vector<std::string>& Simulation::warnings() const { return impl_->warnings; }
 
 Skips Simulation::skips() const {
   const auto feels_water = [](const MovingBody& moving) {
@@ -270,7 +236,7 @@ void Simulation::set_motion(BodyId body, const hydro::BodyState& state) {
   const hydro::BodyState allowed = displaced(moving.body, state, Vector6d::Zero());
   moving.motion = motion_at(moving.body, impl_->spec, allowed, impl_->time());
   impl_->stepper.forget(body);
-  impl_->states[static_cast<std::size_t>(body)] = moving.motion.state;
+  impl_->states[body] = moving.motion.state;
 }
 
 SimulationState Simulation::state() const {
@@ -286,15 +252,24 @@ void Simulation::step() {
   if (impl.broken)
     throw SimulationError(time(), "", "the simulation has stopped on an earlier error");
   impl.broken = true;
+  for (MovingBody& moving : impl.bodies)
+    if (moving.motion.work) moving.motion.work->start_step();
+  const double collision_before = impl.world.collision_seconds();
+  double wall = 0;
   try {
-    impl.advance();
+    const Stopwatch stopwatch(wall);
+    if (impl.spec.integrator.method == Integrator::Method::split)
+      impl.stepper.advance(time());
+    else
+      ode_step(impl.context, time(), impl.spec.step);
   } catch (const MotionFault& fault) {
     throw SimulationError(time(), fault.body(), fault.what());
   } catch (const OdeFault& fault) {
     impl.give_up(fault);
   }
+  impl.book_time(wall, impl.world.collision_seconds() - collision_before);
+  impl.accept_step();
   impl.broken = false;
-  impl.accept();
 }
 
 }  // namespace engine

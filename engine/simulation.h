@@ -65,8 +65,6 @@ class Simulation {
   const Timings& timings() const;
   Skips skips() const;
   std::vector<Counts> counts() const;  ///< Per body.
-  /// What the user should know of the run so far, each once, as whole sentences.
-  const std::vector<std::string>& warnings() const;
 
   /// Adds a load that acts in the next step only. Calls add up.
   /// @param wrench   Force [N] at the point, and torque [N m] beside it, in the axes of `frame`.

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 1";
+constexpr std::string_view kMagic = "plimsoll state 2";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -66,10 +66,7 @@ template <class Archive, class Derived>
 void visit(Archive& a, Eigen::PlainObjectBase<Derived>& matrix) {
   a.bytes(matrix.data(), sizeof(double) * static_cast<std::size_t>(matrix.size()));
 }
-template <class Archive>
-void visit(Archive& a, Eigen::Quaterniond& q) {
-  visit(a, q.coeffs());
-}
+void visit(auto& a, Eigen::Quaterniond& q) { visit(a, q.coeffs()); }
 template <class Archive, class T>
 void visit(Archive& a, std::optional<T>& value) {
   bool present = value.has_value();
@@ -78,8 +75,7 @@ void visit(Archive& a, std::optional<T>& value) {
   if (!present) value.reset();
   if (value) visit(a, *value);
 }
-template <class Archive>
-void visit(Archive& a, std::string& text) {
+void visit(auto& a, std::string& text) {
   text.resize(a.count(text.size()));
   a.bytes(text.data(), text.size());
 }
@@ -93,62 +89,44 @@ void visit_all(Archive& a, T&... parts) {
   (visit(a, parts), ...);
 }
 
-template <class Archive>
-void visit(Archive& a, Pair& pair) {
-  visit_all(a, pair.first, pair.second);
-}
-template <class Archive>
-void visit(Archive& a, hydro::BodyState& s) {
+void visit(auto& a, Pair& pair) { visit_all(a, pair.first, pair.second); }
+void visit(auto& a, hydro::BodyState& s) {
   visit_all(a, s.position, s.orientation, s.linear_velocity, s.angular_velocity);
 }
-template <class Archive>
-void visit(Archive& a, AccelerationHistory& history) {
+void visit(auto& a, AccelerationHistory& history) {
   history.visit_parts([&a](auto&... parts) { visit_all(a, parts...); });
 }
 template <class Archive, std::size_t N>
 void visit(Archive& a, std::array<double, N>& numbers) {
   for (double& number : numbers) visit(a, number);
 }
-template <class Archive>
-void visit(Archive& a, WorkRecord& w) {
+void visit(auto& a, WorkRecord& w) {
   Works& works = w.works;
   visit_all(a, works.buoyancy, works.pressure_drag, works.viscous_drag, works.lift,
             works.added_mass, works.applied, works.weight, works.constraint, works.brake,
             w.added_energy_at_start, w.added_impulse, w.constraint_impulse);
 }
-template <class Archive>
-void visit(Archive& a, Motion& m) {
+void visit(auto& a, Motion& m) {
   visit_all(a, m.state, m.added_B, m.added_rate_B, m.accelerations, m.constrained, m.reaction_B,
             m.load_acceleration_W, m.longest_after_impact, m.work);
 }
-template <class Archive>
-void visit(Archive& a, Pull& p) {
-  visit_all(a, p.at_B, p.to_W, p.rate);
-}
-template <class Archive>
-void visit(Archive& a, AppliedLoad::Sine& sine) {
-  visit_all(a, sine.frequency, sine.phase);
-}
-template <class Archive>
-void visit(Archive& a, AppliedLoad& l) {
+void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
+void visit(auto& a, AppliedLoad::Sine& sine) { visit_all(a, sine.frequency, sine.phase); }
+void visit(auto& a, AppliedLoad& l) {
   visit_all(a, l.force, l.torque, l.in_body_frame, l.at_B, l.start, l.end, l.sine);
 }
-template <class Archive>
-void visit(Archive& a, Counts& c) {
+void visit(auto& a, Counts& c) {
   visit_all(a, c.free, c.constrained, c.substeps, c.implicit, c.iterations, c.unconverged,
             c.clamped, c.dry, c.resting);
 }
-template <class Archive>
-void visit(Archive& a, BodyRecord& body) {
+void visit(auto& a, BodyRecord& body) {
   visit_all(a, body.motion, body.inputs.pull, body.inputs.loads, body.counts, body.water_state);
 }
-template <class Archive>
-void visit(Archive& a, EnergyRange& r) {
+void visit(auto& a, EnergyRange& r) {
   visit_all(a, r.lowest, r.highest, r.lowest_potential, r.given_by_joints);
 }
-template <class Archive>
-void visit(Archive& a, SimulationState::Data& data) {
-  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges, data.warnings);
+void visit(auto& a, SimulationState::Data& data) {
+  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges);
 }
 
 }  // namespace

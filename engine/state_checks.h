@@ -28,8 +28,8 @@ struct BodyLoads {
   hydro::Wrench total() const;
 };
 
-/// "the pressure drag's force y is nan" or nothing if all components are finite.
-std::optional<std::string> load_fault(const BodyLoads& loads);
+/// "the pressure drag's force y is nan", of loads that are not all finite.
+std::string load_fault(const BodyLoads& loads);
 
 /// "the largest load is buoyancy, force z = 9810 N", or that there is none.
 std::string largest_load(const BodyLoads& loads);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "engine/moving_body.h"
@@ -21,7 +20,6 @@ struct SimulationState::Data {
   long steps = 0;
   std::vector<BodyRecord> bodies;
   StepperState stepper;
-  std::vector<std::string> warnings;
 };
 
 }  // namespace engine

@@ -7,9 +7,7 @@ namespace engine {
 
 Stepper::Stepper(StepContext context, double step) : context_(std::move(context)), step_(step) {
   const std::vector<MovingBody>& bodies = context_.bodies;
-  const auto is_reduced = [&](BodyId id) {
-    return id != kWorld && bodies[static_cast<std::size_t>(id)].body.reduced_joint;
-  };
+  const auto is_reduced = [&](BodyId id) { return id != kWorld && bodies[id].body.reduced_joint; };
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].body.movable) movable_.push_back(static_cast<BodyId>(i));
   for (const Pair& pair : context_.world.joints())
@@ -18,8 +16,8 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
   std::vector<Pair> pairs = joints_;
   for (const BodyId id : movable_) pairs.emplace_back(kWorld, id);  // so that no body is left out
   for (std::vector<BodyId>& group : connected_components(movable_, pairs)) {
-    for (const BodyId id : group) limiter_of_[static_cast<std::size_t>(id)] = limiters_.size();
-    limiters_.emplace_back(std::move(group), bodies, context_.environment);
+    for (const BodyId id : group) limiter_of_[id] = limiters_.size();
+    limiters_.emplace_back(std::move(group), bodies);
   }
   alone_.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -36,8 +34,7 @@ void Stepper::advance(double time) {
   const std::vector<BodyId> free = free_bodies(groups);
   std::vector<std::vector<Pair>> touching(groups.size());
   parallel_for_rethrow(context_.parallel_for, groups.size() + free.size(), [&](std::size_t i) {
-    if (i >= groups.size())
-      return alone_[static_cast<std::size_t>(free[i - groups.size()])].advance(time, step_);
+    if (i >= groups.size()) return alone_[free[i - groups.size()]].advance(time, step_);
     GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), alone_, touching_, step_);
     stepper.advance(time, step_);
     touching[i] = stepper.touching();
@@ -55,7 +52,7 @@ std::vector<Pair> Stepper::near_pairs() {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     boxes.push_back(swept_box(world.shape_box(static_cast<BodyId>(i)), bodies[i].motion.state,
-                              context_.environment.gravity, step_));
+                              context_.gravity, step_));
   boxes.push_back(world.ground_box());
   return world.touchable(broad_phase_.find(boxes));
 }
@@ -70,12 +67,10 @@ std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {
   groups.reserve(connected.size());
   for (std::vector<BodyId>& bodies : connected) {
     groups.push_back({.bodies = std::move(bodies), .joints = {}, .near = {}});
-    for (const BodyId id : groups.back().bodies)
-      home[static_cast<std::size_t>(id)] = &groups.back();
+    for (const BodyId id : groups.back().bodies) home[id] = &groups.back();
   }
   const auto home_of = [&](const Pair& pair) {
-    return home[static_cast<std::size_t>(can_move(context_.bodies, pair.first) ? pair.first
-                                                                               : pair.second)];
+    return home[can_move(context_.bodies, pair.first) ? pair.first : pair.second];
   };
   // A body on a reduced joint is in a group only where something is near.
   for (const Pair& pair : context_.world.joints())
@@ -87,7 +82,7 @@ std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {
 std::vector<EnergyLimiter*> Stepper::limiters_of(const Group& group) {
   std::vector<EnergyLimiter*> limiters;
   for (const BodyId id : group.bodies) {
-    EnergyLimiter& limiter = limiters_[limiter_of_[static_cast<std::size_t>(id)]];
+    EnergyLimiter& limiter = limiters_[limiter_of_[id]];
     if (limiter.group().front() == id) limiters.push_back(&limiter);
   }
   return limiters;
@@ -96,10 +91,10 @@ std::vector<EnergyLimiter*> Stepper::limiters_of(const Group& group) {
 std::vector<BodyId> Stepper::free_bodies(const std::vector<Group>& groups) const {
   std::vector<bool> alone(context_.bodies.size(), true);
   for (const Group& group : groups)
-    for (const BodyId id : group.bodies) alone[static_cast<std::size_t>(id)] = false;
+    for (const BodyId id : group.bodies) alone[id] = false;
   std::vector<BodyId> free;
   for (const BodyId id : movable_)
-    if (alone[static_cast<std::size_t>(id)]) free.push_back(id);
+    if (alone[id]) free.push_back(id);
   return free;
 }
 
@@ -115,8 +110,7 @@ void Stepper::restore(const StepperState& state) {
 }
 
 void Stepper::forget(BodyId body) {
-  if (context_.bodies[static_cast<std::size_t>(body)].body.movable)
-    limiters_[limiter_of_[static_cast<std::size_t>(body)]].restore({});
+  if (context_.bodies[body].body.movable) limiters_[limiter_of_[body]].restore({});
 }
 
 }  // namespace engine

@@ -4,17 +4,24 @@
 
 #include "engine/constants.h"
 #include "engine/constrained_update.h"
-#include "engine/processing_correction.h"
+#include "engine/stopwatch.h"
 #include "engine/substep_limit.h"
 
 namespace engine {
 namespace {
 
-/// Prepares the body for the first pass of updates.
-void begin(SubstepBody& b, bool constrained, double h) {
+/// Drifts a free body to the middle of the substep, from its corrected state (E9).
+void begin_free(SubstepBody& b, double h) {
+  b.halfway = b.moving->motion;
+  b.correction = find_correction(b.body(), b.halfway, h);
+  if (b.correction) correct(b.body(), *b.correction, 1, b.halfway);
+  b.start = b.halfway.state;
+  drift(b.body(), b.halfway, h / 2);
+}
+
+/// Takes what the first linearisation of the loads needs from the last substep.
+void begin_constrained(SubstepBody& b, double h) {
   const Motion& motion = b.moving->motion;
-  if (b.body().has_added_mass) b.added_B = expected_added_mass(b.body(), motion, h);
-  if (!constrained) return;
   b.start = motion.state;
   b.reaction_B = motion.reaction_B;
   b.load_acceleration_W = motion.load_acceleration_W;
@@ -27,7 +34,7 @@ void begin(SubstepBody& b, bool constrained, double h) {
 }
 
 /// The second half of the substep, with the added mass of its end.
-void finish(SubstepBody& b, const Environment& environment, bool constrained, double h) {
+void finish(SubstepBody& b, bool constrained, double h) {
   const VelocityUpdate& update = b.update;
   const Eigen::Matrix3d R_BW = b.midpoint.R_WB.transpose();
   Motion& end = b.end = b.halfway;
@@ -41,25 +48,25 @@ void finish(SubstepBody& b, const Environment& environment, bool constrained, do
   end.constrained = constrained;
   end.reaction_B = b.reaction_B;
   end.load_acceleration_W = b.load_acceleration_W;
-  end.state = with_velocity(end.state, b.midpoint.after + update.change, environment.current());
+  end.state = with_velocity(end.state, b.midpoint.after + update.change, b.body().current());
   check_state(*b.moving, end.state);
   if (end.work) {
     const Vector6d reaction = rotate(b.midpoint.R_WB, b.reaction_B);
-    record_update(*b.moving, environment, b.midpoint,
+    record_update(*b.moving, b.midpoint,
                   {.change = update.change,
                    .h = h,
                    .implicit = update.implicit,
                    .reaction = constrained ? &reaction : nullptr},
                   end);
   }
-  drift(b.body(), environment, end, h / 2);
+  drift(b.body(), end, h / 2);
   check_state(*b.moving, end.state);
 }
 
 /// Work of the reactions on a body over the substep [J].
-double reaction_work(const SubstepBody& b, const Environment& environment, double h) {
+double reaction_work(const SubstepBody& b, double h) {
   const Vector6d u = b.midpoint.after + b.update.change / 2 +
-                     to_vector6(environment.current(), Eigen::Vector3d::Zero());
+                     to_vector6(b.body().current(), Eigen::Vector3d::Zero());
   return h * rotate(b.midpoint.R_WB, b.reaction_B).dot(u);
 }
 
@@ -74,91 +81,80 @@ bool is_unpredictable(const SubstepBody& b, double h) {
 }
 
 /// True if the loads halfway may not have been those on the way of a free body.
-bool is_abrupt(const SubstepBody& b, const Environment& environment, double h) {
+bool is_abrupt(const SubstepBody& b, double h) {
   if (b.update.implicit || !b.body().wet) return b.update.implicit;
   return b.end.state.angular_velocity.norm() * h > kLargestSwing ||
-         crosses_surface(b.body(), environment, b.start, b.end.state) ||
+         crosses_surface(b.body(), b.start, b.end.state) ||
          (!b.end.accelerations.resolved() && is_unpredictable(b, h));
 }
 
-/// The changes of velocity of an island; on later passes the loads of a free body stay.
-void solve(const StepContext& context, Island& island, double time, double h, bool first_pass) {
-  if (island.constrained) {
-    constrained_update(context, island, time, h);
-    for (SubstepBody* b : island.bodies) b->predicted = b->update.change;
-    return;
+/// Finds the added mass of the final poses, for another pass of updates; after the last one it
+/// shares the momentum (E4). @return the worst agreement with what the updates were taken with
+AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
+  auto worst = AddedMassMatch::equal;
+  for (SubstepBody* b : island.bodies) {
+    if (!b->body().has_added_mass) continue;
+    const Stopwatch stopwatch(b->moving->cache.seconds);
+    const Matrix6d found_B = added_mass(b->body(), b->end.state, time);
+    const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
+    if (match == AddedMassMatch::equal) continue;
+    worst = std::max(worst, match);
+    if (last_pass) b->end = share_momentum(b->body(), b->end, found_B);
+    b->added_B = found_B;
   }
-  SubstepBody& b = *island.bodies.front();
-  b.update = first_pass ? free_update(*b.moving, context.environment, b.midpoint, time, h)
-                        : resolve_with_inertia(*b.moving, context.environment, b.midpoint, b.update,
-                                               time, h);
+  return worst;
 }
 
-/// Updates the velocities until the added mass that they are taken with is that of the final pose,
-/// or shares the momentum with what it misses of that (E4).
-void update_velocities(const StepContext& context, Island& island, double time, double h) {
-  const int most = island.constrained ? kMostConstrainedPasses : kMostFreePasses;
-  bool last = false;
-  for (int pass = 1;; ++pass) {
-    for (SubstepBody* b : island.bodies) {
-      const bool projects = !island.constrained && b->body().has_added_mass;
-      b->midpoint = make_midpoint(b->body(), context.environment, b->halfway, b->added_B,
-                                  projects ? mobility(b->body(), b->halfway.state) : Mobility{});
-    }
-    solve(context, island, time + h / 2, h, pass == 1);
-    auto worst = AddedMassMatch::equal;
-    for (SubstepBody* b : island.bodies) {
-      finish(*b, context.environment, island.constrained, h);
-      if (!b->body().has_added_mass || last) continue;
-      const Matrix6d found_B =
-          find_added_mass(*b->moving, context.environment, b->end.state, time + h);
-      const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
-      if (match == AddedMassMatch::equal) continue;
-      worst = std::max(worst, match);
-      if (pass == most) b->end = share_momentum(b->body(), context.environment, b->end, found_B);
-      b->added_B = found_B;
-    }
-    if (last || worst == AddedMassMatch::equal || pass == most) return;
-    last = worst == AddedMassMatch::near;
-  }
+/// Counts the substep, tells whether it is to be judged, and takes the correction back.
+void conclude(SubstepBody& b, bool constrained, double h) {
+  Counts& counts = b.moving->counts;
+  counts.implicit += b.update.implicit;
+  counts.constrained += constrained;
+  ++counts.substeps;
+  if (constrained) b.reaction_work = reaction_work(b, h);
+  b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
+                         : is_abrupt(b, h);
+  if (!b.correction) return;
+  const auto after = find_correction(b.body(), b.end, h).value_or(*b.correction);
+  correct(b.body(), after, -1, b.end);
 }
 
 }  // namespace
 
-void drift_halfway(SubstepBody& b, const Environment& environment, double h) {
+void drift_halfway(SubstepBody& b, double h) {
   b.halfway = b.moving->motion;
-  drift(b.body(), environment, b.halfway, h / 2);
+  drift(b.body(), b.halfway, h / 2);
   check_state(*b.moving, b.halfway.state);
 }
 
 void take_substep(const StepContext& context, Island& island, double time, double h) {
-  const Environment& environment = context.environment;
-  std::optional<ProcessingCorrection> correction;
-  SubstepBody& first = *island.bodies.front();
-  if (!island.constrained) {
-    first.halfway = first.moving->motion;
-    correction = find_correction(first.body(), first.halfway, h);
-    if (correction) correct(first.body(), *correction, 1, first.halfway);
-    first.start = first.halfway.state;
-    drift(first.body(), environment, first.halfway, h / 2);
-  }
-  for (SubstepBody* b : island.bodies) begin(*b, island.constrained, h);
-  update_velocities(context, island, time, h);
+  const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
-    Counts& counts = b->moving->counts;
-    counts.implicit += b->update.implicit;
-    ++counts.substeps;
-    if (island.constrained) {
-      b->reaction_work = reaction_work(*b, environment, h);
-      ++counts.constrained;
-    }
-    b->abrupt = island.constrained ? b->body().wet && crosses_surface(b->body(), environment,
-                                                                      b->start, b->end.state)
-                                   : is_abrupt(*b, environment, h);
+    constrained ? begin_constrained(*b, h) : begin_free(*b, h);
+    if (b->body().has_added_mass) b->added_B = expected_added_mass(b->body(), b->moving->motion, h);
   }
-  if (!correction) return;
-  const auto after = find_correction(first.body(), first.end, h).value_or(*correction);
-  correct(first.body(), after, -1, first.end);
+  // Updates are repeated until the added mass that they are taken with is that of the final pose.
+  const int most = constrained ? kMostConstrainedPasses : kMostFreePasses;
+  auto match = AddedMassMatch::distant;
+  for (int pass = 1; pass <= most && match != AddedMassMatch::equal; ++pass) {
+    for (SubstepBody* b : island.bodies) {
+      const bool projects = !constrained && b->body().has_added_mass;
+      b->midpoint = make_midpoint(b->body(), b->halfway, b->added_B,
+                                  projects ? mobility(b->body(), b->halfway.state) : Mobility{});
+    }
+    SubstepBody& first = *island.bodies.front();
+    if (constrained)
+      constrained_update(context, island, time + h / 2, h);
+    else if (pass == 1)
+      first.update = free_update(*first.moving, first.midpoint, time + h / 2, h);
+    else
+      first.update =
+          resolve_with_inertia(*first.moving, first.midpoint, first.update, time + h / 2, h);
+    for (SubstepBody* b : island.bodies) finish(*b, constrained, h);
+    if (match == AddedMassMatch::near) break;
+    match = match_added_mass(island, time + h, pass == most);
+  }
+  for (SubstepBody* b : island.bodies) conclude(*b, constrained, h);
 }
 
 }  // namespace engine

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/parallel_for.h"
+#include "engine/processing_correction.h"
 #include "engine/velocity_update.h"
 #include "engine/world.h"
 
@@ -20,7 +21,7 @@ namespace engine {
 struct StepContext {
   World& world;
   std::vector<MovingBody>& bodies;
-  const Environment& environment;
+  double gravity = 0;  ///< [m/s^2]
   ParallelFor parallel_for;
   bool collides = true;  ///< False: nothing in the scene can touch.
   double tolerance = 0;  ///< As Integrator::tolerance.
@@ -32,13 +33,14 @@ struct SubstepBody {
   MovingBody* moving = nullptr;
   bool touching = false;  ///< A contact acts on it.
 
-  hydro::BodyState start;                  ///< State that is moved on, with its correction (E9).
-  Motion halfway;                          ///< After half a drift, before the update.
-  Matrix6d added_B = Matrix6d::Zero();     ///< A at the end that the update is taken with.
-  MidpointState midpoint;                  ///< Of `halfway`.
-  VelocityUpdate update;                   ///< By loads and reactions.
-  Vector6d predicted = Vector6d::Zero();   ///< Δu to linearise the loads about, in W.
-  Vector6d reaction_B = Vector6d::Zero();  ///< R of joints and contacts, in B.
+  hydro::BodyState start;  ///< State that is moved on, with its correction (E9).
+  std::optional<ProcessingCorrection> correction;  ///< Of a free body.
+  Motion halfway;                                  ///< After half a drift, before the update.
+  Matrix6d added_B = Matrix6d::Zero();             ///< A at the end that the update is taken with.
+  MidpointState midpoint;                          ///< Of `halfway`.
+  VelocityUpdate update;                           ///< By loads and reactions.
+  Vector6d predicted = Vector6d::Zero();           ///< Δu to linearise the loads about, in W.
+  Vector6d reaction_B = Vector6d::Zero();          ///< R of joints and contacts, in B.
   std::optional<Eigen::Vector3d> load_acceleration_W;  ///< As that of Motion.
   Motion end;                                          ///< The result.
   double reaction_work = 0;                            ///< Work of R over the substep [J].
@@ -54,7 +56,7 @@ struct Island {
 };
 
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.
-void drift_halfway(SubstepBody& member, const Environment& environment, double h);
+void drift_halfway(SubstepBody& member, double h);
 
 /// Finds the motion of each body of the island at the end of the substep; moves none.
 /// A constrained island must have been drifted halfway.

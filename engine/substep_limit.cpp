@@ -15,8 +15,7 @@ double equal_part(double rest, double longest) {
 }
 
 /// Limit by the turn of a wet body and by its rise through the water surface.
-double crossing_limit(const Body& body, const Environment& environment, const Motion& motion,
-                      double rest, double shortest) {
+double crossing_limit(const Body& body, const Motion& motion, double rest, double shortest) {
   if (!body.wet) return rest;
   const hydro::BodyState& state = motion.state;
   const auto [low, height] = vertical_extent(body, state);
@@ -24,9 +23,9 @@ double crossing_limit(const Body& body, const Environment& environment, const Mo
   // A body that turns about a fixed point may move in any direction within the step.
   const bool turns = body.reduced_joint && body.reduced_joint->turns();
   const double round = turns ? state.linear_velocity.norm() * rest : 0;
-  if (std::min(low, low + rise) - round >= environment.highest) return rest;
+  if (std::min(low, low + rise) - round >= body.environment.highest) return rest;
   double rate = state.angular_velocity.norm() / kLargestWetTurn;
-  if (std::max(low, low + rise) + height > environment.lowest)
+  if (std::max(low, low + rise) + height > body.environment.lowest)
     rate = std::max(rate, std::abs(state.linear_velocity.z()) / (kLargestCrossing * height));
   return equal_part(rest, std::max(shortest, rate > 0 ? 1 / rate : rest));
 }
@@ -41,15 +40,14 @@ double swing_limit(const Body& body, const Motion& motion, double rest, double s
 }
 
 /// Rate at which a body and its momentum turn by its own inertia and that of the water [rad/s].
-double own_turning_rate(const Body& body, const Environment& environment, const Motion& motion) {
+double own_turning_rate(const Body& body, const Motion& motion) {
   const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
   return turning_rate(body.rigid_B + motion.added(),
-                      rotate(R_BW, velocity(motion.state, environment.current())));
+                      rotate(R_BW, velocity(motion.state, body.current())));
 }
 
-double turn_limit(const Body& body, const Environment& environment, const Motion& motion,
-                  double rest, double shortest) {
-  const double rate = own_turning_rate(body, environment, motion);
+double turn_limit(const Body& body, const Motion& motion, double rest, double shortest) {
+  const double rate = own_turning_rate(body, motion);
   return equal_part(rest, std::max(shortest, rate > 0 ? kLargestConstrainedTurn / rate : rest));
 }
 
@@ -61,41 +59,40 @@ struct SurfaceCrossing {
   double height;  ///< The body's own [m].
 };
 
-SurfaceCrossing surface_crossing(const Body& body, const Environment& environment,
-                                 const hydro::BodyState& before, const hydro::BodyState& after) {
+SurfaceCrossing surface_crossing(const Body& body, const hydro::BodyState& before,
+                                 const hydro::BodyState& after) {
   const double first = vertical_extent(body, before).lowest;
   const auto [last, height] = vertical_extent(body, after);
-  return {.meets = std::min(first, last) < environment.highest &&
-                   std::max(first, last) + height > environment.lowest,
-          .reaches = std::max(first, last) >= environment.highest,
+  return {.meets = std::min(first, last) < body.environment.highest &&
+                   std::max(first, last) + height > body.environment.lowest,
+          .reaches = std::max(first, last) >= body.environment.highest,
           .rise = last - first,
           .height = height};
 }
 
 }  // namespace
 
-double substep_limit(const Body& body, const Environment& environment, const Motion& motion,
-                     double rest, double step, bool constrained) {
+double substep_limit(const Body& body, const Motion& motion, double rest, double step,
+                     bool constrained) {
   const double shortest = step / kMostSubsteps;
-  const double own = constrained ? turn_limit(body, environment, motion, rest, shortest)
+  const double own = constrained ? turn_limit(body, motion, rest, shortest)
                                  : swing_limit(body, motion, rest, kShortestSwing * step);
-  return std::min(own, crossing_limit(body, environment, motion, rest, shortest));
+  return std::min(own, crossing_limit(body, motion, rest, shortest));
 }
 
-bool can_be_followed(const Body& body, const Environment& environment, const Motion& motion,
-                     double h) {
-  return own_turning_rate(body, environment, motion) * h < kFollowedTurn;
+bool can_be_followed(const Body& body, const Motion& motion, double h) {
+  return own_turning_rate(body, motion) * h < kFollowedTurn;
 }
 
-bool crosses_surface(const Body& body, const Environment& environment,
-                     const hydro::BodyState& before, const hydro::BodyState& after) {
-  const SurfaceCrossing c = surface_crossing(body, environment, before, after);
+bool crosses_surface(const Body& body, const hydro::BodyState& before,
+                     const hydro::BodyState& after) {
+  const SurfaceCrossing c = surface_crossing(body, before, after);
   return c.meets && (c.reaches || std::abs(c.rise) > kAbruptCrossing * c.height);
 }
 
-bool overshoots_surface(const Body& body, const Environment& environment,
-                        const hydro::BodyState& before, const hydro::BodyState& after, double h) {
-  const SurfaceCrossing c = surface_crossing(body, environment, before, after);
+bool overshoots_surface(const Body& body, const hydro::BodyState& before,
+                        const hydro::BodyState& after, double h) {
+  const SurfaceCrossing c = surface_crossing(body, before, after);
   const double thrown = h / 2 * (after.linear_velocity.z() - before.linear_velocity.z());
   return c.meets && std::min(std::abs(c.rise), std::abs(thrown)) > kLargestOvershoot * c.height;
 }

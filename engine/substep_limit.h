@@ -17,21 +17,20 @@ namespace engine {
 /// @param rest          Rest of the step [s].
 /// @param step          The step [s].
 /// @param constrained   Joints or contacts act on the body.
-double substep_limit(const Body& body, const Environment& environment, const Motion& motion,
-                     double rest, double step, bool constrained);
+double substep_limit(const Body& body, const Motion& motion, double rest, double step,
+                     bool constrained);
 
 /// True if a body turns by less than kFollowedTurn in a time h [s], so that halves of a substep
 /// find its energy better than the whole.
-bool can_be_followed(const Body& body, const Environment& environment, const Motion& motion,
-                     double h);
+bool can_be_followed(const Body& body, const Motion& motion, double h);
 
 /// True if the body moves through the surface by much of its height, or reaches or leaves it.
-bool crosses_surface(const Body& body, const Environment& environment,
-                     const hydro::BodyState& before, const hydro::BodyState& after);
+bool crosses_surface(const Body& body, const hydro::BodyState& before,
+                     const hydro::BodyState& after);
 
 /// True if loads have moved a body through the water surface by more than kLargestOvershoot of its
 /// height in a time h [s], so that they were not the loads on its path.
-bool overshoots_surface(const Body& body, const Environment& environment,
-                        const hydro::BodyState& before, const hydro::BodyState& after, double h);
+bool overshoots_surface(const Body& body, const hydro::BodyState& before,
+                        const hydro::BodyState& after, double h);
 
 }  // namespace engine

@@ -14,21 +14,20 @@ namespace {
 /// What the parts of one update share.
 struct UpdateContext {
   MovingBody& moving;
-  const Body& body;
-  const Environment& environment;
   const MidpointState& midpoint;
-  Vector6d u;  ///< Velocity halfway without the loads, in W, relative to the water.
-  Mobility mobility;
   double time;
   double h;
+  const Body& body = moving.body;
+  Vector6d u = midpoint.mean();  ///< Halfway without the loads, in W, relative to the water.
+  Mobility mobility = engine::mobility(body, midpoint.motion->state);
 
   const hydro::BodyState& state() const { return midpoint.motion->state; }
   const hydro::Loads& water() const { return moving.cache.loads.water; }
   hydro::BodyState at(const Vector6d& relative) const {
-    return with_velocity(state(), relative, environment.current());
+    return with_velocity(state(), relative, body.current());
   }
   Vector6d loads(const Vector6d& relative) const {
-    return to_vector6(find_loads(moving, environment, at(relative), time));
+    return to_vector6(find_loads(moving, at(relative), time));
   }
   Matrix6d S() const { return inertia_W(body, midpoint); }
   double least_mass() const {
@@ -52,18 +51,6 @@ struct UpdateContext {
   }
 };
 
-UpdateContext make_context(MovingBody& moving, const Environment& environment,
-                           const MidpointState& midpoint, double time, double h) {
-  return {.moving = moving,
-          .body = moving.body,
-          .environment = environment,
-          .midpoint = midpoint,
-          .u = midpoint.mean(),
-          .mobility = mobility(moving.body, midpoint.motion->state),
-          .time = time,
-          .h = h};
-}
-
 /// Loads of another pose on the reduced joint as loads of this pose that do the same to its rates.
 Vector6d brought_back(const UpdateContext& s, const Vector6d& F, const hydro::BodyState& from) {
   const Subspace& here = *s.mobility.subspace;
@@ -81,7 +68,7 @@ VelocityUpdate explicit_update(const UpdateContext& s, const Vector6d& predicted
   const double length = shift.head<3>().norm() + s.body.radius * shift.tail<3>().norm();
   hydro::BodyState halfway = s.at(update.at);
   if (length <= kLargestShift * s.body.radius) halfway = displaced(s.body, halfway, shift);
-  update.load = to_vector6(find_loads(s.moving, s.environment, halfway, s.time));
+  update.load = to_vector6(find_loads(s.moving, halfway, s.time));
   if (s.body.reduced_joint) update.load = brought_back(s, update.load, halfway);
   update.change = s.accelerated(s.h * update.load);
   return update;
@@ -105,7 +92,7 @@ double heave_stiffness(const UpdateContext& s, double height) {
   const auto buoyancy = [&](double rise) {
     hydro::BodyState state = s.state();
     state.position.z() += rise;
-    return hydro::compute_loads(*s.body.hull, state, *s.environment.sea, s.time, coefficients)
+    return hydro::compute_loads(*s.body.hull, state, *s.body.environment.sea, s.time, coefficients)
         .buoyancy.force.z();
   };
   const double rise = 1e-3 * height;
@@ -115,7 +102,7 @@ double heave_stiffness(const UpdateContext& s, double height) {
 /// A bound of (h ω)² for heave, roll and pitch: no radius of gyration of a waterplane is more than
 /// √3 times the body's. Where it may matter the waterplane is that of the loads.
 double waterplane_stiffness(const UpdateContext& s) {
-  const Environment& environment = s.environment;
+  const Environment& environment = s.body.environment;
   if (!s.body.spec->coefficients.buoyancy) return 0;
   // No waterplane is larger than the widest section of the box.
   const Eigen::Vector3d size = s.body.box_B.sizes();
@@ -140,7 +127,7 @@ double largest_stiffness(const UpdateContext& s, const Matrix6d& J) {
 }
 
 hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative) {
-  return hydro::load_jacobian(*s.body.hull, s.at(relative), *s.environment.sea, s.time,
+  return hydro::load_jacobian(*s.body.hull, s.at(relative), *s.body.environment.sea, s.time,
                               s.body.spec->coefficients);
 }
 
@@ -192,9 +179,8 @@ Vector6d implicit_change(const UpdateContext& s) {
 }
 
 /// Δu of a body that nothing but applied loads and its weight acts on.
-Vector6d dry_change(MovingBody& moving, const Environment& environment,
-                    const MidpointState& midpoint, double time, double h) {
-  const hydro::Wrench load = find_loads(moving, environment, midpoint.motion->state, time);
+Vector6d dry_change(MovingBody& moving, const MidpointState& midpoint, double time, double h) {
+  const hydro::Wrench load = find_loads(moving, midpoint.motion->state, time);
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
   if (!load.moment.isZero(0)) {
     const Eigen::Matrix3d& R_WB = midpoint.R_WB;
@@ -233,9 +219,9 @@ bool is_stiff(const UpdateContext& s, const Vector6d& at, const Vector6d& after)
 
 }  // namespace
 
-MidpointState make_midpoint(const Body& body, const Environment& environment, const Motion& motion,
-                            const Matrix6d& added_B, const Mobility& mobility) {
-  const Vector6d u = velocity(motion.state, environment.current());
+MidpointState make_midpoint(const Body& body, const Motion& motion, const Matrix6d& added_B,
+                            const Mobility& mobility) {
+  const Vector6d u = velocity(motion.state, body.current());
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   MidpointState midpoint{.motion = &motion, .R_WB = R_WB, .inertia = {}, .before = u, .after = u};
   if (!body.has_added_mass) return midpoint;
@@ -252,13 +238,13 @@ Matrix6d inertia_W(const Body& body, const MidpointState& midpoint) {
   return midpoint.inertia ? *midpoint.inertia : inertia_W(body, *midpoint.motion, midpoint.R_WB);
 }
 
-VelocityUpdate free_update(MovingBody& moving, const Environment& environment,
-                           const MidpointState& midpoint, double time, double h) {
+VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, double time,
+                           double h) {
   const Body& body = moving.body;
   if (!body.wet && !body.has_added_mass && !body.locked && !body.reduced_joint &&
       !moving.inputs.pull)
-    return {.change = dry_change(moving, environment, midpoint, time, h)};
-  const UpdateContext s = make_context(moving, environment, midpoint, time, h);
+    return {.change = dry_change(moving, midpoint, time, h)};
+  const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   const AccelerationHistory& history = midpoint.motion->accelerations;
   const Vector6d predicted = h * rotate(midpoint.R_WB, history.expected(h / 2));
   VelocityUpdate update;
@@ -269,20 +255,18 @@ VelocityUpdate free_update(MovingBody& moving, const Environment& environment,
   return update;
 }
 
-VelocityUpdate resolve_with_inertia(MovingBody& moving, const Environment& environment,
-                                    const MidpointState& midpoint, const VelocityUpdate& last,
-                                    double time, double h) {
-  if (last.implicit) return free_update(moving, environment, midpoint, time, h);
+VelocityUpdate resolve_with_inertia(MovingBody& moving, const MidpointState& midpoint,
+                                    const VelocityUpdate& last, double time, double h) {
+  if (last.implicit) return free_update(moving, midpoint, time, h);
   VelocityUpdate update = last;
   update.change = solve_free(inertia_W(moving.body, midpoint), h * last.load,
                              mobility(moving.body, midpoint.motion->state));
   return update;
 }
 
-EffectiveLoad effective_load(MovingBody& moving, const Environment& environment,
-                             const MidpointState& midpoint, const Vector6d& expected, double time,
-                             double h) {
-  const UpdateContext s = make_context(moving, environment, midpoint, time, h);
+EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
+                             const Vector6d& expected, double time, double h) {
+  const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   Vector6d at = s.u + expected / 2;
   EffectiveLoad result{.inertia = s.S(), .load = s.loads(at)};
   result.implicit = is_stiff(s, at, s.u + expected + h * s.accelerated(result.load));

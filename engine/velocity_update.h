@@ -44,8 +44,8 @@ struct MidpointState {
 
 /// @param added_B    The added mass at the end of the substep.
 /// @param mobility   Velocities that are not free take no part in its change.
-MidpointState make_midpoint(const Body& body, const Environment& environment, const Motion& motion,
-                            const Matrix6d& added_B, const Mobility& mobility);
+MidpointState make_midpoint(const Body& body, const Motion& motion, const Matrix6d& added_B,
+                            const Mobility& mobility);
 
 /// S in W.
 Matrix6d inertia_W(const Body& body, const MidpointState& midpoint);
@@ -61,13 +61,12 @@ struct VelocityUpdate {
 
 /// Δu of a body that nothing but its locks and its reduced joint constrains.
 /// @param time   Halfway through the substep [s].
-VelocityUpdate free_update(MovingBody& moving, const Environment& environment,
-                           const MidpointState& midpoint, double time, double h);
+VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, double time,
+                           double h);
 
 /// The same after a small change of S: an explicit update keeps its loads.
-VelocityUpdate resolve_with_inertia(MovingBody& moving, const Environment& environment,
-                                    const MidpointState& midpoint, const VelocityUpdate& last,
-                                    double time, double h);
+VelocityUpdate resolve_with_inertia(MovingBody& moving, const MidpointState& midpoint,
+                                    const VelocityUpdate& last, double time, double h);
 
 /// The loads as a constraint solver takes them: with the reactions R,
 ///
@@ -79,8 +78,7 @@ struct EffectiveLoad {
 };
 
 /// (E5) or, where the loads are stiff, (E6) linearised about u + θ·expected.
-EffectiveLoad effective_load(MovingBody& moving, const Environment& environment,
-                             const MidpointState& midpoint, const Vector6d& expected, double time,
-                             double h);
+EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
+                             const Vector6d& expected, double time, double h);
 
 }  // namespace engine

@@ -21,17 +21,10 @@ double own_kinetic_energy(const Body& body, const Motion& motion) {
   return v.dot(momentum(body.rigid_B, motion, v)) / 2;
 }
 
-/// K + E_A
-double whole_kinetic_energy(const Body& body, const Environment& environment,
-                            const Motion& motion) {
-  return own_kinetic_energy(body, motion) + added_kinetic_energy(body, environment, motion);
-}
-
 /// Adds an impulse of the water that moves with a body, by which a current does work.
-void add_added_impulse(const Environment& environment, const Vector6d& impulse,
-                       WorkRecord& record) {
+void add_added_impulse(const Body& body, const Vector6d& impulse, WorkRecord& record) {
   record.added_impulse += impulse;
-  record.works.added_mass += environment.current().dot(impulse.head<3>());
+  record.works.added_mass += body.current().dot(impulse.head<3>());
 }
 
 /// Adds the works of the loads at the mean velocity `w` over a time h. @return their impulse
@@ -56,22 +49,21 @@ bool is_projected(const Body& body) { return body.locked || body.reduced_joint; 
 
 }  // namespace
 
-double added_kinetic_energy(const Body& body, const Environment& environment,
-                            const Motion& motion) {
+double added_kinetic_energy(const Body& body, const Motion& motion) {
   if (!body.has_added_mass) return 0;
-  const Vector6d u = velocity(motion.state, environment.current());
+  const Vector6d u = velocity(motion.state, body.current());
   return half_square(motion.added(),
                      rotate(motion.state.orientation.toRotationMatrix().transpose(), u));
 }
 
-void record_update(const MovingBody& moving, const Environment& environment,
-                   const MidpointState& midpoint, const UpdateRecord& update, Motion& after) {
+void record_update(const MovingBody& moving, const MidpointState& midpoint,
+                   const UpdateRecord& update, Motion& after) {
   const Body& body = moving.body;
   WorkRecord& record = *after.work;
   const Matrix6d S = inertia_W(body, midpoint);
   const Vector6d u = midpoint.after + update.change;
   const Vector6d mean = (midpoint.before + u) / 2;
-  const Vector6d w = mean + to_vector6(environment.current(), Eigen::Vector3d::Zero());
+  const Vector6d w = mean + to_vector6(body.current(), Eigen::Vector3d::Zero());
   const Vector6d impulse = S * update.change;
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
   if (update.reaction) {
@@ -92,18 +84,16 @@ void record_update(const MovingBody& moving, const Environment& environment,
   record.works.added_mass += half_square(inertia_W(body, after), u) -
                              half_square(inertia_W(body, *midpoint.motion), midpoint.before) -
                              impulse.dot(mean);
-  add_added_impulse(environment, momentum(body.rigid_B, after, u - midpoint.before) - impulse,
-                    record);
+  add_added_impulse(body, momentum(body.rigid_B, after, u - midpoint.before) - impulse, record);
 }
 
-void record_drift(const Body& body, const Environment& environment, const Motion& before,
-                  double time, Motion& after) {
+void record_drift(const Body& body, const Motion& before, double time, Motion& after) {
   const bool projected = is_projected(body);
   if (!projected && !before.added_B) return;
-  const Vector6d u0 = velocity(before.state, environment.current());
-  const Vector6d u1 = velocity(after.state, environment.current());
+  const Vector6d u0 = velocity(before.state, body.current());
+  const Vector6d u1 = velocity(after.state, body.current());
   const Vector6d own = momentum(body.rigid_B, after, u1) - momentum(body.rigid_B, before, u0);
-  if (!projected) return add_added_impulse(environment, own, *after.work);
+  if (!projected) return add_added_impulse(body, own, *after.work);
   Vector6d water = Vector6d::Zero();
   if (before.added_B) {
     const Vector6d p0 = momentum(before.added(), before, u0);
@@ -112,24 +102,24 @@ void record_drift(const Body& body, const Environment& environment, const Motion
     const Eigen::Vector3d P = (p0 + p1).head<3>() / 2;
     water = p0 - p1;
     water.tail<3>() -= time * v.cross(P);  // about a moving centre of mass
-    add_added_impulse(environment, water, *after.work);
+    add_added_impulse(body, water, *after.work);
   }
   after.work->constraint_impulse += own - water;
 }
 
-void record_added_mass(const Body& body, const Environment& environment, const Motion& before,
-                       Motion& after) {
+void record_added_mass(const Body& body, const Motion& before, Motion& after) {
   const Vector6d change =
-      velocity(after.state, environment.current()) - velocity(before.state, environment.current());
+      velocity(after.state, body.current()) - velocity(before.state, body.current());
   after.work->works.added_mass +=
-      kinetic_energy(body, environment, after) - kinetic_energy(body, environment, before);
-  add_added_impulse(environment, momentum(body.rigid_B, after, change), *after.work);
+      kinetic_energy(body, after, body.current()) - kinetic_energy(body, before, body.current());
+  add_added_impulse(body, momentum(body.rigid_B, after, change), *after.work);
 }
 
-void record_clamp(const Body& body, const Environment& environment, const Motion& before,
-                  Motion& after) {
-  after.work->works.brake += whole_kinetic_energy(body, environment, after) -
-                             whole_kinetic_energy(body, environment, before);
+void record_clamp(const Body& body, const Motion& before, Motion& after) {
+  const auto energy = [&](const Motion& motion) {
+    return own_kinetic_energy(body, motion) + added_kinetic_energy(body, motion);
+  };
+  after.work->works.brake += energy(after) - energy(before);
 }
 
 void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,
@@ -146,26 +136,25 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
   record.works.constraint += rest.dot(w);
 }
 
-BodyForces forces_on(const MovingBody& moving, const Environment& environment, double time,
-                     double step) {
+BodyForces forces_on(const MovingBody& moving, double time, double step) {
   const Body& body = moving.body;
   const Motion& motion = moving.motion;
   const hydro::BodyState& state = motion.state;
   const WorkRecord& record = *motion.work;
   BodyForces forces{.works = record.works};
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
-  forces.weight.force.z() = -body.spec->mass * environment.gravity;
-  if (body.wet && may_be_wet(body, environment, state))
-    forces.water = hydro::compute_loads(*body.hull, state, *environment.sea, time,
+  forces.weight.force.z() = -body.spec->mass * body.environment.gravity;
+  if (body.wet && may_be_wet(body, state))
+    forces.water = hydro::compute_loads(*body.hull, state, *body.environment.sea, time,
                                         body.spec->coefficients, body.spec->summation);
   forces.added_mass = to_wrench(record.added_impulse / step);
   forces.constraint = to_wrench(record.constraint_impulse / step);
   if (!body.movable)
     forces.constraint = -1.0 * (forces.weight + forces.applied + forces.water.total());
   forces.kinetic_energy = own_kinetic_energy(body, motion);
-  forces.added_kinetic_energy = added_kinetic_energy(body, environment, motion);
-  const double level = environment.sea ? environment.sea->level : 0;
-  forces.potential_energy = body.spec->mass * environment.gravity * (state.position.z() - level);
+  forces.added_kinetic_energy = added_kinetic_energy(body, motion);
+  forces.potential_energy =
+      body.spec->mass * body.environment.gravity * (state.position.z() - body.environment.level);
   forces.works.added_mass += record.added_energy_at_start - forces.added_kinetic_energy;
   return forces;
 }

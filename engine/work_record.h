@@ -10,7 +10,6 @@
 namespace engine {
 
 struct Body;
-struct Environment;
 struct MidpointState;
 struct Motion;
 struct MovingBody;
@@ -35,26 +34,22 @@ struct UpdateRecord {
 // Each of these adds an event to the record of the motion `after` it, which must have one.
 
 /// An update by the last loads of the body.
-void record_update(const MovingBody& moving, const Environment& environment,
-                   const MidpointState& midpoint, const UpdateRecord& update, Motion& after);
+void record_update(const MovingBody& moving, const MidpointState& midpoint,
+                   const UpdateRecord& update, Motion& after);
 /// Motion by inertia over `time` [s].
-void record_drift(const Body& body, const Environment& environment, const Motion& before,
-                  double time, Motion& after);
+void record_drift(const Body& body, const Motion& before, double time, Motion& after);
 /// A change of the added mass at a held pose (E4).
-void record_added_mass(const Body& body, const Environment& environment, const Motion& before,
-                       Motion& after);
+void record_added_mass(const Body& body, const Motion& before, Motion& after);
 /// A change of velocity by the energy limiter.
-void record_clamp(const Body& body, const Environment& environment, const Motion& before,
-                  Motion& after);
+void record_clamp(const Body& body, const Motion& before, Motion& after);
 /// A step of ODE's own by the last loads. @param constrained   Constraints acted.
 void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,
                      Motion& after);
 
 /// The forces on a body that has a record. @param step   Length of the last step [s].
-BodyForces forces_on(const MovingBody& moving, const Environment& environment, double time,
-                     double step);
+BodyForces forces_on(const MovingBody& moving, double time, double step);
 
 /// E_A [J]
-double added_kinetic_energy(const Body& body, const Environment& environment, const Motion& motion);
+double added_kinetic_energy(const Body& body, const Motion& motion);
 
 }  // namespace engine

@@ -86,21 +86,20 @@ void World::add_shape(Body& body, const BodySpec& spec) {
 }
 
 dxGeom* World::create_trimesh(const hydro::TriMesh& mesh) {
-  return dCreateTriMesh(space_.get(), mesh_data(mesh), nullptr, nullptr, nullptr);
-}
-
-dxTriMeshData* World::mesh_data(const hydro::TriMesh& mesh) {
-  for (const auto& known : meshes_)
-    if (hydro::same_mesh(known->mesh, mesh)) return known->data.get();
-  auto kept = std::make_unique<CollisionMesh>();
-  kept->mesh = mesh;
-  kept->data.reset(dGeomTriMeshDataCreate());
+  const auto known = std::find_if(meshes_.begin(), meshes_.end(), [&](const auto& other) {
+    return hydro::same_mesh(other->mesh, mesh);
+  });
+  if (known != meshes_.end())
+    return dCreateTriMesh(space_.get(), (*known)->data.get(), nullptr, nullptr, nullptr);
+  meshes_.push_back(std::make_unique<CollisionMesh>());
+  CollisionMesh& kept = *meshes_.back();
+  kept.mesh = mesh;
+  kept.data.reset(dGeomTriMeshDataCreate());
   static_assert(sizeof(dTriIndex) == sizeof(int), "ODE reads the faces as they are");
-  dGeomTriMeshDataBuildDouble(kept->data.get(), kept->mesh.vertices.data(), 3 * sizeof(double),
-                              static_cast<int>(mesh.vertex_count()), kept->mesh.faces.data(),
+  dGeomTriMeshDataBuildDouble(kept.data.get(), kept.mesh.vertices.data(), 3 * sizeof(double),
+                              static_cast<int>(mesh.vertex_count()), kept.mesh.faces.data(),
                               static_cast<int>(mesh.faces.size()), 3 * sizeof(dTriIndex));
-  meshes_.push_back(std::move(kept));
-  return meshes_.back()->data.get();
+  return dCreateTriMesh(space_.get(), kept.data.get(), nullptr, nullptr, nullptr);
 }
 
 void World::add_lock_motors(dxBody* body, const BodySpec& spec) {
@@ -141,21 +140,15 @@ bool World::can_collide() const {
   return things > 1 && std::any_of(bodies_.begin(), bodies_.end(), moves);
 }
 
-const Eigen::AlignedBox3d& World::shape_box(BodyId body) const {
-  return bodies_.at(static_cast<std::size_t>(body)).shape_B;
-}
+const Eigen::AlignedBox3d& World::shape_box(BodyId body) const { return bodies_.at(body).shape_B; }
 
-dxBody* World::handle_of(BodyId id) const {
-  return id == kWorld ? nullptr : bodies_.at(static_cast<std::size_t>(id)).handle;
-}
+dxBody* World::handle_of(BodyId id) const { return id == kWorld ? nullptr : bodies_.at(id).handle; }
 
-dxGeom* World::geom_of(BodyId id) const {
-  return id == kWorld ? ground_ : bodies_.at(static_cast<std::size_t>(id)).geom;
-}
+dxGeom* World::geom_of(BodyId id) const { return id == kWorld ? ground_ : bodies_.at(id).geom; }
 
 hydro::BodyState World::state(BodyId id) const {
   dxBody* body = handle_of(id);
-  if (!body) return bodies_.at(static_cast<std::size_t>(id)).initial;
+  if (!body) return bodies_.at(id).initial;
   return {.position = vector_from_ode(dBodyGetPosition(body)),
           .orientation = quaternion_from_ode(dBodyGetQuaternion(body)),
           .linear_velocity = vector_from_ode(dBodyGetLinearVel(body)),
@@ -167,7 +160,7 @@ void World::set_state(BodyId id, const hydro::BodyState& state) {
 }
 
 void World::apply(BodyId id, const hydro::Wrench& load) {
-  Body& body = bodies_.at(static_cast<std::size_t>(id));
+  Body& body = bodies_.at(id);
   body.load += load;
   body.inertia.acceleration = body.load.force / body.mass - gravity_ * Eigen::Vector3d::UnitZ();
 }

@@ -116,16 +116,14 @@ class World {
   void soften_joints(const BodySpec& spec);
   dxBody* create_body(const BodySpec& spec);
   void add_shape(Body& body, const BodySpec& spec);
+  /// Equal meshes share their data.
   dxGeom* create_trimesh(const hydro::TriMesh& mesh);
-  /// Bodies of equal meshes share their data.
-  dxTriMeshData* mesh_data(const hydro::TriMesh& mesh);
   void add_lock_motors(dxBody* body, const BodySpec& spec);
   dxBody* handle_of(BodyId body) const;
   dxGeom* geom_of(BodyId body) const;
 
   Contacts contacts_of(const std::vector<Pair>& pairs, double step) const;
   std::vector<ContactPoint> touching_points(const Pair& pair, double step) const;
-  void add_contacts(Contacts& contacts, const Pair& pair, double step) const;
   /// Velocity of the first relative to the second at a point, after a step without contacts.
   Eigen::Vector3d approach(const Pair& pair, const Eigen::Vector3d& point_W, double step) const;
   Eigen::Vector3d velocity_without_contact(BodyId body, const Eigen::Vector3d& point_W,

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 Json to_json(const Checkpoint& c) {
   return {{"checkpoint", kFormat},
@@ -36,7 +36,8 @@ Json to_json(const Checkpoint& c) {
           {"rows", c.log.rows},
           {"trajectory_bytes", c.log.trajectory_bytes},
           {"forces_bytes", c.log.forces_bytes},
-          {"shots", c.shots}};
+          {"shots", c.shots},
+          {"warnings", c.warnings}};
 }
 
 CheckpointChoices choices_from(const Json& head) {
@@ -114,6 +115,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
                     .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
                     .forces_bytes = head.at("forces_bytes").get<std::uint64_t>()},
             .shots = head.at("shots").get<long>(),
+            .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .state = engine::SimulationState::from_bytes(bytes)};
   } catch (const std::exception& error) {
     throw scene::InputError(file, fmt::format("cannot be resumed: {}", error.what()));

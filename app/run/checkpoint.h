@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/logs/log.h"
 #include "app/logs/make_log.h"
@@ -29,8 +30,9 @@ struct Checkpoint {
   RunSource source;
   std::string inputs;  ///< digest_of() the simulation that was built from the scene.
   CheckpointChoices choices;
-  LogPosition log;  ///< Rows of the run up to the checkpoint.
-  long shots = 0;   ///< Number of states to be drawn up to the checkpoint.
+  LogPosition log;                    ///< Rows of the run up to the checkpoint.
+  long shots = 0;                     ///< Number of states to be drawn up to the checkpoint.
+  std::vector<std::string> warnings;  ///< Warnings of the run up to the checkpoint.
   engine::SimulationState state;
 };
 

@@ -32,6 +32,7 @@
 #include "app/run/resolved_scene.h"
 #include "app/run/run_source.h"
 #include "app/run/summary.h"
+#include "app/run/wave_warning.h"
 #include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
 
@@ -112,6 +113,7 @@ class Run {
     log_due_.due(time);
     shots_.resume(time, simulation_.states(), std::move(store));
     summary_.resumed_at = time;
+    summary_.warnings = last.warnings;
   }
 
   bool wants_pictures() const { return scene_.render && options_.render; }
@@ -138,7 +140,6 @@ class Run {
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
     summary_.counts = simulation_.counts();
-    summary_.warnings = simulation_.warnings();
     return code;
   }
 
@@ -150,6 +151,7 @@ class Run {
       if (!summary_.resumed_at) keep();
       while (simulation_.steps() < steps && !interrupt_.interrupted()) {
         simulation_.step();
+        check_waves();
         keep();
         if (progress_.due()) show_progress();
         if (options_.checkpoint > 0 && since_checkpoint_.seconds() > options_.checkpoint)
@@ -178,6 +180,7 @@ class Run {
                                                   .video = options_.video},
                                       .log = position,
                                       .shots = static_cast<long>(shots_.shots().size()),
+                                      .warnings = summary_.warnings,
                                       .state = simulation_.state()});
     since_checkpoint_ = WallClock();
   }
@@ -194,6 +197,13 @@ class Run {
     progress_.clear();
     say("error: " + error);
     return code;
+  }
+
+  /// Keeps the first warning that the step is too long for the waves.
+  void check_waves() {
+    if (!summary_.warnings.empty()) return;
+    if (const auto warning = wave_warning(built_.spec, simulation_.states()))
+      summary_.warnings.push_back(*warning);
   }
 
   /// Logs the state and stores it for a picture, if either is due.

@@ -1,14 +1,12 @@
 #include "hydro/loads/loads.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "hydro/loads/kernel/walk.h"
 #include "hydro/loads/kernel/water_surface.h"
-#include "hydro/parallel.h"
 
 namespace hydro {
 namespace {
@@ -50,34 +48,6 @@ Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) 
     return Eigen::Vector3d(sums.total(from), sums.total(from + 1), sums.total(from + 2));
   };
   return {R_WB * vector(which), R_WB * vector(which + 3)};
-}
-
-/// The number of leaves from which several threads share a body. Below it threads take longer to
-/// wake than to work. With whole branches and no viscous drag few leaves are looked into.
-int shared_from(const kernel::LoadInputs& in) {
-  return in.branches && !in.surface && !(in.moving && in.viscous) ? 8192 : 256;
-}
-
-/// The sum over all faces. Chunks are added in their order, whichever thread summed them.
-kernel::Sums sum_hull(const Hull& hull, const kernel::LoadInputs& in) {
-  kernel::Sums sums;
-  const bool shared = static_cast<int>(hull.panels.leaves.size()) >= shared_from(in);
-  if (!shared) {
-    kernel::sum_branch(hull.panels, hull.tree, in, 0, sums);
-    return sums;
-  }
-  const kernel::Chunks chunks = kernel::sum_top(hull.panels, hull.tree, in, sums);
-  std::array<std::array<double, kernel::kSums>, kernel::kMostChunks> parts;
-  const auto work = [&](std::size_t i) {
-    kernel::Sums part;
-    kernel::sum_branch(hull.panels, hull.tree, in, chunks.node[i], part);
-    for (int k = 0; k < kernel::kSums; ++k) parts[i][k] = part.total(k);
-  };
-  const auto count = static_cast<std::size_t>(chunks.count);
-  parallel_for(count, work);
-  for (std::size_t i = 0; i < count; ++i)
-    for (int k = 0; k < kernel::kSums; ++k) sums.lane[k][0] += parts[i][k];
-  return sums;
 }
 
 /// True unless the area vectors of a mesh leave a gap.
@@ -147,7 +117,7 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
     in.moving = in.moving || surface->is_airy();
     in.wave_error = how.wave_tolerance * kernel::volume_over_area(hull.tree);
   }
-  const kernel::Sums sums = sum_hull(hull, in);
+  const kernel::Sums sums = kernel::sum_hull(hull.panels, hull.tree, in);
   Loads loads{.buoyancy = wrench(sums, kernel::kBuoyancy, R_WB),
               .pressure_drag = wrench(sums, kernel::kPressureDrag, R_WB),
               .viscous_drag = wrench(sums, kernel::kViscousDrag, R_WB),

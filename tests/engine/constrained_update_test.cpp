@@ -112,8 +112,8 @@ Problem problem(support::IslandOfAll& all) {
   for (int i = 0; i < 2; ++i) {
     engine::SubstepBody& b = all.members[static_cast<std::size_t>(i)];
     p.S.block<6, 6>(6 * i, 6 * i) = engine::inertia_W(b.body(), b.midpoint);
-    p.load.segment<6>(6 * i) = engine::to_vector6(
-        engine::find_loads(*b.moving, all.environment, b.halfway.state, kSubstep / 2));
+    p.load.segment<6>(6 * i) =
+        engine::to_vector6(engine::find_loads(*b.moving, b.halfway.state, kSubstep / 2));
     p.before.segment<6>(6 * i) = b.midpoint.after;
   }
   return p;
@@ -273,15 +273,14 @@ TEST(StiffIslands, NeverGainEnergyHoweverLightTheirBodies) {
 }
 
 /// The least, over the weights θ of (E6), of what S Δu = h (F(u + θ Δu) + R) lacks, of h |F|.
-double implicit_residual(support::IslandOfAll& all, engine::SubstepBody& b, double h) {
+double implicit_residual(engine::SubstepBody& b, double h) {
   const Matrix6d S = engine::inertia_W(b.body(), b.midpoint);
   const Vector6d R = engine::rotate(b.midpoint.R_WB, b.reaction_B);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= 1000; ++i) {
     const Vector6d at = b.midpoint.after + (0.5 + i / 2000.0) * b.update.change;
     const BodyState state = engine::with_velocity(b.halfway.state, at, Vector3d::Zero());
-    const Vector6d F =
-        engine::to_vector6(engine::find_loads(*b.moving, all.environment, state, h / 2));
+    const Vector6d F = engine::to_vector6(engine::find_loads(*b.moving, state, h / 2));
     const double missed = (S * b.update.change - h * (F + R)).norm() / (h * F.norm());
     least = std::min(least, missed);
   }
@@ -306,7 +305,7 @@ TEST(StiffIslands, ConvergeToTheLoadsAtTheVelocityThatTheyLeadTo) {
       for (engine::SubstepBody& b : all.members) {
         EXPECT_TRUE(b.update.implicit);
         // The weights that are tried are 5e-4 apart, of loads up to 50 times the momentum.
-        EXPECT_LT(implicit_residual(all, b, h), tolerance(0.015));
+        EXPECT_LT(implicit_residual(b, h), tolerance(0.015));
       }
     }
 }

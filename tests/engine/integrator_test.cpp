@@ -174,17 +174,4 @@ TEST(Entry, AtHighSpeedGainsNoEnergy) {
   }
 }
 
-TEST(Warning, SaysOnceThatAStepIsTooLongForTheWavesABodyMeets) {
-  BodySpec body = barge();
-  body.added_mass = nullptr;
-  SimulationSpec spec = in_water(body, 0.25);
-  spec.sea->surface = hydro::WaveSurface{
-      {hydro::deep_water_wave(0.02, 2, 0, 0, support::kGravity)}};  // 1.13 s: 4.5 steps
-  const Simulation coarse = support::after(spec, 10);
-  ASSERT_EQ(coarse.warnings().size(), 1U);
-  EXPECT_NE(coarse.warnings()[0].find("body 'barge' meets a wave every 1.1"), std::string::npos);
-  spec.step = 0.02;
-  EXPECT_TRUE(support::after(spec, 10).warnings().empty());
-}
-
 }  // namespace

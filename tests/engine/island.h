@@ -10,7 +10,6 @@ struct IslandOfAll {
   explicit IslandOfAll(engine::SimulationSpec description, bool constrained = true)
       : spec(std::move(description)),
         world(spec.gravity),
-        environment(engine::make_environment(spec)),
         bodies(moving_bodies(spec)),
         members(bodies.size()) {
     for (const engine::BodySpec& body : spec.bodies) world.add_body(body);
@@ -32,18 +31,17 @@ struct IslandOfAll {
   /// substep that of its start but for a factor.
   void make_midpoints(double growth = 1) {
     for (engine::SubstepBody* b : island.bodies)
-      b->midpoint = engine::make_midpoint(b->body(), environment, b->halfway,
-                                          growth * b->halfway.added(), engine::Mobility{});
+      b->midpoint = engine::make_midpoint(b->body(), b->halfway, growth * b->halfway.added(),
+                                          engine::Mobility{});
   }
 
   engine::SimulationSpec spec;
   engine::World world;
-  engine::Environment environment;
   std::vector<engine::MovingBody> bodies;
   engine::StepContext context{
       .world = world,
       .bodies = bodies,
-      .environment = environment,
+      .gravity = spec.gravity,
       .parallel_for = [](std::size_t n, const std::function<void(std::size_t)>& f) {
         for (std::size_t i = 0; i < n; ++i) f(i);
       }};

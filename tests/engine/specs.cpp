@@ -103,15 +103,14 @@ double energy(const engine::SimulationSpec& spec, const std::vector<hydro::BodyS
 
 double total_energy(const engine::SimulationSpec& spec,
                     const std::vector<hydro::BodyState>& states) {
-  const engine::Environment environment = engine::make_environment(spec);
   const std::vector<engine::Body> bodies = engine::make_bodies(spec);
   double sum = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!bodies[i].movable) continue;
     engine::Motion motion{.state = states[i]};
-    motion.added_B = engine::added_mass(bodies[i], environment, states[i], 0);
-    sum += engine::kinetic_energy(bodies[i], environment, motion) +
-           engine::potential_energy(bodies[i], environment, states[i]);
+    motion.added_B = engine::added_mass(bodies[i], states[i], 0);
+    sum += engine::kinetic_energy(bodies[i], motion, bodies[i].current()) +
+           engine::potential_energy(bodies[i], states[i]);
   }
   return sum;
 }

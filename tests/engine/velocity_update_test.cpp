@@ -63,12 +63,9 @@ TEST(StiffDrag, LiftThatIsStrongerThanItBendsTheWayAndAddsNoEnergy) {
       box.initial = random.state(1, 20);
       const SimulationSpec spec = in_still_water(box);
       std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
-      const engine::Environment environment = engine::make_environment(spec);
-      const engine::MidpointState middle =
-          engine::make_midpoint(bodies[0].body, environment, bodies[0].motion,
-                                bodies[0].motion.added(), engine::Mobility{});
-      const engine::VelocityUpdate update =
-          engine::free_update(bodies[0], environment, middle, 0, kFrame);
+      const engine::MidpointState middle = engine::make_midpoint(
+          bodies[0].body, bodies[0].motion, bodies[0].motion.added(), engine::Mobility{});
+      const engine::VelocityUpdate update = engine::free_update(bodies[0], middle, 0, kFrame);
       ASSERT_TRUE(update.implicit);
       const engine::Matrix6d S = engine::inertia_W(bodies[0].body, middle);
       const auto energy = [&](const Vector6d& u) { return u.dot(S * u) / 2; };
@@ -247,10 +244,7 @@ TEST(Energy, IsBoundedInACurrentOnlyWhereNothingHoldsTheBody) {
   body.wet = true;
   SimulationSpec spec = support::dry_world({body}, 0.01);
   spec.sea = {.current = {1, 0, 0}};
-  const auto bounded = [&] {
-    return engine::must_not_gain_energy(engine::make_bodies(spec)[0],
-                                        engine::make_environment(spec));
-  };
+  const auto bounded = [&] { return engine::must_not_gain_energy(engine::make_bodies(spec)[0]); };
   EXPECT_TRUE(bounded());
   spec.bodies[0].locked[0] = true;
   EXPECT_FALSE(bounded());

@@ -12,10 +12,9 @@
 namespace stress {
 namespace {
 
-engine::Motion motion_of(const engine::Body& body, const engine::Environment& environment,
-                         const hydro::BodyState& state) {
+engine::Motion motion_of(const engine::Body& body, const hydro::BodyState& state) {
   engine::Motion motion{.state = state};
-  motion.added_B = engine::added_mass(body, environment, state, 0);
+  motion.added_B = engine::added_mass(body, state, 0);
   return motion;
 }
 
@@ -33,7 +32,7 @@ Watch::Watch(const Scenario& scenario)
     const engine::Motion motion =
         engine::motion_at(bodies_[i], scenario_.spec, scenario_.spec.bodies[i].initial, 0);
     states.push_back(motion.state);
-    initial_energies_.push_back(engine::kinetic_energy(bodies_[i], environment_, motion));
+    initial_energies_.push_back(engine::kinetic_energy(bodies_[i], motion, bodies_[i].current()));
     weight_ += (scenario_.spec.bodies[i].mass + environment_.sea->density * scenario_.volume) *
                environment_.gravity;
   }
@@ -63,11 +62,11 @@ Watch::Energy Watch::find_energy(const std::vector<hydro::BodyState>& states) {
   Energy sum;
   std::vector<engine::Motion> motions;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    motions.push_back(motion_of(bodies_[i], environment_, states[i]));
+    motions.push_back(motion_of(bodies_[i], states[i]));
     if (!bodies_[i].movable) continue;
     const engine::Motion& motion = motions.back();
-    sum.kinetic += engine::kinetic_energy(bodies_[i], environment_, motion);
-    sum.potential += engine::potential_energy(bodies_[i], environment_, motion.state);
+    sum.kinetic += engine::kinetic_energy(bodies_[i], motion, bodies_[i].current());
+    sum.potential += engine::potential_energy(bodies_[i], motion.state);
   }
   sum.potential -= scenario_.push.dot(states[0].position);
   sum.overlap = overlap_energy(motions);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "hydro/loads/kernel/load_inputs.h"
@@ -50,6 +51,12 @@ struct Tree {
 
 /// The largest number of pieces of work that a tree is cut into.
 inline constexpr int kMostChunks = 128;
+
+/// Branches that are pieces of work.
+struct Chunks {
+  std::array<int, kMostChunks> node;
+  int count = 0;
+};
 
 Tree make_tree(const Panels& panels);
 

@@ -1,5 +1,6 @@
 #include "hydro/loads/kernel/walk.h"
 
+#include <array>
 #include <cassert>
 
 #include "hydro/loads/kernel/targets.h"
@@ -13,6 +14,7 @@
 #include "hydro/loads/kernel/local-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
 #include "hydro/loads/kernel/walk-inl.h"
+#include "hydro/parallel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -141,11 +143,14 @@ HWY_INLINE void take_leaf(LoadWalk& work, const Node& leaf, Wetness wet) {
   in.surface ? add_leaf_in_waves(work, leaf, known) : add_leaf(work, leaf, known);
 }
 
-/// Goes through the nodes [node, end). Branches that fit in a chunk go to `chunks`, if it is there.
-HWY_INLINE void walk(LoadWalk& work, const Tree& tree, int node, int end, Chunks* chunks) {
-  const LoadInputs& in = work.in;
+/// Adds the loads on a branch. Its branches that fit in a chunk go to `chunks` instead, if it is
+/// there.
+void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int branch, Chunks* chunks,
+          Sums& sums) {
+  LoadWalk work{panels, in, sums, {}, {}, {}};
   Factors factors = factors_of(in);
-  while (node < end) {
+  const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
+  for (int node = branch; node < end;) {
     const Node& here = tree.nodes[static_cast<std::size_t>(node)];
     const bool asks = in.branches || here.leaf();
     const Wetness wet = asks ? wetness(here, in) : Wetness::mixed;
@@ -162,18 +167,6 @@ HWY_INLINE void walk(LoadWalk& work, const Tree& tree, int node, int end, Chunks
       ++node;
     }
   }
-}
-
-void sum_top_here(const Panels& panels, const Tree& tree, const LoadInputs& in, Sums& sums,
-                  Chunks& chunks) {
-  LoadWalk work{panels, in, sums, {}, {}, {}};
-  walk(work, tree, 0, static_cast<int>(tree.nodes.size()), &chunks);
-}
-
-void sum_branch_here(const Panels& panels, const Tree& tree, const LoadInputs& in, int node,
-                     Sums& sums) {
-  LoadWalk work{panels, in, sums, {}, {}, {}};
-  walk(work, tree, node, tree.nodes[static_cast<std::size_t>(node)].next, nullptr);
   drain(work, true);
 }
 
@@ -182,19 +175,36 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hydro::kernel {
+namespace {
 
-HWY_EXPORT(sum_top_here);
-HWY_EXPORT(sum_branch_here);
+HWY_EXPORT(walk);
 
-Chunks sum_top(const Panels& panels, const Tree& tree, const LoadInputs& in, Sums& sums) {
-  Chunks chunks;
-  HWY_DYNAMIC_DISPATCH(sum_top_here)(panels, tree, in, sums, chunks);
-  return chunks;
+/// The number of leaves from which several threads share a body. Below it threads take longer to
+/// wake than to work. With whole branches and no viscous drag few leaves are looked into.
+int shared_from(const LoadInputs& in) {
+  return in.branches && !in.surface && !(in.moving && in.viscous) ? 8192 : 256;
 }
 
-void sum_branch(const Panels& panels, const Tree& tree, const LoadInputs& in, int node,
-                Sums& sums) {
-  HWY_DYNAMIC_DISPATCH(sum_branch_here)(panels, tree, in, node, sums);
+}  // namespace
+
+Sums sum_hull(const Panels& panels, const Tree& tree, const LoadInputs& in) {
+  const auto walk_branch = [&](int branch, Chunks* chunks, Sums& to) {
+    HWY_DYNAMIC_DISPATCH(walk)(panels, tree, in, branch, chunks, to);
+  };
+  Sums sums;
+  const bool shared = static_cast<int>(panels.leaves.size()) >= shared_from(in);
+  Chunks chunks;
+  walk_branch(0, shared ? &chunks : nullptr, sums);
+  std::array<std::array<double, kSums>, kMostChunks> parts;
+  const auto count = static_cast<std::size_t>(chunks.count);
+  parallel_for(count, [&](std::size_t i) {
+    Sums part;
+    walk_branch(chunks.node[i], nullptr, part);
+    for (int k = 0; k < kSums; ++k) parts[i][k] = part.total(k);
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    for (int k = 0; k < kSums; ++k) sums.lane[k][0] += parts[i][k];
+  return sums;
 }
 
 }  // namespace hydro::kernel
