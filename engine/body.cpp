@@ -6,6 +6,7 @@
 #include "engine/constants.h"
 #include "engine/free_motion.h"
 #include "engine/locks.h"
+#include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
 #include "hydro/mesh/mass_properties.h"
 
@@ -41,6 +42,9 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
             .inverse_inertia_B = s.inertia_B.inverse(),
             .wet = spec.sea && s.wet && !hydro::no_load(s.coefficients) && !immovable(s.locked),
             .has_added_mass = spec.sea && s.added_mass && !immovable(s.locked),
+            .has_wave_load = spec.sea && s.added_mass && !immovable(s.locked) &&
+                             hydro::has_airy_waves(*spec.sea) &&
+                             spec.integrator.method == Integrator::Method::split,
             .movable = !immovable(s.locked),
             .locked = partly_locked(s.locked),
             .jointed = std::any_of(

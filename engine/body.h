@@ -37,6 +37,7 @@ struct Body {
   Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
   bool wet = false;             ///< The water has loads on it.
   bool has_added_mass = false;  ///< A may not be zero.
+  bool has_wave_load = false;   ///< Waves accelerate the water that its added mass stands for.
   bool movable = true;          ///< At least one degree of freedom is not locked.
   bool locked = false;          ///< At least one degree of freedom is locked.
   bool jointed = false;         ///< At least one joint holds it.

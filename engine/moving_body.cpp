@@ -37,25 +37,34 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
   return loads;
 }
 
+hydro::Loads water_loads(const Body& body, const hydro::BodyState& state, double time) {
+  const hydro::Sea* sea = body.environment.sea;
+  hydro::Loads loads;
+  if (body.wet)
+    loads = hydro::compute_loads(*body.hull, state, *sea, time, body.spec->coefficients,
+                                 body.spec->summation);
+  if (body.has_wave_load) loads.wave_inertia = body.spec->added_mass->wave_load(state, *sea, time);
+  return loads;
+}
+
 hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time) {
   const BodySpec& spec = *moving.body.spec;
   LoadCache& cache = moving.cache;
   BodyLoads& loads = cache.loads;
   loads.applied = applied_loads(moving, state, time);
   loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
-  if (moving.body.wet && !may_be_wet(moving.body, state)) {
+  const bool meets_water = moving.body.wet || moving.body.has_wave_load;
+  if (meets_water && !may_be_wet(moving.body, state)) {
     ++moving.counts.dry;
     loads.water = {};
     cache.water_state.reset();
-  } else if (moving.body.wet && cache.water_state == state) {
+  } else if (meets_water && cache.water_state == state) {
     ++moving.counts.resting;
-  } else if (moving.body.wet) {
+  } else if (meets_water) {
     const Stopwatch stopwatch(cache.seconds);
-    const hydro::Sea& sea = *moving.body.environment.sea;
-    loads.water = hydro::compute_loads(*moving.body.hull, state, sea, time, spec.coefficients,
-                                       spec.summation);
+    loads.water = water_loads(moving.body, state, time);
     cache.water_state.reset();
-    if (!hydro::changes_with_time(sea)) cache.water_state = state;
+    if (!hydro::changes_with_time(*moving.body.environment.sea)) cache.water_state = state;
   }
   const hydro::Wrench total = loads.total();
   if (!total.force.allFinite() || !total.moment.allFinite())

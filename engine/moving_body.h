@@ -42,6 +42,9 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
   return id != kWorld && bodies[id].body.movable;
 }
 
+/// The loads of the water on a body in a state that may be wet.
+hydro::Loads water_loads(const Body& body, const hydro::BodyState& state, double time);
+
 /// The sum of all loads on the body in a state, its weight included; the cache keeps them.
 /// @throws MotionFault if they are not finite.
 hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time);

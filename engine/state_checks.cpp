@@ -36,6 +36,7 @@ std::vector<NamedLoad> by_name(const BodyLoads& loads) {
                              {"pressure drag", to_vector6(water.pressure_drag)},
                              {"viscous drag", to_vector6(water.viscous_drag)},
                              {"lift", to_vector6(water.lift)},
+                             {"wave inertia", to_vector6(water.wave_inertia)},
                              {"weight", to_vector6(loads.weight)}});
   return named;
 }

@@ -15,12 +15,13 @@ struct NamedLoad {
   double work = 0;  ///< [J]
 };
 
-std::array<NamedLoad, 8> named_loads(const engine::BodyForces& f) {
+std::array<NamedLoad, 9> named_loads(const engine::BodyForces& f) {
   const engine::Works& w = f.works;
   return {{{"buoyancy", f.water.buoyancy, w.buoyancy},
            {"pressure_drag", f.water.pressure_drag, w.pressure_drag},
            {"viscous_drag", f.water.viscous_drag, w.viscous_drag},
            {"lift", f.water.lift, w.lift},
+           {"wave_inertia", f.water.wave_inertia, w.wave_inertia},
            {"added_mass", f.added_mass, w.added_mass},
            {"applied", f.applied, w.applied},
            {"weight", f.weight, w.weight},
@@ -34,7 +35,7 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
     row.push_back(number == 0 ? 0 : number);  // no -0: equal loads would differ
     if (columns) columns->push_back(column);
   };
-  const std::array<NamedLoad, 8> loads = named_loads(forces);
+  const std::array<NamedLoad, 9> loads = named_loads(forces);
   for (const NamedLoad& n : loads) {
     for (int i = 0; i < 3; ++i) put(fmt::format("{}_f{}", n.name, "xyz"[i]), n.load.force[i]);
     for (int i = 0; i < 3; ++i) put(fmt::format("{}_t{}", n.name, "xyz"[i]), n.load.moment[i]);

@@ -12,8 +12,9 @@
 /// Each load has the columns `<load>_fx` … `_fz` [N] and `<load>_tx` … `_tz` [N m], about the
 /// centre of mass, in W. The others are `wetted_area` [m^2], `displaced_volume` [m^3];
 /// `kinetic_energy`, `added_kinetic_energy`, `potential_energy` [J]; `work_<load>` [J] since the
-/// start, `work_brake` last. The loads are buoyancy, pressure_drag, viscous_drag, lift, added_mass,
-/// applied, weight and constraint. engine/body_forces.h says what each means.
+/// start, `work_brake` last. The loads are buoyancy, pressure_drag, viscous_drag, lift,
+/// wave_inertia, added_mass, applied, weight and constraint. engine/body_forces.h says what each
+/// means.
 
 namespace app {
 

@@ -68,6 +68,7 @@ Loads& Loads::operator+=(const Loads& other) {
   pressure_drag += other.pressure_drag;
   viscous_drag += other.viscous_drag;
   lift += other.lift;
+  wave_inertia += other.wave_inertia;
   wetted_area += other.wetted_area;
   displaced_volume += other.displaced_volume;
   return *this;

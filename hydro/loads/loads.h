@@ -29,11 +29,12 @@ struct Loads {
   Wrench pressure_drag;
   Wrench viscous_drag;
   Wrench lift;
+  Wrench wave_inertia;          ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
   double wetted_area = 0;       ///< [m^2]
-  double displaced_volume = 0;  ///< [m^3]; exact in still water.
+  double displaced_volume = 0;  ///< Of the body below the surface [m^3].
 
   Loads& operator+=(const Loads& other);
-  Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift; }
+  Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia; }
 };
 
 /// The factor of a body's pressure drag by its calibration in the given motion [-]. It is 1 without
@@ -55,7 +56,9 @@ struct LoadAccuracy {
 ///
 /// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
 /// its largest component. In waves the surface is taken as linear over panels that are split until
-/// it departs from linear by less than a tolerance.
+/// it departs from linear by less than a tolerance; so are, under Airy waves, the head and the
+/// velocity of the water. Buoyancy is the load of all of its pressure, and the motion that makes
+/// drag and lift is relative to the water on the spot.
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients, const LoadAccuracy& how = {});
 

@@ -116,6 +116,9 @@ class DraftAddedMass final : public hydro::AddedMassModel {
     added(2, 2) = 8000 * std::clamp(0.5 - state.position.z(), 0.0, 1.0);
     return added;
   }
+  hydro::Wrench wave_load(const hydro::BodyState&, const hydro::Sea&, double) const override {
+    return {};
+  }
 };
 
 /// A raft let go above its equilibrium, with drag and, if asked for, added mass.
