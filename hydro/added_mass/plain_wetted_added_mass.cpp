@@ -1,6 +1,7 @@
 #include "hydro/added_mass/plain_wetted_added_mass.h"
 
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "hydro/loads/refine.h"
 
 namespace hydro {
@@ -25,24 +26,21 @@ Matrix3d weights_in(const Panel& panel, const Panel& piece) {
   return weights;
 }
 
-/// The share of the part of a face that has the given barycentric coordinates.
-Matrix6d share_of_part(const Panel& face_B, const CornerPotentials& psi, const Matrix3d& weights) {
-  Panel part_B;
-  for (int i = 0; i < 3; ++i)
-    part_B[static_cast<std::size_t>(i)] =
-        weights(0, i) * face_B[0] + weights(1, i) * face_B[1] + weights(2, i) * face_B[2];
-  return triangle_share(part_B, psi * weights);
-}
+/// The wet part of a face.
+struct WetPart {
+  Panel panel_B;         ///< Body axes.
+  CornerPotentials psi;  ///< At its corners.
+  Vector3d depth;        ///< Below the surface [m].
+};
 
-}  // namespace
-
-Matrix6d plain_wetted_added_mass(const TriMesh& mesh_B, const AddedMassSolution& solution,
-                                 const BodyState& state, const Sea& sea, double time) {
+/// Calls visit(part) for each wet part of the faces.
+template <class Visit>
+void for_each_wet_part(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                       const BodyState& state, const Sea& sea, double time, Visit&& visit) {
   const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
   const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * radius);
   const Matrix3d R_WB = state.orientation.toRotationMatrix();
   const double level = sea.level - state.position.z();
-  Matrix6d sum = Matrix6d::Zero();
   for (Eigen::Index f = 0; f < mesh_B.face_count(); ++f) {
     Panel face_B, panel;
     Vector3d elevation;
@@ -56,11 +54,51 @@ Matrix6d plain_wetted_added_mass(const TriMesh& mesh_B, const AddedMassSolution&
     for_each_linear_piece(panel, elevation, surface, [&](const Panel& piece, const Vector3d& at) {
       const Vector3d depth(level + at[0] - piece[0].z(), level + at[1] - piece[1].z(),
                            level + at[2] - piece[2].z());
-      for (const PanelPart& wet : positive_part(piece, depth))
-        sum += share_of_part(face_B, psi, weights_in(panel, wet.panel));
+      for (const PanelPart& wet : positive_part(piece, depth)) {
+        const Matrix3d weights = weights_in(panel, wet.panel);
+        WetPart part{.panel_B = {}, .psi = psi * weights, .depth = wet.value};
+        for (int i = 0; i < 3; ++i)
+          part.panel_B[static_cast<std::size_t>(i)] =
+              weights(0, i) * face_B[0] + weights(1, i) * face_B[1] + weights(2, i) * face_B[2];
+        visit(part);
+      }
     });
   }
+}
+
+}  // namespace
+
+Matrix6d plain_wetted_added_mass(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                                 const BodyState& state, const Sea& sea, double time) {
+  Matrix6d sum = Matrix6d::Zero();
+  for_each_wet_part(mesh_B, solution, state, sea, time,
+                    [&](const WetPart& part) { sum += triangle_share(part.panel_B, part.psi); });
   return sea.density * semi_definite_part(sum);
+}
+
+Wrench plain_wave_load(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                       const BodyState& state, const Sea& sea, double time) {
+  const AiryWaves waves(sea, time);
+  const Eigen::Quaterniond to_B = state.orientation.conjugate();
+  const Vector3d u_B = to_B * water_at(sea, state.position, time).acceleration;
+  Matrix6d share = Matrix6d::Zero();
+  Vector6d load = Vector6d::Zero();
+  for_each_wet_part(mesh_B, solution, state, sea, time, [&](const WetPart& part) {
+    share += triangle_share(part.panel_B, part.psi);
+    const Vector3d n = area_vector(part.panel_B).normalized();
+    Vector3d f;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d p_W =
+          state.position + state.orientation * part.panel_B[static_cast<std::size_t>(i)];
+      f[i] = (to_B * waves.at(p_W, part.depth[i]).acceleration).dot(n);
+    }
+    // ∫ ψ f dA = (A/12) (Σ ψ_i Σ f_i + Σ ψ_i f_i).
+    load +=
+        area_vector(part.panel_B).norm() / 12 * (part.psi.rowwise().sum() * f.sum() + part.psi * f);
+  });
+  const Vector6d load_B =
+      sea.density * (load + (semi_definite_part(share) - share).leftCols<3>() * u_B);
+  return {state.orientation * load_B.head<3>(), state.orientation * load_B.tail<3>()};
 }
 
 }  // namespace hydro

@@ -12,4 +12,8 @@ namespace hydro {
 Matrix6d plain_wetted_added_mass(const TriMesh& mesh_B, const AddedMassSolution& solution,
                                  const BodyState& state, const Sea& sea, double time);
 
+/// What WettedAddedMass::wave_load computes, in the same plain way.
+Wrench plain_wave_load(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                       const BodyState& state, const Sea& sea, double time);
+
 }  // namespace hydro

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 
+#include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/plain_wetted_added_mass.h"
 #include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
@@ -340,6 +342,80 @@ TEST(SemiDefinitePart, KeepsWhatIsNotNegative) {
   const Matrix6d expected = turn * values.cwiseMax(0).asDiagonal() * turn.transpose();
   EXPECT_LT(difference(expected, hydro::semi_definite_part(matrix)), kRoundOff);
   EXPECT_LT(difference(expected, hydro::semi_definite_part(expected)), kRoundOff);
+}
+
+/// A body in waves of some wavelengths, near the surface and below it.
+Sea two_waves(double depth) {
+  Sea sea{.density = 1025, .depth = depth};
+  sea.surface = hydro::WaveSurface{
+      {hydro::linear_wave(sea, 0.2, 0.5, 0.4, 0.2), hydro::linear_wave(sea, 0.1, 0.9, -1.1, 2)}};
+  return sea;
+}
+
+TEST(WaveLoad, IsThatOfThePlainSum) {
+  support::Random random(31);
+  const TriMesh mesh = hydro::make_icosphere(1, 3);
+  AddedMassSolution solution = smooth_sphere(mesh);
+  for (auto& psi : solution.potentials)  // as uneven as the potentials of some body
+    for (int m = 0; m < 6; ++m) psi.row(m).array() += random.uniform(-0.1, 0.1);
+  const WettedAddedMass model(mesh, solution);
+  for (const double depth : {std::numeric_limits<double>::infinity(), 4.0}) {
+    const Sea sea = two_waves(depth);
+    for (int i = 0; i < support::repeats(20); ++i) {
+      const BodyState state{
+          .position = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-1.6, 1)},
+          .orientation = random.rotation()};
+      const hydro::Wrench fast = model.wave_load(state, sea, 1.5);
+      const hydro::Wrench plain = hydro::plain_wave_load(mesh, solution, state, sea, 1.5);
+      const double scale = sea.density * 4;  // of some m³ accelerated by 1 m/s²
+      EXPECT_LT((fast.force - plain.force).norm(), tolerance(1e-3) * scale);
+      EXPECT_LT((fast.moment - plain.moment).norm(), tolerance(1e-3) * scale);
+    }
+  }
+}
+
+/// (6) on a deep sphere is ½ρV u̇ at its centre for every length of the waves: the mean of a
+/// harmonic function.
+TEST(WaveLoad, OnADeepSphereIsThatOfItsCentre) {
+  const TriMesh mesh = hydro::make_icosphere(1, 4);
+  const AddedMassSolution solution = smooth_sphere(mesh);
+  const double volume = hydro::solid_properties(mesh).volume;
+  for (const double kR : {0.1, 0.5, 1.0, 2.0}) {
+    Sea sea;
+    sea.surface = hydro::WaveSurface{{hydro::linear_wave(sea, 1e-4, kR, 0.4, 0.3)}};
+    const BodyState state{.position = {0.2, 0.1, -1.5}};
+    const Vector3d u = hydro::water_at(sea, state.position, 0.7).acceleration;
+    const hydro::Wrench load = hydro::plain_wave_load(mesh, solution, state, sea, 0.7);
+    EXPECT_LT((load.force - 0.5 * sea.density * volume * u).norm(), 5e-3 * load.force.norm())
+        << "kR = " << kR;
+    EXPECT_LT(load.moment.norm(), 5e-3 * load.force.norm());
+  }
+}
+
+TEST(WaveLoad, InAUniformFlowIsTheAddedMassTimesItsAcceleration) {
+  support::Random random(32);
+  Sea sea;
+  sea.surface = hydro::WaveSurface{{hydro::linear_wave(sea, 2, 1e-5, 0.4, 0.3)}};
+  for (int i = 0; i < support::repeats(5); ++i) {
+    const TriMesh mesh = star(random);
+    const AddedMassSolution solution = coarse(mesh);
+    const BodyState state{.position = {0, 0, random.uniform(-2, 2)},
+                          .orientation = random.rotation()};
+    const Vector3d u = hydro::water_at(sea, state.position, 0).acceleration;
+    const hydro::ConstantAddedMass constant(mesh, 1000 * solution.matrix);
+    const WettedAddedMass wetted(mesh, solution);
+    for (const hydro::AddedMassModel* model :
+         {static_cast<const hydro::AddedMassModel*>(&constant),
+          static_cast<const hydro::AddedMassModel*>(&wetted)}) {
+      const hydro::Wrench load = model->wave_load(state, sea, 0);
+      const hydro::Vector6d A_u =
+          model->at(state, sea, 0).leftCols<3>() * (state.orientation.conjugate() * u);
+      const Vector3d force = state.orientation * A_u.head<3>();
+      const Vector3d moment = state.orientation * A_u.tail<3>();
+      EXPECT_LT((load.force - force).norm(), 1e-4 * force.norm());
+      EXPECT_LT((load.moment - moment).norm(), 1e-4 * force.norm());
+    }
+  }
 }
 
 }  // namespace
