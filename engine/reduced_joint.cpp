@@ -16,11 +16,6 @@ Subspace turning_about(const Vector3d& r) {
   return N;
 }
 
-/// From the centre of mass to the anchor, body axes.
-Vector3d anchor_B(const ReducedJoint& joint) {
-  return joint.initial.orientation.conjugate() * Vector3d(joint.anchor_W - joint.initial.position);
-}
-
 }  // namespace
 
 std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::size_t index) {
@@ -40,7 +35,9 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
   return ReducedJoint{.type = only->type,
                       .anchor_W = only->anchor_W,
                       .axis_W = only->axis_W,
-                      .initial = body.initial};
+                      .initial = body.initial,
+                      .anchor_B = body.initial.orientation.conjugate() *
+                                  Vector3d(only->anchor_W - body.initial.position)};
 }
 
 Subspace motion_subspace(const ReducedJoint& joint, const hydro::BodyState& state) {
@@ -65,7 +62,7 @@ hydro::BodyState project_onto_joint(const ReducedJoint& joint, hydro::BodyState 
         twist(state.orientation * start.orientation.conjugate(), e) * start.orientation;
     state.angular_velocity = e.dot(state.angular_velocity) * e;
   }
-  const Vector3d r = state.orientation * anchor_B(joint);
+  const Vector3d r = state.orientation * joint.anchor_B;
   state.position = joint.anchor_W - r;
   state.linear_velocity = r.cross(state.angular_velocity);
   return state;
@@ -74,7 +71,7 @@ hydro::BodyState project_onto_joint(const ReducedJoint& joint, hydro::BodyState 
 hydro::BodyState advance_on_joint(const ReducedJoint& joint, const Matrix6d& inertia_B,
                                   hydro::BodyState state, double time) {
   if (joint.type == Type::ball) {
-    const Subspace N_B = turning_about(anchor_B(joint));
+    const Subspace N_B = turning_about(joint.anchor_B);
     return project_onto_joint(joint,
                               rotated_freely(N_B.transpose() * inertia_B * N_B, state, time));
   }

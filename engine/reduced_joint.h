@@ -23,8 +23,9 @@ namespace engine {
 struct ReducedJoint {
   JointSpec::Type type = JointSpec::Type::hinge;  ///< Hinge, slider or ball.
   Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< Unit.
-  hydro::BodyState initial;                           ///< On the joint.
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();   ///< Unit.
+  hydro::BodyState initial;                            ///< On the joint.
+  Eigen::Vector3d anchor_B = Eigen::Vector3d::Zero();  ///< From the centre of mass.
 
   bool turns() const { return type != JointSpec::Type::slider; }
 };
