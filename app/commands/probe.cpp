@@ -34,6 +34,8 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
   if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
     loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
                                  body.coefficients, body.summation);
+  if (sea && body.added_mass)
+    loads.wave_inertia = body.added_mass->wave_load(body.initial, *sea, 0);
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;
   if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);
@@ -46,6 +48,7 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"pressure_drag", to_json(loads.pressure_drag)},
           {"viscous_drag", to_json(loads.viscous_drag)},
           {"lift", to_json(loads.lift)},
+          {"wave_inertia", to_json(loads.wave_inertia)},
           {"added_mass", added_mass}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hydro/airy_waves.h"
 #include "hydro/loads/clip.h"
 #include "hydro/loads/refine.h"
 #include "hydro/loads/viscous_drag.h"
@@ -14,8 +15,19 @@ using Eigen::Vector3d;
 /// Input of the sum over the panels.
 struct Motion {
   const Coefficients& coefficients;
-  Twist twist;       ///< Relative to the water.
+  const Sea& sea;
+  AiryWaves waves;
+  SurfaceSampler surface;
+  Vector3d p_WB;     ///< The centre of mass [m].
+  Twist twist;       ///< Relative to the current.
   double scale = 1;  ///< Scale of the pressure drag, from its calibration.
+
+  /// Velocity at a point r relative to the water on the spot.
+  Vector3d at(const Vector3d& r) const {
+    if (waves.waves().empty()) return twist.at(r);
+    const double s = surface.elevation(r) + (sea.level - p_WB.z() - r.z());
+    return twist.at(r) - (waves.at(p_WB + r, s).velocity - sea.current);
+  }
 };
 
 /// Adds `weight` times b bᵀ, where b = (d, r × d) is the unit load along d at r.
@@ -45,7 +57,7 @@ void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
   const ViscousDrag& law = motion.coefficients.viscous_drag;
   for (int i = 0; i < 3; ++i) {
     const Vector3d r = (panel[i] + panel[(i + 1) % 3]) / 2;
-    const Vector3d v = motion.twist.at(r);
+    const Vector3d v = motion.at(r);
     const double v_n = v.dot(n);
     const double C_p = motion.scale * (v_n > 0 ? drag.front : drag.back);
     add_along(n, r, -area / 3 * C_p * std::abs(v_n), sum.drag);
@@ -61,11 +73,16 @@ void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
 
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                            const Coefficients& coefficients) {
-  const Motion motion{.coefficients = coefficients,
-                      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
-                      .scale = drag_scale(coefficients, state, sea.current)};
+  const Motion motion{
+      .coefficients = coefficients,
+      .sea = sea,
+      .waves = AiryWaves(sea, time),
+      .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
+      .p_WB = state.position,
+      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
+      .scale = drag_scale(coefficients, state, sea.current)};
   const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
-  const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * hull.radius);
+  const SurfaceSampler& surface = motion.surface;
   const double level = sea.level - state.position.z();
   const SurfaceBounds bounds = surface_bounds(sea);
   const double always_wet = bounds.lowest - state.position.z();
