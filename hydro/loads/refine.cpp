@@ -24,13 +24,16 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
       quartic[2] += energy * 6 * xx * yy;
       quartic[3] += energy * 4 * w.kx * w.ky * yy;
       quartic[4] += energy * yy * yy;
-      if (waves->kinematics != Kinematics::airy) continue;
+      if (waves->kinematics != Kinematics::airy || energy == 0) continue;
+      const double number = std::sqrt(xx + yy);
+      limits_.least_number = limits_.dive[3] > 0 ? std::min(limits_.least_number, number) : number;
       limits_.dive[0] += energy * 2 * (xx + yy) * xx;
       limits_.dive[1] += energy * 4 * (xx + yy) * w.kx * w.ky;
       limits_.dive[2] += energy * 2 * (xx + yy) * yy;
       limits_.dive[3] += energy * (xx + yy) * (xx + yy);
     }
     limits_.tolerance = kSagTolerance * std::sqrt(variance);
+    limits_.lowest = surface_bounds(sea).lowest - sea.level;
   } else if (const auto* field = std::get_if<HeightField>(&sea.surface)) {
     limits_.tolerance = kSagTolerance * field->deviation;
   }
@@ -39,7 +42,8 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
 /// At mid-step the chord of a wave a·cos is a (k·d)²/8 from its crest. The quartic is the mean
 /// square of a (k·d)² over the phases, summed over all components; with a e^{kz} cos it is that of
 /// a ((k·d)² + k² dz²).
-bool SurfaceSampler::waves_bend(const Eigen::Vector3d& step) const {
+bool SurfaceSampler::waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+  const Eigen::Vector3d step = b - a;
   const std::array<double, 5>& quartic = limits_.quartic;
   const std::array<double, 4>& dive = limits_.dive;
   const double dx = step.x(), dy = step.y(), zz = step.z() * step.z();
@@ -48,7 +52,9 @@ bool SurfaceSampler::waves_bend(const Eigen::Vector3d& step) const {
       quartic[2] * dx * dx * dy * dy + quartic[3] * dx * dy * dy * dy +
       quartic[4] * dy * dy * dy * dy +
       (dive[0] * dx * dx + dive[1] * dx * dy + dive[2] * dy * dy + dive[3] * zz) * zz;
-  return square > 64 * limits_.tolerance * limits_.tolerance;
+  const double depth = sea_.level + limits_.lowest - (p_WB_.z() + std::max(a.z(), b.z()));
+  const double decay = std::exp(-2 * limits_.least_number * std::max(0.0, depth));
+  return decay * square > 64 * limits_.tolerance * limits_.tolerance;
 }
 
 bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
@@ -57,7 +63,7 @@ bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector
   const double squared = dives ? (b - a).squaredNorm() : (b - a).head<2>().squaredNorm();
   if (squared <= limits_.smallest_squared) return false;
   if (const auto* field = std::get_if<HeightField>(&sea_.surface)) return grid_bends(*field, a, b);
-  return waves_bend(b - a);
+  return waves_bend(a, b);
 }
 
 bool SurfaceSampler::may_bend(double length) const {

@@ -28,8 +28,12 @@ struct BendLimits {
   /// (dx, dy) is the quartic Σ_j quartic[j] dx^(4−j) dy^j.
   std::array<double, 5> quartic = {};
   /// For Airy waves: a step (dx, dy, dz) adds (dive[0] dx² + dive[1] dx dy + dive[2] dy² + dive[3]
-  /// dz²) dz² for the head at the surface; below, it bends less.
+  /// dz²) dz² for the head at the surface.
   std::array<double, 4> dive = {};
+  /// Below the lowest trough the head of Airy waves bends less: with the depth d there the mean
+  /// square is that at the surface times e^{−2kd} at most, k the least wave number [rad/m].
+  double least_number = 0;
+  double lowest = 0;            ///< The lowest trough above the still water [m].
   double tolerance = 0;         ///< kSagTolerance times the surface's standard deviation [m].
   double smallest_squared = 0;  ///< Edges of at most this squared length stay whole [m^2].
 };
@@ -61,7 +65,7 @@ class SurfaceSampler {
   }
 
  private:
-  bool waves_bend(const Eigen::Vector3d& step) const;
+  bool waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
   bool grid_bends(const HeightField& field, const Eigen::Vector3d& a,
                   const Eigen::Vector3d& b) const;
 
