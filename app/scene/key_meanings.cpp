@@ -62,10 +62,18 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Kinematic viscosity for `viscous_drag: ittc57`. The default is that of fresh water at 20 "
      "°C."},
     {"water.level", "Height z of the still water."},
-    {"water.current", "Velocity of the water, uniform everywhere."},
+    {"water.depth",
+     "Depth of the still water, uniform everywhere, for the waves; without this key they are those "
+     "of deep water. It is no obstacle: bodies stand on `ground`."},
+    {"water.current",
+     "Velocity of the water, uniform everywhere. Waves travel on it, and their motion adds to it."},
     {"water.surface",
      "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves` and "
      "`spectrum`. Without this block the surface is flat."},
+    {"water.surface.kinematics",
+     "Model of the water below `waves` or a `spectrum`. `airy` is linear wave theory: pressure and "
+     "motion of the water decay with depth. `hydrostatic` is the model of the 2014 thesis: the "
+     "pressure is that of the height of water above, and the water moves with the current alone."},
     {"water.surface.flat", "Still water: `flat: {}`."},
     {"water.surface.heightfield", "A fixed surface, given by heights on a grid."},
     {"water.surface.heightfield.file",
@@ -76,9 +84,12 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.heightfield.origin", "Position x, y of the first height of the first row."},
     {"water.surface.heightfield.range",
      "Heights of black and white. Required for a `.png`, not allowed for a `.csv`."},
-    {"water.surface.waves", "Linear deep-water waves, at least one. Their heights are added."},
+    {"water.surface.waves", "Linear waves, at least one. Their heights are added."},
     {"water.surface.waves[].amplitude", "Half the height from trough to crest."},
-    {"water.surface.waves[].wavelength", "Distance from crest to crest."},
+    {"water.surface.waves[].wavelength",
+     "Distance from crest to crest. Exactly one of `wavelength` and `period` is required."},
+    {"water.surface.waves[].period",
+     "Time from crest to crest at a fixed point. It includes the effect of the current."},
     {"water.surface.waves[].heading_deg",
      "Direction in which the wave travels, counter-clockwise from +x."},
     {"water.surface.waves[].phase_deg", "Phase at the origin at time 0; 0 is a crest."},

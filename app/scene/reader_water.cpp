@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 
 #include "app/scene/reader_blocks.h"
 
@@ -26,26 +29,71 @@ void check_format(MapReader& map, const HeightField& field) {
     map.fault("range", "not used with a .csv file, which has heights in metres");
 }
 
+/// The block `surface`: its shape and the model of the water below waves.
+struct SurfaceBlock {
+  Surface shape;
+  hydro::Kinematics kinematics = hydro::Kinematics::airy;
+};
+
+/// Reads `kinematics`, which says something of waves alone.
+void read_kinematics(MapReader& map, hydro::Kinematics& kinematics) {
+  using hydro::Kinematics;
+  map.optional("kinematics", kinematics,
+               ChoiceRule<Kinematics>{
+                   {{"airy", Kinematics::airy}, {"hydrostatic", Kinematics::hydrostatic}}});
+  map.note_condition("kinematics", "", {}, {"flat", "heightfield"});
+  if (!map.has("kinematics")) return;
+  if (map.has("heightfield"))
+    map.fault("kinematics",
+              "given beside heightfield, expected waves or spectrum with it; under a height field "
+              "the pressure is always hydrostatic");
+  else if (map.has("flat"))
+    map.fault("kinematics",
+              "given beside flat, expected waves or spectrum with it; still water has no waves");
+}
+
+void read(MapReader& map, SurfaceBlock& surface) {
+  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
+  map.alternative<Flat>("flat", surface.shape);
+  map.alternative<HeightField>("heightfield", surface.shape);
+  std::vector<Wave> waves;
+  if (map.blocks("waves", waves, {}, 1)) {
+    if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
+    surface.shape = std::move(waves);
+  }
+  map.alternative<Spectrum>("spectrum", surface.shape);
+  read_kinematics(map, surface.kinematics);
+}
+
+/// Refuses waves whose troughs reach the bottom.
+void check_depth(MapReader& map, const Water& water) {
+  const auto* waves = std::get_if<std::vector<Wave>>(&water.surface);
+  if (!water.depth || waves == nullptr) return;
+  double sum = 0;
+  for (std::size_t i = 0; i < waves->size(); ++i) {
+    const double before = std::exchange(sum, sum + (*waves)[i].amplitude);
+    if (before >= *water.depth || sum < *water.depth) continue;
+    const std::string others =
+        before > 0 ? fmt::format(" and {:g} of the waves before it", before) : "";
+    map.fault(fmt::format("surface.waves[{}].amplitude", i),
+              fmt::format("found {:g}{}, expected less than the depth of {:g} m",
+                          (*waves)[i].amplitude, others, *water.depth));
+  }
+}
+
 }  // namespace
 
 void read(MapReader& map, Water& water) {
   map.optional("density", water.density, positive("kg/m^3"));
   map.optional("viscosity", water.viscosity, positive("m^2/s"));
   map.optional("level", water.level, number("m"));
+  map.optional("depth", water.depth, positive("m"));
   map.optional("current", water.current, number("m/s"));
-  map.block("surface", water.surface);
-}
-
-void read(MapReader& map, Surface& surface) {
-  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
-  map.alternative<Flat>("flat", surface);
-  map.alternative<HeightField>("heightfield", surface);
-  std::vector<Wave> waves;
-  if (map.blocks("waves", waves, {}, 1)) {
-    if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
-    surface = std::move(waves);
-  }
-  map.alternative<Spectrum>("spectrum", surface);
+  SurfaceBlock surface;
+  map.block("surface", surface);
+  water.surface = std::move(surface.shape);
+  water.kinematics = surface.kinematics;
+  check_depth(map, water);
 }
 
 void read(MapReader&, Flat&) {}
@@ -61,7 +109,9 @@ void read(MapReader& map, HeightField& field) {
 
 void read(MapReader& map, Wave& wave) {
   map.required("amplitude", wave.amplitude, not_negative("m"));
-  map.required("wavelength", wave.wavelength, positive("m"));
+  map.optional("wavelength", wave.wavelength, positive("m"));
+  map.optional("period", wave.period, positive("s"));
+  map.exactly_one_of({"wavelength", "period"});
   map.optional("heading_deg", wave.heading, degrees());
   map.optional("phase_deg", wave.phase, degrees());
 }
