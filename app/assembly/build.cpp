@@ -54,17 +54,28 @@ std::vector<hydro::WaveComponent> wave_components(const std::vector<scene::Wave>
   return components;
 }
 
+double peak_enhancement(const scene::Spectrum& s) {
+  if (s.type == scene::Spectrum::Type::pierson_moskowitz ||
+      s.type == scene::Spectrum::Type::bretschneider)
+    return 1;
+  return s.gamma.value_or(hydro::usual_gamma(s.significant_height, s.peak_period));
+}
+
 std::vector<hydro::WaveComponent> spectrum_components(const scene::Spectrum& s,
-                                                      const hydro::Sea& sea) {
+                                                      const hydro::Sea& sea, BuildLog& log) try {
   return hydro::jonswap_sea({.significant_height = s.significant_height,
                              .peak_period = s.peak_period,
-                             .gamma = s.gamma,
+                             .gamma = peak_enhancement(s),
+                             .tma = s.type == scene::Spectrum::Type::tma,
                              .heading = s.heading,
                              .spreading = s.spreading,
                              .seed = s.seed,
                              .components = s.components},
                             sea)
       .components;
+} catch (const std::invalid_argument& error) {
+  log.faults.add(log.scene.places, "water.surface.spectrum", error.what());
+  return {};
 }
 
 hydro::Sea build_sea(const scene::Water& water, double gravity, BuildLog& log) {
@@ -76,7 +87,7 @@ hydro::Sea build_sea(const scene::Water& water, double gravity, BuildLog& log) {
   if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface))
     sea.surface = hydro::WaveSurface{wave_components(*waves, sea, log), water.kinematics};
   else if (const auto* spectrum = std::get_if<scene::Spectrum>(&water.surface))
-    sea.surface = hydro::WaveSurface{spectrum_components(*spectrum, sea), water.kinematics};
+    sea.surface = hydro::WaveSurface{spectrum_components(*spectrum, sea, log), water.kinematics};
   else if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
     sea.surface = height_field(*field, "water.surface.heightfield", log);
   return sea;

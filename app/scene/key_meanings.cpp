@@ -94,11 +94,15 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Direction in which the wave travels, counter-clockwise from +x."},
     {"water.surface.waves[].phase_deg", "Phase at the origin at time 0; 0 is a crest."},
     {"water.surface.spectrum", "Irregular waves, given by a wave spectrum."},
-    {"water.surface.spectrum.type", "Type of the spectrum."},
+    {"water.surface.spectrum.type",
+     "Type of the spectrum. `jonswap` is that of growing wind waves. `pierson_moskowitz` and "
+     "`bretschneider` are two names of the same formula, that of `jonswap` with `gamma: 1`. "
+     "`tma` is `jonswap` for water of the depth `water.depth`."},
     {"water.surface.spectrum.significant_height", "Significant wave height H_s."},
     {"water.surface.spectrum.peak_period", "Peak period T_p."},
     {"water.surface.spectrum.gamma",
-     "Peak enhancement factor; 1 gives the Pierson–Moskowitz spectrum."},
+     "Peak enhancement factor γ of `jonswap` and `tma`. With `auto` it follows DNV-RP-C205: with "
+     "r = T_p/√H_s in s/√m it is 5 for r up to 3.6, 1 from 5 on, and exp(5.75 − 1.15·r) between."},
     {"water.surface.spectrum.heading_deg", "Mean direction in which the waves travel."},
     {"water.surface.spectrum.spreading",
      "Exponent s of the directional spreading cos²ˢ(θ/2); 0 gives long-crested waves."},

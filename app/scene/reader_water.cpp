@@ -65,19 +65,47 @@ void read(MapReader& map, SurfaceBlock& surface) {
   read_kinematics(map, surface.kinematics);
 }
 
+/// Reads a number, or `auto` as none.
+void read_gamma(MapReader& map, Spectrum& spectrum) {
+  const NumberRule rule = between(1, 10);
+  const std::string expected = expectation(rule, false, 0) + ", or auto";
+  const auto value =
+      map.find("gamma", expected, "3.3", {shape(rule, false, 0), words_shape({"auto"})});
+  for (const char* type : {"pierson_moskowitz", "bretschneider"})
+    map.note_condition("type", type, {}, {"gamma"});
+  if (!value) return;
+  double gamma = 1;
+  if (value->node.is_word("auto"))
+    spectrum.gamma.reset();
+  else if (read_number(*value, rule, expected, gamma))
+    spectrum.gamma = gamma;
+  using Type = Spectrum::Type;
+  if (spectrum.type == Type::pierson_moskowitz || spectrum.type == Type::bretschneider)
+    map.fault("gamma", "not used with this type, expected jonswap or tma with it");
+}
+
+/// Refuses a spectrum that its depth does not fit.
+void check_depth(MapReader& map, const std::optional<double>& depth, const Spectrum& spectrum) {
+  if (!depth && spectrum.type == Spectrum::Type::tma)
+    map.fault("surface.spectrum.type",
+              "tma needs water.depth; on deep water the same sea is of type jonswap");
+  if (depth && spectrum.significant_height >= *depth)
+    map.fault("surface.spectrum.significant_height",
+              fmt::format("found {:g}, expected less than the depth of {:g} m",
+                          spectrum.significant_height, *depth));
+}
+
 /// Refuses waves whose troughs reach the bottom.
-void check_depth(MapReader& map, const Water& water) {
-  const auto* waves = std::get_if<std::vector<Wave>>(&water.surface);
-  if (!water.depth || waves == nullptr) return;
+void check_depth(MapReader& map, double depth, const std::vector<Wave>& waves) {
   double sum = 0;
-  for (std::size_t i = 0; i < waves->size(); ++i) {
-    const double before = std::exchange(sum, sum + (*waves)[i].amplitude);
-    if (before >= *water.depth || sum < *water.depth) continue;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    const double before = std::exchange(sum, sum + waves[i].amplitude);
+    if (before >= depth || sum < depth) continue;
     const std::string others =
         before > 0 ? fmt::format(" and {:g} of the waves before it", before) : "";
     map.fault(fmt::format("surface.waves[{}].amplitude", i),
               fmt::format("found {:g}{}, expected less than the depth of {:g} m",
-                          (*waves)[i].amplitude, others, *water.depth));
+                          waves[i].amplitude, others, depth));
   }
 }
 
@@ -93,7 +121,10 @@ void read(MapReader& map, Water& water) {
   map.block("surface", surface);
   water.surface = std::move(surface.shape);
   water.kinematics = surface.kinematics;
-  check_depth(map, water);
+  if (const auto* waves = std::get_if<std::vector<Wave>>(&water.surface); waves && water.depth)
+    check_depth(map, *water.depth, *waves);
+  if (const auto* spectrum = std::get_if<Spectrum>(&water.surface))
+    check_depth(map, water.depth, *spectrum);
 }
 
 void read(MapReader&, Flat&) {}
@@ -118,10 +149,14 @@ void read(MapReader& map, Wave& wave) {
 
 void read(MapReader& map, Spectrum& spectrum) {
   using Type = Spectrum::Type;
-  map.required("type", spectrum.type, ChoiceRule<Type>{{{"jonswap", Type::jonswap}}});
+  map.required("type", spectrum.type,
+               ChoiceRule<Type>{{{"jonswap", Type::jonswap},
+                                 {"pierson_moskowitz", Type::pierson_moskowitz},
+                                 {"bretschneider", Type::bretschneider},
+                                 {"tma", Type::tma}}});
   map.required("significant_height", spectrum.significant_height, positive("m"));
   map.required("peak_period", spectrum.peak_period, positive("s"));
-  map.optional("gamma", spectrum.gamma, between(1, 10));
+  read_gamma(map, spectrum);
   map.optional("heading_deg", spectrum.heading, degrees());
   map.optional("spreading", spectrum.spreading, not_negative());
   map.optional("seed", spectrum.seed, number());

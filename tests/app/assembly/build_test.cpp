@@ -350,4 +350,30 @@ TEST(Assemble, APeriodThatNoWaveHasAgainstTheCurrentIsRefusedAtItsKey) {
   EXPECT_THAT(faults_of(sea_scene(water + "7.8}]}")), IsEmpty());
 }
 
+TEST(Assemble, TypesOfSpectraDifferInTheirPeakAlone) {
+  const auto waves = [](const std::string& keys) {
+    std::vector<double> frequencies;
+    for (const hydro::WaveComponent& w :
+         waves_of(sea_of("depth: 15, surface: {spectrum: {significant_height: 2, peak_period: 6, " +
+                         keys + "}}")))
+      frequencies.push_back(w.omega);
+    return frequencies;
+  };
+  const auto flat_peak = waves("type: jonswap, gamma: 1");
+  EXPECT_EQ(waves("type: pierson_moskowitz"), flat_peak);
+  EXPECT_EQ(waves("type: bretschneider"), flat_peak);
+  EXPECT_NE(waves("type: tma, gamma: 1"), flat_peak);
+  EXPECT_NE(waves("type: jonswap"), flat_peak);
+  // 6/√2 = 4.243 lies on the slope of γ.
+  EXPECT_EQ(waves("type: jonswap, gamma: auto"),
+            waves(fmt::format("type: jonswap, gamma: {:.17g}",
+                              std::exp(5.75 - 1.15 * 6 / std::sqrt(2.0)))));
+}
+
+TEST(Assemble, ASpectrumBeyondAllNumbersIsRefused) {
+  EXPECT_THAT(faults_of(sea_scene("surface: {spectrum: {type: jonswap, significant_height: 1, "
+                                  "peak_period: 1e-200}}")),
+              ElementsAre(HasSubstr("water.surface.spectrum: its periods are too ")));
+}
+
 }  // namespace

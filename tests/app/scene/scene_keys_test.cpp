@@ -164,6 +164,22 @@ TEST(SceneKeys, SpectrumIsRead) {
   EXPECT_EQ(spectrum.components, 32);
 }
 
+TEST(SceneKeys, TypesAndPeaksOfSpectraAreRead) {
+  using Type = scene::Spectrum::Type;
+  const auto read = [](const std::string& keys) {
+    const scene::Scene scene = read_scene_text(
+        every_key(),
+        {"water.surface={spectrum: {significant_height: 1.5, peak_period: 7, " + keys + "}}"});
+    return std::get<scene::Spectrum>(scene.water->surface);
+  };
+  EXPECT_EQ(read("type: jonswap").gamma, 3.3);
+  EXPECT_EQ(read("type: jonswap, gamma: auto").gamma, std::nullopt);
+  EXPECT_EQ(read("type: tma, gamma: 1").gamma, 1);
+  EXPECT_EQ(read("type: tma").type, Type::tma);
+  EXPECT_EQ(read("type: pierson_moskowitz").type, Type::pierson_moskowitz);
+  EXPECT_EQ(read("type: bretschneider").type, Type::bretschneider);
+}
+
 TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
   const scene::Scene scene = read_scene_text(every_key(), {picture("water.surface"), shore()});
   const auto& field = std::get<scene::HeightField>(scene.water->surface);
