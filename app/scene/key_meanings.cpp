@@ -290,8 +290,9 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes."},
     {"render.pressure", "Colour scale of the pressure on the wet surface."},
     {"render.pressure.shows",
-     "Pressure that is shown. `hydrostatic` is ρ g h. `dynamic` is ½ ρ C_p v_n |v_n| with the "
-     "speed v_n relative to the water along the normal. `total` is their sum."},
+     "Pressure that is shown. `hydrostatic` is ρ g h; under linear waves it is the pressure that "
+     "the water would have without the body. `dynamic` is ½ ρ C_p v_n |v_n| with the speed v_n "
+     "relative to the water along the normal. `total` is their sum."},
     {"render.pressure.colors",
      "Colour map. `turbo` and `thesis` go from blue over green to red; `viridis` and `cividis` "
      "have uniform steps of lightness; `coolwarm` is pale in the middle, for values of either "
