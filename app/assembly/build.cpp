@@ -14,6 +14,7 @@
 #include "app/assembly/build_added_mass.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
+#include "app/assembly/sea_warnings.h"
 #include "app/base/schedule.h"
 #include "app/base/wall_clock.h"
 #include "engine/body_check.h"
@@ -360,6 +361,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);
+  built.warnings = sea_warnings(scene, spec);
   if (scene.integrator.sleep > 0)
     built.notes.emplace_back(
         "integrator.sleep has no effect any more: bodies at rest move on like all others");

@@ -89,10 +89,7 @@ class Run {
 
   int execute() {
     remove_earlier_results();
-    if (!options_.quiet)
-      for (const std::string& line :
-           resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
-        say(line);
+    if (!options_.quiet) introduce();
     int code = simulate();
     summary_.pictures_skipped = reason_for_no_pictures(code);
     if (summary_.pictures_skipped.empty()) code = draw(code);
@@ -112,6 +109,18 @@ class Run {
     log_due_.due(time);
     shots_.resume(time, simulation_.states(), std::move(store));
     summary_.resumed_at = time;
+  }
+
+  void introduce() const {
+    for (const std::string& line :
+         resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
+      say(line);
+    say_warnings(built_.warnings);
+  }
+
+  void say_warnings(const std::vector<std::string>& warnings) const {
+    for (const std::string& warning : warnings)
+      say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
   }
 
   bool wants_pictures() const { return scene_.render && options_.render; }
@@ -138,7 +147,9 @@ class Run {
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
     summary_.counts = simulation_.counts();
-    summary_.warnings = simulation_.warnings();
+    summary_.warnings = built_.warnings;
+    summary_.warnings.insert(summary_.warnings.end(), simulation_.warnings().begin(),
+                             simulation_.warnings().end());
     return code;
   }
 
@@ -268,8 +279,7 @@ class Run {
     if (code == kInterrupted && options_.video.wanted() && !summary_.pictures &&
         options_.checkpoint == 0)
       say("no video was made; plimsoll render can make it from the log");
-    for (const std::string& warning : summary_.warnings)
-      say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
+    say_warnings(simulation_.warnings());
     const engine::Timings& t = summary_.timings;
     say(
         fmt::format("{}: {} steps, {:g} s simulated in {:.2f} s "
