@@ -18,6 +18,7 @@ in vec3 v_position_E;
 in vec3 v_normal;
 in vec3 v_velocity;
 in float v_depth;
+in float v_head;
 in float v_open;
 out vec4 o_color;
 
@@ -38,7 +39,7 @@ vec3 dry_color(vec3 normal, vec3 to_eye) {
 vec3 wet_color(vec3 normal) {
   float speed = dot(v_velocity, normal);
   float drag = speed > 0.0 ? u_drag_front : u_drag_back;
-  float pressure = u_weight * v_depth + drag * speed * abs(speed);
+  float pressure = u_weight * v_head + drag * speed * abs(speed);
   float facing = 0.5 + 0.5 * dot(normal, u_key_light);
   return pressure_color(pressure) * (0.74 + 0.26 * facing) * mix(0.8, 1.0, v_open);
 }

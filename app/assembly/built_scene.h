@@ -41,6 +41,8 @@ struct BuiltScene {
   std::vector<std::optional<AddedMassReport>> added_mass;
   double added_mass_seconds = 0;   ///< Wall time of the added mass [s].
   std::vector<std::string> notes;  ///< Notes for the author, for example on a reversed mesh.
+  /// What the author should change, because it cannot give what he expects; see sea_warnings.h.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace assembly

@@ -18,6 +18,8 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
              counted(built.spec.joints.size(), "joint", "joints"));
   for (const std::string& note : built.notes)
     fmt::print("{}: note: {}\n", scene.file.string(), note);
+  for (const std::string& warning : built.warnings)
+    fmt::print("{}: warning: {}\n", scene.file.string(), warning);
 }
 
 }  // namespace

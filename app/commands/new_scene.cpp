@@ -28,7 +28,8 @@ water:
   surface:                      # without it the water is flat
     waves:
       - {{amplitude: 0.25, wavelength: 14, heading_deg: 200}}
-      # - {{amplitude: 0.1, wavelength: 6, heading_deg: 120, phase_deg: 40}}
+      # - {{amplitude: 0.1, period: 2, heading_deg: 120, phase_deg: 40}}
+  # depth: 20                   # without it the waves are those of deep water
   # current: [0.5, 0, 0]
 
 # A sea floor.

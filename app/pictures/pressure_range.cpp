@@ -5,18 +5,28 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/render/vertex_water.h"
 #include "hydro/loads/loads.h"
 
 namespace app {
 namespace {
 
+/// The sea at one time.
+struct SeaAtTime {
+  const hydro::Sea& sea;
+  double time;
+  hydro::AiryWaves waves{sea, time};
+};
+
 /// Includes a body's pressures. Pressure drag uses the normals of faces, so that flat sides have
 /// one pressure.
-void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
-                  const hydro::Sea& sea, double time, scene::ShownPressure shows,
-                  PressureRange& range) {
+void include_body(const engine::BodySpec& body, const hydro::BodyState& state, const SeaAtTime& now,
+                  scene::ShownPressure shows, PressureRange& range) {
+  const hydro::Sea& sea = now.sea;
   const Eigen::Matrix3d R = state.orientation.toRotationMatrix();
   const Eigen::Matrix3Xd r = R * body.mesh_B.vertices;
+  const render::VertexWater water =
+      render::vertex_water(sea, now.waves, r.colwise() + state.position, now.time);
   const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
   const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
   const double scale = shows == scene::ShownPressure::hydrostatic
@@ -26,13 +36,11 @@ void include_body(const engine::BodySpec& body, const hydro::BodyState& state,
   for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
     const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();
     for (int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d p = r.col(body.mesh_B.faces(i, face));
-      const Eigen::Vector3d p_W = state.position + p;
-      const double depth = hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z();
-      if (depth <= 0) continue;
-      const double u = motion.at(p).dot(n);
+      const Eigen::Index v = body.mesh_B.faces(i, face);
+      if (water.depths[v] <= 0) continue;
+      const double u = (motion.at(r.col(v)) - water.flow.col(v)).dot(n);
       const double c_p = u > 0 ? drag.front : drag.back;
-      range.include(sea.density * (gravity * depth + 0.5 * scale * c_p * u * std::abs(u)));
+      range.include(sea.density * (gravity * water.heads[v] + 0.5 * scale * c_p * u * std::abs(u)));
     }
   }
 }
@@ -90,8 +98,9 @@ PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& sho
                              scene::ShownPressure shows) {
   PressureRange range;
   if (!spec.sea) return range;
+  const SeaAtTime now{*spec.sea, shot.time};
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-    include_body(spec.bodies[i], shot.states[i], *spec.sea, shot.time, shows, range);
+    include_body(spec.bodies[i], shot.states[i], now, shows, range);
   return range;
 }
 

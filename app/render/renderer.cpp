@@ -10,6 +10,7 @@
 #include "app/render/gl_program.h"
 #include "app/render/occlusion.h"
 #include "app/render/shaded_mesh.h"
+#include "app/render/vertex_water.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
 #include "hydro/loads/loads.h"
@@ -117,7 +118,9 @@ struct Renderer::Impl {
   double line_unit() const { return std::max(1.0, picture_.height / 720.0); }
   void draw_sky(double time) const;
   void draw_ground(double time) const;
-  void draw_body(std::size_t index, const hydro::BodyState& state, double time);
+  void draw_bodies(const std::vector<hydro::BodyState>& states, double time);
+  void draw_body(std::size_t index, const hydro::BodyState& state, double time,
+                 const hydro::AiryWaves& waves);
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
   void draw_water(double time);
 
@@ -232,7 +235,8 @@ void Renderer::Impl::draw_ground(double time) const {
   for (const GlMesh& mesh : grounds_) mesh.draw();
 }
 
-void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state, double time) {
+void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state, double time,
+                               const hydro::AiryWaves& waves) {
   const BodyAppearance& look = picture_.bodies[index];
   DrawnBody& body = bodies_[index];
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
@@ -242,14 +246,13 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
   body_.set("u_color", look.color);
   if (picture_.sea) {
     const hydro::Sea& sea = *picture_.sea;
-    const Eigen::Matrix3Xd arms = R_WB * body.skin_B.vertices;
-    Eigen::MatrixXf depths(1, arms.cols());
-    for (Index i = 0; i < arms.cols(); ++i) {
-      const Vector3d p_W = state.position + arms.col(i);
-      depths(0, i) =
-          static_cast<float>(hydro::surface_height(sea, p_W.x(), p_W.y(), time) - p_W.z());
-    }
-    body.mesh.set(2, depths);
+    const Eigen::Matrix3Xd points_W =
+        (R_WB * body.skin_B.vertices).eval().colwise() + state.position;
+    const VertexWater water = vertex_water(sea, waves, points_W, time);
+    Eigen::MatrixXf heights(2, points_W.cols());
+    heights << water.depths.cast<float>(), water.heads.cast<float>();
+    body.mesh.set(2, heights);
+    body.mesh.set(4, water.flow.cast<float>());
     body_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
     const Pressure shows = picture_.pressure.shows;
     body_.set("u_weight", shows == Pressure::dynamic ? 0.0 : sea.density * sea.gravity);
@@ -296,12 +299,7 @@ void Renderer::Impl::draw_water(double time) {
   gl_.Disable(GL_BLEND);
 }
 
-Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time) {
-  assert(states.size() == bodies_.size());
-  context_.make_current();
-  canvas_->begin();
-  draw_sky(time);
-  draw_ground(time);
+void Renderer::Impl::draw_bodies(const std::vector<hydro::BodyState>& states, double time) {
   set_view(body_, time);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, scale_texture_);
@@ -312,7 +310,17 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   body_.set("u_flat_depth", 1e-7 * picture_size(view_));
   body_.set("u_line_width", (picture_.bold_waterline ? 4.0 : 2.0) * line_unit());
   body_.set("u_bold", picture_.bold_waterline ? 1 : 0);
-  for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time);
+  const hydro::AiryWaves waves(picture_.sea.value_or(hydro::Sea{}), time);
+  for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time, waves);
+}
+
+Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time) {
+  assert(states.size() == bodies_.size());
+  context_.make_current();
+  canvas_->begin();
+  draw_sky(time);
+  draw_ground(time);
+  draw_bodies(states, time);
   if (picture_.wireframe) draw_edges(states, time);
   if (surface_) draw_water(time);
   return canvas_->read();

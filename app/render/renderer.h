@@ -19,11 +19,12 @@
 /// Pictures of bodies in the sea, drawn without a window.
 ///
 /// Above the water a body has its own colour. Below it a colour scale shows the gauge pressure on
-/// its surface, p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms; h is the depth and v_n the
-/// speed relative to the water along the outward normal. This is the shading normal, smooth over
-/// edges of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
-/// approximates. The depth is linear over each triangle, and the two kinds of colour meet where it
-/// is zero.
+/// its surface, p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms; h is the head of the
+/// undisturbed water, which is the depth but under linear waves, and v_n the speed along the
+/// outward normal relative to the water at the place. This is the shading normal, smooth over edges
+/// of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
+/// approximates. Depth, head and the water's velocity are linear over each triangle, and the two
+/// kinds of colour meet where the depth is zero.
 ///
 /// No graphics library is loaded before the first Renderer is made.
 

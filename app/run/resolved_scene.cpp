@@ -137,15 +137,20 @@ std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltS
   return kinds;
 }
 
+std::string surface_text(const scene::Water& water) {
+  if (std::holds_alternative<scene::HeightField>(water.surface)) return "a height field";
+  const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface);
+  if (waves == nullptr && !std::holds_alternative<scene::Spectrum>(water.surface)) return "flat";
+  const bool airy = water.kinematics == hydro::Kinematics::airy;
+  return (waves != nullptr ? counted(waves->size(), "wave", "waves") : "a spectrum") +
+         (airy ? "" : " with hydrostatic pressure");
+}
+
 std::string water_text(const scene::Scene& scene) {
   if (!scene.water) return "no water";
-  const scene::Surface& surface = scene.water->surface;
-  const auto* waves = std::get_if<std::vector<scene::Wave>>(&surface);
-  const std::string shape = waves != nullptr ? counted(waves->size(), "wave", "waves")
-                            : std::holds_alternative<scene::Spectrum>(surface)    ? "a spectrum"
-                            : std::holds_alternative<scene::HeightField>(surface) ? "a height field"
-                                                                                  : "flat";
-  return fmt::format("water of {:g} kg/m^3 ({})", scene.water->density, shape);
+  const scene::Water& water = *scene.water;
+  const std::string depth = water.depth ? fmt::format(", {:g} m deep", *water.depth) : "";
+  return fmt::format("water of {:g} kg/m^3 ({}{})", water.density, surface_text(water), depth);
 }
 
 std::string headline(const scene::Scene& scene, const assembly::BuiltScene& built) {

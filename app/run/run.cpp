@@ -78,6 +78,7 @@ class Run {
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
         logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {
+    summary_.warnings = built.warnings;
     ShotSpool store;
     if (options.checkpoint > 0 && wants_pictures())
       store = ShotSpool(folder.path() / kShotFile, last ? static_cast<std::size_t>(last->shots) : 0,
@@ -90,10 +91,7 @@ class Run {
 
   int execute() {
     remove_earlier_results();
-    if (!options_.quiet)
-      for (const std::string& line :
-           resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
-        say(line);
+    if (!options_.quiet) introduce();
     int code = simulate();
     summary_.pictures_skipped = reason_for_no_pictures(code);
     if (summary_.pictures_skipped.empty()) code = draw(code);
@@ -114,6 +112,18 @@ class Run {
     shots_.resume(time, simulation_.states(), std::move(store));
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
+  }
+
+  void introduce() const {
+    for (const std::string& line :
+         resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
+      say(line);
+    say_warnings(built_.warnings);
+  }
+
+  void say_warnings(const std::vector<std::string>& warnings) const {
+    for (const std::string& warning : warnings)
+      say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
   }
 
   bool wants_pictures() const { return scene_.render && options_.render; }
@@ -199,9 +209,9 @@ class Run {
     return code;
   }
 
-  /// Keeps the first warning that the step is too long for the waves.
+  /// Warns once of a step that is too long for the waves that bodies meet.
   void check_waves() {
-    if (!summary_.warnings.empty()) return;
+    if (summary_.warnings.size() > built_.warnings.size()) return;
     if (const auto warning = wave_warning(built_.spec, simulation_.states()))
       summary_.warnings.push_back(*warning);
   }
@@ -278,8 +288,8 @@ class Run {
     if (code == kInterrupted && options_.video.wanted() && !summary_.pictures &&
         options_.checkpoint == 0)
       say("no video was made; plimsoll render can make it from the log");
-    for (const std::string& warning : summary_.warnings)
-      say(fmt::format("{}: warning: {}", scene_.file.string(), warning));
+    say_warnings({summary_.warnings.begin() + static_cast<long>(built_.warnings.size()),
+                  summary_.warnings.end()});
     const engine::Timings& t = summary_.timings;
     say(
         fmt::format("{}: {} steps, {:g} s simulated in {:.2f} s "

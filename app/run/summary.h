@@ -23,7 +23,7 @@ struct RunSummary {
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
-  std::vector<std::string> warnings;   ///< Each as a whole sentence.
+  std::vector<std::string> warnings;   ///< Those of the scene, then those of the run.
   double wall = 0;                     ///< Total, including the added mass [s].
   double wall_log = 0;                 ///< [s]
   double wall_render = 0;              ///< [s]

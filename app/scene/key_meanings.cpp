@@ -62,10 +62,18 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Kinematic viscosity for `viscous_drag: ittc57`. The default is that of fresh water at 20 "
      "°C."},
     {"water.level", "Height z of the still water."},
-    {"water.current", "Velocity of the water, uniform everywhere."},
+    {"water.depth",
+     "Depth of the still water, uniform everywhere, for the waves; without this key they are those "
+     "of deep water. It is no obstacle: bodies stand on `ground`."},
+    {"water.current",
+     "Velocity of the water, uniform everywhere. Waves travel on it, and their motion adds to it."},
     {"water.surface",
      "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves` and "
      "`spectrum`. Without this block the surface is flat."},
+    {"water.surface.kinematics",
+     "Model of the water below `waves` or a `spectrum`. `airy` is linear wave theory: pressure and "
+     "motion of the water decay with depth. `hydrostatic` is the model of the 2014 thesis: the "
+     "pressure is that of the height of water above, and the water moves with the current alone."},
     {"water.surface.flat", "Still water: `flat: {}`."},
     {"water.surface.heightfield", "A fixed surface, given by heights on a grid."},
     {"water.surface.heightfield.file",
@@ -76,18 +84,25 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.heightfield.origin", "Position x, y of the first height of the first row."},
     {"water.surface.heightfield.range",
      "Heights of black and white. Required for a `.png`, not allowed for a `.csv`."},
-    {"water.surface.waves", "Linear deep-water waves, at least one. Their heights are added."},
+    {"water.surface.waves", "Linear waves, at least one. Their heights are added."},
     {"water.surface.waves[].amplitude", "Half the height from trough to crest."},
-    {"water.surface.waves[].wavelength", "Distance from crest to crest."},
+    {"water.surface.waves[].wavelength",
+     "Distance from crest to crest. Exactly one of `wavelength` and `period` is required."},
+    {"water.surface.waves[].period",
+     "Time from crest to crest at a fixed point. It includes the effect of the current."},
     {"water.surface.waves[].heading_deg",
      "Direction in which the wave travels, counter-clockwise from +x."},
     {"water.surface.waves[].phase_deg", "Phase at the origin at time 0; 0 is a crest."},
     {"water.surface.spectrum", "Irregular waves, given by a wave spectrum."},
-    {"water.surface.spectrum.type", "Type of the spectrum."},
+    {"water.surface.spectrum.type",
+     "Type of the spectrum. `jonswap` is that of growing wind waves. `pierson_moskowitz` and "
+     "`bretschneider` are two names of the same formula, that of `jonswap` with `gamma: 1`. "
+     "`tma` is `jonswap` for water of the depth `water.depth`."},
     {"water.surface.spectrum.significant_height", "Significant wave height H_s."},
     {"water.surface.spectrum.peak_period", "Peak period T_p."},
     {"water.surface.spectrum.gamma",
-     "Peak enhancement factor; 1 gives the Pierson–Moskowitz spectrum."},
+     "Peak enhancement factor γ of `jonswap` and `tma`. With `auto` it follows DNV-RP-C205: with "
+     "r = T_p/√H_s in s/√m it is 5 for r up to 3.6, 1 from 5 on, and exp(5.75 − 1.15·r) between."},
     {"water.surface.spectrum.heading_deg", "Mean direction in which the waves travel."},
     {"water.surface.spectrum.spreading",
      "Exponent s of the directional spreading cos²ˢ(θ/2); 0 gives long-crested waves."},
@@ -275,8 +290,9 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes."},
     {"render.pressure", "Colour scale of the pressure on the wet surface."},
     {"render.pressure.shows",
-     "Pressure that is shown. `hydrostatic` is ρ g h. `dynamic` is ½ ρ C_p v_n |v_n| with the "
-     "speed v_n relative to the water along the normal. `total` is their sum."},
+     "Pressure that is shown. `hydrostatic` is ρ g h; under linear waves it is the pressure that "
+     "the water would have without the body. `dynamic` is ½ ρ C_p v_n |v_n| with the speed v_n "
+     "relative to the water along the normal. `total` is their sum."},
     {"render.pressure.colors",
      "Colour map. `turbo` and `thesis` go from blue over green to red; `viridis` and `cividis` "
      "have uniform steps of lightness; `coolwarm` is pale in the middle, for values of either "

@@ -71,6 +71,15 @@ void check_starts(MapReader& map, const Scene& scene) {
   }
 }
 
+/// Refuses waves without gravity, which is what moves them.
+void check_waves(MapReader& map, const Scene& scene) {
+  if (scene.gravity != 0 || !scene.water) return;
+  const Surface& surface = scene.water->surface;
+  if (std::holds_alternative<std::vector<Wave>>(surface) ||
+      std::holds_alternative<Spectrum>(surface))
+    map.fault("water.surface", "waves need gravity, which is 0 in this scene");
+}
+
 void name_nameless_joints(std::vector<Joint>& joints) {
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (joints[i].name.empty()) joints[i].name = fmt::format("joint{}", i);
@@ -190,6 +199,7 @@ void read(MapReader& map, Scene& scene) {
   check_joint_bodies(map, scene);
   check_followed_bodies(map, scene);
   check_starts(map, scene);
+  check_waves(map, scene);
 }
 
 bool is_scene_file(const std::filesystem::path& file) {

@@ -9,7 +9,6 @@
 namespace scene {
 
 void read(MapReader& map, Water& water);
-void read(MapReader& map, Surface& surface);
 void read(MapReader& map, Flat& flat);
 void read(MapReader& map, HeightField& field);
 void read(MapReader& map, Wave& wave);

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 
 #include "app/scene/reader_blocks.h"
 
@@ -26,26 +29,102 @@ void check_format(MapReader& map, const HeightField& field) {
     map.fault("range", "not used with a .csv file, which has heights in metres");
 }
 
+/// The block `surface`: its shape and the model of the water below waves.
+struct SurfaceBlock {
+  Surface shape;
+  hydro::Kinematics kinematics = hydro::Kinematics::airy;
+};
+
+/// Reads `kinematics`, which says something of waves alone.
+void read_kinematics(MapReader& map, hydro::Kinematics& kinematics) {
+  using hydro::Kinematics;
+  map.optional("kinematics", kinematics,
+               ChoiceRule<Kinematics>{
+                   {{"airy", Kinematics::airy}, {"hydrostatic", Kinematics::hydrostatic}}});
+  map.note_condition("kinematics", "", {}, {"flat", "heightfield"});
+  if (!map.has("kinematics")) return;
+  if (map.has("heightfield"))
+    map.fault("kinematics",
+              "given beside heightfield, expected waves or spectrum with it; under a height field "
+              "the pressure is always hydrostatic");
+  else if (map.has("flat"))
+    map.fault("kinematics",
+              "given beside flat, expected waves or spectrum with it; still water has no waves");
+}
+
+void read(MapReader& map, SurfaceBlock& surface) {
+  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
+  map.alternative<Flat>("flat", surface.shape);
+  map.alternative<HeightField>("heightfield", surface.shape);
+  std::vector<Wave> waves;
+  if (map.blocks("waves", waves, {}, 1)) {
+    if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
+    surface.shape = std::move(waves);
+  }
+  map.alternative<Spectrum>("spectrum", surface.shape);
+  read_kinematics(map, surface.kinematics);
+}
+
+/// Reads a number, or `auto` as none.
+void read_gamma(MapReader& map, Spectrum& spectrum) {
+  const NumberRule rule = between(1, 10);
+  const std::string expected = expectation(rule, false, 0) + ", or auto";
+  const auto value =
+      map.find("gamma", expected, "3.3", {shape(rule, false, 0), words_shape({"auto"})});
+  for (const char* type : {"pierson_moskowitz", "bretschneider"})
+    map.note_condition("type", type, {}, {"gamma"});
+  if (!value) return;
+  double gamma = 1;
+  if (value->node.is_word("auto"))
+    spectrum.gamma.reset();
+  else if (read_number(*value, rule, expected, gamma))
+    spectrum.gamma = gamma;
+  using Type = Spectrum::Type;
+  if (spectrum.type == Type::pierson_moskowitz || spectrum.type == Type::bretschneider)
+    map.fault("gamma", "not used with this type, expected jonswap or tma with it");
+}
+
+/// Refuses a spectrum that its depth does not fit.
+void check_depth(MapReader& map, const std::optional<double>& depth, const Spectrum& spectrum) {
+  if (!depth && spectrum.type == Spectrum::Type::tma)
+    map.fault("surface.spectrum.type",
+              "tma needs water.depth; on deep water the same sea is of type jonswap");
+  if (depth && spectrum.significant_height >= *depth)
+    map.fault("surface.spectrum.significant_height",
+              fmt::format("found {:g}, expected less than the depth of {:g} m",
+                          spectrum.significant_height, *depth));
+}
+
+/// Refuses waves whose troughs reach the bottom.
+void check_depth(MapReader& map, double depth, const std::vector<Wave>& waves) {
+  double sum = 0;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    const double before = std::exchange(sum, sum + waves[i].amplitude);
+    if (before >= depth || sum < depth) continue;
+    const std::string others =
+        before > 0 ? fmt::format(" and {:g} of the waves before it", before) : "";
+    map.fault(fmt::format("surface.waves[{}].amplitude", i),
+              fmt::format("found {:g}{}, expected less than the depth of {:g} m",
+                          waves[i].amplitude, others, depth));
+  }
+}
+
 }  // namespace
 
 void read(MapReader& map, Water& water) {
   map.optional("density", water.density, positive("kg/m^3"));
   map.optional("viscosity", water.viscosity, positive("m^2/s"));
   map.optional("level", water.level, number("m"));
+  map.optional("depth", water.depth, positive("m"));
   map.optional("current", water.current, number("m/s"));
-  map.block("surface", water.surface);
-}
-
-void read(MapReader& map, Surface& surface) {
-  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
-  map.alternative<Flat>("flat", surface);
-  map.alternative<HeightField>("heightfield", surface);
-  std::vector<Wave> waves;
-  if (map.blocks("waves", waves, {}, 1)) {
-    if (waves.empty()) map.fault("waves", "found an empty list, expected at least one wave");
-    surface = std::move(waves);
-  }
-  map.alternative<Spectrum>("spectrum", surface);
+  SurfaceBlock surface;
+  map.block("surface", surface);
+  water.surface = std::move(surface.shape);
+  water.kinematics = surface.kinematics;
+  if (const auto* waves = std::get_if<std::vector<Wave>>(&water.surface); waves && water.depth)
+    check_depth(map, *water.depth, *waves);
+  if (const auto* spectrum = std::get_if<Spectrum>(&water.surface))
+    check_depth(map, water.depth, *spectrum);
 }
 
 void read(MapReader&, Flat&) {}
@@ -61,17 +140,23 @@ void read(MapReader& map, HeightField& field) {
 
 void read(MapReader& map, Wave& wave) {
   map.required("amplitude", wave.amplitude, not_negative("m"));
-  map.required("wavelength", wave.wavelength, positive("m"));
+  map.optional("wavelength", wave.wavelength, positive("m"));
+  map.optional("period", wave.period, positive("s"));
+  map.exactly_one_of({"wavelength", "period"});
   map.optional("heading_deg", wave.heading, degrees());
   map.optional("phase_deg", wave.phase, degrees());
 }
 
 void read(MapReader& map, Spectrum& spectrum) {
   using Type = Spectrum::Type;
-  map.required("type", spectrum.type, ChoiceRule<Type>{{{"jonswap", Type::jonswap}}});
+  map.required("type", spectrum.type,
+               ChoiceRule<Type>{{{"jonswap", Type::jonswap},
+                                 {"pierson_moskowitz", Type::pierson_moskowitz},
+                                 {"bretschneider", Type::bretschneider},
+                                 {"tma", Type::tma}}});
   map.required("significant_height", spectrum.significant_height, positive("m"));
   map.required("peak_period", spectrum.peak_period, positive("s"));
-  map.optional("gamma", spectrum.gamma, between(1, 10));
+  read_gamma(map, spectrum);
   map.optional("heading_deg", spectrum.heading, degrees());
   map.optional("spreading", spectrum.spreading, not_negative());
   map.optional("seed", spectrum.seed, number());

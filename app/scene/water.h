@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "hydro/sea.h"
+
 /// @file
 /// The block `water` of a scene.
 
@@ -20,19 +22,21 @@ struct HeightField {
   std::optional<std::array<double, 2>> range;  ///< Heights of black and white [m]; PNG only.
 };
 struct Wave {
-  double amplitude = 0;   ///< [m], >= 0.
-  double wavelength = 0;  ///< [m], > 0.
-  double heading = 0;     ///< [rad]
-  double phase = 0;       ///< [rad]
+  double amplitude = 0;  ///< [m], >= 0.
+  /// Exactly one of these two is given.
+  std::optional<double> wavelength;  ///< [m], > 0.
+  std::optional<double> period;      ///< Seen by an observer at rest [s], > 0.
+  double heading = 0;                ///< [rad]
+  double phase = 0;                  ///< [rad]
 };
 struct Spectrum {
-  enum class Type { jonswap };
+  enum class Type { jonswap, pierson_moskowitz, bretschneider, tma };
   Type type = Type::jonswap;
-  double significant_height = 0;  ///< [m], > 0.
-  double peak_period = 0;         ///< [s], > 0.
-  double gamma = 3.3;             ///< [-], 1 … 10.
-  double heading = 0;             ///< [rad]
-  double spreading = 0;           ///< Exponent s of cos^2s(θ/2); 0: long-crested.
+  double significant_height = 0;      ///< [m], > 0.
+  double peak_period = 0;             ///< [s], > 0.
+  std::optional<double> gamma = 3.3;  ///< [-], 1 … 10; none: by height and period.
+  double heading = 0;                 ///< [rad]
+  double spreading = 0;               ///< Exponent s of cos^2s(θ/2); 0: long-crested.
   int seed = 1;
   int components = 64;  ///< Number of waves that represent the spectrum.
 };
@@ -42,8 +46,10 @@ struct Water {
   double density = 1000;
   double viscosity = 1.0034e-6;  ///< Kinematic [m^2/s], > 0.
   double level = 0;
+  std::optional<double> depth;  ///< Of the still water [m], > 0; none: deep.
   Eigen::Vector3d current = Eigen::Vector3d::Zero();
   Surface surface;
+  hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves and of a spectrum.
 };
 
 }  // namespace scene

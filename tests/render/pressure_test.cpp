@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"
 #include "tests/support/tolerance.h"
@@ -145,6 +146,67 @@ TEST(PressureColor, AddsTheDragsPressureByTheSpeedAlongTheNormal) {
     });
     EXPECT_LT(error, support::tolerance(kReading)) << speed;
   }
+}
+
+/// The ball's middle 0.1 m below the level of a sea with one wave along the line of sight.
+Scene ball_in_a_wave() {
+  Scene scene = ball_in_water_to(0.1);
+  hydro::Sea& sea = *scene.picture.sea;
+  sea.current = {0.3, -0.2, 0.1};
+  sea.surface = hydro::WaveSurface{{hydro::linear_wave(sea, 0.4, 2 * M_PI / 8, M_PI / 2, 0.3)}};
+  scene.states[0].linear_velocity = sea.current;
+  scene.time = 0.2;
+  return scene;
+}
+
+/// The ball's front at a height, in the middle column.
+Eigen::Vector3d front(double z) { return {0, -std::sqrt(1 - z * z), z}; }
+
+/// Height at which the ball's front meets the water.
+double waterline(const Scene& scene) {
+  double low = -1, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double z = (low + high) / 2;
+    const double y = front(z).y();
+    (hydro::surface_height(*scene.picture.sea, 0, y, scene.time) > z ? low : high) = z;
+  }
+  return low;
+}
+
+TEST(PressureColor, InWavesIsThatOfTheWaterAtThePlace) {
+  Scene scene = ball_in_a_wave();
+  scene.picture.pressure.shows = render::Pressure::hydrostatic;
+  const double top = waterline(scene);
+  const hydro::Sea& sea = *scene.picture.sea;
+  const auto depth = [&](double z) {
+    return hydro::surface_height(sea, 0, front(z).y(), scene.time) - z;
+  };
+  const auto head = [&](double z) { return hydro::water_at(sea, front(z), scene.time).head; };
+  EXPECT_LT(largest_error(scene, top, [&](double z) { return kWeight * head(z); }),
+            support::tolerance(kReading));
+  EXPECT_GT(largest_error(scene, top, [&](double z) { return kWeight * depth(z); }), 1000);
+  std::get<hydro::WaveSurface>(scene.picture.sea->surface).kinematics =
+      hydro::Kinematics::hydrostatic;
+  EXPECT_LT(largest_error(scene, top, [&](double z) { return kWeight * depth(z); }),
+            support::tolerance(kReading));
+}
+
+TEST(PressureColor, OfDragIsByTheSpeedThroughTheWaterOfTheWaves) {
+  constexpr double kDrag = 12;  // makes much of small speeds
+  Scene scene = ball_in_a_wave();
+  scene.picture.bodies[0].coefficients.pressure_drag = {kDrag, kDrag};
+  scene.picture.pressure.shows = render::Pressure::dynamic;
+  const hydro::Sea& sea = *scene.picture.sea;
+  double highest = 0;
+  const auto dynamic = [&](double z) {
+    const Eigen::Vector3d flow = hydro::water_at(sea, front(z), scene.time).velocity;
+    const double u = (scene.states[0].linear_velocity - flow).dot(front(z));
+    const double pressure = 0.5 * 1000 * kDrag * u * std::abs(u);
+    highest = std::max(highest, pressure);
+    return pressure;
+  };
+  EXPECT_LT(largest_error(scene, waterline(scene), dynamic), support::tolerance(kReading));
+  EXPECT_GT(highest, 3000);
 }
 
 TEST(PressureColor, ShowsOnePartOfThePressureWhereAsked) {

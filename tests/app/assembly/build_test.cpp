@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "app/scene/diagnostics.h"
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
@@ -54,6 +56,17 @@ std::vector<std::string> faults_of(const std::string& text) {
       faults.push_back(scene::to_string(fault).substr(scene.file.string().size() + 1));
   }
   return faults;
+}
+
+/// A scene of water alone.
+std::string sea_scene(const std::string& water) {
+  return "plimsoll: 1\nduration: 1\nwater: {" + water + "}\n";
+}
+
+hydro::Sea sea_of(const std::string& water) { return *assembled(sea_scene(water)).spec.sea; }
+
+const std::vector<hydro::WaveComponent>& waves_of(const hydro::Sea& sea) {
+  return std::get<hydro::WaveSurface>(sea.surface).components;
 }
 
 Matrix3d box_inertia(double mass, const Vector3d& size) {
@@ -280,6 +293,87 @@ TEST(Assemble, WaterLeavesABodyWithoutLoadsAlone) {
   EXPECT_FALSE(body_of(wet_scene(box + off)).wet);
   EXPECT_TRUE(body_of(wet_scene(box)).wet);
   EXPECT_FALSE(body_of(dry_scene(box)).wet);
+}
+
+TEST(Assemble, DepthAndKinematicsAreThoseOfTheSea) {
+  const std::string waves = "surface: {waves: [{amplitude: 1, wavelength: 50}]";
+  const hydro::Sea deep = sea_of(waves + "}");
+  EXPECT_EQ(deep.depth, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(hydro::has_airy_waves(deep));
+  const hydro::Sea shallow = sea_of("depth: 4, " + waves + ", kinematics: hydrostatic}");
+  EXPECT_EQ(shallow.depth, 4);
+  EXPECT_FALSE(hydro::has_airy_waves(shallow));
+  EXPECT_TRUE(hydro::has_airy_waves(
+      sea_of("surface: {spectrum: {type: jonswap, significant_height: 1, peak_period: 7}}")));
+}
+
+TEST(Assemble, AWaveGivenByItsLengthObeysTheDispersionRelationOfItsWater) {
+  const double k = 2 * M_PI / 30, heading = 110 * M_PI / 180;
+  const hydro::Sea sea = sea_of(
+      "depth: 5, current: [0.7, -0.4, 0], surface: {waves: [{amplitude: 0.5, wavelength: 30, "
+      "heading_deg: 110, phase_deg: 20}]}");
+  const hydro::WaveComponent& wave = waves_of(sea).at(0);
+  EXPECT_NEAR(std::hypot(wave.kx, wave.ky), k, tolerance(1e-15));
+  EXPECT_NEAR(wave.phase, 20 * M_PI / 180, tolerance(1e-15));
+  const double along = 0.7 * std::cos(heading) - 0.4 * std::sin(heading);
+  EXPECT_NEAR(wave.omega, std::sqrt(9.80665 * k * std::tanh(5 * k)) + k * along, tolerance(1e-14));
+}
+
+TEST(Assemble, APeriodIsThatSeenByAnObserverAtRest) {
+  // Deep water: ω = √(gk) + kU is a quadratic in √k.
+  const double omega = 2 * M_PI / 6, g = 9.80665;
+  for (const double along : {1.5, -1.5}) {
+    const hydro::Sea sea = sea_of(fmt::format(
+        "current: [0, {}, 3], surface: {{waves: [{{amplitude: 0.5, period: 6, heading_deg: 90}}]}}",
+        along));
+    const hydro::WaveComponent& wave = waves_of(sea).at(0);
+    const double root = 2 * omega / (std::sqrt(g) + std::sqrt(g + 4 * omega * along));
+    EXPECT_NEAR(wave.ky, root * root, tolerance(1e-13));
+    EXPECT_NEAR(wave.omega, omega, tolerance(1e-13));
+  }
+}
+
+TEST(Assemble, PeriodAndLengthOfOneWaveAreTheSameWave) {
+  const std::string water = "depth: 8, current: [-1, 0, 0], surface: {waves: [{amplitude: 0.5, ";
+  const hydro::WaveComponent by_length = waves_of(sea_of(water + "wavelength: 25}]}"))[0];
+  const hydro::WaveComponent by_period =
+      waves_of(sea_of(water + fmt::format("period: {:.17g}}}]}}", 2 * M_PI / by_length.omega)))[0];
+  EXPECT_NEAR(by_period.kx, by_length.kx, tolerance(1e-13));
+}
+
+TEST(Assemble, APeriodThatNoWaveHasAgainstTheCurrentIsRefusedAtItsKey) {
+  // The current stops waves shorter than g/(4U) in frequency: 0.817 rad/s, 7.69 s, at 3 m/s.
+  const std::string water = "current: [-3, 0, 0], surface: {waves: [{amplitude: 0.5, period: ";
+  EXPECT_THAT(faults_of(sea_scene(water + "7.6}]}")),
+              ElementsAre("3:73: water.surface.waves[0].period: a wave of this period, 7.6 s, "
+                          "cannot travel against this current, which is -3 m/s along its heading"));
+  EXPECT_THAT(faults_of(sea_scene(water + "7.8}]}")), IsEmpty());
+}
+
+TEST(Assemble, TypesOfSpectraDifferInTheirPeakAlone) {
+  const auto waves = [](const std::string& keys) {
+    std::vector<double> frequencies;
+    for (const hydro::WaveComponent& w :
+         waves_of(sea_of("depth: 15, surface: {spectrum: {significant_height: 2, peak_period: 6, " +
+                         keys + "}}")))
+      frequencies.push_back(w.omega);
+    return frequencies;
+  };
+  const auto flat_peak = waves("type: jonswap, gamma: 1");
+  EXPECT_EQ(waves("type: pierson_moskowitz"), flat_peak);
+  EXPECT_EQ(waves("type: bretschneider"), flat_peak);
+  EXPECT_NE(waves("type: tma, gamma: 1"), flat_peak);
+  EXPECT_NE(waves("type: jonswap"), flat_peak);
+  // 6/√2 = 4.243 lies on the slope of γ.
+  EXPECT_EQ(waves("type: jonswap, gamma: auto"),
+            waves(fmt::format("type: jonswap, gamma: {:.17g}",
+                              std::exp(5.75 - 1.15 * 6 / std::sqrt(2.0)))));
+}
+
+TEST(Assemble, ASpectrumBeyondAllNumbersIsRefused) {
+  EXPECT_THAT(faults_of(sea_scene("surface: {spectrum: {type: jonswap, significant_height: 1, "
+                                  "peak_period: 1e-200}}")),
+              ElementsAre(HasSubstr("water.surface.spectrum: its periods are too ")));
 }
 
 }  // namespace

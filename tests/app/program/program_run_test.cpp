@@ -105,6 +105,25 @@ bodies:
   EXPECT_EQ(here.run({"run", "short.yaml", "--quiet"}).err, "");
 }
 
+TEST_F(ProgramRun, WarnsOfWavesThatWouldBreakAndGoesOn) {
+  here.write("steep.yaml", R"(plimsoll: 1
+duration: 0.1
+water: {surface: {waves: [{amplitude: 0.8, wavelength: 10}]}}
+)");
+  const std::string line =
+      "steep.yaml: warning: water.surface.waves[0].amplitude: the height of the wave is 0.16 of "
+      "its "
+      "length, and waves break from 0.143 on; expected at most 0.714 m\n";
+  const Outcome checked = here.run({"check", "steep.yaml"});
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_THAT(checked.out, HasSubstr(line));
+  const Outcome outcome = here.run({"run", "steep.yaml"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr(line));
+  EXPECT_EQ(json::parse(here.read("out/steep/summary.json"))["warnings"].size(), 1u);
+  EXPECT_EQ(here.run({"run", "steep.yaml", "--quiet"}).err, "");
+}
+
 TEST_F(ProgramRun, DrawsFramesAndASheetOfThoseTimesBeforeTheEnd) {
   here.write("box.yaml", falling_box("0.6", kPictures));
   const Outcome outcome = here.run({"run", "box.yaml"});

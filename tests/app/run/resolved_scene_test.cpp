@@ -56,6 +56,19 @@ TEST(RunReport, TellsWhatABodyIs) {
       "of raft (added_mass: none)");
 }
 
+TEST(RunReport, TellsTheWavesAndTheDepth) {
+  const auto water = [](const std::string& block) {
+    return told_of(kHead + "water: " + block + "\n")[0];
+  };
+  const std::string waves = "{waves: [{amplitude: 1, wavelength: 50}]}";
+  EXPECT_THAT(water("{surface: " + waves + "}"), HasSubstr("kg/m^3 (1 wave);"));
+  EXPECT_THAT(water("{depth: 12.5, surface: " + waves + "}"),
+              HasSubstr("kg/m^3 (1 wave, 12.5 m deep);"));
+  EXPECT_THAT(water("{surface: {waves: [{amplitude: 1, period: 4}], kinematics: hydrostatic}}"),
+              HasSubstr("kg/m^3 (1 wave with hydrostatic pressure);"));
+  EXPECT_THAT(water("{depth: 3}"), HasSubstr("kg/m^3 (flat, 3 m deep);"));
+}
+
 TEST(RunReport, TellsTheDraughtInEquilibrium) {
   const auto lines =
       told_of(kHead +

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/primitives.h"
 
 namespace {

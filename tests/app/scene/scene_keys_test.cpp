@@ -34,11 +34,13 @@ std::string every_key() {
          "  density: 1025\n"
          "  viscosity: 1.2e-6\n"
          "  level: -1.5\n"
+         "  depth: 30\n"
          "  current: [1, 2, 3]\n"
          "  surface:\n"
          "    waves:\n"
          "      - {amplitude: 0.5, wavelength: 20, heading_deg: 90, phase_deg: -45}\n"
-         "      - {amplitude: 0, wavelength: 1}\n"
+         "      - {amplitude: 0, period: 4}\n"
+         "    kinematics: hydrostatic\n"
          "ground: {z: -10}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
          " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3,"
@@ -134,13 +136,18 @@ TEST(SceneKeys, WaterIsRead) {
   ASSERT_TRUE(scene.water.has_value());
   EXPECT_EQ(scene.water->density, 1025);
   EXPECT_EQ(scene.water->level, -1.5);
+  EXPECT_EQ(scene.water->depth, 30);
+  EXPECT_EQ(scene.water->kinematics, hydro::Kinematics::hydrostatic);
   EXPECT_EQ(scene.water->current, Eigen::Vector3d(1, 2, 3));
   const auto& waves = std::get<std::vector<scene::Wave>>(scene.water->surface);
   ASSERT_EQ(waves.size(), 2);
   EXPECT_EQ(waves[0].amplitude, 0.5);
   EXPECT_EQ(waves[0].wavelength, 20);
+  EXPECT_EQ(waves[0].period, std::nullopt);
   EXPECT_NEAR(waves[0].heading, 90 * kDegree, kRoundOff);
   EXPECT_NEAR(waves[0].phase, -45 * kDegree, kRoundOff);
+  EXPECT_EQ(waves[1].period, 4);
+  EXPECT_EQ(waves[1].wavelength, std::nullopt);
   EXPECT_EQ(waves[1].heading, 0);
 }
 
@@ -155,6 +162,22 @@ TEST(SceneKeys, SpectrumIsRead) {
   EXPECT_EQ(spectrum.spreading, 4);
   EXPECT_EQ(spectrum.seed, -3);
   EXPECT_EQ(spectrum.components, 32);
+}
+
+TEST(SceneKeys, TypesAndPeaksOfSpectraAreRead) {
+  using Type = scene::Spectrum::Type;
+  const auto read = [](const std::string& keys) {
+    const scene::Scene scene = read_scene_text(
+        every_key(),
+        {"water.surface={spectrum: {significant_height: 1.5, peak_period: 7, " + keys + "}}"});
+    return std::get<scene::Spectrum>(scene.water->surface);
+  };
+  EXPECT_EQ(read("type: jonswap").gamma, 3.3);
+  EXPECT_EQ(read("type: jonswap, gamma: auto").gamma, std::nullopt);
+  EXPECT_EQ(read("type: tma, gamma: 1").gamma, 1);
+  EXPECT_EQ(read("type: tma").type, Type::tma);
+  EXPECT_EQ(read("type: pierson_moskowitz").type, Type::pierson_moskowitz);
+  EXPECT_EQ(read("type: bretschneider").type, Type::bretschneider);
 }
 
 TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
@@ -386,6 +409,8 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_FALSE(scene.render.has_value());
   const scene::Scene wet = read_scene_text(support::kSmallScene, {"water={}", "log.every=0"});
   EXPECT_EQ(wet.water->density, 1000);
+  EXPECT_EQ(wet.water->depth, std::nullopt);
+  EXPECT_EQ(wet.water->kinematics, hydro::Kinematics::airy);
   EXPECT_TRUE(std::holds_alternative<scene::Flat>(wet.water->surface));
   EXPECT_FALSE(wet.log_every.has_value());
   EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.93, 0.12}));

@@ -34,7 +34,8 @@ UNSEEN = [
     r"found the eigenvalue", r"expected a\s+symmetric", r"a perpendicular one",
     r"which is switched off", r"equilibrium needs", r"is only used with viscous_drag",
     r"sleep: method ode", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
-    r"in case alone",
+    r"in case alone", r"less than the depth", r"waves need gravity",
+    r"tma needs water.depth",
 ]
 
 

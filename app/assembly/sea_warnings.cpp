@@ -1,0 +1,202 @@
+#include "app/assembly/sea_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "app/assembly/build_shape.h"
+#include "hydro/airy_waves.h"
+#include "hydro/mesh/mesh.h"
+
+namespace assembly {
+namespace {
+
+/// Height over length of the steepest wave on deep water, by Miche; times tanh kh on any depth.
+constexpr double kSteepestWave = 1.0 / 7;
+
+/// Significant height over the length of a wave of the peak period on deep water in the steepest
+/// sea: half of the steepest wave's.
+constexpr double kSteepestSea = kSteepestWave / 2;
+
+constexpr double kLeastKh = 0.3;        ///< kh below which waves are long waves, not Airy's.
+constexpr double kMostOfDepth = 0.2;    ///< Amplitude over depth that linear theory allows.
+constexpr double kStepsPerPeriod = 10;  ///< Fewest steps in the period of a wave.
+constexpr double kEdgesPerLength = 2;   ///< Fewest edges of a mesh along a wave.
+
+/// Part of the energy that the shortest waves may have without being worth a finer step or mesh.
+constexpr double kEnergyLeftOut = 0.05;
+
+using Components = std::vector<hydro::WaveComponent>;
+
+double wave_number(const hydro::WaveComponent& w) { return std::hypot(w.kx, w.ky); }
+double wavelength(const hydro::WaveComponent& w) { return 2 * M_PI / wave_number(w); }
+
+/// Returns the shortest wave that carries energy: shorter ones have less than kEnergyLeftOut of it.
+std::optional<hydro::WaveComponent> shortest_wave(Components waves) {
+  std::sort(waves.begin(), waves.end(),
+            [](const auto& a, const auto& b) { return wave_number(a) > wave_number(b); });
+  const auto energy = [](const auto& w) { return w.amplitude * w.amplitude; };
+  const double total = std::accumulate(waves.begin(), waves.end(), 0.0,
+                                       [&](double sum, auto& w) { return sum + energy(w); });
+  double sum = 0;
+  for (const hydro::WaveComponent& w : waves)
+    if (total > 0 && (sum += energy(w)) >= kEnergyLeftOut * total) return w;
+  return std::nullopt;
+}
+
+/// Returns the path of the key that makes a body's mesh finer: `bodies[1].box.divisions`.
+std::string fineness_key(const scene::Shape& shape, const std::string& body) {
+  std::string path = shape_key_path(shape, body);
+  if (std::holds_alternative<scene::Box>(shape)) return path + ".divisions";
+  if (std::holds_alternative<scene::Icosphere>(shape)) return path + ".subdivisions";
+  if (std::holds_alternative<scene::Mesh>(shape)) return path + ".file";
+  return path;
+}
+
+/// The warnings of one scene with waves.
+class SeaWarnings {
+ public:
+  SeaWarnings(const scene::Scene& scene, const engine::SimulationSpec& spec)
+      : scene_(scene),
+        spec_(spec),
+        sea_(*spec.sea),
+        waves_(std::get<hydro::WaveSurface>(sea_.surface).components) {}
+
+  std::vector<std::string> all() {
+    const scene::Surface& surface = scene_.water->surface;
+    if (const auto* spectrum = std::get_if<scene::Spectrum>(&surface)) check_spectrum(*spectrum);
+    if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&surface))
+      for (std::size_t i = 0; i < waves->size(); ++i)
+        check_wave(waves_[i], fmt::format("water.surface.waves[{}]", i),
+                   (*waves)[i].period ? ".period" : ".wavelength");
+    if (const auto shortest = shortest_wave(waves_)) {
+      check_step(*shortest);
+      check_meshes(*shortest);
+    }
+    check_ground();
+    return std::move(lines_);
+  }
+
+ private:
+  void check_wave(const hydro::WaveComponent& wave, const std::string& path,
+                  const std::string& length_key) {
+    if (wave.amplitude == 0) return;
+    const double k = wave_number(wave), length = wavelength(wave);
+    const double bound = kSteepestWave * std::tanh(k * sea_.depth);
+    if (2 * wave.amplitude > bound * length)
+      lines_.push_back(fmt::format(
+          "{}.amplitude: the height of the wave is {:.3g} of its length, and waves break from "
+          "{:.3g} on; expected at most {:.3g} m",
+          path, 2 * wave.amplitude / length, bound, bound * length / 2));
+    check_depth(k, wave.amplitude, path + length_key, path + ".amplitude", 1);
+  }
+
+  void check_spectrum(const scene::Spectrum& spectrum) {
+    const std::string path = "water.surface.spectrum", height_key = path + ".significant_height";
+    const double omega = 2 * M_PI / spectrum.peak_period;
+    const double length = 2 * M_PI * sea_.gravity / (omega * omega);
+    if (spectrum.significant_height > kSteepestSea * length)
+      lines_.push_back(fmt::format(
+          "{}: it is {:.3g} of the length of a wave of peak_period, and seas break from {:.3g} on; "
+          "expected at most {:.3g} m",
+          height_key, spectrum.significant_height / length, kSteepestSea, kSteepestSea * length));
+    if (const auto k = hydro::wave_number(omega, sea_.depth, sea_.gravity))
+      check_depth(*k, spectrum.significant_height / 2, path + ".peak_period", height_key, 2);
+  }
+
+  /// @param factor   Of the value of `height_key` over the amplitude.
+  void check_depth(double k, double amplitude, const std::string& length_key,
+                   const std::string& height_key, double factor) {
+    if (k * sea_.depth < kLeastKh)
+      lines_.push_back(fmt::format(
+          "{}: the wave's kh is {:.3g} on water.depth of {:g} m, and linear theory ends below "
+          "{:g}; expected a depth of at least {:.3g} m or a shorter wave",
+          length_key, k * sea_.depth, sea_.depth, kLeastKh, kLeastKh / k));
+    if (amplitude > kMostOfDepth * sea_.depth)
+      lines_.push_back(fmt::format(
+          "{}: half the height of the wave is {:.3g} of water.depth, and linear theory ends above "
+          "{:g}; expected at most {:.3g} m",
+          height_key, amplitude / sea_.depth, kMostOfDepth, factor * kMostOfDepth * sea_.depth));
+  }
+
+  void check_step(const hydro::WaveComponent& shortest) {
+    const double period = 2 * M_PI / std::abs(shortest.omega);
+    if (scene_.step > period / kStepsPerPeriod)
+      lines_.push_back(fmt::format(
+          "step: {:.3g} s is {:.3g} of the period of the shortest wave, {:.3g} s; expected at most "
+          "{:.3g} s",
+          scene_.step, scene_.step / period, period, period / kStepsPerPeriod));
+  }
+
+  void check_meshes(const hydro::WaveComponent& shortest) {
+    const double bound = wavelength(shortest) / kEdgesPerLength;
+    std::size_t first = 0, count = 0;
+    double longest = 0;
+    for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
+      if (!spec_.bodies[i].wet) continue;
+      const double edge = hydro::longest_edge(spec_.bodies[i].mesh_B);
+      if (edge <= bound) continue;
+      if (count++ == 0) std::tie(first, longest) = std::pair(i, edge);
+    }
+    if (count == 0) return;
+    const std::string others =
+        count > 1 ? fmt::format("; so are those of {} other bodies", count - 1) : "";
+    lines_.push_back(fmt::format(
+        "{}: its mesh cannot resolve the shortest wave, of {:.3g} m: an edge of {:.3g} m is longer "
+        "than half of it; expected at most {:.3g} m{}",
+        fineness_key(scene_.bodies[first].shape, fmt::format("bodies[{}]", first)), 2 * bound,
+        longest, bound, others));
+  }
+
+  /// Depth of the deepest ground below the level [m]; none without ground.
+  std::optional<double> depth_of_ground() const {
+    if (const auto* plane = std::get_if<engine::PlaneGround>(&spec_.ground))
+      return sea_.level - plane->z;
+    if (const auto* mesh = std::get_if<engine::MeshGround>(&spec_.ground))
+      return sea_.level - mesh->mesh_W.vertices.row(2).minCoeff();
+    return std::nullopt;
+  }
+
+  /// Length of the highest wave, or of the waves of a spectrum's peak, on deep water [m].
+  double peak_length() const {
+    if (const auto* spectrum = std::get_if<scene::Spectrum>(&scene_.water->surface))
+      return sea_.gravity * spectrum->peak_period * spectrum->peak_period / (2 * M_PI);
+    const auto highest =
+        std::max_element(waves_.begin(), waves_.end(),
+                         [](const auto& a, const auto& b) { return a.amplitude < b.amplitude; });
+    return highest == waves_.end() || highest->amplitude == 0 ? 0 : wavelength(*highest);
+  }
+
+  void check_ground() {
+    const std::optional<double> depth = depth_of_ground();
+    const double bound = peak_length() / 2;
+    if (scene_.water->depth || !depth || *depth <= 0 || *depth >= bound) return;
+    lines_.push_back(fmt::format(
+        "water.depth: missing, so the waves are those of deep water, but ground lies {:.3g} m "
+        "below water.level, and waves of {:.3g} m length feel it down to {:.3g} m; expected "
+        "water.depth: {:.3g}",
+        *depth, 2 * bound, bound, *depth));
+  }
+
+  const scene::Scene& scene_;
+  const engine::SimulationSpec& spec_;
+  const hydro::Sea& sea_;
+  const Components& waves_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> sea_warnings(const scene::Scene& scene,
+                                      const engine::SimulationSpec& spec) {
+  if (!spec.sea || !std::holds_alternative<hydro::WaveSurface>(spec.sea->surface)) return {};
+  return SeaWarnings(scene, spec).all();
+}
+
+}  // namespace assembly

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "hydro/airy_waves.h"
+
+namespace render {
+
+/// The water at the vertices of a body, one column each.
+struct VertexWater {
+  Eigen::RowVectorXd depths;  ///< Depth below the surface [m].
+  Eigen::RowVectorXd heads;   ///< p/(ρg) [m]; equal to the depth but under linear waves.
+  Eigen::Matrix3Xd flow;      ///< Velocity relative to the current, in W [m/s].
+};
+
+/// Above the surface the flow is that of the surface, so that both are linear over a triangle which
+/// crosses it.
+/// @param waves   Of the sea at this time.
+VertexWater vertex_water(const hydro::Sea& sea, const hydro::AiryWaves& waves,
+                         const Eigen::Matrix3Xd& points_W, double time);
+
+}  // namespace render

@@ -1,0 +1,173 @@
+#include "app/assembly/sea_warnings.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "app/assembly/build.h"
+#include "app/scene/reader.h"
+#include "tests/app/scene_text.h"
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+std::vector<std::string> warnings_of(const std::string& text) {
+  return assembly::build_without_added_mass(support::read_scene_text(text)).warnings;
+}
+
+/// The warnings of a sea without bodies, with a step that any wave in question is long for.
+std::vector<std::string> of_water(const std::string& water) {
+  return warnings_of("plimsoll: 1\nduration: 1\nstep: 1e-3\nwater: {" + water + "}\n");
+}
+
+std::vector<std::string> of_waves(const std::string& waves, const std::string& more = "") {
+  return of_water(more + "surface: {waves: [" + waves + "]}");
+}
+
+std::vector<std::string> of_spectrum(double height, double period, const std::string& more = "") {
+  return of_water(
+      fmt::format("{}surface: {{spectrum: {{type: jonswap, significant_height: {}, "
+                  "peak_period: {}}}}}",
+                  more, height, period));
+}
+
+TEST(SeaWarnings, AWaveThatWouldBreakIsNamed) {
+  // H/λ = 1/7 at an amplitude of 1 m and a length of 14 m.
+  EXPECT_THAT(
+      of_waves("{amplitude: 0.1, wavelength: 9}, {amplitude: 1.01, wavelength: 14}"),
+      ElementsAre("water.surface.waves[1].amplitude: the height of the wave is 0.144 of its "
+                  "length, and waves break from 0.143 on; expected at most 1 m"));
+  EXPECT_THAT(of_waves("{amplitude: 0.99, wavelength: 14}"), IsEmpty());
+}
+
+TEST(SeaWarnings, AWaveBreaksEarlierOnShallowWater) {
+  // tanh kh = 0.5 at kh = 0.5493: h = 8.743 m for a length of 100 m. The limit of a/h is lower.
+  const std::string depth = "depth: 8.743, ";
+  EXPECT_THAT(of_waves("{amplitude: 3.6, wavelength: 100}", depth),
+              ElementsAre(HasSubstr("waves break from 0.0714 on; expected at most 3.57 m"),
+                          HasSubstr("half the height of the wave is 0.412 of water.depth")));
+  EXPECT_THAT(
+      of_waves("{amplitude: 3.5, wavelength: 100}", depth),
+      ElementsAre("water.surface.waves[0].amplitude: half the height of the wave is 0.4 of "
+                  "water.depth, and linear theory ends above 0.2; expected at most 1.75 m"));
+  EXPECT_THAT(of_waves("{amplitude: 1.7, wavelength: 100}", depth), IsEmpty());
+}
+
+TEST(SeaWarnings, ALongWaveOnShallowWaterIsNamedByTheKeyThatGivesIt) {
+  // kh = 0.3 at a length of 2πh/0.3 = 20.9 m on 1 m.
+  EXPECT_THAT(
+      of_waves("{amplitude: 0.1, wavelength: 21}", "depth: 1, "),
+      ElementsAre("water.surface.waves[0].wavelength: the wave's kh is 0.299 on water.depth "
+                  "of 1 m, and linear theory ends below 0.3; expected a depth of at least 1 "
+                  "m or a shorter wave"));
+  EXPECT_THAT(of_waves("{amplitude: 0.1, period: 8}", "depth: 1, "),
+              ElementsAre(StartsWith("water.surface.waves[0].period: the wave's kh is 0.25")));
+  EXPECT_THAT(of_waves("{amplitude: 0.1, wavelength: 20.8}", "depth: 1, "), IsEmpty());
+  EXPECT_THAT(of_waves("{amplitude: 0, wavelength: 50}", "depth: 1, "), IsEmpty());
+}
+
+TEST(SeaWarnings, ASeaThatWouldBreakIsNamed) {
+  // A wave of 5 s is 39.02 m long on deep water; 1/14 of it is 2.787 m.
+  EXPECT_THAT(
+      of_spectrum(2.8, 5),
+      ElementsAre("water.surface.spectrum.significant_height: it is 0.0718 of the length of "
+                  "a wave of peak_period, and seas break from 0.0714 on; expected at most "
+                  "2.79 m"));
+  EXPECT_THAT(of_spectrum(2.78, 5), IsEmpty());
+}
+
+TEST(SeaWarnings, ASeaBeyondLinearTheoryIsNamed) {
+  EXPECT_THAT(
+      of_spectrum(1.3, 7, "depth: 3, "),
+      ElementsAre("water.surface.spectrum.significant_height: half the height of the wave is "
+                  "0.217 of water.depth, and linear theory ends above 0.2; expected at most "
+                  "1.2 m"));
+  EXPECT_THAT(of_spectrum(0.1, 20, "depth: 2, "),
+              ElementsAre(StartsWith("water.surface.spectrum.peak_period: the wave's kh is 0.14")));
+  EXPECT_THAT(of_spectrum(1.1, 7, "depth: 3, "), IsEmpty());
+}
+
+TEST(SeaWarnings, AStepTooLongForTheShortestWaveIsNamed) {
+  const auto with_step = [](double step, const std::string& waves) {
+    return warnings_of(fmt::format(
+        "plimsoll: 1\nduration: 1\nstep: {}\nwater: {{surface: {{waves: [{}]}}}}\n", step, waves));
+  };
+  const std::string swell = "{amplitude: 0.5, period: 8}", chop = "{amplitude: 0.2, period: 3}";
+  EXPECT_THAT(with_step(0.31, swell + ", " + chop),
+              ElementsAre("step: 0.31 s is 0.103 of the period of the shortest wave, 3 s; expected "
+                          "at most 0.3 s"));
+  EXPECT_THAT(with_step(0.29, swell + ", " + chop), IsEmpty());
+  // A ripple with 4 % of the energy needs no step of its own.
+  EXPECT_THAT(with_step(0.31, swell + ", {amplitude: 0.1, period: 3}"), IsEmpty());
+}
+
+TEST(SeaWarnings, GroundThatDeepWaterWavesWouldFeelIsNamed) {
+  const auto over_ground = [](double z, const std::string& water) {
+    return warnings_of(fmt::format(
+        "plimsoll: 1\nduration: 1\nground: {{z: {}}}\nwater: {{level: 2, {}}}\n", z, water));
+  };
+  const std::string waves =
+      "surface: {waves: [{amplitude: 0.1, wavelength: 9}, "
+      "{amplitude: 0.4, wavelength: 20}]}";
+  EXPECT_THAT(over_ground(-7.9, waves),
+              ElementsAre("water.depth: missing, so the waves are those of deep water, but ground "
+                          "lies 9.9 m below water.level, and waves of 20 m length feel it down to "
+                          "10 m; expected water.depth: 9.9"));
+  EXPECT_THAT(over_ground(-8.1, waves), IsEmpty());
+  EXPECT_THAT(over_ground(-7.9, "depth: 9.9, " + waves), IsEmpty());
+  EXPECT_THAT(over_ground(3, waves), IsEmpty());  // above the water
+  EXPECT_THAT(over_ground(-7.9, "surface: {flat: {}}"), IsEmpty());
+  EXPECT_THAT(over_ground(-15,
+                          "surface: {spectrum: {type: jonswap, significant_height: 1, "
+                          "peak_period: 5}}"),
+              ElementsAre(HasSubstr(
+                  "waves of 39 m length feel it down to 19.5 m; expected water.depth: 17")));
+}
+
+TEST(SeaWarnings, AMeshThatIsTooCoarseForTheShortestWaveIsNamed) {
+  const auto with_bodies = [](const std::string& bodies) {
+    return warnings_of(
+        "plimsoll: 1\nduration: 1\nwater: {surface: {waves: [{amplitude: 0.1, "
+        "wavelength: 8}]}}\nbodies: [" +
+        bodies + "]\n");
+  };
+  // The diagonal of a square of 3 m is 4.24 m.
+  const auto box = [](const std::string& name, const std::string& more) {
+    return fmt::format("{{name: {}, box: {{size: [3, 3, 3]{}}}, density: 500}}", name, more);
+  };
+  EXPECT_THAT(
+      with_bodies(box("a", ", divisions: 2") + ", " + box("b", "")),
+      ElementsAre("bodies[1].box.divisions: its mesh cannot resolve the shortest wave, of 8 "
+                  "m: an edge of 4.24 m is longer than half of it; expected at most 4 m"));
+  EXPECT_THAT(with_bodies(box("a", "") + ", " + box("b", "") + ", " + box("c", "")),
+              ElementsAre(testing::EndsWith("; so are those of 2 other bodies")));
+  EXPECT_THAT(with_bodies(box("a", ", divisions: 2")), IsEmpty());
+}
+
+TEST(SeaWarnings, AMeshThatTheWaterDoesNotTouchIsLeftAlone) {
+  EXPECT_THAT(warnings_of("plimsoll: 1\nduration: 1\nwater: {surface: {waves: [{amplitude: 0.1, "
+                          "wavelength: 8}]}}\nhydro: {buoyancy: false, pressure_drag: false, lift: "
+                          "false, viscous_drag: false}\nbodies: [{name: a, box: {size: [9, 9, 9]}, "
+                          "density: 5}]\n"),
+              IsEmpty());
+}
+
+TEST(SeaWarnings, OfTheScenesThatComeWithTheProgramTwoCoarseOnesWarn) {
+  // Both have one box of 12 triangles for a purpose: the loads split them where the surface bends.
+  std::set<std::string> warned;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(PLIMSOLL_SOURCE_DIR "/scenes"))
+    if (scene::is_scene_file(entry.path()) &&
+        !assembly::build_without_added_mass(scene::read(entry.path())).warnings.empty())
+      warned.insert(entry.path().stem().string());
+  EXPECT_THAT(warned, ElementsAre("barge_in_head_wave", "jonswap_staff"));
+}
+
+}  // namespace
