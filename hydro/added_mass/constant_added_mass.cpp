@@ -1,6 +1,5 @@
 #include "hydro/added_mass/constant_added_mass.h"
 
-#include "hydro/added_mass/rigid_wave_load.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/airy_waves.h"
 #include "hydro/loads/refine.h"
@@ -49,7 +48,7 @@ ConstantAddedMass::ConstantAddedMass(TriMesh mesh_B, const Matrix6d& matrix)
 
 Wrench ConstantAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
   if (!has_airy_waves(sea)) return {};
-  return rigid_wave_load(at(state, sea, time), hull_.mesh_B, state, sea, time);
+  return waves_.at(at(state, sea, time), hull_.mesh_B, state, sea, time);
 }
 
 Matrix6d ConstantAddedMass::at(const BodyState& state, const Sea& sea, double time) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hydro/added_mass/added_mass_model.h"
+#include "hydro/added_mass/rigid_wave_load.h"
 #include "hydro/loads/loads.h"
 
 namespace hydro {
@@ -22,6 +23,7 @@ class ConstantAddedMass final : public AddedMassModel {
  private:
   Hull hull_;
   Matrix6d matrix_;
+  RigidWaveLoad waves_;
 };
 
 /// True if any point of the mesh lies below the surface, as the loads take it.

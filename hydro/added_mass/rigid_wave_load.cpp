@@ -1,82 +1,60 @@
 #include "hydro/added_mass/rigid_wave_load.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "hydro/airy_waves.h"
-#include "hydro/loads/refine.h"
+#include "hydro/decompositions.h"
 
 namespace hydro {
 namespace {
 
-using Eigen::Vector3d;
-
 /// Eigenvalues of ∫ J Jᵀ dS below this part of the largest belong to motions that move no water.
 constexpr double kLeast = 1e-6;
 
-/// ∫ J Jᵀ dS and ∫ J u̇·n dS, with r over the radius.
-struct NormalEquations {
-  Matrix6d matrix = Matrix6d::Zero();
-  Vector6d rhs = Vector6d::Zero();
-};
-
-/// Adds a wet panel by the rule of the edges' middles, which is exact for linear u̇ and J.
-void add_panel(const Panel& panel, const Vector3d& depth, const AiryWaves& waves,
-               const Vector3d& p_WB, double radius, NormalEquations& sum) {
-  const Vector3d a = area_vector(panel);
-  const double area = a.norm();
-  if (area == 0) return;
-  const Vector3d n = a / area;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const Vector3d r = (panel[i] + panel[j]) / 2;
-    Vector6d J;
-    J << n, r.cross(n) / radius;
-    const double u_n = waves.at(p_WB + r, (depth[i] + depth[j]) / 2).acceleration.dot(n);
-    sum.matrix += area / 3 * J * J.transpose();
-    sum.rhs += area / 3 * u_n * J;
+/// ψ_m = J_m on every face.
+AddedMassSolution rigid_potentials(const TriMesh& mesh) {
+  AddedMassSolution solution;
+  for (Eigen::Index f = 0; f < mesh.face_count(); ++f) {
+    const Eigen::Vector3d a = area_vector(mesh, f);
+    const Eigen::Vector3d n = a.isZero(0) ? a : a.normalized();
+    CornerPotentials psi;
+    std::array<Eigen::Vector3d, 3> corners;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d r = mesh.vertices.col(mesh.faces(i, f));
+      corners[static_cast<std::size_t>(i)] = r;
+      psi.col(i) << n, r.cross(n);
+    }
+    solution.matrix += triangle_share(corners, psi);
+    solution.potentials.push_back(psi);
   }
+  solution.matrix = (0.5 * (solution.matrix + solution.matrix.transpose())).eval();
+  return solution;
 }
 
-/// The least solution of the equations.
-Vector6d solve(const NormalEquations& equations) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(equations.matrix);
-  const Vector6d& values = eigen.eigenvalues();
+/// The least solution of M a = b for a semi-definite M.
+Vector6d least_solution(const Matrix6d& M, const Vector6d& b) {
+  const EigenDecomposition6 eigen = eigen_decomposition(M);
   Vector6d inverse = Vector6d::Zero();
   for (int i = 0; i < 6; ++i)
-    if (values[i] > kLeast * values[5]) inverse[i] = 1 / values[i];
-  return eigen.eigenvectors() *
-         inverse.cwiseProduct(eigen.eigenvectors().transpose() * equations.rhs);
+    if (eigen.values[i] > kLeast * eigen.values[5]) inverse[i] = 1 / eigen.values[i];
+  return eigen.vectors * inverse.cwiseProduct(eigen.vectors.transpose() * b);
 }
 
 }  // namespace
 
-Wrench rigid_wave_load(const Matrix6d& A, const TriMesh& mesh_B, const BodyState& state,
-                       const Sea& sea, double time) {
-  const AiryWaves waves(sea, time);
-  if (waves.waves().empty() || A.isZero(0)) return {};
-  const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
-  const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * radius);
-  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const Eigen::Matrix3Xd r = R_WB * mesh_B.vertices;
-  const double level = sea.level - state.position.z();
-  NormalEquations equations;
-  const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
-    const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
-    for (const PanelPart& wet : positive_part(piece, (elevation - z).array() + level))
-      add_panel(wet.panel, wet.value, waves, state.position, radius, equations);
-  };
-  for (const auto& face : mesh_B.faces.colwise()) {
-    const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
-    const Vector3d elevation(surface.elevation(panel[0]), surface.elevation(panel[1]),
-                             surface.elevation(panel[2]));
-    for_each_linear_piece(panel, elevation, surface, add_piece);
-  }
-  Vector6d a = solve(equations);
-  a.tail<3>() /= radius;
-  Vector6d a_B;
-  a_B << R_WB.transpose() * a.head<3>(), R_WB.transpose() * a.tail<3>();
-  const Vector6d load = A * a_B;
-  return {R_WB * load.head<3>(), R_WB * load.tail<3>()};
+Wrench RigidWaveLoad::at(const Matrix6d& A, const TriMesh& mesh_B, const BodyState& state,
+                         const Sea& sea, double time) const {
+  if (!has_airy_waves(sea) || A.isZero(0)) return {};
+  std::call_once(made_, [&] {
+    radius_ = mesh_B.vertices.colwise().norm().maxCoeff();
+    flow_ = std::make_unique<const WettedAddedMass>(mesh_B, rigid_potentials(mesh_B));
+  });
+  const kernel::WaveShare flow = flow_->wave_share(state, sea, time);
+  Vector6d scale;
+  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(1 / radius_);
+  const Matrix6d share = scale.asDiagonal() * flow.share * scale.asDiagonal();
+  const Vector6d a = scale.cwiseProduct(
+      least_solution(0.5 * (share + share.transpose()), scale.cwiseProduct(flow.load)));
+  const Vector6d load = A * a;
+  return {state.orientation * load.head<3>(), state.orientation * load.tail<3>()};
 }
 
 }  // namespace hydro

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "hydro/mesh/mesh.h"
-#include "hydro/sea.h"
-#include "hydro/spatial.h"
+#include <memory>
+#include <mutex>
+
+#include "hydro/added_mass/wetted_added_mass.h"
 
 /// @file
 /// The load of the water's acceleration for added masses without potentials.
@@ -14,14 +15,24 @@
 ///
 /// and the load is A a: exact in uniform flow. Of a spar in short waves it knows that heave is felt
 /// by the bottom and surge by the sides. Motions along the surface, as the turning of a sphere,
-/// move no water; of them a has nothing.
+/// move no water; of them a has nothing. Both integrals of its normal equations, ∫ J Jᵀ dS and ∫ J
+/// u̇·n dS, are those of wetted_added_mass.h for the potentials ψ = J.
 
 namespace hydro {
 
-/// @param A       About the centre of mass, body axes [kg, kg m, kg m^2].
-/// @param mesh_B  Closed; its origin is the centre of mass.
-/// @return A a in W, its moment about the centre of mass
-Wrench rigid_wave_load(const Matrix6d& A, const TriMesh& mesh_B, const BodyState& state,
-                       const Sea& sea, double time);
+/// The loads on one mesh. Several threads may ask at once.
+class RigidWaveLoad {
+ public:
+  /// @param A       About the centre of mass, body axes [kg, kg m, kg m^2].
+  /// @param mesh_B  Closed; its origin is the centre of mass. It is the same at every call.
+  /// @return A a in W, its moment about the centre of mass
+  Wrench at(const Matrix6d& A, const TriMesh& mesh_B, const BodyState& state, const Sea& sea,
+            double time) const;
+
+ private:
+  mutable std::once_flag made_;  ///< Only waves need what follows.
+  mutable std::unique_ptr<const WettedAddedMass> flow_;
+  mutable double radius_ = 1;  ///< Of the mesh [m]; turns are taken over it.
+};
 
 }  // namespace hydro

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "hydro/added_mass/rigid_wave_load.h"
 #include "hydro/airy_waves.h"
 
 namespace hydro {
@@ -59,7 +58,7 @@ Matrix6d SurfaceAddedMass::at(const BodyState& state, const Sea& sea, double tim
 
 Wrench SurfaceAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
   if (!has_airy_waves(sea)) return {};
-  return rigid_wave_load(at(state, sea, time), mesh_B_, state, sea, time);
+  return waves_.at(at(state, sea, time), mesh_B_, state, sea, time);
 }
 
 Matrix6d SurfaceAddedMass::under(const WaterPlane& plane) const {

@@ -6,6 +6,7 @@
 
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/added_mass/attitude_grid.h"
+#include "hydro/added_mass/rigid_wave_load.h"
 #include "hydro/added_mass/surface_solve.h"
 
 /// @file
@@ -71,6 +72,7 @@ class SurfaceAddedMass final : public AddedMassModel {
   double radius_ = 0;       ///< Radius of the mesh about `middle_` [m].
   int patches_;
   AttitudeGrid attitudes_;
+  RigidWaveLoad waves_;
   mutable std::mutex mutex_;                               ///< Guards the members below.
   mutable std::map<std::pair<int, int>, Matrix6d> nodes_;  ///< Entries never move.
   mutable int solves_ = 0;

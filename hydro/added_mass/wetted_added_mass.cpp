@@ -3,7 +3,6 @@
 #include <cassert>
 #include <optional>
 
-#include "hydro/added_mass/wetted_share.h"
 #include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
 #include "hydro/loads/kernel/water_surface.h"
@@ -69,12 +68,17 @@ Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time
          semi_definite_part(kernel::wetted_share(panels_, tree_, potentials_, water.in));
 }
 
-Wrench WettedAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
-  if (!has_airy_waves(sea)) return {};
+kernel::WaveShare WettedAddedMass::wave_share(const BodyState& state, const Sea& sea,
+                                              double time) const {
   const Immersion water(*this, state, sea, time);
   if (water.dry || !water.in.surface) return {};
-  const kernel::WaveShare part = kernel::wave_share(panels_, tree_, potentials_, water.in);
-  const Matrix6d A = water.in.wet ? whole_ : semi_definite_part(part.share);
+  return kernel::wave_share(panels_, tree_, potentials_, water.in);
+}
+
+Wrench WettedAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  if (!has_airy_waves(sea)) return {};
+  const kernel::WaveShare part = wave_share(state, sea, time);
+  const Matrix6d A = semi_definite_part(part.share);
   const Vector3d u_B =
       state.orientation.conjugate() * water_at(sea, state.position, time).acceleration;
   const Vector6d load_B = sea.density * (part.load + (A - part.share).leftCols<3>() * u_B);

@@ -3,6 +3,7 @@
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/added_mass/potentials.h"
+#include "hydro/added_mass/wetted_share.h"
 
 /// @file
 /// The wetted panels' share of a body's added mass in unbounded fluid,
@@ -36,6 +37,9 @@ class WettedAddedMass final : public AddedMassModel {
 
   /// By (2).
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
+
+  /// The integrals of (1) and (2) for ρ = 1, body axes: zero for a dry body.
+  kernel::WaveShare wave_share(const BodyState& state, const Sea& sea, double time) const;
 
   /// A of the wholly submerged body for ρ = 1.
   const Matrix6d& whole() const { return whole_; }

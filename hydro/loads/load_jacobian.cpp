@@ -22,11 +22,13 @@ struct Motion {
   Twist twist;       ///< Relative to the current.
   double scale = 1;  ///< Scale of the pressure drag, from its calibration.
 
-  /// Velocity at a point r relative to the water on the spot.
-  Vector3d at(const Vector3d& r) const {
-    if (waves.waves().empty()) return twist.at(r);
+  /// Velocity of the waves' water at the centre of a face [m/s]: the Jacobian takes one for all of
+  /// the face.
+  Vector3d water_at(const Panel& face) const {
+    if (waves.waves().empty()) return Vector3d::Zero();
+    const Vector3d r = (face[0] + face[1] + face[2]) / 3;
     const double s = surface.elevation(r) + (sea.level - p_WB.z() - r.z());
-    return twist.at(r) - (waves.at(p_WB + r, s).velocity - sea.current);
+    return waves.at(p_WB + r, s).velocity - sea.current;
   }
 };
 
@@ -48,7 +50,8 @@ void add_friction(const Vector3d& r, const Vector3d& n, const Vector3d& v_t, dou
 }
 
 /// Adds (1), (2) per ρ and (3) per ρ g of a wet panel.
-void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
+/// @param water   Velocity of the waves' water there [m/s].
+void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, LoadJacobian& sum) {
   const Vector3d a = area_vector(panel);
   const double area = a.norm();
   if (area == 0) return;
@@ -57,7 +60,7 @@ void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
   const ViscousDrag& law = motion.coefficients.viscous_drag;
   for (int i = 0; i < 3; ++i) {
     const Vector3d r = (panel[i] + panel[(i + 1) % 3]) / 2;
-    const Vector3d v = motion.at(r);
+    const Vector3d v = motion.twist.at(r) - water;
     const double v_n = v.dot(n);
     const double C_p = motion.scale * (v_n > 0 ? drag.front : drag.back);
     add_along(n, r, -area / 3 * C_p * std::abs(v_n), sum.drag);
@@ -73,14 +76,14 @@ void add_panel(const Motion& motion, const Panel& panel, LoadJacobian& sum) {
 
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                            const Coefficients& coefficients) {
-  const Motion motion{
-      .coefficients = coefficients,
-      .sea = sea,
-      .waves = AiryWaves(sea, time),
-      .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
-      .p_WB = state.position,
-      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
-      .scale = drag_scale(coefficients, state, sea.current)};
+  const Motion motion{.coefficients = coefficients,
+                      .sea = sea,
+                      .waves = AiryWaves(sea, time),
+                      .surface = SurfaceSampler(sea, state.position, time,
+                                                kSmallestPanel * hull.radius, SplitFor::surface),
+                      .p_WB = state.position,
+                      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
+                      .scale = drag_scale(coefficients, state, sea.current)};
   const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
   const SurfaceSampler& surface = motion.surface;
   const double level = sea.level - state.position.z();
@@ -88,17 +91,20 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
   const double always_wet = bounds.lowest - state.position.z();
   const double always_dry = bounds.highest - state.position.z();
   LoadJacobian sum;
+  Vector3d water;
   const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
     const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
     const Vector3d depth = (elevation - z).array() + level;
-    for (const PanelPart& wet : positive_part(piece, depth)) add_panel(motion, wet.panel, sum);
+    for (const PanelPart& wet : positive_part(piece, depth))
+      add_panel(motion, wet.panel, water, sum);
   };
   for (const auto& face : hull.mesh_B.faces.colwise()) {
     const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
     const auto [low, high] = std::minmax({panel[0].z(), panel[1].z(), panel[2].z()});
     if (low >= always_dry) continue;
+    water = motion.water_at(panel);
     if (high <= always_wet) {
-      add_panel(motion, panel, sum);
+      add_panel(motion, panel, water, sum);
       continue;
     }
     const Vector3d elevation(surface.elevation(panel[0]), surface.elevation(panel[1]),

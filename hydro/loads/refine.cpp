@@ -5,7 +5,7 @@
 
 namespace hydro {
 SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time,
-                               double smallest)
+                               double smallest, SplitFor what)
     : sea_(sea),
       p_WB_(p_WB),
       time_(time),
@@ -24,7 +24,8 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
       quartic[2] += energy * 6 * xx * yy;
       quartic[3] += energy * 4 * w.kx * w.ky * yy;
       quartic[4] += energy * yy * yy;
-      if (waves->kinematics != Kinematics::airy || energy == 0) continue;
+      if (waves->kinematics != Kinematics::airy || what == SplitFor::surface || energy == 0)
+        continue;
       const double number = std::sqrt(xx + yy);
       limits_.least_number = limits_.dive[3] > 0 ? std::min(limits_.least_number, number) : number;
       limits_.dive[0] += energy * 2 * (xx + yy) * xx;

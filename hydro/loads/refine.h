@@ -38,11 +38,15 @@ struct BendLimits {
   double smallest_squared = 0;  ///< Edges of at most this squared length stay whole [m^2].
 };
 
+/// What must be linear over the pieces of a panel: the surface, or the head of Airy waves, too.
+enum class SplitFor { surface, head };
+
 /// The water surface as seen from a body: elevations over points relative to its centre of mass.
 class SurfaceSampler {
  public:
   /// @param smallest   Edges shorter than this are never halved [m], > 0: it bounds the work.
-  SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time, double smallest);
+  SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time, double smallest,
+                 SplitFor what = SplitFor::head);
 
   /// Height of the surface over `r` above the still water level [m].
   double elevation(const Eigen::Vector3d& r) const {
