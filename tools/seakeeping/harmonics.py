@@ -15,7 +15,7 @@ kWindow = 6  # Wave periods in each of the two windows that are compared.
 class Response:
     """First harmonic of a motion, x = mean + Re(amplitude e^{iωt}) + …"""
 
-    amplitude: complex  # Unit of the motion; its phase leads the wave at the origin.
+    amplitude: complex  # Unit of the motion; its phase leads a crest at the origin at time 0.
     change: float  # Of the amplitude from one window to the next, over the amplitude.
     residual: float  # Root mean square of what the fit leaves, over the amplitude.
 

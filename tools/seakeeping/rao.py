@@ -31,6 +31,7 @@ class Row:
     period: float  # s
     body: str
     responses: dict[str, Response]
+    place: tuple[float, float]  # Mean place in the second half of the run [m].
     cycles: int
 
     @property
@@ -46,7 +47,7 @@ def parse_arguments() -> argparse.Namespace:
         prog="tools/rao",
         description="Measures response amplitude operators: the first harmonic of each motion over "
                     "the wave's amplitude, turns over its slope k a, with the phase by which it "
-                    "leads the crest at the origin. Runs each wave until two windows of "
+                    "leads the crest over the body's mean place. Runs each wave until two windows of "
                     f"{kWindow} periods agree to {100 * kSteady:g} %%. Prints a table and writes "
                     "rao.csv and rao.png.")
     parser.add_argument("scene", type=Path)
@@ -56,6 +57,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--heading", type=float, default=180,
                         help="direction in which the wave travels [deg]; 180: head sea for a bow "
                              "along +x [180]")
+    parser.add_argument("--depth", type=float, default=np.inf,
+                        help="water.depth of the scene [m], for slopes and phases [deep]")
     parser.add_argument("--motions", nargs="+", choices=kMotions, metavar="MOTION",
                         default=["surge", "heave", "pitch"],
                         help=f"of {', '.join(kMotions)} [surge heave pitch]")
@@ -136,27 +139,44 @@ def measure(arguments: argparse.Namespace, period: float) -> list[Row]:
         omega = 2 * np.pi / period
         rows = [Row(period, body,
                     {name: response(t, series[name], omega, not arguments.undamped)
-                     for name in arguments.motions}, cycles)
+                     for name in arguments.motions},
+                    tuple(series[name][t > t[-1] / 2].mean() for name in ("surge", "sway")),
+                    cycles)
                 for body, (t, series) in motions.items()]
         if all(row.steady for row in rows) or 2 * cycles > arguments.most_cycles:
             return rows
         cycles *= 2
 
 
-def ratio(arguments: argparse.Namespace, name: str, response: Response, period: float) -> complex:
-    """The response amplitude operator: m/m, or rad over the slope k a of the wave in deep water."""
-    slope = (2 * np.pi / period)**2 / 9.80665 if name in kTurns else 1
-    return response.amplitude / (arguments.amplitude * slope)
+def wave_number(omega: float, depth: float) -> float:
+    """Of ω² = g k tanh kh, by Newton's method."""
+    deep = omega**2 / 9.80665
+    if not deep * depth < 20:
+        return deep
+    kh = np.sqrt(deep * depth) if deep * depth < 1 else deep * depth
+    for _ in range(50):
+        tanh = np.tanh(kh)
+        kh -= (kh * tanh - deep * depth) / (tanh + kh * (1 - tanh**2))
+    return kh / depth
+
+
+def operator(arguments: argparse.Namespace, name: str, row: Row) -> complex:
+    """The response amplitude operator: m/m, or rad over the slope k a of the wave."""
+    k = wave_number(2 * np.pi / row.period, arguments.depth)
+    heading = np.radians(arguments.heading)
+    phase = k * (np.cos(heading) * row.place[0] + np.sin(heading) * row.place[1])
+    scale = arguments.amplitude * (k if name in kTurns else 1)
+    return row.responses[name].amplitude * np.exp(1j * phase) / scale
 
 
 def table_of(arguments: argparse.Namespace, rows: list[Row]) -> list[dict]:
     table = []
     for row in rows:
         line = {"period": row.period, "body": row.body}
-        for name, one in row.responses.items():
-            operator = ratio(arguments, name, one, row.period)
-            line[name] = abs(operator)
-            line[f"{name}_phase_deg"] = float(np.degrees(np.angle(operator)))
+        for name in row.responses:
+            found = operator(arguments, name, row)
+            line[name] = abs(found)
+            line[f"{name}_phase_deg"] = float(np.degrees(np.angle(found)))
         line["change"] = max(one.change for one in row.responses.values())
         line["steady"] = int(row.steady)
         line["cycles"] = row.cycles
@@ -200,7 +220,7 @@ def plot(arguments: argparse.Namespace, table: list[dict], reference: dict | Non
         if reference and name in reference:
             above.plot(reference["period"], reference[name], "k--", linewidth=1, label="reference")
         above.set_title(name)
-        above.set_ylim(bottom=0)
+        above.set_ylim(0, 1.08 * above.get_ylim()[1])
         below.set_ylim(-190, 190)
         below.set_yticks([-180, -90, 0, 90, 180])
         below.set_xlabel("period [s]")
