@@ -36,9 +36,10 @@ struct WetPart {
 /// Calls visit(part) for each wet part of the faces.
 template <class Visit>
 void for_each_wet_part(const TriMesh& mesh_B, const AddedMassSolution& solution,
-                       const BodyState& state, const Sea& sea, double time, Visit&& visit) {
+                       const BodyState& state, const Sea& sea, double time, SplitFor what,
+                       Visit&& visit) {
   const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
-  const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * radius);
+  const SurfaceSampler surface(sea, state.position, time, kSmallestPanel * radius, what);
   const Matrix3d R_WB = state.orientation.toRotationMatrix();
   const double level = sea.level - state.position.z();
   for (Eigen::Index f = 0; f < mesh_B.face_count(); ++f) {
@@ -71,7 +72,7 @@ void for_each_wet_part(const TriMesh& mesh_B, const AddedMassSolution& solution,
 Matrix6d plain_wetted_added_mass(const TriMesh& mesh_B, const AddedMassSolution& solution,
                                  const BodyState& state, const Sea& sea, double time) {
   Matrix6d sum = Matrix6d::Zero();
-  for_each_wet_part(mesh_B, solution, state, sea, time,
+  for_each_wet_part(mesh_B, solution, state, sea, time, SplitFor::surface,
                     [&](const WetPart& part) { sum += triangle_share(part.panel_B, part.psi); });
   return sea.density * semi_definite_part(sum);
 }
@@ -83,7 +84,7 @@ Wrench plain_wave_load(const TriMesh& mesh_B, const AddedMassSolution& solution,
   const Vector3d u_B = to_B * water_at(sea, state.position, time).acceleration;
   Matrix6d share = Matrix6d::Zero();
   Vector6d load = Vector6d::Zero();
-  for_each_wet_part(mesh_B, solution, state, sea, time, [&](const WetPart& part) {
+  for_each_wet_part(mesh_B, solution, state, sea, time, SplitFor::head, [&](const WetPart& part) {
     share += triangle_share(part.panel_B, part.psi);
     const Vector3d n = area_vector(part.panel_B).normalized();
     Vector3d f;

@@ -34,7 +34,8 @@ WettedAddedMass::WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution&
 
 /// The inputs of the kernel, which refer to the surface: neither copied nor moved.
 struct WettedAddedMass::Immersion {
-  Immersion(const WettedAddedMass& model, const BodyState& state, const Sea& sea, double time) {
+  Immersion(const WettedAddedMass& model, const BodyState& state, const Sea& sea, double time,
+            SplitFor what) {
     assert(is_unit(state.orientation));
     const SurfaceBounds bounds = surface_bounds(sea);
     if (model.tree_.nodes.empty() || state.position.z() - model.radius_ >= bounds.highest) return;
@@ -49,6 +50,7 @@ struct WettedAddedMass::Immersion {
     in.below = sea.level - state.position.z();
     if (is_flat(sea) || (in.wet && !has_airy_waves(sea))) return;
     surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge);
+    if (what == SplitFor::surface) surface->limits.dive = {};
     in.surface = &*surface;
     in.wave_error = LoadAccuracy{}.wave_tolerance * volume_over_area(model.tree_);
   }
@@ -61,7 +63,7 @@ struct WettedAddedMass::Immersion {
 };
 
 Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
-  const Immersion water(*this, state, sea, time);
+  const Immersion water(*this, state, sea, time, SplitFor::surface);
   if (water.dry) return Matrix6d::Zero();
   if (water.in.wet) return sea.density * whole_;
   return sea.density *
@@ -70,7 +72,7 @@ Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time
 
 kernel::WaveShare WettedAddedMass::wave_share(const BodyState& state, const Sea& sea,
                                               double time) const {
-  const Immersion water(*this, state, sea, time);
+  const Immersion water(*this, state, sea, time, SplitFor::head);
   if (water.dry || !water.in.surface) return {};
   return kernel::wave_share(panels_, tree_, potentials_, water.in);
 }
