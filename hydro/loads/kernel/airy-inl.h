@@ -66,15 +66,14 @@ HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth) {
     const auto [C, S] = depth_functions(waves, number, value(WaveField::kWeight), down);
     head = hn::NegMulAdd(amplitude * (all(1) - C), cosine, head);
     const bool velocity = kAsk == Ask::velocity;
-    const V scale =
-        amplitude * (velocity ? value(WaveField::kVelocity) : all(in.surface->gravity));
+    const V scale = amplitude * (velocity ? value(WaveField::kVelocity) : all(in.surface->gravity));
     const V along = scale * C * (velocity ? cosine : sine);
     u = {hn::MulAdd(along, k.x, u.x), hn::MulAdd(along, k.y, u.y), hn::MulAdd(along, k.z, u.z)};
     const V upward = scale * number * S;
     rise = velocity ? hn::MulAdd(upward, sine, rise) : hn::NegMulAdd(upward, cosine, rise);
   }
-  return {head, {hn::MulAdd(rise, up.x, u.x), hn::MulAdd(rise, up.y, u.y),
-                 hn::MulAdd(rise, up.z, u.z)}};
+  return {head,
+          {hn::MulAdd(rise, up.x, u.x), hn::MulAdd(rise, up.y, u.y), hn::MulAdd(rise, up.z, u.z)}};
 }
 
 /// The water at the corners of faces.
@@ -126,8 +125,7 @@ inline HWY_NOINLINE void find_water(const Panels& panels, const LoadInputs& in, 
   for (int block = vertices.first; block < vertices.last; ++block)
     for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(D()))) {
       const VertexBlock& here = panels.blocks[static_cast<std::size_t>(block)];
-      const Water at =
-          water_at<kAsk>(in, load3(here.r, lane), hn::Load(D(), water.depths.at + to));
+      const Water at = water_at<kAsk>(in, load3(here.r, lane), hn::Load(D(), water.depths.at + to));
       hn::Store(at.head, D(), water.head + to);
       hn::Store(at.u.x, D(), water.u[0] + to);
       hn::Store(at.u.y, D(), water.u[1] + to);

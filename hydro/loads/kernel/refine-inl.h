@@ -78,11 +78,12 @@ HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V
   const double tolerance = limits.tolerance;
   if (!surface.is_grid()) {
     const V dz = hn::MulAdd(to.up.x, d.x, to.up.y * d.y);
-    const V zz = surface.is_airy() ? dz * dz : zero();
+    const bool dives = limits.dive[3] > 0;
+    const V zz = dives ? dz * dz : zero();
     const V square = waves_second_difference_squared(limits, dx, dy, zz);
     const V bound = all(64 * tolerance * tolerance);
     const M over = hn::And(squared + zz > all(limits.smallest_squared), square > bound);
-    if (!surface.is_airy() || hn::AllFalse(D(), over)) return over;
+    if (!dives || hn::AllFalse(D(), over)) return over;
     const V highest_end = hn::Max(to.up.at(a), to.up.at(b));
     const V depth = all(to.in.below + surface.hidden_depth + limits.lowest) - highest_end;
     const V decay = hn::Exp(D(), all(-2 * limits.least_number) * hn::Max(zero(), depth));
