@@ -27,10 +27,8 @@ TEST(Dispersion, HasTheTabulatedWaveNumbers) {
   struct Row {
     double period, depth, wave_number;
   };
-  const Row rows[] = {{10, 20, 0.0518372526},
-                      {8, 5, 0.1183910625},
-                      {12, 10, 0.0554670656},
-                      {15, 30, 0.0268322790}};
+  const Row rows[] = {
+      {10, 20, 0.0518372526}, {8, 5, 0.1183910625}, {12, 10, 0.0554670656}, {15, 30, 0.0268322790}};
   for (const Row& row : rows)
     EXPECT_NEAR(hydro::wave_number(2 * M_PI / row.period, row.depth, kGravity).value(),
                 row.wave_number, 1e-10);
@@ -177,8 +175,10 @@ TEST(FroudeKrylov, OnAHemisphereHasTheTabulatedHeaveAndSurge) {
   struct Row {
     double kR, heave, surge;
   };
-  const Row rows[] = {{0.1, 0.9345831597, 0.0641673610}, {0.3, 0.8112359533, 0.1775561552},
-                      {0.5, 0.6978084981, 0.2712653326}, {1, 0.4566187311, 0.4234824404},
+  const Row rows[] = {{0.1, 0.9345831597, 0.0641673610},
+                      {0.3, 0.8112359533, 0.1775561552},
+                      {0.5, 0.6978084981, 0.2712653326},
+                      {1, 0.4566187311, 0.4234824404},
                       {2, 0.1402294359, 0.4364953718}};
   const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 5));
   for (const Row& row : rows) {
