@@ -7,12 +7,10 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "app/assembly/build_shape.h"
 #include "hydro/airy_waves.h"
-#include "hydro/mesh/mesh.h"
 
 namespace assembly {
 namespace {
@@ -27,9 +25,8 @@ constexpr double kSteepestSea = kSteepestWave / 2;
 constexpr double kLeastKh = 0.3;        ///< kh below which waves are long waves, not Airy's.
 constexpr double kMostOfDepth = 0.2;    ///< Amplitude over depth that linear theory allows.
 constexpr double kStepsPerPeriod = 10;  ///< Fewest steps in the period of a wave.
-constexpr double kEdgesPerLength = 2;   ///< Fewest edges of a mesh along a wave.
 
-/// Part of the energy that the shortest waves may have without being worth a finer step or mesh.
+/// Part of the energy that the shortest waves may have without being worth a finer step.
 constexpr double kEnergyLeftOut = 0.05;
 
 using Components = std::vector<hydro::WaveComponent>;
@@ -50,15 +47,6 @@ std::optional<hydro::WaveComponent> shortest_wave(Components waves) {
   return std::nullopt;
 }
 
-/// Returns the path of the key that makes a body's mesh finer: `bodies[1].box.divisions`.
-std::string fineness_key(const scene::Shape& shape, const std::string& body) {
-  std::string path = shape_key_path(shape, body);
-  if (std::holds_alternative<scene::Box>(shape)) return path + ".divisions";
-  if (std::holds_alternative<scene::Icosphere>(shape)) return path + ".subdivisions";
-  if (std::holds_alternative<scene::Mesh>(shape)) return path + ".file";
-  return path;
-}
-
 /// The warnings of one scene with waves.
 class SeaWarnings {
  public:
@@ -75,10 +63,7 @@ class SeaWarnings {
       for (std::size_t i = 0; i < waves->size(); ++i)
         check_wave(waves_[i], fmt::format("water.surface.waves[{}]", i),
                    (*waves)[i].period ? ".period" : ".wavelength");
-    if (const auto shortest = shortest_wave(waves_)) {
-      check_step(*shortest);
-      check_meshes(*shortest);
-    }
+    if (const auto shortest = shortest_wave(waves_)) check_step(*shortest);
     check_ground();
     return std::move(lines_);
   }
@@ -132,26 +117,6 @@ class SeaWarnings {
           "step: {:.3g} s is {:.3g} of the period of the shortest wave, {:.3g} s; expected at most "
           "{:.3g} s",
           scene_.step, scene_.step / period, period, period / kStepsPerPeriod));
-  }
-
-  void check_meshes(const hydro::WaveComponent& shortest) {
-    const double bound = wavelength(shortest) / kEdgesPerLength;
-    std::size_t first = 0, count = 0;
-    double longest = 0;
-    for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
-      if (!spec_.bodies[i].wet) continue;
-      const double edge = hydro::longest_edge(spec_.bodies[i].mesh_B);
-      if (edge <= bound) continue;
-      if (count++ == 0) std::tie(first, longest) = std::pair(i, edge);
-    }
-    if (count == 0) return;
-    const std::string others =
-        count > 1 ? fmt::format("; so are those of {} other bodies", count - 1) : "";
-    lines_.push_back(fmt::format(
-        "{}: its mesh cannot resolve the shortest wave, of {:.3g} m: an edge of {:.3g} m is longer "
-        "than half of it; expected at most {:.3g} m{}",
-        fineness_key(scene_.bodies[first].shape, fmt::format("bodies[{}]", first)), 2 * bound,
-        longest, bound, others));
   }
 
   /// Depth of the deepest ground below the level [m]; none without ground.

@@ -9,9 +9,9 @@
 namespace assembly {
 
 /// Returns what the author of a scene should change about its waves: those that would break or that
-/// linear theory does not describe, a step or a mesh that is too coarse for them, ground that they
-/// would feel. Each is one line, which begins with the key to change and names the value and the
-/// bound.
+/// linear theory does not describe, a step that is too long for them, ground that they would feel.
+/// Each is one line, which begins with the key to change and names the value and the bound. Meshes
+/// need no warning: faces that waves bend over are split.
 /// @param spec   Of the same scene.
 std::vector<std::string> sea_warnings(const scene::Scene& scene,
                                       const engine::SimulationSpec& spec);

@@ -131,43 +131,14 @@ TEST(SeaWarnings, GroundThatDeepWaterWavesWouldFeelIsNamed) {
                   "waves of 39 m length feel it down to 19.5 m; expected water.depth: 17")));
 }
 
-TEST(SeaWarnings, AMeshThatIsTooCoarseForTheShortestWaveIsNamed) {
-  const auto with_bodies = [](const std::string& bodies) {
-    return warnings_of(
-        "plimsoll: 1\nduration: 1\nwater: {surface: {waves: [{amplitude: 0.1, "
-        "wavelength: 8}]}}\nbodies: [" +
-        bodies + "]\n");
-  };
-  // The diagonal of a square of 3 m is 4.24 m.
-  const auto box = [](const std::string& name, const std::string& more) {
-    return fmt::format("{{name: {}, box: {{size: [3, 3, 3]{}}}, density: 500}}", name, more);
-  };
-  EXPECT_THAT(
-      with_bodies(box("a", ", divisions: 2") + ", " + box("b", "")),
-      ElementsAre("bodies[1].box.divisions: its mesh cannot resolve the shortest wave, of 8 "
-                  "m: an edge of 4.24 m is longer than half of it; expected at most 4 m"));
-  EXPECT_THAT(with_bodies(box("a", "") + ", " + box("b", "") + ", " + box("c", "")),
-              ElementsAre(testing::EndsWith("; so are those of 2 other bodies")));
-  EXPECT_THAT(with_bodies(box("a", ", divisions: 2")), IsEmpty());
-}
-
-TEST(SeaWarnings, AMeshThatTheWaterDoesNotTouchIsLeftAlone) {
-  EXPECT_THAT(warnings_of("plimsoll: 1\nduration: 1\nwater: {surface: {waves: [{amplitude: 0.1, "
-                          "wavelength: 8}]}}\nhydro: {buoyancy: false, pressure_drag: false, lift: "
-                          "false, viscous_drag: false}\nbodies: [{name: a, box: {size: [9, 9, 9]}, "
-                          "density: 5}]\n"),
-              IsEmpty());
-}
-
-TEST(SeaWarnings, OfTheScenesThatComeWithTheProgramTwoCoarseOnesWarn) {
-  // Both have one box of 12 triangles for a purpose: the loads split them where the surface bends.
+TEST(SeaWarnings, OfTheScenesThatComeWithTheProgramNoneWarns) {
   std::set<std::string> warned;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(PLIMSOLL_SOURCE_DIR "/scenes"))
     if (scene::is_scene_file(entry.path()) &&
         !assembly::build_without_added_mass(scene::read(entry.path())).warnings.empty())
       warned.insert(entry.path().stem().string());
-  EXPECT_THAT(warned, ElementsAre("barge_in_head_wave", "jonswap_staff"));
+  EXPECT_THAT(warned, IsEmpty());
 }
 
 }  // namespace
