@@ -353,10 +353,9 @@ TEST(Assemble, APeriodThatNoWaveHasAgainstTheCurrentIsRefusedAtItsKey) {
 TEST(Assemble, TypesOfSpectraDifferInTheirPeakAlone) {
   const auto waves = [](const std::string& keys) {
     std::vector<double> frequencies;
-    for (const hydro::WaveComponent& w :
-         waves_of(sea_of("depth: 15, surface: {spectrum: {significant_height: 2, peak_period: 6, " +
-                         keys + "}}")))
-      frequencies.push_back(w.omega);
+    const hydro::Sea sea = sea_of(
+        "depth: 15, surface: {spectrum: {significant_height: 2, peak_period: 6, " + keys + "}}");
+    for (const hydro::WaveComponent& w : waves_of(sea)) frequencies.push_back(w.omega);
     return frequencies;
   };
   const auto flat_peak = waves("type: jonswap, gamma: 1");
