@@ -1,5 +1,6 @@
 """The steady part of a response is found in motions that are made of known parts."""
 
+import importlib.util
 import sys
 import unittest
 from pathlib import Path
@@ -31,10 +32,40 @@ class HarmonicsTest(unittest.TestCase):
         t = times(20)
         self.assertGreater(response(t, np.exp(0.02 * t) * np.cos(kOmega * t), kOmega).change, 0.1)
 
-    def test_keeps_a_free_oscillation_that_nothing_damps_apart(self):
+    def test_keeps_free_oscillations_that_nothing_damps_apart(self):
         t = times(30)
-        x = 0.7 * np.cos(kOmega * t) + 0.3 * np.cos(1.9 * t + 1)
-        self.assertAlmostEqual(abs(response(t, x, kOmega, damped=False).amplitude), 0.7, delta=0.01)
+        x = 0.7 * np.cos(kOmega * t) + 0.3 * np.cos(1.9 * t + 1) + 0.2 * np.cos(0.43 * t)
+        found = response(t, x, kOmega)
+        # They are found one after the other, each beside what the other still adds.
+        self.assertAlmostEqual(abs(found.amplitude), 0.7, delta=2e-3)
+        self.assertLess(found.change, 5e-3)
+
+    def test_counts_phases_from_the_crest_at_a_place_that_drifts(self):
+        t, k = times(24), 0.3
+        place = 2 + 0.15 * t
+        x = place + 0.4 * np.sin(kOmega * t - k * place)
+        found = response(t, x, kOmega, k * x)
+        self.assertAlmostEqual(abs(found.amplitude), 0.4, delta=1e-3)
+        self.assertAlmostEqual(np.degrees(np.angle(found.amplitude)), -90, delta=0.3)
+        self.assertAlmostEqual(found.drift, 0.15, delta=1e-3)
+
+
+@unittest.skipUnless(importlib.util.find_spec("yaml"), "needs python3-yaml")
+class StillSeaTest(unittest.TestCase):
+    def test_has_the_tabulated_wave_numbers(self):
+        from still_sea import StillSea
+        for period, depth, number in ((10, 20, 0.0518372526), (8, 5, 0.1183910625)):
+            wave = StillSea(depth=depth).wave(period, 0, 1)
+            self.assertAlmostEqual(wave.number, number, places=9)
+
+    def test_keeps_the_period_at_a_fixed_place_on_a_current(self):
+        from still_sea import StillSea
+        wave = StillSea(current=(0.4, 0.3, 0)).wave(5, 30, 1, slope=0.05)
+        along = 0.4 * np.cos(np.pi / 6) + 0.3 * np.sin(np.pi / 6)
+        self.assertAlmostEqual(np.sqrt(9.80665 * wave.number) + wave.number * along, wave.omega)
+        self.assertAlmostEqual(wave.amplitude * wave.number, 0.05)
+        with self.assertRaisesRegex(RuntimeError, "against the current"):
+            StillSea(current=(-4, 0, 0)).wave(5, 0, 1)
 
 
 if __name__ == "__main__":
