@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 kHarmonics = 3  # Of the wave's frequency; nonlinear loads excite the second and third.
-kOwnFrequencies = 400  # Candidates for the frequency of a free oscillation that has not died out.
+kPadding = 8  # Of the record with zeros, before the spectrum in which free oscillations are sought.
 kOwn = 2  # Free oscillations that are told apart.
 kWindow = 8  # Wave periods that each of the windows has at least.
 kGolden = (np.sqrt(5) - 1) / 2
@@ -44,11 +44,16 @@ def _own_frequency(t: np.ndarray, x: np.ndarray, theta: np.ndarray, omega: float
                    known: tuple[float, ...]) -> float:
     """The frequency, apart from the wave's harmonics, that lessens the residual most."""
     apart = 2 * np.pi / (t[-1] - t[0])  # Nearer ones are one.
-    candidates = np.linspace(apart, 4 * omega, kOwnFrequencies)
-    taken = (*known, *(n * omega for n in range(1, kHarmonics + 1)))
-    left = lambda w: _fit(t, x, theta, (*known, w))[1]
-    best = min((w for w in candidates if min(abs(w - n) for n in taken) > apart), key=left)
+    columns = _columns(t, theta, known)
+    rest = x - columns @ np.linalg.lstsq(columns, x, rcond=None)[0]
+    size = kPadding * len(t)
+    spectrum = np.abs(np.fft.rfft(rest * np.hanning(len(t)), size))
+    frequencies = 2 * np.pi * np.fft.rfftfreq(size, (t[-1] - t[0]) / (len(t) - 1))
+    taken = (0, *known, *(n * omega for n in range(1, kHarmonics + 1)))
+    free = np.all([np.abs(frequencies - w) > apart for w in taken], axis=0)
+    best = frequencies[np.argmax(np.where(free, spectrum, 0))]
     low, high = best - apart / 2, best + apart / 2
+    left = lambda w: _fit(t, x, theta, (*known, w))[1]
     for _ in range(20):  # Golden-section search.
         inner, outer = high - kGolden * (high - low), low + kGolden * (high - low)
         low, high = (low, outer) if left(inner) < left(outer) else (inner, high)
@@ -66,6 +71,7 @@ def response(t: np.ndarray, x: np.ndarray, omega: float,
     """Fits mean, drift, harmonics of the wave and free oscillations to the last two thirds of a
     motion, each by itself. Free oscillations of a body that little damps last long.
 
+    t: evenly spaced [s].
     omega: of the wave at a fixed place [rad/s], with a crest over the origin at time 0.
     advance: k·(x, y), by which the wave's phase lags at the body's place [rad]; 0 if left out.
     """

@@ -1,0 +1,110 @@
+"""Motions of floating bodies in waves, against linear theory."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from case import Case, Curve, Plot, Result, Row, compare
+from floating_bodies import Floating, kBodies, linear_motions
+from plimsoll import Plimsoll, Track
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "seakeeping"))
+
+from harmonics import response  # noqa: E402
+
+kGravity = 9.80665
+kRuns = {"sphere": (10, 20, 30, 40, 80), "barge": (30, 40, 60, 100, 200, 800),
+         "spar": (20, 30, 40, 80, 200, 800)}
+kJudged = {"sphere": (20, 40), "barge": (100,), "spar": (30, 40)}
+kGoal = 0.03
+kLong = 40  # Body lengths: where waves are long for the body, every motion is judged.
+kLongGoal = 0.01
+kAmplitude = 3e-4  # Of the waves, over the length of the body.
+kCycles, kSteps, kStates = 24, 100, 40  # Periods of a run; steps and logged states in a period.
+# The freeboard of the scene's spar is its draught. This one's is 2 m: potentials of the deep body
+# around its upper end, which is dry, then reach the water.
+kLowSpar = {"bodies[0].cylinder.height": 12, "bodies[0].position": [0, 0, -4],
+            "bodies[0].center_of_mass": [0, 0, -2]}
+
+
+def operators(body: Floating, track: Track, wavelength: float) -> dict[str, complex]:
+    """First harmonics over the amplitude of the wave, pitch over its slope."""
+    k, amplitude = 2 * np.pi / wavelength, kAmplitude * body.length
+    w, x, y, z = track.quaternion.T
+    pitch = np.arcsin(np.clip(2 * (w * y - z * x), -1, 1))
+    series = {"surge": track.position[:, 0], "heave": track.position[:, 2], "pitch": pitch}
+    return {name: response(track.t, series[name], np.sqrt(kGravity * k),
+                           k * track.position[:, 0]).amplitude
+            / (amplitude * (k if name == "pitch" else 1)) for name in body.motions}
+
+
+def measured(plimsoll: Plimsoll, body: Floating, wavelength: float,
+             changes: dict | None = None) -> dict[str, complex]:
+    period = np.sqrt(2 * np.pi * wavelength / kGravity)
+    wave = {"amplitude": kAmplitude * body.length, "wavelength": wavelength}
+    name = f"{body.name}_{wavelength}_{len(changes or {})}"
+    track = plimsoll.run_one(f"validation/{body.name}_in_waves.yaml", name, {
+        "water.surface": {"waves": [wave]}, "duration": kCycles * period,
+        "step": period / kSteps, "log.every": period / kStates, **(changes or {})})
+    return operators(body, track, wavelength)
+
+
+def theory(body: Floating, motion: str, wavelength: float) -> float:
+    lengths, reference = linear_motions(body.name, motion)
+    return abs(reference[np.flatnonzero(lengths == wavelength)[0]])
+
+
+def row_of(body: Floating, motion: str, wavelength: float, ours: complex) -> Row:
+    long = wavelength == kLong * body.length
+    judged = motion == "heave" and wavelength in kJudged[body.name]
+    tolerance = kLongGoal if long else kGoal if judged else None
+    unit = "–" if motion == "pitch" else "m/m"
+    return compare(f"{motion} of the {body.name}, λ = {wavelength} m", unit,
+                   theory(body, motion, wavelength), abs(ours), tolerance, kind="goal",
+                   headline=judged or (long and body.name == "barge"))
+
+
+def plot_of(body: Floating, ours: dict[int, dict[str, complex]]) -> Plot:
+    curves = []
+    for style, motion in zip(("k-", "k--", "k:"), body.motions):
+        lengths, reference = linear_motions(body.name, motion)
+        curves.append(Curve(f"{motion}, linear theory", lengths, np.abs(reference), style))
+    for style, motion in zip("os^", body.motions):
+        curves.append(Curve(f"{motion}, ours", list(ours),
+                            [abs(one[motion]) for one in ours.values()], style))
+    return Plot(f"A floating {body.name} in regular waves", "wavelength [m]",
+                "amplitude over a, pitch over ka", curves, log_x=True, log_y=body.name != "sphere")
+
+
+def measure(plimsoll: Plimsoll) -> Result:
+    result = Result()
+    for name, wavelengths in kRuns.items():
+        body = kBodies[name]
+        ours = {length: measured(plimsoll, body, length) for length in wavelengths}
+        result.rows += [row_of(body, motion, length, one[motion])
+                        for length, one in ours.items() for motion in body.motions]
+        result.plots.append(plot_of(body, ours))
+    spar = kBodies["spar"]
+    for length in (30, 40):
+        heave = abs(measured(plimsoll, spar, length, kLowSpar)["heave"])
+        result.rows.append(compare(f"heave of a spar with 2 m freeboard, λ = {length} m", "m/m",
+                                   theory(spar, "heave", length), heave, None))
+    return result
+
+
+kCases = [
+    Case("floating_motions", "Waves", "Motions of floating bodies in regular waves",
+         "A sphere of 1 m radius, a barge of 20 × 8 m with 1.5 m draught and a spar of 1 m radius "
+         "and 10 m draught float without drag in waves of small height; the amplitude of each "
+         "motion comes from a fit that tells free oscillations apart. The program knows neither "
+         "waves that a body radiates nor memory: near resonance, as of the barge at 30 m, the "
+         "heave is far too large, while away from it and in long waves the motions are those of "
+         "linear theory. Of the spar whose upper end is near the water the added mass for waves "
+         "is too small: shown.",
+         "Linear radiation and diffraction by boundary elements, which share nothing with the "
+         "program (potential_flow.py); on a hemisphere they give added mass, damping and force to "
+         "0.7 % of WAMIT's. The tolerances are goals: 3 % in heave, and 1 % in every motion for "
+         "waves of 40 body lengths.",
+         [f"validation/{name}_in_waves.yaml" for name in kRuns], measure),
+]
