@@ -7,6 +7,7 @@ compare each form with a brute-force sum.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -60,6 +61,68 @@ def half_sphere_lift(radius: float, speed: float, density: float, c_l: float) ->
 def sphere_spin_torque(radius: float, omega: float, density: float, c_v: float) -> float:
     """-M of a spinning sphere for constant C_v: the integral of sin^3 over the sphere again."""
     return 3 * np.pi**2 / 8 * density * c_v * omega**2 * radius**5
+
+
+# Linear waves ------------------------------------------------------------------------------------
+
+def bessel(order: int, x: np.ndarray) -> np.ndarray:
+    """J_0 or J_1: the mean over a turn of cos(x cos φ), or of sin(x cos φ) cos φ."""
+    phi = np.pi * (np.arange(64) + 0.5) / 32
+    along = np.multiply.outer(x, np.cos(phi))
+    return np.mean(np.sin(along) * np.cos(phi) if order else np.cos(along), axis=-1)
+
+
+def hemisphere_froude_krylov(k_radius: float) -> tuple[float, float]:
+    """Amplitudes of heave and surge over ρ g π R² a, of the pressure e^{kz} cos kx on a hemisphere
+    below the water: integrals over the angle from the downward axis."""
+    decay = lambda t: np.exp(-k_radius * np.cos(t))
+    heave = lambda t: 2 * decay(t) * bessel(0, k_radius * np.sin(t)) * np.cos(t) * np.sin(t)
+    surge = lambda t: 2 * decay(t) * bessel(1, k_radius * np.sin(t)) * np.sin(t)**2
+    return quadrature(heave, 0, np.pi / 2, 40), quadrature(surge, 0, np.pi / 2, 40)
+
+
+@dataclass(frozen=True)
+class DeepWave:
+    """Of the program: ξ = a cos θ with θ = kx − ωt, and the exponential's height is counted from
+    the surface (Wheeler)."""
+
+    amplitude: float
+    number: float
+    gravity: float = kGravity
+
+    @property
+    def omega(self) -> float:
+        return np.sqrt(self.gravity * self.number)
+
+    def _theta_and_decay(self, place, t):
+        theta = self.number * place[0] - self.omega * t
+        return theta, np.exp(self.number * (place[1] - self.amplitude * np.cos(theta)))
+
+    def velocity(self, place, t) -> np.ndarray:
+        """At x, z [m/s]."""
+        theta, decay = self._theta_and_decay(place, t)
+        return self.amplitude * self.omega * decay * np.array([np.cos(theta), np.sin(theta)])
+
+    def acceleration(self, place, t) -> np.ndarray:
+        """∂u/∂t of linear theory [m/s²]."""
+        theta, decay = self._theta_and_decay(place, t)
+        return self.amplitude * self.omega**2 * decay * np.array([np.sin(theta), -np.cos(theta)])
+
+    def path(self, place, times: np.ndarray) -> np.ndarray:
+        """Of a drop, by the classical Runge–Kutta method from one time to the next."""
+        path = [np.asarray(place, float)]
+        for t, h in zip(times, np.diff(times)):
+            a = self.velocity(path[-1], t)
+            b = self.velocity(path[-1] + h / 2 * a, t + h / 2)
+            c = self.velocity(path[-1] + h / 2 * b, t + h / 2)
+            d = self.velocity(path[-1] + h * c, t + h)
+            path.append(path[-1] + h / 6 * (a + 2 * b + 2 * c + d))
+        return np.array(path)
+
+    def drift_at_surface(self) -> float:
+        """Mean velocity of what stays on the surface and moves along with the water there,
+        ẋ = a ω cos(kx − ωt): c (1 − (1 − (ka)²)^½), about half of Stokes' c (ka)²."""
+        return self.omega / self.number * (1 - np.sqrt(1 - (self.number * self.amplitude)**2))
 
 
 # Cube, edge a, spinning about an axis through two face centres -----------------------------------

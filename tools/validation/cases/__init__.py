@@ -1,12 +1,12 @@
 """Every case, in the order of the report."""
 
 from . import (added_mass, balance, bluff, calibrated, cost, drag, frames, friction, immersion,
-               motion, seakeeping, spin, stability, towing, tilt, waves)
+               motion, seakeeping, spin, stability, towing, tilt, wave_forces, wave_motions,
+               waves)
 
 kCases = [
     *immersion.kCases, *tilt.kCases, *drag.kCases, *bluff.kCases, *calibrated.kCases,
     *friction.kCases, *spin.kCases, *towing.kCases, *added_mass.kCases,
     *balance.kCases, *stability.kCases, *motion.kCases, *frames.kCases, *waves.kCases,
-    *seakeeping.kCases,
-    *cost.kCases,
+    *wave_forces.kCases, *wave_motions.kCases, *seakeeping.kCases, *cost.kCases,
 ]
