@@ -64,9 +64,10 @@ def float_in(plimsoll: Plimsoll, wave: DeepWave, radius: float, drag: float):
     period = 2 * np.pi / wave.omega
     track = plimsoll.run_one(kFloat, f"float_{wave.amplitude}_{radius}_{drag}", {
         "water.surface": {"waves": [{"amplitude": wave.amplitude, "wavelength": kFloatLength}]},
-        "bodies[0].icosphere": {"radius": radius, "subdivisions": 3},
-        "bodies[0].position": [0, 0, wave.amplitude],
-        "bodies[0].linear_velocity": [wave.amplitude * float(wave.omega), 0, 0],
+        "water.density": 1000, "bodies": [{
+            "name": "float", "icosphere": {"radius": radius, "subdivisions": 3}, "density": 500,
+            "position": [0, 0, wave.amplitude],
+            "linear_velocity": [wave.amplitude * float(wave.omega), 0, 0]}],
         "hydro": {"pressure_drag": drag, "lift": False, "viscous_drag": False},
         "duration": kFloatCycles * period, "step": period / kFloatSteps,
         "log.every": period / kFloatStates})
