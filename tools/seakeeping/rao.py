@@ -224,8 +224,8 @@ def plot(arguments: argparse.Namespace, table: list[dict], reference: dict | Non
             draw_body(above, below, name, [line for line in table if line["body"] == body], body)
         above.set_title(f"{name} [{'–' if name in kTurns else 'm/m'}]", fontsize=10)
         above.set_ylim(0, 1.08 * above.get_ylim()[1])
-        below.set_ylim(-200, 200)
-        below.set_yticks([-180, -90, 0, 90, 180])
+        below.set_ylim(-145, 235)
+        below.set_yticks([-90, 0, 90, 180])
         below.set_xlabel("wave period [s]")
         for axis in (above, below):
             axis.grid(alpha=0.3)
@@ -242,8 +242,8 @@ def plot(arguments: argparse.Namespace, table: list[dict], reference: dict | Non
 
 
 def wrapped(degrees: np.ndarray | float):
-    """Into (-180, 180], with what is within a degree of -180 at 180."""
-    return 180 - (180 - np.asarray(degrees) + 1) % 360 + 1
+    """Into (-135, 225]: common leads, -90, 0, 90 and 180, are far from its ends."""
+    return 225 - (225 - np.asarray(degrees)) % 360
 
 
 def draw_body(above, below, name: str, lines: list[dict], body: str) -> None:
