@@ -27,6 +27,26 @@ double spacing_for_waves(const WaveSurface& waves, double& deviation) {
   return bend > 0 ? std::sqrt(8 * kSagTolerance * deviation / std::sqrt(bend)) : HUGE_VAL;
 }
 
+/// Heights of waves on a square grid, rows along y: cos(a + b) = cos a cos b − sin a sin b makes
+/// them a product of matrices.
+Eigen::MatrixXd wave_heights(const WaveSurface& waves, Eigen::Index points, double cell,
+                             const Eigen::Vector2d& origin, double time) {
+  const auto count = static_cast<Eigen::Index>(waves.components.size());
+  Eigen::MatrixXd rows(points, 2 * count), columns(2 * count, points);
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const WaveComponent& w = waves.components[static_cast<std::size_t>(c)];
+    const double start = w.kx * origin.x() + w.ky * origin.y() - w.omega * time + w.phase;
+    for (Eigen::Index i = 0; i < points; ++i) {
+      const double along = cell * static_cast<double>(i);
+      rows(i, 2 * c) = w.amplitude * std::cos(w.ky * along);
+      rows(i, 2 * c + 1) = -w.amplitude * std::sin(w.ky * along);
+      columns(2 * c, i) = std::cos(start + w.kx * along);
+      columns(2 * c + 1, i) = std::sin(start + w.kx * along);
+    }
+  }
+  return rows * columns;
+}
+
 /// Waves over a hull as a grid of heights, where that takes fewer heights than the hull's corners.
 std::optional<Sea> gridded_waves(const Hull& hull, const BodyState& state, const Sea& sea,
                                  double time) {
@@ -40,14 +60,13 @@ std::optional<Sea> gridded_waves(const Hull& hull, const BodyState& state, const
   const auto points = static_cast<Eigen::Index>(std::max(2.0, across + 1));
   const double cell = 2 * hull.radius / static_cast<double>(points - 1);
   const Eigen::Vector2d origin = state.position.head<2>().array() - hull.radius;
-  Eigen::MatrixXd heights(points, points);
-  for (Eigen::Index i = 0; i < points; ++i)
-    for (Eigen::Index j = 0; j < points; ++j)
-      heights(i, j) = surface_elevation(sea, origin.x() + cell * static_cast<double>(j),
-                                        origin.y() + cell * static_cast<double>(i), time);
-  HeightField field = make_height_field(std::move(heights), cell, origin);
+  HeightField field =
+      make_height_field(wave_heights(*waves, points, cell, origin, time), cell, origin);
   field.deviation = deviation;
-  return Sea{.level = sea.level, .surface = std::move(field)};
+  Sea local;
+  local.level = sea.level;
+  local.surface = std::move(field);
+  return local;
 }
 
 /// Everything that the sum over the dry faces needs, in W axes about the centre of mass.
@@ -75,25 +94,40 @@ BranchPlace place_of(const WindInputs& in, const kernel::Node& node) {
   return middle - half >= in.bounds.highest ? BranchPlace::dry : BranchPlace::mixed;
 }
 
-/// Visits the parts of a dry piece that lie in one layer of the profile each, from below.
+/// Visits a dry piece over which the wind is linear, of the given factors at the corners.
 template <class Visit>
-void visit_layers(const WindInputs& in, const Panel& panel, const Vector3d& height,
+void visit_linear(const WindInputs& in, const Panel& panel, const Vector3d& factor,
                   const Vector3d& normal, Visit& visit) {
-  const std::size_t layer = in.profile.layer_at(height.minCoeff());
-  const double top = in.profile.top(layer);
+  Vector3d normal_speed;
+  for (int i = 0; i < 3; ++i)
+    normal_speed[i] = (in.motion.at(panel[i]) - factor[i] * in.wind.velocity).dot(normal);
+  visit(panel, normal, normal_speed);
+}
+
+/// Visits a dry piece, cut at the nodes of the profile unless its corners are nearly as high.
+template <class Visit>
+void visit_dry(const WindInputs& in, const Panel& panel, const Vector3d& height,
+               const Vector3d& normal, Visit& visit) {
+  const WindProfile& profile = in.profile;
+  const double lowest = height.minCoeff(), highest = height.maxCoeff();
+  if (profile.uniform() || highest <= kUncutRatio * lowest) {
+    const Vector3d factor(profile.factor(height[0]), profile.factor(height[1]),
+                          profile.factor(height[2]));
+    return visit_linear(in, panel, factor, normal, visit);
+  }
+  const int layer = profile.layer_at(lowest);
   const auto visit_part = [&](const Panel& part, const Vector3d& part_height) {
-    Vector3d normal_speed;
-    for (int i = 0; i < 3; ++i) {
-      const double factor = in.profile.factor_in(layer, part_height[i]);
-      normal_speed[i] = (in.motion.at(part[i]) - factor * in.wind.velocity).dot(normal);
-    }
-    visit(part, normal, normal_speed);
+    const Vector3d factor(profile.factor_in(layer, part_height[0]),
+                          profile.factor_in(layer, part_height[1]),
+                          profile.factor_in(layer, part_height[2]));
+    visit_linear(in, part, factor, normal, visit);
   };
-  if (!(height.maxCoeff() > top)) return visit_part(panel, height);
+  const double top = profile.top(layer);
+  if (!(highest > top)) return visit_part(panel, height);
   for (const PanelPart& lower : positive_part(panel, top - height.array()))
     visit_part(lower.panel, top - lower.value.array());
   for (const PanelPart& upper : positive_part(panel, height.array() - top))
-    visit_layers(in, upper.panel, top + upper.value.array(), normal, visit);
+    visit_dry(in, upper.panel, top + upper.value.array(), normal, visit);
 }
 
 template <class Visit>
@@ -105,13 +139,16 @@ void visit_face(const WindInputs& in, int face, Visit& visit) {
     panel[i] = in.R_WB * in.hull.mesh_B.vertices.col(corner[i]);
     elevation[i] = in.surface.elevation(panel[i]);
   }
-  const Vector3d normal = area_vector(panel).normalized();
+  Vector3d normal;
   const auto visit_piece = [&](const Panel& piece, const Vector3d& piece_elevation) {
     Vector3d height;
     for (int i = 0; i < 3; ++i) height[i] = in.above + piece[i].z() - piece_elevation[i];
+    if (height.maxCoeff() <= 0) return;
+    if (height.minCoeff() >= 0) return visit_dry(in, piece, height, normal, visit);
     for (const PanelPart& dry : positive_part(piece, height))
-      visit_layers(in, dry.panel, dry.value, normal, visit);
+      visit_dry(in, dry.panel, dry.value, normal, visit);
   };
+  normal = area_vector(panel).normalized();
   if (in.bends)
     for_each_linear_piece(panel, elevation, in.surface, visit_piece);
   else
@@ -178,6 +215,30 @@ class BranchDrag {
   Vector6d load_B_ = Vector6d::Zero();
 };
 
+/// Pressure drag on a piece, cut where the normal speed is zero.
+/// @param front, back   ½ρC_p [kg/m^3].
+Wrench drag_on(const Panel& panel, const Vector3d& normal, const Vector3d& normal_speed,
+               double front, double back) {
+  if (normal_speed.minCoeff() >= 0)
+    return pressure_drag_load(panel, normal, normal_speed, 1, front);
+  if (normal_speed.maxCoeff() <= 0)
+    return pressure_drag_load(panel, normal, -normal_speed, -1, back);
+  Wrench load;
+  for (const PanelPart& part : positive_part(panel, normal_speed))
+    load += pressure_drag_load(part.panel, normal, part.value, 1, front);
+  for (const PanelPart& part : positive_part(panel, -normal_speed))
+    load += pressure_drag_load(part.panel, normal, part.value, -1, back);
+  return load;
+}
+
+/// Height of the top of the hull's box above the centre of mass [m].
+double top_of(const Hull& hull, const BodyState& state) {
+  const kernel::Node& root = hull.tree.nodes[0];
+  const Vector3d up = state.orientation.conjugate() * Vector3d::UnitZ();
+  const Eigen::Map<const Vector3d> centre(root.centre), half(root.half);
+  return up.dot(centre) + up.cwiseAbs().dot(half);
+}
+
 /// The inputs of the sum over the dry faces; none where there is no load.
 /// @param surface   The sea whose surface is taken.
 std::optional<WindInputs> wind_inputs(const Hull& hull, const BodyState& state, const Sea& sea,
@@ -186,7 +247,8 @@ std::optional<WindInputs> wind_inputs(const Hull& hull, const BodyState& state, 
   const double above = state.position.z() - sea.level;
   SurfaceBounds bounds = surface_bounds(surface);
   bounds = {bounds.lowest - surface.level, bounds.highest - surface.level};
-  if (above + hull.radius <= bounds.lowest) return std::nullopt;
+  const double highest = above + top_of(hull, state) - bounds.lowest;
+  if (highest <= 0) return std::nullopt;
   WindInputs in{.hull = hull,
                 .R_WB = state.orientation.toRotationMatrix(),
                 .surface = SurfaceSampler(surface, state.position, time,
@@ -196,8 +258,7 @@ std::optional<WindInputs> wind_inputs(const Hull& hull, const BodyState& state, 
                 .above = above,
                 .motion = {state.linear_velocity, state.angular_velocity},
                 .wind = wind,
-                .profile = WindProfile(wind, kLowestWindNode * hull.radius,
-                                       above + hull.radius - bounds.lowest)};
+                .profile = WindProfile(wind, highest)};
   in.bends = in.surface.may_bend(hull.panels.longest_edge);
   return in;
 }
@@ -214,34 +275,24 @@ void with_inputs(const Hull& hull, const BodyState& state, const Sea& sea, doubl
 
 }  // namespace
 
-WindProfile::WindProfile(const Wind& wind, double lowest, double highest) {
+WindProfile::WindProfile(const Wind& wind, double highest) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (wind.uniform()) {
-    node_ = {0, kInfinite};
-    value_ = {1};
-    slope_ = {0};
+    node_[0] = 0, node_[1] = kInfinite, value_[0] = 1, slope_[0] = 0;
     return;
   }
-  const double first = std::floor(2 * std::log2(lowest / wind.height));
-  node_ = {0};
-  value_ = {0};
-  for (double step = first; slope_.size() < 2 || node_.back() < highest; ++step) {
-    const double height = wind.height * std::exp2(step / 2);
-    const double value = std::exp2(wind.exponent * step / 2);
-    slope_.push_back((value - value_.back()) / (height - node_.back()));
-    node_.push_back(height);
-    value_.push_back(value);
+  layers_ = kMostLayers;
+  node_[0] = value_[0] = 0;
+  for (int i = 0; i < kMostLayers; ++i) {
+    // H/128, H/32, H/8, H/(4√2), …, H
+    const double octaves = i < 2 ? 7 - 2 * i : 3 - 0.5 * (i - 2);
+    const double top = highest * std::exp2(-octaves);
+    const double value = wind.factor(top);
+    slope_[i] = (value - value_[i]) / (top - node_[i]);
+    node_[i + 1] = i + 1 < kMostLayers ? top : kInfinite;
+    if (i + 1 < kMostLayers) value_[i + 1] = value;
   }
-  node_.back() = kInfinite;
-  value_.pop_back();
 }
-
-std::size_t WindProfile::layer_at(double height) const {
-  const auto above = std::upper_bound(node_.begin() + 1, node_.end() - 1, height);
-  return static_cast<std::size_t>(above - node_.begin()) - 1;
-}
-
-double WindProfile::factor(double height) const { return factor_in(layer_at(height), height); }
 
 Wrench wind_load(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                  const Coefficients& coefficients) {
@@ -253,10 +304,7 @@ Wrench wind_load(const Hull& hull, const BodyState& state, const Sea& sea, doubl
     visit_dry_part(
         in, [&](const kernel::Node& node) { return branches.takes_whole(node); },
         [&](const Panel& panel, const Vector3d& normal, const Vector3d& normal_speed) {
-          for (const PanelPart& part : positive_part(panel, normal_speed))
-            load += pressure_drag_load(part.panel, normal, part.value, 1, front);
-          for (const PanelPart& part : positive_part(panel, -normal_speed))
-            load += pressure_drag_load(part.panel, normal, part.value, -1, back);
+          load += drag_on(panel, normal, normal_speed, front, back);
         });
     load = drag_scale(coefficients, state, in.wind.velocity) * (load + branches.total());
   });

@@ -36,6 +36,7 @@ class Body:
     pressure_drag: Load
     viscous_drag: Load
     lift: Load
+    wind: Load
     added_mass: np.ndarray | None  # 6 x 6, about the centre of mass; None without a model.
 
 
@@ -60,7 +61,7 @@ def _body(entry: dict) -> Body:
         volume=entry["displaced_volume"],
         added_mass=None if entry["added_mass"] is None else np.array(entry["added_mass"]),
         **{name: _load(entry[name])
-           for name in ("buoyancy", "pressure_drag", "viscous_drag", "lift")})
+           for name in ("buoyancy", "pressure_drag", "viscous_drag", "lift", "wind")})
 
 
 def _set_options(overrides: dict) -> list[str]:
