@@ -43,7 +43,7 @@ def measure(plimsoll: Plimsoll) -> Result:
                                    headline=alpha == 0.11 or name == "uniform wind",
                                    kind="exact" if alpha == 0 else "profile"))
         curves.append(Curve(name, track.t, track.velocity[:, 0]))
-    ball = {"bodies[0]": {"name": "ball", "density": 500,
+    ball = {"bodies[0]": {"name": "box", "density": 500,
                           "icosphere": {"radius": 1, "subdivisions": 3}}, "air.wind.exponent": 0}
     afloat = plimsoll.probe_one(kScene, ball)
     above = plimsoll.probe_one(kScene, {**ball, "bodies[0].position": [0, 0, 5]})
