@@ -110,19 +110,20 @@ void visit_dry(const WindInputs& in, const Panel& panel, const Vector3d& height,
                const Vector3d& normal, Visit& visit) {
   const WindProfile& profile = in.profile;
   const double lowest = height.minCoeff(), highest = height.maxCoeff();
-  if (profile.uniform() || highest <= kUncutRatio * lowest) {
-    const Vector3d factor(profile.factor(height[0]), profile.factor(height[1]),
-                          profile.factor(height[2]));
+  const int layer = profile.layer_at(lowest);
+  const double top = profile.top(layer);
+  if (highest > top && highest <= kUncutRatio * lowest) {
+    Vector3d factor;
+    for (int i = 0; i < 3; ++i)
+      factor[i] = profile.factor_in(height[i] < top ? layer : layer + 1, height[i]);
     return visit_linear(in, panel, factor, normal, visit);
   }
-  const int layer = profile.layer_at(lowest);
   const auto visit_part = [&](const Panel& part, const Vector3d& part_height) {
     const Vector3d factor(profile.factor_in(layer, part_height[0]),
                           profile.factor_in(layer, part_height[1]),
                           profile.factor_in(layer, part_height[2]));
     visit_linear(in, part, factor, normal, visit);
   };
-  const double top = profile.top(layer);
   if (!(highest > top)) return visit_part(panel, height);
   for (const PanelPart& lower : positive_part(panel, top - height.array()))
     visit_part(lower.panel, top - lower.value.array());
@@ -283,14 +284,19 @@ WindProfile::WindProfile(const Wind& wind, double highest) {
   }
   layers_ = kMostLayers;
   node_[0] = value_[0] = 0;
+  const auto gap = [&](double octaves) {
+    const double log = octaves * std::log(2);
+    return wind.exponent * (1 - wind.exponent) * log * log / 8;
+  };
   for (int i = 0; i < kMostLayers; ++i) {
-    // H/128, H/32, H/8, H/(4√2), …, H
-    const double octaves = i < 2 ? 7 - 2 * i : 3 - 0.5 * (i - 2);
+    // H/512, H/128, H/32, H/8, H/(4√2), …, H; the node at H/8 ends layers of both kinds.
+    const double octaves = i < 3 ? 9 - 2 * i : 3 - 0.5 * (i - 3);
+    const double mean_gap = i < 3 ? gap(2) : i == 3 ? (gap(2) + gap(0.5)) / 2 : gap(0.5);
     const double top = highest * std::exp2(-octaves);
-    const double value = wind.factor(top);
+    const double value = wind.factor(top) * (1 + 2 * mean_gap / 3);
     slope_[i] = (value - value_[i]) / (top - node_[i]);
-    node_[i + 1] = i + 1 < kMostLayers ? top : kInfinite;
     if (i + 1 < kMostLayers) value_[i + 1] = value;
+    node_[i + 1] = i + 1 < kMostLayers ? top : kInfinite;
   }
 }
 

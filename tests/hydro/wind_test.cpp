@@ -169,36 +169,40 @@ TEST(Wind, TakesThePressureDragsCalibration) {
 TEST(WindProfile, IsZeroAtTheSurfaceAndTheGivenWindAtItsHeight) {
   const hydro::WindProfile profile({.velocity = {8, 0, 0}, .exponent = 0.11}, 10);
   EXPECT_EQ(profile.factor(0), 0);
-  EXPECT_NEAR(profile.factor(10), 1, 1e-15);
+  EXPECT_NEAR(profile.factor(10), 1, 1e-3);
 }
 
-/// Chords of a concave function lie below it, by no more than its curvature allows. The next term
-/// of the series is smaller by (ln q)²/10 or so.
-TEST(WindProfile, LiesBelowThePowerLawByLessThanItsBound) {
+/// Chords of a concave function lie below it by its gap at most; raised by 2/3 of that they are off
+/// by 2/3 of it at most, above or below. At H/8 the ends of two gaps meet. The next term of the
+/// series is smaller by (ln q)²/10 or so.
+TEST(WindProfile, IsWithinAGapOfThePowerLawAndRightInTheMean) {
   for (const double exponent : {0.05, 0.11, 0.14, 0.5, 1.0}) {
     const hydro::Wind wind{.velocity = {8, 0, 0}, .exponent = exponent};
     const hydro::WindProfile profile(wind, 25);
-    const auto worst_in = [&](double lowest, double highest) {
-      double worst = 0;
-      for (double z = lowest; z < highest; z *= 1.003) {
-        const double missed = 1 - profile.factor(z) / wind.factor(z);
-        EXPECT_GT(missed, -1e-12) << z;
-        worst = std::max(worst, missed);
-      }
-      return worst;
-    };
-    const auto bound = [&](double ratio) {
+    const auto gap = [&](double ratio) {
       const double log = std::log(ratio);
       return exponent * (1 - exponent) * log * log / 8 * (1 + log * log / 10) + 1e-12;
     };
-    EXPECT_LT(worst_in(25.0 / 8, 25), bound(std::sqrt(2)));
-    EXPECT_GE(worst_in(25.0 / 8, 25), 0.8 * bound(std::sqrt(2)) - 1e-12);
-    EXPECT_LT(worst_in(25.0 / 128, 25.0 / 8), bound(4));
+    const auto check = [&](double lowest, double highest, double bound) {
+      double worst = 0, sum = 0;
+      int count = 0;
+      for (double z = lowest; z < highest; z *= 1.003) {
+        const double missed = 1 - profile.factor(z) / wind.factor(z);
+        worst = std::max(worst, std::abs(missed));
+        sum += missed;
+        ++count;
+      }
+      EXPECT_LT(worst, bound) << exponent;
+      EXPECT_LT(std::abs(sum / count), 0.1 * bound) << exponent;
+    };
+    check(25.0 / 8 * std::sqrt(2), 25, gap(std::sqrt(2)));
+    check(25.0 / 512, 25.0 / 32, gap(4));
+    check(25.0 / 32, 25.0 / 8 * std::sqrt(2), 2 * gap(4));
   }
 }
 
-/// ∫ (z/h)^2α dz over the front and the back of a box of few or many faces. The bounds of
-/// WindProfile allow 2 · 0.3 % of small faces, whose chords are taken between values of chords.
+/// ∫ (z/h)^2α dz over the front and the back of a box of few or many faces. Faces that are not cut
+/// have chords between values of chords: 2 · 2/3 · 0.15 % less at worst. The rest is below 0.1 %.
 TEST(WindProfile, PushesABoxByThePowerLawsIntegral) {
   for (const int divisions : {1, 7, 24})
     for (const double top : {0.1, 1.0, 1.7, 6.0}) {
@@ -210,8 +214,8 @@ TEST(WindProfile, PushesABoxByThePowerLawsIntegral) {
         return z * std::pow(z / h, 2 * alpha) / (1 + 2 * alpha);
       };
       const double exact = 0.5 * kDensity * 1.5 * 900 * (integral(top) - integral(bottom));
-      EXPECT_LT(ours.force.x(), exact);
-      EXPECT_NEAR(ours.force.x(), exact, 6e-3 * exact) << divisions << ", " << top;
+      EXPECT_NEAR(ours.force.x(), exact, (divisions < 7 ? 1e-3 : 3e-3) * exact)
+          << divisions << ", " << top;
     }
 }
 
@@ -223,7 +227,7 @@ TEST(WindProfile, HardlyDependsOnTheFacesOfAFlatSide) {
   state.position.z() = 0.2;
   const Wrench coarse = load(hydro::make_hull(hydro::make_box({2, 1, 1.5})), state, sea);
   const Wrench fine = load(hydro::make_hull(hydro::make_box({2, 1, 1.5}, 15)), state, sea);
-  expect_close(coarse, fine, 6e-3, support::largest(fine));
+  expect_close(coarse, fine, 3e-3, support::largest(fine));
 }
 
 TEST(WindJacobian, IsTheChangeOfTheLoadWithTheVelocity) {
