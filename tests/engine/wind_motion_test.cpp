@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "engine/energy.h"
 #include "hydro/airy_waves.h"
 #include "tests/engine/prelude.h"
 
@@ -114,6 +115,24 @@ TEST(WindMotion, IsThatInCalmAirSeenFromAFrameThatMovesWithAirAndWater) {
   const BodyState a = calm.states()[0], b = drifting.states()[0];
   EXPECT_LT((a.position + calm.time() * drift - b.position).norm(), tolerance(1e-9));
   EXPECT_LT((a.linear_velocity + drift - b.linear_velocity).norm(), tolerance(1e-9));
+}
+
+/// Only calm air over still water, or air and water that carry a free body along, give no energy.
+TEST(WindMotion, EndsTheGuardOfStillWaterWhereTheAirMovesThroughTheWater) {
+  const auto guarded = [](const hydro::Wind& wind, const Vector3d& current) {
+    Sea sea = sea_under(wind);
+    sea.current = current;
+    const SimulationSpec spec =
+        in_wind(dragged(support::box_body("box", {1, 1, 1}, 500, {0, 0, 0}), 1, 1), sea);
+    return engine::must_not_gain_energy(support::moving_bodies(spec)[0].body);
+  };
+  const Vector3d still(0, 0, 0), moving(1, 2, 0);
+  EXPECT_TRUE(guarded({.velocity = still}, still));
+  EXPECT_TRUE(guarded({.velocity = still, .exponent = 0.11}, still));
+  EXPECT_TRUE(guarded({.velocity = moving}, moving));
+  EXPECT_FALSE(guarded({.velocity = moving}, still));
+  EXPECT_FALSE(guarded({.velocity = still}, moving));
+  EXPECT_FALSE(guarded({.velocity = moving, .exponent = 0.11}, moving));
 }
 
 TEST(WindMotion, GivesEnergyThatNoGuardOfStillWaterTakes) {
