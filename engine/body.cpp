@@ -74,6 +74,7 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     Body body = make_dry_body(spec, environment, i);
+    body.feels_air = body.wet && spec.sea->air && !body.spec->coefficients.pressure_drag.none();
     if (body.wet) {
       const auto same = std::find_if(bodies.begin(), bodies.end(), [&](const Body& other) {
         return other.hull && hydro::same_mesh(other.hull->mesh_B, body.spec->mesh_B);

@@ -36,6 +36,7 @@ struct Body {
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass.
   Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
   bool wet = false;             ///< The water has loads on it.
+  bool feels_air = false;       ///< Wet, and the air has a load on its dry part.
   bool has_added_mass = false;  ///< A may not be zero.
   bool has_wave_load = false;   ///< Waves accelerate the water that its added mass stands for.
   bool movable = true;          ///< At least one degree of freedom is not locked.

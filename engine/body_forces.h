@@ -29,6 +29,7 @@ struct Works {
   double viscous_drag = 0;
   double lift = 0;
   double wave_inertia = 0;
+  double wind = 0;
   double added_mass = 0;
   double applied = 0;     ///< By the forces of the scene and of the program.
   double weight = 0;      ///< Of the body's own mass.
@@ -36,8 +37,8 @@ struct Works {
   double brake = 0;       ///< By the energy limiter.
 
   double sum() const {
-    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + added_mass + applied +
-           weight + constraint + brake;
+    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + wind + added_mass +
+           applied + weight + constraint + brake;
   }
 };
 

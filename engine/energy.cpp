@@ -19,12 +19,23 @@ double potential_energy(const Body& body, const hydro::BodyState& state) {
   return lifted ? weight + hydro::buoyancy_energy(*body.hull, state, *environment.sea) : weight;
 }
 
+namespace {
+
+/// True if the air, if there is any, moves everywhere as the water does.
+bool is_calm(const Body& body) {
+  if (!body.feels_air) return true;
+  const hydro::Wind& wind = body.environment.sea->air->wind;
+  return wind.uniform() && wind.velocity == body.current();
+}
+
+}  // namespace
+
 bool must_not_gain_energy(const Body& body) {
   // The energy is relative to the water, and a current does work on a body that locks or joints
   // stop.
   const bool drifts = !body.locked && !body.jointed;
   return body.wet && hydro::is_flat(*body.environment.sea) && body.current().z() == 0 &&
-         (drifts || body.current().isZero(0));
+         is_calm(body) && (drifts || body.current().isZero(0));
 }
 
 }  // namespace engine

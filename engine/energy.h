@@ -8,7 +8,7 @@
 /// E = ½ u·(M + A) u + m g z + U, with u the velocity relative to the water, z the height of the
 /// centre of mass and U the work done against buoyancy (buoyancy_energy.h). In water with a level
 /// surface that does not rise, drag takes from E, and so does added mass, which leaves some energy
-/// in the water. Lift and applied loads may add to it by their work.
+/// in the water; so does calm air. Lift and applied loads may add to it by their work.
 
 namespace engine {
 
@@ -18,8 +18,8 @@ double kinetic_energy(const Body& body, const Motion& motion, const Eigen::Vecto
 /// m g z + U [J]
 double potential_energy(const Body& body, const hydro::BodyState& state);
 
-/// True if the loads that may add to the body's energy are known: the water stands still, or
-/// carries along a body without locks and joints.
+/// True if the loads that may add to the body's energy are known: water and air stand still, or
+/// carry along, at one velocity, a body without locks and joints.
 bool must_not_gain_energy(const Body& body);
 
 }  // namespace engine

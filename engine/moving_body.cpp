@@ -54,8 +54,9 @@ hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, doub
   loads.applied = applied_loads(moving, state, time);
   loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
   const bool meets_water = moving.body.wet || moving.body.has_wave_load;
-  if (meets_water && !may_be_wet(moving.body, state)) {
-    ++moving.counts.dry;
+  const bool stays_dry = meets_water && !may_be_wet(moving.body, state);
+  moving.counts.dry += stays_dry;
+  if (stays_dry && !moving.body.feels_air) {
     loads.water = {};
     cache.water_state.reset();
   } else if (meets_water && cache.water_state == state) {

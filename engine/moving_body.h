@@ -42,7 +42,7 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
   return id != kWorld && bodies[id].body.movable;
 }
 
-/// The loads of the water on a body in a state that may be wet.
+/// The loads of the water, and of the air, on a body in a state that may be wet or feels the air.
 hydro::Loads water_loads(const Body& body, const hydro::BodyState& state, double time);
 
 /// The sum of all loads on the body in a state, its weight included; the cache keeps them.

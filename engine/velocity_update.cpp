@@ -74,15 +74,29 @@ VelocityUpdate explicit_update(const UpdateContext& s, const Vector6d& predicted
   return update;
 }
 
-/// ζ along the motion u from the drag of the last evaluation, and in the measure of the energy how
-/// much larger the motion `after` is.
-double drag_stiffness(const UpdateContext& s, const Vector6d& u, const Vector6d& after) {
-  const hydro::Loads& water = s.water();
-  const Vector6d D = to_vector6(water.pressure_drag + water.viscous_drag);
+/// ζ along the motion u from its drag D, and in the measure of the energy how much larger the
+/// motion `after` is. Both are relative to the fluid that exerts the drag.
+double drag_stiffness(const UpdateContext& s, const hydro::Wrench& drag, const Vector6d& u,
+                      const Vector6d& after) {
+  const Vector6d D = to_vector6(drag);
   const double power = -D.dot(u);
   if (!(power > 0)) return 0;
   const double growth = std::sqrt(std::max(1.0, s.square(after) / s.square(u)));
   return 2 * growth * s.h * D.dot(s.accelerated(D)) / power;
+}
+
+/// ζ of the drag of the last evaluation in water and air. The wind is that at the height of the
+/// body's highest point.
+double drag_stiffness(const UpdateContext& s, const Vector6d& u, const Vector6d& after) {
+  const hydro::Loads& water = s.water();
+  const double in_water = drag_stiffness(s, water.pressure_drag + water.viscous_drag, u, after);
+  if (!s.body.feels_air) return in_water;
+  const auto [low, height] = vertical_extent(s.body, s.state());
+  const hydro::Wind& wind = s.body.environment.sea->air->wind;
+  const double factor = wind.factor(std::max(0.0, low + height - s.body.environment.lowest));
+  const Vector6d moving =
+      to_vector6(s.body.current() - factor * wind.velocity, Eigen::Vector3d::Zero());
+  return in_water + drag_stiffness(s, water.wind, u + moving, after + moving);
 }
 
 /// Change of the buoyancy with the height, −∂F_z/∂z [N/m].
@@ -195,7 +209,8 @@ VelocityUpdate repeated_update(const UpdateContext& s) {
   VelocityUpdate first{.load = s.loads(s.u)};
   first.change = s.accelerated(s.h * first.load);
   first.unpredicted = true;
-  if (s.water().wetted_area == 0 && !s.body.reduced_joint && !s.moving.inputs.pull) return first;
+  const bool in_fluid = s.water().wetted_area > 0 || s.body.feels_air;
+  if (!in_fluid && !s.body.reduced_joint && !s.moving.inputs.pull) return first;
   VelocityUpdate update = explicit_update(s, first.change);
   update.unpredicted = true;
   // Both have the same pose; their velocities are h/2 apart.
@@ -213,7 +228,7 @@ bool was_predicted(const UpdateContext& s, const Vector6d& predicted, const Vect
 
 /// True if (E5) is not stable, or inaccurate, for the loads of the last evaluation.
 bool is_stiff(const UpdateContext& s, const Vector6d& at, const Vector6d& after) {
-  if (!s.body.wet || s.water().wetted_area == 0) return false;
+  if (!s.body.wet || (s.water().wetted_area == 0 && !s.body.feels_air)) return false;
   return drag_stiffness(s, at, after) > kStiffDrag || waterplane_stiffness(s) > kStiffWaterplane;
 }
 

@@ -40,6 +40,7 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   add(loads.water.viscous_drag, works.viscous_drag);
   add(loads.water.lift, works.lift);
   add(loads.water.wave_inertia, works.wave_inertia);
+  add(loads.water.wind, works.wind);
   for (const hydro::Wrench& load : loads.applied) add(load, works.applied);
   add(loads.weight, works.weight);
   return sum;
@@ -145,7 +146,7 @@ BodyForces forces_on(const MovingBody& moving, double time, double step) {
   BodyForces forces{.works = record.works};
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
   forces.weight.force.z() = -body.spec->mass * body.environment.gravity;
-  if (may_be_wet(body, state)) forces.water = water_loads(body, state, time);
+  if (body.feels_air || may_be_wet(body, state)) forces.water = water_loads(body, state, time);
   forces.added_mass = to_wrench(record.added_impulse / step);
   forces.constraint = to_wrench(record.constraint_impulse / step);
   if (!body.movable)

@@ -2,11 +2,14 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
+#include "hydro/air.h"
+
 /// @file
-/// The sea: the height of its surface and the velocity of its water.
+/// The sea: the height of its surface, the velocity of its water, and the air above it.
 ///
 /// The surface is a height field z = ξ(x, y, t) in W; it is given, not simulated. Below waves the
 /// water moves and its pressure decays as linear theory has it (airy_waves.h). Elsewhere it moves
@@ -68,6 +71,7 @@ struct Sea {
   double depth = std::numeric_limits<double>::infinity();  ///< Of the still water [m], > 0.
   Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Velocity of the water everywhere [m/s].
   std::variant<FlatSurface, HeightField, WaveSurface> surface;
+  std::optional<Air> air;  ///< None: nothing acts on what is above the water.
 };
 
 /// Height ξ of the water surface over (x, y) at a time [m].

@@ -348,6 +348,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   spec.integrator = {.method = integration_method(scene.integrator.method),
                      .tolerance = scene.integrator.tolerance.value_or(0)};
   if (scene.water) spec.sea = build_sea(*scene.water, scene.gravity, log);
+  if (spec.sea) spec.sea->air = scene.air;
   spec.ground = build_ground(scene.ground, log);
   check_ground(spec.ground, log);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

@@ -49,6 +49,7 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"viscous_drag", to_json(loads.viscous_drag)},
           {"lift", to_json(loads.lift)},
           {"wave_inertia", to_json(loads.wave_inertia)},
+          {"wind", to_json(loads.wind)},
           {"added_mass", added_mass}};
 }
 

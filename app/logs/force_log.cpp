@@ -28,6 +28,13 @@ std::array<NamedLoad, 9> named_loads(const engine::BodyForces& f) {
            {"constraint", f.constraint, w.constraint}}};
 }
 
+/// Calls put(column, number) for the force and the torque of a load.
+template <class Put>
+void put_load(const NamedLoad& n, Put&& put) {
+  for (int i = 0; i < 3; ++i) put(fmt::format("{}_f{}", n.name, "xyz"[i]), n.load.force[i]);
+  for (int i = 0; i < 3; ++i) put(fmt::format("{}_t{}", n.name, "xyz"[i]), n.load.moment[i]);
+}
+
 /// Returns the numbers of a row, and fills in the names of their columns unless `columns` is null.
 std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::string>* columns) {
   std::vector<double> row;
@@ -36,10 +43,7 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
     if (columns) columns->push_back(column);
   };
   const std::array<NamedLoad, 9> loads = named_loads(forces);
-  for (const NamedLoad& n : loads) {
-    for (int i = 0; i < 3; ++i) put(fmt::format("{}_f{}", n.name, "xyz"[i]), n.load.force[i]);
-    for (int i = 0; i < 3; ++i) put(fmt::format("{}_t{}", n.name, "xyz"[i]), n.load.moment[i]);
-  }
+  for (const NamedLoad& n : loads) put_load(n, put);
   put("wetted_area", forces.water.wetted_area);
   put("displaced_volume", forces.water.displaced_volume);
   put("kinetic_energy", forces.kinetic_energy);
@@ -47,6 +51,8 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("potential_energy", forces.potential_energy);
   for (const NamedLoad& n : loads) put(fmt::format("work_{}", n.name), n.work);
   put("work_brake", forces.works.brake);
+  put_load({"wind", forces.water.wind}, put);
+  put("work_wind", forces.works.wind);
   return row;
 }
 

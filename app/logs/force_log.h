@@ -12,9 +12,9 @@
 /// Each load has the columns `<load>_fx` … `_fz` [N] and `<load>_tx` … `_tz` [N m], about the
 /// centre of mass, in W. The others are `wetted_area` [m^2], `displaced_volume` [m^3];
 /// `kinetic_energy`, `added_kinetic_energy`, `potential_energy` [J]; `work_<load>` [J] since the
-/// start, `work_brake` last. The loads are buoyancy, pressure_drag, viscous_drag, lift,
-/// wave_inertia, added_mass, applied, weight and constraint. engine/body_forces.h says what each
-/// means.
+/// start, then `work_brake`. The loads are buoyancy, pressure_drag, viscous_drag, lift,
+/// wave_inertia, added_mass, applied, weight and constraint; the columns of wind and its work come
+/// last. engine/body_forces.h says what each means.
 
 namespace app {
 

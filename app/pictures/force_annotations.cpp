@@ -29,7 +29,7 @@ struct NamedForce {
   hydro::Wrench wrench;  ///< About the centre of mass, W.
 };
 
-std::array<NamedForce, 5> forces_on(const engine::BodySpec& body, const hydro::Hull& hull,
+std::array<NamedForce, 6> forces_on(const engine::BodySpec& body, const hydro::Hull& hull,
                                     const engine::SimulationSpec& spec,
                                     const hydro::BodyState& state, double time) {
   hydro::Loads loads;
@@ -39,7 +39,8 @@ std::array<NamedForce, 5> forces_on(const engine::BodySpec& body, const hydro::H
            {kBuoyancy, {20, 90, 200}, loads.buoyancy},
            {"pressure drag", {200, 30, 40}, loads.pressure_drag},
            {"viscous drag", {235, 125, 0}, loads.viscous_drag},
-           {"lift", {20, 140, 60}, loads.lift}}};
+           {"lift", {20, 140, 60}, loads.lift},
+           {"wind", {0, 150, 170}, loads.wind}}};
 }
 
 /// Returns the point on the line of action of a force that is nearest to the centre of mass.

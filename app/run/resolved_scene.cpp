@@ -153,13 +153,21 @@ std::string water_text(const scene::Scene& scene) {
   return fmt::format("water of {:g} kg/m^3 ({}{})", water.density, surface_text(water), depth);
 }
 
+/// Describes the wind, if there is any: `, wind of 8 m/s`.
+std::string wind_text(const scene::Scene& scene) {
+  if (!scene.air) return "";
+  const double speed = scene.air->wind.velocity.norm();
+  return speed > 0 ? fmt::format(", wind of {:.3g} m/s", speed) : ", calm air";
+}
+
 std::string headline(const scene::Scene& scene, const assembly::BuiltScene& built) {
   const engine::SimulationSpec& spec = built.spec;
   std::string text = fmt::format("{}: {}", scene.file.stem().string(),
                                  counted(spec.bodies.size(), "body", "bodies"));
   if (!spec.joints.empty()) text += ", " + counted(spec.joints.size(), "joint", "joints");
-  return text + fmt::format("; {:g} s in steps of {:.4g} s; {}; {}", scene.duration, scene.step,
-                            water_text(scene), counted(spec.threads, "thread", "threads"));
+  return text + fmt::format("; {:g} s in steps of {:.4g} s; {}{}; {}", scene.duration, scene.step,
+                            water_text(scene), wind_text(scene),
+                            counted(spec.threads, "thread", "threads"));
 }
 
 /// Lists the names of bodies, or counts them if there are many.

@@ -47,6 +47,10 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "This key has no effect. It is accepted so that old scenes still run. Not allowed with "
      "`ode`."},
     {"water", "The water. Without this block the scene is dry."},
+    {"air",
+     "The air above the water, which acts on the dry part of bodies. It needs `water`. Without "
+     "this "
+     "block nothing acts there."},
     {"ground",
      "The sea floor or shore, given by exactly one of `z`, `heightfield` and `mesh`. Without "
      "this block there is none."},
@@ -109,6 +113,21 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.spectrum.seed", "Seed of the random phases. The same seed gives the same sea."},
     {"water.surface.spectrum.components",
      "Number of wave components that represent the spectrum. The cost of a step grows with it."},
+    {"air.density", "Density of the air; the default is that at 15 °C at sea level."},
+    {"air.wind",
+     "Velocity of the air, uniform everywhere, or a map for a wind that grows with the height. The "
+     "speed is at most 150 m/s."},
+    {"air.wind.speed", "Speed of the wind at `height`."},
+    {"air.wind.heading_deg",
+     "Direction in which the air moves, counter-clockwise from +x, as waves' `heading_deg`; not "
+     "that from which it comes."},
+    {"air.wind.height", "Height above the water where the wind has its `speed`."},
+    {"air.wind.profile",
+     "Change with the height z above the water's surface. `power` is the power law speed · "
+     "(z/height)^exponent, zero at the surface. `uniform` is the same speed everywhere."},
+    {"air.wind.exponent",
+     "Exponent of `power`: about 0.11 over open sea, 0.14 over smooth land, 0.2 and more over "
+     "rough land."},
     {"ground.z", "Height of a flat sea floor."},
     {"ground.heightfield",
      "A sea floor given by heights. They are values of z in the world frame; the keys are those "

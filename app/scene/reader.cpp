@@ -71,6 +71,12 @@ void check_starts(MapReader& map, const Scene& scene) {
   }
 }
 
+/// Refuses air without water, above which it is.
+void check_air(MapReader& map, const Scene& scene) {
+  if (scene.air && !map.has("water"))
+    map.fault("air", "needs water, and the scene has none: wind acts on what is above the water");
+}
+
 /// Refuses waves without gravity, which is what moves them.
 void check_waves(MapReader& map, const Scene& scene) {
   if (scene.gravity != 0 || !scene.water) return;
@@ -182,6 +188,8 @@ void read(MapReader& map, Scene& scene) {
   map.optional("gravity", scene.gravity, not_negative("m/s^2"));
   map.block("integrator", scene.integrator);
   map.block("water", scene.water);
+  map.block("air", scene.air);
+  map.note_condition("air", "", {"water"}, {});
   map.block("ground", scene.ground);
   Body prototype;
   map.block("hydro", prototype.hydro);
@@ -200,6 +208,7 @@ void read(MapReader& map, Scene& scene) {
   check_followed_bodies(map, scene);
   check_starts(map, scene);
   check_waves(map, scene);
+  check_air(map, scene);
 }
 
 bool is_scene_file(const std::filesystem::path& file) {

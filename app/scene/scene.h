@@ -12,6 +12,7 @@
 #include "app/scene/diagnostics.h"
 #include "app/scene/render.h"
 #include "app/scene/water.h"
+#include "hydro/air.h"
 
 /// @file
 /// A scene as its file describes it: each block has a struct, each key a field, and each value is
@@ -50,6 +51,7 @@ struct Scene {
   double gravity = 9.80665;
   Integrator integrator;
   std::optional<Water> water;
+  std::optional<hydro::Air> air;
   Ground ground;
   std::vector<Body> bodies;
   std::vector<Joint> joints;

@@ -6,6 +6,7 @@
 #include "hydro/loads/clip.h"
 #include "hydro/loads/refine.h"
 #include "hydro/loads/viscous_drag.h"
+#include "hydro/loads/wind.h"
 
 namespace hydro {
 namespace {
@@ -112,6 +113,7 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
     for_each_linear_piece(panel, elevation, surface, add_piece);
   }
   sum.drag *= sea.density;
+  if (sea.air) sum.drag += wind_jacobian(hull, state, sea, time, coefficients);
   sum.waterplane *= coefficients.buoyancy ? sea.density * sea.gravity : 0;
   return sum;
 }

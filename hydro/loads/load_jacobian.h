@@ -28,7 +28,7 @@
 namespace hydro {
 
 struct LoadJacobian {
-  Matrix6d drag = Matrix6d::Zero();        ///< (1) + (2) [N s/m, N s, N m s].
+  Matrix6d drag = Matrix6d::Zero();        ///< (1) + (2), and the air's [N s/m, N s, N m s].
   Matrix6d waterplane = Matrix6d::Zero();  ///< (3) [N/m, N, N m].
 };
 

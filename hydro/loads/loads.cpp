@@ -7,6 +7,7 @@
 
 #include "hydro/loads/kernel/walk.h"
 #include "hydro/loads/kernel/water_surface.h"
+#include "hydro/loads/wind.h"
 
 namespace hydro {
 namespace {
@@ -61,40 +62,9 @@ Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) 
   return !(sum.norm() > 1e-9 * area);
 }
 
-}  // namespace
-
-Loads& Loads::operator+=(const Loads& other) {
-  buoyancy += other.buoyancy;
-  pressure_drag += other.pressure_drag;
-  viscous_drag += other.viscous_drag;
-  lift += other.lift;
-  wave_inertia += other.wave_inertia;
-  wetted_area += other.wetted_area;
-  displaced_volume += other.displaced_volume;
-  return *this;
-}
-
-Hull make_hull(TriMesh mesh_B) {
-  Hull hull{.mesh_B = std::move(mesh_B)};
-  if (hull.mesh_B.vertex_count() > 0)
-    hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
-  hull.panels = kernel::make_panels(hull.mesh_B);
-  hull.tree = kernel::make_tree(hull.panels);
-  assert(is_closed(hull.mesh_B));
-  return hull;
-}
-
-double drag_scale(const Coefficients& coefficients, const BodyState& state,
-                  const Eigen::Vector3d& current) {
-  if (!coefficients.calibration) return 1;
-  const Eigen::Quaterniond to_body = state.orientation.conjugate();
-  return drag_factor(*coefficients.calibration, {to_body * (state.linear_velocity - current),
-                                                 to_body * state.angular_velocity});
-}
-
-Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients, const LoadAccuracy& how) {
-  assert(is_unit(state.orientation));
+/// The loads of the water alone.
+Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                  const Coefficients& coefficients, const LoadAccuracy& how) {
   const SurfaceBounds bounds = surface_bounds(sea);
   if (state.position.z() - hull.radius >= bounds.highest || hull.tree.nodes.empty()) return {};
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
@@ -128,6 +98,46 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
       surface && surface->is_airy() ? sums.total(kernel::kVolume) : loads.buoyancy.force.z();
   loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
+  return loads;
+}
+
+}  // namespace
+
+Loads& Loads::operator+=(const Loads& other) {
+  buoyancy += other.buoyancy;
+  pressure_drag += other.pressure_drag;
+  viscous_drag += other.viscous_drag;
+  lift += other.lift;
+  wave_inertia += other.wave_inertia;
+  wind += other.wind;
+  wetted_area += other.wetted_area;
+  displaced_volume += other.displaced_volume;
+  return *this;
+}
+
+Hull make_hull(TriMesh mesh_B) {
+  Hull hull{.mesh_B = std::move(mesh_B)};
+  if (hull.mesh_B.vertex_count() > 0)
+    hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
+  hull.panels = kernel::make_panels(hull.mesh_B);
+  hull.tree = kernel::make_tree(hull.panels);
+  assert(is_closed(hull.mesh_B));
+  return hull;
+}
+
+double drag_scale(const Coefficients& coefficients, const BodyState& state,
+                  const Eigen::Vector3d& current) {
+  if (!coefficients.calibration) return 1;
+  const Eigen::Quaterniond to_body = state.orientation.conjugate();
+  return drag_factor(*coefficients.calibration, {to_body * (state.linear_velocity - current),
+                                                 to_body * state.angular_velocity});
+}
+
+Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                    const Coefficients& coefficients, const LoadAccuracy& how) {
+  assert(is_unit(state.orientation));
+  Loads loads = water_loads(hull, state, sea, time, coefficients, how);
+  if (sea.air) loads.wind = wind_load(hull, state, sea, time, coefficients);
   return loads;
 }
 

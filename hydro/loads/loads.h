@@ -23,23 +23,27 @@ struct Hull {
 /// Builds a hull from a closed mesh in B.
 Hull make_hull(TriMesh mesh_B);
 
-/// The loads of the water by kind, in W. Moments are about the centre of mass.
+/// The loads of the water, and of the air above it, by kind, in W. Moments are about the centre of
+/// mass.
 struct Loads {
   Wrench buoyancy;
   Wrench pressure_drag;
   Wrench viscous_drag;
   Wrench lift;
   Wrench wave_inertia;          ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
+  Wrench wind;                  ///< Of the air on the dry part (wind.h).
   double wetted_area = 0;       ///< [m^2]
   double displaced_volume = 0;  ///< Of the body below the surface [m^3].
 
   Loads& operator+=(const Loads& other);
-  Wrench total() const { return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia; }
+  Wrench total() const {
+    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + wind;
+  }
 };
 
 /// The factor of a body's pressure drag by its calibration in the given motion [-]. It is 1 without
 /// a calibration.
-/// @param current   Velocity of the water [m/s].
+/// @param current   Velocity of the water, or of the wind [m/s].
 double drag_scale(const Coefficients& coefficients, const BodyState& state,
                   const Eigen::Vector3d& current);
 
@@ -52,7 +56,8 @@ struct LoadAccuracy {
   double wave_tolerance = 1e-4;
 };
 
-/// The load on a hull in the given state of motion at a time.
+/// The load on a hull in the given state of motion at a time, that of the air on its dry part
+/// included.
 ///
 /// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
 /// its largest component. In waves the surface is taken as linear over panels that are split until

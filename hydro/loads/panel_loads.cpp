@@ -37,7 +37,14 @@ Wrench pressure_load(const Panel& panel, const Eigen::Vector3d& pressure) {
 
 Wrench pressure_drag_load(const Panel& panel, const Eigen::Vector3d& normal,
                           const Eigen::Vector3d& normal_speed, double sign, double k) {
-  return normal_load(panel, normal, normal_speed * normal_speed.transpose(), sign * k);
+  // (2) with q_ij = s_i s_j: 30 w_i = (S² + Σ s_j²)/2 + s_i (S + s_i), with S the sum of the s_j.
+  const Eigen::Vector3d& s = normal_speed;
+  const double sum = s.sum();
+  const double common = (sum * sum + s.squaredNorm()) / 2;
+  const Eigen::Vector3d w = (common + s.array() * (sum + s.array())) / 30;
+  const Eigen::Vector3d weighted_r = w[0] * panel[0] + w[1] * panel[1] + w[2] * panel[2];
+  const Eigen::Vector3d traction = -sign * k * area_vector(panel).dot(normal) * normal;
+  return {.force = w.sum() * traction, .moment = weighted_r.cross(traction)};
 }
 
 Wrench lift_load(const Panel& panel, const Eigen::Vector3d& normal, const Eigen::Matrix3d& velocity,

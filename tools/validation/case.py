@@ -20,6 +20,8 @@ kKinds = {
             "there is one mesh, the case argues the bound.",
     "step": "Steps of time stand for time. As with meshes, with three steps that halve; the order "
             "may be higher than the one that is judged.",
+    "profile": "A power-law wind is linear between the heights of a table: the tolerance is the "
+               "bound of what a chord of the law leaves.",
     "goal": "The program chooses its own panels, so that meshes cannot be halved: the tolerance is "
             "the accuracy that is asked of the method, set before it was measured.",
     "raster": "The reference itself is counted on a raster of points; the case argues its error.",

@@ -14,6 +14,7 @@ const std::string kScene =
     "water:\n"
     "  current: [0, 0.5, 0]\n"
     "  surface: {waves: [{amplitude: 0.3, wavelength: 12, heading_deg: -30}]}\n"
+    "air: {density: 1.2, wind: {speed: 9, heading_deg: 40, exponent: 0.2}}\n"
     "hydro: &none {lift: false, viscous_drag: thesis}\n"
     "bodies:\n"
     "  - name: a\n"

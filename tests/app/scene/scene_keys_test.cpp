@@ -41,6 +41,8 @@ std::string every_key() {
          "      - {amplitude: 0.5, wavelength: 20, heading_deg: 90, phase_deg: -45}\n"
          "      - {amplitude: 0, period: 4}\n"
          "    kinematics: hydrostatic\n"
+         "air: {density: 1.5, wind: {speed: 8, heading_deg: 90, height: 12, profile: power,"
+         " exponent: 0.2}}\n"
          "ground: {z: -10}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
          " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3,"
@@ -116,6 +118,23 @@ std::string zero_matrix() {
   std::string rows = row;
   for (int i = 1; i < 6; ++i) rows += ", " + row;
   return "{matrix: [" + rows + "]}";
+}
+
+TEST(SceneKeys, AirIsRead) {
+  const hydro::Air air = *read_scene_text(every_key()).air;
+  EXPECT_EQ(air.density, 1.5);
+  EXPECT_LT((air.wind.velocity - Eigen::Vector3d(0, 8, 0)).norm(), 8 * kRoundOff);
+  EXPECT_EQ(air.wind.height, 12);
+  EXPECT_EQ(air.wind.exponent, 0.2);
+  const hydro::Air uniform = *read_scene_text(every_key(), {"air={wind: [3, -4, 0]}"}).air;
+  EXPECT_EQ(uniform.density, 1.225);
+  EXPECT_EQ(uniform.wind.velocity, Eigen::Vector3d(3, -4, 0));
+  EXPECT_TRUE(uniform.wind.uniform());
+  const hydro::Air power = *read_scene_text(every_key(), {"air={wind: {speed: 5}}"}).air;
+  EXPECT_EQ(power.wind.height, 10);
+  EXPECT_EQ(power.wind.exponent, 0.11);
+  EXPECT_TRUE(
+      read_scene_text(every_key(), {"air.wind={speed: 5, profile: uniform}"}).air->wind.uniform());
 }
 
 TEST(SceneKeys, TopLevelIsRead) {

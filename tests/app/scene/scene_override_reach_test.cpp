@@ -74,7 +74,8 @@ std::vector<std::string> faults_at(const std::string& key_path, const std::strin
 bool needs_others(const std::string& fault) {
   for (const char* reason :
        {"missing, ", "found a zero", "expected a symmetric matrix", "found the principal moments",
-        "there is no body named", "is only used with", "not used by"})
+        "there is no body named", "is only used with", "not used by", "needs water",
+        "wind is horizontal"})
     if (fault.find(reason) != std::string::npos) return true;
   return false;
 }

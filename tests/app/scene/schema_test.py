@@ -35,7 +35,7 @@ UNSEEN = [
     r"which is switched off", r"equilibrium needs", r"is only used with viscous_drag",
     r"sleep: method ode", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
     r"in case alone", r"less than the depth", r"waves need gravity",
-    r"tma needs water.depth",
+    r"tma needs water.depth", r"wind is horizontal", r"found a speed of",
 ]
 
 

@@ -2,11 +2,11 @@
 
 from . import (added_mass, balance, bluff, calibrated, cost, drag, frames, friction, immersion,
                motion, seakeeping, spin, stability, towing, tilt, wave_forces, wave_motions,
-               waves)
+               waves, wind)
 
 kCases = [
     *immersion.kCases, *tilt.kCases, *drag.kCases, *bluff.kCases, *calibrated.kCases,
     *friction.kCases, *spin.kCases, *towing.kCases, *added_mass.kCases,
     *balance.kCases, *stability.kCases, *motion.kCases, *frames.kCases, *waves.kCases,
-    *wave_forces.kCases, *wave_motions.kCases, *seakeeping.kCases, *cost.kCases,
+    *wave_forces.kCases, *wave_motions.kCases, *seakeeping.kCases, *wind.kCases, *cost.kCases,
 ]
