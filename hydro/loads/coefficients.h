@@ -43,6 +43,8 @@ struct Coefficients {
   PressureDrag pressure_drag;
   double lift = 0.01;  ///< C_l [-].
   ViscousDrag viscous_drag;
+  /// K of bluntness.h in body axes: symmetric, with eigenvalues from 0 to 1 [-].
+  Eigen::Matrix3d drag_shape = Eigen::Matrix3d::Identity();
   std::optional<DragCalibration> calibration;  ///< Scales the pressure drag.
 };
 

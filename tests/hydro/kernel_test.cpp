@@ -81,7 +81,8 @@ TEST(Kernel, AgreesWithThePlainSumInAnyPoseAndMotion) {
   for (const Hull& hull : hulls(random)) {
     for (int i = 0; i < support::repeats(20); ++i) {
       const BodyState state = state_near_surface(hull, random);
-      const Coefficients coefficients{.lift = 0.4};
+      Coefficients coefficients{.lift = 0.4};
+      if (i % 2 == 0) coefficients.drag_shape = random.drag_shape();
       const Loads plain = hydro::plain_loads(hull, state, sea, 0, coefficients);
       expect_same(hydro::compute_loads(hull, state, sea, 0, coefficients), plain, hull.radius);
       expect_same(hydro::compute_loads(hull, state, sea, 0, coefficients, {.branches = false}),
@@ -153,18 +154,20 @@ TEST(Kernel, AgreesWithThePlainSumInWaves) {
         const BodyState state = state_near_surface(hull, random);
         SCOPED_TRACE(testing::Message()
                      << hull.mesh_B.face_count() << " faces, waves " << static_cast<int>(waves));
-        const Loads plain = hydro::plain_loads(hull, state, sea, 1.5, {});
+        const Coefficients slender{.drag_shape = random.drag_shape()};
+        const Loads plain = hydro::plain_loads(hull, state, sea, 1.5, slender);
         if (hull.mesh_B.face_count() == 12) {
           // Its faces are split, where of two equally long edges roundings choose the one: both
           // ways are within the tolerance of the splitting.
-          const Loads ours = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
+          const Loads ours =
+              hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false});
           const double error = support::tolerance(hydro::kSagTolerance) * scale_of(plain);
           expect_near(ours.buoyancy, plain.buoyancy, error, hull.radius);
           expect_near(ours.pressure_drag, plain.pressure_drag, error, hull.radius);
           continue;
         }
-        expect_same(hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false}), plain,
-                    hull.radius);
+        expect_same(hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false}),
+                    plain, hull.radius);
       }
     }
   }
@@ -179,11 +182,13 @@ TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
           sea.density * sea.gravity * hydro::solid_properties(hull.mesh_B).volume;
       for (int i = 0; i < support::repeats(8); ++i) {
         const BodyState state = state_near_surface(hull, random);
-        const Loads each = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
+        const Coefficients slender{.drag_shape = random.drag_shape()};
+        const Loads each =
+            hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false});
         for (const double wanted : {1e-2, 1e-4, 1e-6}) {
           SCOPED_TRACE(wanted);
           const Loads whole =
-              hydro::compute_loads(hull, state, sea, 1.5, {}, {.wave_tolerance = wanted});
+              hydro::compute_loads(hull, state, sea, 1.5, slender, {.wave_tolerance = wanted});
           EXPECT_LT((whole.buoyancy.force - each.buoyancy.force).norm(),
                     support::tolerance(wanted) * buoyancy);
           EXPECT_LT((whole.buoyancy.moment - each.buoyancy.moment).norm(),

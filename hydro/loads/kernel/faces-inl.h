@@ -29,14 +29,16 @@ struct LoadWalk {
   TriangleQueue turning;       ///< They are wet, v·n changes its sign; pressure drag is missing.
 };
 
-// The motion at the corners relative to the water, which is still or moves.
+// The motion at the corners relative to the water, which is still or moves. Normal speeds are those
+// that pressure drag sees.
 
-HWY_INLINE Values normal_speeds(const Flow& flow, const Plane&, const Triangle& t, const Values&) {
+HWY_INLINE Values normal_speeds(const LoadInputs&, const Flow& flow, const Plane&,
+                                const Triangle& t, const Values&) {
   return {flow.normal_at(t.a), flow.normal_at(t.b), flow.normal_at(t.c)};
 }
-HWY_INLINE Values normal_speeds(const Flow& flow, const Plane& p, const Triangle& t,
-                                const MovingWater& water) {
-  return normal_speeds(flow, p, t, water.depth) - along_of(water, p.n);
+HWY_INLINE Values normal_speeds(const LoadInputs& in, const Flow& flow, const Plane& p,
+                                const Triangle& t, const MovingWater& water) {
+  return normal_speeds(in, flow, p, t, water.depth) - along_of(water, drag_normal(in, p.n));
 }
 
 /// v·e1 and v·e2.
@@ -115,7 +117,7 @@ HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M c
   const Flow flow = flow_over(p, in);
   if (in.drag_front != 0 || in.drag_back != 0)
     add_normal(work.sums, kPressureDrag, p, c_cross_n,
-               cut_drag_on(in, normal_speeds(flow, p, t, water), t, counts));
+               cut_drag_on(in, normal_speeds(in, flow, p, t, water), t, counts));
   if (in.lift != 0)
     add_normal(work.sums, kLift, p, c_cross_n,
                lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
@@ -204,7 +206,8 @@ HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
   if (!in.moving) return;
   const Flow flow = flow_over(p, in);
   if (in.drag_front != 0 || in.drag_back != 0)
-    add_whole_drag(work, p, c_cross_n, normal_speeds(flow, p, t, water), t, area, wet, leaf, lane);
+    add_whole_drag(work, p, c_cross_n, normal_speeds(in, flow, p, t, water), t, area, wet, leaf,
+                   lane);
   if (in.lift != 0)
     add_normal(work.sums, kLift, p, c_cross_n,
                lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));

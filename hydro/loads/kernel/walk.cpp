@@ -33,18 +33,18 @@ inline bool without_viscous_drag(const Node& node, const LoadInputs& in) {
     turning2 += w[i] * w[i];
   }
   const double least = std::sqrt(speed2) - std::sqrt(turning2 * reach2);
-  const Range normal = normal_speed_range(node, in);
+  const Range normal = normal_speed_range(node, in.linear, in);
   const double most_normal2 = std::max(normal.low * normal.low, normal.high * normal.high);
   return least > 0 && least * least - most_normal2 >= 4;
 }
 
-/// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
-/// the sign of the motion.
+/// True if all faces of a branch move into the water, or all out of it, as pressure drag sees them;
+/// then `drag` is ½ρC_p with the sign of the motion.
 /// @param error   What the motion relative to the water may miss [m/s].
 HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double error, double& drag) {
   drag = 0;
   if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
-  const Range normal = normal_speed_range(node, in);
+  const Range normal = normal_speed_range(node, in.drag_linear, in);
   drag = normal.high > 0 ? in.drag_front : -in.drag_back;
   return normal.low >= error || normal.high <= -error;
 }
@@ -102,7 +102,11 @@ HWY_NOINLINE bool take_whole_in_airy_waves(LoadWalk& work, const Tree& tree, int
   BranchWater water;
   if (!find_branch_water(node, work.in, water)) return false;
   LoadInputs in = work.in;
-  for (int i = 0; i < 3; ++i) in.linear[i] -= water.velocity[i];
+  const double* u = water.velocity;
+  for (int i = 0; i < 3; ++i) {
+    in.linear[i] -= u[i];
+    in.drag_linear[i] -= in.shape[i][0] * u[0] + in.shape[i][1] * u[1] + in.shape[i][2] * u[2];
+  }
   double drag;
   if (!is_steady(node, in, water.velocity_error)) return false;
   if (!of_one_sign(node, in, water.velocity_error, drag)) return false;
