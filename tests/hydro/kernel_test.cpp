@@ -99,6 +99,7 @@ TEST(Kernel, AgreesWithThePlainSumForEveryLawOfViscousDrag) {
       {.law = ViscousDrag::Law::ittc57, .length = 2, .reynolds_per_speed = 2e6},
       // Re = 1e4 at 1 m/s: the line is held on a part of the body.
       {.law = ViscousDrag::Law::ittc57, .length = 0.01, .reynolds_per_speed = 1e4},
+      {.law = ViscousDrag::Law::ittc57, .reynolds_per_speed = 0},  // It is held everywhere.
   };
   for (const Hull& hull : hulls(random)) {
     for (const ViscousDrag& law : laws) {
@@ -119,9 +120,10 @@ TEST(Kernel, FindsNoViscousDragWhereTheCoefficientIsZero) {
   const Hull hull = hydro::make_hull(hydro::make_box({2, 3, 1}, 32));
   // On no face is the tangential speed below 2 m/s, though the normal one is as large.
   BodyState state{.position = {0, 0, -5}, .linear_velocity = {2.1, 2, -2.2}};
-  EXPECT_EQ(support::largest(hydro::compute_loads(hull, state, {}, 0, {}).viscous_drag), 0);
+  const Coefficients thesis = hydro::thesis_coefficients();
+  EXPECT_EQ(support::largest(hydro::compute_loads(hull, state, {}, 0, thesis).viscous_drag), 0);
   state.linear_velocity *= 0.6;
-  EXPECT_GT(support::largest(hydro::compute_loads(hull, state, {}, 0, {}).viscous_drag), 0);
+  EXPECT_GT(support::largest(hydro::compute_loads(hull, state, {}, 0, thesis).viscous_drag), 0);
 }
 
 enum class Waves { airy, airy_on_a_bottom, hydrostatic, grid };
