@@ -121,7 +121,7 @@ HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M c
   if (in.lift != 0)
     add_normal(work.sums, kLift, p, c_cross_n,
                lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
-  if (in.viscous) add_viscous(work.sums, in, {p, mean_flow(flow, p, water), t, area});
+  if (in.viscous) add_viscous(work.sums, in, p, mean_flow(flow, p, water), t, area);
 }
 
 /// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count.
@@ -212,7 +212,7 @@ HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
     add_normal(work.sums, kLift, p, c_cross_n,
                lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
   if (in.viscous && !known.without_viscous)
-    add_viscous(work.sums, in, {p, mean_flow(flow, p, water), t, area});
+    add_viscous(work.sums, in, p, mean_flow(flow, p, water), t, area);
 }
 
 /// Adds the viscous drag alone of a leaf that is wet all over and moves as `in` tells.
@@ -221,7 +221,7 @@ HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, const LoadInputs& in, std::i
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const Plane p = plane_at(faces, lane);
     const V area = areas_at(faces, lane);
-    add_viscous(work.sums, in, {p, flow_over(p, in), triangle_at(faces, lane), area});
+    add_viscous(work.sums, in, p, flow_over(p, in), triangle_at(faces, lane), area);
   }
 }
 

@@ -103,8 +103,8 @@ def steady_rows(plimsoll: Plimsoll) -> list[Row]:
         last = {name: track.velocity[-1, 0] for name, track in tracks.items()}
         probed = plimsoll.probe(kSteadyScene, {"hydro.preset": preset, **{
             f"bodies[{name}].linear_velocity": [speed, 0, 0] for name, speed in last.items()}})
-        rows.append(compare(f"speed of an ellipsoid 8:1 at last, fast at first, against slow at "
-                            f"first, {preset}", "m/s", last["slow"], last["fast"],
+        rows.append(compare(f"last speed of an ellipsoid 8:1 that was fast at first, against "
+                            f"one that was slow, {preset}", "m/s", last["slow"], last["fast"],
                             kAtRest if preset == "fitted" else None,
                             headline=preset == "fitted"))
         rows += [compare(f"drag at the last speed against the pull, {name} at first, {preset}",
