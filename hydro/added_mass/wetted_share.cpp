@@ -26,6 +26,7 @@ struct ShareWalk {
   ShareSums& sums;
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< May be wet in part.
+  Turns turns;                 ///< For one place at a time.
 };
 
 /// ∫ {1, x, y, xx, xy, yy} dA.
@@ -90,7 +91,7 @@ HWY_NOINLINE void add_pieces(ShareWalk<kWaves>& work, const TriangleQueue& piece
     const V area = hn::IfThenElseZero(counts, area_of(t));
     if constexpr (kWaves)
       add_wave_load(work.sums, p, t, area,
-                    water_at_corners<Ask::acceleration>(work.in, p, t, depth), row);
+                    water_at_corners<Ask::acceleration>(work.in, p, t, depth, work.turns), row);
     return moments_of(t, area);
   };
   AreaMoments a = part(wet.first, wet.has_first, wet.at_first);
@@ -154,7 +155,7 @@ inline bool find_steady_acceleration(const Node& node, const LoadInputs& in, dou
 template <bool kWaves>
 void share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
                 const LoadInputs& in, ShareSums& sums) {
-  ShareWalk<kWaves> work{panels, potentials, in, sums, {}, {}};
+  ShareWalk<kWaves> work{panels, potentials, in, sums, {}, {}, Turns(in)};
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];

@@ -105,8 +105,8 @@ inline HWY_NOINLINE void sum_waves(const WaveField& waves, const double* c, doub
     const V a = row(waves, WaveField::kAmplitude, i), k = row(waves, WaveField::kNumber, i);
     const V weight = row(waves, WaveField::kWeight, i);
     const V scale = row(waves, WaveField::kVelocity, i);
-    const V phase = phases(waves, c, i);
-    const V cosine = a * hn::Cos(D(), phase), sine = a * hn::Sin(D(), phase);
+    const Turn turn = turn_of(phases(waves, c, i));
+    const V cosine = a * turn.cosine, sine = a * turn.sine;
     const auto [C, S] = depth_functions(waves, k, weight, all(-height));
     const V top = hn::Abs(a) * depth_functions(waves, k, weight, all(-highest)).C;
     const V Cc = C * cosine, Cs = C * sine, kSc = k * S * cosine, kSs = k * S * sine;

@@ -27,6 +27,7 @@ struct LoadWalk {
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< They may be wet in part.
   TriangleQueue turning;       ///< They are wet, v·n changes its sign; pressure drag is missing.
+  Turns turns;                 ///< For one place at a time.
 };
 
 // The motion at the corners relative to the water, which is still or moves. Normal speeds are those
@@ -131,7 +132,8 @@ HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from
                                  hn::FirstN(D(), static_cast<std::size_t>(used)));
   const auto add_part = [&](const Triangle& part, M counts, const Values& depth) HWY_ATTR {
     if (work.in.surface && work.in.surface->is_airy())
-      add_wet(work, p, part, counts, water_at_corners<Ask::velocity>(work.in, p, part, depth));
+      add_wet(work, p, part, counts,
+              water_at_corners<Ask::velocity>(work.in, p, part, depth, work.turns));
     else
       add_wet(work, p, part, counts, depth);
   };

@@ -151,7 +151,7 @@ HWY_INLINE void take_leaf(LoadWalk& work, const Node& leaf, Wetness wet) {
 /// there.
 void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int branch, Chunks* chunks,
           Sums& sums) {
-  LoadWalk work{panels, in, sums, {}, {}, {}};
+  LoadWalk work{panels, in, sums, {}, {}, {}, Turns(in)};
   Factors factors = factors_of(in);
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int node = branch; node < end;) {
