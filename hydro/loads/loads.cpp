@@ -119,7 +119,8 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
     surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
     in.moving = in.moving || surface->is_airy();
-    in.wave_error = how.wave_tolerance * kernel::volume_over_area(hull.tree);
+    in.wave_error = kernel::allowed_wave_error(how.wave_tolerance,
+                                               kernel::volume_over_area(hull.tree), *surface);
   }
   const kernel::Sums sums = kernel::sum_hull(hull.panels, hull.tree, in);
   Loads loads{.buoyancy = wrench(sums, kernel::kBuoyancy, R_WB),

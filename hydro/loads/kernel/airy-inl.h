@@ -24,7 +24,7 @@ struct Water {
 };
 
 /// Depth below the level at which the functions of depth are taken: −z* of Wheeler's stretching.
-/// @param s      Depth below the surface, >= 0 [m].
+/// @param s      Depth below the surface [m].
 /// @param rise   Elevation of the surface [m].
 HWY_INLINE V stretched(const WaveField& waves, V s, V rise) {
   if (waves.deep) return s;
@@ -90,13 +90,15 @@ HWY_INLINE V find_turns(const WaveField& waves, const V3& r, Turns& turns) {
 }
 
 /// The water at places of the given depth below the surface, as `LoadInputs` counts it, and turns.
+/// Above the surface it goes on as its functions do.
 template <Ask kAsk>
-HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth, const Turns& turns) {
+HWY_INLINE Water water_around(const LoadInputs& in, const V3& r, V depth, const Turns& turns,
+                              double least_depth = -1e300) {
   const WaveField& waves = in.surface->waves;
   const V3 up = all3(in.up);
   const V s = depth + all(in.surface->hidden_depth);
   const V level = all(in.below + in.surface->hidden_depth);
-  const V down = stretched(waves, hn::Max(s, zero()), s - (level - dot(up, r)));
+  const V down = stretched(waves, hn::Max(s, all(least_depth)), s - (level - dot(up, r)));
   V head = depth, rise = zero();
   V3 u = {zero(), zero(), zero()};
   for (int i = 0; i < waves.count; ++i) {
@@ -118,6 +120,12 @@ HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth, const Turn
   }
   return {head,
           {hn::MulAdd(rise, up.x, u.x), hn::MulAdd(rise, up.y, u.y), hn::MulAdd(rise, up.z, u.z)}};
+}
+
+/// The same, but that above the surface it is as at the surface.
+template <Ask kAsk>
+HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth, const Turns& turns) {
+  return water_around<kAsk>(in, r, depth, turns, 0);
 }
 
 /// The water at the corners of faces.

@@ -77,43 +77,60 @@ HWY_NOINLINE void add_buoyancy_of_branch(LoadWalk& work, Factors& factors, const
   }
 }
 
-/// True if a constant velocity of the water over a branch leaves no larger an error of the pressure
-/// than its head may have.
-inline bool is_steady(const Node& node, const LoadInputs& in, double error) {
+/// The error of the water's velocity that leaves no larger an error of the pressure than its head
+/// may have [m/s].
+inline double allowed_velocity_error(const LoadInputs& in, const Node& root) {
   double speed2 = 0, turning2 = 0, reach2 = 0;
   for (int i = 0; i < 3; ++i) {
     speed2 += in.linear[i] * in.linear[i];
     turning2 += in.angular[i] * in.angular[i];
-    const double reach = std::abs(node.centre[i]) + node.half[i];
+    const double reach = std::abs(root.centre[i]) + root.half[i];
     reach2 += reach * reach;
   }
-  const double fastest = std::sqrt(speed2) + std::sqrt(turning2 * reach2) + error;
+  const double water = in.surface->waves.flow[0];
+  const double fastest = std::sqrt(speed2) + std::sqrt(turning2 * reach2) + water;
   constexpr double kLargestFriction = 0.1;  // C_v of all laws but that of a constant.
   const double friction = !in.viscous ? 0 : std::max(kLargestFriction, in.viscous->coefficient);
   const double coefficient =
       std::max(in.drag_front, in.drag_back) + in.lift + friction * in.half_density;
-  return 2 * coefficient * fastest * error <=
-         2 * in.half_density * in.surface->gravity * in.wave_error;
+  return in.half_density * in.surface->gravity * in.wave_error / (coefficient * fastest);
 }
 
-/// Takes a wet branch under Airy waves whole if it can be.
+/// Adds the loads of the motion of a branch that is wet all over, under Airy waves.
+HWY_NOINLINE void add_motion_of_branch(LoadWalk& work, const BranchWater& water, const Node& node) {
+  for (int leaf = node.first; leaf < node.last; ++leaf)
+    for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
+      const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
+      const Plane p = plane_at(faces, lane);
+      const Triangle t = triangle_at(faces, lane);
+      const V area = areas_at(faces, lane);
+      add_motion(work, {leaf, lane}, p, t, area, flow_at_corners(water, p, t), {.wet = true});
+    }
+  drain(work, false);
+}
+
+/// Takes a wet branch under Airy waves whole if the water over it is quadratic.
 HWY_NOINLINE bool take_whole_in_airy_waves(LoadWalk& work, const Tree& tree, int branch) {
   const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
+  if (!fits<Ask::velocity>(node, work.in, work.velocity_error)) return false;
   BranchWater water;
-  if (!find_branch_water(node, work.in, water)) return false;
+  find_branch_water<Ask::velocity>(node, work.in, work.turns, water);
+  add_branch_buoyancy(node, water.head, work.in, work.sums);
+  add_branch_volume(node, water.depth, work.in, work.sums);
   LoadInputs in = work.in;
-  const double* u = water.velocity;
+  double u[3], drag;
+  const bool steady = middle_flow(node, water, u) <= work.velocity_error;
   for (int i = 0; i < 3; ++i) {
     in.linear[i] -= u[i];
     in.drag_linear[i] -= in.shape[i][0] * u[0] + in.shape[i][1] * u[1] + in.shape[i][2] * u[2];
   }
-  double drag;
-  if (!is_steady(node, in, water.velocity_error)) return false;
-  if (!of_one_sign(node, in, water.velocity_error, drag)) return false;
-  add_branch_buoyancy(node, water.head, in, work.sums);
-  add_branch_volume(node, water.depth, in, work.sums);
-  add_branch_motion(node, factors_of(in), in, drag, work.sums);
-  if (in.viscous) add_viscous_of_branch(work, in, tree, branch);
+  if (steady && of_one_sign(node, in, work.velocity_error, drag)) {
+    add_branch_motion(node, factors_of(in), in, drag, work.sums);
+    if (in.viscous) add_viscous_of_branch(work, in, tree, branch);
+  } else {
+    work.sums.lane[kArea][0] += node.moment[kOne][kAreaLane];
+    add_motion_of_branch(work, water, node);
+  }
   return true;
 }
 
@@ -152,6 +169,8 @@ HWY_INLINE void take_leaf(LoadWalk& work, const Node& leaf, Wetness wet) {
 void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int branch, Chunks* chunks,
           Sums& sums) {
   LoadWalk work{panels, in, sums, {}, {}, {}, Turns(in)};
+  if (in.surface && in.surface->is_airy())
+    work.velocity_error = allowed_velocity_error(in, tree.nodes[0]);
   Factors factors = factors_of(in);
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int node = branch; node < end;) {
