@@ -56,8 +56,8 @@ struct BodySpec {
   double mass = 0;                                          ///< [kg], > 0.
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
   hydro::BodyState initial;
-  hydro::Coefficients coefficients;
-  hydro::LoadAccuracy summation;                            ///< Accuracy of the sums of its loads.
+  hydro::Coefficients coefficients;  ///< `hydro::for_mesh` completes them from the mesh.
+  hydro::LoadAccuracy summation;     ///< Accuracy of the sums of its loads.
   std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
   bool wet = true;  ///< False: the water has no effect on it.
   CollisionShape collision = CollisionShape::mesh;

@@ -1,4 +1,5 @@
-// Transforms a rigid body from B to E, with the velocity of its surface relative to the water.
+// Transforms a rigid body from B to E, with the velocity of its surface relative to the water as
+// pressure drag sees it.
 
 layout(location = 0) in vec3 a_position_B;
 layout(location = 1) in vec3 a_normal_B;
@@ -10,6 +11,7 @@ uniform mat3 u_rotation;  // R_WB
 uniform vec3 u_position;  // p_EB [m]
 uniform vec3 u_velocity;  // velocity of B's origin relative to the current, in W [m/s]
 uniform vec3 u_spin;      // angular velocity, in W [rad/s]
+uniform mat3 u_drag_shape;  // K of hydro/loads/bluntness.h, in W
 
 out vec3 v_position_E;
 out vec3 v_normal;
@@ -22,7 +24,7 @@ void main() {
   vec3 arm = u_rotation * a_position_B;
   v_position_E = u_position + arm;
   v_normal = u_rotation * a_normal_B;
-  v_velocity = u_velocity + cross(u_spin, arm) - a_flow;
+  v_velocity = u_drag_shape * (u_velocity - a_flow) + cross(u_spin, arm);
   v_depth = a_heights.x;
   v_head = a_heights.y;
   v_open = a_open;

@@ -219,15 +219,13 @@ engine::AppliedLoad applied_load(const scene::AppliedLoad& load, const Eigen::Ve
   return applied;
 }
 
-/// Completes the coefficients from the mesh: the length of the friction line, by default the
-/// longest side of the bounding box, and the calibration.
+/// Completes the coefficients from the mesh. A calibration takes the place of the shape's K.
 hydro::Coefficients build_coefficients(const scene::Body& body, const hydro::TriMesh& mesh_B,
                                        const std::string& path, BuildLog& log) {
-  hydro::Coefficients coefficients = body.hydro;
-  hydro::ViscousDrag& viscous = coefficients.viscous_drag;
-  if (viscous.length == 0) viscous.length = hydro::bounding_box(mesh_B).sizes().maxCoeff();
-  if (log.scene.water) viscous.reynolds_per_speed = viscous.length / log.scene.water->viscosity;
+  const double viscosity = log.scene.water.value_or(scene::Water{}).viscosity;
+  hydro::Coefficients coefficients = hydro::for_mesh(body.hydro, mesh_B, viscosity);
   if (!body.calibrated_drag) return coefficients;
+  coefficients.drag_shape.setIdentity();
   try {
     coefficients.calibration =
         hydro::calibrate_drag(mesh_B, coefficients.pressure_drag, *body.calibrated_drag);

@@ -28,6 +28,7 @@ void include_body(const engine::BodySpec& body, const hydro::BodyState& state, c
   const render::VertexWater water =
       render::vertex_water(sea, now.waves, r.colwise() + state.position, now.time);
   const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
+  const Eigen::Matrix3d K = R * body.coefficients.drag_shape * R.transpose();
   const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
   const double scale = shows == scene::ShownPressure::hydrostatic
                            ? 0
@@ -38,7 +39,8 @@ void include_body(const engine::BodySpec& body, const hydro::BodyState& state, c
     for (int i = 0; i < 3; ++i) {
       const Eigen::Index v = body.mesh_B.faces(i, face);
       if (water.depths[v] <= 0) continue;
-      const double u = (motion.at(r.col(v)) - water.flow.col(v)).dot(n);
+      const double u =
+          n.dot(K * (motion.linear - water.flow.col(v)) + motion.angular.cross(r.col(v)));
       const double c_p = u > 0 ? drag.front : drag.back;
       range.include(sea.density * (gravity * water.heads[v] + 0.5 * scale * c_p * u * std::abs(u)));
     }

@@ -253,6 +253,8 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
     heights << water.depths.cast<float>(), water.heads.cast<float>();
     body.mesh.set(2, heights);
     body.mesh.set(4, water.flow.cast<float>());
+    body_.set("u_drag_shape",
+              Eigen::Matrix3d(R_WB * look.coefficients.drag_shape * R_WB.transpose()));
     body_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
     const Pressure shows = picture_.pressure.shows;
     body_.set("u_weight", shows == Pressure::dynamic ? 0.0 : sea.density * sea.gravity);

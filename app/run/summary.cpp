@@ -48,6 +48,7 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
   return {{"triangles", body.mesh_B.face_count()},
           {"mass", body.mass},
           {"loads_not_computed", unused_loads(body)},
+          {"drag_shape", json_rows(body.coefficients.drag_shape)},
           {"steps_above_water", summary.counts[i].dry},
           {"steps_at_rest", summary.counts[i].resting},
           {"motion", motion_summary(summary.counts[i])},

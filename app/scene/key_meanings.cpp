@@ -137,14 +137,19 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "those of `bodies[].mesh`."},
     {"hydro.preset",
      "Set of coefficients, which the other keys override. `fitted` is fitted to the tabulated "
-     "drag of bluff bodies (`hydro/README.md`). `thesis` is the set of the 2014 thesis: C_p = "
-     "0.6316 on both sides, and the defaults for the rest."},
+     "drag of blunt and slender bodies (`hydro/README.md`). `thesis` is the set of the 2014 "
+     "thesis: C_p = 0.6316 on both sides, `blunt: 0` and `viscous_drag: thesis`."},
     {"hydro.buoyancy", "Hydrostatic pressure. `false` switches the load off."},
     {"hydro.pressure_drag",
      "Pressure drag coefficient C_p. One number holds for all panels; `false` switches the load "
      "off."},
     {"hydro.pressure_drag.front", "C_p where the surface moves into the water."},
     {"hydro.pressure_drag.back", "C_p where the surface moves away from the water."},
+    {"hydro.pressure_drag.blunt",
+     "Bluntness of the mesh along an axis from which on pressure drag counts in full along it: 1 "
+     "is a flat face, 0.5 a sphere, 0.13 an ellipsoid of 4:1. Where the mesh is more slender, the "
+     "drag falls with the third power of the bluntness (`hydro/README.md`). With 0 it counts in "
+     "full everywhere; so it does with `calibrate`."},
     {"hydro.lift", "Lift coefficient C_l. `false` switches the load off."},
     {"hydro.viscous_drag",
      "Friction coefficient C_v. `false` switches the load off. `thesis` depends on the local "
@@ -154,7 +159,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"hydro.wave_tolerance",
      "Accuracy of the loads of large meshes in waves. Parts of the mesh are summed at once where "
      "the surface above them is nearly quadratic. The key bounds the resulting error of the "
-     "force, relative to the buoyancy of the submerged body. With 0 every triangle is summed by "
+     "force, relative to the buoyancy of the submerged body; that of the waves' pressure stays "
+     "below ten times this part of the waves' height, too. With 0 every triangle is summed by "
      "itself."},
     {"hydro.length",
      "Length in the friction line `ittc57`. The default is the longest side of the mesh's "

@@ -33,17 +33,17 @@ std::string drag_text(const hydro::PressureDrag& drag) {
   return "{front: " + number_text(drag.front) + ", back: " + number_text(drag.back) + "}";
 }
 
-/// Reads one C_p, `false`, or one C_p for each side.
+/// Reads one C_p, `false`, or a block.
 void read_pressure_drag(MapReader& map, hydro::PressureDrag& drag) {
-  const std::string expected = "a number >= 0, false, or {front, back}";
+  const std::string expected = "a number >= 0, false, or {front, back, blunt}";
   const auto value =
       map.find_unless_block("pressure_drag", expected, drag_text(drag), drag, coefficient_or({}));
   if (!value) return;
   double coefficient = 0;
   if (value->node.is_word("false"))
-    drag = {0, 0};
+    drag.front = drag.back = 0;
   else if (read_number(*value, not_negative(), expected, coefficient))
-    drag = {coefficient, coefficient};
+    drag.front = drag.back = coefficient;
 }
 
 std::string law_text(const hydro::ViscousDrag& drag) {
@@ -164,6 +164,7 @@ bool read_matrix(MapReader& map, hydro::Matrix6d& matrix) {
 void read(MapReader& map, hydro::PressureDrag& drag) {
   map.optional("front", drag.front, not_negative());
   map.optional("back", drag.back, not_negative());
+  map.optional("blunt", drag.blunt, not_negative());
 }
 
 /// Reads a block that replaces all earlier settings, as a single key does.

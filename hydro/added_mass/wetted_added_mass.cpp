@@ -52,7 +52,8 @@ struct WettedAddedMass::Immersion {
     surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge);
     if (what == SplitFor::surface) surface->limits.dive = {};
     in.surface = &*surface;
-    in.wave_error = LoadAccuracy{}.wave_tolerance * volume_over_area(model.tree_);
+    in.wave_error = kernel::allowed_wave_error(LoadAccuracy{}.wave_tolerance,
+                                               volume_over_area(model.tree_), *surface);
   }
   Immersion(const Immersion&) = delete;
   Immersion& operator=(const Immersion&) = delete;

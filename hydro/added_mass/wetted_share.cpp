@@ -26,6 +26,7 @@ struct ShareWalk {
   ShareSums& sums;
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< May be wet in part.
+  Turns turns;                 ///< For one place at a time.
 };
 
 /// ∫ {1, x, y, xx, xy, yy} dA.
@@ -90,7 +91,7 @@ HWY_NOINLINE void add_pieces(ShareWalk<kWaves>& work, const TriangleQueue& piece
     const V area = hn::IfThenElseZero(counts, area_of(t));
     if constexpr (kWaves)
       add_wave_load(work.sums, p, t, area,
-                    water_at_corners<Ask::acceleration>(work.in, p, t, depth), row);
+                    water_at_corners<Ask::acceleration>(work.in, p, t, depth, work.turns), row);
     return moments_of(t, area);
   };
   AreaMoments a = part(wet.first, wet.has_first, wet.at_first);
@@ -109,6 +110,13 @@ HWY_INLINE void drain(ShareWalk<kWaves>& work, bool to_the_last) {
   drain_cut(work, to_the_last);
 }
 
+/// Row i of the potentials of a leaf's faces from `lane` on.
+template <bool kWaves>
+HWY_INLINE V potential(const ShareWalk<kWaves>& work, std::int64_t leaf, int lane, int i) {
+  const auto block = static_cast<std::size_t>(place_of(leaf, lane) / kMostLanes);
+  return hn::Load(D(), work.potentials.blocks[block].row[i] + lane % kMostLanes);
+}
+
 /// The wet faces that count of a vector from `lane` of a leaf on; those across the waterline become
 /// pieces.
 template <bool kWaves, class Water>
@@ -123,10 +131,7 @@ HWY_INLINE void add_faces(ShareWalk<kWaves>& work, std::int64_t leaf, int lane, 
   if (!hn::AllFalse(D(), crosses))
     append(work.panels, crosses, leaf, lane, depth, work.cut_by_water);
   if (hn::AllFalse(D(), wet)) return;
-  const PotentialBlock& potentials =
-      work.potentials.blocks[static_cast<std::size_t>(place_of(leaf, lane) / kMostLanes)];
-  const int at = lane % kMostLanes;
-  const auto row = [&](int i) HWY_ATTR { return hn::Load(D(), potentials.row[i] + at); };
+  const auto row = [&](int i) HWY_ATTR { return potential(work, leaf, lane, i); };
   const Plane p = plane_at(faces, lane);
   const Triangle t = triangle_at(faces, lane);
   const V counted = hn::IfThenElseZero(wet, area);
@@ -140,34 +145,45 @@ inline void add_share(const Matrix6d& share, ShareSums& sums) {
     for (int n = 0; n < 6; ++n) sums.lane[kShare + 6 * m + n][0] -= share(m, n);
 }
 
-/// The water's acceleration in the middle of a branch, if it is nearly constant over it.
-inline bool find_steady_acceleration(const Node& node, const LoadInputs& in, double largest,
-                                     double (&acceleration)[3]) {
-  const double size = size_of(node);
-  const BranchSums at = sum_over_branch(node, in, size);
-  if (largest * at.sums.bend * size > in.wave_error) return false;
-  for (int a = 0; a < 3; ++a)
-    acceleration[a] = -in.surface->gravity * (at.sums.head_g[a] + at.sums.along_z * in.up[a]);
+/// Adds the load of the waves on a branch that is wet all over.
+/// @return false if the water's acceleration is not quadratic over it
+inline HWY_NOINLINE bool add_wave_load_of_branch(ShareWalk<true>& work, const Node& node,
+                                                 const Matrix6d& share) {
+  const LoadInputs& in = work.in;
+  const double error = in.surface->gravity * in.wave_error / work.potentials.largest;
+  if (!fits<Ask::acceleration>(node, in, error)) return false;
+  BranchWater water;
+  find_branch_water<Ask::acceleration>(node, in, work.turns, water);
+  double u[3];
+  if (middle_flow(node, water, u) <= error) {
+    for (int m = 0; m < 6; ++m)
+      work.sums.lane[kLoad + m][0] += share(m, 0) * u[0] + share(m, 1) * u[1] + share(m, 2) * u[2];
+    return true;
+  }
+  for (int leaf = node.first; leaf < node.last; ++leaf)
+    for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
+      const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
+      const Plane p = plane_at(faces, lane);
+      const Triangle t = triangle_at(faces, lane);
+      const auto row = [&](int i) HWY_ATTR { return potential(work, leaf, lane, i); };
+      add_wave_load(work.sums, p, t, areas_at(faces, lane), flow_at_corners(water, p, t), row);
+    }
   return true;
 }
 
 template <bool kWaves>
 void share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
                 const LoadInputs& in, ShareSums& sums) {
-  ShareWalk<kWaves> work{panels, potentials, in, sums, {}, {}};
+  ShareWalk<kWaves> work{panels, potentials, in, sums, {}, {}, Turns(in)};
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];
     const Wetness wet = wetness(node, in);
     const Matrix6d& share = potentials.shares[i];
-    double u[3] = {};
     bool whole = wet == Wetness::wet;
-    if constexpr (kWaves)
-      whole = whole && find_steady_acceleration(node, in, potentials.largest, u);
+    if constexpr (kWaves) whole = whole && add_wave_load_of_branch(work, node, share);
     if (whole) {
       add_share(share, sums);
-      for (int m = 0; m < 6; ++m)
-        sums.lane[kLoad + m][0] += share(m, 0) * u[0] + share(m, 1) * u[1] + share(m, 2) * u[2];
     } else if (wet != Wetness::dry && node.leaf()) {
       if constexpr (kWaves)
         add_leaf_in_airy_waves<Ask::acceleration>(work, node);

@@ -24,8 +24,8 @@ struct WaveShare {
   Vector6d load = Vector6d::Zero();   ///< ∫ ψ_m u̇·n dS, u̇ in body axes.
 };
 
-/// Both over the wetted part of a hull. Whole branches are taken where u̇ changes over them by less
-/// than g times `in.wave_error` over the largest potential.
+/// Both over the wetted part of a hull. Over whole branches u̇ is taken as constant or quadratic
+/// where that misses less than g times `in.wave_error` over the largest potential.
 WaveShare wave_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
                      const LoadInputs& in);
 

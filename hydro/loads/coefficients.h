@@ -7,14 +7,16 @@
 
 namespace hydro {
 
-/// C_p of panels that move into the water (v·n > 0, the front) and out of it (the back).
+/// C_p of panels that move into the water (u > 0, the front) and out of it (the back), with the
+/// normal speed u of bluntness.h.
 ///
-/// The defaults fit the tabulated drag of eleven bluff shapes best in the mean of |log(C_d ours /
-/// C_d tabulated)|: a median error of 15 %, against 31 % for the thesis's single 0.6316 (README.md
-/// of this folder, "Coefficients").
+/// The defaults, with the ITTC line, are fitted to the tabulated drag of 34 blunt and slender
+/// bodies: a median error of 13 %, against 38 % for the thesis's coefficients (hydro/README.md,
+/// "Coefficients").
 struct PressureDrag {
-  double front = 0.93;  ///< [-], >= 0.
-  double back = 0.12;   ///< [-], >= 0.
+  double front = 0.71;  ///< [-], >= 0.
+  double back = 0.30;   ///< [-], >= 0.
+  double blunt = 0.36;  ///< Bluntness from which on the drag counts in full; 0: always [-].
 
   bool none() const { return front == 0 && back == 0; }
   bool operator==(const PressureDrag&) const = default;
@@ -28,10 +30,12 @@ struct ViscousDrag {
     thesis,    ///< 0.1 below 1 m/s, 0.2 − 0.1·v/(m/s) from 1 to 2 m/s, 0 above.
     ittc57     ///< The ITTC 1957 line: 0.075 / (log10 Re − 2)^2, held below Re = 1e4.
   };
-  Law law = Law::thesis;
-  double coefficient = 0;         ///< For `constant` [-].
-  double length = 0;              ///< For `ittc57`: L [m].
-  double reynolds_per_speed = 0;  ///< For `ittc57`: L/ν, so that Re = |v_t| L/ν [s/m].
+  Law law = Law::ittc57;
+  double coefficient = 0;  ///< For `constant` [-].
+  double length = 0;  ///< For `ittc57`: L [m]. `for_mesh` replaces 0 by the mesh's longest side.
+  /// For `ittc57`: L/ν, so that Re = |v_t| L/ν [s/m]. The default is that of 1 m in water of 20 °C:
+  /// a body ten times as long has a C_v that is a third lower at 1 m/s.
+  double reynolds_per_speed = 1e6;
 
   bool none() const { return law == Law::none || (law == Law::constant && coefficient == 0); }
   bool operator==(const ViscousDrag&) const = default;
@@ -43,11 +47,23 @@ struct Coefficients {
   PressureDrag pressure_drag;
   double lift = 0.01;  ///< C_l [-].
   ViscousDrag viscous_drag;
+  /// K of bluntness.h in body axes: symmetric, with eigenvalues from 0 to 1 [-].
+  Eigen::Matrix3d drag_shape = Eigen::Matrix3d::Identity();
   std::optional<DragCalibration> calibration;  ///< Scales the pressure drag.
 };
 
-/// The coefficients of the 2014 thesis: C_p = 0.6316 on both sides, C_l = 0.01, its C_v.
-inline Coefficients thesis_coefficients() { return {.pressure_drag = {0.6316, 0.6316}}; }
+/// The coefficients of the 2014 thesis: C_p = 0.6316 on both sides of any body, C_l = 0.01, its
+/// C_v.
+inline Coefficients thesis_coefficients() {
+  return {.pressure_drag = {0.6316, 0.6316, 0}, .viscous_drag = {.law = ViscousDrag::Law::thesis}};
+}
+
+/// Coefficients with what the shape of a body gives them: the length of the ITTC line, unless it is
+/// given, and with it L/ν; and K of bluntness.h. Without this the line is that of 1 m, and every
+/// body counts as blunt.
+/// @param mesh_B      Closed, in body axes [m].
+/// @param viscosity   Kinematic [m^2/s].
+Coefficients for_mesh(Coefficients coefficients, const TriMesh& mesh_B, double viscosity);
 
 /// True if the water exerts no load on a body with these coefficients.
 inline bool no_load(const Coefficients& c) {

@@ -19,9 +19,10 @@ struct Motion {
   const Sea& sea;
   AiryWaves waves;
   SurfaceSampler surface;
-  Vector3d p_WB;     ///< The centre of mass [m].
-  Twist twist;       ///< Relative to the current.
-  double scale = 1;  ///< Scale of the pressure drag, from its calibration.
+  Vector3d p_WB;          ///< The centre of mass [m].
+  Twist twist;            ///< Relative to the current.
+  Eigen::Matrix3d shape;  ///< K of bluntness.h, in W.
+  double scale = 1;       ///< Scale of the pressure drag, from its calibration.
 
   /// Velocity of the waves' water at the centre of a face [m/s]: the Jacobian takes one for all of
   /// the face.
@@ -33,11 +34,15 @@ struct Motion {
   }
 };
 
+void add_square(const Vector6d& b, double weight, Matrix6d& sum) {
+  sum.noalias() += weight * b * b.transpose();
+}
+
 /// Adds `weight` times b bᵀ, where b = (d, r × d) is the unit load along d at r.
 void add_along(const Vector3d& d, const Vector3d& r, double weight, Matrix6d& sum) {
   Vector6d b;
   b << d, r.cross(d);
-  sum.noalias() += weight * b * b.transpose();
+  add_square(b, weight, sum);
 }
 
 /// Adds the integrand of (2) with `weight` for −½ρ C_v: 1 − n nᵀ + t tᵀ = 2 t tᵀ + s sᵀ, s = n × t.
@@ -62,11 +67,14 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
   for (int i = 0; i < 3; ++i) {
     const Vector3d r = (panel[i] + panel[(i + 1) % 3]) / 2;
     const Vector3d v = motion.twist.at(r) - water;
-    const double v_n = v.dot(n);
-    const double C_p = motion.scale * (v_n > 0 ? drag.front : drag.back);
-    add_along(n, r, -area / 3 * C_p * std::abs(v_n), sum.drag);
+    const Vector3d lever = r.cross(n);
+    Vector6d b;
+    b << motion.shape * n, lever;
+    const double u = b.head<3>().dot(motion.twist.linear - water) + lever.dot(motion.twist.angular);
+    const double C_p = motion.scale * (u > 0 ? drag.front : drag.back);
+    add_square(b, -area / 3 * C_p * std::abs(u), sum.drag);
     if (!law.none()) {
-      const Vector3d v_t = v - v_n * n;
+      const Vector3d v_t = v - v.dot(n) * n;
       add_friction(r, n, v_t, -area / 6 * viscous_coefficient(law, v_t.norm()), sum.drag);
     }
     add_along(Vector3d::UnitZ(), r, a.z() / 3, sum.waterplane);
@@ -77,6 +85,7 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
 
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                            const Coefficients& coefficients) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Motion motion{.coefficients = coefficients,
                       .sea = sea,
                       .waves = AiryWaves(sea, time),
@@ -84,8 +93,9 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
                                                 kSmallestPanel * hull.radius, SplitFor::surface),
                       .p_WB = state.position,
                       .twist = {state.linear_velocity - sea.current, state.angular_velocity},
+                      .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
                       .scale = drag_scale(coefficients, state, sea.current)};
-  const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
+  const Eigen::Matrix3Xd r = R_WB * hull.mesh_B.vertices;
   const SurfaceSampler& surface = motion.surface;
   const double level = sea.level - state.position.z();
   const SurfaceBounds bounds = surface_bounds(sea);

@@ -5,10 +5,10 @@
 /// @file
 /// Derivatives of the loads on a hull with respect to its velocity and to its height and heel.
 ///
-/// Pressure drag acts along the surface's normal: with b = (n, r × n) and the velocity u about the
-/// centre of mass, v_n = b·u and
+/// Pressure drag acts along the surface's normal: with b = (K n, r × n), K of bluntness.h, and the
+/// velocity u about the centre of mass, its normal speed is b·u and
 ///
-///     ∂F/∂u = −ρ ∫ C_p |v_n| b bᵀ dS,                                                        (1)
+///     ∂F/∂u = −ρ ∫ C_p |b·u| b bᵀ dS,                                                        (1)
 ///
 /// Friction acts along the tangential velocity: with the 3×6 matrix B of v = B u and t = v_t/|v_t|,
 ///

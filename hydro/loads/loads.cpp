@@ -36,6 +36,9 @@ void set_motion(const Hull& hull, const Twist& motion_B, double density,
                 const Coefficients& coefficients, kernel::LoadInputs& in) {
   set(in.linear, motion_B.linear);
   set(in.angular, motion_B.angular);
+  in.slender = !coefficients.drag_shape.isIdentity(0);
+  for (int axis = 0; axis < 3; ++axis) set(in.shape[axis], coefficients.drag_shape.row(axis));
+  set(in.drag_linear, coefficients.drag_shape * motion_B.linear);
   in.moving = motion_B.linear.norm() + hull.radius * motion_B.angular.norm() > kLeastSpeed;
   in.half_density = 0.5 * density;
   in.drag_front = in.half_density * coefficients.pressure_drag.front;
@@ -86,7 +89,8 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
     surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
     in.moving = in.moving || surface->is_airy();
-    in.wave_error = how.wave_tolerance * kernel::volume_over_area(hull.tree);
+    in.wave_error = kernel::allowed_wave_error(how.wave_tolerance,
+                                               kernel::volume_over_area(hull.tree), *surface);
   }
   const kernel::Sums sums = kernel::sum_hull(hull.panels, hull.tree, in);
   Loads loads{.buoyancy = wrench(sums, kernel::kBuoyancy, R_WB),
@@ -96,6 +100,9 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
               .wetted_area = sums.total(kernel::kArea)};
   loads.displaced_volume =
       surface && surface->is_airy() ? sums.total(kernel::kVolume) : loads.buoyancy.force.z();
+  if (in.slender)
+    loads.pressure_drag.force =
+        R_WB * (coefficients.drag_shape * (R_WB.transpose() * loads.pressure_drag.force));
   loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;

@@ -52,7 +52,8 @@ struct LoadAccuracy {
   /// Whole branches of the tree are taken at once. On flat water the result is the same.
   bool branches = true;
   /// In waves a branch is taken whole where the error of the force that follows is below this part
-  /// of the wholly submerged body's buoyancy, shared out by area [-]. With 0 no branch is.
+  /// of the wholly submerged body's buoyancy, shared out by area [-], and the error of the head
+  /// below ten times this part of the waves' height. With 0 no branch is.
   double wave_tolerance = 1e-4;
 };
 

@@ -29,6 +29,7 @@ struct PlainInputs {
   Eigen::Matrix3Xd r;         ///< 3×V [m].
   Eigen::VectorXd elevation;  ///< Of the surface over each vertex, above the level [m].
   Twist motion;               ///< Relative to the current.
+  Eigen::Matrix3d shape;      ///< K of bluntness.h, in W.
   double level;               ///< Of the still water above the centre of mass [m].
   bool moving;                ///< Relative to the water.
 
@@ -37,15 +38,17 @@ struct PlainInputs {
 
 PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   PlainInputs in{.hull = hull,
                  .sea = sea,
                  .coefficients = coefficients,
                  .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
                  .waves = AiryWaves(sea, time),
                  .p_WB = state.position,
-                 .r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices,
+                 .r = R_WB * hull.mesh_B.vertices,
                  .elevation = Eigen::VectorXd::Zero(hull.mesh_B.vertex_count()),
                  .motion = {state.linear_velocity - sea.current, state.angular_velocity},
+                 .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
                  .level = sea.level - state.position.z(),
                  .moving = false};
   in.moving = in.airy() || !in.motion.linear.isZero(0) || !in.motion.angular.isZero(0);
@@ -85,7 +88,10 @@ void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Ve
   Eigen::Matrix3d velocity;
   for (int i = 0; i < 3; ++i) velocity.col(i) = in.motion.at(panel[i]) - water.col(i);
   if (!drag.none()) {
-    const Eigen::Vector3d normal_speed = velocity.transpose() * normal;
+    Eigen::Vector3d normal_speed;
+    for (int i = 0; i < 3; ++i)
+      normal_speed[i] = normal.dot(in.shape * (in.motion.linear - water.col(i)) +
+                                   in.motion.angular.cross(panel[i]));
     for (const PanelPart& front : positive_part(panel, normal_speed))
       loads.pressure_drag +=
           pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
@@ -158,6 +164,7 @@ Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
   // then taken from the level of the centre of mass, so that a deep body loses no digits.
   const bool all_wet = in.r.row(2).maxCoeff() + state.position.z() < bounds.lowest;
   Loads loads = sum_faces(in, all_wet ? 0 : in.level, all_wet);
+  loads.pressure_drag.force = in.shape * loads.pressure_drag.force;
   loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;

@@ -53,9 +53,10 @@ bool SurfaceSampler::waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d&
       quartic[2] * dx * dx * dy * dy + quartic[3] * dx * dy * dy * dy +
       quartic[4] * dy * dy * dy * dy +
       (dive[0] * dx * dx + dive[1] * dx * dy + dive[2] * dy * dy + dive[3] * zz) * zz;
+  const double bound = 64 * limits_.tolerance * limits_.tolerance;
+  if (square <= bound || limits_.least_number == 0) return square > bound;
   const double depth = sea_.level + limits_.lowest - (p_WB_.z() + std::max(a.z(), b.z()));
-  const double decay = std::exp(-2 * limits_.least_number * std::max(0.0, depth));
-  return decay * square > 64 * limits_.tolerance * limits_.tolerance;
+  return std::exp(-2 * limits_.least_number * std::max(0.0, depth)) * square > bound;
 }
 
 bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {

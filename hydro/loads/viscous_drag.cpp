@@ -178,20 +178,22 @@ struct Allowance {
   }
 };
 
+/// The ITTC line by splitting. Where it is held the closed form ends the splitting.
 Wrench adaptive(const Panel& panel, const SlidingFlow& flow, Allowance allowance, int depth) {
   const SpeedRange range = speed_range(panel, flow);
   if (range.high == 0) return {};
   const bool kink = contains_kink(flow.kinks, range);
-  if (kink && (range.change <= kForAdaptive.straight * range.low || depth == kMaxDepth))
-    return cut_at_kinks(panel, flow, flow.kinks.begin());
-  if (!kink && range.change <= kForAdaptive.smooth * range.low) return seven_points(panel, flow);
-  const std::array<Panel, 4> children = split_in_four(panel);
-  if (!kink) {
-    Wrench fine;
-    for (const Panel& child : children) fine += seven_points(child, flow);
-    if (depth == kMaxDepth || allowance.covers(fine + -1.0 * seven_points(panel, flow)))
-      return fine;
+  const double enough = (kink ? kForAdaptive.straight : kForAdaptive.smooth) * range.low;
+  if (range.change <= enough) return cut_at_kinks(panel, flow, flow.kinks.begin());
+  if (range.high <= *flow.kinks.begin()) {
+    const std::array<DragPiece, 1> held = {{{0, viscous_coefficient(flow.law, 0), 0}}};
+    return rotary_drag(panel, flow.normal, flow.motion, held);
   }
+  const std::array<Panel, 4> children = split_in_four(panel);
+  Wrench fine;
+  for (const Panel& child : children) fine += cut_at_kinks(child, flow, flow.kinks.begin());
+  const Wrench coarse = cut_at_kinks(panel, flow, flow.kinks.begin());
+  if (depth == kMaxDepth || allowance.covers(fine + -1.0 * coarse)) return fine;
   allowance.force /= 2;
   Wrench sum;
   for (const Panel& child : children) sum += adaptive(child, flow, allowance, depth + 1);

@@ -164,6 +164,7 @@ TEST(LoadJacobian, IsTheDerivativeOfTheDrag) {
   const hydro::Hull hull = star(3);
   hydro::Coefficients coefficients;
   coefficients.viscous_drag = {.law = hydro::ViscousDrag::Law::constant, .coefficient = 0.1};
+  coefficients.drag_shape = random.drag_shape();
   const hydro::BodyState state = random.state(0.3, 2);
   const hydro::LoadJacobian J = hydro::load_jacobian(hull, state, hydro::Sea{}, 0, coefficients);
   for (int i = 0; i < 6; ++i) {

@@ -81,7 +81,8 @@ TEST(Kernel, AgreesWithThePlainSumInAnyPoseAndMotion) {
   for (const Hull& hull : hulls(random)) {
     for (int i = 0; i < support::repeats(20); ++i) {
       const BodyState state = state_near_surface(hull, random);
-      const Coefficients coefficients{.lift = 0.4};
+      Coefficients coefficients{.lift = 0.4};
+      if (i % 2 == 0) coefficients.drag_shape = random.drag_shape();
       const Loads plain = hydro::plain_loads(hull, state, sea, 0, coefficients);
       expect_same(hydro::compute_loads(hull, state, sea, 0, coefficients), plain, hull.radius);
       expect_same(hydro::compute_loads(hull, state, sea, 0, coefficients, {.branches = false}),
@@ -98,6 +99,7 @@ TEST(Kernel, AgreesWithThePlainSumForEveryLawOfViscousDrag) {
       {.law = ViscousDrag::Law::ittc57, .length = 2, .reynolds_per_speed = 2e6},
       // Re = 1e4 at 1 m/s: the line is held on a part of the body.
       {.law = ViscousDrag::Law::ittc57, .length = 0.01, .reynolds_per_speed = 1e4},
+      {.law = ViscousDrag::Law::ittc57, .reynolds_per_speed = 0},  // It is held everywhere.
   };
   for (const Hull& hull : hulls(random)) {
     for (const ViscousDrag& law : laws) {
@@ -118,9 +120,10 @@ TEST(Kernel, FindsNoViscousDragWhereTheCoefficientIsZero) {
   const Hull hull = hydro::make_hull(hydro::make_box({2, 3, 1}, 32));
   // On no face is the tangential speed below 2 m/s, though the normal one is as large.
   BodyState state{.position = {0, 0, -5}, .linear_velocity = {2.1, 2, -2.2}};
-  EXPECT_EQ(support::largest(hydro::compute_loads(hull, state, {}, 0, {}).viscous_drag), 0);
+  const Coefficients thesis = hydro::thesis_coefficients();
+  EXPECT_EQ(support::largest(hydro::compute_loads(hull, state, {}, 0, thesis).viscous_drag), 0);
   state.linear_velocity *= 0.6;
-  EXPECT_GT(support::largest(hydro::compute_loads(hull, state, {}, 0, {}).viscous_drag), 0);
+  EXPECT_GT(support::largest(hydro::compute_loads(hull, state, {}, 0, thesis).viscous_drag), 0);
 }
 
 enum class Waves { airy, airy_on_a_bottom, hydrostatic, grid };
@@ -153,18 +156,20 @@ TEST(Kernel, AgreesWithThePlainSumInWaves) {
         const BodyState state = state_near_surface(hull, random);
         SCOPED_TRACE(testing::Message()
                      << hull.mesh_B.face_count() << " faces, waves " << static_cast<int>(waves));
-        const Loads plain = hydro::plain_loads(hull, state, sea, 1.5, {});
+        const Coefficients slender{.drag_shape = random.drag_shape()};
+        const Loads plain = hydro::plain_loads(hull, state, sea, 1.5, slender);
         if (hull.mesh_B.face_count() == 12) {
           // Its faces are split, where of two equally long edges roundings choose the one: both
           // ways are within the tolerance of the splitting.
-          const Loads ours = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
+          const Loads ours =
+              hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false});
           const double error = support::tolerance(hydro::kSagTolerance) * scale_of(plain);
           expect_near(ours.buoyancy, plain.buoyancy, error, hull.radius);
           expect_near(ours.pressure_drag, plain.pressure_drag, error, hull.radius);
           continue;
         }
-        expect_same(hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false}), plain,
-                    hull.radius);
+        expect_same(hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false}),
+                    plain, hull.radius);
       }
     }
   }
@@ -179,11 +184,13 @@ TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
           sea.density * sea.gravity * hydro::solid_properties(hull.mesh_B).volume;
       for (int i = 0; i < support::repeats(8); ++i) {
         const BodyState state = state_near_surface(hull, random);
-        const Loads each = hydro::compute_loads(hull, state, sea, 1.5, {}, {.branches = false});
+        const Coefficients slender{.drag_shape = random.drag_shape()};
+        const Loads each =
+            hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false});
         for (const double wanted : {1e-2, 1e-4, 1e-6}) {
           SCOPED_TRACE(wanted);
           const Loads whole =
-              hydro::compute_loads(hull, state, sea, 1.5, {}, {.wave_tolerance = wanted});
+              hydro::compute_loads(hull, state, sea, 1.5, slender, {.wave_tolerance = wanted});
           EXPECT_LT((whole.buoyancy.force - each.buoyancy.force).norm(),
                     support::tolerance(wanted) * buoyancy);
           EXPECT_LT((whole.buoyancy.moment - each.buoyancy.moment).norm(),

@@ -57,7 +57,7 @@ TEST(Loads, AgreeWithExactIntegrationOnRandomMeshesInRandomPoses) {
     const BodyState state = state_near_surface(random);
     Sea sea = kStillSea;
     sea.current = random.vector(0.5);
-    const Coefficients coefficients{.lift = 0.4};
+    const Coefficients coefficients{.lift = 0.4, .drag_shape = random.drag_shape()};
     const Loads ours = hydro::compute_loads(hull, state, sea, 0, coefficients);
     const Loads exact = support::reference_loads(hull.mesh_B, state, sea, coefficients, 24);
     expect_close(ours.buoyancy, exact.buoyancy, 1e-10, support::largest(exact.buoyancy));

@@ -11,7 +11,8 @@
 namespace stress {
 namespace {
 
-constexpr double kWater = 1000;  // [kg/m^3]
+constexpr double kWater = 1000;           // [kg/m^3]
+constexpr double kViscosity = 1.0034e-6;  // [m^2/s]
 
 hydro::Coefficients coefficients(const std::string& name) {
   hydro::Coefficients c{.lift = 0};
@@ -64,7 +65,7 @@ engine::BodySpec make_body(const RunName& run, const Shape& shape, double size) 
   engine::BodySpec body{.name = "body", .mesh_B = shape.mesh_B};
   body.mass = run.number(Key::density) * kWater * shape.volume;
   body.inertia_B = body.mass * shape.inertia;
-  body.coefficients = coefficients(run[Key::coefs]);
+  body.coefficients = hydro::for_mesh(coefficients(run[Key::coefs]), body.mesh_B, kViscosity);
   body.added_mass = make_added_mass(run[Key::added], run[Key::shape], size, body);
   hydro::BodyState& state = body.initial;
   state.orientation = orientation(run[Key::pose]);

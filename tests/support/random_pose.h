@@ -25,6 +25,12 @@ class Random {
     q.normalize();
     return Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
   }
+  /// Returns a symmetric matrix with random axes and eigenvalues from 0.1 to 1: a K of bluntness.h.
+  Eigen::Matrix3d drag_shape() {
+    const Eigen::Matrix3d axes = rotation().toRotationMatrix();
+    const Eigen::Vector3d share(uniform(0.1, 1), uniform(0.1, 1), uniform(0.1, 1));
+    return axes * share.asDiagonal() * axes.transpose();
+  }
   /// Returns a state with coordinates up to `distance` and velocities up to `speed`.
   hydro::BodyState state(double distance, double speed) {
     return {.position = vector(distance),

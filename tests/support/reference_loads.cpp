@@ -77,6 +77,8 @@ hydro::Loads reference_loads(const hydro::TriMesh& mesh_B, const hydro::BodyStat
   const Vector3l w = state.angular_velocity.cast<long double>();
   const Eigen::Matrix<long double, 3, 3> R =
       state.orientation.cast<long double>().toRotationMatrix();
+  const Eigen::Matrix<long double, 3, 3> K =
+      R * coefficients.drag_shape.cast<long double>() * R.transpose();
   const long double level =
       static_cast<long double>(sea.level) - static_cast<long double>(state.position.z());
   hydro::Loads loads;
@@ -88,6 +90,9 @@ hydro::Loads reference_loads(const hydro::TriMesh& mesh_B, const hydro::BodyStat
     const auto depth = [&](const Vector3l& r) { return level - r.z(); };
     const auto velocity = [&](const Vector3l& r) -> Vector3l { return v0 + w.cross(r); };
     const auto normal_speed = [&](const Vector3l& r) { return velocity(r).dot(n); };
+    const auto drag_speed = [&](const Vector3l& r) -> long double {
+      return (K * v0 + w.cross(r)).dot(n);
+    };
     const auto tangential = [&](const Vector3l& r) -> Vector3l {
       return velocity(r) - normal_speed(r) * n;
     };
@@ -108,9 +113,9 @@ hydro::Loads reference_loads(const hydro::TriMesh& mesh_B, const hydro::BodyStat
       const double c_p =
           sign > 0 ? coefficients.pressure_drag.front : coefficients.pressure_drag.back;
       const auto drag = [&](const Vector3l& r) -> Vector3l {
-        return -rho / 2 * c_p * sign * normal_speed(r) * normal_speed(r) * n;
+        return -rho / 2 * c_p * sign * drag_speed(r) * drag_speed(r) * n;
       };
-      const Polygon part = clip(wet, [&](const Vector3l& r) { return sign * normal_speed(r); });
+      const Polygon part = clip(wet, [&](const Vector3l& r) { return sign * drag_speed(r); });
       add(loads.pressure_drag, part, drag, 1);
     }
     const auto lift = [&](const Vector3l& r) -> Vector3l {
@@ -132,6 +137,7 @@ hydro::Loads reference_loads(const hydro::TriMesh& mesh_B, const hydro::BodyStat
     };
     loads.displaced_volume += static_cast<double>(integrate(wet, flux).x());
   }
+  loads.pressure_drag.force = K.cast<double>() * loads.pressure_drag.force;
   return loads;
 }
 

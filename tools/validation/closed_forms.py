@@ -250,6 +250,11 @@ def thesis_viscous_coefficient(speed: np.ndarray) -> np.ndarray:
     return np.clip(np.minimum(0.1, 0.2 - 0.1 * speed), 0, None)
 
 
+def ittc57(reynolds: np.ndarray) -> np.ndarray:
+    """C_v of the ITTC 1957 line, as the program holds it below Re = 1e4."""
+    return 0.075 / (np.log10(np.maximum(reynolds, 1e4)) - 2)**2
+
+
 def sphere_spin_torque_of_law(radius: float, omega: float, density: float,
                               law: Callable) -> float:
     """-M of a spinning sphere for a C_v that depends on the tangential speed."""

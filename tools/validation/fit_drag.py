@@ -1,65 +1,62 @@
-"""Fits C_p of front and back to the tabulated drag of bluff bodies and prints the optimum:
+"""Fits C_p of front and back, and the bluntness that counts as blunt, to the tabulated drag of blunt
+and slender bodies, and prints the optimum beside the default:
 
     /usr/bin/python3 -B tools/validation/fit_drag.py
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from bluff_bodies import kBodies
+from drag_bodies import DragBody, kBodies, kDefault, Law
 
-kLargest = 2.0  # No optimum lies beyond: a C_p of 2 is twice that of a stagnant front.
-
-
-@dataclass(frozen=True)
-class Fit:
-    front: float
-    back: float
-    objective: float  # Mean of |log(C_d ours / C_d tabulated)|.
+kSpeeds = (0.5, 2.0, 8.0)  # [m/s]
+kSizes = (0.3, 1.0, 3.0)  # Diameters [m].
+kSlenderFactor = 1.27  # What a slender body exceeds of it counts three times over.
 
 
-def objective(front: np.ndarray, back: np.ndarray) -> np.ndarray:
-    """At each pair; infinite without any drag."""
-    with np.errstate(divide="ignore"):
-        logs = [np.abs(np.log((front * body.front + back * body.back) / body.tabulated))
-                for body in kBodies]
-    return np.mean(logs, axis=0)
+class Table:
+    """Everything that the objective needs of the bodies."""
+
+    def __init__(self, bodies: list[DragBody] = kBodies):
+        cases = [(speed, size) for size in kSizes for speed in kSpeeds]
+        self.slender = np.array([body.slender for body in bodies])
+        self.bluntness = np.array([body.bluntness for body in bodies])
+        self.normals = np.array([body.normal_integrals() for body in bodies])
+        self.friction = np.array([[body.friction(kDefault, *case) for case in cases]
+                                  for body in bodies])
+        self.reference = np.array([[body.reference(*case) for case in cases] for body in bodies])
+
+    def ratios(self, law: Law) -> np.ndarray:
+        """C_d over the tabulated one, a row a body."""
+        share = np.minimum(1, self.bluntness / law.blunt)
+        pressure = share**3 * (self.normals @ (law.front, law.back))
+        return (pressure[:, None] + self.friction) / self.reference
+
+    def objective(self, law: Law) -> float:
+        """Mean of |log(C_d ours / C_d tabulated)|, and a penalty on slender bodies."""
+        logs = np.abs(np.log(self.ratios(law)))
+        excess = np.maximum(0, logs[self.slender] - np.log(kSlenderFactor))
+        return float(np.mean(logs) + 3 * np.mean(excess))
 
 
-def best_of(fronts: np.ndarray, backs: np.ndarray) -> Fit:
-    front, back = np.meshgrid(fronts, backs, indexing="ij")
-    values = objective(front, back)
-    best = np.unravel_index(np.argmin(values), values.shape)
-    return Fit(float(front[best]), float(back[best]), float(values[best]))
-
-
-def fit_drag(spacing: float = 0.01) -> Fit:
-    """The best pair of a grid over 0 to 2. The objective has a kink wherever a body is met
-    exactly, and minima only there, so that a search by slopes might stop early."""
-    grid = spacing * np.arange(round(kLargest / spacing) + 1)
-    return best_of(grid, grid)
-
-
-def refined(coarse: Fit, half_width: float = 0.02, spacing: float = 1e-4) -> Fit:
-    """On a finer grid about a fit."""
-    offsets = spacing * np.arange(-round(half_width / spacing), round(half_width / spacing) + 1)
-    return best_of(np.maximum(0, coarse.front + offsets), np.maximum(0, coarse.back + offsets))
+def fit_drag(table: Table, spacing: float = 0.02) -> Law:
+    """The best law of a grid."""
+    def values(low: float, high: float):
+        return np.arange(low, high + spacing / 2, spacing)
+    laws = [Law(front, back, blunt) for front in values(0.5, 1) for back in values(0.1, 0.5)
+            for blunt in values(0.24, 0.5)]
+    return min(laws, key=table.objective)
 
 
 def main() -> None:
-    coarse = fit_drag()
-    fine = refined(coarse)
-    print(f"grid of 0.01:   front {coarse.front:.2f}, back {coarse.back:.2f}, "
-          f"objective {coarse.objective:.5f}")
-    print(f"grid of 0.0001: front {fine.front:.4f}, back {fine.back:.4f}, "
-          f"objective {fine.objective:.5f}")
-    for body in kBodies:
-        ours = body.drag_coefficient(coarse.front, coarse.back)
-        print(f"{body.title:30} tabulated {body.tabulated:.2f}  fitted {ours:.2f}  "
-              f"error {ours / body.tabulated - 1:+.0%}")
+    table = Table()
+    for title, law in (("best of the grid", fit_drag(table)), ("default", kDefault)):
+        ratios = table.ratios(law)
+        slender = np.exp(np.max(np.abs(np.log(ratios[table.slender]))))
+        print(f"{title:17} front {law.front:.2f}, back {law.back:.2f}, blunt {law.blunt:.2f}: "
+              f"objective {table.objective(law):.4f}, median error "
+              f"{np.median(np.abs(ratios - 1)):.3f}, slender within {slender:.2f}")
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ struct Water {
 };
 
 /// Depth below the level at which the functions of depth are taken: −z* of Wheeler's stretching.
-/// @param s      Depth below the surface, >= 0 [m].
+/// @param s      Depth below the surface [m].
 /// @param rise   Elevation of the surface [m].
 HWY_INLINE V stretched(const WaveField& waves, V s, V rise) {
   if (waves.deep) return s;
@@ -44,14 +44,61 @@ HWY_INLINE DepthFunctions depth_functions(const WaveField& waves, V k, V weight,
   return {weight * (falls + rises), weight * (falls - rises)};
 }
 
-/// The water at places of the given depth below the surface, as `LoadInputs` counts it.
+/// Cosine and sine of the phases of all waves at places in lanes. The elevation is found from them
+/// before the depth of a place is known, and the motion of the water after it.
+class Turns {
+ public:
+  explicit Turns(const LoadInputs& in) {
+    const auto waves = static_cast<std::size_t>(in.surface ? in.surface->waves.count : 0);
+    if (waves > WaveField::kRoom) many_.resize(2 * waves * kMostLanes);
+    at_ = many_.empty() ? few_ : many_.data();
+  }
+  Turns(const Turns&) = delete;
+  Turns& operator=(const Turns&) = delete;
+
+  HWY_INLINE void set(int wave, const Turn& turn) {
+    hn::StoreU(turn.cosine, D(), at(2 * wave));
+    hn::StoreU(turn.sine, D(), at(2 * wave + 1));
+  }
+  HWY_INLINE Turn operator[](int wave) const {
+    return {hn::LoadU(D(), at(2 * wave)), hn::LoadU(D(), at(2 * wave + 1))};
+  }
+
+ private:
+  HWY_INLINE double* at(int row) const {
+    return at_ + static_cast<std::ptrdiff_t>(row) * kMostLanes;
+  }
+
+  double few_[2 * WaveField::kRoom * kMostLanes];
+  std::vector<double> many_;
+  double* at_;
+};
+
+/// Sets the turns at places. Returns the elevation of the surface there [m].
+HWY_INLINE V find_turns(const WaveField& waves, const V3& r, Turns& turns) {
+  V rise = zero();
+  for (int i = 0; i < waves.count; ++i) {
+    if (waves.row[WaveField::kAmplitude][i] == 0) continue;
+    const auto value = [&](int row) HWY_ATTR { return all(waves.row[row][i]); };
+    const V3 k = {value(WaveField::kVector), value(WaveField::kVector + 1),
+                  value(WaveField::kVector + 2)};
+    const Turn turn = turn_of(dot(k, r) + value(WaveField::kPhase));
+    turns.set(i, turn);
+    rise = hn::MulAdd(value(WaveField::kAmplitude), turn.cosine, rise);
+  }
+  return rise;
+}
+
+/// The water at places of the given depth below the surface, as `LoadInputs` counts it, and turns.
+/// Above the surface it goes on as its functions do.
 template <Ask kAsk>
-HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth) {
+HWY_INLINE Water water_around(const LoadInputs& in, const V3& r, V depth, const Turns& turns,
+                              double least_depth = -1e300) {
   const WaveField& waves = in.surface->waves;
   const V3 up = all3(in.up);
   const V s = depth + all(in.surface->hidden_depth);
   const V level = all(in.below + in.surface->hidden_depth);
-  const V down = stretched(waves, hn::Max(s, zero()), s - (level - dot(up, r)));
+  const V down = stretched(waves, hn::Max(s, all(least_depth)), s - (level - dot(up, r)));
   V head = depth, rise = zero();
   V3 u = {zero(), zero(), zero()};
   for (int i = 0; i < waves.count; ++i) {
@@ -60,8 +107,7 @@ HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth) {
     const V3 k = {value(WaveField::kVector), value(WaveField::kVector + 1),
                   value(WaveField::kVector + 2)};
     const V amplitude = value(WaveField::kAmplitude);
-    const V phase = dot(k, r) + value(WaveField::kPhase);
-    const V cosine = hn::Cos(D(), phase), sine = hn::Sin(D(), phase);
+    const auto [cosine, sine] = turns[i];
     const V number = value(WaveField::kNumber);
     const auto [C, S] = depth_functions(waves, number, value(WaveField::kWeight), down);
     head = hn::NegMulAdd(amplitude * (all(1) - C), cosine, head);
@@ -76,6 +122,12 @@ HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth) {
           {hn::MulAdd(rise, up.x, u.x), hn::MulAdd(rise, up.y, u.y), hn::MulAdd(rise, up.z, u.z)}};
 }
 
+/// The same, but that above the surface it is as at the surface.
+template <Ask kAsk>
+HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth, const Turns& turns) {
+  return water_around<kAsk>(in, r, depth, turns, 0);
+}
+
 /// The water at the corners of faces.
 struct MovingWater {
   Values depth;  ///< Below the surface [m].
@@ -86,10 +138,14 @@ struct MovingWater {
 /// The water at the corners of pieces of faces.
 template <Ask kAsk>
 inline HWY_NOINLINE MovingWater water_at_corners(const LoadInputs& in, const Plane& p,
-                                                 const Triangle& t, const Values& depth) {
-  const Water a = water_at<kAsk>(in, point_on(p, t.a), depth.a);
-  const Water b = water_at<kAsk>(in, point_on(p, t.b), depth.b);
-  const Water c = water_at<kAsk>(in, point_on(p, t.c), depth.c);
+                                                 const Triangle& t, const Values& depth,
+                                                 Turns& turns) {
+  const auto at = [&](const V2& corner, V depth_there) HWY_ATTR {
+    const V3 r = point_on(p, corner);
+    find_turns(in.surface->waves, r, turns);
+    return water_at<kAsk>(in, r, depth_there, turns);
+  };
+  const Water a = at(t.a, depth.a), b = at(t.b, depth.b), c = at(t.c, depth.c);
   return {depth, {a.head, b.head, c.head}, a.u, b.u, c.u};
 }
 
@@ -118,14 +174,16 @@ struct alignas(64) LeafWater {
 
 template <Ask kAsk>
 inline HWY_NOINLINE void find_water(const Panels& panels, const LoadInputs& in, const Node& leaf,
-                                    LeafWater& water) {
-  find_depths(panels, in, leaf, water.depths);
+                                    Turns& turns, LeafWater& water) {
   const LeafVertices& vertices = panels.vertices[static_cast<std::size_t>(leaf.first)];
   int to = 0;
   for (int block = vertices.first; block < vertices.last; ++block)
     for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(D()))) {
-      const VertexBlock& here = panels.blocks[static_cast<std::size_t>(block)];
-      const Water at = water_at<kAsk>(in, load3(here.r, lane), hn::Load(D(), water.depths.at + to));
+      const V3 r = load3(panels.blocks[static_cast<std::size_t>(block)].r, lane);
+      const V rise = find_turns(in.surface->waves, r, turns);
+      const V depth = all(in.below) + (rise - dot(all3(in.up), r));
+      const Water at = water_at<kAsk>(in, r, depth, turns);
+      hn::Store(depth, D(), water.depths.at + to);
       hn::Store(at.head, D(), water.head + to);
       hn::Store(at.u.x, D(), water.u[0] + to);
       hn::Store(at.u.y, D(), water.u[1] + to);

@@ -10,38 +10,29 @@
 #include "hydro/loads/kernel/tree-inl.h"
 
 /// @file
-/// The water under Airy waves over a whole branch: the head as a polynomial of second order of the
-/// place, the velocity as constant.
+/// The water under Airy waves over a branch as quadratic polynomials of the place.
 ///
-/// With δ the place from the middle of the branch, a wave's phase changes by α = k·δ, and the
-/// stretched height z*(ξ(δ), z + up·δ) by ζ = ζ₁ + ζ₂ + …, of first and second order in δ. Then
+/// They pass through samples. With h the half sides of the branch's box, δ the place from its
+/// middle, t_i = δ_i/h_i, and f_i, f_−i, f_ij the values at h_i, −h_i and h_i + h_j from the
+/// middle,
 ///
-///     C(z*) e^{iθ}  becomes  Σ of (C + k S ζ + ½k² C ζ² …) (1 + iα − ½α² …) e^{iθ}.           (1)
+///     f = f_0 + ½ Σ_i t_i (f_i − f_−i) + ½ Σ_i t_i² (f_i − 2f_0 + f_−i)
+///             + ½ Σ_i<j t_i t_j (f_ij + f_−i−j − f_i − f_−i − f_j − f_−j + 2f_0),             (1)
 ///
-/// With |α + ikζ₁| ≤ k p |δ|, |ζ₂| ≤ q |δ|² and |ζ₃| ≤ t |δ|³ the third order that is left out is
-/// below
+/// which is exact for quadratic functions. Where f departs from its Taylor series of second order
+/// by T |δ|³ at most, (1) departs from f by less than 1.5 T |h|³ in the mean over the box.
 ///
-///     Σ a C (⅙ k³p³ + k² p q + k t) |δ|³.                                                     (2)
+/// A wave's phase changes by α = k·δ, and the stretched height z*(ξ(δ), z + up·δ) by ζ₁ + ζ₂ + …,
+/// of first and second order in δ. With |α + ikζ₁| ≤ k p |δ|, |ζ₂| ≤ q |δ|² and |ζ₃| ≤ t |δ|³ the
+/// head has
 ///
-/// The velocity changes by less than Σ a (g/σ) √2 k² C p |δ|. C is taken at the highest z* of the
-/// branch.
+///     T = Σ a C (⅙ k³p³ + k² p q + k t),                                                      (2)
+///
+/// and the velocity the same with a √2 (g/σ) k in place of a, the acceleration with a √2 g k. C is
+/// taken at the highest z* of the branch.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
-
-/// Wheeler's z*(ξ, z) and its derivatives at a point.
-struct Stretch {
-  double height;                            ///< z* <= 0 [m].
-  double by_z, by_rise, rise_rise, z_rise;  ///< Derivatives by z and ξ.
-};
-
-inline Stretch stretch_at(const WaveField& waves, double z, double rise) {
-  if (waves.deep) return {z - rise, 1, -1, 0, 0};
-  const double h = waves.water_depth, total = std::max(h + rise, 1e-3 * h);
-  const double part = h / total;
-  return {part * (z - rise), part, -part * (h + z) / total, 2 * part * (h + z) / (total * total),
-          -part / total};
-}
 
 /// p, q and t of (2).
 struct StretchBounds {
@@ -49,32 +40,15 @@ struct StretchBounds {
 };
 
 inline StretchBounds stretch_bounds(const WaveField& w) {
-  if (w.deep) return {1 + w.slope, w.curvature / 2, w.third / 6};
+  const double e = w.bends[0], curvature = w.bends[1], third = w.bends[2];  // Of ξ.
+  if (w.deep) return {1 + e, curvature / 2, third / 6};
   const double h = w.water_depth, part = std::min(w.height / h, 0.9), m = 1 / (1 - part);
-  const double by_rise = m * m * (1 + part), e = w.slope;
-  return {m + by_rise * e, by_rise * w.curvature / 2 + m * by_rise / h * e * e + m * m / h * e,
-          by_rise * w.third / 6 + m * m * by_rise / (h * h) * e * e * e +
-              m * m * m / (h * h) * e * e + m * by_rise / h * e * w.curvature +
-              m * m / h * w.curvature / 2};
+  const double by_rise = m * m * (1 + part);
+  return {m + by_rise * e, by_rise * curvature / 2 + m * by_rise / h * e * e + m * m / h * e,
+          by_rise * third / 6 + m * m * by_rise / (h * h) * e * e * e +
+              m * m * m / (h * h) * e * e + m * by_rise / h * e * curvature +
+              m * m / h * curvature / 2};
 }
-
-/// The water over a branch.
-struct BranchWater {
-  double depth[kNormal];  ///< Rows of the depth below the surface.
-  double head[kNormal];   ///< Rows of the head.
-  double velocity[3];     ///< In the middle, relative to the current; body axes [m/s].
-  double velocity_error;  ///< Bound of its change over the branch [m/s].
-};
-
-/// Sums over the waves at the middle of a branch.
-struct WaveSums {
-  double rise, rise_g[3], rise_h[6];       ///< ξ, its gradient and second derivatives.
-  double head, head_g[3], head_h[6];       ///< Φ and its derivatives at a given z*.
-  double along_z, along_z_g[3], along_zz;  ///< ∂Φ/∂z*, its gradient, ∂²Φ/∂z*².
-  double velocity[3], upward;              ///< u, but for `upward` times the vertical.
-  double third, shear;                     ///< Bound (2) over |δ|³, that of u over |δ|.
-  double bend;                             ///< Bound of the change of ∇Φ over |δ| [1/m].
-};
 
 /// Rows from a value, gradient and second derivatives xx, yy, zz, xy, yz, zx at c.
 inline void set_rows(double value, const double (&g)[3], const double (&h)[6], const double* c,
@@ -91,88 +65,12 @@ inline void set_rows(double value, const double (&g)[3], const double (&h)[6], c
   }
 }
 
-/// The sums over the waves that depend on z*, in vectors of waves.
-inline HWY_NOINLINE void sum_waves(const WaveField& waves, const double* c, double height,
-                                   double highest, const StretchBounds& b, WaveSums& sums) {
-  V head = zero(), along_z = zero(), along_zz = zero(), upward = zero(), third = zero(),
-    shear = zero(), bend = zero(), head_g[3], head_h[6], along_z_g[3], velocity[3];
-  for (V& v : head_g) v = zero();
-  for (V& v : head_h) v = zero();
-  for (V& v : along_z_g) v = zero();
-  for (V& v : velocity) v = zero();
-  const double p = b.p;
-  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D()))) {
-    const V a = row(waves, WaveField::kAmplitude, i), k = row(waves, WaveField::kNumber, i);
-    const V weight = row(waves, WaveField::kWeight, i);
-    const V scale = row(waves, WaveField::kVelocity, i);
-    const V phase = phases(waves, c, i);
-    const V cosine = a * hn::Cos(D(), phase), sine = a * hn::Sin(D(), phase);
-    const auto [C, S] = depth_functions(waves, k, weight, all(-height));
-    const V top = hn::Abs(a) * depth_functions(waves, k, weight, all(-highest)).C;
-    const V Cc = C * cosine, Cs = C * sine, kSc = k * S * cosine, kSs = k * S * sine;
-    head = head + Cc;
-    along_z = along_z + kSc;
-    along_zz = hn::MulAdd(k * k, Cc, along_zz);
-    upward = hn::MulAdd(scale, kSs, upward);
-    third = hn::MulAdd(top * k,
-                       hn::MulAdd(k * k, all(p * p * p / 6), hn::MulAdd(k, all(p * b.q), all(b.t))),
-                       third);
-    const V second = top * k * k * all(M_SQRT2 * p);
-    shear = hn::MulAdd(second, scale, shear);
-    bend = bend + second;
-    for (int x = 0; x < 3; ++x) {
-      const V kx = row(waves, WaveField::kVector + x, i);
-      const V ky = row(waves, WaveField::kVector + (x + 1) % 3, i);
-      head_g[x] = hn::NegMulAdd(Cs, kx, head_g[x]);
-      along_z_g[x] = hn::NegMulAdd(kSs, kx, along_z_g[x]);
-      head_h[x] = hn::NegMulAdd(Cc * kx, kx, head_h[x]);
-      head_h[3 + x] = hn::NegMulAdd(Cc * kx, ky, head_h[3 + x]);
-      velocity[x] = hn::MulAdd(scale * Cc, kx, velocity[x]);
-    }
-  }
-  sums.head = total(head);
-  sums.along_z = total(along_z);
-  sums.along_zz = total(along_zz);
-  sums.upward = total(upward);
-  sums.third = total(third);
-  sums.shear = total(shear);
-  sums.bend = total(bend);
-  for (int x = 0; x < 3; ++x) {
-    sums.head_g[x] = total(head_g[x]);
-    sums.along_z_g[x] = total(along_z_g[x]);
-    sums.head_h[x] = total(head_h[x]);
-    sums.head_h[3 + x] = total(head_h[3 + x]);
-    sums.velocity[x] = total(velocity[x]);
-  }
-}
-
-/// Rows of head and depth, and the velocity.
-inline void set_branch_water(const Node& node, const LoadInputs& in, const WaveSums& s,
-                             const Stretch& at, double size, BranchWater& water) {
-  const double* up = in.up;
-  double g[3], h[6], down[3], rise_h[6];
-  for (int a = 0; a < 3; ++a) {
-    const double zeta = at.by_z * up[a] + at.by_rise * s.rise_g[a];
-    g[a] = s.head_g[a] + s.along_z * zeta - up[a];
-    down[a] = s.rise_g[a] - up[a];
-  }
-  for (int i = 0; i < 6; ++i) {
-    const int a = i % 3, b = i < 3 ? a : (a + 1) % 3;
-    const double za = at.by_z * up[a] + at.by_rise * s.rise_g[a];
-    const double zb = at.by_z * up[b] + at.by_rise * s.rise_g[b];
-    const double bend = at.by_rise * s.rise_h[i] + at.rise_rise * s.rise_g[a] * s.rise_g[b] +
-                        at.z_rise * (up[a] * s.rise_g[b] + up[b] * s.rise_g[a]);
-    h[i] = s.head_h[i] + s.along_z_g[a] * zb + s.along_z_g[b] * za + s.along_zz * za * zb +
-           s.along_z * bend;
-    rise_h[i] = s.rise_h[i];
-  }
-  const double* c = node.centre;
-  const double still = in.below - (up[0] * c[0] + up[1] * c[1] + up[2] * c[2]);
-  set_rows(still + s.head, g, h, c, water.head);
-  set_rows(still + s.rise, down, rise_h, c, water.depth);
-  for (int a = 0; a < 3; ++a) water.velocity[a] = s.velocity[a] + s.upward * up[a];
-  water.velocity_error = s.shear * size;
-}
+/// The water over a branch: rows of factors, as its moments have them.
+struct BranchWater {
+  double depth[kNormal];  ///< Below the surface [m].
+  double head[kNormal];
+  double u[3][kNormal];  ///< `Water::u`.
+};
 
 /// Largest distance from the middle of a branch's box [m].
 inline double size_of(const Node& node) {
@@ -180,35 +78,132 @@ inline double size_of(const Node& node) {
                    node.half[2] * node.half[2]);
 }
 
-struct BranchSums {
-  WaveSums sums;
-  Stretch at;
-};
-
-/// The sums over the waves for a branch of the given size.
-inline BranchSums sum_over_branch(const Node& node, const LoadInputs& in, double size) {
+/// The bound of C over a branch.
+inline double largest_decay(const Node& node, const LoadInputs& in) {
   const WaveField& waves = in.surface->waves;
-  BranchSums result;
-  WaveSums& sums = result.sums;
-  expand_waves(waves, node.centre, sums.rise, sums.rise_g, sums.rise_h);
-  double z = -(in.below + in.surface->hidden_depth);
-  for (int a = 0; a < 3; ++a) z += in.up[a] * node.centre[a];
-  const Stretch at = result.at = stretch_at(waves, z, sums.rise);
-  const StretchBounds bounds = stretch_bounds(waves);
-  const double highest = std::min(0.0, at.height + bounds.p * size);
-  sum_waves(waves, node.centre, std::min(0.0, at.height), highest, bounds, sums);
-  return result;
+  double top = in.below + in.surface->hidden_depth - waves.height;
+  for (int a = 0; a < 3; ++a) top -= in.up[a] * node.centre[a] + std::abs(in.up[a]) * node.half[a];
+  const double h = waves.water_depth;
+  const double rate = waves.least_number * (waves.deep ? 1 : h / (h + waves.height));
+  return (waves.deep ? 1 : 2) * std::exp(-rate * std::max(0.0, top));
+}
+
+/// T of (2) but for C. @param sums   Σ a k^n for n = 1, 2, 3.
+inline double third_order(const StretchBounds& b, const double* sums) {
+  return b.p * b.p * b.p / 6 * sums[2] + b.p * b.q * sums[1] + b.t * sums[0];
+}
+
+/// True if the polynomials miss no more of head and of `Water::u` than the errors allowed, and if
+/// u is linear over the faces within its error.
+template <Ask kAsk>
+inline bool fits(const Node& node, const LoadInputs& in, double error_of_u) {
+  const WaveField& waves = in.surface->waves;
+  const StretchBounds b = stretch_bounds(waves);
+  const double size = size_of(node), decay = largest_decay(node, in);
+  const double volume = 1.5 * decay * size * size * size;
+  const bool velocity = kAsk == Ask::velocity;
+  const double unit = M_SQRT2 * (velocity ? 1 : in.surface->gravity);
+  const double* sums = velocity ? waves.flow : waves.bends;
+  if (unit * volume * third_order(b, sums + 1) > error_of_u) return false;
+  const double sag = b.p * b.p * sums[2] * decay * size * size / 2;
+  if (in.surface->bends && unit * sag > error_of_u) return false;
+  return !velocity || volume * third_order(b, waves.bends) <= in.wave_error;
+}
+
+/// The samples of (1): the middle, the faces' middles x, −x, y, …, and the edges' xy, −x−y, yz, ….
+constexpr int kSamples = 13;
+
+/// Rows of (1).
+inline void fit(const double* f, const Node& node, const double (&h)[3], double (&rows)[kNormal]) {
+  double g[3], bend[6];
+  for (int a = 0; a < 3; ++a) {
+    const double plus = f[1 + 2 * a], minus = f[2 + 2 * a];
+    g[a] = (plus - minus) / (2 * h[a]);
+    bend[a] = (plus - 2 * f[0] + minus) / (h[a] * h[a]);
+  }
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3;
+    const double ends = f[1 + 2 * a] + f[2 + 2 * a] + f[1 + 2 * b] + f[2 + 2 * b];
+    bend[3 + a] = (f[7 + 2 * a] + f[8 + 2 * a] - ends + 2 * f[0]) / (2 * h[a] * h[b]);
+  }
+  set_rows(f[0], g, bend, node.centre, rows);
 }
 
 /// The water over a branch that is wet all over.
-/// @return false if the head is not quadratic within the error allowed
-inline bool find_branch_water(const Node& node, const LoadInputs& in, BranchWater& water) {
-  const double size = size_of(node);
-  const BranchSums at = sum_over_branch(node, in, size);
-  // The mean over a plane patch is off by no more than a quarter of what its ends are.
-  if (at.sums.third * size * size * size / 4 > in.wave_error) return false;
-  set_branch_water(node, in, at.sums, at.at, size, water);
-  return true;
+template <Ask kAsk>
+inline HWY_NOINLINE void find_branch_water(const Node& node, const LoadInputs& in, Turns& turns,
+                                           BranchWater& water) {
+  constexpr int kRoom = (kSamples + kMostLanes - 1) / kMostLanes * kMostLanes;
+  const double least = 1e-3 * size_of(node);  // A flat box has room for the differences, too.
+  double h[3];
+  alignas(64) double r[3][kRoom], f[5][kRoom];
+  for (int a = 0; a < 3; ++a) {
+    h[a] = std::max(node.half[a], least);
+    std::fill_n(r[a], kRoom, node.centre[a]);
+  }
+  for (int a = 0; a < 3; ++a)
+    for (int side = 0; side < 2; ++side) {
+      const double step = side == 0 ? h[a] : -h[a];
+      const int next = (a + 2) % 3;
+      r[a][1 + 2 * a + side] += step;
+      r[a][7 + 2 * a + side] += step;
+      r[a][7 + 2 * next + side] += step;
+    }
+  for (int i = 0; i < kRoom; i += static_cast<int>(hn::Lanes(D()))) {
+    const V3 at = {hn::Load(D(), r[0] + i), hn::Load(D(), r[1] + i), hn::Load(D(), r[2] + i)};
+    const V rise = find_turns(in.surface->waves, at, turns);
+    const V depth = all(in.below) + (rise - dot(all3(in.up), at));
+    const Water here = water_around<kAsk>(in, at, depth, turns);
+    hn::Store(depth, D(), f[0] + i);
+    hn::Store(here.head, D(), f[1] + i);
+    hn::Store(here.u.x, D(), f[2] + i);
+    hn::Store(here.u.y, D(), f[3] + i);
+    hn::Store(here.u.z, D(), f[4] + i);
+  }
+  fit(f[0], node, h, water.depth);
+  fit(f[1], node, h, water.head);
+  for (int a = 0; a < 3; ++a) fit(f[2 + a], node, h, water.u[a]);
+}
+
+/// A polynomial at places in lanes.
+HWY_INLINE V value_at(const double (&rows)[kNormal], const V3& r) {
+  const auto row = [&](int i) HWY_ATTR { return all(rows[i]); };
+  const V x = hn::MulAdd(row(kSquare), r.x, hn::MulAdd(row(kSquare + 3), r.y, row(kPlace)));
+  const V y = hn::MulAdd(row(kSquare + 1), r.y, hn::MulAdd(row(kSquare + 4), r.z, row(kPlace + 1)));
+  const V z = hn::MulAdd(row(kSquare + 2), r.z, hn::MulAdd(row(kSquare + 5), r.x, row(kPlace + 2)));
+  return hn::MulAdd(x, r.x, hn::MulAdd(y, r.y, hn::MulAdd(z, r.z, row(kOne))));
+}
+
+/// `Water::u` alone at the corners of faces.
+HWY_INLINE MovingWater flow_at_corners(const BranchWater& water, const Plane& p,
+                                       const Triangle& t) {
+  const auto at = [&](const V2& corner) HWY_ATTR {
+    const V3 r = point_on(p, corner);
+    return V3{value_at(water.u[0], r), value_at(water.u[1], r), value_at(water.u[2], r)};
+  };
+  const Values none = {zero(), zero(), zero()};
+  return {none, none, at(t.a), at(t.b), at(t.c)};
+}
+
+/// `Water::u` in the middle of a branch. Returns how much it changes to the sides at most.
+inline double middle_flow(const Node& node, const BranchWater& water, double (&middle)[3]) {
+  double change2 = 0;
+  const double *c = node.centre, *h = node.half;
+  for (int x = 0; x < 3; ++x) {
+    const double(&rows)[kNormal] = water.u[x];
+    double change = 0;
+    middle[x] = rows[kOne];
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, e = (a + 2) % 3;
+      const double square = rows[kSquare + a], mixed = rows[kSquare + 3 + a];
+      const double slope =
+          rows[kPlace + a] + 2 * square * c[a] + mixed * c[b] + rows[kSquare + 3 + e] * c[e];
+      middle[x] += c[a] * (rows[kPlace + a] + square * c[a] + mixed * c[b]);
+      change += h[a] * (std::abs(slope) + std::abs(square) * h[a] + std::abs(mixed) * h[b]);
+    }
+    change2 += change * change;
+  }
+  return std::sqrt(change2);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE

@@ -27,16 +27,20 @@ struct LoadWalk {
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< They may be wet in part.
   TriangleQueue turning;       ///< They are wet, v·n changes its sign; pressure drag is missing.
+  Turns turns;                 ///< For one place at a time.
+  double velocity_error = 0;   ///< Allowed of the velocity of the waves' water over branches [m/s].
 };
 
-// The motion at the corners relative to the water, which is still or moves.
+// The motion at the corners relative to the water, which is still or moves. Normal speeds are those
+// that pressure drag sees.
 
-HWY_INLINE Values normal_speeds(const Flow& flow, const Plane&, const Triangle& t, const Values&) {
+HWY_INLINE Values normal_speeds(const LoadInputs&, const Flow& flow, const Plane&,
+                                const Triangle& t, const Values&) {
   return {flow.normal_at(t.a), flow.normal_at(t.b), flow.normal_at(t.c)};
 }
-HWY_INLINE Values normal_speeds(const Flow& flow, const Plane& p, const Triangle& t,
-                                const MovingWater& water) {
-  return normal_speeds(flow, p, t, water.depth) - along_of(water, p.n);
+HWY_INLINE Values normal_speeds(const LoadInputs& in, const Flow& flow, const Plane& p,
+                                const Triangle& t, const MovingWater& water) {
+  return normal_speeds(in, flow, p, t, water.depth) - along_of(water, drag_normal(in, p.n));
 }
 
 /// v·e1 and v·e2.
@@ -115,11 +119,11 @@ HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M c
   const Flow flow = flow_over(p, in);
   if (in.drag_front != 0 || in.drag_back != 0)
     add_normal(work.sums, kPressureDrag, p, c_cross_n,
-               cut_drag_on(in, normal_speeds(flow, p, t, water), t, counts));
+               cut_drag_on(in, normal_speeds(in, flow, p, t, water), t, counts));
   if (in.lift != 0)
     add_normal(work.sums, kLift, p, c_cross_n,
                lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
-  if (in.viscous) add_viscous(work.sums, in, {p, mean_flow(flow, p, water), t, area});
+  if (in.viscous) add_viscous(work.sums, in, p, mean_flow(flow, p, water), t, area);
 }
 
 /// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count.
@@ -129,7 +133,8 @@ HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from
                                  hn::FirstN(D(), static_cast<std::size_t>(used)));
   const auto add_part = [&](const Triangle& part, M counts, const Values& depth) HWY_ATTR {
     if (work.in.surface && work.in.surface->is_airy())
-      add_wet(work, p, part, counts, water_at_corners<Ask::velocity>(work.in, p, part, depth));
+      add_wet(work, p, part, counts,
+              water_at_corners<Ask::velocity>(work.in, p, part, depth, work.turns));
     else
       add_wet(work, p, part, counts, depth);
   };
@@ -162,16 +167,39 @@ struct LeafFacts {
   bool without_viscous = false;  ///< Its viscous drag is zero.
 };
 
-/// Adds the pressure drag on the faces that count and on which v·n has one sign. The others are
-/// queued.
-HWY_INLINE void add_whole_drag(LoadWalk& work, const Plane& p, const V3& c_cross_n, const Values& u,
-                               const Triangle& t, V area, M counts, std::int64_t leaf, int lane) {
+/// Where faces of a vector lie.
+struct FacePlace {
+  std::int64_t leaf;
+  int lane;
+};
+
+/// Adds the pressure drag on the faces of which v·n has one sign. The others are queued.
+/// @param area   0 for faces that do not count.
+HWY_INLINE void add_whole_drag(LoadWalk& work, FacePlace at, const Plane& p, const V3& c_cross_n,
+                               const Values& u, const Triangle& t, V area) {
   const M forward = highest(u) > zero();
-  const M turns = hn::And(counts, hn::And(lowest(u) < zero(), forward));
+  const M turns = hn::And(area > zero(), hn::And(lowest(u) < zero(), forward));
   const V scale = signed_drag(work.in, forward) * area;
   add_normal(work.sums, kPressureDrag, p, c_cross_n,
              square_on(t, hn::IfThenZeroElse(turns, scale), u));
-  if (!hn::AllFalse(D(), turns)) append(work.panels, turns, leaf, lane, u, work.turning);
+  if (!hn::AllFalse(D(), turns)) append(work.panels, turns, at.leaf, at.lane, u, work.turning);
+}
+
+/// Adds the loads of the motion of faces that are wet all over.
+/// @param area   0 for faces that do not count.
+template <class Water>
+HWY_INLINE void add_motion(LoadWalk& work, FacePlace at, const Plane& p, const Triangle& t, V area,
+                           const Water& water, LeafFacts known) {
+  const LoadInputs& in = work.in;
+  const Flow flow = flow_over(p, in);
+  const V3 c_cross_n = cross(p.c, p.n);
+  if (in.drag_front != 0 || in.drag_back != 0)
+    add_whole_drag(work, at, p, c_cross_n, normal_speeds(in, flow, p, t, water), t, area);
+  if (in.lift != 0)
+    add_normal(work.sums, kLift, p, c_cross_n,
+               lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
+  if (in.viscous && !known.without_viscous)
+    add_viscous(work.sums, in, p, mean_flow(flow, p, water), t, area);
 }
 
 /// Adds the loads on the faces that count, of a vector of a leaf's faces from `lane` on.
@@ -201,15 +229,7 @@ HWY_INLINE void add_faces(LoadWalk& work, std::int64_t leaf, int lane, M counts,
   add(work.sums, kArea, area);
   add_normal(work.sums, kBuoyancy, p, c_cross_n, linear_on(t, area, head_of(water)));
   add_volume(work, p, t, area, water);
-  if (!in.moving) return;
-  const Flow flow = flow_over(p, in);
-  if (in.drag_front != 0 || in.drag_back != 0)
-    add_whole_drag(work, p, c_cross_n, normal_speeds(flow, p, t, water), t, area, wet, leaf, lane);
-  if (in.lift != 0)
-    add_normal(work.sums, kLift, p, c_cross_n,
-               lift_on(t, all(in.lift) * area, tangential_speeds(flow, p, t, water)));
-  if (in.viscous && !known.without_viscous)
-    add_viscous(work.sums, in, {p, mean_flow(flow, p, water), t, area});
+  if (in.moving) add_motion(work, {leaf, lane}, p, t, area, water, known);
 }
 
 /// Adds the viscous drag alone of a leaf that is wet all over and moves as `in` tells.
@@ -218,7 +238,7 @@ HWY_INLINE void add_viscous_of_leaf(LoadWalk& work, const LoadInputs& in, std::i
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const Plane p = plane_at(faces, lane);
     const V area = areas_at(faces, lane);
-    add_viscous(work.sums, in, {p, flow_over(p, in), triangle_at(faces, lane), area});
+    add_viscous(work.sums, in, p, flow_over(p, in), triangle_at(faces, lane), area);
   }
 }
 

@@ -75,8 +75,8 @@ HWY_INLINE V area_of(const Triangle& t) {
   return all(0.5) * hn::MulSub(t.b.x - t.a.x, t.c.y - t.a.y, (t.c.x - t.a.x) * (t.b.y - t.a.y));
 }
 
-/// Velocity over a plane, relative to the water: v·n = normal + normal_x x + normal_y y and
-/// v·e1 = a − spin y, v·e2 = b + spin x [m/s].
+/// Velocity over a plane, relative to the water: v·n = normal + normal_x x + normal_y y as pressure
+/// drag sees it, v·e1 = a − spin y and v·e2 = b + spin x [m/s].
 struct Flow {
   V normal, normal_x, normal_y, a, b, spin;
 
@@ -89,9 +89,20 @@ struct Flow {
 
 HWY_INLINE Flow flow_over(const Plane& p, const LoadInputs& in) {
   const V3 omega = all3(in.angular);
-  const V3 v = all3(in.linear) + cross(omega, p.c);
-  return {dot(v, p.n),    zero() - dot(omega, p.e2), dot(omega, p.e1), dot(v, p.e1), dot(v, p.e2),
+  const V3 turning = cross(omega, p.c);
+  const V3 v = all3(in.linear) + turning;
+  return {dot(all3(in.drag_linear) + turning, p.n),
+          zero() - dot(omega, p.e2),
+          dot(omega, p.e1),
+          dot(v, p.e1),
+          dot(v, p.e2),
           dot(omega, p.n)};
+}
+
+/// K n: pressure drag sees v·Kn of a velocity v.
+HWY_INLINE V3 drag_normal(const LoadInputs& in, const V3& n) {
+  if (!in.slender) return n;
+  return {dot(all3(in.shape[0]), n), dot(all3(in.shape[1]), n), dot(all3(in.shape[2]), n)};
 }
 
 /// ∫ q dA, ∫ q x dA and ∫ q y dA of a traction q along the normal.

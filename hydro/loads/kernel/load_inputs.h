@@ -20,8 +20,11 @@ struct LoadInputs {
   double below = 0;        ///< Depth of the centre of mass under the surface taken as flat [m].
   double linear[3] = {};   ///< Velocity of the centre of mass relative to the water [m/s].
   double angular[3] = {};  ///< [rad/s]
-  bool moving = false;     ///< The hull moves relative to the water.
-  bool wet = false;        ///< The hull is wholly submerged: no waterline is sought.
+  bool slender = false;    ///< K of bluntness.h is not the unit matrix.
+  double shape[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< K [-].
+  double drag_linear[3] = {};  ///< K times `linear`: pressure drag sees it in place of that.
+  bool moving = false;         ///< The hull moves relative to the water.
+  bool wet = false;            ///< The hull is wholly submerged: no waterline is sought.
   const WaterSurface* surface = nullptr;  ///< It is null where the water is flat.
   double wave_error = 0;  ///< Error of the elevation allowed over whole branches [m].
   bool branches = true;   ///< Branches of the tree may be taken whole.
@@ -56,7 +59,8 @@ struct alignas(64) LaneSums {
   }
 };
 
-/// The sums of the loads. Buoyancy is −∫ h n dS with its moment; drag and lift are in N.
+/// The sums of the loads. Buoyancy is −∫ h n dS with its moment; drag and lift are in N. The force
+/// of the pressure drag lacks its factor K.
 using Sums = LaneSums<kSums>;
 
 }  // namespace hydro::kernel

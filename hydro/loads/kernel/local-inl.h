@@ -23,7 +23,7 @@ inline bool set_local_waves(const Node& node, const LoadInputs& in, double (&dep
   const double* c = node.centre;
   const double size = std::sqrt(node.half[0] * node.half[0] + node.half[1] * node.half[1] +
                                 node.half[2] * node.half[2]);
-  if (waves.third * size * size * size / 24 > in.wave_error) return false;
+  if (waves.bends[2] * size * size * size / 24 > in.wave_error) return false;
   double value, g[3], h[6];  // ξ, its gradient and its second derivatives, in body axes.
   expand_waves(waves, c, value, g, h);
   // From powers of r − c to powers of r.

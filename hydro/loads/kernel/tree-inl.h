@@ -20,12 +20,22 @@ struct Factors {
   double depth[kNormal];              ///< The factors of the rows before kNormal in ∫ h J dS.
   double speed[kNormal];              ///< The factors of the same rows in ∫ |v|² J dS.
   double normal[kMoments - kNormal];  ///< The factors of the rows from kNormal on in ∫ (v·n)² J dS.
+  double drag[kMoments - kNormal];  ///< The same for the motion that pressure drag sees.
 };
+
+/// Sets the factors of (v·n)² for a twist.
+inline void set_normal_factors(const double* v, const double* w,
+                               double (&factors)[kMoments - kNormal]) {
+  const double twist[6] = {v[0], v[1], v[2], w[0], w[1], w[2]};
+  int row = 0;
+  for (int b = 0; b < 6; ++b)
+    for (int c = b; c < 6; ++c) factors[row++] = (b == c ? 1 : 2) * twist[b] * twist[c];
+}
 
 inline Factors factors_of(const LoadInputs& in) {
   const double* v = in.linear;
   const double* w = in.angular;
-  Factors f = {{in.below, -in.up[0], -in.up[1], -in.up[2], 0, 0, 0, 0, 0, 0}, {}, {}};
+  Factors f = {{in.below, -in.up[0], -in.up[1], -in.up[2], 0, 0, 0, 0, 0, 0}, {}, {}, {}};
   f.speed[kOne] = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -33,10 +43,8 @@ inline Factors factors_of(const LoadInputs& in) {
     f.speed[kSquare + i] = w[j] * w[j] + w[k] * w[k];
     f.speed[kSquare + 3 + i] = -2 * w[i] * w[j];
   }
-  const double twist[6] = {v[0], v[1], v[2], w[0], w[1], w[2]};
-  int row = 0;
-  for (int b = 0; b < 6; ++b)
-    for (int c = b; c < 6; ++c) f.normal[row++] = (b == c ? 1 : 2) * twist[b] * twist[c];
+  set_normal_factors(in.linear, w, f.normal);
+  set_normal_factors(in.drag_linear, w, f.drag);
   return f;
 }
 
@@ -83,9 +91,10 @@ HWY_INLINE void add_branch_motion(const Node& node, const Factors& f, const Load
   if (!in.moving) return;
   alignas(64) double load[2][kMostLanes];
   for (int a = 0; a < kMostLanes; a += static_cast<int>(hn::Lanes(D()))) {
-    const V normal = moment_product(node, f.normal, kNormal, kMoments, a);
+    V normal = moment_product(node, f.drag, kNormal, kMoments, a);
     hn::Store(all(-drag) * normal, D(), load[0] + a);
     if (in.lift == 0) continue;
+    if (in.slender) normal = moment_product(node, f.normal, kNormal, kMoments, a);
     const V whole = moment_product(node, f.speed, kOne, kNormal, a);
     hn::Store(all(in.lift) * (normal - whole), D(), load[1] + a);
   }
@@ -115,8 +124,9 @@ inline Range depth_range(const Node& node, const LoadInputs& in) {
   return range_over(node.centre, node.half, down, 3, in.below);
 }
 
-inline Range normal_speed_range(const Node& node, const LoadInputs& in) {
-  const double twist[6] = {in.linear[0],  in.linear[1],  in.linear[2],
+/// The range of v·n over a branch, with the angular velocity of `in`.
+inline Range normal_speed_range(const Node& node, const double (&linear)[3], const LoadInputs& in) {
+  const double twist[6] = {linear[0],     linear[1],     linear[2],
                            in.angular[0], in.angular[1], in.angular[2]};
   return range_over(node.j_centre, node.j_half, twist, 6, 0);
 }

@@ -15,7 +15,9 @@
 /// Viscous drag in lanes: `viscous_drag.h` in plane coordinates.
 ///
 /// With the ratio of the velocity's change over a triangle to the velocity, a triangle is taken
-///   - by the rule of three points below kFlat, of seven below kSmooth, on one side of all kinks;
+///   - by the rule of three points below kFlat, of four below kGentle, of seven below kSmooth,
+///     on one side of all kinks;
+///   - by seven points on each quarter below 2 kSmooth, if C_v is the ITTC line;
 ///   - cut at the one kink of C_v that lies on it, and then by seven points, below kStraight;
 ///   - by the closed form of `rotary_drag.h` where C_v is linear in the speed all over it;
 ///   - by `viscous_drag_load` otherwise: a few triangles near the places where v_t vanishes.
@@ -27,6 +29,8 @@ namespace hydro::kernel::HWY_NAMESPACE {
 /// The first term that three points miss in the force is of third order, in the moment of second
 /// order with a factor 1/60: 1.5e-7.
 inline constexpr double kFlat = 3e-3;
+/// Four points miss the third order in the moment: 5e-7 of the load times the triangle's size.
+inline constexpr double kGentle = 0.03;
 inline constexpr double kSmooth = 0.2;     ///< The first term missed is of sixth order: 1e-7.
 inline constexpr double kStraight = 0.03;  ///< Of third order, where the cut is: 2e-6.
 
@@ -35,7 +39,8 @@ struct Sliding {
   const Plane& plane;
   const Flow& flow;
   const Triangle& t;
-  V area;  ///< 0 where a lane does not count.
+  V area;    ///< 0 where a lane does not count.
+  V middle;  ///< Speed at the centre [m/s].
 };
 
 HWY_INLINE V2 velocity(const Flow& flow, const V2& r) {
@@ -53,44 +58,93 @@ HWY_INLINE Friction operator+(const Friction& a, const Friction& b) {
   return {{a.force.x + b.force.x, a.force.y + b.force.y}, a.moment + b.moment};
 }
 
-/// C_v = constant + slope·v for pieces of the law, or the ITTC line.
+/// Terms of a series in the change of speed: `kFewTerms` hold to 1e-7 where the speed at the points
+/// of a rule changes by kGentle or less, `kAllTerms` to 2e-6 where the vertices' does by kSmooth.
+inline constexpr int kFewTerms = 4, kAllTerms = 6;
+
+/// C_v about a speed: constant + slope·v for pieces of the law, a series for the ITTC line.
 struct Branch {
   V constant, slope;
-  M logarithmic;
+  bool is_line;             ///< C_v is the series.
+  V inverse, c[kAllTerms];  ///< C_v = Σ c_i δ^i, δ = v·inverse − 1.
 };
 
-HWY_INLINE Branch branch_at(const ViscousDrag& law, V inside) {
-  const D d;
-  const M none = hn::FirstN(d, 0);
-  if (law.law == ViscousDrag::Law::constant) return {all(law.coefficient), zero(), none};
-  if (law.law == ViscousDrag::Law::ittc57) {
-    const M held = inside * all(law.reynolds_per_speed) < all(kLeastReynolds);
-    return {all(kHeldCoefficient), zero(), hn::Not(held)};
+/// The Taylor series of the ITTC line about a speed: with a = 1/ln(Re/100) the line is
+/// C_0 (1 + a ln(1 + δ))^−2.
+template <int kTerms>
+HWY_INLINE Branch line_about(const ViscousDrag& law, V inside) {
+  const V reynolds = inside * all(law.reynolds_per_speed);
+  const V log = hn::Log(D(), all(0.01) * hn::Max(reynolds, all(kLeastReynolds)));
+  const V speed = hn::Max(inside, all(1e-300));
+  const V both = all(1) / (log * speed);  // Divisions are slow: one gives both reciprocals.
+  const V a = both * speed;
+  const V C_0 = all(0.075 * M_LN10 * M_LN10) * a * a;
+  const V Ca = hn::IfThenZeroElse(reynolds < all(kLeastReynolds), C_0 * a);
+  const auto times = [&](V x, double constant) HWY_ATTR { return hn::MulAdd(a, x, all(constant)); };
+  Branch line;
+  line.constant = all(kHeldCoefficient);  // For the closed form, which takes held lanes alone.
+  line.slope = zero();
+  line.is_line = true;
+  line.inverse = both * log;
+  line.c[0] = C_0;
+  line.c[1] = all(-2) * Ca;
+  line.c[2] = Ca * times(all(3), 1);
+  line.c[3] = Ca * times(times(all(-4), -3), -2.0 / 3);
+  if constexpr (kTerms == kAllTerms) {
+    line.c[4] = Ca * times(times(times(all(5), 6), 2.75), 0.5);
+    line.c[5] = Ca * times(times(times(times(all(-6), -10), -7), -2.5), -0.4);
   }
-  const M slow = inside < all(1), middle = inside < all(2);
-  return {hn::IfThenElse(slow, all(0.1), hn::IfThenElseZero(middle, all(0.2))),
-          hn::IfThenElseZero(hn::AndNot(slow, middle), all(-0.1)), none};
+  return line;
 }
 
-HWY_INLINE V coefficient(const ViscousDrag& law, const Branch& branch, V speed) {
-  const V linear = hn::MulAdd(branch.slope, speed, branch.constant);
-  if (hn::AllFalse(D(), branch.logarithmic)) return linear;
-  const V least = all(kLeastReynolds);
-  const V reynolds = hn::Max(speed * all(law.reynolds_per_speed), all(0.5) * least);
-  const V decades = hn::Log10(D(), reynolds) - all(2);
-  return hn::IfThenElse(branch.logarithmic, all(0.075) / (decades * decades), linear);
+template <int kTerms>
+HWY_INLINE Branch branch_at(const ViscousDrag& law, V inside) {
+  if (law.law == ViscousDrag::Law::ittc57) return line_about<kTerms>(law, inside);
+  Branch branch;
+  branch.is_line = false;
+  if (law.law == ViscousDrag::Law::constant) {
+    branch.constant = all(law.coefficient);
+    branch.slope = zero();
+  } else {
+    const M slow = inside < all(1), middle = inside < all(2);
+    branch.constant = hn::IfThenElse(slow, all(0.1), hn::IfThenElseZero(middle, all(0.2)));
+    branch.slope = hn::IfThenElseZero(hn::AndNot(slow, middle), all(-0.1));
+  }
+  return branch;
 }
 
-/// Adds the traction at a point, with a weight, to a sum of means.
-HWY_INLINE void add_point(const Sliding& s, const ViscousDrag& law, const Branch& branch,
-                          const V2& at, double weight, Friction& sum) {
-  const V2 v = velocity(s.flow, at);
-  const V speed = length(v);
-  const V factor = all(weight) * coefficient(law, branch, speed) * speed;
+template <int kTerms>
+HWY_INLINE V coefficient(const Branch& branch, V speed) {
+  if (!branch.is_line) return hn::MulAdd(branch.slope, speed, branch.constant);
+  // Lanes that do not count may have any speed: the limit keeps them finite.
+  const V delta = hn::Min(hn::MulSub(speed, branch.inverse, all(1)), all(1));
+  V sum = branch.c[kTerms - 1];
+  for (int i = kTerms - 2; i >= 0; --i) sum = hn::MulAdd(sum, delta, branch.c[i]);
+  return sum;
+}
+
+/// Adds factor·v, with its moment, to a sum of means.
+HWY_INLINE void add_traction(const V2& at, const V2& v, V factor, Friction& sum) {
   const V2 f = {factor * v.x, factor * v.y};
   sum.force.x = sum.force.x + f.x;
   sum.force.y = sum.force.y + f.y;
   sum.moment = sum.moment + hn::MulSub(at.x, f.y, at.y * f.x);
+}
+
+/// Adds the traction at a point, with a weight, to a sum of means.
+template <int kTerms>
+HWY_INLINE void add_point(const Sliding& s, const Branch& branch, const V2& at, double weight,
+                          Friction& sum) {
+  const V2 v = velocity(s.flow, at);
+  const V speed = length(v);
+  add_traction(at, v, all(weight) * coefficient<kTerms>(branch, speed) * speed, sum);
+}
+
+/// Adds the traction at the centre, of which the speed is known.
+HWY_INLINE void add_centre(const Sliding& s, const Branch& branch, const V2& centre, double weight,
+                           Friction& sum) {
+  const V c_v = branch.is_line ? branch.c[0] : hn::MulAdd(branch.slope, s.middle, branch.constant);
+  add_traction(centre, velocity(s.flow, centre), all(weight) * c_v * s.middle, sum);
 }
 
 HWY_INLINE V2 centre_of(const Triangle& t) {
@@ -98,11 +152,12 @@ HWY_INLINE V2 centre_of(const Triangle& t) {
 }
 
 /// Three points on the lines from the centre to the vertices: centre + part·(vertex − centre).
-HWY_INLINE void add_star(const Sliding& s, const ViscousDrag& law, const Branch& branch,
-                         const V2& centre, double part, double weight, Friction& sum) {
-  add_point(s, law, branch, between(centre, s.t.a, all(part)), weight, sum);
-  add_point(s, law, branch, between(centre, s.t.b, all(part)), weight, sum);
-  add_point(s, law, branch, between(centre, s.t.c, all(part)), weight, sum);
+template <int kTerms>
+HWY_INLINE void add_star(const Sliding& s, const Branch& branch, const V2& centre, double part,
+                         double weight, Friction& sum) {
+  add_point<kTerms>(s, branch, between(centre, s.t.a, all(part)), weight, sum);
+  add_point<kTerms>(s, branch, between(centre, s.t.b, all(part)), weight, sum);
+  add_point<kTerms>(s, branch, between(centre, s.t.c, all(part)), weight, sum);
 }
 
 HWY_INLINE Friction scaled(V factor, const Friction& f) {
@@ -112,9 +167,19 @@ HWY_INLINE Friction scaled(V factor, const Friction& f) {
 /// The rule of degree 2.
 HWY_INLINE Friction three_points(const Sliding& s, const ViscousDrag& law) {
   const V2 centre = centre_of(s.t);
-  const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
+  const Branch branch = branch_at<kFewTerms>(law, s.middle);
   Friction mean{{zero(), zero()}, zero()};
-  add_star(s, law, branch, centre, 0.5, 1.0 / 3, mean);
+  add_star<kFewTerms>(s, branch, centre, 0.5, 1.0 / 3, mean);
+  return scaled(s.area, mean);
+}
+
+/// The rule of degree 3.
+inline HWY_NOINLINE Friction four_points(const Sliding& s, const ViscousDrag& law) {
+  const V2 centre = centre_of(s.t);
+  const Branch branch = branch_at<kFewTerms>(law, s.middle);
+  Friction mean{{zero(), zero()}, zero()};
+  add_centre(s, branch, centre, -9.0 / 16, mean);
+  add_star<kFewTerms>(s, branch, centre, 0.4, 25.0 / 48, mean);
   return scaled(s.area, mean);
 }
 
@@ -122,12 +187,24 @@ HWY_INLINE Friction three_points(const Sliding& s, const ViscousDrag& law) {
 inline HWY_NOINLINE Friction seven_points(const Sliding& s, const ViscousDrag& law) {
   constexpr double kRoot = 3.872983346207417;  // √15
   const V2 centre = centre_of(s.t);
-  const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
+  const Branch branch = branch_at<kAllTerms>(law, s.middle);
   Friction mean{{zero(), zero()}, zero()};
-  add_point(s, law, branch, centre, 9.0 / 40, mean);
-  add_star(s, law, branch, centre, (1 + kRoot) / 7, (155 - kRoot) / 1200, mean);
-  add_star(s, law, branch, centre, (1 - kRoot) / 7, (155 + kRoot) / 1200, mean);
+  add_centre(s, branch, centre, 9.0 / 40, mean);
+  add_star<kAllTerms>(s, branch, centre, (1 + kRoot) / 7, (155 - kRoot) / 1200, mean);
+  add_star<kAllTerms>(s, branch, centre, (1 - kRoot) / 7, (155 + kRoot) / 1200, mean);
   return scaled(s.area, mean);
+}
+
+/// Seven points on each quarter of triangles, over which the velocity changes half as much.
+inline HWY_NOINLINE Friction in_quarters(const Sliding& s, const ViscousDrag& law) {
+  const V2 ab = between(s.t.a, s.t.b, all(0.5)), bc = between(s.t.b, s.t.c, all(0.5));
+  const V2 ca = between(s.t.c, s.t.a, all(0.5));
+  const auto friction = [&](const Triangle& part) HWY_ATTR {
+    const V middle = length(velocity(s.flow, centre_of(part)));
+    return seven_points({s.plane, s.flow, part, all(0.25) * s.area, middle}, law);
+  };
+  return friction({s.t.a, ab, ca}) + friction({ab, s.t.b, bc}) + friction({ca, bc, s.t.c}) +
+         friction({ab, bc, ca});
 }
 
 /// Cut where the speed, taken as linear, is that of the kink.
@@ -139,7 +216,8 @@ inline HWY_NOINLINE Friction cut_at_kink(const Sliding& s, const ViscousDrag& la
   const M counts = s.area > zero();
   const auto friction = [&](const Triangle& part) HWY_ATTR {
     const V area = hn::IfThenElseZero(counts, area_of(part));
-    return seven_points({s.plane, s.flow, part, area}, law);
+    const V middle = length(velocity(s.flow, centre_of(part)));
+    return seven_points({s.plane, s.flow, part, area, middle}, law);
   };
   return friction(cut.corner) + friction(cut.near) + friction(cut.far);
 }
@@ -188,8 +266,7 @@ inline HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V 
 
 /// The closed form where C_v is linear in the speed all over the triangle.
 inline HWY_NOINLINE Friction about_pole(const Sliding& s, const ViscousDrag& law, M which) {
-  const V2 centre = centre_of(s.t);
-  const Branch branch = branch_at(law, length(velocity(s.flow, centre)));
+  const Branch branch = branch_at<kAllTerms>(law, s.middle);
   const V omega = hn::IfThenElse(which, s.flow.spin, all(1)), spin = hn::Abs(omega);
   const V2 pole = {(zero() - s.flow.b) / omega, s.flow.a / omega};
   const auto edge = [&](const V2& from, const V2& to) HWY_ATTR {
@@ -249,18 +326,21 @@ inline HWY_NOINLINE void add_lane_by_lane(Sums& sums, const LoadInputs& in, cons
 }
 
 /// Viscous drag on triangles that are wet all over.
-inline HWY_NOINLINE void add_viscous(Sums& sums, const LoadInputs& in, const Sliding& s) {
+/// @param area   0 where a lane does not count.
+inline HWY_NOINLINE void add_viscous(Sums& sums, const LoadInputs& in, const Plane& plane,
+                                     const Flow& flow, const Triangle& t, V area) {
   const D d;
   const ViscousDrag& law = *in.viscous;
   const bool thesis = law.law == ViscousDrag::Law::thesis;
   const bool ittc = law.law == ViscousDrag::Law::ittc57;
-  const V2 centre = centre_of(s.t);
+  const V2 centre = centre_of(t);
+  const V middle = length(velocity(flow, centre));
+  const Sliding s{plane, flow, t, area, middle};
   const auto distance2 = [&](const V2& r) HWY_ATTR {
     const V x = r.x - centre.x, y = r.y - centre.y;
     return hn::MulAdd(x, x, y * y);
   };
   const V size2 = highest({distance2(s.t.a), distance2(s.t.b), distance2(s.t.c)});
-  const V middle = length(velocity(s.flow, centre));
   const V change = hn::Abs(s.flow.spin) * hn::Sqrt(size2);
   const V low = hn::Max(zero(), middle - change), high = middle + change;
   M counts = hn::And(s.area > zero(), high > zero());
@@ -273,23 +353,33 @@ inline HWY_NOINLINE void add_viscous(Sums& sums, const LoadInputs& in, const Sli
   const M kink = hn::And(counts, hn::Or(at_first, hn::And(low < last_kink, last_kink < high)));
   const M smooth = hn::AndNot(kink, hn::And(counts, change <= all(kSmooth) * low));
   const M flat = hn::And(smooth, change <= all(kFlat) * low);
+  const M gentle = hn::And(smooth, change <= all(kGentle) * low);
   const M straight = hn::And(kink, change <= all(kStraight) * low);
   M linear = hn::AndNot(hn::Or(kink, smooth), counts);
-  if (ittc) linear = hn::And(linear, high <= first_kink);
+  M quartered = hn::FirstN(d, 0);
+  if (ittc) {
+    quartered = hn::And(linear, change <= all(2 * kSmooth) * low);
+    linear = hn::And(linear, high <= first_kink);
+    quartered = hn::AndNot(linear, quartered);
+  }
 
   Friction sum{{zero(), zero()}, zero()};
   const auto only = [&](M which) HWY_ATTR { return hn::IfThenElseZero(which, s.area); };
   if (hn::AllTrue(d, hn::Or(flat, hn::Not(smooth))))
-    sum = three_points({s.plane, s.flow, s.t, only(flat)}, law);
+    sum = three_points({s.plane, s.flow, s.t, only(flat), middle}, law);
+  else if (hn::AllTrue(d, hn::Or(gentle, hn::Not(smooth))))
+    sum = four_points({s.plane, s.flow, s.t, only(gentle), middle}, law);
   else
-    sum = seven_points({s.plane, s.flow, s.t, only(smooth)}, law);
+    sum = seven_points({s.plane, s.flow, s.t, only(smooth), middle}, law);
   if (!hn::AllFalse(d, straight)) {
     const V at = hn::IfThenElse(at_first, first_kink, last_kink);
-    sum = sum + cut_at_kink({s.plane, s.flow, s.t, only(straight)}, law, at);
+    sum = sum + cut_at_kink({s.plane, s.flow, s.t, only(straight), middle}, law, at);
   }
+  if (!hn::AllFalse(d, quartered))
+    sum = sum + in_quarters({s.plane, s.flow, s.t, only(quartered), middle}, law);
   if (!hn::AllFalse(d, linear)) sum = sum + about_pole(s, law, linear);
   add_friction(sums, s.plane, all(-in.half_density), sum);
-  const M others = hn::AndNot(hn::Or(hn::Or(smooth, straight), linear), counts);
+  const M others = hn::AndNot(hn::Or(hn::Or(smooth, straight), hn::Or(linear, quartered)), counts);
   if (!hn::AllFalse(d, others)) add_lane_by_lane(sums, in, s, others);
 }
 

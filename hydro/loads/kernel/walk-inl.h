@@ -81,7 +81,7 @@ HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) 
 template <Ask kAsk, class Work, class... Known>
 HWY_INLINE void add_leaf_in_airy_waves(Work& work, const Node& node, Known... known) {
   LeafWater water;
-  find_water<kAsk>(work.panels, work.in, node, water);
+  find_water<kAsk>(work.panels, work.in, node, work.turns, water);
   add_leaf_under(water, work, node.first, known...);
 }
 

@@ -33,18 +33,18 @@ inline bool without_viscous_drag(const Node& node, const LoadInputs& in) {
     turning2 += w[i] * w[i];
   }
   const double least = std::sqrt(speed2) - std::sqrt(turning2 * reach2);
-  const Range normal = normal_speed_range(node, in);
+  const Range normal = normal_speed_range(node, in.linear, in);
   const double most_normal2 = std::max(normal.low * normal.low, normal.high * normal.high);
   return least > 0 && least * least - most_normal2 >= 4;
 }
 
-/// True if all faces of a branch move into the water, or all out of it; then `drag` is ½ρC_p with
-/// the sign of the motion.
+/// True if all faces of a branch move into the water, or all out of it, as pressure drag sees them;
+/// then `drag` is ½ρC_p with the sign of the motion.
 /// @param error   What the motion relative to the water may miss [m/s].
 HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double error, double& drag) {
   drag = 0;
   if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
-  const Range normal = normal_speed_range(node, in);
+  const Range normal = normal_speed_range(node, in.drag_linear, in);
   drag = normal.high > 0 ? in.drag_front : -in.drag_back;
   return normal.low >= error || normal.high <= -error;
 }
@@ -77,39 +77,60 @@ HWY_NOINLINE void add_buoyancy_of_branch(LoadWalk& work, Factors& factors, const
   }
 }
 
-/// True if a constant velocity of the water over a branch leaves no larger an error of the pressure
-/// than its head may have.
-inline bool is_steady(const Node& node, const LoadInputs& in, double error) {
+/// The error of the water's velocity that leaves no larger an error of the pressure than its head
+/// may have [m/s].
+inline double allowed_velocity_error(const LoadInputs& in, const Node& root) {
   double speed2 = 0, turning2 = 0, reach2 = 0;
   for (int i = 0; i < 3; ++i) {
     speed2 += in.linear[i] * in.linear[i];
     turning2 += in.angular[i] * in.angular[i];
-    const double reach = std::abs(node.centre[i]) + node.half[i];
+    const double reach = std::abs(root.centre[i]) + root.half[i];
     reach2 += reach * reach;
   }
-  const double fastest = std::sqrt(speed2) + std::sqrt(turning2 * reach2) + error;
+  const double water = in.surface->waves.flow[0];
+  const double fastest = std::sqrt(speed2) + std::sqrt(turning2 * reach2) + water;
   constexpr double kLargestFriction = 0.1;  // C_v of all laws but that of a constant.
   const double friction = !in.viscous ? 0 : std::max(kLargestFriction, in.viscous->coefficient);
   const double coefficient =
       std::max(in.drag_front, in.drag_back) + in.lift + friction * in.half_density;
-  return 2 * coefficient * fastest * error <=
-         2 * in.half_density * in.surface->gravity * in.wave_error;
+  return in.half_density * in.surface->gravity * in.wave_error / (coefficient * fastest);
 }
 
-/// Takes a wet branch under Airy waves whole if it can be.
+/// Adds the loads of the motion of a branch that is wet all over, under Airy waves.
+HWY_NOINLINE void add_motion_of_branch(LoadWalk& work, const BranchWater& water, const Node& node) {
+  for (int leaf = node.first; leaf < node.last; ++leaf)
+    for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
+      const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
+      const Plane p = plane_at(faces, lane);
+      const Triangle t = triangle_at(faces, lane);
+      const V area = areas_at(faces, lane);
+      add_motion(work, {leaf, lane}, p, t, area, flow_at_corners(water, p, t), {.wet = true});
+    }
+  drain(work, false);
+}
+
+/// Takes a wet branch under Airy waves whole if the water over it is quadratic.
 HWY_NOINLINE bool take_whole_in_airy_waves(LoadWalk& work, const Tree& tree, int branch) {
   const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
+  if (!fits<Ask::velocity>(node, work.in, work.velocity_error)) return false;
   BranchWater water;
-  if (!find_branch_water(node, work.in, water)) return false;
+  find_branch_water<Ask::velocity>(node, work.in, work.turns, water);
+  add_branch_buoyancy(node, water.head, work.in, work.sums);
+  add_branch_volume(node, water.depth, work.in, work.sums);
   LoadInputs in = work.in;
-  for (int i = 0; i < 3; ++i) in.linear[i] -= water.velocity[i];
-  double drag;
-  if (!is_steady(node, in, water.velocity_error)) return false;
-  if (!of_one_sign(node, in, water.velocity_error, drag)) return false;
-  add_branch_buoyancy(node, water.head, in, work.sums);
-  add_branch_volume(node, water.depth, in, work.sums);
-  add_branch_motion(node, factors_of(in), in, drag, work.sums);
-  if (in.viscous) add_viscous_of_branch(work, in, tree, branch);
+  double u[3], drag;
+  const bool steady = middle_flow(node, water, u) <= work.velocity_error;
+  for (int i = 0; i < 3; ++i) {
+    in.linear[i] -= u[i];
+    in.drag_linear[i] -= in.shape[i][0] * u[0] + in.shape[i][1] * u[1] + in.shape[i][2] * u[2];
+  }
+  if (steady && of_one_sign(node, in, work.velocity_error, drag)) {
+    add_branch_motion(node, factors_of(in), in, drag, work.sums);
+    if (in.viscous) add_viscous_of_branch(work, in, tree, branch);
+  } else {
+    work.sums.lane[kArea][0] += node.moment[kOne][kAreaLane];
+    add_motion_of_branch(work, water, node);
+  }
   return true;
 }
 
@@ -147,7 +168,9 @@ HWY_INLINE void take_leaf(LoadWalk& work, const Node& leaf, Wetness wet) {
 /// there.
 void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int branch, Chunks* chunks,
           Sums& sums) {
-  LoadWalk work{panels, in, sums, {}, {}, {}};
+  LoadWalk work{panels, in, sums, {}, {}, {}, Turns(in)};
+  if (in.surface && in.surface->is_airy())
+    work.velocity_error = allowed_velocity_error(in, tree.nodes[0]);
   Factors factors = factors_of(in);
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
   for (int node = branch; node < end;) {

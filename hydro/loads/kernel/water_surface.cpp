@@ -22,6 +22,11 @@ double* make_room(std::size_t count, WaveField& waves) {
   return to;
 }
 
+/// Adds scale·k, scale·k², and so on.
+void add_powers(double scale, double k, double (&sums)[4]) {
+  for (double& sum : sums) sum += scale *= k;
+}
+
 void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& state,
                const Eigen::Matrix3d& R_WB, double time, WaveField& waves) {
   double* to = make_room(surface.components.size(), waves);
@@ -42,13 +47,14 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
         w.kx * state.position.x() + w.ky * state.position.y() - w.omega * time + w.phase;
     set(WaveField::kPhase, std::remainder(phase, 2 * M_PI));
     waves.height += std::abs(w.amplitude);
-    waves.slope += std::abs(w.amplitude) * number;
-    waves.curvature += std::abs(w.amplitude) * number * number;
-    waves.third += std::abs(w.amplitude) * number * number * number;
+    add_powers(std::abs(w.amplitude), number, waves.bends);
     set(WaveField::kWeight, 0.5);
-    if (!waves.airy || number == 0) continue;
+    if (!waves.airy || number == 0 || w.amplitude == 0) continue;
+    const double velocity = sea.gravity / intrinsic_frequency(number, sea.depth, sea.gravity);
+    add_powers(std::abs(w.amplitude) * velocity, number, waves.flow);
+    waves.least_number = waves.least_number > 0 ? std::min(waves.least_number, number) : number;
     set(WaveField::kNumber, number);
-    set(WaveField::kVelocity, sea.gravity / intrinsic_frequency(number, sea.depth, sea.gravity));
+    set(WaveField::kVelocity, velocity);
     set(WaveField::kWeight, 1 / (1 + std::exp(-2 * number * sea.depth)));
   }
 }
@@ -88,6 +94,11 @@ WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, 
     east[axis] = R_WB(0, axis);
     north[axis] = R_WB(1, axis);
   }
+}
+
+double allowed_wave_error(double part, double volume_over_area, const WaterSurface& surface) {
+  if (surface.is_grid()) return part * volume_over_area;
+  return part * std::min(volume_over_area, 10 * surface.waves.height);
 }
 
 ElevationRange grid_over(const WaterSurface& surface, const double* centre, const double* half) {

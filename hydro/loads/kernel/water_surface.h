@@ -35,13 +35,13 @@ struct WaveField {
   std::vector<double> many;  ///< Holds the rows where `few` is too small.
   const double* row[kRows] = {};
   int count = 0;
-  bool airy = false;       ///< The water moves below the waves, and its pressure decays.
-  bool deep = true;        ///< The waves feel no bottom.
-  double water_depth = 0;  ///< Of the still water, where it is not deep [m].
-  double height = 0;       ///< Σ |amplitude|, a bound of the elevation [m].
-  double slope = 0;        ///< Σ |amplitude| k, a bound of the slope [-].
-  double curvature = 0;    ///< Σ |amplitude| k², a bound of the second derivatives [1/m].
-  double third = 0;        ///< Σ |amplitude| |k|³, a bound of the third derivatives [1/m^2].
+  bool airy = false;        ///< The water moves below the waves, and its pressure decays.
+  bool deep = true;         ///< The waves feel no bottom.
+  double water_depth = 0;   ///< Of the still water, where it is not deep [m].
+  double height = 0;        ///< Σ |amplitude|, a bound of the elevation [m].
+  double least_number = 0;  ///< The least k of a wave [rad/m].
+  double bends[4] = {};  ///< Σ |amplitude| k^n for n from 1: bounds of the derivatives [m^(1−n)].
+  double flow[4] = {};   ///< Σ |amplitude| (g/σ) k^n for n from 1: the same of the velocity.
 };
 
 /// A grid of heights. The elevation is bilinear between them; a place r lies at column
@@ -77,6 +77,10 @@ class WaterSurface {
   bool is_grid() const { return grid.heights != nullptr; }
   bool is_airy() const { return waves.airy; }
 };
+
+/// The error that the head may have over whole branches [m]: a part of a hull's volume over its
+/// area, but no more than ten times that part of the waves' height.
+double allowed_wave_error(double part, double volume_over_area, const WaterSurface& surface);
 
 /// Bounds of the elevation over a box of a body [m].
 struct ElevationRange {

@@ -10,6 +10,7 @@
 
 #include "hydro/loads/kernel/grid-inl.h"
 #include "hydro/loads/kernel/pieces-inl.h"
+#include "hydro/loads/kernel/turn-inl.h"
 #include "hydro/loads/kernel/water_surface.h"
 
 /// @file
@@ -26,7 +27,7 @@ HWY_INLINE V waves_at(const WaveField& waves, const V3& r) {
         hn::MulAdd(all(waves.row[1][i]), r.x,
                    hn::MulAdd(all(waves.row[2][i]), r.y,
                               hn::MulAdd(all(waves.row[3][i]), r.z, all(waves.row[4][i]))));
-    sum = hn::MulAdd(all(waves.row[0][i]), hn::Cos(D(), phase), sum);
+    sum = hn::MulAdd(all(waves.row[0][i]), turn_of(phase).cosine, sum);
   }
   return sum;
 }
@@ -54,7 +55,7 @@ inline HWY_NOINLINE ElevationRange waves_over(const WaveField& waves, const doub
     V turn = zero();
     for (int axis = 0; axis < 3; ++axis)
       turn = hn::MulAdd(hn::Abs(row(waves, 1 + axis, i)), all(half[axis]), turn);
-    middle = hn::MulAdd(amplitude, hn::Cos(D(), phases(waves, centre, i)), middle);
+    middle = hn::MulAdd(amplitude, turn_of(phases(waves, centre, i)).cosine, middle);
     reach = hn::MulAdd(hn::Abs(amplitude), hn::Min(turn, all(2)), reach);
   }
   const double mean = total(middle), most = total(reach);
@@ -68,9 +69,9 @@ inline HWY_NOINLINE void expand_waves(const WaveField& waves, const double* c, d
   for (V& v : slope) v = zero();
   for (V& v : bend) v = zero();
   for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D()))) {
-    const V phase = phases(waves, c, i);
-    const V cosine = row(waves, 0, i) * hn::Cos(D(), phase);
-    const V sine = row(waves, 0, i) * hn::Sin(D(), phase);
+    const Turn turn = turn_of(phases(waves, c, i));
+    const V cosine = row(waves, 0, i) * turn.cosine;
+    const V sine = row(waves, 0, i) * turn.sine;
     const V k[3] = {row(waves, 1, i), row(waves, 2, i), row(waves, 3, i)};
     elevation = elevation + cosine;
     for (int a = 0; a < 3; ++a) {

@@ -86,8 +86,8 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["skipped"]["pictures"], "the scene has no render block");
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
   EXPECT_THAT(keys(summary["bodies"]["box"]),
-              ElementsAre("triangles", "mass", "loads_not_computed", "steps_above_water",
-                          "steps_at_rest", "motion", "added_mass"));
+              ElementsAre("triangles", "mass", "loads_not_computed", "drag_shape",
+                          "steps_above_water", "steps_at_rest", "motion", "added_mass"));
 }
 
 TEST_F(ProgramRun, WarnsOfAStepThatIsTooLongForTheWaves) {

@@ -301,10 +301,12 @@ TEST(SceneKeys, APresetIsWhereTheOtherCoefficientsStartFrom) {
         .bodies[0]
         .hydro.pressure_drag;
   };
-  EXPECT_EQ(drag("{}"), (hydro::PressureDrag{0.6316, 0.6316}));
-  EXPECT_EQ(drag("{pressure_drag: {back: 0.1}}"), (hydro::PressureDrag{0.6316, 0.1}));
+  EXPECT_EQ(drag("{}"), (hydro::PressureDrag{0.6316, 0.6316, 0}));
+  EXPECT_EQ(drag("{pressure_drag: {back: 0.1}}"), (hydro::PressureDrag{0.6316, 0.1, 0}));
+  EXPECT_EQ(drag("{pressure_drag: {blunt: 0.2}}"), (hydro::PressureDrag{0.6316, 0.6316, 0.2}));
   EXPECT_EQ(drag("{preset: fitted}"), hydro::PressureDrag{});
-  EXPECT_EQ(drag("{pressure_drag: false}"), (hydro::PressureDrag{0, 0}));
+  EXPECT_EQ(drag("{pressure_drag: false}"), (hydro::PressureDrag{0, 0, 0}));
+  EXPECT_EQ(drag("{pressure_drag: 0.5}"), (hydro::PressureDrag{0.5, 0.5, 0}));
 }
 
 TEST(SceneKeys, AddedMassIsReadAsOneKey) {
@@ -432,7 +434,8 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(wet.water->kinematics, hydro::Kinematics::airy);
   EXPECT_TRUE(std::holds_alternative<scene::Flat>(wet.water->surface));
   EXPECT_FALSE(wet.log_every.has_value());
-  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.93, 0.12}));
+  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.71, 0.30, 0.36}));
+  EXPECT_EQ(wet.bodies[0].hydro.viscous_drag.law, hydro::ViscousDrag::Law::ittc57);
   EXPECT_EQ(wet.bodies[0].hydro.lift, 0.01);
   EXPECT_EQ(wet.bodies[0].hydro.added_mass.model, scene::AddedMass::Model::automatic);
 }

@@ -4,18 +4,14 @@ import numpy as np
 
 from case import Case, Curve, Plot, Result, compare, compare_vectors
 from cases.calibrated import rotation
+from closed_forms import ittc57
 from plimsoll import Plimsoll
 
 kScene = "validation/friction_plate.yaml"
 kSize = (4.0, 0.01, 1.0)
 kViscosity = 1.0e-6
-kHeldBelow = 1e4  # Reynolds number.
 kSpeeds = (1e-4, 2e-3, 2.6e-3, 0.01, 0.1, 0.5, 1, 3, 10)  # Up to Re = 4e7; 1e4 is at 0.0025.
 kRoundOff = 1e-12
-
-
-def ittc57(reynolds: float) -> float:
-    return 0.075 / (np.log10(max(reynolds, kHeldBelow)) - 2)**2
 
 
 def wetted_surface() -> float:
