@@ -92,6 +92,34 @@ TEST(Assemble, LoadsAreSummedWithTheTolerancesOfTheBody) {
             0.01);
 }
 
+/// Coefficients of an ellipsoid 8:1 along z with more keys.
+hydro::Coefficients slender_coefficients(const std::string& more = "") {
+  return assembled(wet_scene("ellipsoid: {semi_axes: [0.5, 0.5, 4]}, density: 500" + more))
+      .spec.bodies[0]
+      .coefficients;
+}
+
+TEST(Assemble, ASlenderMeshIsSparedDragAlongItsAxisUnlessItIsCalibrated) {
+  const Matrix3d K = slender_coefficients().drag_shape;
+  EXPECT_LT(K(2, 2), 0.2);
+  EXPECT_NEAR(K(0, 0), 1, tolerance(1e-12));
+  EXPECT_NEAR(K(1, 1), 1, tolerance(1e-12));
+  EXPECT_EQ(slender_coefficients(", hydro: {pressure_drag: {blunt: 0}}").drag_shape,
+            Matrix3d::Identity());
+  EXPECT_EQ(slender_coefficients(", hydro: {preset: thesis}").drag_shape, Matrix3d::Identity());
+  const hydro::Coefficients calibrated = slender_coefficients(", calibrate: {drag: [1, 1, 0.1]}");
+  EXPECT_EQ(calibrated.drag_shape, Matrix3d::Identity());
+  EXPECT_TRUE(calibrated.calibration.has_value());
+}
+
+TEST(Assemble, TheFrictionLineHasTheLengthOfTheMeshUnlessItIsGiven) {
+  const double viscosity = scene::Water{}.viscosity;
+  EXPECT_NEAR(slender_coefficients().viscous_drag.reynolds_per_speed, 8 / viscosity,
+              tolerance(1e-12) * 8 / viscosity);
+  EXPECT_NEAR(slender_coefficients(", hydro: {length: 2}").viscous_drag.reynolds_per_speed,
+              2 / viscosity, tolerance(1e-12) * 2 / viscosity);
+}
+
 TEST(Assemble, InertiaIsTakenAsGiven) {
   const BodySpec body =
       body_of(wet_scene("box: {size: [1, 1, 1]}, mass: 10, inertia: [2, 3, 4, 0.1, 0.2, 0.3]"));

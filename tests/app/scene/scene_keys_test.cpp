@@ -60,7 +60,8 @@ std::string every_key() {
          "    start: given\n"
          "    linear_velocity: [7, 8, 9]\n"
          "    angular_velocity: [-1, -2, -3]\n"
-         "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5},"
+         "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5,"
+         "      blunt: 0.25},"
          " lift: 1, viscous_drag: ittc57, length: 3, wave_tolerance: 0,"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
@@ -273,13 +274,13 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   using Law = hydro::ViscousDrag::Law;
   const hydro::Coefficients& own = scene.bodies[0].hydro;
   EXPECT_EQ(std::tuple(own.buoyancy, own.pressure_drag, own.lift),
-            std::tuple(false, hydro::PressureDrag{0.75, 0.5}, 1));
+            std::tuple(false, hydro::PressureDrag{0.75, 0.5, 0.25}, 1));
   EXPECT_EQ(own.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 3}));
   EXPECT_EQ(scene.bodies[0].hydro.wave_tolerance, 0);
   EXPECT_EQ(scene.bodies[1].hydro.wave_tolerance, 2e-3);
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
   EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
-            std::tuple(true, hydro::PressureDrag{0.5, 0.5}, 0));
+            std::tuple(true, hydro::PressureDrag{0.5, 0.5, 0}, 0));
   EXPECT_EQ(mixed.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 7}));
   for (const auto& [text, law, coefficient] :
        {std::tuple("false", Law::none, 0.0), std::tuple("thesis", Law::thesis, 0.0),
@@ -459,7 +460,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
   std::set<std::string> met;
   for (const std::vector<std::string>& overrides : std::vector<std::vector<std::string>>{
            {},
-           {kSpectrum, "hydro.pressure_drag={front: 1, back: 2}"},
+           {kSpectrum, "hydro.pressure_drag={front: 1, back: 2, blunt: 0.4}"},
            {"water.surface={flat: {}}", picture("ground")},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
