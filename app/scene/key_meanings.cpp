@@ -160,7 +160,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Accuracy of the loads of large meshes in waves. Parts of the mesh are summed at once where "
      "the surface above them is nearly quadratic. The key bounds the resulting error of the "
      "force, relative to the buoyancy of the submerged body; that of the waves' pressure stays "
-     "below ten times this part of the waves' height, too. With 0 every triangle is summed by "
+     "below this part of the waves' height, too. With 0 every triangle is summed by "
      "itself."},
     {"hydro.length",
      "Length in the friction line `ittc57`. The default is the longest side of the mesh's "

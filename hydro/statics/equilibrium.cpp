@@ -11,12 +11,12 @@
 namespace hydro {
 namespace {
 
-constexpr double kLongestStep = 0.2;  ///< [rad] Bound that keeps the search in its first valley.
-constexpr double kProbe = 1e-3;       ///< [rad] Turn of the attitudes tried around a result.
-constexpr int kMostSteps = 500;       ///< Step limit of one search; most take about ten.
-constexpr int kMostSearches = 100;    ///< Search limit; nearly always one search suffices.
-constexpr double kRoundOff = 1e-15;   ///< Round-off of moment arms, over the radius.
-constexpr double kFlat = 1e-9;        ///< Metacentric heights that count as zero, over the radius.
+constexpr double kLongestStep = 0.2;   ///< [rad] Bound that keeps the search in its first valley.
+constexpr double kProbe = 1e-3;        ///< [rad] Turn of the attitudes tried around a result.
+constexpr int kMostSteps = 500;        ///< Step limit of one search; most take about ten.
+constexpr int kMostSearches = 100;     ///< Search limit; nearly always one search suffices.
+constexpr double kRoundOff = 1e-15;    ///< Round-off of moment arms, over the radius.
+constexpr double kNoStability = 1e-9;  ///< Metacentric heights that count as zero, over the radius.
 constexpr double kEnergyNoise = 1e-12;  ///< Round-off of energy differences, over the radius.
 
 /// Rotations allowed in a search.
@@ -73,7 +73,8 @@ class Descent {
 
  private:
   bool settled(const Model& m) const {
-    return m.gradient.norm() <= kRoundOff * size_ && lowest_eigenvalue(m.hessian) >= -kFlat * size_;
+    return m.gradient.norm() <= kRoundOff * size_ &&
+           lowest_eigenvalue(m.hessian) >= -kNoStability * size_;
   }
 
   /// Quality of a step: actual over predicted decrease of energy. Where round-off hides both, the
@@ -144,8 +145,8 @@ Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond&
 Stability stability(const TriMesh& mesh_B, const Flotation& flotation) {
   const double size = mesh_B.vertices.colwise().norm().maxCoeff();
   const double lowest = lowest_eigenvalue(metacentric_heights(flotation.hydrostatics));
-  if (lowest < -kFlat * size) return Stability::unstable;
-  return lowest > kFlat * size ? Stability::stable : Stability::neutral;
+  if (lowest < -kNoStability * size) return Stability::unstable;
+  return lowest > kNoStability * size ? Stability::stable : Stability::neutral;
 }
 
 Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start) {

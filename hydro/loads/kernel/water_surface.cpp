@@ -98,7 +98,7 @@ WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, 
 
 double allowed_wave_error(double part, double volume_over_area, const WaterSurface& surface) {
   if (surface.is_grid()) return part * volume_over_area;
-  return part * std::min(volume_over_area, 10 * surface.waves.height);
+  return part * std::min(volume_over_area, surface.waves.height);
 }
 
 ElevationRange grid_over(const WaterSurface& surface, const double* centre, const double* half) {

@@ -79,7 +79,7 @@ class WaterSurface {
 };
 
 /// The error that the head may have over whole branches [m]: a part of a hull's volume over its
-/// area, but no more than ten times that part of the waves' height.
+/// area, but no more than that part of the waves' height.
 double allowed_wave_error(double part, double volume_over_area, const WaterSurface& surface);
 
 /// Bounds of the elevation over a box of a body [m].
