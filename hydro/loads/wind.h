@@ -8,7 +8,8 @@
 /// The load of the air on the dry part of a hull.
 ///
 /// It is pressure drag as in the water, with the density of the air, the coefficients C_p of the
-/// body and the velocity v = v_0 + ω × r − U(z) relative to the wind,
+/// body, K = 1 for all bodies (bluntness.h: what stands above the water is mostly blunt) and the
+/// velocity v = v_0 + ω × r − U(z) relative to the wind,
 ///
 ///     F = −½ρ ∫_dry C_p v_n |v_n| n dS,                                                      (1)
 ///
