@@ -27,7 +27,7 @@ using hydro::Sea;
 const hydro::Coefficients kInviscid{.viscous_drag = {hydro::ViscousDrag::Law::none}};
 
 struct Case {
-  std::string state = "half";  ///< submerged, half, waves, field or jonswap.
+  std::string state = "half";  ///< submerged, half, waves, field, jonswap or jonswap256.
   std::string what;
   int subdivisions = 4;
   int threads = 1;
@@ -59,8 +59,10 @@ Sea sea_of(const std::string& name) {
   if (name == "waves")
     sea.surface = hydro::WaveSurface{{hydro::deep_water_wave(0.3, 12, 0.3, 0, sea.gravity)}};
   if (name == "field") sea.surface = swell();
-  if (name == "jonswap")
-    sea.surface = hydro::jonswap_sea({.significant_height = 1.5, .spreading = 4}, sea);
+  if (name.starts_with("jonswap"))
+    sea.surface = hydro::jonswap_sea(
+        {.significant_height = 1.5, .spreading = 4, .components = name == "jonswap" ? 64 : 256},
+        sea);
   return sea;
 }
 
@@ -124,6 +126,7 @@ void register_hydro() {
   }
   add({"half", "rest", 4, 1});
   add({"half", "no_tree", 6, 2});
+  add({"jonswap256", "viscous", 4, 1});
 }
 
 }  // namespace bench

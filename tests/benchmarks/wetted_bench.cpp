@@ -11,10 +11,11 @@
 #include "tests/benchmarks/benches.h"
 
 /// @file
-/// The added mass of a body's wetted part in waves, beside all loads of the default coefficients in
-/// the same state; each is computed once a substep. Names are BM_WettedAddedMass/TRIANGLES and
-/// BM_LoadsBeside/TRIANGLES: 1,620 triangles are the barge of scenes/barge_in_swell.yaml in its two
-/// waves, whose faces are split; others are a half-immersed sphere in one wave. On one thread.
+/// The added mass of a body's wetted part in waves and the load of the waves on it, beside all
+/// loads of the default coefficients in the same state; each is computed once a substep. Names are
+/// BM_WettedAddedMass/TRIANGLES, BM_WaveLoad/TRIANGLES and BM_LoadsBeside/TRIANGLES: 1,620
+/// triangles are the barge of scenes/barge_in_swell.yaml in its two waves, whose faces are split;
+/// others are a half-immersed sphere in one wave. On one thread.
 
 namespace bench {
 namespace {
@@ -73,6 +74,11 @@ void added_mass(benchmark::State& state, const Wetted& wetted) {
   for (auto _ : state) benchmark::DoNotOptimize(model.at(wetted.state, wetted.sea, 0.7));
 }
 
+void wave_load(benchmark::State& state, const Wetted& wetted) {
+  const hydro::WettedAddedMass model(wetted.mesh, linear_potentials(wetted.mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(model.wave_share(wetted.state, wetted.sea, 0.7));
+}
+
 void loads(benchmark::State& state, const Wetted& wetted) {
   const hydro::Hull hull = hydro::make_hull(wetted.mesh);
   tbb::task_arena arena(1);
@@ -88,6 +94,8 @@ void add(const Wetted& wetted) {
   const auto named = [&](const char* kind) { return fmt::format("{}/{}", kind, triangles); };
   benchmark::RegisterBenchmark(named("BM_WettedAddedMass").c_str(),
                                [=](benchmark::State& state) { added_mass(state, wetted); });
+  benchmark::RegisterBenchmark(named("BM_WaveLoad").c_str(),
+                               [=](benchmark::State& state) { wave_load(state, wetted); });
   benchmark::RegisterBenchmark(named("BM_LoadsBeside").c_str(),
                                [=](benchmark::State& state) { loads(state, wetted); });
 }

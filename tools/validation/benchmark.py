@@ -230,6 +230,7 @@ def step_table(found: Findings) -> list[str]:
 kOthers = {"BM_AddedMass": "added mass of a sphere of {} triangles, solved once",
            "BM_WettedAddedMass": "added mass of the wetted part of a sphere of {} triangles, half "
                                  "immersed, in a wave",
+           "BM_WaveLoad": "load of the wave on that added mass, with the added mass",
            "BM_LoadsBeside": "all loads on that sphere in the same state",
            "BM_MeshLoad": "mesh file of {} triangles, read, welded and checked",
            "BM_Frame": "picture of a teapot of {} triangles half in water, software rasteriser, "

@@ -38,9 +38,9 @@ struct DepthFunctions {
 };
 
 HWY_INLINE DepthFunctions depth_functions(const WaveField& waves, V k, V weight, V down) {
-  const V falls = hn::Exp(D(), zero() - k * down);
+  const V falls = exponential(hn::NegMulAdd(k, down, zero()));
   if (waves.deep) return {falls, falls};
-  const V rises = hn::Exp(D(), k * (down - all(2 * waves.water_depth)));
+  const V rises = exponential(k * (down - all(2 * waves.water_depth)));
   return {weight * (falls + rises), weight * (falls - rises)};
 }
 
@@ -79,53 +79,55 @@ HWY_INLINE V find_turns(const WaveField& waves, const V3& r, Turns& turns) {
   V rise = zero();
   for (int i = 0; i < waves.count; ++i) {
     if (waves.row[WaveField::kAmplitude][i] == 0) continue;
-    const auto value = [&](int row) HWY_ATTR { return all(waves.row[row][i]); };
-    const V3 k = {value(WaveField::kVector), value(WaveField::kVector + 1),
-                  value(WaveField::kVector + 2)};
-    const Turn turn = turn_of(dot(k, r) + value(WaveField::kPhase));
+    const auto row = [&](int which) HWY_ATTR { return all(waves.row[which][i]); };
+    V phase = hn::MulAdd(row(WaveField::kVector), r.x, row(WaveField::kPhase));
+    phase = hn::MulAdd(row(WaveField::kVector + 1), r.y, phase);
+    const Turn turn = turn_of(hn::MulAdd(row(WaveField::kVector + 2), r.z, phase));
     turns.set(i, turn);
-    rise = hn::MulAdd(value(WaveField::kAmplitude), turn.cosine, rise);
+    rise = hn::MulAdd(row(WaveField::kAmplitude), turn.cosine, rise);
   }
   return rise;
 }
 
-/// The water at places of the given depth below the surface, as `LoadInputs` counts it, and turns.
+/// The water at places of the given depth below the surface, as `LoadInputs` counts it.
 /// Above the surface it goes on as its functions do.
+/// @param rise   The elevation by `turns`: where C is 1, the head is the depth to the last bit.
 template <Ask kAsk>
-HWY_INLINE Water water_around(const LoadInputs& in, const V3& r, V depth, const Turns& turns,
-                              double least_depth = -1e300) {
+HWY_INLINE Water water_around(const LoadInputs& in, const V3& r, V depth, V rise,
+                              const Turns& turns, double least_depth = -1e300) {
+  constexpr bool kVelocity = kAsk == Ask::velocity;
+  constexpr int kAlong = kVelocity ? WaveField::kFlow : WaveField::kVector;
+  constexpr int kUp = kVelocity ? WaveField::kUpward : WaveField::kNumber;
   const WaveField& waves = in.surface->waves;
   const V3 up = all3(in.up);
   const V s = depth + all(in.surface->hidden_depth);
   const V level = all(in.below + in.surface->hidden_depth);
   const V down = stretched(waves, hn::Max(s, all(least_depth)), s - (level - dot(up, r)));
-  V head = depth, rise = zero();
+  V phi = zero(), upward = zero();
   V3 u = {zero(), zero(), zero()};
   for (int i = 0; i < waves.count; ++i) {
     if (waves.row[WaveField::kAmplitude][i] == 0) continue;
-    const auto value = [&](int row) HWY_ATTR { return all(waves.row[row][i]); };
-    const V3 k = {value(WaveField::kVector), value(WaveField::kVector + 1),
-                  value(WaveField::kVector + 2)};
-    const V amplitude = value(WaveField::kAmplitude);
+    const auto row = [&](int which) HWY_ATTR { return all(waves.row[which][i]); };
     const auto [cosine, sine] = turns[i];
-    const V number = value(WaveField::kNumber);
-    const auto [C, S] = depth_functions(waves, number, value(WaveField::kWeight), down);
-    head = hn::NegMulAdd(amplitude * (all(1) - C), cosine, head);
-    const bool velocity = kAsk == Ask::velocity;
-    const V scale = amplitude * (velocity ? value(WaveField::kVelocity) : all(in.surface->gravity));
-    const V along = scale * C * (velocity ? cosine : sine);
-    u = {hn::MulAdd(along, k.x, u.x), hn::MulAdd(along, k.y, u.y), hn::MulAdd(along, k.z, u.z)};
-    const V upward = scale * number * S;
-    rise = velocity ? hn::MulAdd(upward, sine, rise) : hn::NegMulAdd(upward, cosine, rise);
+    const auto [C, S] =
+        depth_functions(waves, row(WaveField::kNumber), row(WaveField::kWeight), down);
+    const V a = row(WaveField::kAmplitude), a_C = a * C;
+    phi = hn::MulAdd(a_C, cosine, phi);
+    const V along = a_C * (kVelocity ? cosine : sine);
+    u = {hn::MulAdd(along, row(kAlong), u.x), hn::MulAdd(along, row(kAlong + 1), u.y),
+         hn::MulAdd(along, row(kAlong + 2), u.z)};
+    upward = hn::MulAdd(a * S * (kVelocity ? sine : zero() - cosine), row(kUp), upward);
   }
-  return {head,
-          {hn::MulAdd(rise, up.x, u.x), hn::MulAdd(rise, up.y, u.y), hn::MulAdd(rise, up.z, u.z)}};
+  const V unit = all(kVelocity ? 1 : in.surface->gravity);
+  const auto total = [&](V along, V vertical)
+                         HWY_ATTR { return unit * hn::MulAdd(upward, vertical, along); };
+  return {depth - (rise - phi), {total(u.x, up.x), total(u.y, up.y), total(u.z, up.z)}};
 }
 
 /// The same, but that above the surface it is as at the surface.
 template <Ask kAsk>
-HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth, const Turns& turns) {
-  return water_around<kAsk>(in, r, depth, turns, 0);
+HWY_INLINE Water water_at(const LoadInputs& in, const V3& r, V depth, V rise, const Turns& turns) {
+  return water_around<kAsk>(in, r, depth, rise, turns, 0);
 }
 
 /// The water at the corners of faces.
@@ -142,8 +144,8 @@ inline HWY_NOINLINE MovingWater water_at_corners(const LoadInputs& in, const Pla
                                                  Turns& turns) {
   const auto at = [&](const V2& corner, V depth_there) HWY_ATTR {
     const V3 r = point_on(p, corner);
-    find_turns(in.surface->waves, r, turns);
-    return water_at<kAsk>(in, r, depth_there, turns);
+    const V rise = find_turns(in.surface->waves, r, turns);
+    return water_at<kAsk>(in, r, depth_there, rise, turns);
   };
   const Water a = at(t.a, depth.a), b = at(t.b, depth.b), c = at(t.c, depth.c);
   return {depth, {a.head, b.head, c.head}, a.u, b.u, c.u};
@@ -182,7 +184,7 @@ inline HWY_NOINLINE void find_water(const Panels& panels, const LoadInputs& in, 
       const V3 r = load3(panels.blocks[static_cast<std::size_t>(block)].r, lane);
       const V rise = find_turns(in.surface->waves, r, turns);
       const V depth = all(in.below) + (rise - dot(all3(in.up), r));
-      const Water at = water_at<kAsk>(in, r, depth, turns);
+      const Water at = water_at<kAsk>(in, r, depth, rise, turns);
       hn::Store(depth, D(), water.depths.at + to);
       hn::Store(at.head, D(), water.head + to);
       hn::Store(at.u.x, D(), water.u[0] + to);

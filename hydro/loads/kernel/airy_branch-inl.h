@@ -153,7 +153,7 @@ inline HWY_NOINLINE void find_branch_water(const Node& node, const LoadInputs& i
     const V3 at = {hn::Load(D(), r[0] + i), hn::Load(D(), r[1] + i), hn::Load(D(), r[2] + i)};
     const V rise = find_turns(in.surface->waves, at, turns);
     const V depth = all(in.below) + (rise - dot(all3(in.up), at));
-    const Water here = water_around<kAsk>(in, at, depth, turns);
+    const Water here = water_around<kAsk>(in, at, depth, rise, turns);
     hn::Store(depth, D(), f[0] + i);
     hn::Store(here.head, D(), f[1] + i);
     hn::Store(here.u.x, D(), f[2] + i);

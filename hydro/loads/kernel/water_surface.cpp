@@ -54,7 +54,8 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
     add_powers(std::abs(w.amplitude) * velocity, number, waves.flow);
     waves.least_number = waves.least_number > 0 ? std::min(waves.least_number, number) : number;
     set(WaveField::kNumber, number);
-    set(WaveField::kVelocity, velocity);
+    set(WaveField::kUpward, velocity * number);
+    for (int axis = 0; axis < 3; ++axis) set(WaveField::kFlow + axis, velocity * k[axis]);
     set(WaveField::kWeight, 1 / (1 + std::exp(-2 * number * sea.depth)));
   }
 }

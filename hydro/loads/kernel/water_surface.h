@@ -26,8 +26,9 @@ struct WaveField {
     kVector = 1,     ///< k_x, k_y, k_z [rad/m].
     kPhase = 4,      ///< [rad]
     kNumber = 5,     ///< |k| [rad/m].
-    kVelocity = 6,   ///< g/σ [m/s].
-    kWeight = 7,     ///< 1/(1 + e^{−2kh}) [-].
+    kFlow = 6,       ///< k_x, k_y, k_z times g/σ [1/s].
+    kUpward = 9,     ///< |k| times g/σ [1/s].
+    kWeight = 10,    ///< 1/(1 + e^{−2kh}) [-].
     kRows
   };
 

@@ -10,8 +10,8 @@
 
 #include "hydro/loads/kernel/grid-inl.h"
 #include "hydro/loads/kernel/pieces-inl.h"
-#include "hydro/loads/kernel/turn-inl.h"
 #include "hydro/loads/kernel/water_surface.h"
+#include "hydro/loads/kernel/wave_functions-inl.h"
 
 /// @file
 /// The elevation of a surface that is not flat.
