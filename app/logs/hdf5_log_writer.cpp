@@ -25,8 +25,8 @@ constexpr std::size_t kMostWaiting = std::size_t{64} << 20;  ///< [bytes], if kF
 
 constexpr std::chrono::seconds kBetweenFlushes(1);
 
-/// Returns all series of a log.
-std::vector<Hdf5Series> all_series(const LogSubject& subject) {
+/// Returns all series of the bodies.
+std::vector<Hdf5Series> series_of_bodies(const LogSubject& subject) {
   const std::size_t bodies = subject.bodies.size();
   std::vector<Hdf5Series> all = state_series(bodies);
   if (subject.forces)
@@ -34,11 +34,18 @@ std::vector<Hdf5Series> all_series(const LogSubject& subject) {
   return all;
 }
 
+/// Returns all series of the probes; none without probes.
+std::vector<Hdf5Series> series_of_probes(const LogSubject& subject) {
+  if (subject.probes.empty()) return {};
+  return probe_series(subject.probes.size());
+}
+
 std::size_t chunk_rows(const LogSubject& subject) {
   std::size_t numbers = 0;
-  for (const Hdf5Series& series : all_series(subject)) numbers += width_of(series);
+  for (const Hdf5Series& series : series_of_bodies(subject)) numbers += width_of(series);
   const std::size_t row =
-      sizeof(double) * numbers * std::max<std::size_t>(1, subject.bodies.size());
+      sizeof(double) * (numbers * std::max<std::size_t>(1, subject.bodies.size()) +
+                        kProbeColumns * subject.probes.size());
   return std::clamp(kMostWaiting / row, kFewestRows, kMostRows);
 }
 
@@ -69,25 +76,31 @@ void Hdf5Log::make_structure() {
                         {"title", subject_.title}});
   times_.number = file_.add_series({"time", "s", {}, {}}, chunk);
   file_.add_texts("body", subject_.bodies);
-  for (const Hdf5Series& series : all_series(subject_))
+  for (const Hdf5Series& series : series_of_bodies(subject_))
     series_.push_back({.number = file_.add_series(series, chunk), .columns = width_of(series)});
+  if (!subject_.probes.empty()) file_.add_texts("probe", subject_.probes);
+  for (const Hdf5Series& series : series_of_probes(subject_))
+    probes_.push_back({.number = file_.add_series(series, chunk), .columns = width_of(series)});
   file_.flush();
   started_ = true;
 }
 
 void Hdf5Log::find_structure(std::size_t kept) {
   times_.number = file_.find_series({"time", "s", {}, {}}, kept);
-  for (const Hdf5Series& series : all_series(subject_))
+  for (const Hdf5Series& series : series_of_bodies(subject_))
     series_.push_back({.number = file_.find_series(series, kept), .columns = width_of(series)});
+  for (const Hdf5Series& series : series_of_probes(subject_))
+    probes_.push_back({.number = file_.find_series(series, kept), .columns = width_of(series)});
   written_ = kept;
   started_ = true;
 }
 
 void Hdf5Log::add(double time, const std::vector<hydro::BodyState>& states,
-                  const std::vector<engine::BodyForces>& forces) {
+                  const std::vector<engine::BodyForces>& forces,
+                  const std::vector<ProbeReading>& probes) {
   try {
     if (!started_) make_structure();
-    wait(time, states, forces);
+    wait(time, states, forces, probes);
     if ((written_ + times_.waiting.size()) % chunk_ == 0) write_waiting();
   } catch (const OutputError&) {
     ended_ = true;
@@ -96,18 +109,22 @@ void Hdf5Log::add(double time, const std::vector<hydro::BodyState>& states,
 }
 
 void Hdf5Log::wait(double time, const std::vector<hydro::BodyState>& states,
-                   const std::vector<engine::BodyForces>& forces) {
+                   const std::vector<engine::BodyForces>& forces,
+                   const std::vector<ProbeReading>& probes) {
+  const auto distribute = [](auto next, std::vector<Series>& all) {
+    for (Series& series : all) {
+      series.waiting.insert(series.waiting.end(), next, next + series.columns);
+      next += series.columns;
+    }
+  };
   times_.waiting.push_back(time);
   for (std::size_t body = 0; body < states.size(); ++body) {
     const StateRow state = row_of(states[body]);
     std::vector<double> row(state.begin(), state.end());
     if (subject_.forces) std::ranges::copy(force_row(forces[body]), std::back_inserter(row));
-    auto next = row.begin();
-    for (Series& series : series_) {
-      series.waiting.insert(series.waiting.end(), next, next + series.columns);
-      next += series.columns;
-    }
+    distribute(row.begin(), series_);
   }
+  for (const ProbeReading& reading : probes) distribute(reading.begin(), probes_);
 }
 
 /// Writes the times last, so that the file has all data of every time in it.
@@ -119,9 +136,11 @@ void Hdf5Log::write_waiting() {
   if (times_.waiting.empty()) return;
   std::size_t numbers = times_.waiting.size();
   for (const Series& series : series_) numbers += series.waiting.size();
+  for (const Series& series : probes_) numbers += series.waiting.size();
   written_ += times_.waiting.size();
   file_.reserve(sizeof(double) * numbers);
   std::ranges::for_each(series_, write);
+  std::ranges::for_each(probes_, write);
   write(times_);
   if (std::chrono::steady_clock::now() - flushed_ > kBetweenFlushes) flush();
 }

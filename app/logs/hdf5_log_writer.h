@@ -26,7 +26,8 @@ class Hdf5Log : public Log {
   ~Hdf5Log() override;
 
   void add(double time, const std::vector<hydro::BodyState>& states,
-           const std::vector<engine::BodyForces>& forces) override;
+           const std::vector<engine::BodyForces>& forces,
+           const std::vector<ProbeReading>& probes) override;
   LogPosition save() override;
   void finish() override;
 
@@ -34,14 +35,14 @@ class Hdf5Log : public Log {
   /// A dataset and its buffered rows.
   struct Series {
     std::size_t number = 0;   ///< Number in the file.
-    std::size_t columns = 1;  ///< Numbers per body.
+    std::size_t columns = 1;  ///< Numbers per body or probe.
     std::vector<double> waiting;
   };
 
   void make_structure();
   void find_structure(std::size_t kept);
   void wait(double time, const std::vector<hydro::BodyState>& states,
-            const std::vector<engine::BodyForces>& forces);
+            const std::vector<engine::BodyForces>& forces, const std::vector<ProbeReading>& probes);
   void write_waiting();
   void flush();
 
@@ -54,6 +55,7 @@ class Hdf5Log : public Log {
   bool ended_ = false;  ///< The file is closed or has failed; no more writes.
   Series times_;
   std::vector<Series> series_;  ///< Series of the bodies.
+  std::vector<Series> probes_;
 };
 
 }  // namespace app

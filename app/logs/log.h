@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "app/logs/probes.h"
 #include "engine/body_forces.h"
 #include "hydro/spatial.h"
 
 /// @file
-/// The log of a run: its motion, and the forces if the scene asks for them.
+/// The log of a run: its motion, and the forces and readings of probes if the scene asks for them.
 
 namespace app {
 
@@ -16,6 +17,7 @@ namespace app {
 struct LogSubject {
   std::vector<std::string> bodies;  ///< Names of the bodies.
   bool forces = false;              ///< Forces are logged.
+  std::vector<std::string> probes;  ///< Names of the probes.
   std::string scene;                ///< The scene's file.
   std::string title;
 };
@@ -25,6 +27,7 @@ struct LogPosition {
   std::uint64_t rows = 0;              ///< Number of logged times.
   std::uint64_t trajectory_bytes = 0;  ///< Length of trajectory.csv.
   std::uint64_t forces_bytes = 0;      ///< Length of forces.csv.
+  std::uint64_t probes_bytes = 0;      ///< Length of probes.csv.
 };
 
 /// Receives rows during a run, all from one thread.
@@ -32,11 +35,13 @@ class Log {
  public:
   virtual ~Log() = default;
 
-  /// Adds a row per body, in the order of the names.
+  /// Adds a row per body and per probe, in the order of the names.
   /// @param forces   Forces on every body; empty if they are not logged.
+  /// @param probes   Readings of all probes.
   /// @throws OutputError if the log cannot be written, usually because the disk is full
   virtual void add(double time, const std::vector<hydro::BodyState>& states,
-                   const std::vector<engine::BodyForces>& forces) = 0;
+                   const std::vector<engine::BodyForces>& forces,
+                   const std::vector<ProbeReading>& probes) = 0;
 
   /// Saves all rows so far, even if the program is killed later.
   /// @throws OutputError

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 Json to_json(const Checkpoint& c) {
   return {{"checkpoint", kFormat},
@@ -36,6 +36,7 @@ Json to_json(const Checkpoint& c) {
           {"rows", c.log.rows},
           {"trajectory_bytes", c.log.trajectory_bytes},
           {"forces_bytes", c.log.forces_bytes},
+          {"probes_bytes", c.log.probes_bytes},
           {"shots", c.shots},
           {"warnings", c.warnings}};
 }
@@ -113,7 +114,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
             .choices = choices_from(head),
             .log = {.rows = head.at("rows").get<std::uint64_t>(),
                     .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
-                    .forces_bytes = head.at("forces_bytes").get<std::uint64_t>()},
+                    .forces_bytes = head.at("forces_bytes").get<std::uint64_t>(),
+                    .probes_bytes = head.at("probes_bytes").get<std::uint64_t>()},
             .shots = head.at("shots").get<long>(),
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .state = engine::SimulationState::from_bytes(bytes)};

@@ -46,8 +46,11 @@ std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
 }
 
 LogSubject log_subject(const scene::Scene& scene, const assembly::BuiltScene& built) {
+  std::vector<std::string> probes;
+  for (const scene::Probe& probe : scene.probes) probes.push_back(probe.name);
   return {.bodies = body_names(built.spec),
           .forces = scene.log_forces,
+          .probes = std::move(probes),
           .scene = scene.file.string(),
           .title = scene.title};
 }
@@ -75,6 +78,7 @@ class Run {
         log_(make_log(options.format, log_subject(scene, built), folder.path(),
                       last ? std::optional(last->log) : std::nullopt)),
         log_due_(scene.log_every.value_or(0)),
+        probes_(scene.probes, built),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
         logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {
@@ -160,6 +164,7 @@ class Run {
     try {
       if (!summary_.resumed_at) keep();
       while (simulation_.steps() < steps && !interrupt_.interrupted()) {
+        probes_.before_step(simulation_.states());
         simulation_.step();
         check_waves();
         keep();
@@ -227,12 +232,13 @@ class Run {
     if (wants_pictures()) shots_.add(time, simulation_.states());
   }
 
-  /// Queues a row per body for the log.
+  /// Queues a row per body and per probe for the log.
   void log(double time) {
     std::vector<engine::BodyForces> forces;
     if (scene_.log_forces) forces = simulation_.forces();
-    logging_.put([this, time, states = simulation_.states(), forces = std::move(forces)] {
-      log_->add(time, states, forces);
+    logging_.put([this, time, states = simulation_.states(), forces = std::move(forces),
+                  probes = probes_.read(time, simulation_.states())] {
+      log_->add(time, states, forces, probes);
     });
   }
 
@@ -315,6 +321,7 @@ class Run {
   engine::Simulation simulation_;
   std::unique_ptr<Log> log_;
   Schedule log_due_;
+  Probes probes_;
   ShotSelector shots_;
   Background logging_;  ///< Declared last because it uses the log.
 };

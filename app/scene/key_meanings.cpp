@@ -284,6 +284,22 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Second axis of a universal joint, perpendicular to `axis`. The default is some "
      "perpendicular direction."},
     {"log.every", "Time between logged states. With 0 or without this key every step is logged."},
+    {"log.probes",
+     "Probes, whose readings go to `probes.csv` with every row of the trajectory. With `--format "
+     "hdf5` they are in `run.h5`."},
+    {"log.probes[].name",
+     "Name of the probe in the log, unique among the probes. It must not contain a comma, double "
+     "quote or line break."},
+    {"log.probes[].wave",
+     "Place x, y in the world frame of a gauge of the water's elevation. Exactly one of `wave` and "
+     "`body` is required."},
+    {"log.probes[].depth",
+     "Depth below `water.level` of a fixed point at the gauge, where velocity and acceleration of "
+     "the water are logged too. Only used with `wave`."},
+    {"log.probes[].body", "Name of a body that carries the probe."},
+    {"log.probes[].at",
+     "Point of the body in its mesh frame. Its position, velocity and acceleration are logged, and "
+     "the water's elevation over it. Only used with `body`."},
     {"log.forces",
      "Option to write `forces.csv`: for every row of the trajectory, the loads on the body, "
      "their work and the energies. With `--format hdf5` they are in `run.h5`."},

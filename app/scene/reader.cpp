@@ -16,19 +16,21 @@ namespace {
 const char* const kVersion = "1";
 const char* const kVersionExpected = "1, the version of the scene format";
 
-/// Interval of the log, and a flag for the log of forces.
+/// Interval of the log, a flag for the log of forces, and the probes.
 struct LogBlock {
   std::optional<double> every;
   bool forces = false;
+  std::vector<Probe> probes;
 };
 
 void read(MapReader& map, LogBlock& log) {
   map.optional("every", log.every, not_negative("s"));
   if (log.every == 0.0) log.every.reset();
   map.optional("forces", log.forces, TruthRule{});
+  map.blocks("probes", log.probes);
 }
 
-/// Adds a fault for each name that is used twice. `list` is `bodies` or `joints`.
+/// Adds a fault for each name that is used twice. `list` is the path of the list.
 void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> first_uses;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -199,12 +201,15 @@ void read(MapReader& map, Scene& scene) {
   map.block("log", log);
   scene.log_every = log.every;
   scene.log_forces = log.forces;
+  scene.probes = std::move(log.probes);
   map.block("render", scene.render);
 
   name_nameless_joints(scene.joints);
   check_unique(map, "bodies", names_of(scene.bodies));
   check_unique(map, "joints", names_of(scene.joints));
   check_joint_bodies(map, scene);
+  check_unique(map, "log.probes", names_of(scene.probes));
+  check_probes(map, scene);
   check_followed_bodies(map, scene);
   check_starts(map, scene);
   check_waves(map, scene);

@@ -42,6 +42,13 @@ void check_followed_bodies(MapReader& map, const Scene& scene);
 
 void read(MapReader& map, Integrator& integrator);
 
+void read(MapReader& map, Probe& probe);
+/// Checks what the probes need from other blocks: their bodies, and water that is deep enough.
+void check_probes(MapReader& map, const Scene& scene);
+
+/// True if a name can be a cell of a CSV file and a key of an override.
+bool fits_in_csv(const std::string& name);
+
 /// Reads the whole file.
 void read(MapReader& map, Scene& scene);
 

@@ -18,13 +18,6 @@ void read(MapReader& map, Calibration& calibration) {
   map.required("drag", calibration.drag, positive());
 }
 
-/// True if a name can be a cell of a CSV file and a key of an override.
-bool fits_in_csv(const std::string& name) {
-  return std::none_of(name.begin(), name.end(), [](char c) {
-    return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-  });
-}
-
 void read_name(MapReader& map, std::string& name) {
   if (!map.required("name", name, TextRule{"a text, unique among the bodies"})) return;
   if (name == "world") map.fault("name", "found world, which stands for the world in joints");

@@ -10,6 +10,7 @@
 
 #include "app/scene/body.h"
 #include "app/scene/diagnostics.h"
+#include "app/scene/probe.h"
 #include "app/scene/render.h"
 #include "app/scene/water.h"
 #include "hydro/air.h"
@@ -57,6 +58,7 @@ struct Scene {
   std::vector<Joint> joints;
   std::optional<double> log_every;  ///< [s]; none: every step.
   bool log_forces = false;
+  std::vector<Probe> probes;
   std::optional<Render> render;
 
   std::string text;  ///< The text of the file, without overrides.

@@ -24,7 +24,9 @@ duration: 3
 step: 0.01
 water: {}
 hydro: {added_mass: none}
-log: {forces: true}
+log:
+  forces: true
+  probes: [{name: g é, wave: [1, 2]}, {name: d, wave: [1, 2], depth: 1}, {name: p, body: ., at: [0, 0, 1]}]
 bodies:
   - {name: a/b %é, box: {size: [1, 1, 1]}, density: 500, position: [0, 0, 1],
      angular_velocity: [1, 2, 3]}
@@ -32,14 +34,14 @@ bodies:
 """
 
 
-def table(file):
-    """The columns of a CSV file, each T x N, by their names; the times, and the bodies."""
+def table(file, kind="body"):
+    """The columns of a CSV file, each T x N, by their names; the times, and the bodies or probes."""
     with open(file, encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
-    bodies = list(dict.fromkeys(row["body"] for row in rows))
-    columns = {name: np.array([float(row[name]) for row in rows]).reshape(-1, len(bodies))
-               for name in rows[0] if name != "body"}
-    return columns, bodies
+    names = list(dict.fromkeys(row[kind] for row in rows))
+    columns = {name: np.array([float(row[name] or "nan") for row in rows]).reshape(-1, len(names))
+               for name in rows[0] if name != kind}
+    return columns, names
 
 
 class Hdf5(unittest.TestCase):
@@ -71,11 +73,23 @@ class Hdf5(unittest.TestCase):
         self.assertEqual(len(times), 301)  # more than two chunks
         self.assertEqual(self.run_file["time"][:].tobytes(), times[:, 0].tobytes())
         for name, dataset in self.run_file.items():
-            if name in ("time", "body"):
+            if name in ("time", "body") or name.startswith("probe"):
                 continue
             for i, column in enumerate(dataset.attrs.get("columns", [name])):
                 numbers = dataset[:, :, i] if dataset.ndim == 3 else dataset[:]
                 self.assertEqual(numbers.tobytes(), expected.pop(column).tobytes(), column)
+        self.assertEqual(expected, {})
+
+    def test_probes_are_those_of_the_csv_file(self):
+        expected, probes = table(self.folder / "csv" / "probes.csv", "probe")
+        self.assertEqual(list(self.run_file["probe"].asstr()), probes)
+        expected.pop("time")
+        for name, dataset in self.run_file.items():
+            if not name.startswith("probe_"):
+                continue
+            for i, column in enumerate(dataset.attrs.get("columns", ["elevation"])):
+                numbers = dataset[:, :, i] if dataset.ndim == 3 else dataset[:]
+                np.testing.assert_array_equal(numbers, expected.pop(column), column)
         self.assertEqual(expected, {})
 
     def test_says_what_it_is_of(self):
@@ -86,7 +100,7 @@ class Hdf5(unittest.TestCase):
         self.assertEqual(list(self.run_file["orientation"].attrs["columns"]),
                          ["qw", "qx", "qy", "qz"])
         for dataset in self.run_file.values():
-            self.assertTrue(dataset.name == "/body" or "units" in dataset.attrs)
+            self.assertTrue(dataset.name in ("/body", "/probe") or "units" in dataset.attrs)
 
 
 if __name__ == "__main__":

@@ -11,14 +11,16 @@ namespace {
 using support::Outcome;
 using support::Workplace;
 
-/// Boxes that fall, float, and touch, with forces logged; long enough to be killed on its way.
+/// Boxes that fall, float, and touch, with forces and probes logged; long enough to be killed on
+/// its way.
 std::string long_scene(const std::string& more = "") {
   return "plimsoll: 1\nduration: 60\nstep: 0.005\nwater: {density: 1000}\n"
          "bodies:\n"
          "  - {name: a, box: {size: [1, 1, 1]}, density: 500, position: [0, 0, 1],\n"
          "     orientation: {axis: [1, 2, 3], angle_deg: 40}}\n"
          "  - {name: b, box: {size: [1, 1, 1]}, density: 300, position: [0.3, 0, 2.6]}\n"
-         "log: {every: 0.05, forces: true}\n" +
+         "log: {every: 0.05, forces: true, probes: [{name: p, wave: [3, 0], depth: 1},\n"
+         "      {name: q, body: b, at: [0.5, 0, 0]}]}\n" +
          more;
 }
 
@@ -42,6 +44,7 @@ TEST(ProgramCheckpoint, AKilledRunGoesOnToTheSameBytes) {
   ASSERT_EQ(resumed.code, 0) << resumed.err;
   EXPECT_EQ(place.read(place / "cut/trajectory.csv"), place.read(place / "whole/trajectory.csv"));
   EXPECT_EQ(place.read(place / "cut/forces.csv"), place.read(place / "whole/forces.csv"));
+  EXPECT_EQ(place.read(place / "cut/probes.csv"), place.read(place / "whole/probes.csv"));
   EXPECT_NE(place.read(place / "cut/summary.json").find("resumed_at_seconds"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(place / "cut/checkpoint.bin"));
 }

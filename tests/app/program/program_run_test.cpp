@@ -309,6 +309,24 @@ TEST_F(ProgramRun, LeavesNoForcesOfAnEarlierRun) {
   EXPECT_THAT(files_in(here / "out/box"), ElementsAre("summary.json", "trajectory.csv"));
 }
 
+TEST_F(ProgramRun, WritesProbesBesideTheTrajectoryAndLeavesNoneOfAnEarlierRun) {
+  here.write("box.yaml", falling_box("0.02"));
+  const Outcome outcome =
+      here.run({"run", "box.yaml", "--set", "log.probes=[{name: g, wave: [1, 2]}]", "--set",
+                "log.probes[+].name=p", "--set", "log.probes[p].body=box"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(here.read("out/box/probes.csv"));
+  ASSERT_EQ(lines.size(), 7u);
+  EXPECT_EQ(lines[0], "time,probe,elevation,x,y,z,vx,vy,vz,ax,ay,az");
+  EXPECT_EQ(lines[1], "0,g,0,1,2,0,,,,,,");
+  EXPECT_TRUE(lines[2].starts_with("0,p,0,")) << lines[2];
+  EXPECT_TRUE(lines[2].ends_with(",,,")) << lines[2];
+  EXPECT_EQ(lines[5], "0.02,g,0,1,2,0,,,,,,");
+  EXPECT_EQ(lines[6].find(",,"), std::string::npos) << lines[6];
+  here.run({"run", "box.yaml"});
+  EXPECT_THAT(files_in(here / "out/box"), ElementsAre("summary.json", "trajectory.csv"));
+}
+
 TEST_F(ProgramRun, LogsTheSameForcesWithAnyNumberOfThreads) {
   here.write("busy.yaml", busy_scene());
   for (const std::string threads : {"1", "2", "5"})

@@ -85,7 +85,8 @@ std::string every_key() {
          "  - {name: j, type: universal, bodies: [a, b], anchor: [1, 2, 3], axis: [0, 2, 0],"
          " axis2: [3, 0, 0]}\n"
          "  - {type: slider, bodies: [c, world], axis: [1, 0, 0]}\n"
-         "log: {every: 0.5, forces: true}\n"
+         "log: {every: 0.5, forces: true, probes: [{name: g, wave: [1, 2], depth: 3},\n"
+         "      {name: p, body: b, at: [4, 5, 6]}]}\n"
          "render:\n"
          "  size: [320, 16]\n"
          "  every: 0.25\n"
@@ -148,6 +149,12 @@ TEST(SceneKeys, TopLevelIsRead) {
   EXPECT_EQ(scene.integrator.sleep, 2e-3);
   EXPECT_EQ(scene.log_every, 0.5);
   EXPECT_TRUE(scene.log_forces);
+  ASSERT_EQ(scene.probes.size(), 2u);
+  EXPECT_EQ(scene.probes[0].name, "g");
+  EXPECT_EQ(scene.probes[0].wave, Eigen::Vector2d(1, 2));
+  EXPECT_EQ(scene.probes[0].depth, 3);
+  EXPECT_EQ(scene.probes[1].body, "b");
+  EXPECT_EQ(scene.probes[1].at, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(std::get<scene::PlaneGround>(scene.ground).z, -10);
 }
 

@@ -1,0 +1,94 @@
+#include "app/logs/probes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "hydro/airy_waves.h"
+
+namespace app {
+namespace {
+
+using Eigen::Vector3d;
+
+ProbeReading nothing_read() {
+  ProbeReading reading;
+  reading.fill(std::numeric_limits<double>::quiet_NaN());
+  return reading;
+}
+
+/// First columns of the vectors of a reading.
+enum Column : std::size_t { kElevation = 0, kPosition = 1, kVelocity = 4, kAcceleration = 7 };
+
+void put(const Vector3d& vector, Column first, ProbeReading& reading) {
+  std::copy_n(vector.data(), 3, reading.begin() + first);
+}
+
+/// Vector from the centre of mass to a point of a body, in W [m].
+Vector3d arm(const Vector3d& at_B, const hydro::BodyState& state) {
+  return state.orientation * at_B;
+}
+
+Vector3d velocity_at(const Vector3d& at_B, const hydro::BodyState& state) {
+  return state.linear_velocity + state.angular_velocity.cross(arm(at_B, state));
+}
+
+}  // namespace
+
+Probes::Probes(const std::vector<scene::Probe>& probes, const assembly::BuiltScene& built)
+    : spec_(built.spec) {
+  for (const scene::Probe& probe : probes) {
+    if (probe.wave) {
+      const double z = spec_.sea->level - probe.depth.value_or(0);
+      points_.push_back(
+          {.body = {}, .at = {probe.wave->x(), probe.wave->y(), z}, .on_surface = !probe.depth});
+      continue;
+    }
+    const auto body = std::ranges::find(spec_.bodies, *probe.body, &engine::BodySpec::name);
+    const auto index = static_cast<std::size_t>(body - spec_.bodies.begin());
+    points_.push_back({.body = index, .at = probe.at - built.centers_of_mass[index]});
+  }
+}
+
+void Probes::before_step(const std::vector<hydro::BodyState>& states) {
+  for (Point& point : points_)
+    if (point.body) point.velocity_before = velocity_at(point.at, states[*point.body]);
+}
+
+std::vector<ProbeReading> Probes::read(double time,
+                                       const std::vector<hydro::BodyState>& states) const {
+  std::vector<ProbeReading> readings;
+  for (const Point& point : points_)
+    readings.push_back(point.body ? read_body(point, time, states[*point.body])
+                                  : read_water(point, time));
+  return readings;
+}
+
+ProbeReading Probes::read_water(const Point& point, double time) const {
+  const hydro::Sea& sea = *spec_.sea;
+  ProbeReading reading = nothing_read();
+  Vector3d p_W = point.at;
+  const double elevation = hydro::surface_elevation(sea, p_W.x(), p_W.y(), time);
+  if (point.on_surface) p_W.z() = sea.level + elevation;
+  reading[kElevation] = elevation;
+  put(p_W, kPosition, reading);
+  if (point.on_surface || elevation + (sea.level - p_W.z()) < 0) return reading;
+  const hydro::WaterMotion water = hydro::water_at(sea, p_W, time);
+  put(water.velocity, kVelocity, reading);
+  put(water.acceleration, kAcceleration, reading);
+  return reading;
+}
+
+ProbeReading Probes::read_body(const Point& point, double time,
+                               const hydro::BodyState& state) const {
+  ProbeReading reading = nothing_read();
+  const Vector3d p_W = state.position + arm(point.at, state);
+  const Vector3d velocity = velocity_at(point.at, state);
+  if (spec_.sea) reading[kElevation] = hydro::surface_elevation(*spec_.sea, p_W.x(), p_W.y(), time);
+  put(p_W, kPosition, reading);
+  put(velocity, kVelocity, reading);
+  if (point.velocity_before)
+    put((velocity - *point.velocity_before) / spec_.step, kAcceleration, reading);
+  return reading;
+}
+
+}  // namespace app

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/assembly/built_scene.h"
+#include "app/scene/probe.h"
+#include "hydro/sea.h"
+
+/// @file
+/// The readings of the probes of a run, and the columns of their log.
+///
+/// `elevation` is the height of the water's surface above the still water at the place of the probe
+/// [m]. `x`, `y`, `z` is the point of the probe in W [m]; `vx` … `vz` [m/s] and `ax` … `az` [m/s^2]
+/// are velocity and acceleration of the body at the point, or of the water:
+///
+/// - A wave gauge is at a fixed x, y. Without a depth its z is that of the surface, and it has no
+///   velocity. With a depth its z is fixed, and velocity and acceleration are those of the water
+///   there (hydro/airy_waves.h), while the surface is above it.
+/// - A point of a body moves with it. Its velocity is v + ω × r, exact in the body's state. Its
+///   acceleration is the change of that velocity in the last step over the step, so that the sum of
+///   all accelerations times the step is the velocity to round-off. It is the acceleration half a
+///   step before, to second order in the step, and impacts are part of it.
+///
+/// A number that a probe does not have is NaN: an acceleration before the first step, the elevation
+/// of a scene without water.
+
+namespace app {
+
+constexpr std::size_t kProbeColumns = 10;
+inline constexpr std::array<const char*, kProbeColumns> kProbeColumnNames = {
+    "elevation", "x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az"};
+
+/// Numbers of one probe at one time, in the order of kProbeColumnNames; NaN: not measured.
+using ProbeReading = std::array<double, kProbeColumns>;
+
+/// The probes of a run.
+class Probes {
+ public:
+  /// @param probes   Of the same scene as `built`, which must outlive this.
+  Probes(const std::vector<scene::Probe>& probes, const assembly::BuiltScene& built);
+
+  /// Keeps the velocities of the points before a step.
+  void before_step(const std::vector<hydro::BodyState>& states);
+
+  /// Returns the readings in the order of the scene.
+  /// @param states   Of the bodies at `time`.
+  std::vector<ProbeReading> read(double time, const std::vector<hydro::BodyState>& states) const;
+
+ private:
+  /// A point of a body, or of the water where there is no body.
+  struct Point {
+    std::optional<std::size_t> body;
+    Eigen::Vector3d at;       ///< In B, or in W [m].
+    bool on_surface = false;  ///< The height of the point is that of the surface.
+    std::optional<Eigen::Vector3d> velocity_before = {};  ///< Of the body's point, in W [m/s].
+  };
+
+  ProbeReading read_water(const Point& point, double time) const;
+  ProbeReading read_body(const Point& point, double time, const hydro::BodyState& state) const;
+
+  const engine::SimulationSpec& spec_;
+  std::vector<Point> points_;
+};
+
+}  // namespace app
