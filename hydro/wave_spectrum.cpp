@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <stdexcept>
+
+#include "hydro/wave_directions.h"
 
 namespace hydro {
 namespace {
@@ -12,17 +13,6 @@ namespace {
 /// Steps of the frequency integrals, for which the error of the midpoint rule is below 1e-6.
 constexpr int kFrequencySteps = 40000;
 constexpr double kHighestFrequency = 20;  ///< In units of ω_p.
-constexpr int kDirectionSteps = 3600;
-
-/// Uniform random numbers in (0, 1), the same with every standard library.
-class Uniform {
- public:
-  explicit Uniform(int seed) : engine_(static_cast<std::uint32_t>(seed)) {}
-  double operator()() { return (static_cast<double>(engine_()) + 0.5) / 4294967296.0; }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// Wave number in the frame of the water [rad/m].
 double wave_number_in_water(double omega, double depth, double gravity) {
@@ -70,36 +60,6 @@ std::vector<double> band_frequencies(const JonswapSpectrum& spectrum, const Sea&
   return means;
 }
 
-/// Angle, −π … π, below which the fraction `part` of cos^2s(θ/2) lies.
-double spread_angle(const std::vector<double>& cumulative, double part) {
-  const double target = part * cumulative.back();
-  const auto above = std::lower_bound(cumulative.begin(), cumulative.end(), target);
-  const auto i = std::max<std::ptrdiff_t>(above - cumulative.begin(), 1);
-  const double fraction = (target - cumulative[i - 1]) / (cumulative[i] - cumulative[i - 1]);
-  return -M_PI + 2 * M_PI * (static_cast<double>(i - 1) + fraction) / kDirectionSteps;
-}
-
-std::vector<double> cumulative_spread(double s) {
-  std::vector<double> cumulative(kDirectionSteps + 1, 0.0);
-  for (int i = 0; i < kDirectionSteps; ++i) {
-    const double theta = -M_PI + 2 * M_PI * (i + 0.5) / kDirectionSteps;
-    cumulative[i + 1] = cumulative[i] + std::pow(std::cos(theta / 2), 2 * s);
-  }
-  return cumulative;
-}
-
-/// Directions relative to the heading: one from each of `count` equally likely sectors, shuffled
-/// over the frequencies.
-std::vector<double> directions(double spreading, int count, Uniform& uniform) {
-  std::vector<double> angles(count, 0.0);
-  if (spreading <= 0) return angles;
-  const std::vector<double> cumulative = cumulative_spread(spreading);
-  for (int i = 0; i < count; ++i) angles[i] = spread_angle(cumulative, (i + uniform()) / count);
-  for (int i = count - 1; i > 0; --i)
-    std::swap(angles[i], angles[static_cast<int>(uniform() * (i + 1))]);
-  return angles;
-}
-
 }  // namespace
 
 double jonswap_shape(double omega, double peak_omega, double gamma) {
@@ -123,11 +83,12 @@ double usual_gamma(double significant_height, double peak_period) {
 }
 
 WaveSurface jonswap_sea(const JonswapSpectrum& spectrum, const Sea& sea) {
-  Uniform uniform(spectrum.seed);
+  UniformNumbers uniform(spectrum.seed);
   const double variance = spectrum.significant_height * spectrum.significant_height / 16;
   const double amplitude = std::sqrt(2 * variance / spectrum.components);
   const double peak_omega = 2 * M_PI / spectrum.peak_period;
-  const std::vector<double> angles = directions(spectrum.spreading, spectrum.components, uniform);
+  const std::vector<double> angles =
+      spread_directions(spectrum.spreading, spectrum.components, uniform);
   WaveSurface waves;
   const std::vector<double> frequencies = band_frequencies(spectrum, sea);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {

@@ -6,12 +6,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "app/assembly/build_added_mass.h"
+#include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
 #include "app/assembly/sea_warnings.h"
@@ -21,78 +21,11 @@
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/terrain.h"
-#include "hydro/wave_spectrum.h"
 
 namespace assembly {
 namespace {
 
 std::string body_path(std::size_t i) { return fmt::format("bodies[{}]", i); }
-
-/// Returns the wave number of a wave [rad/m]; none, and a fault, if no wave has its period.
-std::optional<double> wave_number(const scene::Wave& wave, const hydro::Sea& sea,
-                                  const std::string& path, BuildLog& log) {
-  if (wave.wavelength) return 2 * M_PI / *wave.wavelength;
-  const double along =
-      sea.current.head<2>().dot(Eigen::Vector2d(std::cos(wave.heading), std::sin(wave.heading)));
-  const auto k = hydro::wave_number(2 * M_PI / *wave.period, sea.depth, sea.gravity, along);
-  if (!k)
-    log.faults.add(log.scene.places, path + ".period",
-                   fmt::format("a wave of this period, {:g} s, cannot travel against this current, "
-                               "which is {:.3g} m/s along its heading",
-                               *wave.period, along));
-  return k;
-}
-
-std::vector<hydro::WaveComponent> wave_components(const std::vector<scene::Wave>& waves,
-                                                  const hydro::Sea& sea, BuildLog& log) {
-  std::vector<hydro::WaveComponent> components;
-  for (std::size_t i = 0; i < waves.size(); ++i) {
-    const scene::Wave& w = waves[i];
-    const std::string path = fmt::format("water.surface.waves[{}]", i);
-    if (const auto k = wave_number(w, sea, path, log))
-      components.push_back(hydro::linear_wave(sea, w.amplitude, *k, w.heading, w.phase));
-  }
-  return components;
-}
-
-double peak_enhancement(const scene::Spectrum& s) {
-  if (s.type == scene::Spectrum::Type::pierson_moskowitz ||
-      s.type == scene::Spectrum::Type::bretschneider)
-    return 1;
-  return s.gamma.value_or(hydro::usual_gamma(s.significant_height, s.peak_period));
-}
-
-std::vector<hydro::WaveComponent> spectrum_components(const scene::Spectrum& s,
-                                                      const hydro::Sea& sea, BuildLog& log) try {
-  return hydro::jonswap_sea({.significant_height = s.significant_height,
-                             .peak_period = s.peak_period,
-                             .gamma = peak_enhancement(s),
-                             .tma = s.type == scene::Spectrum::Type::tma,
-                             .heading = s.heading,
-                             .spreading = s.spreading,
-                             .seed = s.seed,
-                             .components = s.components},
-                            sea)
-      .components;
-} catch (const std::invalid_argument& error) {
-  log.faults.add(log.scene.places, "water.surface.spectrum", error.what());
-  return {};
-}
-
-hydro::Sea build_sea(const scene::Water& water, double gravity, BuildLog& log) {
-  hydro::Sea sea{.density = water.density,
-                 .gravity = gravity,
-                 .level = water.level,
-                 .depth = water.depth.value_or(std::numeric_limits<double>::infinity()),
-                 .current = water.current};
-  if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface))
-    sea.surface = hydro::WaveSurface{wave_components(*waves, sea, log), water.kinematics};
-  else if (const auto* spectrum = std::get_if<scene::Spectrum>(&water.surface))
-    sea.surface = hydro::WaveSurface{spectrum_components(*spectrum, sea, log), water.kinematics};
-  else if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
-    sea.surface = height_field(*field, "water.surface.heightfield", log);
-  return sea;
-}
 
 engine::Ground build_ground(const scene::Ground& ground, BuildLog& log) {
   if (const auto* plane = std::get_if<scene::PlaneGround>(&ground))
@@ -345,7 +278,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   spec.record_work = scene.log_forces;
   spec.integrator = {.method = integration_method(scene.integrator.method),
                      .tolerance = scene.integrator.tolerance.value_or(0)};
-  if (scene.water) spec.sea = build_sea(*scene.water, scene.gravity, log);
+  if (scene.water) spec.sea = build_sea(*scene.water, scene.gravity, built.irregular_sea, log);
   if (spec.sea) spec.sea->air = scene.air;
   spec.ground = build_ground(scene.ground, log);
   check_ground(spec.ground, log);
@@ -360,7 +293,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);
-  built.warnings = sea_warnings(scene, spec);
+  built.warnings = sea_warnings(scene, built);
   if (scene.integrator.sleep > 0)
     built.notes.emplace_back(
         "integrator.sleep has no effect any more: bodies at rest move on like all others");

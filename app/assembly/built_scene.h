@@ -31,6 +31,13 @@ struct AddedMassReport {
   std::shared_ptr<const hydro::SurfaceAddedMass> surface;  ///< Model of `surface`.
 };
 
+/// Measures of irregular waves.
+struct IrregularSea {
+  double significant_height = 0;  ///< H_s [m].
+  double peak_period = 0;         ///< T_p [s].
+  int waves = 0;                  ///< Number of waves that represent them.
+};
+
 /// A scene ready to be simulated, with its meshes and everything derived from them.
 struct BuiltScene {
   engine::SimulationSpec spec;
@@ -39,7 +46,8 @@ struct BuiltScene {
   std::vector<CenteredMesh> solids;
   /// Per body; none for a body without added mass.
   std::vector<std::optional<AddedMassReport>> added_mass;
-  double added_mass_seconds = 0;   ///< Wall time of the added mass [s].
+  double added_mass_seconds = 0;              ///< Wall time of the added mass [s].
+  std::optional<IrregularSea> irregular_sea;  ///< None without irregular waves.
   std::vector<std::string> notes;  ///< Notes for the author, for example on a reversed mesh.
   /// What the author should change, because it cannot give what he expects; see sea_warnings.h.
   std::vector<std::string> warnings;

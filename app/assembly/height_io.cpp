@@ -2,7 +2,6 @@
 
 #include <png.h>
 
-#include <charconv>
 #include <cmath>
 #include <csetjmp>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/assembly/table_line.h"
 #include "app/scene/diagnostics.h"
 
 namespace assembly {
@@ -23,64 +23,14 @@ namespace fs = std::filesystem;
 /// Largest number of pixels; it guards against a wrong header. 100 million heights fill 0.8 GB.
 constexpr double kMostPixels = 1e8;
 
-/// A line of a table that is parsed from left to right.
-class TableLine {
- public:
-  TableLine(const fs::path& file, int number, std::string_view text)
-      : file_(file), number_(number), text_(text.substr(0, text.find('#'))) {}
-
-  /// Returns the heights in the line; none if it is empty.
-  std::vector<double> values() {
-    std::vector<double> row;
-    skip_space();
-    while (next_ < text_.size()) {
-      row.push_back(value());
-      skip_space();
-      if (next_ < text_.size() && (text_[next_] == ',' || text_[next_] == ';')) {
-        ++next_;
-        skip_space();
-        if (next_ == text_.size()) fail("the line ends with a separator, expected a number");
-      }
-    }
-    return row;
-  }
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw scene::InputError(
-        {scene::Fault{{file_, number_, static_cast<int>(next_) + 1}, "", message}});
-  }
-
- private:
-  void skip_space() { next_ = std::min(text_.find_first_not_of(kSpace, next_), text_.size()); }
-
-  double value() {
-    const std::size_t end = std::min(text_.find_first_of(kEnds, next_), text_.size());
-    std::string_view word = text_.substr(next_, end - next_);
-    const std::string shown = "found '" + std::string(word) + "', expected a finite number [m]";
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double number = 0;
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    const bool whole = error == std::errc() && stop == word.data() + word.size();
-    if (!whole || word.empty() || !std::isfinite(number)) fail(shown);
-    next_ = end;
-    return number;
-  }
-
-  static constexpr std::string_view kSpace = " \t\r";
-  static constexpr std::string_view kEnds = " \t\r,;";
-  const fs::path& file_;
-  int number_;
-  std::string_view text_;
-  std::size_t next_ = 0;
-};
-
 Eigen::MatrixXd read_table(const fs::path& file, std::istream& in) {
   std::vector<double> heights;
   std::size_t columns = 0, rows = 0;
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
     const bool marked = number == 1 && text.starts_with("\xEF\xBB\xBF");  // byte order mark
-    TableLine line(file, number, std::string_view(text).substr(marked ? 3 : 0));
+    TableLine line(file, number, std::string_view(text).substr(marked ? 3 : 0),
+                   "a finite number [m]");
     const std::vector<double> row = line.values();
     if (row.empty()) continue;
     if (rows++ == 0) columns = row.size();

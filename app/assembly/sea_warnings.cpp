@@ -50,15 +50,22 @@ std::optional<hydro::WaveComponent> shortest_wave(Components waves) {
 /// The warnings of one scene with waves.
 class SeaWarnings {
  public:
-  SeaWarnings(const scene::Scene& scene, const engine::SimulationSpec& spec)
+  SeaWarnings(const scene::Scene& scene, const BuiltScene& built)
       : scene_(scene),
-        spec_(spec),
-        sea_(*spec.sea),
+        spec_(built.spec),
+        irregular_(built.irregular_sea),
+        sea_(*built.spec.sea),
         waves_(std::get<hydro::WaveSurface>(sea_.surface).components) {}
 
   std::vector<std::string> all() {
     const scene::Surface& surface = scene_.water->surface;
-    if (const auto* spectrum = std::get_if<scene::Spectrum>(&surface)) check_spectrum(*spectrum);
+    if (const auto* spectrum = std::get_if<scene::Spectrum>(&surface)) {
+      const std::string path = "water.surface.spectrum";
+      if (spectrum->file)
+        check_irregular(*irregular_, path + ".file", path + ".file");
+      else
+        check_irregular(*irregular_, path + ".significant_height", path + ".peak_period");
+    }
     if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&surface))
       for (std::size_t i = 0; i < waves->size(); ++i)
         check_wave(waves_[i], fmt::format("water.surface.waves[{}]", i),
@@ -82,17 +89,17 @@ class SeaWarnings {
     check_depth(k, wave.amplitude, path + length_key, path + ".amplitude", 1);
   }
 
-  void check_spectrum(const scene::Spectrum& spectrum) {
-    const std::string path = "water.surface.spectrum", height_key = path + ".significant_height";
-    const double omega = 2 * M_PI / spectrum.peak_period;
+  void check_irregular(const IrregularSea& sea, const std::string& height_key,
+                       const std::string& period_key) {
+    const double omega = 2 * M_PI / sea.peak_period;
     const double length = 2 * M_PI * sea_.gravity / (omega * omega);
-    if (spectrum.significant_height > kSteepestSea * length)
+    if (sea.significant_height > kSteepestSea * length)
       lines_.push_back(fmt::format(
-          "{}: it is {:.3g} of the length of a wave of peak_period, and seas break from {:.3g} on; "
-          "expected at most {:.3g} m",
-          height_key, spectrum.significant_height / length, kSteepestSea, kSteepestSea * length));
+          "{}: the significant height is {:.3g} of the length of a wave of the peak period, and "
+          "seas break from {:.3g} on; expected at most {:.3g} m",
+          height_key, sea.significant_height / length, kSteepestSea, kSteepestSea * length));
     if (const auto k = hydro::wave_number(omega, sea_.depth, sea_.gravity))
-      check_depth(*k, spectrum.significant_height / 2, path + ".peak_period", height_key, 2);
+      check_depth(*k, sea.significant_height / 2, period_key, height_key, 2);
   }
 
   /// @param factor   Of the value of `height_key` over the amplitude.
@@ -130,8 +137,8 @@ class SeaWarnings {
 
   /// Length of the highest wave, or of the waves of a spectrum's peak, on deep water [m].
   double peak_length() const {
-    if (const auto* spectrum = std::get_if<scene::Spectrum>(&scene_.water->surface))
-      return sea_.gravity * spectrum->peak_period * spectrum->peak_period / (2 * M_PI);
+    if (irregular_)
+      return sea_.gravity * irregular_->peak_period * irregular_->peak_period / (2 * M_PI);
     const auto highest =
         std::max_element(waves_.begin(), waves_.end(),
                          [](const auto& a, const auto& b) { return a.amplitude < b.amplitude; });
@@ -151,6 +158,7 @@ class SeaWarnings {
 
   const scene::Scene& scene_;
   const engine::SimulationSpec& spec_;
+  const std::optional<IrregularSea>& irregular_;
   const hydro::Sea& sea_;
   const Components& waves_;
   std::vector<std::string> lines_;
@@ -158,10 +166,10 @@ class SeaWarnings {
 
 }  // namespace
 
-std::vector<std::string> sea_warnings(const scene::Scene& scene,
-                                      const engine::SimulationSpec& spec) {
-  if (!spec.sea || !std::holds_alternative<hydro::WaveSurface>(spec.sea->surface)) return {};
-  return SeaWarnings(scene, spec).all();
+std::vector<std::string> sea_warnings(const scene::Scene& scene, const BuiltScene& built) {
+  const std::optional<hydro::Sea>& sea = built.spec.sea;
+  if (!sea || !std::holds_alternative<hydro::WaveSurface>(sea->surface)) return {};
+  return SeaWarnings(scene, built).all();
 }
 
 }  // namespace assembly

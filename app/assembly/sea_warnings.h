@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/assembly/built_scene.h"
 #include "app/scene/scene.h"
-#include "engine/spec.h"
 
 namespace assembly {
 
@@ -12,8 +12,7 @@ namespace assembly {
 /// linear theory does not describe, a step that is too long for them, ground that they would feel.
 /// Each is one line, which begins with the key to change and names the value and the bound. Meshes
 /// need no warning: faces that waves bend over are split.
-/// @param spec   Of the same scene.
-std::vector<std::string> sea_warnings(const scene::Scene& scene,
-                                      const engine::SimulationSpec& spec);
+/// @param built   Of the same scene, with its sea and ground.
+std::vector<std::string> sea_warnings(const scene::Scene& scene, const BuiltScene& built);
 
 }  // namespace assembly

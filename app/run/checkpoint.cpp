@@ -81,9 +81,13 @@ std::string digest_of(const engine::SimulationSpec& spec) {
   }
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);
-  if (spec.sea)
-    if (const auto* field = std::get_if<hydro::HeightField>(&spec.sea->surface))
-      digest.add(field->heights);
+  if (!spec.sea) return digest.text();
+  if (const auto* field = std::get_if<hydro::HeightField>(&spec.sea->surface))
+    digest.add(field->heights);
+  if (const auto* waves = std::get_if<hydro::WaveSurface>(&spec.sea->surface))
+    for (const hydro::WaveComponent& wave : waves->components)
+      for (const double number : {wave.amplitude, wave.kx, wave.ky, wave.omega, wave.phase})
+        digest.add(number);
   return digest.text();
 }
 

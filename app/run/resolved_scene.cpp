@@ -137,20 +137,27 @@ std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltS
   return kinds;
 }
 
-std::string surface_text(const scene::Water& water) {
+std::string irregular_text(const assembly::IrregularSea& sea) {
+  return fmt::format("a spectrum of H_s {:.3g} m and T_p {:.3g} s", sea.significant_height,
+                     sea.peak_period);
+}
+
+std::string surface_text(const scene::Water& water, const assembly::BuiltScene& built) {
   if (std::holds_alternative<scene::HeightField>(water.surface)) return "a height field";
   const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface);
-  if (waves == nullptr && !std::holds_alternative<scene::Spectrum>(water.surface)) return "flat";
+  if (waves == nullptr && !built.irregular_sea) return "flat";
   const bool airy = water.kinematics == hydro::Kinematics::airy;
-  return (waves != nullptr ? counted(waves->size(), "wave", "waves") : "a spectrum") +
+  return (waves != nullptr ? counted(waves->size(), "wave", "waves")
+                           : irregular_text(*built.irregular_sea)) +
          (airy ? "" : " with hydrostatic pressure");
 }
 
-std::string water_text(const scene::Scene& scene) {
+std::string water_text(const scene::Scene& scene, const assembly::BuiltScene& built) {
   if (!scene.water) return "no water";
   const scene::Water& water = *scene.water;
   const std::string depth = water.depth ? fmt::format(", {:g} m deep", *water.depth) : "";
-  return fmt::format("water of {:g} kg/m^3 ({}{})", water.density, surface_text(water), depth);
+  return fmt::format("water of {:g} kg/m^3 ({}{})", water.density, surface_text(water, built),
+                     depth);
 }
 
 /// Describes the wind, if there is any: `, wind of 8 m/s`.
@@ -166,7 +173,7 @@ std::string headline(const scene::Scene& scene, const assembly::BuiltScene& buil
                                  counted(spec.bodies.size(), "body", "bodies"));
   if (!spec.joints.empty()) text += ", " + counted(spec.joints.size(), "joint", "joints");
   return text + fmt::format("; {:g} s in steps of {:.4g} s; {}{}; {}", scene.duration, scene.step,
-                            water_text(scene), wind_text(scene),
+                            water_text(scene, built), wind_text(scene),
                             counted(spec.threads, "thread", "threads"));
 }
 

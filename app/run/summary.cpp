@@ -68,6 +68,12 @@ Json to_json(const PictureReport& pictures) {
   return json;
 }
 
+Json to_json(const assembly::IrregularSea& sea) {
+  return {{"significant_height", sea.significant_height},
+          {"peak_period", sea.peak_period},
+          {"waves", sea.waves}};
+}
+
 Json to_json(const RunSummary& s) {
   Json bodies = Json::object();
   const engine::SimulationSpec& spec = s.built.spec;
@@ -98,6 +104,7 @@ Json to_json(const RunSummary& s) {
          {"water", s.skips.water},
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}},
        {"bodies", bodies}});
+  if (s.built.irregular_sea) json["irregular_sea"] = to_json(*s.built.irregular_sea);
   if (s.pictures) json["pictures"] = to_json(*s.pictures);
   json["source"] = to_json(run_source(s.scene, s.overrides));
   if (s.resumed_at) json["resumed_at_seconds"] = *s.resumed_at;

@@ -101,9 +101,15 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.spectrum.type",
      "Type of the spectrum. `jonswap` is that of growing wind waves. `pierson_moskowitz` and "
      "`bretschneider` are two names of the same formula, that of `jonswap` with `gamma: 1`. "
-     "`tma` is `jonswap` for water of the depth `water.depth`."},
-    {"water.surface.spectrum.significant_height", "Significant wave height H_s."},
-    {"water.surface.spectrum.peak_period", "Peak period T_p."},
+     "`tma` is `jonswap` for water of the depth `water.depth`. `file` is a spectrum in a table."},
+    {"water.surface.spectrum.file",
+     "Table of a spectrum. Its first line names the columns: `frequency_hz` and `density` [m²/Hz], "
+     "or `frequency_rad_s` and `density` [m² s/rad]; and, where the direction of travel changes "
+     "with the frequency, `heading_deg`, to which the key `heading_deg` is added. The density is "
+     "linear between the rows and zero outside. Required with `type: file`, not used otherwise."},
+    {"water.surface.spectrum.significant_height",
+     "Significant wave height H_s. Required but for `type: file`."},
+    {"water.surface.spectrum.peak_period", "Peak period T_p. Required but for `type: file`."},
     {"water.surface.spectrum.gamma",
      "Peak enhancement factor γ of `jonswap` and `tma`. With `auto` it follows DNV-RP-C205: with "
      "r = T_p/√H_s in s/√m it is 5 for r up to 3.6, 1 from 5 on, and exp(5.75 − 1.15·r) between."},

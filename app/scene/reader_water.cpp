@@ -65,31 +65,12 @@ void read(MapReader& map, SurfaceBlock& surface) {
   read_kinematics(map, surface.kinematics);
 }
 
-/// Reads a number, or `auto` as none.
-void read_gamma(MapReader& map, Spectrum& spectrum) {
-  const NumberRule rule = between(1, 10);
-  const std::string expected = expectation(rule, false, 0) + ", or auto";
-  const auto value =
-      map.find("gamma", expected, "3.3", {shape(rule, false, 0), words_shape({"auto"})});
-  for (const char* type : {"pierson_moskowitz", "bretschneider"})
-    map.note_condition("type", type, {}, {"gamma"});
-  if (!value) return;
-  double gamma = 1;
-  if (value->node.is_word("auto"))
-    spectrum.gamma.reset();
-  else if (read_number(*value, rule, expected, gamma))
-    spectrum.gamma = gamma;
-  using Type = Spectrum::Type;
-  if (spectrum.type == Type::pierson_moskowitz || spectrum.type == Type::bretschneider)
-    map.fault("gamma", "not used with this type, expected jonswap or tma with it");
-}
-
 /// Refuses a spectrum that its depth does not fit.
 void check_depth(MapReader& map, const std::optional<double>& depth, const Spectrum& spectrum) {
   if (!depth && spectrum.type == Spectrum::Type::tma)
     map.fault("surface.spectrum.type",
               "tma needs water.depth; on deep water the same sea is of type jonswap");
-  if (depth && spectrum.significant_height >= *depth)
+  if (depth && !spectrum.file && spectrum.significant_height >= *depth)
     map.fault("surface.spectrum.significant_height",
               fmt::format("found {:g}, expected less than the depth of {:g} m",
                           spectrum.significant_height, *depth));
@@ -145,22 +126,6 @@ void read(MapReader& map, Wave& wave) {
   map.exactly_one_of({"wavelength", "period"});
   map.optional("heading_deg", wave.heading, degrees());
   map.optional("phase_deg", wave.phase, degrees());
-}
-
-void read(MapReader& map, Spectrum& spectrum) {
-  using Type = Spectrum::Type;
-  map.required("type", spectrum.type,
-               ChoiceRule<Type>{{{"jonswap", Type::jonswap},
-                                 {"pierson_moskowitz", Type::pierson_moskowitz},
-                                 {"bretschneider", Type::bretschneider},
-                                 {"tma", Type::tma}}});
-  map.required("significant_height", spectrum.significant_height, positive("m"));
-  map.required("peak_period", spectrum.peak_period, positive("s"));
-  read_gamma(map, spectrum);
-  map.optional("heading_deg", spectrum.heading, degrees());
-  map.optional("spreading", spectrum.spreading, not_negative());
-  map.optional("seed", spectrum.seed, number());
-  map.optional("components", spectrum.components, between(1, 1024));
 }
 
 void read(MapReader& map, Ground& ground) {

@@ -30,13 +30,14 @@ struct Wave {
   double phase = 0;                  ///< [rad]
 };
 struct Spectrum {
-  enum class Type { jonswap, pierson_moskowitz, bretschneider, tma };
+  enum class Type { jonswap, pierson_moskowitz, bretschneider, tma, file };
   Type type = Type::jonswap;
-  double significant_height = 0;      ///< [m], > 0.
-  double peak_period = 0;             ///< [s], > 0.
-  std::optional<double> gamma = 3.3;  ///< [-], 1 … 10; none: by height and period.
-  double heading = 0;                 ///< [rad]
-  double spreading = 0;               ///< Exponent s of cos^2s(θ/2); 0: long-crested.
+  std::optional<std::filesystem::path> file;  ///< Table of the type `file`, which has no formula.
+  double significant_height = 0;              ///< Of a formula [m], > 0.
+  double peak_period = 0;                     ///< Of a formula [s], > 0.
+  std::optional<double> gamma = 3.3;          ///< [-], 1 … 10; none: by height and period.
+  double heading = 0;                         ///< [rad]
+  double spreading = 0;                       ///< Exponent s of cos^2s(θ/2); 0: long-crested.
   int seed = 1;
   int components = 64;  ///< Number of waves that represent the spectrum.
 };

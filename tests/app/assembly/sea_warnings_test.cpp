@@ -75,11 +75,11 @@ TEST(SeaWarnings, ALongWaveOnShallowWaterIsNamedByTheKeyThatGivesIt) {
 
 TEST(SeaWarnings, ASeaThatWouldBreakIsNamed) {
   // A wave of 5 s is 39.02 m long on deep water; 1/14 of it is 2.787 m.
-  EXPECT_THAT(
-      of_spectrum(2.8, 5),
-      ElementsAre("water.surface.spectrum.significant_height: it is 0.0718 of the length of "
-                  "a wave of peak_period, and seas break from 0.0714 on; expected at most "
-                  "2.79 m"));
+  EXPECT_THAT(of_spectrum(2.8, 5),
+              ElementsAre("water.surface.spectrum.significant_height: the significant height is "
+                          "0.0718 of the length of a wave of the peak period, and seas break from "
+                          "0.0714 on; expected at most "
+                          "2.79 m"));
   EXPECT_THAT(of_spectrum(2.78, 5), IsEmpty());
 }
 

@@ -205,6 +205,17 @@ TEST(SceneKeys, TypesAndPeaksOfSpectraAreRead) {
   EXPECT_EQ(read("type: tma").type, Type::tma);
   EXPECT_EQ(read("type: pierson_moskowitz").type, Type::pierson_moskowitz);
   EXPECT_EQ(read("type: bretschneider").type, Type::bretschneider);
+  EXPECT_EQ(read("type: jonswap").file, std::nullopt);
+}
+
+TEST(SceneKeys, ASpectrumInAFileIsRead) {
+  const std::string file = support::data_folder().string() + "/spectrum.csv";
+  const scene::Scene scene = read_scene_text(
+      every_key(), {"water.surface={spectrum: {type: file, file: " + file + ", spreading: 2}}"});
+  const auto& spectrum = std::get<scene::Spectrum>(scene.water->surface);
+  EXPECT_EQ(spectrum.type, scene::Spectrum::Type::file);
+  EXPECT_EQ(spectrum.file, file);
+  EXPECT_EQ(spectrum.spreading, 2);
 }
 
 TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
