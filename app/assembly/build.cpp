@@ -293,7 +293,9 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);
-  built.warnings = sea_warnings(scene, built);
+  built.warnings = std::move(log.warnings);
+  for (std::string& warning : sea_warnings(scene, built))
+    built.warnings.push_back(std::move(warning));
   if (scene.integrator.sleep > 0)
     built.notes.emplace_back(
         "integrator.sleep has no effect any more: bodies at rest move on like all others");

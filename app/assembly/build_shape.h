@@ -13,11 +13,12 @@
 
 namespace assembly {
 
-/// Collects the faults and notes of a scene while it is built.
+/// Collects the faults, notes and warnings of a scene while it is built.
 struct BuildLog {
   const scene::Scene& scene;
   scene::Faults faults;
   std::vector<std::string> notes;
+  std::vector<std::string> warnings = {};
 };
 
 /// Returns the mesh of a shape in the mesh frame [m], not yet checked. After a fault, which goes to

@@ -8,6 +8,7 @@
 #include "app/assembly/added_mass_store.h"
 #include "app/scene/scene.h"
 #include "engine/spec.h"
+#include "hydro/measured_elevation.h"
 
 namespace hydro {
 class SurfaceAddedMass;
@@ -33,9 +34,10 @@ struct AddedMassReport {
 
 /// Measures of irregular waves.
 struct IrregularSea {
-  double significant_height = 0;  ///< H_s [m].
-  double peak_period = 0;         ///< T_p [s].
-  int waves = 0;                  ///< Number of waves that represent them.
+  double significant_height = 0;           ///< H_s [m].
+  double peak_period = 0;                  ///< T_p [s].
+  int waves = 0;                           ///< Number of waves that represent them.
+  std::optional<hydro::ElevationFit> fit;  ///< Of waves by a measured elevation.
 };
 
 /// A scene ready to be simulated, with its meshes and everything derived from them.

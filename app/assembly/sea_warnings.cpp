@@ -66,6 +66,8 @@ class SeaWarnings {
       else
         check_irregular(*irregular_, path + ".significant_height", path + ".peak_period");
     }
+    if (std::holds_alternative<scene::Elevation>(surface))
+      check_irregular(*irregular_, "water.surface.elevation.file", "water.surface.elevation.file");
     if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&surface))
       for (std::size_t i = 0; i < waves->size(); ++i)
         check_wave(waves_[i], fmt::format("water.surface.waves[{}]", i),

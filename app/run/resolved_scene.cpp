@@ -138,7 +138,8 @@ std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltS
 }
 
 std::string irregular_text(const assembly::IrregularSea& sea) {
-  return fmt::format("a spectrum of H_s {:.3g} m and T_p {:.3g} s", sea.significant_height,
+  return fmt::format("{} of H_s {:.3g} m and T_p {:.3g} s",
+                     sea.fit ? "measured waves" : "a spectrum", sea.significant_height,
                      sea.peak_period);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <stdexcept>
 
 #include "app/base/atomic_file.h"
@@ -68,10 +69,25 @@ Json to_json(const PictureReport& pictures) {
   return json;
 }
 
+Json to_json(const hydro::ElevationFit& fit) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return {{"residual", fit.residual},
+          {"lowest_frequency_hz", fit.lowest / kTurn},
+          {"highest_frequency_hz", fit.highest / kTurn},
+          {"energy_below", fit.below},
+          {"energy_above", fit.above},
+          {"energy_of_weak_waves", fit.dropped},
+          {"energy_of_stopped_waves", fit.stopped},
+          {"mean", fit.mean},
+          {"jump", fit.jump}};
+}
+
 Json to_json(const assembly::IrregularSea& sea) {
-  return {{"significant_height", sea.significant_height},
-          {"peak_period", sea.peak_period},
-          {"waves", sea.waves}};
+  Json json = {{"significant_height", sea.significant_height},
+               {"peak_period", sea.peak_period},
+               {"waves", sea.waves}};
+  if (sea.fit) json["elevation_fit"] = to_json(*sea.fit);
+  return json;
 }
 
 Json to_json(const RunSummary& s) {

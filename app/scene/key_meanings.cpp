@@ -72,10 +72,10 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.current",
      "Velocity of the water, uniform everywhere. Waves travel on it, and their motion adds to it."},
     {"water.surface",
-     "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves` and "
-     "`spectrum`. Without this block the surface is flat."},
+     "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves`, "
+     "`spectrum` and `elevation`. Without this block the surface is flat."},
     {"water.surface.kinematics",
-     "Model of the water below `waves` or a `spectrum`. `airy` is linear wave theory: pressure and "
+     "Model of the water below waves. `airy` is linear wave theory: pressure and "
      "motion of the water decay with depth. `hydrostatic` is the model of the 2014 thesis: the "
      "pressure is that of the height of water above, and the water moves with the current alone."},
     {"water.surface.flat", "Still water: `flat: {}`."},
@@ -119,6 +119,24 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.spectrum.seed", "Seed of the random phases. The same seed gives the same sea."},
     {"water.surface.spectrum.components",
      "Number of wave components that represent the spectrum. The cost of a step grows with it."},
+    {"water.surface.elevation",
+     "Long-crested waves that have a measured elevation at one point. They are the Fourier series "
+     "of the record, limited to a band of frequencies. `check` and `run` say how well they fit, "
+     "and `summary.json` has it. After the record's length the waves repeat."},
+    {"water.surface.elevation.file",
+     "Table of the record. Its first line names the columns, `time` [s] in equal intervals and "
+     "`elevation` above the still water [m]. The mean elevation is left out."},
+    {"water.surface.elevation.at", "Position x, y of the gauge."},
+    {"water.surface.elevation.heading_deg", "Direction in which the waves travel."},
+    {"water.surface.elevation.start",
+     "Time in the file that is time 0 of the run. Without this key it is the first one."},
+    {"water.surface.elevation.lowest_frequency_hz",
+     "Lower end of the band. Without this key it is 0.3 times the frequency of the record's peak."},
+    {"water.surface.elevation.highest_frequency_hz",
+     "Upper end of the band. Without this key it is 5 times the frequency of the record's peak."},
+    {"water.surface.elevation.components",
+     "Largest number of waves: those of the largest energy are kept. The cost of a step grows with "
+     "it."},
     {"air.density", "Density of the air; the default is that at 15 °C at sea level."},
     {"air.wind",
      "Velocity of the air, uniform everywhere, or a map for a wind that grows with the height. The "

@@ -83,8 +83,7 @@ void check_air(MapReader& map, const Scene& scene) {
 void check_waves(MapReader& map, const Scene& scene) {
   if (scene.gravity != 0 || !scene.water) return;
   const Surface& surface = scene.water->surface;
-  if (std::holds_alternative<std::vector<Wave>>(surface) ||
-      std::holds_alternative<Spectrum>(surface))
+  if (!std::holds_alternative<Flat>(surface) && !std::holds_alternative<HeightField>(surface))
     map.fault("water.surface", "waves need gravity, which is 0 in this scene");
 }
 

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "app/scene/reader_blocks.h"
 
 namespace scene {
@@ -64,6 +68,22 @@ void read(MapReader& map, Spectrum& spectrum) {
   map.optional("spreading", spectrum.spreading, not_negative());
   map.optional("seed", spectrum.seed, number());
   map.optional("components", spectrum.components, between(1, 1024));
+}
+
+void read(MapReader& map, Elevation& elevation) {
+  NumberRule hertz = positive("Hz");
+  hertz.factor = 2 * M_PI;
+  map.required("file", elevation.file, FileRule{});
+  map.optional("at", elevation.at, number("m"));
+  map.optional("heading_deg", elevation.heading, degrees());
+  map.optional("start", elevation.start, number("s"));
+  map.optional("lowest_frequency_hz", elevation.lowest, hertz);
+  map.optional("highest_frequency_hz", elevation.highest, hertz);
+  map.optional("components", elevation.components, between(1, 1024));
+  if (elevation.lowest && elevation.highest && *elevation.lowest > *elevation.highest)
+    map.fault("highest_frequency_hz",
+              fmt::format("found {:g}, expected at least the lowest frequency of {:g} Hz",
+                          *elevation.highest / hertz.factor, *elevation.lowest / hertz.factor));
 }
 
 }  // namespace scene

@@ -45,15 +45,17 @@ void read_kinematics(MapReader& map, hydro::Kinematics& kinematics) {
   if (!map.has("kinematics")) return;
   if (map.has("heightfield"))
     map.fault("kinematics",
-              "given beside heightfield, expected waves or spectrum with it; under a height field "
+              "given beside heightfield, expected waves, spectrum or elevation with it; under a "
+              "height field "
               "the pressure is always hydrostatic");
   else if (map.has("flat"))
     map.fault("kinematics",
-              "given beside flat, expected waves or spectrum with it; still water has no waves");
+              "given beside flat, expected waves, spectrum or elevation with it; still water has "
+              "no waves");
 }
 
 void read(MapReader& map, SurfaceBlock& surface) {
-  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum"});
+  map.exactly_one_of({"flat", "heightfield", "waves", "spectrum", "elevation"});
   map.alternative<Flat>("flat", surface.shape);
   map.alternative<HeightField>("heightfield", surface.shape);
   std::vector<Wave> waves;
@@ -62,6 +64,7 @@ void read(MapReader& map, SurfaceBlock& surface) {
     surface.shape = std::move(waves);
   }
   map.alternative<Spectrum>("spectrum", surface.shape);
+  map.alternative<Elevation>("elevation", surface.shape);
   read_kinematics(map, surface.kinematics);
 }
 

@@ -41,7 +41,18 @@ struct Spectrum {
   int seed = 1;
   int components = 64;  ///< Number of waves that represent the spectrum.
 };
-using Surface = std::variant<Flat, HeightField, std::vector<Wave>, Spectrum>;
+/// Waves with a measured elevation at one point.
+struct Elevation {
+  std::filesystem::path file;                    ///< Table of times and elevations.
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< Place of the gauge in W [m].
+  double heading = 0;                            ///< [rad]
+  std::optional<double> start;  ///< Time in the file at time 0 [s]; none: the first one.
+  std::optional<double>
+      lowest;  ///< End of the band of frequencies [rad/s], > 0; none: by the peak.
+  std::optional<double> highest;  ///< End of the band [rad/s], > 0; none: by the peak.
+  int components = 1024;          ///< Largest number of waves.
+};
+using Surface = std::variant<Flat, HeightField, std::vector<Wave>, Spectrum, Elevation>;
 
 struct Water {
   double density = 1000;
@@ -50,7 +61,7 @@ struct Water {
   std::optional<double> depth;  ///< Of the still water [m], > 0; none: deep.
   Eigen::Vector3d current = Eigen::Vector3d::Zero();
   Surface surface;
-  hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves and of a spectrum.
+  hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves, given in any way.
 };
 
 }  // namespace scene

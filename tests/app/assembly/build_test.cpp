@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <regex>
 
 #include "app/scene/diagnostics.h"
 #include "hydro/airy_waves.h"
@@ -401,6 +402,61 @@ TEST(Assemble, ASpectrumBeyondAllNumbersIsRefused) {
   EXPECT_THAT(faults_of(sea_scene("surface: {spectrum: {type: jonswap, significant_height: 1, "
                                   "peak_period: 1e-200}}")),
               ElementsAre(HasSubstr("water.surface.spectrum: its periods are too ")));
+}
+
+/// A sea by a record of two periods of a wave of 1 s.
+std::string recorded_sea(const std::string& keys) {
+  return fmt::format(
+      "plimsoll: 1\nduration: 1\nwater: {{surface: {{elevation: {{file: {}{}}}}}}}\n",
+      (support::data_folder() / "elevation.csv").string(), keys);
+}
+
+TEST(Assemble, AMeasuredElevationIsThatOfTheSeaAtTheGauge) {
+  const BuiltScene built = assembled(recorded_sea(", at: [3, 4], heading_deg: 50, start: 0.5"));
+  const double measured[] = {0, 0.7, 1, 0.7, 0, -0.7, -1, -0.7};
+  for (int i = 0; i < 24; ++i)
+    EXPECT_NEAR(hydro::surface_elevation(*built.spec.sea, 3, 4, 0.125 * i - 0.5), measured[i % 8],
+                0.02)
+        << i;
+  EXPECT_THAT(built.notes, ElementsAre(HasSubstr("have the elevation of elevation.csv")));
+  ASSERT_TRUE(built.irregular_sea && built.irregular_sea->fit);
+  EXPECT_LT(built.irregular_sea->fit->residual, 0.02);
+  EXPECT_NEAR(built.irregular_sea->peak_period, 1, tolerance(1e-12));
+}
+
+TEST(Assemble, ARecordThatDoesNotSuitItsKeysIsRefusedAtThem) {
+  EXPECT_THAT(
+      faults_of(recorded_sea(", start: 3")),
+      ElementsAre(HasSubstr("elevation.start: found 3, expected a time of the record, which "
+                            "is from 0 to 2 s")));
+  EXPECT_THAT(faults_of(recorded_sea(", highest_frequency_hz: 4")),
+              ElementsAre(HasSubstr("elevation.highest_frequency_hz: found 4, expected less than "
+                                    "half the sampling frequency of 8 Hz")));
+  EXPECT_THAT(faults_of(recorded_sea(", lowest_frequency_hz: 1.1, highest_frequency_hz: 1.2")),
+              ElementsAre(HasSubstr("elevation: no frequency of the record is in the band")));
+  const std::string shallow =
+      std::regex_replace(recorded_sea(""), std::regex("water: \\{"), "water: {depth: 2, ");
+  EXPECT_THAT(faults_of(shallow),
+              ElementsAre(HasSubstr("elevation.file: its significant height is 2.8 m, expected "
+                                    "less than the depth of 2 m")));
+}
+
+TEST(Assemble, ARecordThatEndsBeforeTheRunIsWarnedOf) {
+  const std::string longer =
+      std::regex_replace(recorded_sea(""), std::regex("duration: 1"), "duration: 5");
+  EXPECT_THAT(assembled(longer).warnings,
+              testing::Contains(HasSubstr("elevation.file: the record ends at 2 s of a run of 5 s, "
+                                          "and the waves then repeat")));
+}
+
+TEST(Assemble, ASpectrumInAFileIsThatOfTheSea) {
+  const BuiltScene built = assembled(
+      sea_scene(fmt::format("surface: {{spectrum: {{type: file, file: {}, components: 30}}}}",
+                            (support::data_folder() / "spectrum.csv").string())));
+  EXPECT_EQ(waves_of(*built.spec.sea).size(), 30u);
+  EXPECT_THAT(built.notes, ElementsAre(HasSubstr("spectrum.csv has a significant height of 2.713 m "
+                                                 "and a peak period of 5 s in 3 rows")));
+  EXPECT_NEAR(built.irregular_sea->significant_height, 4 * std::sqrt(0.46), tolerance(1e-14));
 }
 
 }  // namespace

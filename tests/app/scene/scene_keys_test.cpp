@@ -218,6 +218,31 @@ TEST(SceneKeys, ASpectrumInAFileIsRead) {
   EXPECT_EQ(spectrum.spreading, 2);
 }
 
+TEST(SceneKeys, AMeasuredElevationIsRead) {
+  const std::string file = support::data_folder().string() + "/elevation.csv";
+  const std::string block = "water.surface={elevation: {file: " + file;
+  const auto read = [&](const std::string& keys) {
+    return std::get<scene::Elevation>(
+        read_scene_text(every_key(), {block + keys + "}}"}).water->surface);
+  };
+  const scene::Elevation all = read(
+      ", at: [1, 2], heading_deg: 90, start: 0.5, lowest_frequency_hz: 0.25,"
+      " highest_frequency_hz: 3, components: 5");
+  EXPECT_EQ(all.file, file);
+  EXPECT_EQ(all.at, Eigen::Vector2d(1, 2));
+  EXPECT_NEAR(all.heading, 90 * kDegree, kRoundOff);
+  EXPECT_EQ(all.start, 0.5);
+  EXPECT_NEAR(all.lowest.value(), 0.5 * M_PI, kRoundOff);
+  EXPECT_NEAR(all.highest.value(), 6 * M_PI, 10 * kRoundOff);
+  EXPECT_EQ(all.components, 5);
+  const scene::Elevation least = read("");
+  EXPECT_EQ(least.at, Eigen::Vector2d(0, 0));
+  EXPECT_EQ(least.start, std::nullopt);
+  EXPECT_EQ(least.lowest, std::nullopt);
+  EXPECT_EQ(least.highest, std::nullopt);
+  EXPECT_EQ(least.components, 1024);
+}
+
 TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
   const scene::Scene scene = read_scene_text(every_key(), {picture("water.surface"), shore()});
   const auto& field = std::get<scene::HeightField>(scene.water->surface);
