@@ -86,10 +86,12 @@ bool has_airy_waves(const Sea& sea) {
 AiryWaves::AiryWaves(const Sea& sea, double time)
     : depth_(sea.depth), gravity_(sea.gravity), level_(sea.level), current_(sea.current) {
   if (!has_airy_waves(sea)) return;
-  for (const WaveComponent& w : std::get<WaveSurface>(sea.surface).components) {
+  const auto& surface = std::get<WaveSurface>(sea.surface);
+  const double factor = amplitude_factor(surface, time);
+  for (const WaveComponent& w : surface.components) {
     const double k = std::hypot(w.kx, w.ky);
     if (w.amplitude == 0 || k == 0) continue;
-    waves_.push_back({.amplitude = w.amplitude,
+    waves_.push_back({.amplitude = factor * w.amplitude,
                       .k = k,
                       .kx = w.kx,
                       .ky = w.ky,

@@ -49,10 +49,11 @@ double elevation(const HeightField& field, double x, double y, double) {
 }
 
 double elevation(const WaveSurface& waves, double x, double y, double time) {
+  const double factor = amplitude_factor(waves, time);
   double height = 0;
   for (const WaveComponent& w : waves.components)
     height += w.amplitude * std::cos(w.kx * x + w.ky * y - w.omega * time + w.phase);
-  return height;
+  return factor * height;
 }
 
 Eigen::Vector2d slope(const FlatSurface&, double, double, double) {
@@ -78,7 +79,7 @@ Eigen::Vector2d slope(const WaveSurface& waves, double x, double y, double time)
     const double sine = std::sin(w.kx * x + w.ky * y - w.omega * time + w.phase);
     s -= w.amplitude * sine * Eigen::Vector2d(w.kx, w.ky);
   }
-  return s;
+  return amplitude_factor(waves, time) * s;
 }
 
 /// Largest second difference along the rows, along the columns and across the cells [m].
@@ -128,6 +129,11 @@ HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen:
 double surface_elevation(const Sea& sea, double x, double y, double time) {
   return std::visit([&](const auto& surface) { return elevation(surface, x, y, time); },
                     sea.surface);
+}
+
+double amplitude_factor(const WaveSurface& waves, double time) {
+  if (waves.ramp <= 0 || time >= waves.ramp) return 1;
+  return time <= 0 ? 0 : (1 - std::cos(M_PI * time / waves.ramp)) / 2;
 }
 
 double surface_height(const Sea& sea, double x, double y, double time) {

@@ -59,10 +59,20 @@ enum class Kinematics {
 };
 
 /// A sum of linear waves.
+///
+/// With a ramp the amplitudes grow from 0 at time 0 to their values. Elevation, pressure, velocity
+/// and acceleration of the waves at a time are those of waves of the amplitudes at that time: the
+/// pressure's gradient gives the acceleration, and the velocity is not its integral by the ratio of
+/// a wave's period to the ramp.
 struct WaveSurface {
   std::vector<WaveComponent> components;
   Kinematics kinematics = Kinematics::airy;
+  double ramp = 0;  ///< Time over which the amplitudes grow [s], >= 0.
 };
+
+/// Factor of the amplitudes at a time [-]: ½ (1 − cos πt/ramp) during the ramp, 0 before and 1
+/// after it; 1 without a ramp.
+double amplitude_factor(const WaveSurface& waves, double time);
 
 struct Sea {
   double density = 1000;                                   ///< [kg/m^3]

@@ -206,6 +206,16 @@ Components elevation_components(const scene::Elevation& e, const hydro::Sea& sea
   return {};
 }
 
+/// Returns the waves of a surface that has some.
+Components components_of(const scene::Surface& surface, const hydro::Sea& sea,
+                         std::optional<IrregularSea>& irregular, BuildLog& log) {
+  if (const auto* spectrum = std::get_if<scene::Spectrum>(&surface))
+    return spectrum_components(*spectrum, sea, irregular, log);
+  if (const auto* elevation = std::get_if<scene::Elevation>(&surface))
+    return elevation_components(*elevation, sea, irregular, log);
+  return wave_components(std::get<std::vector<scene::Wave>>(surface), sea, log);
+}
+
 }  // namespace
 
 hydro::Sea build_sea(const scene::Water& water, double gravity,
@@ -215,16 +225,11 @@ hydro::Sea build_sea(const scene::Water& water, double gravity,
                  .level = water.level,
                  .depth = water.depth.value_or(std::numeric_limits<double>::infinity()),
                  .current = water.current};
-  if (const auto* waves = std::get_if<std::vector<scene::Wave>>(&water.surface))
-    sea.surface = hydro::WaveSurface{wave_components(*waves, sea, log), water.kinematics};
-  else if (const auto* spectrum = std::get_if<scene::Spectrum>(&water.surface))
-    sea.surface =
-        hydro::WaveSurface{spectrum_components(*spectrum, sea, irregular, log), water.kinematics};
-  else if (const auto* elevation = std::get_if<scene::Elevation>(&water.surface))
-    sea.surface =
-        hydro::WaveSurface{elevation_components(*elevation, sea, irregular, log), water.kinematics};
-  else if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
+  if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
     sea.surface = height_field(*field, "water.surface.heightfield", log);
+  else if (!std::holds_alternative<scene::Flat>(water.surface))
+    sea.surface = hydro::WaveSurface{components_of(water.surface, sea, irregular, log),
+                                     water.kinematics, water.ramp};
   return sea;
 }
 

@@ -35,7 +35,7 @@ Json surface(const hydro::WaveSurface& waves, const PageLimits&) {
   std::vector<double> numbers;
   for (const hydro::WaveComponent& w : waves.components)
     numbers.insert(numbers.end(), {w.amplitude, w.kx, w.ky, w.omega, w.phase});
-  return {{"kind", "waves"}, {"components", packed<double>(numbers)}};
+  return {{"kind", "waves"}, {"components", packed<double>(numbers)}, {"ramp", waves.ramp}};
 }
 
 Json ground_of(const std::monostate&, const PageLimits&) { return nullptr; }

@@ -78,6 +78,10 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Model of the water below waves. `airy` is linear wave theory: pressure and "
      "motion of the water decay with depth. `hydrostatic` is the model of the 2014 thesis: the "
      "pressure is that of the height of water above, and the water moves with the current alone."},
+    {"water.surface.ramp",
+     "Time over which the waves grow from still water at time 0: all amplitudes have the factor ½ "
+     "(1 − cos πt/ramp) until then. With 0 they are whole from the start. Not used with `flat` and "
+     "`heightfield`."},
     {"water.surface.flat", "Still water: `flat: {}`."},
     {"water.surface.heightfield", "A fixed surface, given by heights on a grid."},
     {"water.surface.heightfield.file",
@@ -120,9 +124,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.spectrum.components",
      "Number of wave components that represent the spectrum. The cost of a step grows with it."},
     {"water.surface.elevation",
-     "Long-crested waves that have a measured elevation at one point. They are the Fourier series "
-     "of the record, limited to a band of frequencies. `check` and `run` say how well they fit, "
-     "and `summary.json` has it. After the record's length the waves repeat."},
+     "Long-crested waves with a measured elevation at one point: the Fourier series of a record in "
+     "a band of frequencies. After the record's length they repeat."},
     {"water.surface.elevation.file",
      "Table of the record. Its first line names the columns, `time` [s] in equal intervals and "
      "`elevation` above the still water [m]. The mean elevation is left out."},
@@ -133,10 +136,11 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.surface.elevation.lowest_frequency_hz",
      "Lower end of the band. Without this key it is 0.3 times the frequency of the record's peak."},
     {"water.surface.elevation.highest_frequency_hz",
-     "Upper end of the band. Without this key it is 5 times the frequency of the record's peak."},
+     "Upper end of the band. Without this key it is 3 times the frequency of the record's peak. "
+     "The "
+     "cost of a step grows much with it: faces are split for short waves."},
     {"water.surface.elevation.components",
-     "Largest number of waves: those of the largest energy are kept. The cost of a step grows with "
-     "it."},
+     "Largest number of waves, of which those of the largest energy are kept."},
     {"air.density", "Density of the air; the default is that at 15 °C at sea level."},
     {"air.wind",
      "Velocity of the air, uniform everywhere, or a map for a wind that grows with the height. The "
@@ -308,12 +312,9 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Second axis of a universal joint, perpendicular to `axis`. The default is some "
      "perpendicular direction."},
     {"log.every", "Time between logged states. With 0 or without this key every step is logged."},
-    {"log.probes",
-     "Probes, whose readings go to `probes.csv` with every row of the trajectory. With `--format "
-     "hdf5` they are in `run.h5`."},
+    {"log.probes", "Probes, which are read for `probes.csv` with every row of the trajectory."},
     {"log.probes[].name",
-     "Name of the probe in the log, unique among the probes. It must not contain a comma, double "
-     "quote or line break."},
+     "Name of the probe in the log. It must not contain a comma, double quote or line break."},
     {"log.probes[].wave",
      "Place x, y in the world frame of a gauge of the water's elevation. Exactly one of `wave` and "
      "`body` is required."},

@@ -29,27 +29,23 @@ void check_format(MapReader& map, const HeightField& field) {
     map.fault("range", "not used with a .csv file, which has heights in metres");
 }
 
-/// The block `surface`: its shape and the model of the water below waves.
+/// The block `surface`: its shape, the model of the water below waves, and their ramp.
 struct SurfaceBlock {
   Surface shape;
   hydro::Kinematics kinematics = hydro::Kinematics::airy;
+  double ramp = 0;
 };
 
-/// Reads `kinematics`, which says something of waves alone.
-void read_kinematics(MapReader& map, hydro::Kinematics& kinematics) {
-  using hydro::Kinematics;
-  map.optional("kinematics", kinematics,
-               ChoiceRule<Kinematics>{
-                   {{"airy", Kinematics::airy}, {"hydrostatic", Kinematics::hydrostatic}}});
-  map.note_condition("kinematics", "", {}, {"flat", "heightfield"});
-  if (!map.has("kinematics")) return;
+/// Refuses a key that says something of waves alone beside a surface without waves.
+void check_needs_waves(MapReader& map, const std::string& key) {
+  map.note_condition(key, "", {}, {"flat", "heightfield"});
+  if (!map.has(key)) return;
   if (map.has("heightfield"))
-    map.fault("kinematics",
-              "given beside heightfield, expected waves, spectrum or elevation with it; under a "
-              "height field "
-              "the pressure is always hydrostatic");
+    map.fault(key,
+              "given beside heightfield, expected waves, spectrum or elevation with it; a height "
+              "field is fixed, and under it the pressure is always hydrostatic");
   else if (map.has("flat"))
-    map.fault("kinematics",
+    map.fault(key,
               "given beside flat, expected waves, spectrum or elevation with it; still water has "
               "no waves");
 }
@@ -65,7 +61,13 @@ void read(MapReader& map, SurfaceBlock& surface) {
   }
   map.alternative<Spectrum>("spectrum", surface.shape);
   map.alternative<Elevation>("elevation", surface.shape);
-  read_kinematics(map, surface.kinematics);
+  using hydro::Kinematics;
+  map.optional("kinematics", surface.kinematics,
+               ChoiceRule<Kinematics>{
+                   {{"airy", Kinematics::airy}, {"hydrostatic", Kinematics::hydrostatic}}});
+  check_needs_waves(map, "kinematics");
+  map.optional("ramp", surface.ramp, not_negative("s"));
+  check_needs_waves(map, "ramp");
 }
 
 /// Refuses a spectrum that its depth does not fit.
@@ -105,6 +107,7 @@ void read(MapReader& map, Water& water) {
   map.block("surface", surface);
   water.surface = std::move(surface.shape);
   water.kinematics = surface.kinematics;
+  water.ramp = surface.ramp;
   if (const auto* waves = std::get_if<std::vector<Wave>>(&water.surface); waves && water.depth)
     check_depth(map, *water.depth, *waves);
   if (const auto* spectrum = std::get_if<Spectrum>(&water.surface))

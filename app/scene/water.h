@@ -62,6 +62,7 @@ struct Water {
   Eigen::Vector3d current = Eigen::Vector3d::Zero();
   Surface surface;
   hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves, given in any way.
+  double ramp = 0;  ///< Time over which the waves grow from rest [s], >= 0.
 };
 
 }  // namespace scene

@@ -45,7 +45,7 @@ Eigen::MatrixXd wave_heights(const WaveSurface& waves, Eigen::Index points, doub
       columns(2 * c + 1, i) = std::sin(start + w.kx * along);
     }
   }
-  return rows * columns;
+  return amplitude_factor(waves, time) * (rows * columns);
 }
 
 /// Waves over a hull as a grid of heights, where that takes fewer heights than the hull's corners.

@@ -213,4 +213,74 @@ TEST(Loads, InLongWavesAreThoseOfTheRelativeMotion) {
   }
 }
 
+/// The same sea without a ramp, with the amplitudes that it has at a time.
+Sea at_amplitudes_of(Sea sea, double time) {
+  auto& waves = std::get<WaveSurface>(sea.surface);
+  const double factor = hydro::amplitude_factor(waves, time);
+  for (hydro::WaveComponent& w : waves.components) w.amplitude *= factor;
+  waves.ramp = 0;
+  return sea;
+}
+
+TEST(WaveRamp, GrowsSmoothlyFromNothingToOne) {
+  const WaveSurface waves{.components = {}, .ramp = 8};
+  EXPECT_EQ(hydro::amplitude_factor(waves, -1), 0);
+  EXPECT_EQ(hydro::amplitude_factor(waves, 0), 0);
+  EXPECT_NEAR(hydro::amplitude_factor(waves, 2), (1 - std::sqrt(0.5)) / 2, 1e-15);
+  EXPECT_NEAR(hydro::amplitude_factor(waves, 4), 0.5, 1e-15);
+  EXPECT_EQ(hydro::amplitude_factor(waves, 8), 1);
+  EXPECT_EQ(hydro::amplitude_factor(waves, 100), 1);
+  // Both ends are flat: the factor differs from theirs by (πε/2)², ε in ramps.
+  EXPECT_NEAR(hydro::amplitude_factor(waves, 8e-3), std::pow(M_PI / 2 * 1e-3, 2), 1e-11);
+  EXPECT_NEAR(1 - hydro::amplitude_factor(waves, 8 - 8e-3), std::pow(M_PI / 2 * 1e-3, 2), 1e-11);
+  for (const double time : {-3.0, 0.0, 3.0}) EXPECT_EQ(hydro::amplitude_factor({}, time), 1);
+}
+
+TEST(WaveRamp, BeginsInStillWater) {
+  support::Random random(40);
+  Sea sea = some_sea(random, 12);
+  std::get<WaveSurface>(sea.surface).ramp = 5;
+  for (int i = 0; i < 20; ++i) {
+    const Vector3d p(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-5, 0.3));
+    EXPECT_EQ(hydro::surface_elevation(sea, p.x(), p.y(), 0), 0);
+    EXPECT_EQ(hydro::surface_slope(sea, p.x(), p.y(), 0), Eigen::Vector2d(0, 0));
+    const WaterMotion water = hydro::water_at(sea, p, 0);
+    EXPECT_EQ(water.head, sea.level - p.z());
+    EXPECT_EQ(water.velocity, sea.current);
+    EXPECT_EQ(water.acceleration, Vector3d(0, 0, 0));
+  }
+}
+
+/// Elevation, slope, pressure, velocity, acceleration and loads have one factor at a time.
+TEST(WaveRamp, IsOneFactorOfAllThatWavesDo) {
+  support::Random random(41);
+  const Hull hull = hydro::make_hull(hydro::make_icosphere(0.5, 3));
+  for (const double depth : {12.0, kDeep}) {
+    Sea sea = some_sea(random, depth);
+    std::get<WaveSurface>(sea.surface).ramp = 5;
+    sea.air = hydro::Air{.wind = {.velocity = {20, 9, 0}}};
+    for (const double time : {0.0, 0.7, 2.9, 4.999, 6.0}) {
+      const Sea now = at_amplitudes_of(sea, time);
+      const Vector3d p(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-5, 0));
+      EXPECT_NEAR(hydro::surface_elevation(sea, p.x(), p.y(), time),
+                  hydro::surface_elevation(now, p.x(), p.y(), time), 1e-15);
+      EXPECT_LT((hydro::surface_slope(sea, p.x(), p.y(), time) -
+                 hydro::surface_slope(now, p.x(), p.y(), time))
+                    .norm(),
+                1e-15);
+      const WaterMotion a = hydro::water_at(sea, p, time), b = hydro::water_at(now, p, time);
+      EXPECT_NEAR(a.head, b.head, 1e-14);
+      EXPECT_LT((a.velocity - b.velocity).norm(), 1e-14);
+      EXPECT_LT((a.acceleration - b.acceleration).norm(), 1e-14);
+      BodyState state = random.state(1, 1);
+      state.position.z() = 0.2;
+      const hydro::Loads c = hydro::compute_loads(hull, state, sea, time, {});
+      const hydro::Loads d = hydro::compute_loads(hull, state, now, time, {});
+      EXPECT_LT((c.total().force - d.total().force).norm(), 1e-11 * d.buoyancy.force.norm());
+      EXPECT_LT((c.total().moment - d.total().moment).norm(), 1e-11 * d.buoyancy.force.norm());
+      EXPECT_LT((c.wind.force - d.wind.force).norm(), 1e-11 * d.wind.force.norm());
+    }
+  }
+}
+
 }  // namespace

@@ -17,8 +17,12 @@ const check = (sea, expected) => {
 // Three waves; of the last one the grid has less than two points, and leaves it out.
 const waves = [[0.3, 0.5, -0.2, 2.2, 0.4], [0.1, -1.1, 0.7, 3.6, -2]];
 const short = [0.2, 9, 0, 9.4, 0];
-check(makeSea({kind: "waves", components: Float64Array.from([...waves, short].flat())}, COUNT), (x, y) =>
+check(makeSea({kind: "waves", components: Float64Array.from([...waves, short].flat()), ramp: 0}, COUNT), (x, y) =>
   waves.reduce((h, [a, kx, ky, omega, phase]) => h + a * Math.cos(kx * x + ky * y - omega * TIME + phase), 0));
+
+// In a ramp of twice the time the amplitudes are half of theirs.
+check(makeSea({kind: "waves", components: Float64Array.from(waves.flat()), ramp: 2 * TIME}, COUNT), (x, y) =>
+  waves.reduce((h, [a, kx, ky, omega, phase]) => h + a / 2 * Math.cos(kx * x + ky * y - omega * TIME + phase), 0));
 
 check(makeSea({kind: "flat"}, COUNT), () => 0);
 

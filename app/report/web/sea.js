@@ -6,8 +6,9 @@ const LEAST_CELLS = 2.5;   // to a wave that the grid can show
 // A sum of waves: the phases along x and along y are found once for a place of the grid, so that a
 // time costs two multiplications a wave and point.
 class Waves {
-  constructor(components, count) {
+  constructor(components, ramp, count) {
     this.components = components;
+    this.ramp = ramp;
     this.count = count;
     this.number = components.length / COMPONENT;
     const table = () => new Float64Array(this.number * count);
@@ -30,12 +31,20 @@ class Waves {
     }
   }
 
+  // Of the amplitudes at a time, as amplitude_factor of hydro/sea.h.
+  factor(time) {
+    if (this.ramp <= 0 || time >= this.ramp) return 1;
+    return time <= 0 ? 0 : (1 - Math.cos(Math.PI * time / this.ramp)) / 2;
+  }
+
   heights(time, out) {
     const {cosX, sinX, cosY, sinY} = this.along;
     const n = this.count;
+    const factor = this.factor(time);
     out.fill(0);
     for (const w of this.shown) {
-      const [a, , , omega, phase] = this.components.subarray(COMPONENT * w, COMPONENT * (w + 1));
+      const [whole, , , omega, phase] = this.components.subarray(COMPONENT * w, COMPONENT * (w + 1));
+      const a = factor * whole;
       const c0 = a * Math.cos(phase - omega * time), s0 = a * Math.sin(phase - omega * time);
       for (let j = 0; j < n; ++j) {
         const c = c0 * cosY[w * n + j] - s0 * sinY[w * n + j];
@@ -83,7 +92,7 @@ class Flat {
 // A grid of count × count points: place(x0, y0, cell) puts its first point there in the world, and
 // heights(time, out) fills `out` row by row, row = y.
 export const makeSea = (water, count) => {
-  if (water.kind === "waves") return new Waves(water.components, count);
+  if (water.kind === "waves") return new Waves(water.components, water.ramp, count);
   if (water.kind === "heightfield") return new Field(water, count);
   return new Flat();
 };

@@ -34,8 +34,10 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
   waves.airy = surface.kinematics == Kinematics::airy && waves.count > 0;
   waves.deep = !(sea.depth < AiryWaves::kDeepest);
   waves.water_depth = waves.deep ? 0 : sea.depth;
+  const double factor = amplitude_factor(surface, time);
   for (std::size_t i = 0; i < surface.components.size(); ++i) {
-    const WaveComponent& w = surface.components[i];
+    WaveComponent w = surface.components[i];
+    w.amplitude *= factor;
     const auto set = [&](int row, double value) {
       to[static_cast<std::size_t>(row) * room + i] = value;
     };

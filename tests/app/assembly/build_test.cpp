@@ -404,6 +404,17 @@ TEST(Assemble, ASpectrumBeyondAllNumbersIsRefused) {
               ElementsAre(HasSubstr("water.surface.spectrum: its periods are too ")));
 }
 
+TEST(Assemble, WavesOfAnyKindHaveTheRamp) {
+  const std::string file = (support::data_folder() / "elevation.csv").string();
+  for (const std::string& waves :
+       {std::string("waves: [{amplitude: 0.1, period: 4}]"),
+        std::string("spectrum: {type: jonswap, significant_height: 1, peak_period: 7}"),
+        "elevation: {file: " + file + "}"}) {
+    const hydro::Sea sea = sea_of("surface: {" + waves + ", ramp: 9}");
+    EXPECT_EQ(std::get<hydro::WaveSurface>(sea.surface).ramp, 9);
+  }
+}
+
 /// A sea by a record of two periods of a wave of 1 s.
 std::string recorded_sea(const std::string& keys) {
   return fmt::format(
@@ -437,7 +448,7 @@ TEST(Assemble, ARecordThatDoesNotSuitItsKeysIsRefusedAtThem) {
   const std::string shallow =
       std::regex_replace(recorded_sea(""), std::regex("water: \\{"), "water: {depth: 2, ");
   EXPECT_THAT(faults_of(shallow),
-              ElementsAre(HasSubstr("elevation.file: its significant height is 2.8 m, expected "
+              ElementsAre(HasSubstr("elevation.file: its significant height is 2.81 m, expected "
                                     "less than the depth of 2 m")));
 }
 

@@ -41,6 +41,7 @@ std::string every_key() {
          "      - {amplitude: 0.5, wavelength: 20, heading_deg: 90, phase_deg: -45}\n"
          "      - {amplitude: 0, period: 4}\n"
          "    kinematics: hydrostatic\n"
+         "    ramp: 12.5\n"
          "air: {density: 1.5, wind: {speed: 8, heading_deg: 90, height: 12, profile: power,"
          " exponent: 0.2}}\n"
          "ground: {z: -10}\n"
@@ -176,6 +177,7 @@ TEST(SceneKeys, WaterIsRead) {
   EXPECT_EQ(waves[1].period, 4);
   EXPECT_EQ(waves[1].wavelength, std::nullopt);
   EXPECT_EQ(waves[1].heading, 0);
+  EXPECT_EQ(scene.water->ramp, 12.5);
 }
 
 TEST(SceneKeys, SpectrumIsRead) {
@@ -476,6 +478,7 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(wet.water->density, 1000);
   EXPECT_EQ(wet.water->depth, std::nullopt);
   EXPECT_EQ(wet.water->kinematics, hydro::Kinematics::airy);
+  EXPECT_EQ(wet.water->ramp, 0);
   EXPECT_TRUE(std::holds_alternative<scene::Flat>(wet.water->surface));
   EXPECT_FALSE(wet.log_every.has_value());
   EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.71, 0.30, 0.36}));
@@ -505,6 +508,11 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
            {},
            {kSpectrum, "hydro.pressure_drag={front: 1, back: 2, blunt: 0.4}"},
            {"water.surface={flat: {}}", picture("ground")},
+           {"water.surface={spectrum: {type: file, file: " + support::data_folder().string() +
+            "/spectrum.csv}}"},
+           {"water.surface={elevation: {file: " + support::data_folder().string() +
+            "/elevation.csv, at: [1, 2], heading_deg: 90, start: 0.5, lowest_frequency_hz: 0.25,"
+            " highest_frequency_hz: 3, components: 5}}"},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
            kCameras,
