@@ -128,20 +128,29 @@ Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d
   return inertia;
 }
 
-hydro::BodyState state_after_drift(const Body& body, const Motion& motion, double time) {
+Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
+                           double ahead) {
+  if (!body.has_wave_load || body.reduced_joint) return body.current();
+  return hydro::water_at(*body.environment.sea, state.position + ahead * state.linear_velocity,
+                         time + ahead)
+      .velocity;
+}
+
+hydro::BodyState state_after_drift(const Body& body, const Motion& motion,
+                                   const Eigen::Vector3d& flow, double time) {
   if (!body.reduced_joint && !body.locked && !motion.added_B)
     return drifted(*body.spec, motion.state, time);
   const Matrix6d S = body.rigid_B + motion.added();
   if (body.reduced_joint) return advance_on_joint(*body.reduced_joint, S, motion.state, time);
-  if (!body.locked) return drifted(S, motion.state, body.current(), time);
+  if (!body.locked) return drifted(S, motion.state, flow, time);
   return project_onto_locks(body.spec->locked, body.spec->initial,
-                            drifted(S, body.spec->locked, motion.state, body.current(), time));
+                            drifted(S, body.spec->locked, motion.state, flow, time));
 }
 
 void drift(const Body& body, Motion& motion, double time) {
   std::optional<Motion> before;
   if (motion.work) before = motion;
-  motion.state = state_after_drift(body, motion, time);
+  motion.state = state_after_drift(body, motion, motion.flow, time);
   if (before) record_drift(body, *before, time, motion);
 }
 
@@ -199,9 +208,9 @@ Motion share_momentum(const Body& body, const Motion& before, const Matrix6d& ad
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Matrix6d change = rotate_tensor(R_WB, added_B - motion.added());
   const Vector6d u = inertia_change(inertia_W(body, motion), change, mobility(body, motion.state),
-                                    velocity(motion.state, body.current()))
+                                    velocity(motion.state, motion.flow))
                          .velocity;
-  motion.state = with_velocity(motion.state, u, body.current());
+  motion.state = with_velocity(motion.state, u, motion.flow);
   motion.added_B = unless_zero(added_B);
   motion.added_rate_B.reset();
   if (motion.work) record_added_mass(body, before, motion);

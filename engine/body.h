@@ -44,7 +44,7 @@ struct Body {
   bool jointed = false;         ///< At least one joint holds it.
   std::optional<ReducedJoint> reduced_joint;
 
-  /// Velocity of the water.
+  /// Velocity of the water without its waves.
   Eigen::Vector3d current() const {
     return environment.sea ? environment.sea->current : Eigen::Vector3d::Zero();
   }
@@ -75,9 +75,16 @@ Mobility mobility(const Body& body, const hydro::BodyState& state);
 Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d& R_WB);
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 
+/// Velocity of the water where the body's centre of mass is at a time [s] after `ahead` [s] more;
+/// that of the current where waves have no load on its added mass, or at a reduced joint.
+Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
+                           double ahead);
+
 /// The state after `time` [s] of motion by inertia alone, (E1) to (E3): added mass, locks and the
 /// reduced joint act, loads do not.
-hydro::BodyState state_after_drift(const Body& body, const Motion& motion, double time);
+/// @param flow   Velocity of the water about the body.
+hydro::BodyState state_after_drift(const Body& body, const Motion& motion,
+                                   const Eigen::Vector3d& flow, double time);
 /// Moves the body to that state, and records the work.
 void drift(const Body& body, Motion& motion, double time);
 

@@ -79,7 +79,8 @@ void GroupStepper::advance_in_substeps(double time, double length, bool halves) 
   const bool starting = is_alone_ && !halves && starts(*members_.front().moving);
   double done = 0;
   for (int i = 0;; ++i) {
-    const double h = next_length(length - done, starting && i < AccelerationHistory::kTrend);
+    const double h =
+        next_length(time + done, length - done, starting && i < AccelerationHistory::kTrend);
     take_substeps(time + done, h);
     if (must_halve(h, halves)) {
       advance_in_substeps(time + done, h / 2, true);
@@ -96,7 +97,7 @@ void GroupStepper::advance_within_tolerance(double time, double length) {
   double done = 0;
   double h = length;
   while (true) {
-    h = fitting_length(std::min(h, length - done));
+    h = fitting_length(time + done, std::min(h, length - done));
     const Snapshot before = snapshot();
     take_substeps(time + done, h);
     std::vector<std::pair<const Member*, Motion>> whole;
@@ -167,23 +168,23 @@ void GroupStepper::restore(const Snapshot& snapshot) {
   impacts_ = snapshot.impacts;
 }
 
-double GroupStepper::next_length(double rest, bool starting) {
-  const double h = fitting_length(rest);
+double GroupStepper::next_length(double time, double rest, bool starting) {
+  const double h = fitting_length(time, rest);
   if (is_alone_) return starting ? std::min(h, kStartingPart * step_) : h;
-  return shortened(h, impacts_.next(h, contacts_.pairs).value_or(h));
+  return shortened(time, h, impacts_.next(h, contacts_.pairs).value_or(h));
 }
 
-double GroupStepper::fitting_length(double rest) {
+double GroupStepper::fitting_length(double time, double rest) {
   if (is_alone_) return longest_substep(rest);
   // The islands of the last substep are likely to be those of the next one.
   const double h = std::min(longest_substep(rest), impacts_.longest_substep());
-  find_contacts(h);
-  return shortened(h, longest_substep(h));
+  find_contacts(time, h);
+  return shortened(time, h, longest_substep(h));
 }
 
-double GroupStepper::shortened(double h, double longest) {
+double GroupStepper::shortened(double time, double h, double longest) {
   if (longest >= h) return h;
-  find_contacts(longest);
+  find_contacts(time, longest);
   return longest;
 }
 
@@ -195,10 +196,10 @@ double GroupStepper::longest_substep(double rest) const {
   return h;
 }
 
-void GroupStepper::find_contacts(double h) {
+void GroupStepper::find_contacts(double time, double h) {
   std::vector<World::Placed> bodies;
   for (Member& m : members_) {
-    drift_halfway(m, h);
+    drift_halfway(m, time, h);
     m.touching = false;
     if (context_.collides) bodies.push_back(placed(m));
   }

@@ -61,12 +61,12 @@ class GroupStepper {
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
 
-  /// Length of the next substep, with its contacts and islands found.
-  double next_length(double rest, bool starting);
-  double fitting_length(double rest);
-  double shortened(double h, double longest);
+  /// Length of the substep that begins at a time, with its contacts and islands found.
+  double next_length(double time, double rest, bool starting);
+  double fitting_length(double time, double rest);
+  double shortened(double time, double h, double longest);
   double longest_substep(double rest) const;
-  void find_contacts(double h);
+  void find_contacts(double time, double h);
   void find_islands();
 
   const StepContext& context_;

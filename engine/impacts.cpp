@@ -11,7 +11,8 @@ namespace {
 
 /// The state after `time` [s] by drift and the extrapolated acceleration.
 hydro::BodyState expected_state(const MovingBody& moving, double time) {
-  hydro::BodyState state = state_after_drift(moving.body, moving.motion, time);
+  hydro::BodyState state =
+      state_after_drift(moving.body, moving.motion, moving.body.current(), time);
   const Vector6d acceleration_B = moving.motion.accelerations.expected(time / 2);
   state.position += time * time / 2 * (state.orientation * acceleration_B.head<3>());
   return state;

@@ -14,6 +14,9 @@ namespace engine {
 
 struct Motion {
   hydro::BodyState state;
+  /// Velocity of the water about the body, constant for a substep, to which u is relative [m/s].
+  /// The substep sets it.
+  Eigen::Vector3d flow = Eigen::Vector3d::Zero();
   // Motions are copied often, and most have no added mass.
   std::optional<Matrix6d> added_B;         ///< A; none where it is zero.
   std::optional<Matrix6d> added_rate_B;    ///< dA/dt over the last substep [1/s]; none where zero.

@@ -11,8 +11,9 @@ namespace engine {
 namespace {
 
 /// Drifts a free body to the middle of the substep, from its corrected state (E9).
-void begin_free(SubstepBody& b, double h) {
+void begin_free(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
+  b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
   b.correction = find_correction(b.body(), b.halfway, h);
   if (b.correction) correct(b.body(), *b.correction, 1, b.halfway);
   b.start = b.halfway.state;
@@ -48,7 +49,7 @@ void finish(SubstepBody& b, bool constrained, double h) {
   end.constrained = constrained;
   end.reaction_B = b.reaction_B;
   end.load_acceleration_W = b.load_acceleration_W;
-  end.state = with_velocity(end.state, b.midpoint.after + update.change, b.body().current());
+  end.state = with_velocity(end.state, b.midpoint.after + update.change, end.flow);
   check_state(*b.moving, end.state);
   if (end.work) {
     const Vector6d reaction = rotate(b.midpoint.R_WB, b.reaction_B);
@@ -65,8 +66,8 @@ void finish(SubstepBody& b, bool constrained, double h) {
 
 /// Work of the reactions on a body over the substep [J].
 double reaction_work(const SubstepBody& b, double h) {
-  const Vector6d u = b.midpoint.after + b.update.change / 2 +
-                     to_vector6(b.body().current(), Eigen::Vector3d::Zero());
+  const Vector6d u =
+      b.midpoint.after + b.update.change / 2 + to_vector6(b.end.flow, Eigen::Vector3d::Zero());
   return h * rotate(b.midpoint.R_WB, b.reaction_B).dot(u);
 }
 
@@ -121,8 +122,9 @@ void conclude(SubstepBody& b, bool constrained, double h) {
 
 }  // namespace
 
-void drift_halfway(SubstepBody& b, double h) {
+void drift_halfway(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
+  b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
   drift(b.body(), b.halfway, h / 2);
   check_state(*b.moving, b.halfway.state);
 }
@@ -130,7 +132,7 @@ void drift_halfway(SubstepBody& b, double h) {
 void take_substep(const StepContext& context, Island& island, double time, double h) {
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
-    constrained ? begin_constrained(*b, h) : begin_free(*b, h);
+    constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);
     if (b->body().has_added_mass) b->added_B = expected_added_mass(b->body(), b->moving->motion, h);
   }
   // Updates are repeated until the added mass that they are taken with is that of the final pose.

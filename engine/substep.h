@@ -56,7 +56,7 @@ struct Island {
 };
 
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.
-void drift_halfway(SubstepBody& member, double h);
+void drift_halfway(SubstepBody& member, double time, double h);
 
 /// Finds the motion of each body of the island at the end of the substep; moves none.
 /// A constrained island must have been drifted halfway.

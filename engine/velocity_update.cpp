@@ -24,7 +24,7 @@ struct UpdateContext {
   const hydro::BodyState& state() const { return midpoint.motion->state; }
   const hydro::Loads& water() const { return moving.cache.loads.water; }
   hydro::BodyState at(const Vector6d& relative) const {
-    return with_velocity(state(), relative, body.current());
+    return with_velocity(state(), relative, midpoint.motion->flow);
   }
   Vector6d loads(const Vector6d& relative) const {
     return to_vector6(find_loads(moving, at(relative), time));
@@ -95,7 +95,7 @@ double drag_stiffness(const UpdateContext& s, const Vector6d& u, const Vector6d&
   const hydro::Wind& wind = s.body.environment.sea->air->wind;
   const double factor = wind.factor(std::max(0.0, low + height - s.body.environment.lowest));
   const Vector6d moving =
-      to_vector6(s.body.current() - factor * wind.velocity, Eigen::Vector3d::Zero());
+      to_vector6(s.midpoint.motion->flow - factor * wind.velocity, Eigen::Vector3d::Zero());
   return in_water + drag_stiffness(s, water.wind, u + moving, after + moving);
 }
 
@@ -236,7 +236,7 @@ bool is_stiff(const UpdateContext& s, const Vector6d& at, const Vector6d& after)
 
 MidpointState make_midpoint(const Body& body, const Motion& motion, const Matrix6d& added_B,
                             const Mobility& mobility) {
-  const Vector6d u = velocity(motion.state, body.current());
+  const Vector6d u = velocity(motion.state, motion.flow);
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   MidpointState midpoint{.motion = &motion, .R_WB = R_WB, .inertia = {}, .before = u, .after = u};
   if (!body.has_added_mass) return midpoint;

@@ -21,10 +21,19 @@ double own_kinetic_energy(const Body& body, const Motion& motion) {
   return v.dot(momentum(body.rigid_B, motion, v)) / 2;
 }
 
-/// Adds an impulse of the water that moves with a body, by which a current does work.
-void add_added_impulse(const Body& body, const Vector6d& impulse, WorkRecord& record) {
+/// Adds an impulse of the water that moves with a body, by which water of a velocity does work.
+void add_added_impulse(const Eigen::Vector3d& flow, const Vector6d& impulse, WorkRecord& record) {
   record.added_impulse += impulse;
-  record.works.added_mass += body.current().dot(impulse.head<3>());
+  record.works.added_mass += flow.dot(impulse.head<3>());
+}
+
+/// The added kinetic energy relative to the current less that relative to the flow, whose velocity
+/// is w relative to the current: w·A u + ½ w·A w.
+double energy_by_flow(const Body& body, const Motion& motion) {
+  const Vector6d w = to_vector6(motion.flow - body.current(), Eigen::Vector3d::Zero());
+  if (w.isZero(0) || !motion.added_B) return 0;
+  const Vector6d u = velocity(motion.state, motion.flow);
+  return w.dot(momentum(*motion.added_B, motion, u + w / 2));
 }
 
 /// Adds the works of the loads at the mean velocity `w` over a time h. @return their impulse
@@ -65,7 +74,7 @@ void record_update(const MovingBody& moving, const MidpointState& midpoint,
   const Matrix6d S = inertia_W(body, midpoint);
   const Vector6d u = midpoint.after + update.change;
   const Vector6d mean = (midpoint.before + u) / 2;
-  const Vector6d w = mean + to_vector6(body.current(), Eigen::Vector3d::Zero());
+  const Vector6d w = mean + to_vector6(after.flow, Eigen::Vector3d::Zero());
   const Vector6d impulse = S * update.change;
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
   if (update.reaction) {
@@ -85,17 +94,20 @@ void record_update(const MovingBody& moving, const MidpointState& midpoint,
   if (!body.has_added_mass) return;
   record.works.added_mass += half_square(inertia_W(body, after), u) -
                              half_square(inertia_W(body, *midpoint.motion), midpoint.before) -
-                             impulse.dot(mean);
-  add_added_impulse(body, momentum(body.rigid_B, after, u - midpoint.before) - impulse, record);
+                             impulse.dot(mean) + energy_by_flow(body, after) -
+                             energy_by_flow(body, *midpoint.motion);
+  add_added_impulse(after.flow, momentum(body.rigid_B, after, u - midpoint.before) - impulse,
+                    record);
 }
 
 void record_drift(const Body& body, const Motion& before, double time, Motion& after) {
   const bool projected = is_projected(body);
   if (!projected && !before.added_B) return;
-  const Vector6d u0 = velocity(before.state, body.current());
-  const Vector6d u1 = velocity(after.state, body.current());
+  const Vector6d u0 = velocity(before.state, after.flow);
+  const Vector6d u1 = velocity(after.state, after.flow);
   const Vector6d own = momentum(body.rigid_B, after, u1) - momentum(body.rigid_B, before, u0);
-  if (!projected) return add_added_impulse(body, own, *after.work);
+  after.work->works.added_mass += energy_by_flow(body, after) - energy_by_flow(body, before);
+  if (!projected) return add_added_impulse(after.flow, own, *after.work);
   Vector6d water = Vector6d::Zero();
   if (before.added_B) {
     const Vector6d p0 = momentum(before.added(), before, u0);
@@ -104,7 +116,7 @@ void record_drift(const Body& body, const Motion& before, double time, Motion& a
     const Eigen::Vector3d P = (p0 + p1).head<3>() / 2;
     water = p0 - p1;
     water.tail<3>() -= time * v.cross(P);  // about a moving centre of mass
-    add_added_impulse(body, water, *after.work);
+    add_added_impulse(after.flow, water, *after.work);
   }
   after.work->constraint_impulse += own - water;
 }
@@ -114,7 +126,7 @@ void record_added_mass(const Body& body, const Motion& before, Motion& after) {
       velocity(after.state, body.current()) - velocity(before.state, body.current());
   after.work->works.added_mass +=
       kinetic_energy(body, after, body.current()) - kinetic_energy(body, before, body.current());
-  add_added_impulse(body, momentum(body.rigid_B, after, change), *after.work);
+  add_added_impulse(body.current(), momentum(body.rigid_B, after, change), *after.work);
 }
 
 void record_clamp(const Body& body, const Motion& before, Motion& after) {

@@ -32,7 +32,7 @@ class Floating:
     """A body at rest in still water."""
 
     name: str
-    length: float  # The largest dimension [m].
+    length: float  # The largest dimension, of a spar with its mirror image in the surface [m].
     inertia: Inertia
     wavelengths: tuple[float, ...]  # Those of the reference [m].
     motions: tuple[str, ...] = kMotions
