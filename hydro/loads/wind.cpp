@@ -12,7 +12,6 @@
 namespace hydro {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Distance of points between which a chord departs from waves by kSagTolerance of their standard
@@ -244,9 +243,8 @@ double top_of(const Hull& hull, const BodyState& state) {
 /// The inputs of the sum over the dry faces; none where there is no load.
 /// @param surface   The sea whose surface is taken.
 std::optional<WindInputs> wind_inputs(const Hull& hull, const BodyState& state, const Sea& sea,
-                                      const Sea& surface, double time, const Matrix3d& shape_W) {
-  Wind wind = sea.air->wind;
-  wind.velocity = shape_W * wind.velocity;
+                                      const Sea& surface, double time) {
+  const Wind& wind = sea.air->wind;
   const double above = state.position.z() - sea.level;
   SurfaceBounds bounds = surface_bounds(surface);
   bounds = {bounds.lowest - surface.level, bounds.highest - surface.level};
@@ -259,24 +257,21 @@ std::optional<WindInputs> wind_inputs(const Hull& hull, const BodyState& state, 
                 .bends = false,
                 .bounds = bounds,
                 .above = above,
-                .motion = {shape_W * state.linear_velocity, state.angular_velocity},
+                .motion = {state.linear_velocity, state.angular_velocity},
                 .wind = wind,
                 .profile = WindProfile(wind, highest)};
   in.bends = in.surface.may_bend(hull.panels.longest_edge);
   return in;
 }
 
-/// Calls sum(inputs, K) where the air may act on a hull; K of bluntness.h in W.
+/// Calls sum(inputs) where the air may act on a hull.
 template <class Sum>
 void with_inputs(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                  const Coefficients& coefficients, Sum&& sum) {
   if (!sea.air || coefficients.pressure_drag.none() || hull.tree.nodes.empty()) return;
   if (state.position.z() + hull.radius <= surface_bounds(sea).lowest) return;
   const std::optional<Sea> grid = gridded_waves(hull, state, sea, time);
-  const Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const Matrix3d shape_W = R_WB * coefficients.drag_shape * R_WB.transpose();
-  const auto in = wind_inputs(hull, state, sea, grid ? *grid : sea, time, shape_W);
-  if (in) sum(*in, shape_W);
+  if (const auto in = wind_inputs(hull, state, sea, grid ? *grid : sea, time)) sum(*in);
 }
 
 }  // namespace
@@ -308,7 +303,7 @@ WindProfile::WindProfile(const Wind& wind, double highest) {
 Wrench wind_load(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                  const Coefficients& coefficients) {
   Wrench load;
-  const auto sum = [&](const WindInputs& in, const Matrix3d& shape_W) {
+  with_inputs(hull, state, sea, time, coefficients, [&](const WindInputs& in) {
     const double front = 0.5 * sea.air->density * coefficients.pressure_drag.front;
     const double back = 0.5 * sea.air->density * coefficients.pressure_drag.back;
     BranchDrag branches(in, front, back);
@@ -317,18 +312,16 @@ Wrench wind_load(const Hull& hull, const BodyState& state, const Sea& sea, doubl
         [&](const Panel& panel, const Vector3d& normal, const Vector3d& normal_speed) {
           load += drag_on(panel, normal, normal_speed, front, back);
         });
-    load = drag_scale(coefficients, state, sea.air->wind.velocity) * (load + branches.total());
-    load.force = shape_W * load.force;
-  };
-  with_inputs(hull, state, sea, time, coefficients, sum);
+    load = drag_scale(coefficients, state, in.wind.velocity) * (load + branches.total());
+  });
   return load;
 }
 
 Matrix6d wind_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                        const Coefficients& coefficients) {
   Matrix6d sum = Matrix6d::Zero();
-  const auto add = [&](const WindInputs& in, const Matrix3d& shape_W) {
-    const double scale = sea.air->density * drag_scale(coefficients, state, sea.air->wind.velocity);
+  with_inputs(hull, state, sea, time, coefficients, [&](const WindInputs& in) {
+    const double scale = sea.air->density * drag_scale(coefficients, state, in.wind.velocity);
     visit_dry_part(
         in, [](const kernel::Node&) { return false; },
         [&](const Panel& panel, const Vector3d& normal, const Vector3d& normal_speed) {
@@ -339,12 +332,11 @@ Matrix6d wind_jacobian(const Hull& hull, const BodyState& state, const Sea& sea,
             const PressureDrag& drag = coefficients.pressure_drag;
             const double C_p = v_n > 0 ? drag.front : drag.back;
             Vector6d b;
-            b << shape_W * normal, Vector3d((panel[i] + panel[j]) / 2).cross(normal);
+            b << normal, Vector3d((panel[i] + panel[j]) / 2).cross(normal);
             sum.noalias() -= scale * C_p * std::abs(v_n) * third * b * b.transpose();
           }
         });
-  };
-  with_inputs(hull, state, sea, time, coefficients, add);
+  });
   return sum;
 }
 

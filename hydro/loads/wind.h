@@ -13,10 +13,10 @@
 ///
 ///     F = −½ρ ∫_dry C_p v_n |v_n| n dS,                                                      (1)
 ///
-/// of a slender body with K of bluntness.h as in the water, in closed form (panel_loads.h):
-/// triangles are cut at the waterline as in the water, and each piece again at v_n = 0. Friction is
-/// left out: that of a smooth plate in air, about 0.003, is less than 1 % of C_p. So are lift, the
-/// weight of the displaced air and its added mass, each about 1/800 of the water's.
+/// in closed form (panel_loads.h): triangles are cut at the waterline as in the water, and each
+/// piece again at v_n = 0. Friction is left out: that of a smooth plate in air, about 0.003, is
+/// less than 1 % of C_p. So are lift, the weight of the displaced air and its added mass, each
+/// about 1/800 of the water's.
 ///
 /// The height z of the wind's profile is that above the water at the instant, right below or above
 /// the point: it is linear over the dry pieces and zero on their waterline.
