@@ -75,8 +75,9 @@ Mobility mobility(const Body& body, const hydro::BodyState& state);
 Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d& R_WB);
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 
-/// Velocity of the water where the body's centre of mass is at a time [s] after `ahead` [s] more;
-/// that of the current where waves have no load on its added mass, or at a reduced joint.
+/// Velocity of the water about the body: that of current and waves, in the mean over the body's box
+/// and in the middle of its wet height, at a time [s] after `ahead` [s] more; that of the current
+/// where waves have no load on its added mass, or at a reduced joint.
 Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
                            double ahead);
 

@@ -101,25 +101,47 @@ AiryWaves::AiryWaves(const Sea& sea, double time)
   }
 }
 
+/// Depth at which the functions of depth are taken, by Wheeler's stretching.
+double AiryWaves::stretched(const Eigen::Vector3d& p_W, double s) const {
+  const double below = std::max(s, 0.0), elevation = s + (p_W.z() - level_);
+  return deep() ? below : std::min(depth_, below * depth_ / std::max(depth_ + elevation, 1e-300));
+}
+
+void AiryWaves::add(const Wave& w, const Eigen::Vector3d& p_W, double down, double factor,
+                    WaterMotion& water) const {
+  const double theta = w.kx * p_W.x() + w.ky * p_W.y() + w.phase;
+  const double sine = std::sin(theta), cosine = std::cos(theta);
+  const double falls = std::exp(-w.k * down);
+  const double rises = deep() ? 0 : std::exp(w.k * (down - 2 * depth_));
+  const double C = w.weight * (falls + rises), S = w.weight * (falls - rises);
+  const Eigen::Vector3d along(w.kx * C, w.ky * C, 0);
+  const Eigen::Vector3d up(0, 0, w.k * S);
+  const double a = factor * w.amplitude;
+  water.head -= a * (1 - C) * cosine;
+  water.velocity += a * w.velocity_scale * (cosine * along + sine * up);
+  water.acceleration += a * gravity_ * (sine * along - cosine * up);
+}
+
 WaterMotion AiryWaves::at(const Eigen::Vector3d& p_W, double s) const {
   WaterMotion water{.head = s, .velocity = current_};
-  const double below = std::max(s, 0.0);
-  const double elevation = s + (p_W.z() - level_);
-  const double down =
-      deep() ? below : std::min(depth_, below * depth_ / std::max(depth_ + elevation, 1e-300));
-  for (const Wave& w : waves_) {
-    const double theta = w.kx * p_W.x() + w.ky * p_W.y() + w.phase;
-    const double sine = std::sin(theta), cosine = std::cos(theta);
-    const double falls = std::exp(-w.k * down);
-    const double rises = deep() ? 0 : std::exp(w.k * (down - 2 * depth_));
-    const double C = w.weight * (falls + rises), S = w.weight * (falls - rises);
-    const Eigen::Vector3d along(w.kx * C, w.ky * C, 0);
-    const Eigen::Vector3d up(0, 0, w.k * S);
-    water.head -= w.amplitude * (1 - C) * cosine;
-    water.velocity += w.amplitude * w.velocity_scale * (cosine * along + sine * up);
-    water.acceleration += w.amplitude * gravity_ * (sine * along - cosine * up);
-  }
+  const double down = stretched(p_W, s);
+  for (const Wave& w : waves_) add(w, p_W, down, 1, water);
   return water;
+}
+
+Eigen::Vector3d AiryWaves::mean_velocity(const Eigen::Vector3d& p_W, double s,
+                                         const Eigen::Matrix3d& half_sides) const {
+  WaterMotion water{.velocity = current_};
+  const double down = stretched(p_W, s);
+  for (const Wave& w : waves_) {
+    double mean = 1;  // Of cos(k·δ) over the box.
+    for (int i = 0; i < 3; ++i) {
+      const double turn = w.kx * half_sides(0, i) + w.ky * half_sides(1, i);
+      if (turn != 0) mean *= std::sin(turn) / turn;
+    }
+    add(w, p_W, down, mean, water);
+  }
+  return water.velocity;
 }
 
 WaterMotion water_at(const Sea& sea, const Eigen::Vector3d& p_W, double time) {

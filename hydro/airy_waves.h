@@ -85,6 +85,11 @@ class AiryWaves {
   /// head of s. The surface may be an approximation: its place, not its equation, is told by s.
   WaterMotion at(const Eigen::Vector3d& p_W, double s) const;
 
+  /// Mean velocity [m/s] of the water at the depth `s` over a box about a point, in closed form.
+  /// @param half_sides   From the middle of the box to its sides, in W, in columns [m].
+  Eigen::Vector3d mean_velocity(const Eigen::Vector3d& p_W, double s,
+                                const Eigen::Matrix3d& half_sides) const;
+
   const std::vector<Wave>& waves() const { return waves_; }
   bool deep() const { return !(depth_ < kDeepest); }
   double depth() const { return depth_; }
@@ -93,6 +98,11 @@ class AiryWaves {
   static constexpr double kDeepest = 1e300;
 
  private:
+  /// Adds a wave's part of the water at a depth z* = −`down`, times a factor.
+  void add(const Wave& w, const Eigen::Vector3d& p_W, double down, double factor,
+           WaterMotion& water) const;
+  double stretched(const Eigen::Vector3d& p_W, double s) const;
+
   std::vector<Wave> waves_;
   double depth_, gravity_, level_;
   Eigen::Vector3d current_;
