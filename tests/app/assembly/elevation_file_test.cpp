@@ -1,37 +1,10 @@
 #include "app/assembly/elevation_file.h"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-
-#include "app/scene/diagnostics.h"
+#include "tests/app/assembly/file_reader_test.h"
 
 namespace {
 
-class ElevationFile : public testing::Test {
- protected:
-  ~ElevationFile() override { std::filesystem::remove(file_); }
-
-  hydro::ElevationRecord read(const std::string& text) const {
-    std::ofstream(file_, std::ios::binary) << text;
-    return assembly::read_elevation(file_);
-  }
-  /// The fault of a file with this text, without the file's name.
-  std::string fault(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const scene::InputError& error) {
-      return std::string(error.what()).substr(file_.string().size());
-    }
-    return "none";
-  }
-
- private:
-  std::filesystem::path file_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("elevation_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+using ElevationFile = support::FileReaderTest<assembly::read_elevation>;
 
 /// A record at these times.
 std::string record_at(const std::vector<double>& times) {

@@ -1,38 +1,12 @@
 #include "app/assembly/spectrum_file.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
-#include "app/scene/diagnostics.h"
+#include "tests/app/assembly/file_reader_test.h"
 
 namespace {
 
-class SpectrumFile : public testing::Test {
- protected:
-  ~SpectrumFile() override { std::filesystem::remove(file_); }
-
-  hydro::TabulatedSpectrum read(const std::string& text) const {
-    std::ofstream(file_, std::ios::binary) << text;
-    return assembly::read_spectrum(file_);
-  }
-  /// The fault of a file with this text, without the file's name.
-  std::string fault(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const scene::InputError& error) {
-      return std::string(error.what()).substr(file_.string().size());
-    }
-    return "none";
-  }
-
- private:
-  std::filesystem::path file_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("spectrum_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+using SpectrumFile = support::FileReaderTest<assembly::read_spectrum>;
 
 TEST_F(SpectrumFile, HertzAndRadiansAreTheSameSpectrum) {
   const auto hertz = read("# a buoy\nfrequency_hz;density\n\n0.1;0\n0.2;+3\n0.4;1e-1\n");
