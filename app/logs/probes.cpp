@@ -34,8 +34,9 @@ Vector3d velocity_at(const Vector3d& at_B, const hydro::BodyState& state) {
 
 }  // namespace
 
-Probes::Probes(const std::vector<scene::Probe>& probes, const assembly::BuiltScene& built)
-    : spec_(built.spec) {
+Probes::Probes(const std::vector<scene::Probe>& probes, const engine::SimulationSpec& spec,
+               const std::vector<Vector3d>& centers_of_mass)
+    : spec_(spec) {
   for (const scene::Probe& probe : probes) {
     if (probe.wave) {
       const double z = spec_.sea->level - probe.depth.value_or(0);
@@ -45,7 +46,7 @@ Probes::Probes(const std::vector<scene::Probe>& probes, const assembly::BuiltSce
     }
     const auto body = std::ranges::find(spec_.bodies, *probe.body, &engine::BodySpec::name);
     const auto index = static_cast<std::size_t>(body - spec_.bodies.begin());
-    points_.push_back({.body = index, .at = probe.at - built.centers_of_mass[index]});
+    points_.push_back({.body = index, .at = probe.at - centers_of_mass[index]});
   }
 }
 

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/assembly/built_scene.h"
 #include "app/scene/probe.h"
-#include "hydro/sea.h"
+#include "engine/spec.h"
 
 /// @file
 /// The readings of the probes of a run, and the columns of their log.
@@ -39,8 +38,10 @@ using ProbeReading = std::array<double, kProbeColumns>;
 /// The probes of a run.
 class Probes {
  public:
-  /// @param probes   Of the same scene as `built`, which must outlive this.
-  Probes(const std::vector<scene::Probe>& probes, const assembly::BuiltScene& built);
+  /// @param spec   Of the scene of the probes; it must outlive this.
+  /// @param centers_of_mass   Of the bodies, in the frames of their meshes [m].
+  Probes(const std::vector<scene::Probe>& probes, const engine::SimulationSpec& spec,
+         const std::vector<Eigen::Vector3d>& centers_of_mass);
 
   /// Keeps the velocities of the points before a step.
   void before_step(const std::vector<hydro::BodyState>& states);

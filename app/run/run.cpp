@@ -78,7 +78,7 @@ class Run {
         log_(make_log(options.format, log_subject(scene, built), folder.path(),
                       last ? std::optional(last->log) : std::nullopt)),
         log_due_(scene.log_every.value_or(0)),
-        probes_(scene.probes, built),
+        probes_(scene.probes, built.spec, built.centers_of_mass),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
         logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {

@@ -20,7 +20,7 @@ struct Scene {
   explicit Scene(const std::string& text)
       : scene(support::read_scene_text(text)),
         built(assembly::build_without_added_mass(scene)),
-        probes(scene.probes, built) {}
+        probes(scene.probes, built.spec, built.centers_of_mass) {}
   const hydro::Sea& sea() const { return *built.spec.sea; }
 
   scene::Scene scene;
