@@ -175,6 +175,24 @@ TEST(Kernel, AgreesWithThePlainSumInWaves) {
   }
 }
 
+/// The waves bend over its faces, of which none may be taken for dry.
+TEST(Kernel, KeepsTheLargeFacesOfASubmergedBodyInWaves) {
+  const Hull box = hydro::make_hull(hydro::make_box({6, 6, 2}));
+  for (const Waves waves : kAllWaves) {
+    const Sea sea = wavy(waves);
+    for (const double z : {-4.8, -6.0, -9.0}) {
+      SCOPED_TRACE(testing::Message() << "waves " << static_cast<int>(waves) << ", z " << z);
+      const BodyState deep{.position = {0.3, -0.2, z}, .linear_velocity = {1, 0.5, 0}};
+      const Loads ours = hydro::compute_loads(box, deep, sea, 1, {}, {.branches = false});
+      const Loads plain = hydro::plain_loads(box, deep, sea, 1, {});
+      const double error = support::tolerance(hydro::kSagTolerance);
+      EXPECT_NEAR(ours.displaced_volume, 72, error * 72);
+      expect_near(ours.buoyancy, plain.buoyancy, error * scale_of(plain), box.radius);
+      expect_near(ours.pressure_drag, plain.pressure_drag, error * scale_of(plain), box.radius);
+    }
+  }
+}
+
 TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
   support::Random random(54);
   for (const Waves waves : kAllWaves) {

@@ -126,11 +126,13 @@ HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M c
   if (in.viscous) add_viscous(work.sums, in, p, mean_flow(flow, p, water), t, area);
 }
 
-/// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count.
+/// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count. The
+/// pieces of a submerged hull are not cut: their depths are those below its centre of mass.
 HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
   const Plane p = plane_of(work.panels, pieces, from);
-  const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
-                                 hn::FirstN(D(), static_cast<std::size_t>(used)));
+  const Triangle whole = triangle_of(pieces, from);
+  const Values depth_of_whole = load_values(pieces.depth, from);
+  const M counted = hn::FirstN(D(), static_cast<std::size_t>(used));
   const auto add_part = [&](const Triangle& part, M counts, const Values& depth) HWY_ATTR {
     if (work.in.surface && work.in.surface->is_airy())
       add_wet(work, p, part, counts,
@@ -138,6 +140,8 @@ HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from
     else
       add_wet(work, p, part, counts, depth);
   };
+  if (work.in.wet) return add_part(whole, counted, depth_of_whole);
+  const WetParts wet = wet_parts(whole, depth_of_whole, counted);
   add_part(wet.first, wet.has_first, wet.at_first);
   if (!hn::AllFalse(D(), wet.has_second)) add_part(wet.second, wet.has_second, wet.at_second);
 }

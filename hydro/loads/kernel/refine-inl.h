@@ -113,7 +113,8 @@ HWY_INLINE M any(const Bends& bends) { return hn::Or(bends.ab, hn::Or(bends.bc, 
 /// True where no part of a triangle can be wet: it lies above the highest crest.
 HWY_INLINE M above_all_water(const Bearings& to, const Triangle& t) {
   const V lowest_point = lowest({to.up.at(t.a), to.up.at(t.b), to.up.at(t.c)});
-  return lowest_point >= all(to.in.below + to.in.surface->highest);
+  const WaterSurface& surface = *to.in.surface;
+  return lowest_point >= all(to.in.below + surface.hidden_depth + surface.highest);
 }
 
 /// Faces of a vector that the surface bends over go to `bending`. Returns those that are left.
