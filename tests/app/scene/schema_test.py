@@ -36,6 +36,7 @@ UNSEEN = [
     r"sleep: method ode", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
     r"in case alone", r"less than the depth", r"waves need gravity",
     r"tma needs water.depth", r"wind is horizontal", r"found a speed of",
+    r"at least the lowest frequency", r"which is below the bottom", r"needs water, and the scene",
 ]
 
 
