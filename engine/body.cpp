@@ -51,6 +51,9 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
                 spec.joints.begin(), spec.joints.end(),
                 [id](const JointSpec& joint) { return joint.first == id || joint.second == id; }),
             .reduced_joint = find_reduced_joint(spec, index)};
+  const bool in_shear = spec.sea && !spec.sea->profile.empty() && (body.wet || s.added_mass) &&
+                        spec.integrator.method == Integrator::Method::split;
+  body.has_flow = body.has_wave_load || in_shear;
   if (spec.sea)
     body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);
   return body;
@@ -130,7 +133,7 @@ Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d
 
 Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
                            double ahead) {
-  if (!body.has_wave_load || body.reduced_joint) return body.current();
+  if (!body.has_flow || body.reduced_joint) return body.current();
   const hydro::Sea& sea = *body.environment.sea;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Eigen::Matrix3d half = R_WB * (body.box_B.sizes() / 2).asDiagonal();

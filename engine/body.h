@@ -39,12 +39,13 @@ struct Body {
   bool feels_air = false;       ///< Wet, and the air has a load on its dry part.
   bool has_added_mass = false;  ///< A may not be zero.
   bool has_wave_load = false;   ///< Waves accelerate the water that its added mass stands for.
+  bool has_flow = false;        ///< The water about it may not move with `current()`.
   bool movable = true;          ///< At least one degree of freedom is not locked.
   bool locked = false;          ///< At least one degree of freedom is locked.
   bool jointed = false;         ///< At least one joint holds it.
   std::optional<ReducedJoint> reduced_joint;
 
-  /// Velocity of the water without its waves.
+  /// Velocity of the water without its waves; in a current that changes with depth, of its surface.
   Eigen::Vector3d current() const {
     return environment.sea ? environment.sea->current : Eigen::Vector3d::Zero();
   }
@@ -76,8 +77,8 @@ Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d
 Matrix6d inertia_W(const Body& body, const Motion& motion);
 
 /// Velocity of the water about the body: that of current and waves, in the mean over the body's box
-/// and in the middle of its wet height, at a time [s] after `ahead` [s] more; that of the current
-/// where waves have no load on its added mass, or at a reduced joint.
+/// and in the middle of its wet height, at a time [s] after `ahead` [s] more; that of `current()`
+/// without `has_flow` or at a reduced joint.
 Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
                            double ahead);
 

@@ -34,7 +34,8 @@ bool must_not_gain_energy(const Body& body) {
   // The energy is relative to the water, and a current does work on a body that locks or joints
   // stop.
   const bool drifts = !body.locked && !body.jointed;
-  return body.wet && hydro::is_flat(*body.environment.sea) && body.current().z() == 0 &&
+  const hydro::Sea* sea = body.environment.sea;
+  return body.wet && hydro::is_flat(*sea) && sea->profile.empty() && body.current().z() == 0 &&
          is_calm(body) && (drifts || body.current().isZero(0));
 }
 

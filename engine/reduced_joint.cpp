@@ -30,7 +30,8 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
   if (!only || only->type == Type::fixed || only->type == Type::universal) return std::nullopt;
   const BodyId other = only->first == id ? only->second : only->first;
   const bool grounded = other == kWorld || immovable(spec.bodies[other].locked);
-  const bool in_current = spec.sea && body.added_mass && !spec.sea->current.isZero(0);
+  const bool in_current =
+      spec.sea && body.added_mass && !(spec.sea->current.isZero(0) && spec.sea->profile.empty());
   if (!grounded || in_current || partly_locked(body.locked)) return std::nullopt;
   return ReducedJoint{.type = only->type,
                       .anchor_W = only->anchor_W,

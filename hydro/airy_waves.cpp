@@ -84,7 +84,11 @@ bool has_airy_waves(const Sea& sea) {
 }
 
 AiryWaves::AiryWaves(const Sea& sea, double time)
-    : depth_(sea.depth), gravity_(sea.gravity), level_(sea.level), current_(sea.current) {
+    : depth_(sea.depth),
+      gravity_(sea.gravity),
+      level_(sea.level),
+      current_(sea.current),
+      profile_(sea.profile) {
   if (!has_airy_waves(sea)) return;
   const auto& surface = std::get<WaveSurface>(sea.surface);
   const double factor = amplitude_factor(surface, time);
@@ -99,6 +103,12 @@ AiryWaves::AiryWaves(const Sea& sea, double time)
                       .velocity_scale = sea.gravity / intrinsic_frequency(k, depth_, sea.gravity),
                       .weight = 1 / (1 + std::exp(-2 * k * depth_))});
   }
+}
+
+Eigen::Vector3d AiryWaves::current(double z) const {
+  if (profile_.empty()) return current_;
+  const Eigen::Vector2d velocity = velocity_at(profile_, level_ - z);
+  return {velocity.x(), velocity.y(), 0};
 }
 
 /// Depth at which the functions of depth are taken, by Wheeler's stretching.
@@ -123,7 +133,7 @@ void AiryWaves::add(const Wave& w, const Eigen::Vector3d& p_W, double down, doub
 }
 
 WaterMotion AiryWaves::at(const Eigen::Vector3d& p_W, double s) const {
-  WaterMotion water{.head = s, .velocity = current_};
+  WaterMotion water{.head = s, .velocity = current(p_W.z())};
   const double down = stretched(p_W, s);
   for (const Wave& w : waves_) add(w, p_W, down, 1, water);
   return water;
@@ -131,7 +141,7 @@ WaterMotion AiryWaves::at(const Eigen::Vector3d& p_W, double s) const {
 
 Eigen::Vector3d AiryWaves::mean_velocity(const Eigen::Vector3d& p_W, double s,
                                          const Eigen::Matrix3d& half_sides) const {
-  WaterMotion water{.velocity = current_};
+  WaterMotion water{.velocity = current(p_W.z())};
   const double down = stretched(p_W, s);
   for (const Wave& w : waves_) {
     double mean = 1;  // Of cos(k·δ) over the box.

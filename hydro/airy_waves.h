@@ -8,8 +8,8 @@
 /// @file
 /// Linear (Airy) waves: the dispersion relation, and the water under them.
 ///
-/// On water of depth h that moves with the current U, a wave of amplitude a, wave vector k = k (cos
-/// β, sin β) and phase θ = k·x − ωt + φ obeys
+/// On water of depth h that moves with the current U, the one of the surface, a wave of amplitude
+/// a, wave vector k = k (cos β, sin β) and phase θ = k·x − ωt + φ obeys
 ///
 ///     ω = σ + k·U,        σ² = g k tanh kh,                                                  (1)
 ///
@@ -18,7 +18,7 @@
 ///     C(z) = cosh k(z + h) / cosh kh,        S(z) = sinh k(z + h) / cosh kh                  (2)
 ///
 /// (both e^{kz} in deep water), the elevation ξ, the head Φ of the dynamic pressure, and velocity
-/// and acceleration of the water relative to the current are sums over the waves:
+/// and acceleration of the water relative to the current on the spot are sums over the waves:
 ///
 ///     ξ = Σ a cos θ,       Φ = Σ a C cos θ,                                                  (3)
 ///     u = Σ a (g k/σ) (C cos θ cos β, C cos θ sin β, S sin θ),        u̇ = −g ∇Φ              (4)
@@ -66,7 +66,7 @@ struct WaterMotion {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< u̇ [m/s^2].
 };
 
-/// The waves of a sea at one time.
+/// The waves and the current of a sea at one time.
 class AiryWaves {
  public:
   /// One wave at this time.
@@ -86,11 +86,14 @@ class AiryWaves {
   WaterMotion at(const Eigen::Vector3d& p_W, double s) const;
 
   /// Mean velocity [m/s] of the water at the depth `s` over a box about a point, in closed form.
+  /// A current that changes with depth is taken at the point.
   /// @param half_sides   From the middle of the box to its sides, in W, in columns [m].
   Eigen::Vector3d mean_velocity(const Eigen::Vector3d& p_W, double s,
                                 const Eigen::Matrix3d& half_sides) const;
 
   const std::vector<Wave>& waves() const { return waves_; }
+  /// False if all of the water moves with `Sea::current`.
+  bool moves() const { return !waves_.empty() || !profile_.empty(); }
   bool deep() const { return !(depth_ < kDeepest); }
   double depth() const { return depth_; }
 
@@ -102,10 +105,13 @@ class AiryWaves {
   void add(const Wave& w, const Eigen::Vector3d& p_W, double down, double factor,
            WaterMotion& water) const;
   double stretched(const Eigen::Vector3d& p_W, double s) const;
+  /// Velocity of the water at a height z without its waves [m/s].
+  Eigen::Vector3d current(double z) const;
 
   std::vector<Wave> waves_;
   double depth_, gravity_, level_;
   Eigen::Vector3d current_;
+  std::vector<CurrentRow> profile_;
 };
 
 /// The water at a point of any sea. Over water without Airy waves it moves with the current.

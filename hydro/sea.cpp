@@ -126,6 +126,22 @@ HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen:
   return field;
 }
 
+Eigen::Vector2d velocity_at(const std::vector<CurrentRow>& profile, double depth) {
+  const auto below = std::find_if(profile.begin(), profile.end(),
+                                  [&](const CurrentRow& row) { return row.depth > depth; });
+  if (below == profile.begin()) return below->velocity;
+  const CurrentRow& above = *(below - 1);
+  if (below == profile.end()) return above.velocity;
+  const double part = (depth - above.depth) / (below->depth - above.depth);
+  return above.velocity + part * (below->velocity - above.velocity);
+}
+
+Eigen::Vector3d current_at(const Sea& sea, double z) {
+  if (sea.profile.empty()) return sea.current;
+  const Eigen::Vector2d velocity = velocity_at(sea.profile, sea.level - z);
+  return {velocity.x(), velocity.y(), 0};
+}
+
 double surface_elevation(const Sea& sea, double x, double y, double time) {
   return std::visit([&](const auto& surface) { return elevation(surface, x, y, time); },
                     sea.surface);

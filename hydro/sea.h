@@ -13,7 +13,8 @@
 ///
 /// The surface is a height field z = ξ(x, y, t) in W; it is given, not simulated. Below waves the
 /// water moves and its pressure decays as linear theory has it (airy_waves.h). Elsewhere it moves
-/// with the uniform `current`, and pressure is hydrostatic below the local surface.
+/// with the current alone, and pressure is hydrostatic below the local surface. The current is
+/// uniform, or it changes with the depth as a table tells (`Sea::profile`).
 /// Units SI; heights are in W (not relative to `level`) unless a name says otherwise.
 
 namespace hydro {
@@ -74,15 +75,35 @@ struct WaveSurface {
 /// after it; 1 without a ramp.
 double amplitude_factor(const WaveSurface& waves, double time);
 
+/// A row of the table of a current that changes with depth.
+struct CurrentRow {
+  double depth = 0;                                    ///< Below the still water level [m], >= 0.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< Of the water there, in W [m/s].
+};
+
 struct Sea {
   double density = 1000;                                   ///< [kg/m^3]
   double gravity = 9.80665;                                ///< [m/s^2]
   double level = 0;                                        ///< z of the still water [m].
   double depth = std::numeric_limits<double>::infinity();  ///< Of the still water [m], > 0.
-  Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Velocity of the water everywhere [m/s].
+  /// Velocity of the water [m/s]. Where there is a profile it is that of its first row, as waves
+  /// travel on the current of the surface.
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();
+  /// The current by depth; without rows it is `current` everywhere. The depths rise from row to
+  /// row. The velocity is linear between two rows, and above the first and below the last it is
+  /// that of the row; it does not follow the waves up and down. The surface is flat or has Airy
+  /// waves.
+  std::vector<CurrentRow> profile;
   std::variant<FlatSurface, HeightField, WaveSurface> surface;
   std::optional<Air> air;  ///< None: nothing acts on what is above the water.
 };
+
+/// Velocity of a current by its table, which has at least one row, at a depth below the still water
+/// level [m/s].
+Eigen::Vector2d velocity_at(const std::vector<CurrentRow>& profile, double depth);
+
+/// Velocity of the water without its waves at a height z [m/s].
+Eigen::Vector3d current_at(const Sea& sea, double z);
 
 /// Height ξ of the water surface over (x, y) at a time [m].
 double surface_height(const Sea& sea, double x, double y, double time);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -216,6 +217,12 @@ Components components_of(const scene::Surface& surface, const hydro::Sea& sea,
   return wave_components(std::get<std::vector<scene::Wave>>(surface), sea, log);
 }
 
+bool changes_with_depth(const std::vector<hydro::CurrentRow>& profile) {
+  return std::any_of(profile.begin(), profile.end(), [&](const hydro::CurrentRow& row) {
+    return row.velocity != profile.front().velocity;
+  });
+}
+
 }  // namespace
 
 hydro::Sea build_sea(const scene::Water& water, double gravity,
@@ -225,6 +232,7 @@ hydro::Sea build_sea(const scene::Water& water, double gravity,
                  .level = water.level,
                  .depth = water.depth.value_or(std::numeric_limits<double>::infinity()),
                  .current = water.current};
+  if (changes_with_depth(water.current_profile)) sea.profile = water.current_profile;
   if (const auto* field = std::get_if<scene::HeightField>(&water.surface))
     sea.surface = height_field(*field, "water.surface.heightfield", log);
   else if (!std::holds_alternative<scene::Flat>(water.surface))

@@ -30,9 +30,10 @@ void include_body(const engine::BodySpec& body, const hydro::BodyState& state, c
   const hydro::Twist motion{state.linear_velocity - sea.current, state.angular_velocity};
   const Eigen::Matrix3d K = R * body.coefficients.drag_shape * R.transpose();
   const hydro::PressureDrag& drag = body.coefficients.pressure_drag;
-  const double scale = shows == scene::ShownPressure::hydrostatic
-                           ? 0
-                           : hydro::drag_scale(body.coefficients, state, sea.current);
+  const double scale =
+      shows == scene::ShownPressure::hydrostatic
+          ? 0
+          : hydro::drag_scale(body.coefficients, state, hydro::current_at(sea, state.position.z()));
   const double gravity = shows == scene::ShownPressure::dynamic ? 0 : sea.gravity;
   for (Eigen::Index face = 0; face < body.mesh_B.face_count(); ++face) {
     const Eigen::Vector3d n = R * hydro::area_vector(body.mesh_B, face).normalized();

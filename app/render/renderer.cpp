@@ -178,8 +178,10 @@ void Renderer::Impl::make_surroundings() {
   const double longest_edge = picture_.sea ? longest_straight_edge(*picture_.sea, sag)
                                            : std::numeric_limits<double>::infinity();
   // Bodies are made again only if they are too coarse for the view.
-  if (bodies_.empty() || longest_edge < bodies_edge_) {
-    bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * longest_edge;
+  const double body_edge =
+      picture_.sea ? std::min(longest_edge, longest_sheared_edge(*picture_.sea)) : longest_edge;
+  if (bodies_.empty() || body_edge < bodies_edge_) {
+    bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * body_edge;
     bodies_.clear();
     for (const BodyAppearance& look : picture_.bodies) {
       bodies_.push_back(make_body(gl_, look, bodies_edge_));
@@ -261,7 +263,9 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
     const double half_density =
         shows == Pressure::hydrostatic
             ? 0
-            : 0.5 * sea.density * hydro::drag_scale(look.coefficients, state, sea.current);
+            : 0.5 * sea.density *
+                  hydro::drag_scale(look.coefficients, state,
+                                    hydro::current_at(sea, state.position.z()));
     body_.set("u_drag_front", half_density * look.coefficients.pressure_drag.front);
     body_.set("u_drag_back", half_density * look.coefficients.pressure_drag.back);
   }

@@ -221,4 +221,10 @@ double longest_straight_edge(const hydro::Sea& sea, double sag) {
   return std::visit([&](const auto& surface) { return straight_edge(surface, sag); }, sea.surface);
 }
 
+double longest_sheared_edge(const hydro::Sea& sea) {
+  constexpr double kParts = 32;
+  if (sea.profile.size() < 2) return std::numeric_limits<double>::infinity();
+  return (sea.profile.back().depth - sea.profile.front().depth) / kParts;
+}
+
 }  // namespace render

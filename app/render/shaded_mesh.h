@@ -37,4 +37,8 @@ hydro::TriMesh subdivided(const hydro::TriMesh& mesh, double longest, double mos
 /// the surface never deviates so far.
 double longest_straight_edge(const hydro::Sea& sea, double sag);
 
+/// Returns the length of an edge along which a current that changes with depth is drawn as linear:
+/// a small part of its table [m]. The length is infinite in a uniform current.
+double longest_sheared_edge(const hydro::Sea& sea);
+
 }  // namespace render

@@ -10,7 +10,7 @@ namespace render {
 struct VertexWater {
   Eigen::RowVectorXd depths;  ///< Depth below the surface [m].
   Eigen::RowVectorXd heads;   ///< p/(ρg) [m]; equal to the depth but under linear waves.
-  Eigen::Matrix3Xd flow;      ///< Velocity relative to the current, in W [m/s].
+  Eigen::Matrix3Xd flow;      ///< Velocity relative to `Sea::current`, in W [m/s].
 };
 
 /// Above the surface the flow is that of the surface, so that both are linear over a triangle which

@@ -70,7 +70,14 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Depth of the still water, uniform everywhere, for the waves; without this key they are those "
      "of deep water. It is no obstacle: bodies stand on `ground`."},
     {"water.current",
-     "Velocity of the water, uniform everywhere. Waves travel on it, and their motion adds to it."},
+     "Velocity of the water, uniform everywhere, or a table of it over the depth, for flat water "
+     "and "
+     "waves of `kinematics: airy`. Waves travel on it, on a table's first row, and their motion "
+     "adds to it."},
+    {"water.current.depths",
+     "Depths of the rows below the still water level. Between two rows the velocity is linear in "
+     "the depth; above the first and below the last it is that of the row."},
+    {"water.current.velocities", "Velocities of the water at these depths, horizontal."},
     {"water.surface",
      "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves`, "
      "`spectrum` and `elevation`. Without this block the surface is flat."},

@@ -9,6 +9,8 @@
 namespace scene {
 
 void read(MapReader& map, Water& water);
+/// Reads `current`: a velocity, uniform everywhere, or a table over depth.
+void read_current(MapReader& map, Water& water);
 void read(MapReader& map, Flat& flat);
 void read(MapReader& map, HeightField& field);
 void read(MapReader& map, Wave& wave);

@@ -95,6 +95,17 @@ void check_depth(MapReader& map, double depth, const std::vector<Wave>& waves) {
   }
 }
 
+/// Refuses a table of the current where the water has no motion but a uniform one.
+void check_current(MapReader& map, const Water& water) {
+  const bool grid = std::holds_alternative<HeightField>(water.surface);
+  if (water.current_profile.empty() || (!grid && water.kinematics == hydro::Kinematics::airy))
+    return;
+  map.fault("current",
+            fmt::format("found a table, expected a list of 3 numbers [m/s]: {} has one velocity of "
+                        "the water at all depths",
+                        grid ? "water under a height field" : "kinematics hydrostatic"));
+}
+
 }  // namespace
 
 void read(MapReader& map, Water& water) {
@@ -102,12 +113,13 @@ void read(MapReader& map, Water& water) {
   map.optional("viscosity", water.viscosity, positive("m^2/s"));
   map.optional("level", water.level, number("m"));
   map.optional("depth", water.depth, positive("m"));
-  map.optional("current", water.current, number("m/s"));
+  read_current(map, water);
   SurfaceBlock surface;
   map.block("surface", surface);
   water.surface = std::move(surface.shape);
   water.kinematics = surface.kinematics;
   water.ramp = surface.ramp;
+  check_current(map, water);
   if (const auto* waves = std::get_if<std::vector<Wave>>(&water.surface); waves && water.depth)
     check_depth(map, *water.depth, *waves);
   if (const auto* spectrum = std::get_if<Spectrum>(&water.surface))

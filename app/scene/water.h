@@ -58,8 +58,9 @@ struct Water {
   double density = 1000;
   double viscosity = 1.0034e-6;  ///< Kinematic [m^2/s], > 0.
   double level = 0;
-  std::optional<double> depth;  ///< Of the still water [m], > 0; none: deep.
-  Eigen::Vector3d current = Eigen::Vector3d::Zero();
+  std::optional<double> depth;                        ///< Of the still water [m], > 0; none: deep.
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Of a table, that of its first row.
+  std::vector<hydro::CurrentRow> current_profile;     ///< It has no rows if it is uniform.
   Surface surface;
   hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves, given in any way.
   double ramp = 0;  ///< Time over which the waves grow from rest [s], >= 0.

@@ -49,7 +49,8 @@ struct WettedAddedMass::Immersion {
     Vector3d::Map(in.up) = up_B;
     in.below = sea.level - state.position.z();
     if (is_flat(sea) || (in.wet && !has_airy_waves(sea))) return;
-    surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge);
+    surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge,
+                    SplitFor::head);
     if (what == SplitFor::surface) surface->limits.dive = {};
     in.surface = &*surface;
     in.wave_error = kernel::allowed_wave_error(LoadAccuracy{}.wave_tolerance,

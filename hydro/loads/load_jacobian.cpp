@@ -24,10 +24,10 @@ struct Motion {
   Eigen::Matrix3d shape;  ///< K of bluntness.h, in W.
   double scale = 1;       ///< Scale of the pressure drag, from its calibration.
 
-  /// Velocity of the waves' water at the centre of a face [m/s]: the Jacobian takes one for all of
-  /// the face.
+  /// Velocity of the water, relative to the current of the surface, at the centre of a face [m/s]:
+  /// the Jacobian takes one for all of the face.
   Vector3d water_at(const Panel& face) const {
-    if (waves.waves().empty()) return Vector3d::Zero();
+    if (!waves.moves()) return Vector3d::Zero();
     const Vector3d r = (face[0] + face[1] + face[2]) / 3;
     const double s = surface.elevation(r) + (sea.level - p_WB.z() - r.z());
     return waves.at(p_WB + r, s).velocity - sea.current;
@@ -56,7 +56,7 @@ void add_friction(const Vector3d& r, const Vector3d& n, const Vector3d& v_t, dou
 }
 
 /// Adds (1), (2) per ρ and (3) per ρ g of a wet panel.
-/// @param water   Velocity of the waves' water there [m/s].
+/// @param water   Velocity of the water there, relative to the current of the surface [m/s].
 void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, LoadJacobian& sum) {
   const Vector3d a = area_vector(panel);
   const double area = a.norm();
@@ -86,15 +86,16 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                            const Coefficients& coefficients) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const Motion motion{.coefficients = coefficients,
-                      .sea = sea,
-                      .waves = AiryWaves(sea, time),
-                      .surface = SurfaceSampler(sea, state.position, time,
-                                                kSmallestPanel * hull.radius, SplitFor::surface),
-                      .p_WB = state.position,
-                      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
-                      .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
-                      .scale = drag_scale(coefficients, state, sea.current)};
+  const Motion motion{
+      .coefficients = coefficients,
+      .sea = sea,
+      .waves = AiryWaves(sea, time),
+      .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius,
+                                SplitFor::surface),
+      .p_WB = state.position,
+      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
+      .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
+      .scale = drag_scale(coefficients, state, current_at(sea, state.position.z()))};
   const Eigen::Matrix3Xd r = R_WB * hull.mesh_B.vertices;
   const SurfaceSampler& surface = motion.surface;
   const double level = sea.level - state.position.z();

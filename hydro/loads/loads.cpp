@@ -84,8 +84,9 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
               R_WB.transpose() * state.angular_velocity},
              sea.density, coefficients, in);
   std::optional<kernel::WaterSurface> surface;
-  if (!is_flat(sea)) {
-    surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge);
+  if (!is_flat(sea) || !sea.profile.empty()) {
+    surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge,
+                    SplitFor::current);
     surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
     in.moving = in.moving || surface->is_airy();
@@ -103,7 +104,8 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
   if (in.slender)
     loads.pressure_drag.force =
         R_WB * (coefficients.drag_shape * (R_WB.transpose() * loads.pressure_drag.force));
-  loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
+  loads.pressure_drag =
+      drag_scale(coefficients, state, current_at(sea, state.position.z())) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;
 }

@@ -33,7 +33,7 @@ struct PlainInputs {
   double level;               ///< Of the still water above the centre of mass [m].
   bool moving;                ///< Relative to the water.
 
-  bool airy() const { return !waves.waves().empty(); }
+  bool airy() const { return waves.moves(); }
 };
 
 PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
@@ -42,7 +42,8 @@ PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, do
   PlainInputs in{.hull = hull,
                  .sea = sea,
                  .coefficients = coefficients,
-                 .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius),
+                 .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius,
+                                           SplitFor::current),
                  .waves = AiryWaves(sea, time),
                  .p_WB = state.position,
                  .r = R_WB * hull.mesh_B.vertices,
@@ -79,8 +80,8 @@ CornerWater water_at_corners(const PlainInputs& in, const Panel& panel,
   return water;
 }
 
-/// Drag and lift on a wet panel of the given unit normal. Viscous drag takes the mean of the waves'
-/// velocity over the panel.
+/// Drag and lift on a wet panel of the given unit normal. Viscous drag takes the mean of the
+/// water's velocity over the panel.
 void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& normal,
                       const Eigen::Matrix3d& water, Loads& loads) {
   const double half_density = 0.5 * in.sea.density;
@@ -165,7 +166,8 @@ Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
   const bool all_wet = in.r.row(2).maxCoeff() + state.position.z() < bounds.lowest;
   Loads loads = sum_faces(in, all_wet ? 0 : in.level, all_wet);
   loads.pressure_drag.force = in.shape * loads.pressure_drag.force;
-  loads.pressure_drag = drag_scale(coefficients, state, sea.current) * loads.pressure_drag;
+  loads.pressure_drag =
+      drag_scale(coefficients, state, current_at(sea, state.position.z())) * loads.pressure_drag;
   loads.buoyancy = (coefficients.buoyancy ? sea.density * sea.gravity : 0) * loads.buoyancy;
   return loads;
 }

@@ -2,8 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hydro {
+namespace {
+
+/// A height at which a current bends.
+struct Bend {
+  double height;  ///< [m]
+  double change;  ///< Of the velocity's slope [1/s].
+};
+
+/// Bends below this part of the largest slope are round-off.
+constexpr double kLeastBend = 1e-12;
+
+/// Heights nearer to a vertex than this part of the smallest length of an edge are at the vertex.
+constexpr double kLeastPart = 1e-8;
+
+}  // namespace
+
+std::vector<double> bends_of_current(const Sea& sea, double height, double reach,
+                                     std::size_t most) {
+  const std::vector<CurrentRow>& rows = sea.profile;
+  Eigen::Vector2d above = Eigen::Vector2d::Zero();
+  double steepest = 0;
+  std::vector<Bend> bends;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Eigen::Vector2d below = Eigen::Vector2d::Zero();
+    if (i + 1 < rows.size())
+      below = (rows[i + 1].velocity - rows[i].velocity) / (rows[i + 1].depth - rows[i].depth);
+    const double z = sea.level - rows[i].depth - height;
+    if (std::abs(z) < reach) bends.push_back({z, (below - above).norm()});
+    steepest = std::max(steepest, below.norm());
+    above = below;
+  }
+  std::erase_if(bends, [&](const Bend& bend) { return bend.change <= kLeastBend * steepest; });
+  if (bends.size() > most) {
+    std::stable_sort(bends.begin(), bends.end(),
+                     [](const Bend& a, const Bend& b) { return a.change > b.change; });
+    bends.resize(most);
+  }
+  std::vector<double> heights;
+  for (const Bend& bend : bends) heights.push_back(bend.height);
+  std::sort(heights.begin(), heights.end(), std::greater<>());
+  return heights;
+}
+
+double part_at_cut(const BendLimits& limits, double from, double to) {
+  const double middle = 0.5 * (from + to);
+  double nearest = std::numeric_limits<double>::infinity(), cut = from;
+  for (const double z : limits.cuts) {
+    const double before = z - from, after = to - z;
+    const bool inside =
+        before * after > 0 && std::min(std::abs(before), std::abs(after)) > limits.least_part;
+    if (!inside || !(kLonger * std::abs(z - middle) < nearest)) continue;
+    nearest = std::abs(z - middle);
+    cut = z;
+  }
+  return cut == from ? 0 : (cut - from) / (to - from);
+}
+
 SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time,
                                double smallest, SplitFor what)
     : sea_(sea),
@@ -38,6 +96,9 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
   } else if (const auto* field = std::get_if<HeightField>(&sea.surface)) {
     limits_.tolerance = kSagTolerance * field->deviation;
   }
+  if (what != SplitFor::current || sea.profile.empty()) return;
+  limits_.cuts = bends_of_current(sea, p_WB.z(), smallest / kSmallestPanel, kMostCuts);
+  limits_.least_part = kLeastPart * smallest;
 }
 
 /// At mid-step the chord of a wave a·cos is a (k·d)²/8 from its crest. The quartic is the mean

@@ -9,7 +9,8 @@
 #include "hydro/loads/kernel/waves-inl.h"
 
 /// @file
-/// The water under Airy waves (airy_waves.h) at places in lanes.
+/// The water under Airy waves (airy_waves.h) and of a current that changes with depth, at places in
+/// lanes.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -20,7 +21,7 @@ enum class Ask { velocity, acceleration };
 /// The water at a place.
 struct Water {
   V head;  ///< p/(ρg), but for a constant [m].
-  V3 u;    ///< Velocity relative to the current [m/s], or acceleration [m/s^2]; body axes.
+  V3 u;    ///< Velocity relative to `Sea::current` [m/s], or acceleration [m/s^2]; body axes.
 };
 
 /// Depth below the level at which the functions of depth are taken: −z* of Wheeler's stretching.
@@ -89,6 +90,18 @@ HWY_INLINE V find_turns(const WaveField& waves, const V3& r, Turns& turns) {
   return rise;
 }
 
+/// (1) of shear.h at heights above the centre of mass.
+HWY_INLINE V3 sheared(const Shear& shear, V height) {
+  V3 u = all3(shear.first);
+  for (const Shear::Layer& layer : shear.layers) {
+    const V down = (all(layer.top) - height) * all(layer.rate);
+    const V part = hn::Min(all(1), hn::Max(zero(), down));
+    u = {hn::MulAdd(part, all(layer.change[0]), u.x), hn::MulAdd(part, all(layer.change[1]), u.y),
+         hn::MulAdd(part, all(layer.change[2]), u.z)};
+  }
+  return u;
+}
+
 /// The water at places of the given depth below the surface, as `LoadInputs` counts it.
 /// Above the surface it goes on as its functions do.
 /// @param rise   The elevation by `turns`: where C is 1, the head is the depth to the last bit.
@@ -121,7 +134,10 @@ HWY_INLINE Water water_around(const LoadInputs& in, const V3& r, V depth, V rise
   const V unit = all(kVelocity ? 1 : in.surface->gravity);
   const auto total = [&](V along, V vertical)
                          HWY_ATTR { return unit * hn::MulAdd(upward, vertical, along); };
-  return {depth - (rise - phi), {total(u.x, up.x), total(u.y, up.y), total(u.z, up.z)}};
+  Water water = {depth - (rise - phi), {total(u.x, up.x), total(u.y, up.y), total(u.z, up.z)}};
+  if constexpr (kVelocity)
+    if (in.surface->shear.moves) water.u = water.u + sheared(in.surface->shear, dot(up, r));
+  return water;
 }
 
 /// The same, but that above the surface it is as at the surface.

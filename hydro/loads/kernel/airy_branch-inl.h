@@ -10,7 +10,8 @@
 #include "hydro/loads/kernel/tree-inl.h"
 
 /// @file
-/// The water under Airy waves over a branch as quadratic polynomials of the place.
+/// The water under Airy waves over a branch as quadratic polynomials of the place. The velocity of
+/// a sheared current has to be linear over it.
 ///
 /// They pass through samples. With h the half sides of the branch's box, δ the place from its
 /// middle, t_i = δ_i/h_i, and f_i, f_−i, f_ij the values at h_i, −h_i and h_i + h_j from the
@@ -93,6 +94,19 @@ inline double third_order(const StretchBounds& b, const double* sums) {
   return b.p * b.p * b.p / 6 * sums[2] + b.p * b.q * sums[1] + b.t * sums[0];
 }
 
+/// A flat box has room for the samples of (1), too.
+inline double least_half(const Node& node) { return 1e-3 * size_of(node); }
+
+/// True if the current is linear over a branch's box and over the samples of (1).
+inline bool in_straight_current(const Node& node, const LoadInputs& in) {
+  double middle = 0, half = 0;
+  for (int a = 0; a < 3; ++a) {
+    middle += in.up[a] * node.centre[a];
+    half += std::abs(in.up[a]) * std::max(node.half[a], least_half(node));
+  }
+  return in.surface->shear.straight(middle - half, middle + half);
+}
+
 /// True if the polynomials miss no more of head and of `Water::u` than the errors allowed, and if
 /// u is linear over the faces within its error.
 template <Ask kAsk>
@@ -102,6 +116,7 @@ inline bool fits(const Node& node, const LoadInputs& in, double error_of_u) {
   const double size = size_of(node), decay = largest_decay(node, in);
   const double volume = 1.5 * decay * size * size * size;
   const bool velocity = kAsk == Ask::velocity;
+  if (velocity && in.surface->shear.moves && !in_straight_current(node, in)) return false;
   const double unit = M_SQRT2 * (velocity ? 1 : in.surface->gravity);
   const double* sums = velocity ? waves.flow : waves.bends;
   if (unit * volume * third_order(b, sums + 1) > error_of_u) return false;
@@ -134,11 +149,10 @@ template <Ask kAsk>
 inline HWY_NOINLINE void find_branch_water(const Node& node, const LoadInputs& in, Turns& turns,
                                            BranchWater& water) {
   constexpr int kRoom = (kSamples + kMostLanes - 1) / kMostLanes * kMostLanes;
-  const double least = 1e-3 * size_of(node);  // A flat box has room for the differences, too.
   double h[3];
   alignas(64) double r[3][kRoom], f[5][kRoom];
   for (int a = 0; a < 3; ++a) {
-    h[a] = std::max(node.half[a], least);
+    h[a] = std::max(node.half[a], least_half(node));
     std::fill_n(r[a], kRoom, node.centre[a]);
   }
   for (int a = 0; a < 3; ++a)

@@ -108,7 +108,43 @@ HWY_INLINE Bends bends_over(const Bearings& to, const Plane& p, const Triangle& 
           edge_bends(to, p, t.c, t.a, depth.c, depth.a)};
 }
 
-HWY_INLINE M any(const Bends& bends) { return hn::Or(bends.ab, hn::Or(bends.bc, bends.ca)); }
+/// `part_at_cut` of edges in lanes.
+HWY_INLINE V part_at_cut(const Bearings& to, const V2& a, const V2& b) {
+  const BendLimits& limits = to.in.surface->limits;
+  const V from = to.up.at(a), end = to.up.at(b), middle = all(0.5) * (from + end);
+  V nearest = all(1e300), part = zero();
+  for (const double height : limits.cuts) {
+    const V z = all(height), before = z - from, after = end - z, off = hn::Abs(z - middle);
+    const M inside = hn::And(before * after > zero(),
+                             hn::Min(hn::Abs(before), hn::Abs(after)) > all(limits.least_part));
+    const M nearer = hn::And(inside, all(kLonger) * off < nearest);
+    nearest = hn::IfThenElse(nearer, off, nearest);
+    part = hn::IfThenElse(nearer, before / (end - from), part);
+  }
+  return part;
+}
+
+/// Where the edges of triangles are split, as `SurfaceSampler::split_between` says; 0 where they
+/// are not.
+struct Splits {
+  V ab, bc, ca;
+};
+
+HWY_INLINE Splits splits_over(const Bearings& to, const Plane& p, const Triangle& t,
+                              const Values& depth) {
+  const Bends bends = bends_over(to, p, t, depth);
+  const V half = all(0.5);
+  if (to.in.surface->limits.cuts.empty())
+    return {hn::IfThenElseZero(bends.ab, half), hn::IfThenElseZero(bends.bc, half),
+            hn::IfThenElseZero(bends.ca, half)};
+  return {hn::IfThenElse(bends.ab, half, part_at_cut(to, t.a, t.b)),
+          hn::IfThenElse(bends.bc, half, part_at_cut(to, t.b, t.c)),
+          hn::IfThenElse(bends.ca, half, part_at_cut(to, t.c, t.a))};
+}
+
+HWY_INLINE M any(const Splits& splits) {
+  return hn::Max(splits.ab, hn::Max(splits.bc, splits.ca)) > zero();
+}
 
 /// True where no part of a triangle can be wet: it lies above the highest crest.
 HWY_INLINE M above_all_water(const Bearings& to, const Triangle& t) {
@@ -117,14 +153,15 @@ HWY_INLINE M above_all_water(const Bearings& to, const Triangle& t) {
   return lowest_point >= all(to.in.below + surface.hidden_depth + surface.highest);
 }
 
-/// Faces of a vector that the surface bends over go to `bending`. Returns those that are left.
+/// Faces of a vector that the surface or the current bends over go to `bending`. Returns those that
+/// are left.
 inline HWY_NOINLINE M without_bent(const Panels& panels, const LoadInputs& in, std::int64_t leaf,
                                    int lane, const Values& depth, TriangleQueue& bending) {
   const Leaf& faces = panels.leaves[static_cast<std::size_t>(leaf)];
   const Plane p = plane_at(faces, lane);
   const Triangle t = triangle_at(faces, lane);
   const Bearings to = bearings_of(in, p);
-  const M bent = any(bends_over(to, p, t, depth));
+  const M bent = any(splits_over(to, p, t, depth));
   const M splits =
       hn::AndNot(above_all_water(to, t), hn::And(bent, areas_at(faces, lane) > zero()));
   if (!hn::AllFalse(D(), splits)) append(panels, splits, leaf, lane, depth, bending);
@@ -160,23 +197,24 @@ HWY_INLINE void put_pieces(M which, VI face, const Triangle& t, const Values& de
   to.count += count;
 }
 
-/// Triangles with the corners turned so that the edge to halve is from a to b.
+/// Triangles with the corners turned so that the edge to split is from a to b.
 struct Halving {
   Triangle t;
   Values depth;
   M splits;
+  V part;  ///< Of the edge, before its place of splitting.
 };
 
-/// The longest edge that bends is halved, the first of edges that are equally long.
+/// The longest edge that is to be split is, the first of edges that are equally long.
 HWY_INLINE Halving halving_of(const Bearings& to, const Plane& p, const Triangle& t,
                               const Values& depth) {
-  const Bends bends = bends_over(to, p, t, depth);
-  const auto squared = [](M bent, const V2& a, const V2& b) HWY_ATTR {
+  const Splits splits = splits_over(to, p, t, depth);
+  const auto squared = [](V part, const V2& a, const V2& b) HWY_ATTR {
     const V x = b.x - a.x, y = b.y - a.y;
-    return hn::IfThenElseZero(bent, hn::MulAdd(x, x, y * y));
+    return hn::IfThenElseZero(part > zero(), hn::MulAdd(x, x, y * y));
   };
-  const V ab = squared(bends.ab, t.a, t.b), bc = squared(bends.bc, t.b, t.c);
-  const V ca = squared(bends.ca, t.c, t.a);
+  const V ab = squared(splits.ab, t.a, t.b), bc = squared(splits.bc, t.b, t.c);
+  const V ca = squared(splits.ca, t.c, t.a);
   const M longer = bc > all(kLonger) * ab;
   const M third = ca > all(kLonger) * hn::IfThenElse(longer, bc, ab);
   const M second = hn::AndNot(third, longer);
@@ -186,15 +224,17 @@ HWY_INLINE Halving halving_of(const Bearings& to, const Plane& p, const Triangle
   return {{point(t.a, t.b, t.c), point(t.b, t.c, t.a), point(t.c, t.a, t.b)},
           {value(depth.a, depth.b, depth.c), value(depth.b, depth.c, depth.a),
            value(depth.c, depth.a, depth.b)},
-          any(bends)};
+          any(splits),
+          value(splits.ab, splits.bc, splits.ca)};
 }
 
-/// Halves the pieces from `from` on that the surface bends over and puts the halves back among
-/// them; the others go to those that are cut by the water. Pieces in the dry are dropped,
-/// and pieces of less than smallest² of area stay whole.
+/// Splits the pieces from `from` on that the surface or the current bends over and puts the halves
+/// back among them; the others go to those that are cut by the water. Pieces in the dry are
+/// dropped, and pieces of less than smallest² of area stay whole.
 ///
 /// The last pieces are taken first, so each generation adds `lanes` pieces at most, and no edge is
-/// longer than 2 · 256 smallest: after 18 generations the area is small.
+/// longer than 2 · 256 smallest: after 18 generations the area is small. Two more halve the number
+/// of heights that a piece crosses, so kMostCuts of them take 8.
 template <class Work>
 HWY_NOINLINE void refine_pieces(Work& work, TriangleQueue& bending, int from, int used) {
   const D d;
@@ -211,7 +251,7 @@ HWY_NOINLINE void refine_pieces(Work& work, TriangleQueue& bending, int from, in
   const M splits = hn::And(counts, hn::And(large, h.splits));
   put_pieces(hn::AndNot(splits, counts), face, t, depth, work.cut_by_water);
   if (!hn::AllFalse(d, splits)) {
-    const V2 middle = between(h.t.a, h.t.b, all(0.5));
+    const V2 middle = between(h.t.a, h.t.b, h.part);
     const V at_middle = depth_at(in, {*in.surface, {}, false}, point_on(p, middle));
     put_pieces(splits, face, {h.t.a, middle, h.t.c}, {h.depth.a, at_middle, h.depth.c}, bending);
     put_pieces(splits, face, {middle, h.t.b, h.t.c}, {at_middle, h.depth.b, h.depth.c}, bending);

@@ -61,9 +61,9 @@ HWY_INLINE void add_leaf_under(const Vertices& water, Work& work, int leaf, Know
   const LeafVertices& vertices = work.panels.vertices[static_cast<std::size_t>(leaf)];
   for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
     const auto at = water.at_faces(vertices, lane);
-    const M straight = work.in.surface->bends ? without_bent(work.panels, work.in, leaf, lane,
-                                                             depth_of(at), work.bending)
-                                              : hn::FirstN(D(), kMostLanes);
+    const M straight = work.in.surface->splits() ? without_bent(work.panels, work.in, leaf, lane,
+                                                                depth_of(at), work.bending)
+                                                 : hn::FirstN(D(), kMostLanes);
     add_faces(work, leaf, lane, straight, at, known...);
   }
   drain(work, false);

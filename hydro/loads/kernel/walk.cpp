@@ -80,6 +80,7 @@ HWY_NOINLINE void add_buoyancy_of_branch(LoadWalk& work, Factors& factors, const
 /// The error of the water's velocity that leaves no larger an error of the pressure than its head
 /// may have [m/s].
 inline double allowed_velocity_error(const LoadInputs& in, const Node& root) {
+  if (in.wave_error == 0) return 0;
   double speed2 = 0, turning2 = 0, reach2 = 0;
   for (int i = 0; i < 3; ++i) {
     speed2 += in.linear[i] * in.linear[i];
@@ -87,7 +88,7 @@ inline double allowed_velocity_error(const LoadInputs& in, const Node& root) {
     const double reach = std::abs(root.centre[i]) + root.half[i];
     reach2 += reach * reach;
   }
-  const double water = in.surface->waves.flow[0];
+  const double water = in.surface->waves.flow[0] + in.surface->shear.fastest;
   const double fastest = std::sqrt(speed2) + std::sqrt(turning2 * reach2) + water;
   constexpr double kLargestFriction = 0.1;  // C_v of all laws but that of a constant.
   const double friction = !in.viscous ? 0 : std::max(kLargestFriction, in.viscous->coefficient);

@@ -80,17 +80,19 @@ void set_grid(const HeightField& field, const BodyState& state, const Eigen::Mat
 }  // namespace
 
 WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
-                           double longest_edge) {
+                           double longest_edge, SplitFor what) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
     set_waves(*sum, sea, state, R_WB, time, waves);
   gravity = sea.gravity;
   if (const auto* field = std::get_if<HeightField>(&sea.surface))
     set_grid(*field, state, R_WB, grid);
+  if (what == SplitFor::current)
+    shear = make_shear(sea, state.position, R_WB, smallest / kSmallestPanel);
   const SurfaceBounds bounds = surface_bounds(sea);
   lowest = bounds.lowest - sea.level;
   highest = bounds.highest - sea.level;
-  const SurfaceSampler sampler(sea, state.position, time, smallest);
+  const SurfaceSampler sampler(sea, state.position, time, smallest, what);
   bends = sampler.may_bend(longest_edge);
   limits = sampler.limits();
   for (int axis = 0; axis < 3; ++axis) {

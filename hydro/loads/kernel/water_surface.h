@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "hydro/loads/kernel/panels.h"
+#include "hydro/loads/kernel/shear.h"
 #include "hydro/loads/refine.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
 
 /// @file
-/// The surface of a sea that is not flat, as the kernel reads it: its elevation at one time is a
-/// function of the place on the body, in body axes about the centre of mass.
+/// The surface of a sea that is not flat, or whose current changes with depth, as the kernel reads
+/// it: its elevation at one time is a function of the place on the body, in body axes about the
+/// centre of mass.
 
 namespace hydro::kernel {
 
@@ -61,22 +63,27 @@ struct GridField {
 class WaterSurface {
  public:
   /// @param smallest   As for SurfaceSampler.
+  /// @param what       Without `current` the water has no shear.
   WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
-               double longest_edge);
+               double longest_edge, SplitFor what);
   WaterSurface(const WaterSurface&) = delete;
   WaterSurface& operator=(const WaterSurface&) = delete;
 
   WaveField waves;  ///< They have no component where the sea is a grid.
   GridField grid;
+  Shear shear;
   double lowest = 0, highest = 0;      ///< Bounds of the elevation [m].
   double gravity = 0;                  ///< [m/s^2]
   double hidden_depth = 0;             ///< What `LoadInputs::below` misses of the true depth [m].
-  bool bends = false;                  ///< Some edge of the hull may have to be split.
+  bool bends = false;                  ///< It may bend over some edge of the hull.
   BendLimits limits;                   ///< These tell which edge has to be.
   double east[3] = {}, north[3] = {};  ///< The directions of x and y of the world, in body axes.
 
   bool is_grid() const { return grid.heights != nullptr; }
-  bool is_airy() const { return waves.airy; }
+  /// True if the water has a motion of its own, by Airy waves or by a table of the current.
+  bool is_airy() const { return waves.airy || shear.moves; }
+  /// True if some edge of the hull may have to be split.
+  bool splits() const { return bends || !limits.cuts.empty(); }
 };
 
 /// The error that the head may have over whole branches [m]: a part of a hull's volume over its

@@ -362,6 +362,17 @@ TEST(Assemble, APeriodIsThatSeenByAnObserverAtRest) {
   }
 }
 
+TEST(Assemble, ATableOfTheCurrentIsUniformIfAllRowsAre) {
+  const hydro::Sea uniform =
+      sea_of("current: {depths: [1, 4], velocities: [[1, 2, 0], [1, 2, 0]]}");
+  EXPECT_EQ(uniform.current, Eigen::Vector3d(1, 2, 0));
+  EXPECT_TRUE(uniform.profile.empty());
+  const hydro::Sea sheared =
+      sea_of("current: {depths: [1, 4], velocities: [[1, 2, 0], [0, 2, 0]]}");
+  EXPECT_EQ(sheared.current, Eigen::Vector3d(1, 2, 0));
+  EXPECT_EQ(hydro::current_at(sheared, -2.5), Eigen::Vector3d(0.5, 2, 0));
+}
+
 TEST(Assemble, PeriodAndLengthOfOneWaveAreTheSameWave) {
   const std::string water = "depth: 8, current: [-1, 0, 0], surface: {waves: [{amplitude: 0.5, ";
   const hydro::WaveComponent by_length = waves_of(sea_of(water + "wavelength: 25}]}"))[0];

@@ -159,6 +159,16 @@ TEST(SceneKeys, TopLevelIsRead) {
   EXPECT_EQ(std::get<scene::PlaneGround>(scene.ground).z, -10);
 }
 
+const char* const kTable = "water.current={depths: [1, 4], velocities: [[1, 2, 0], [0.5, 0, 0]]}";
+
+TEST(SceneKeys, ATableOfTheCurrentIsRead) {
+  const scene::Water water = *read_scene_text(support::kSmallScene, {"water={}", kTable}).water;
+  EXPECT_EQ(water.current, Eigen::Vector3d(1, 2, 0));
+  ASSERT_EQ(water.current_profile.size(), 2U);
+  EXPECT_EQ(water.current_profile[1].depth, 4);
+  EXPECT_EQ(water.current_profile[1].velocity, Eigen::Vector2d(0.5, 0));
+}
+
 TEST(SceneKeys, WaterIsRead) {
   const scene::Scene scene = read_scene_text(every_key());
   ASSERT_TRUE(scene.water.has_value());
@@ -507,7 +517,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
   for (const std::vector<std::string>& overrides : std::vector<std::vector<std::string>>{
            {},
            {kSpectrum, "hydro.pressure_drag={front: 1, back: 2, blunt: 0.4}"},
-           {"water.surface={flat: {}}", picture("ground")},
+           {"water.surface={flat: {}}", kTable, picture("ground")},
            {"water.surface={spectrum: {type: file, file: " + support::data_folder().string() +
             "/spectrum.csv}}"},
            {"water.surface={elevation: {file: " + support::data_folder().string() +

@@ -75,7 +75,8 @@ bool needs_others(const std::string& fault) {
   for (const char* reason :
        {"missing, ", "found a zero", "expected a symmetric matrix", "found the principal moments",
         "there is no body named", "is only used with", "not used by", "needs water",
-        "wind is horizontal"})
+        "wind is horizontal", "of a table is horizontal", "expected a greater depth",
+        "one for each depth"})
     if (fault.find(reason) != std::string::npos) return true;
   return false;
 }

@@ -36,6 +36,8 @@ UNSEEN = [
     r"sleep: method ode", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
     r"in case alone", r"less than the depth", r"waves need gravity",
     r"tma needs water.depth", r"wind is horizontal", r"found a speed of",
+    r"found a table", r"of a table is horizontal", r"expected a greater depth",
+    r"one for each depth",
     r"at least the lowest frequency", r"which is below the bottom", r"needs water, and the scene",
 ]
 
