@@ -138,8 +138,8 @@ Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, doub
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Eigen::Matrix3d half = R_WB * (body.box_B.sizes() / 2).asDiagonal();
   Eigen::Vector3d p = state.position + ahead * state.linear_velocity + R_WB * body.box_B.center();
-  const double reach = half.row(2).cwiseAbs().sum(),
-               surface = sea.level + hydro::surface_elevation(sea, p.x(), p.y(), time + ahead);
+  const double reach = half.row(2).cwiseAbs().sum();
+  const double surface = sea.level + hydro::surface_elevation(sea, p.x(), p.y(), time + ahead);
   p.z() = (p.z() - reach + std::min(p.z() + reach, surface)) / 2;
   return hydro::AiryWaves(sea, time + ahead).mean_velocity(p, surface - p.z(), half);
 }

@@ -3,6 +3,16 @@
 #include "hydro/statics/buoyancy_energy.h"
 
 namespace engine {
+namespace {
+
+/// True if the air, if there is any, moves everywhere as the water does.
+bool is_calm(const Body& body) {
+  if (!body.feels_air) return true;
+  const hydro::Wind& wind = body.environment.sea->air->wind;
+  return wind.uniform() && wind.velocity == body.current();
+}
+
+}  // namespace
 
 double kinetic_energy(const Body& body, const Motion& motion, const Eigen::Vector3d& frame) {
   const hydro::BodyState& state = motion.state;
@@ -18,17 +28,6 @@ double potential_energy(const Body& body, const hydro::BodyState& state) {
   const bool lifted = body.wet && body.spec->coefficients.buoyancy && may_be_wet(body, state);
   return lifted ? weight + hydro::buoyancy_energy(*body.hull, state, *environment.sea) : weight;
 }
-
-namespace {
-
-/// True if the air, if there is any, moves everywhere as the water does.
-bool is_calm(const Body& body) {
-  if (!body.feels_air) return true;
-  const hydro::Wind& wind = body.environment.sea->air->wind;
-  return wind.uniform() && wind.velocity == body.current();
-}
-
-}  // namespace
 
 bool must_not_gain_energy(const Body& body) {
   // The energy is relative to the water, and a current does work on a body that locks or joints

@@ -50,8 +50,7 @@ struct WettedAddedMass::Immersion {
     in.below = sea.level - state.position.z();
     if (is_flat(sea) || (in.wet && !has_airy_waves(sea))) return;
     surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge,
-                    SplitFor::head);
-    if (what == SplitFor::surface) surface->limits.dive = {};
+                    what);
     in.surface = &*surface;
     in.wave_error = kernel::allowed_wave_error(LoadAccuracy{}.wave_tolerance,
                                                volume_over_area(model.tree_), *surface);

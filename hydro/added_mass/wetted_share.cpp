@@ -160,14 +160,15 @@ inline HWY_NOINLINE bool add_wave_load_of_branch(ShareWalk<true>& work, const No
       work.sums.lane[kLoad + m][0] += share(m, 0) * u[0] + share(m, 1) * u[1] + share(m, 2) * u[2];
     return true;
   }
-  for (int leaf = node.first; leaf < node.last; ++leaf)
+  for (int leaf = node.first; leaf < node.last; ++leaf) {
+    const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
     for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
-      const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
       const Plane p = plane_at(faces, lane);
       const Triangle t = triangle_at(faces, lane);
       const auto row = [&](int i) HWY_ATTR { return potential(work, leaf, lane, i); };
       add_wave_load(work.sums, p, t, areas_at(faces, lane), flow_at_corners(water, p, t), row);
     }
+  }
   return true;
 }
 

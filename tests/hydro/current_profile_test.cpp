@@ -48,14 +48,6 @@ Sea with_waves(Sea sea, double depth = std::numeric_limits<double>::infinity()) 
   return sea;
 }
 
-BodyState state_in_current(const Hull& hull, support::Random& random) {
-  BodyState state{.orientation = random.rotation()};
-  state.position = random.vector(0.8 * hull.radius);
-  state.linear_velocity = random.vector(1);
-  state.angular_velocity = random.vector(1);
-  return state;
-}
-
 double largest_force(const Loads& loads) {
   return std::max({loads.buoyancy.force.norm(), loads.pressure_drag.force.norm(),
                    loads.viscous_drag.force.norm()});
@@ -163,7 +155,7 @@ TEST(CurrentProfile, OfOneVelocityIsAUniformCurrent) {
     sheared.profile = {{0.2, U}, {1, U}, {7, U}};
     for (const Hull& hull : hulls_in_current(random))
       for (int i = 0; i < 5; ++i) {
-        const BodyState state = state_in_current(hull, random);
+        const BodyState state = random.state(0.8 * hull.radius, 1);
         const Coefficients coefficients{.lift = 0.4, .drag_shape = random.drag_shape()};
         const Loads a =
             hydro::compute_loads(hull, state, sheared, 0.7, coefficients, {.branches = false});
@@ -182,7 +174,7 @@ TEST(CurrentProfile, HasTheLoadsOfThePlainSum) {
   const Sea sea = sea_with(some_profile());
   for (const Hull& hull : hulls_in_current(random))
     for (int i = 0; i < 12; ++i) {
-      const BodyState state = state_in_current(hull, random);
+      const BodyState state = random.state(0.8 * hull.radius, 1);
       Coefficients coefficients{.lift = 0.4};
       if (i % 2 == 0) coefficients.drag_shape = random.drag_shape();
       const Loads plain = hydro::plain_loads(hull, state, sea, 0, coefficients);
@@ -203,7 +195,7 @@ TEST(CurrentProfile, HasTheLoadsOfThePlainSumInWaves) {
     const Sea sea = with_waves(sea_with(some_profile()), depth);
     const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 5));
     for (int i = 0; i < 8; ++i) {
-      const BodyState state = state_in_current(hull, random);
+      const BodyState state = random.state(0.8 * hull.radius, 1);
       const Coefficients coefficients{.lift = 0.4, .drag_shape = random.drag_shape()};
       const Loads plain = hydro::plain_loads(hull, state, sea, 0.4, coefficients);
       expect_same_loads(
@@ -225,7 +217,7 @@ TEST(CurrentProfile, LooksTheSameToOneWhoDrifts) {
   for (CurrentRow& row : moving.profile) row.velocity += U;
   for (const Hull& hull : hulls_in_current(random))
     for (int i = 0; i < 5; ++i) {
-      BodyState state = state_in_current(hull, random);
+      BodyState state = random.state(0.8 * hull.radius, 1);
       const Loads a = hydro::compute_loads(hull, state, at_rest, 0, {});
       const hydro::LoadJacobian before = hydro::load_jacobian(hull, state, at_rest, 0, {});
       state.linear_velocity.head<2>() += U;
@@ -245,7 +237,7 @@ TEST(CurrentProfile, IsUniformToABodyBetweenRowsOfOneVelocity) {
   Sea uniform{.density = sea.density, .gravity = sea.gravity, .level = sea.level};
   uniform.current = {0.4, -0.2, 0};
   const Hull hull = hydro::make_hull(hydro::make_icosphere(1, 4));
-  BodyState state = state_in_current(hull, random);
+  BodyState state = random.state(0.8 * hull.radius, 1);
   state.position.z() = -14;
   expect_same_loads(hydro::compute_loads(hull, state, sea, 0, {}),
                     hydro::compute_loads(hull, state, uniform, 0, {}), hull.radius, 1e-11, 1e-5);

@@ -97,17 +97,19 @@ inline double allowed_velocity_error(const LoadInputs& in, const Node& root) {
   return in.half_density * in.surface->gravity * in.wave_error / (coefficient * fastest);
 }
 
-/// Adds the loads of the motion of a branch that is wet all over, under Airy waves.
+/// Adds the loads of the motion of a branch that is wet all over, under Airy waves. The queue of
+/// faces has room for those of few leaves.
 HWY_NOINLINE void add_motion_of_branch(LoadWalk& work, const BranchWater& water, const Node& node) {
-  for (int leaf = node.first; leaf < node.last; ++leaf)
+  for (int leaf = node.first; leaf < node.last; ++leaf) {
+    const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
     for (int lane = 0; lane < kLeafFaces; lane += static_cast<int>(hn::Lanes(D()))) {
-      const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
       const Plane p = plane_at(faces, lane);
       const Triangle t = triangle_at(faces, lane);
       const V area = areas_at(faces, lane);
       add_motion(work, {leaf, lane}, p, t, area, flow_at_corners(water, p, t), {.wet = true});
     }
-  drain(work, false);
+    drain(work, false);
+  }
 }
 
 /// Takes a wet branch under Airy waves whole if the water over it is quadratic.
