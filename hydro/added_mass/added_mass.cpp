@@ -11,8 +11,8 @@
 
 #include "hydro/added_mass/bem/adapt.h"
 #include "hydro/added_mass/bem/collocation.h"
+#include "hydro/added_mass/bem/facet_error.h"
 #include "hydro/added_mass/bem/galerkin.h"
-#include "hydro/added_mass/bem/roughness.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -63,7 +63,7 @@ Stage solve_on(bem::Split split, const SolidProperties& solid) {
                                                             : bem::solve_dense(stage.surface);
   stage.matrix = stage.solution.psi.transpose() * bem::loads_on(stage.surface);
   stage.scale = scale_of(stage.matrix, solid);
-  stage.error = largest_relative(stage.solution.doubt, stage.scale) + kLeastError;
+  stage.error = largest_relative(stage.solution.error_estimate, stage.scale) + kLeastError;
   return stage;
 }
 
@@ -101,8 +101,8 @@ CornerPotentials moments_on(const Surface& surface, std::size_t panel, const Pot
 }
 
 /// Fits ψ on each face of the mesh by what it is on the panels that the face was split into.
-std::vector<CornerPotentials> fitted(const TriMesh& mesh_B, const Stage& stage,
-                                     const Potential& psi) {
+std::vector<CornerPotentials> projected(const TriMesh& mesh_B, const Stage& stage,
+                                        const Potential& psi) {
   const std::vector<Element> faces = bem::make_elements(mesh_B);
   std::vector<CornerPotentials> potentials(faces.size(), CornerPotentials::Zero());
   for (std::size_t p = 0; p < stage.surface.face_count(); ++p) {
@@ -127,8 +127,9 @@ AddedMassSolution solve_about_origin(const TriMesh& mesh_B, const AddedMassOptio
   solution.matrix = stage.matrix;
   // A flow that is as fine as panels is found in part or not at all: not both are lacking.
   solution.error_estimate =
-      std::max(stage.error, largest_relative(bem::roughness(stage.surface), stage.scale));
-  solution.potentials = fitted(mesh_B, stage, bem::anchored(stage.surface, stage.solution.psi));
+      std::max(stage.error, largest_relative(bem::facet_error(stage.surface), stage.scale));
+  solution.potentials =
+      projected(mesh_B, stage, bem::with_far_field_constants(stage.surface, stage.solution.psi));
   solution.panels = static_cast<int>(stage.surface.face_count());
   solution.unknowns = static_cast<int>(stage.solution.unknowns);
   solution.bytes = stage.solution.bytes;

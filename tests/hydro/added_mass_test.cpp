@@ -231,7 +231,9 @@ TEST(AnchoredPotential, ForgetsTheConstantItWasGiven) {
     for (Eigen::Index m = 0; m < 6; ++m)
       shifted.col(m).head(surface.vertex_count()).array() += random.uniform(-9, 9);
     // Round-off of some hundred solid angles.
-    EXPECT_LT((bem::anchored(surface, shifted) - bem::anchored(surface, psi)).norm(),
+    EXPECT_LT((bem::with_far_field_constants(surface, shifted) -
+               bem::with_far_field_constants(surface, psi))
+                  .norm(),
               tolerance(1e-12) * shifted.norm());
   }
 }
@@ -240,18 +242,18 @@ TEST(AnchoredPotential, VanishesFarAwayWhereverTheBodyIs) {
   const Vector3d apart(0.3, -0.7, 0.2);
   const bem::Surface surface =
       bem::make_surface(hydro::translated(hydro::make_icosphere(1, 2), apart));
-  const bem::Potential psi = bem::anchored(surface, bem::solve_dense(surface).psi);
+  const bem::Potential psi = bem::with_far_field_constants(surface, bem::solve_dense(surface).psi);
   // At opposite vertices ψ of a translation is opposite: what is left is round-off.
   EXPECT_LT(psi.topLeftCorner(surface.vertex_count(), 3).colwise().mean().norm(), tolerance(1e-13));
 }
 
 TEST(Galerkin, GainsWhatItSaysItLacks) {
-  // On coarse panels the doubt covers what panels halved twice and more change.
+  // On coarse panels the error estimate covers what panels halved twice and more change.
   const bem::Surface coarse = bem::make_surface(hydro::make_box({2, 2, 2}, 4));
   const bem::Solution solution = bem::solve_dense(coarse);
   const hydro::Matrix6d matrix = solution.psi.transpose() * bem::loads_on(coarse);
-  EXPECT_NEAR(matrix(0, 0), 5.1073, solution.doubt(0, 0));
-  EXPECT_NEAR(matrix(4, 4), 1.2564, solution.doubt(4, 4));
+  EXPECT_NEAR(matrix(0, 0), 5.1073, solution.error_estimate(0, 0));
+  EXPECT_NEAR(matrix(4, 4), 1.2564, solution.error_estimate(4, 4));
 }
 
 /// The mesh with all edges halved.

@@ -217,18 +217,19 @@ TEST(LaneKernels, GiveTheIntegralsOfASinglePair) {
   for (int k = 0; k < 5; ++k) others.push_back(random_element(random, {9, 0, 1.0 * k}));
   const bem::Batch batch = bem::batches_of(others)[0];
   bem::LanePairs pairs;
-  bem::LaneSwirls swirls = {};
+  bem::LaneRotationMoments moments = {};
   bem::pairs_by_points(a, batch, pairs);
-  bem::add_swirls(batch, pairs, swirls);
-  Eigen::Matrix3d swirl = Eigen::Matrix3d::Zero();  // of hat 0
+  bem::add_rotation_moments(batch, pairs, moments);
+  Eigen::Matrix3d rotation_moments = Eigen::Matrix3d::Zero();  // of hat 0
   for (std::size_t k = 0; k < others.size(); ++k) {
     const bem::PairIntegrals exact = bem::pair_integrals(a, others[k], {-1, -1, -1});
     for (int j = 0; j < 3; ++j)
-      swirl += exact.hats(0, j) * others[k].corners[j] * others[k].normal.transpose();
-    swirl.diagonal().array() -= exact.rise[0];
+      rotation_moments += exact.hats(0, j) * others[k].corners[j] * others[k].normal.transpose();
+    rotation_moments.diagonal().array() -= exact.rise[0];
   }
   // Five elements of different shapes at 4 … 9 radii.
-  EXPECT_LT((bem::summed(swirls)[0] - swirl).norm(), tolerance(1e-3) * swirl.norm());
+  EXPECT_LT((bem::summed(moments)[0] - rotation_moments).norm(),
+            tolerance(1e-3) * rotation_moments.norm());
 }
 
 /// ∫∫ curl φ·curl φ'/r of two functions by a fine rule, against what the kernels couple.
@@ -349,14 +350,15 @@ TEST(CompressedInteractions, GiveTheAddedMassOfThoseStoredOnLargeMeshes) {
     const bem::Solution stored = bem::solve_dense(surface), large = bem::solve_compressed(surface);
     const hydro::Matrix6d truth = stored.psi.transpose() * loads;
     const hydro::Matrix6d linear =
-        truth - (1 + 1 / bem::kBeyond) * stored.doubt;  // without what quadratic functions gain
+        truth -
+        (1 + 1 / bem::kBeyond) * stored.error_estimate;  // without what quadratic functions gain
     const hydro::Matrix6d compressed = large.psi.transpose() * loads;
     EXPECT_LT((compressed - linear).cwiseAbs().maxCoeff(),
               tolerance(2e-3) * linear.cwiseAbs().maxCoeff());
     // What it says it lacks is at least what it lacks of the better solution, motion by motion.
     for (int m = 0; m < 6; ++m)
       EXPECT_LT(truth(m, m) - compressed(m, m),
-                large.doubt(m, m) + 2e-4 * truth.diagonal().maxCoeff());
+                large.error_estimate(m, m) + 2e-4 * truth.diagonal().maxCoeff());
     EXPECT_GT(large.steps, 1);
   }
 }

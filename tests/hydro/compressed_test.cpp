@@ -144,7 +144,8 @@ TEST(CompressedInteractions, GiveTheAddedMassOfThoseStored) {
     const bem::Solution stored = bem::solve_dense(surface), large = bem::solve_compressed(surface);
     const hydro::Matrix6d truth = stored.psi.transpose() * loads;
     const hydro::Matrix6d linear =
-        truth - (1 + 1 / bem::kBeyond) * stored.doubt;  // without what quadratic functions gain
+        truth -
+        (1 + 1 / bem::kBeyond) * stored.error_estimate;  // without what quadratic functions gain
     const hydro::Matrix6d compressed = large.psi.transpose() * loads;
     EXPECT_LT((compressed - linear).cwiseAbs().maxCoeff(),
               tolerance(2e-3) * linear.cwiseAbs().maxCoeff());

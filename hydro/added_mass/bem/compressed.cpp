@@ -45,10 +45,10 @@ CompressedInteractions::CompressedInteractions(const Surface& surface)
       leaf_of_(surface.face_count()),
       batch_of_(tree_.clusters.size()),
       self_(surface.face_count()),
-      swirl_(surface.face_count()) {
+      rotation_moments_(surface.face_count()) {
   make_batches();
   store_near();
-  add_far_swirl();
+  add_far_rotation_moments();
 }
 
 Vector3d CompressedInteractions::point_of(std::size_t element, std::size_t k) const {
@@ -108,20 +108,20 @@ void CompressedInteractions::store_near() {
   parallel_for(tree_.order.size(), [&](std::size_t place) {
     const auto a = static_cast<std::size_t>(tree_.order[place]);
     std::size_t next = row_start_[place];
-    LaneSwirls swirls = {};
+    LaneRotationMoments moments = {};
     for_near(place, [&](const LeafBatch& batch, const LanePairs& pairs) {
-      add_swirls(batch.batch, pairs, swirls);
+      add_rotation_moments(batch.batch, pairs, moments);
       for (std::size_t lane = 0; lane < batch.elements.size(); ++lane) {
         const Matrix3d hats = hats_of_lane(pairs, lane);
         single_[next++] = hats.sum();
         if (batch.elements[lane] == a) self_[a] = hats;
       }
     });
-    swirl_[a] = summed(swirls);
+    rotation_moments_[a] = summed(moments);
   });
 }
 
-void CompressedInteractions::add_far_swirl() {
+void CompressedInteractions::add_far_rotation_moments() {
   Columns charges(3 * surface_.mesh.face_count(), 12);
   for (std::size_t f = 0; f < surface_.face_count(); ++f) {
     const Element& element = surface_.elements[f];
@@ -136,9 +136,10 @@ void CompressedInteractions::add_far_swirl() {
   for (std::size_t f = 0; f < surface_.face_count(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = potentials.row(static_cast<Index>(3 * f + k));
-      Matrix3d swirl = at.tail<9>().transpose().reshaped(3, 3);
-      swirl.diagonal().array() -= at.head<3>().dot(point_of(f, k));
-      for (std::size_t i = 0; i < 3; ++i) swirl_[f][i] += hat_weight(f, k, i) * swirl;
+      Matrix3d rotation_moments = at.tail<9>().transpose().reshaped(3, 3);
+      rotation_moments.diagonal().array() -= at.head<3>().dot(point_of(f, k));
+      for (std::size_t i = 0; i < 3; ++i)
+        rotation_moments_[f][i] += hat_weight(f, k, i) * rotation_moments;
     }
   }
 }
@@ -249,7 +250,7 @@ double CompressedInteractions::bytes() const {
   for (const Grid& grid : grids_) nodes += static_cast<double>(grid.count());
   return static_cast<double>(near_.size()) * (sizeof(double) + sizeof(int)) +
          static_cast<double>(self_.size()) *
-             (2 * sizeof(Element) + sizeof(Swirl) + 8.0 * (9 + 3 * 18 * 2)) +
+             (2 * sizeof(Element) + sizeof(RotationMoments) + 8.0 * (9 + 3 * 18 * 2)) +
          nodes * 24 * (2.0 * sizeof(double) + sizeof(float));
 }
 

@@ -31,7 +31,7 @@ class CompressedInteractions {
   Columns apply_to_hats(const Columns& densities) const;
   /// ∫_T ∫_T λ_i λ_j/r.
   const Eigen::Matrix3d& self(std::size_t element) const { return self_[element]; }
-  const std::vector<Swirl>& swirl() const { return swirl_; }
+  const std::vector<RotationMoments>& rotation_moments() const { return rotation_moments_; }
   double bytes() const;
 
  private:
@@ -40,7 +40,7 @@ class CompressedInteractions {
   Columns charges_of(const Columns& densities) const;
   void make_batches();
   void store_near();
-  void add_far_swirl();
+  void add_far_rotation_moments();
   /// Calls f(batch, pairs) for the batches near the element at position `place` of the tree's
   /// order.
   template <class Function>
@@ -69,7 +69,7 @@ class CompressedInteractions {
   std::vector<int> near_;
   std::vector<double> single_;
   std::vector<Eigen::Matrix3d> self_;
-  std::vector<Swirl> swirl_;
+  std::vector<RotationMoments> rotation_moments_;
 };
 
 }  // namespace hydro::bem

@@ -66,7 +66,7 @@ class Assembly {
     for (std::size_t f = 0; f < surface.face_count(); ++f)
       functions_.push_back(functions_of(surface, f));
     result_.matrix = zeros(function_count(surface));
-    result_.swirl.resize(surface.face_count());
+    result_.rotation_moments.resize(surface.face_count());
   }
 
   DenseEquations run() {
@@ -80,19 +80,19 @@ class Assembly {
   void add_rows(std::size_t a) {
     LanePairs pairs;
     LaneCouplings couplings;
-    LaneSwirls swirls = {};
+    LaneRotationMoments moments = {};
     const Element& element = surface_.elements[a];
     auto near = near_.of(a).begin();
     for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
       pairs_by_points(element, batches_[batch], pairs);
       for (; near != near_.of(a).end() && near->element / kLanes == batch; ++near)
         set_lane(near->integrals, near->element % kLanes, pairs);
-      add_swirls(batches_[batch], pairs, swirls);
+      add_rotation_moments(batches_[batch], pairs, moments);
       if (kLanes * (batch + 1) <= a) continue;
       couple(element, batches_[batch], pairs, couplings);
       scatter(a, kLanes * batch, couplings);
     }
-    result_.swirl[a] = summed(swirls);
+    result_.rotation_moments[a] = summed(moments);
   }
 
   /// Adds the pairs of an element and those behind it to columns of the matrix, which lie together

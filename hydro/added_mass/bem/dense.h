@@ -12,8 +12,8 @@
 namespace hydro::bem {
 
 struct DenseEquations {
-  Eigen::MatrixXd matrix;    ///< (1/4π) ∫∫ curl φ_k·curl φ_l / r [m]: its lower triangle.
-  std::vector<Swirl> swirl;  ///< Of the elements.
+  Eigen::MatrixXd matrix;  ///< (1/4π) ∫∫ curl φ_k·curl φ_l / r [m]: its lower triangle.
+  std::vector<RotationMoments> rotation_moments;  ///< Of the elements.
 };
 
 DenseEquations dense_equations(const Surface& surface);

@@ -197,20 +197,20 @@ void couple(const Element& a, const Batch& b, const LanePairs& pairs, LaneCoupli
 }
 
 PLIMSOLL_VECTOR_CLONES
-void add_swirls(const Batch& b, const LanePairs& pairs, LaneSwirls& swirls) {
+void add_rotation_moments(const Batch& b, const LanePairs& pairs, LaneRotationMoments& moments) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Lanes(&hats)[3] = pairs.hats[i];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Lanes arm = hats[0] * b.corners[0][axis] + hats[1] * b.corners[1][axis] +
                         hats[2] * b.corners[2][axis];
-      for (std::size_t n = 0; n < 3; ++n) swirls.hats[i][3 * axis + n] += arm * b.normal[n];
+      for (std::size_t n = 0; n < 3; ++n) moments.hats[i][3 * axis + n] += arm * b.normal[n];
     }
-    swirls.hats[i][9] += pairs.rise[i];
+    moments.hats[i][9] += pairs.rise[i];
   }
 }
 
-Swirl summed(const LaneSwirls& swirls) {
-  Swirl swirl;
+RotationMoments summed(const LaneRotationMoments& moments) {
+  RotationMoments rotation_moments;
   const auto sum = [](const Lanes& lanes) {
     double whole = 0;
     for (std::size_t k = 0; k < kLanes; ++k) whole += lanes[k];
@@ -218,10 +218,11 @@ Swirl summed(const LaneSwirls& swirls) {
   };
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 9; ++k)
-      swirl[i](static_cast<Index>(k / 3), static_cast<Index>(k % 3)) = sum(swirls.hats[i][k]);
-    swirl[i].diagonal().array() -= sum(swirls.hats[i][9]);
+      rotation_moments[i](static_cast<Index>(k / 3), static_cast<Index>(k % 3)) =
+          sum(moments.hats[i][k]);
+    rotation_moments[i].diagonal().array() -= sum(moments.hats[i][9]);
   }
-  return swirl;
+  return rotation_moments;
 }
 
 }  // namespace hydro::bem

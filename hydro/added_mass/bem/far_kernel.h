@@ -61,15 +61,15 @@ void couple(const Element& a, const Batch& b, const LanePairs& pairs, LaneCoupli
 
 /// For each hat i of an element, ∫∫ λ_i(x) y nᵀ/r row by row, then ∫∫ λ_i(x) (n·x)/r, with y and n
 /// on the other elements, summed over batches.
-struct alignas(kAligned) LaneSwirls {
+struct alignas(kAligned) LaneRotationMoments {
   Lanes hats[3][10];
 };
-void add_swirls(const Batch& b, const LanePairs& pairs, LaneSwirls& swirls);
+void add_rotation_moments(const Batch& b, const LanePairs& pairs, LaneRotationMoments& moments);
 
 /// For each hat i of an element T, the matrix for which ∫_T λ_i a dS = matrix · e / 4π in a
 /// rotation about e: Σ_T' [(∫∫ λ_i y/r) n'ᵀ − ∫∫ λ_i (n'·x)/r], with x on T and y on T'
 /// (galerkin.h).
-using Swirl = std::array<Eigen::Matrix3d, 3>;
-Swirl summed(const LaneSwirls& swirls);
+using RotationMoments = std::array<Eigen::Matrix3d, 3>;
+RotationMoments summed(const LaneRotationMoments& moments);
 
 }  // namespace hydro::bem

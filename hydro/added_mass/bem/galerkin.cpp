@@ -62,18 +62,20 @@ Potential loads_on(const Surface& surface) {
   return loads;
 }
 
-Potential right_hand_sides(const Surface& surface, const std::vector<Swirl>& swirl) {
+Potential right_hand_sides(const Surface& surface,
+                           const std::vector<RotationMoments>& rotation_moments) {
   Potential sides = loads_on(surface);
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const auto& curls = surface.elements[f].curls;
     const std::array<int, 6> rows = functions_of(surface, f);
-    const Eigen::Matrix3d whole = swirl[f][0] + swirl[f][1] + swirl[f][2];
+    const Eigen::Matrix3d whole =
+        rotation_moments[f][0] + rotation_moments[f][1] + rotation_moments[f][2];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       sides.row(rows[i]).tail<3>() += kPerSphere * curls[i].transpose() * whole;
-      sides.row(rows[3 + i]).tail<3>() +=
-          4 * kPerSphere *
-          (curls[j].transpose() * swirl[f][i] + curls[i].transpose() * swirl[f][j]);
+      sides.row(rows[3 + i]).tail<3>() += 4 * kPerSphere *
+                                          (curls[j].transpose() * rotation_moments[f][i] +
+                                           curls[i].transpose() * rotation_moments[f][j]);
     }
   }
   return sides;
@@ -93,7 +95,7 @@ Potential potential_of(const Surface& surface, Potential solution) {
 
 Solution solve_dense(const Surface& surface) {
   DenseEquations equations = dense_equations(surface);
-  const Potential sides = right_hand_sides(surface, equations.swirl);
+  const Potential sides = right_hand_sides(surface, equations.rotation_moments);
   pin_means(surface, equations.matrix);
   const Index hats = surface.vertex_count(), bubbles = sides.rows() - hats;
   const Eliminated without_hats(std::move(equations.matrix), hats);
@@ -110,7 +112,7 @@ Solution solve_dense(const Surface& surface) {
   psi.topRows(hats) += nodal;
   Solution solution;
   solution.psi = potential_of(surface, std::move(psi)) + kBeyond * gained;
-  solution.doubt = kBeyond * gained.transpose() * loads_on(surface);
+  solution.error_estimate = kBeyond * gained.transpose() * loads_on(surface);
   solution.unknowns = sides.rows();
   solution.bytes = 8 * static_cast<double>(sides.rows() * sides.rows());
   solution.steps = iterated.steps;

@@ -29,7 +29,7 @@
 /// solution in that space shows how well the panels resolve the flow.
 ///
 /// A constant on each closed part is free. The solvers set it so that the part's hats have a mean
-/// of 0, anchored() so that the fluid is at rest far away.
+/// of 0, with constants that bring the fluid to rest far away (with_far_field_constants).
 
 namespace hydro::bem {
 
@@ -48,7 +48,8 @@ std::array<int, 6> functions_of(const Surface& surface, std::size_t face);
 Potential loads_on(const Surface& surface);
 
 /// Right-hand sides; the columns of translations are for ν.
-Potential right_hand_sides(const Surface& surface, const std::vector<Swirl>& swirl);
+Potential right_hand_sides(const Surface& surface,
+                           const std::vector<RotationMoments>& rotation_moments);
 
 /// Returns ψ from a solution for these right-hand sides: it subtracts x_m from ν.
 Potential potential_of(const Surface& surface, Potential solution);
@@ -64,10 +65,10 @@ Eigen::VectorXd areas_of_vertices(const Surface& surface);
 /// beyond which flows are smooth and errors fall faster. The error of quadratic functions is
 /// therefore between 0 and 1/3 of their gain over linear ones on the same panels: less than 1/5 at
 /// a cube's edges, and up to 2/5 beside the corners of coarse panels. ψ is extrapolated by kBeyond
-/// times the gain; the same amount is the doubt.
+/// times the gain; the same amount is the error estimate.
 struct Solution {
   Potential psi;
-  Matrix6d doubt = Matrix6d::Zero();  ///< Error estimate of the added mass for ρ = 1.
+  Matrix6d error_estimate = Matrix6d::Zero();  ///< Of the added mass for ρ = 1.
   Eigen::Index unknowns = 0;
   double bytes = 0;  ///< Size of the stored interactions.
   int steps = 0;     ///< Number of iterations.
@@ -79,12 +80,12 @@ inline constexpr double kBeyond = 0.2;
 Solution solve_dense(const Surface& surface);
 
 /// Solves by compressed interactions, for large meshes: with hats alone and without extrapolation.
-/// The doubt follows from the gain that each bubble alone would bring.
+/// The error estimate follows from the gain that each bubble alone would bring.
 /// @throws std::invalid_argument if the iteration does not converge.
 Solution solve_compressed(const Surface& surface);
 
 /// ψ with constants such that the fluid is at rest far away. A cavity's potential has no such
 /// constant: the hats on its wall keep their mean of 0.
-Potential anchored(const Surface& surface, Potential psi);
+Potential with_far_field_constants(const Surface& surface, Potential psi);
 
 }  // namespace hydro::bem

@@ -129,7 +129,7 @@ Solution solve_compressed(const Surface& surface) {
   const CompressedInteractions interactions(surface);
   const HatEquations equations(surface, interactions);
   const Eigen::VectorXd diagonal = equations.diagonal();
-  const Potential sides = right_hand_sides(surface, interactions.swirl());
+  const Potential sides = right_hand_sides(surface, interactions.rotation_moments());
   const Iterated iterated = conjugate_gradients(
       sides.topRows(surface.vertex_count()), kIterativeResidual,
       [&](const Potential& x) { return equations.apply(x); },
@@ -142,8 +142,8 @@ Solution solve_compressed(const Surface& surface) {
   nodal.topRows(surface.vertex_count()) = iterated.solution;
   solution.psi = potential_of(surface, std::move(nodal));
   // The error of hats is the gain of the bubbles plus the error that would remain with them.
-  solution.doubt = (1 + kBeyond) / kAlone * residuals.transpose() *
-                   stiffness.cwiseInverse().asDiagonal() * residuals;
+  solution.error_estimate = (1 + kBeyond) / kAlone * residuals.transpose() *
+                            stiffness.cwiseInverse().asDiagonal() * residuals;
   solution.unknowns = surface.vertex_count();
   solution.bytes = interactions.bytes();
   solution.steps = iterated.steps;

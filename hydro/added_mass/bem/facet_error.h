@@ -14,6 +14,6 @@ namespace hydro::bem {
 
 /// (1/2π) Σ_T h ∫_T N' N'ᵀ dS: the possible deficit of the added mass for ρ = 1. N' is N minus the
 /// quadratic function through its mean at each node, h the width of a panel.
-Matrix6d roughness(const Surface& surface);
+Matrix6d facet_error(const Surface& surface);
 
 }  // namespace hydro::bem

@@ -1,4 +1,4 @@
-#include "hydro/added_mass/bem/roughness.h"
+#include "hydro/added_mass/bem/facet_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ double width(const Element& element) {
 
 }  // namespace
 
-Matrix6d roughness(const Surface& surface) {
+Matrix6d facet_error(const Surface& surface) {
   const Potential mean = mean_motion(surface);
   Matrix6d sum = Matrix6d::Zero();
   for (std::size_t f = 0; f < surface.face_count(); ++f) {

@@ -122,7 +122,7 @@ Vector6d constant_of(const Surface& surface, const Potential& psi, int part) {
 
 }  // namespace
 
-Potential anchored(const Surface& surface, Potential psi) {
+Potential with_far_field_constants(const Surface& surface, Potential psi) {
   const Potential given = psi;
   for (std::size_t k = 0; k < surface.parts.volume.size(); ++k) {
     if (surface.parts.volume[k] < 0) continue;
