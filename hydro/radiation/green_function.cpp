@@ -15,8 +15,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr int kOrder = 18;  ///< Of the polynomials in each variable.
-using Coefficients = Eigen::Matrix<double, kOrder, kOrder>;
-using Polynomials = Eigen::Matrix<double, kOrder, 1>;
+using ChebyshevCoefficients = Eigen::Matrix<double, kOrder, kOrder>;
+using ChebyshevValues = Eigen::Matrix<double, kOrder, 1>;
 
 struct Interval {
   double low, high;
@@ -36,7 +36,7 @@ class Table {
  public:
   Table(Interval first, Interval second, const std::function<double(double, double)>& f)
       : first_(first), second_(second) {
-    Coefficients samples, transform;
+    ChebyshevCoefficients samples, transform;
     for (int i = 0; i < kOrder; ++i)
       for (int j = 0; j < kOrder; ++j) {
         samples(i, j) = f(first.outer(node(i)), second.outer(node(j)));
@@ -48,7 +48,7 @@ class Table {
   Sample at(double first, double second) const {
     const auto [value, slope] = polynomials(first_.inner(first));
     const auto [value2, slope2] = polynomials(second_.inner(second));
-    const Polynomials along = coefficients_ * value2;
+    const ChebyshevValues along = coefficients_ * value2;
     return {value.dot(along), first_.scale() * slope.dot(along),
             second_.scale() * value.dot(coefficients_ * slope2)};
   }
@@ -56,7 +56,7 @@ class Table {
  private:
   static double node(int i) { return std::cos(pi * (i + 0.5) / kOrder); }
   struct Values {
-    Polynomials value, slope;
+    ChebyshevValues value, slope;
   };
   static Values polynomials(double s) {
     Values v;
@@ -72,7 +72,7 @@ class Table {
   }
 
   Interval first_, second_;
-  Coefficients coefficients_;
+  ChebyshevCoefficients coefficients_;
 };
 
 /// Distance in ρ up to which (2) is told with its logarithm taken out.

@@ -1,0 +1,70 @@
+#include "hydro/radiation/floating_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hydro/added_mass/wetted_added_mass.h"
+
+namespace hydro {
+namespace {
+
+// Depth of full presence over the draught or the height [-]. A body that falls in from the surface
+// gives its momentum to the whole A∞ there: at a twentieth of the draught it has little.
+constexpr double kFullPresence = 0.05;
+
+/// A matrix with the axes of H in those of B.
+Matrix6d in_body_axes(const MeanPose& pose, const Matrix6d& matrix_H) {
+  const Eigen::Matrix3d R_BH = pose.orientation.conjugate().toRotationMatrix();
+  Matrix6d turn = Matrix6d::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R_BH;
+  return turn * matrix_H * turn.transpose();
+}
+
+}  // namespace
+
+double heading(const MeanPose& pose, const Eigen::Quaterniond& orientation) {
+  const Eigen::Quaterniond from_mean = orientation * pose.orientation.conjugate();
+  return 2 * std::atan2(from_mean.z(), from_mean.w());
+}
+
+FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction)
+    : data_(std::move(data)),
+      memory_(fit_memory(data_)),
+      diffraction_(std::move(diffraction)),
+      vertices_B_(std::move(mesh_B.vertices)),
+      added_B_(in_body_axes(data_.pose, semi_definite_part(data_.infinite_added_mass))) {
+  const Eigen::RowVectorXd z =
+      (data_.pose.orientation.toRotationMatrix() * vertices_B_).row(2).array() + data_.pose.height;
+  Eigen::Index lowest = 0;
+  const double draught = -z.minCoeff(&lowest);
+  vertices_B_.col(0).swap(vertices_B_.col(lowest));
+  const double height = z.maxCoeff() - z.minCoeff();
+  depth_ = kFullPresence * (draught > 0 ? std::min(draught, height) : height);
+}
+
+double FloatingBody::presence(const BodyState& state, const Sea& sea, double time) const {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const SurfaceBounds bounds = surface_bounds(sea);
+  double deepest = 0;
+  for (const auto r_B : vertices_B_.colwise()) {
+    const Eigen::Vector3d p = state.position + R_WB * r_B;
+    if (p.z() >= bounds.highest - deepest) continue;
+    deepest = std::max(deepest, surface_height(sea, p.x(), p.y(), time) - p.z());
+    if (deepest >= depth_) return 1;
+  }
+  const double part = deepest / depth_;
+  return part * part * (3 - 2 * part);
+}
+
+Matrix6d FloatingBody::at(const BodyState& state, const Sea& sea, double time) const {
+  return presence(state, sea, time) * sea.density * added_B_;
+}
+
+Wrench FloatingBody::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  if (!diffraction_) return {};
+  const double w = presence(state, sea, time);
+  return w > 0 ? w * diffraction_(state, sea, time) : Wrench{};
+}
+
+}  // namespace hydro

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "hydro/radiation/radiation_data.h"
+
+/// @file
+/// The memory of the water for the motions of a floating body, as damped oscillators.
+///
+/// The waves that a body has sent out act on it later. In the frequency domain the load of a motion
+/// with velocity u beyond that of the constant A∞ is −H u with, for real matrices and s = iω,
+///
+///     H(iω) = B(ω) + iω (A(ω) − A∞).                                                        (1)
+///
+/// m coupled oscillators q that the velocity drives through a port B have the same effect:
+///
+///     q'' + D q' + Ω² q = B u,      F = −Bᵀ q',      D = L Lᵀ,  Ω diagonal                  (2)
+///     Ĥ(s) = s Bᵀ (s² + s D + Ω²)⁻¹ B                                                       (3)
+///
+/// For any Ω, L and B this is passive, as the energy ½ (q'² + q·Ω² q) shows, which grows by u·Bᵀq'
+/// − q'·D q': the body never gets back more than it has given. (3) is zero for a slow motion and
+/// decays as 1/s for a fast one, as the memory of any floating body does [PF08].
+///
+/// Ω, L and B are fitted to (1) by least squares, apart for motions that do not act on each other.
+/// The sign of i in the data's e^{−iωt} does not matter, as A and B are real.
+///
+/// [PF08] Pérez and Fossen. Time- vs. frequency-domain identification of parametric radiation force
+/// models for marine structures at zero speed. Modeling, Identification and Control 29 (2008).
+
+namespace hydro {
+
+using Matrix6cd = Eigen::Matrix<std::complex<double>, 6, 6>;
+
+/// The oscillators (2), in the data's frame H and for water of density 1: B is to be multiplied by
+/// the root of the density.
+struct RadiationMemory {
+  Eigen::VectorXd frequencies;                    ///< Ω, > 0 [rad/s].
+  Eigen::MatrixXd damping;                        ///< D, symmetric, ≥ 0 [1/s].
+  Eigen::Matrix<double, Eigen::Dynamic, 6> port;  ///< B, a row for each oscillator.
+
+  // Ĥ − H at the data's frequencies, over the root of the largest |H_ii| times the largest |H_jj|
+  // [-]; zero where a motion makes no waves.
+  Matrix6d rms_error = Matrix6d::Zero();
+  Matrix6d largest_error = Matrix6d::Zero();
+
+  Eigen::Index size() const { return frequencies.size(); }
+};
+
+/// (3) at s = iω, for water of density 1. @param frequency   ω [rad/s]
+Matrix6cd response(const RadiationMemory& memory, double frequency);
+
+/// The memory of a body with this data. It has no oscillators where the body makes no waves, and as
+/// few as give the accuracy that is wanted (0.3 % of the largest |H|, in the root mean square)
+/// where they can. The result depends on the data alone.
+/// @throws std::invalid_argument if the data has no frequencies, if they do not ascend from above
+/// 0, or if a frequency lacks its matrices or a number is not finite.
+RadiationMemory fit_memory(const RadiationData& data);
+
+}  // namespace hydro
