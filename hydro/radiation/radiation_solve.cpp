@@ -8,6 +8,7 @@
 
 #include "hydro/added_mass/patch_integrals.h"
 #include "hydro/added_mass/surface_solve.h"
+#include "hydro/mesh/mirror_symmetry.h"
 #include "hydro/parallel.h"
 #include "hydro/radiation/green_function.h"
 
@@ -30,6 +31,9 @@ constexpr double kInnerShare = 0.1;
 constexpr double kBelowSloshing = 0.8;
 /// Panels above which those of a hull have one point each in (3), not three.
 constexpr std::size_t kManyPanels = 3000;
+
+/// Distance within which vertices are mirror images, over the mesh's size [-].
+constexpr double kSymmetric = 1e-6;
 
 /// Values of a patch's functions at its three nodes, where they interpolate linear functions: node
 /// m has the weight (1 + at(1, m) f_1 + at(2, m) f_2)/3.
@@ -301,6 +305,34 @@ Matrix6d damping_of(const Loads6cd& excitation, double k, double omega, double g
   return factor * sum.real();
 }
 
+/// Signs of the six motions under a mirror in the plane normal to a horizontal axis.
+Vector6d mirror_signs(int axis) {
+  Vector6d signs;
+  if (axis == 0)
+    signs << -1, 1, 1, 1, -1, -1;
+  else
+    signs << 1, -1, 1, -1, 1, -1;
+  return signs;
+}
+
+/// Takes from the data what a mirror symmetry of the hull forbids: its patches do not have it.
+void make_symmetric(int axis, RadiationData& data) {
+  const Vector6d signs = mirror_signs(axis);
+  const Matrix6d allowed = ((signs * signs.transpose()).array() + 1) / 2;
+  for (std::vector<Matrix6d>* matrices : {&data.added_mass, &data.damping})
+    for (Matrix6d& matrix : *matrices) matrix = matrix.cwiseProduct(allowed).eval();
+  data.infinite_added_mass = data.infinite_added_mass.cwiseProduct(allowed).eval();
+  for (std::vector<Loads6cd>* loads : {&data.froude_krylov, &data.diffraction})
+    for (Loads6cd& load : *loads) {
+      const Loads6cd given = load;
+      const Index count = load.cols();
+      for (Index h = 0; h < count; ++h) {
+        const Index mirrored = ((axis == 0 ? count / 2 - h : -h) + count) % count;
+        load.col(h) = (given.col(h) + signs.asDiagonal() * given.col(mirrored)) / 2;
+      }
+    }
+}
+
 TriMesh turned(const TriMesh& mesh_B, const MeanPose& pose) {
   TriMesh mesh = mesh_B;
   mesh.vertices = pose.orientation.toRotationMatrix() * mesh_B.vertices;
@@ -360,6 +392,9 @@ RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
     data.damping[f] =
         damping_of(data.froude_krylov[f] + data.diffraction[f], k, omega, water.gravity);
   });
+  const double size = mesh_H.vertices.cwiseAbs().maxCoeff();
+  for (const int axis : {0, 1})
+    if (is_mirror_symmetric(mesh_H, axis, kSymmetric * size)) make_symmetric(axis, data);
   double area = 0, largest = 0;
   for (const Patch& patch : p.patches) area += patch.area;
   Vector6d lever = Vector6d::Ones();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hydro/mesh/mirror_symmetry.h"
 #include "hydro/mesh/primitives.h"
 #include "hydro/radiation/radiation_solve.h"
 
@@ -10,6 +11,29 @@
 namespace {
 
 constexpr double kGravity = 9.80665;
+
+TEST(MirrorSymmetry, IsThatOfTheVertices) {
+  hydro::TriMesh mesh = hydro::make_box({3, 2, 1}, 3);
+  for (const int axis : {0, 1, 2}) EXPECT_TRUE(hydro::is_mirror_symmetric(mesh, axis, 1e-9));
+  mesh.vertices(1, 4) += 1e-3;
+  for (const int axis : {0, 1, 2}) EXPECT_FALSE(hydro::is_mirror_symmetric(mesh, axis, 1e-6));
+  mesh.vertices.row(0).array() += 1;
+  EXPECT_FALSE(hydro::is_mirror_symmetric(mesh, 0, 1e-2));
+  EXPECT_TRUE(hydro::is_mirror_symmetric(mesh, 1, 1e-2));
+}
+
+TEST(SmallRadiationSolve, OfABoxHasNoCouplingsThatItsSymmetryForbids) {
+  const hydro::RadiationData data =
+      hydro::solve_radiation(hydro::make_box({3, 2, 1}, 1), {}, {.gravity = kGravity},
+                             {.frequencies = {2}, .headings = 8, .patches = 20})
+          .data;
+  EXPECT_EQ(data.added_mass[0](0, 2), 0);
+  EXPECT_EQ(data.damping[0](0, 1), 0);
+  EXPECT_NE(data.added_mass[0](0, 4), 0);
+  EXPECT_EQ(data.diffraction[0](1, 0), 0.0);  // Waves along x do not sway it,
+  EXPECT_EQ(data.diffraction[0](0, 2), 0.0);  // nor do those along y surge it.
+  EXPECT_EQ(data.diffraction[0](2, 1), data.diffraction[0](2, 7));
+}
 
 TEST(SmallRadiationSolve, OfFewPatchesIsNearTheTable) {
   const hydro::RadiationSolution solution =
