@@ -16,14 +16,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-constexpr int kMostPerMotion = 3;         ///< Oscillators.
+constexpr int kMostPerMotion = 4;         ///< Oscillators.
 constexpr std::size_t kMostSamples = 24;  ///< Frequencies that are fitted, more or less.
 constexpr int kTrialEvaluations = 50;     ///< Of the residuals, from each start.
 constexpr int kMostEvaluations = 200;     ///< From the best ends of those.
 constexpr std::size_t kKeptFits = 3;      ///< That are carried on, and grow.
 constexpr Index kLargeFit = 40;           ///< Parameters from which only one is.
 constexpr double kSmallGain = 1e-5;       ///< Part of the sum of squares that ends a search [-].
-constexpr double kUseful = 0.8;           ///< Ratio of errors by which one more is of use [-].
+constexpr double kUseful = 0.9;           ///< Ratio of errors by which one more is of use [-].
 constexpr double kWeakest = 0.01;         ///< Damping of an oscillator at the start of a fit [-].
 constexpr double kLargestPeak = 1.5;      ///< Of a response between the data, over the data's [-].
 constexpr int kBetween = 8;               ///< Parts between two frequencies that are looked at.
@@ -59,13 +59,15 @@ Samples make_samples(const std::vector<double>& frequencies, const std::vector<M
   return samples;
 }
 
-/// m log-frequencies, the columns of L from its diagonal down, the rows of B.
+/// m log-frequencies, the columns of L from its diagonal down, the rows of B, the columns of ΔA
+/// from its diagonal down.
 struct Layout {
   Index m, n;
 
   Index damping() const { return m; }
   Index port() const { return m + m * (m + 1) / 2; }
-  Index size() const { return port() + m * n; }
+  Index mass() const { return port() + m * n; }
+  Index size() const { return mass() + n * (n + 1) / 2; }
 };
 
 MatrixXd lower(const Layout& layout, const VectorXd& x) {
@@ -77,14 +79,24 @@ MatrixXd lower(const Layout& layout, const VectorXd& x) {
 }
 
 MatrixXd port(const Layout& layout, const VectorXd& x) {
-  return x.tail(layout.m * layout.n).reshaped<Eigen::RowMajor>(layout.m, layout.n);
+  return x.segment(layout.port(), layout.m * layout.n)
+      .reshaped<Eigen::RowMajor>(layout.m, layout.n);
+}
+
+MatrixXd mass(const Layout& layout, const VectorXd& x) {
+  MatrixXd A(layout.n, layout.n);
+  Index at = layout.mass();
+  for (Index j = 0; j < layout.n; ++j)
+    for (Index i = j; i < layout.n; ++i) A(i, j) = A(j, i) = x[at++];
+  return A;
 }
 
 Oscillators oscillators(const Layout& layout, const VectorXd& x) {
   const MatrixXd L = lower(layout, x);
   return {.frequencies = x.head(layout.m).array().exp(),
           .damping = L * L.transpose(),
-          .port = port(layout, x)};
+          .port = port(layout, x),
+          .mass = mass(layout, x)};
 }
 
 /// (s² + s D + Ω²)⁻¹ B
@@ -118,7 +130,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
 
   /// The derivatives by the parameters. With X = (s² + sD + Ω²)⁻¹ B,
   ///
-  ///     dĤ = s (dBᵀ X + Xᵀ dB) − s Xᵀ (dΩ² + s dD) X.
+  ///     dĤ = s (dBᵀ X + Xᵀ dB) − s Xᵀ (dΩ² + s dD) X + s dA.
   int df(const VectorXd& x, MatrixXd& jacobian) const {
     const Oscillators o = oscillators(layout_, x);
     const MatrixXd L = lower(layout_, x);
@@ -144,6 +156,9 @@ class Residuals : public Eigen::DenseFunctor<double> {
           add([&](Index a, Index b) {
             return s * ((a == i ? X(j, b) : Complex(0)) + (b == i ? X(j, a) : Complex(0)));
           });
+      for (Index j = 0; j < layout_.n; ++j)
+        for (Index i = j; i < layout_.n; ++i)
+          add([&](Index a, Index b) { return a == i && b == j ? s : Complex(0); });
     }
     return 0;
   }
@@ -230,8 +245,10 @@ VectorXd with_one_more(const Layout& before, const VectorXd& x, const Added& add
   Index at = after.damping();
   for (Index j = 0; j < after.m; ++j)
     for (Index i = j; i < after.m; ++i) result[at++] = L(i, j);
-  result.segment(after.port(), before.m * before.n) = x.tail(before.m * before.n);
-  result.tail(after.n) = L(before.m, before.m) * added.port;
+  const Index ports = before.m * before.n, masses = before.size() - before.mass();
+  result.segment(after.port(), ports) = x.segment(before.port(), ports);
+  result.segment(after.port() + ports, after.n) = L(before.m, before.m) * added.port;
+  result.tail(masses) = x.tail(masses);
   return result;
 }
 
@@ -257,7 +274,7 @@ Added supplement(const Samples& samples, const Oscillators& o, double frequency,
 /// Parameters of m oscillators that are spread over the frequencies from 1/reach to reach.
 VectorXd spread_oscillators(const Samples& samples, Index m, double reach, double damping) {
   Layout layout{.m = 0, .n = samples.motions()};
-  VectorXd x(0);
+  VectorXd x = VectorXd::Zero(layout.size());
   for (; layout.m < m; ++layout.m) {
     const double place = (2.0 * static_cast<double>(layout.m) + 1) / static_cast<double>(m) - 1;
     Added added = supplement(samples, {}, std::pow(reach, place), kWeakest);
@@ -311,14 +328,15 @@ std::vector<Fit> grown(const Samples& samples, Index m, const std::vector<Fit>& 
 }  // namespace
 
 MatrixXcd response(const Oscillators& o, double frequency) {
-  return Complex(0, frequency) * (o.port.transpose() * displacements(o, frequency));
+  const Complex s(0, frequency);
+  return s * (o.port.transpose() * displacements(o, frequency) + o.mass.cast<Complex>());
 }
 
 Oscillators fit_oscillators(const std::vector<double>& frequencies, const std::vector<MatrixXcd>& H,
                             double wanted) {
   const Samples samples = make_samples(frequencies, H);
   const Index n = samples.motions();
-  std::vector<Fit> best = {{.x = VectorXd(0)}};
+  std::vector<Fit> best = {{.x = VectorXd::Zero(Layout{.m = 0, .n = n}.size())}};
   Index m = 0;
   for (Index more = 1; more <= kMostPerMotion * n && best.front().error > wanted; ++more) {
     std::vector<Fit> fits = grown(samples, more - 1, best);
@@ -331,6 +349,8 @@ Oscillators fit_oscillators(const std::vector<double>& frequencies, const std::v
   result.frequencies *= samples.unit;
   result.damping *= samples.unit;
   result.port = std::sqrt(samples.unit) * result.port * samples.scale.asDiagonal();
+  result.mass = samples.scale.asDiagonal() * result.mass * samples.scale.asDiagonal();
+  result.mass /= samples.unit;
   return result;
 }
 

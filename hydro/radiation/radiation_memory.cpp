@@ -93,6 +93,7 @@ void append_block(const Oscillators& block, const std::vector<int>& motions,
   memory.port.conservativeResizeLike(Eigen::MatrixXd::Zero(before + more, 6));
   for (std::size_t i = 0; i < motions.size(); ++i)
     memory.port.col(motions[i]).tail(more) = block.port.col(static_cast<Eigen::Index>(i));
+  memory.mass(motions, motions) = block.mass;
 }
 
 void set_errors(const std::vector<double>& frequencies, const std::vector<Matrix6cd>& H,
@@ -118,8 +119,10 @@ void set_errors(const std::vector<double>& frequencies, const std::vector<Matrix
 
 Matrix6cd response(const RadiationMemory& memory, double frequency) {
   if (memory.size() == 0) return Matrix6cd::Zero();
-  const Oscillators all{
-      .frequencies = memory.frequencies, .damping = memory.damping, .port = memory.port};
+  const Oscillators all{.frequencies = memory.frequencies,
+                        .damping = memory.damping,
+                        .port = memory.port,
+                        .mass = memory.mass};
   return response(all, frequency);
 }
 

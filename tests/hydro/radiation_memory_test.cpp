@@ -120,13 +120,24 @@ TEST(RadiationMemory, DoesNotDependOnTheBodysSize) {
   for (const double radius : {1e-3, 100.0}) {
     const RadiationMemory other = fit_memory(radiating_sphere(radius));
     ASSERT_EQ(other.size(), one.size());
-    const double rate = 1 / std::sqrt(radius);
+    const double rate = 1 / std::sqrt(radius), largest = response(one, 3).cwiseAbs().maxCoeff();
     for (const double frequency : {0.3, 1.0, 3.0, 10.0}) {
       const Matrix6cd H = response(one, frequency);
       const Matrix6cd scaled = response(other, rate * frequency) / (std::pow(radius, 3) * rate);
       // Round-off of the scaling acts on where a search ends.
-      EXPECT_LT((scaled - H).cwiseAbs().maxCoeff(), 0.01 * H.cwiseAbs().maxCoeff()) << radius;
+      EXPECT_LT((scaled - H).cwiseAbs().maxCoeff(), 0.01 * largest) << radius;
     }
+  }
+}
+
+TEST(RadiationMemory, CorrectsAnErrorOfTheAddedMassOfHighFrequency) {
+  RadiationData data = radiating_sphere(1);
+  const double exact = 0.5 * 2 * M_PI / 3;
+  for (const double error : {-0.03, 0.0, 0.03}) {
+    data.infinite_added_mass(2, 2) = (1 + error) * exact;
+    const RadiationMemory memory = fit_memory(data);
+    EXPECT_NEAR(data.infinite_added_mass(2, 2) + memory.mass(2, 2), exact, 2e-3 * exact) << error;
+    EXPECT_LT(memory.rms_error(2, 2), 0.004) << error;
   }
 }
 
