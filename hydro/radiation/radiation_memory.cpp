@@ -13,8 +13,8 @@ namespace {
 // smooth body of revolution about its axis are those of its facets.
 constexpr double kNoWaves = 1e-5;
 // Motions act on each other where their coupling is above this part of the geometric mean of their
-// own loads [-]. What is left out lies below the accuracy that is wanted.
-constexpr double kCoupled = 2e-3;
+// own loads [-]. What is left out is as small as the error of a solution on patches.
+constexpr double kCoupled = 1e-2;
 constexpr double kWanted = 3e-3;  ///< Error of a fit, in the root mean square [-].
 
 void check_radiation(const RadiationData& data) {

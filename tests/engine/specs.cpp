@@ -53,6 +53,14 @@ engine::SimulationSpec dry_world(std::vector<engine::BodySpec> bodies, double st
   return spec;
 }
 
+engine::SimulationSpec box_in_still_water(const Eigen::Vector3d& position) {
+  engine::BodySpec box = box_body("box", {1, 1, 1}, 500, position, 2);
+  box.wet = true;
+  engine::SimulationSpec spec = dry_world({box}, kStep);
+  spec.sea = hydro::Sea{.density = 1000, .gravity = kGravity};
+  return spec;
+}
+
 engine::SimulationSpec left_to_the_solver(engine::SimulationSpec spec) {
   using Type = engine::JointSpec::Type;
   for (const engine::JointSpec& joint : std::vector(spec.joints)) {

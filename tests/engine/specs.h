@@ -26,8 +26,11 @@ engine::BodySpec sphere_body(const std::string& name, double radius, double dens
 /// A dry world of these bodies.
 engine::SimulationSpec dry_world(std::vector<engine::BodySpec> bodies, double step);
 
-/// The same with every joint to the world held a second time by one that asks for nothing more, so
-/// that it is left to the constraint solver (engine/reduced_joint.h).
+/// A box of 1 m and half the water's density, in flat water of 1000 kg/m³, that nothing touches.
+engine::SimulationSpec box_in_still_water(const Eigen::Vector3d& position);
+
+/// A specification with every joint to the world held a second time by one that asks for nothing
+/// more, so that it is left to the constraint solver (engine/reduced_joint.h).
 engine::SimulationSpec left_to_the_solver(engine::SimulationSpec spec);
 
 /// A square of ground through the origin that falls by `angle` [rad] in the direction `heading`

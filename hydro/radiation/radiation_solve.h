@@ -1,0 +1,58 @@
+#pragma once
+
+#include "hydro/mesh/mesh.h"
+#include "hydro/radiation/radiation_data.h"
+
+/// @file
+/// Radiation and diffraction of a body at rest in deep water, by boundary elements on its mesh.
+///
+/// With k = ω²/g, N = (n, r × n) and G = 1/r + 1/r' + k 𝒢 of green_function.h, the potentials ψ_m
+/// of the six motions, which send their waves outward, solve on the wetted surface S_w
+///
+///     ½ψ(x) − (1/4π) ∫_{S_w} ψ n·∇G dS = (1/4π) ∫_{S_w} N G dS,                             (1)
+///     ∫_{S_w} ψ_m N_n dS = A_mn + i B_mn/ω,                                                  (2)
+///
+/// for ρ = 1, with ∇ acting on the point y of the surface. By Haskind's relation they give the
+/// diffraction, too: with p₀ and u̇₀ those of the undisturbed wave of amplitude 1,
+///
+///     X_FK = −∫_{S_w} p₀ N dS,        X_D = ∫_{S_w} ψ (u̇₀·n) dS,                             (3)
+///     B_mn = (k ω / 4π g²) ∫₀^{2π} X_m X_n* dβ.                                              (4)
+///
+/// ψ is linear on each of some 250 patches, and (1) holds on each patch in the mean
+/// (surface_solve.h); 1/r, 1/r' and the 2/r' in ∂(k𝒢)/∂z are integrated in closed form, and what is
+/// smooth by its values at three nodes a patch. At the frequencies of sloshing inside the hull (1)
+/// has no unique solution. From the lowest such frequency on the equation without ½ψ is asked for
+/// at some points of the waterplane inside the hull, and all are met in the least squares.
+///
+/// What the mirror symmetries of a hull in the vertical planes of H forbid is taken out.
+///
+/// The damping is that of (4), which has no negative eigenvalues; `mismatch` tells how far (2) is
+/// from it.
+
+namespace hydro {
+
+struct RadiationOptions {
+  std::vector<double> frequencies;  ///< Ascending, > 0 [rad/s]; none: `radiation_frequencies`.
+  int headings = 36;                ///< Number of headings, evenly spaced; even.
+  int patches = 250;                ///< About so many patches.
+};
+
+struct RadiationSolution {
+  RadiationData data;
+  int unknowns = 0;
+  /// Largest |B_mn| of (2) less (4), over the largest B of its kind; moments have the root of the
+  /// wetted area as their lever [-].
+  double mismatch = 0;
+};
+
+/// Sixteen frequencies, evenly spaced in their logarithm, from waves of 60 times the body's
+/// half-length to waves as long as a fifth of the circle about its waterplane's half-breadth.
+std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose& pose,
+                                          const LinearWater& water);
+
+/// @param mesh_B   Closed; its origin is the centre of mass.
+/// @throws std::invalid_argument if the body is dry in the pose, or the water is not deep.
+RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
+                                  const LinearWater& water, const RadiationOptions& options = {});
+
+}  // namespace hydro

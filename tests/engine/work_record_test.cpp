@@ -1,0 +1,102 @@
+#include "engine/work_record.h"
+
+#include <memory>
+
+#include "engine/energy.h"
+#include "engine/velocity_update.h"
+#include "hydro/added_mass/constant_added_mass.h"
+#include "tests/engine/prelude.h"
+
+/// The record of impulses and works, event by event.
+
+namespace {
+
+using engine::Motion;
+using engine::MovingBody;
+
+/// A box with drag, afloat and in motion, that keeps a record.
+struct Recorded {
+  explicit Recorded(double added) : spec(support::box_in_still_water({0, 0, 0})) {
+    spec.record_work = true;
+    BodySpec& box = spec.bodies[0];
+    if (added > 0)
+      box.added_mass = std::make_shared<const hydro::ConstantAddedMass>(
+          box.mesh_B, Matrix6d(added * Matrix6d::Identity()));
+    support::Random random(7);
+    box.initial = random.state(0.2, 3);
+    moving.push_back(support::moving_bodies(spec)[0]);
+  }
+
+  const engine::Body& body() const { return moving[0].body; }
+  Motion& motion() { return moving[0].motion; }
+  double kinetic(const Motion& m) const {
+    return engine::kinetic_energy(body(), m, Vector3d::Zero());
+  }
+
+  SimulationSpec spec;
+  std::vector<MovingBody> moving;
+};
+
+TEST(WorkRecord, OfAnUpdateIsTheChangeOfTheKineticEnergy) {
+  for (const double added : {0.0, 200.0}) {
+    Recorded box(added);
+    const engine::MidpointState midpoint =
+        engine::make_midpoint(box.body(), box.motion(), box.motion().added(), {});
+    const engine::VelocityUpdate update = engine::free_update(box.moving[0], midpoint, 0, kStep);
+    Motion after = box.motion();
+    after.state = engine::with_velocity(after.state, midpoint.after + update.change, after.flow);
+    engine::record_update(box.moving[0], midpoint,
+                          {.change = update.change, .h = kStep, .implicit = update.implicit},
+                          after);
+    const double gained = box.kinetic(after) - box.kinetic(box.motion());
+    const double scale = box.kinetic(box.motion());
+    EXPECT_NEAR(after.work->works.sum(), gained, 1e-13 * scale) << added;
+    EXPECT_LT(after.work->works.pressure_drag, 0) << added;
+  }
+}
+
+TEST(WorkRecord, OfADriftHasTheImpulseThatTheWaterGives) {
+  Recorded box(200);
+  Motion after = box.motion();
+  engine::drift(box.body(), after, 0.1);
+  const auto own = [&](const Motion& m) {
+    const Vector6d u = engine::velocity(m.state, Vector3d::Zero());
+    const Matrix3d R = m.state.orientation.toRotationMatrix();
+    return engine::rotate(R, Vector6d(box.body().rigid_B * engine::rotate(R.transpose(), u)));
+  };
+  const Vector6d gained = own(after) - own(box.motion());
+  EXPECT_LT((after.work->added_impulse - gained).norm(), 1e-12 * own(after).norm());
+  EXPECT_NEAR(after.work->works.sum(), 0, 1e-10 * box.kinetic(after));
+}
+
+TEST(WorkRecord, OfTheLimiterIsTheEnergyThatItTakes) {
+  Recorded box(200);
+  Motion after = box.motion();
+  after.state.linear_velocity *= 0.5;
+  after.state.angular_velocity *= 0.5;
+  engine::record_clamp(box.body(), box.motion(), after);
+  EXPECT_NEAR(after.work->works.brake, -0.75 * box.kinetic(box.motion()),
+              1e-13 * box.kinetic(box.motion()));
+}
+
+TEST(WorkRecord, OfAGainOfAddedMassIsTheEnergyThatTheWaterTakes) {
+  Recorded box(200);
+  const Matrix6d more = 2 * box.motion().added();
+  const Motion after = engine::share_momentum(box.body(), box.motion(), more);
+  EXPECT_NEAR(after.work->works.added_mass, box.kinetic(after) - box.kinetic(box.motion()),
+              1e-13 * box.kinetic(after));
+  EXPECT_LT(after.work->works.added_mass, 0);
+}
+
+TEST(WorkRecord, BeginsAStepWithoutImpulsesAndKeepsItsWorks) {
+  engine::WorkRecord record;
+  record.works.weight = 3;
+  record.added_impulse.setOnes();
+  record.constraint_impulse.setOnes();
+  record.start_step();
+  EXPECT_EQ(record.works.weight, 3);
+  EXPECT_TRUE(record.added_impulse.isZero(0));
+  EXPECT_TRUE(record.constraint_impulse.isZero(0));
+}
+
+}  // namespace
