@@ -45,6 +45,9 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
             .has_wave_load = spec.sea && s.added_mass && !immovable(s.locked) &&
                              hydro::has_airy_waves(*spec.sea) &&
                              spec.integrator.method == Integrator::Method::split,
+            .has_memory = spec.sea && s.radiation && s.radiation->memory().size() > 0 &&
+                          !immovable(s.locked) &&
+                          spec.integrator.method == Integrator::Method::split,
             .movable = !immovable(s.locked),
             .locked = partly_locked(s.locked),
             .jointed = std::any_of(
@@ -93,7 +96,7 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time) {
-  Motion motion{.state = state};
+  Motion motion{.state = state, .memory = still_memory(body)};
   if (body.has_added_mass) motion.added_B = unless_zero(added_mass(body, motion.state, time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (spec.record_work) motion.work = {.added_energy_at_start = added_kinetic_energy(body, motion)};

@@ -38,7 +38,8 @@ struct Body {
   bool wet = false;             ///< The water has loads on it.
   bool feels_air = false;       ///< Wet, and the air has a load on its dry part.
   bool has_added_mass = false;  ///< A may not be zero.
-  bool has_wave_load = false;   ///< Waves accelerate the water that its added mass stands for.
+  bool has_wave_load = false;   ///< Waves accelerate the water about it, or are scattered.
+  bool has_memory = false;      ///< Waves that it has made act on it.
   bool has_flow = false;        ///< The water about it may not move with `current()`.
   bool movable = true;          ///< At least one degree of freedom is not locked.
   bool locked = false;          ///< At least one degree of freedom is locked.

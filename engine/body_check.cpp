@@ -50,6 +50,8 @@ void check_body(const BodySpec& spec) {
   check_initial_state(spec, spec.initial);
   if (!spec.mesh_B.vertices.allFinite()) refuse(spec, "a vertex of its mesh is not finite");
   if (!within_bounds(spec.mesh_B)) refuse(spec, "its mesh reaches beyond all bounds");
+  if (spec.radiation && !spec.added_mass)
+    refuse(spec, "it makes waves but has no added mass, which radiation needs");
   if (spec.collision != CollisionShape::none && spec.mesh_B.face_count() == 0)
     refuse(spec, "it collides but its mesh has no triangles");
 }

@@ -6,8 +6,8 @@ namespace engine {
 
 /// Refuses a body that is no solid: its mass is not positive; its inertia is not symmetric, not
 /// positive definite, or has a principal moment above the sum of the others (kInertiaTolerance);
-/// its initial state is not finite, or no unit quaternion; it collides but has no triangles; or its
-/// mesh reaches beyond kLargestState.
+/// its initial state is not finite, or no unit quaternion; it collides but has no triangles; it has
+/// radiation but no added mass; or its mesh reaches beyond kLargestState.
 /// @throws std::invalid_argument naming the body and what is wrong.
 void check_body(const BodySpec& spec);
 

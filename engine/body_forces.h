@@ -29,6 +29,8 @@ struct Works {
   double viscous_drag = 0;
   double lift = 0;
   double wave_inertia = 0;
+  double diffraction = 0;
+  double radiation = 0;  ///< By the memory of the waves that the body has made.
   double wind = 0;
   double added_mass = 0;
   double applied = 0;     ///< By the forces of the scene and of the program.
@@ -37,8 +39,8 @@ struct Works {
   double brake = 0;       ///< By the energy limiter.
 
   double sum() const {
-    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + wind + added_mass +
-           applied + weight + constraint + brake;
+    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
+           wind + added_mass + applied + weight + constraint + brake;
   }
 };
 
@@ -47,6 +49,7 @@ struct BodyForces {
   hydro::Loads water;
   hydro::Wrench applied;
   hydro::Wrench weight;
+  hydro::Wrench radiation;  ///< Of the memory of the waves that the body has made.
   // These two are means over the last step, zero before the first one, since impacts change the
   // velocity at once; the limiter's impulse is in neither. The constraint of a body that cannot
   // move balances the other forces.

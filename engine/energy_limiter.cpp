@@ -77,22 +77,24 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
 }
 
 void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, double h) {
-  double before = 0, potential_before = 0, potential = 0, work = 0;
+  double before = 0, potential_before = 0, potential = 0, remembered = 0, work = 0;
   bool driven = false;
   kinetic_ = 0;
   for (const SubstepBody* b : members) {
     const Motion& start = b->moving->motion;
     const double stored = potential_energy(b->body(), start.state);
     potential_before += stored;
-    before += stored + kinetic_energy(b->body(), start, b->body().current());
+    before += stored + memory_energy(b->body(), start) +
+              kinetic_energy(b->body(), start, b->body().current());
     potential += potential_energy(b->body(), b->end.state);
     kinetic_ += kinetic_energy(b->body(), b->end, b->body().current());
+    remembered += memory_energy(b->body(), b->end);
     driven = driven || is_driven(*b->moving);
     work += work_done(*b->moving, start.state, b->end.state, h);
   }
   next_.extend(before, potential_before);
   if (driven) next_.lowest = before + work;
-  const double energy = potential + kinetic_;
+  const double energy = potential + kinetic_ + remembered;
   allowed_ = kEnergyGain * std::max(next_.highest - next_.lowest_potential, floor_);
   excess_ = energy - next_.lowest - allowed_;
   next_.extend(std::min(energy, energy - excess_), potential);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/acceleration_history.h"
+#include "engine/wave_memory.h"
 #include "engine/work_record.h"
 
 /// @file
@@ -20,6 +21,7 @@ struct Motion {
   // Motions are copied often, and most have no added mass.
   std::optional<Matrix6d> added_B;         ///< A; none where it is zero.
   std::optional<Matrix6d> added_rate_B;    ///< dA/dt over the last substep [1/s]; none where zero.
+  std::optional<WaveMemory> memory;        ///< Of a body that radiates waves.
   AccelerationHistory accelerations;       ///< Empty after contacts and other jumps.
   bool constrained = false;                ///< Joints or contacts acted in the last substep.
   Vector6d reaction_B = Vector6d::Zero();  ///< R of the last substep, in B.

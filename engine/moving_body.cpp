@@ -43,7 +43,11 @@ hydro::Loads water_loads(const Body& body, const hydro::BodyState& state, double
   if (body.wet)
     loads = hydro::compute_loads(*body.hull, state, *sea, time, body.spec->coefficients,
                                  body.spec->summation);
-  if (body.has_wave_load) loads.wave_inertia = body.spec->added_mass->wave_load(state, *sea, time);
+  if (!body.has_wave_load) return loads;
+  if (body.spec->radiation)
+    loads.diffraction = body.spec->radiation->wave_load(state, *sea, time);
+  else
+    loads.wave_inertia = body.spec->added_mass->wave_load(state, *sea, time);
   return loads;
 }
 

@@ -26,7 +26,8 @@ struct LoadCache {
   BodyLoads loads;
   /// State that the water's loads are those of; none where they follow from more than that.
   std::optional<hydro::BodyState> water_state;
-  double seconds = 0;  ///< Wall time of loads and added mass so far [s].
+  WaveMemoryRule memory_rule;  ///< Of the last substep.
+  double seconds = 0;          ///< Wall time of loads and added mass so far [s].
 };
 
 struct MovingBody {

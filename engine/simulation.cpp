@@ -157,6 +157,11 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
     throw std::invalid_argument(
         fmt::format("the state is that of another scene: it has {} bodies, the simulation {}",
                     data.bodies.size(), bodies.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!fits_memory(bodies[i].body, data.bodies[i].motion))
+      throw std::invalid_argument(
+          fmt::format("the state is that of another scene: body '{}' has another memory of waves",
+                      spec.bodies[i].name));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies[i].motion = data.bodies[i].motion;
     bodies[i].inputs = data.bodies[i].inputs;

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 2";
+constexpr std::string_view kMagic = "plimsoll state 3";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -103,12 +103,18 @@ void visit(Archive& a, std::array<double, N>& numbers) {
 void visit(auto& a, WorkRecord& w) {
   Works& works = w.works;
   visit_all(a, works.buoyancy, works.pressure_drag, works.viscous_drag, works.lift,
-            works.added_mass, works.applied, works.weight, works.constraint, works.brake,
-            w.added_energy_at_start, w.added_impulse, w.constraint_impulse);
+            works.wave_inertia, works.diffraction, works.radiation, works.wind, works.added_mass,
+            works.applied, works.weight, works.constraint, works.brake, w.added_energy_at_start,
+            w.added_impulse, w.constraint_impulse);
 }
+void visit(auto& a, Eigen::VectorXd& vector) {
+  vector.resize(static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(vector.size()))));
+  a.bytes(vector.data(), sizeof(double) * static_cast<std::size_t>(vector.size()));
+}
+void visit(auto& a, WaveMemory& memory) { visit_all(a, memory.q, memory.p); }
 void visit(auto& a, Motion& m) {
-  visit_all(a, m.state, m.added_B, m.added_rate_B, m.accelerations, m.constrained, m.reaction_B,
-            m.load_acceleration_W, m.longest_after_impact, m.work);
+  visit_all(a, m.state, m.added_B, m.added_rate_B, m.memory, m.accelerations, m.constrained,
+            m.reaction_B, m.load_acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
 void visit(auto& a, AppliedLoad::Sine& sine) { visit_all(a, sine.frequency, sine.phase); }

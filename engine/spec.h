@@ -11,6 +11,7 @@
 
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/loads/loads.h"
+#include "hydro/radiation/floating_body.h"
 
 /// @file
 /// The constant description of a simulation, complete and already checked. SI units.
@@ -59,6 +60,9 @@ struct BodySpec {
   hydro::Coefficients coefficients;  ///< `hydro::for_mesh` completes them from the mesh.
   hydro::LoadAccuracy summation;     ///< Accuracy of the sums of its loads.
   std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
+  /// The waves that the body makes and scatters; null: none. `added_mass` is then not null, as a
+  /// rule the same object.
+  std::shared_ptr<const hydro::FloatingBody> radiation;
   bool wet = true;  ///< False: the water has no effect on it.
   CollisionShape collision = CollisionShape::mesh;
   DofMask locked = {};  ///< They keep their initial value; all six make the body immovable.

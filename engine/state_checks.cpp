@@ -37,6 +37,7 @@ std::vector<NamedLoad> by_name(const BodyLoads& loads) {
                              {"viscous drag", to_vector6(water.viscous_drag)},
                              {"lift", to_vector6(water.lift)},
                              {"wave inertia", to_vector6(water.wave_inertia)},
+                             {"diffraction", to_vector6(water.diffraction)},
                              {"wind", to_vector6(water.wind)},
                              {"weight", to_vector6(loads.weight)}});
   return named;

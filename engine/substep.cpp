@@ -51,6 +51,7 @@ void finish(SubstepBody& b, bool constrained, double h) {
   end.load_acceleration_W = b.load_acceleration_W;
   end.state = with_velocity(end.state, b.midpoint.after + update.change, end.flow);
   check_state(*b.moving, end.state);
+  advance_memory(b.body(), b.midpoint, update.change, b.moving->cache.memory_rule, end);
   if (end.work) {
     const Vector6d reaction = rotate(b.midpoint.R_WB, b.reaction_B);
     record_update(*b.moving, b.midpoint,
@@ -143,6 +144,8 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
       const bool projects = !constrained && b->body().has_added_mass;
       b->midpoint = make_midpoint(b->body(), b->halfway, b->added_B,
                                   projects ? mobility(b->body(), b->halfway.state) : Mobility{});
+      b->midpoint.memory =
+          memory_effect(b->body(), b->midpoint, time + h / 2, h, b->moving->cache.memory_rule);
     }
     SubstepBody& first = *island.bodies.front();
     if (constrained)

@@ -29,7 +29,15 @@ struct UpdateContext {
   Vector6d loads(const Vector6d& relative) const {
     return to_vector6(find_loads(moving, at(relative), time));
   }
-  Matrix6d S() const { return inertia_W(body, midpoint); }
+  /// S, with what the memory of waves adds.
+  Matrix6d S() const {
+    const Matrix6d S = inertia_W(body, midpoint);
+    return midpoint.memory ? Matrix6d(S + midpoint.memory->inertia) : S;
+  }
+  /// The load F with that of the memory.
+  Vector6d with_memory(const Vector6d& F) const {
+    return midpoint.memory ? Vector6d(F + midpoint.memory->load) : F;
+  }
   double least_mass() const {
     return body.has_added_mass ? S().diagonal().head<3>().minCoeff() : body.spec->mass;
   }
@@ -70,7 +78,7 @@ VelocityUpdate explicit_update(const UpdateContext& s, const Vector6d& predicted
   if (length <= kLargestShift * s.body.radius) halfway = displaced(s.body, halfway, shift);
   update.load = to_vector6(find_loads(s.moving, halfway, s.time));
   if (s.body.reduced_joint) update.load = brought_back(s, update.load, halfway);
-  update.change = s.accelerated(s.h * update.load);
+  update.change = s.accelerated(s.h * s.with_memory(update.load));
   return update;
 }
 
@@ -171,7 +179,7 @@ Solution implicit_change(const UpdateContext& s, bool with_lift) {
     part = std::max(part, theta(largest_stiffness(s, J.drag)));
     at = s.u + part * change;
     const Matrix6d S = with_waterplane(s, J.waterplane);
-    Vector6d F = s.loads(at);
+    Vector6d F = s.with_memory(s.loads(at));
     if (!with_lift) F -= to_vector6(s.water().lift);
     const Vector6d correction = s.solve(S - s.h * part * J.drag, s.h * F - S * change);
     change += correction;
@@ -207,7 +215,7 @@ Vector6d dry_change(MovingBody& moving, const MidpointState& midpoint, double ti
 /// sets in.
 VelocityUpdate repeated_update(const UpdateContext& s) {
   VelocityUpdate first{.load = s.loads(s.u)};
-  first.change = s.accelerated(s.h * first.load);
+  first.change = s.accelerated(s.h * s.with_memory(first.load));
   first.unpredicted = true;
   const bool in_fluid = s.water().wetted_area > 0 || s.body.feels_air;
   if (!in_fluid && !s.body.reduced_joint && !s.moving.inputs.pull) return first;
@@ -273,9 +281,9 @@ VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, do
 VelocityUpdate resolve_with_inertia(MovingBody& moving, const MidpointState& midpoint,
                                     const VelocityUpdate& last, double time, double h) {
   if (last.implicit) return free_update(moving, midpoint, time, h);
+  const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   VelocityUpdate update = last;
-  update.change = solve_free(inertia_W(moving.body, midpoint), h * last.load,
-                             mobility(moving.body, midpoint.motion->state));
+  update.change = s.solve(s.S(), h * s.with_memory(last.load));
   return update;
 }
 
@@ -283,7 +291,7 @@ EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
                              const Vector6d& expected, double time, double h) {
   const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   Vector6d at = s.u + expected / 2;
-  EffectiveLoad result{.inertia = s.S(), .load = s.loads(at)};
+  EffectiveLoad result{.inertia = s.S(), .load = s.with_memory(s.loads(at))};
   result.implicit = is_stiff(s, at, s.u + expected + h * s.accelerated(result.load));
   if (!result.implicit) return result;
   hydro::LoadJacobian J = jacobian(s, at);
@@ -291,7 +299,7 @@ EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
   at = s.u + part * expected;
   J = jacobian(s, at);
   result.inertia = with_waterplane(s, J.waterplane) - h * part * J.drag;
-  result.load = s.loads(at) - part * J.drag * expected;
+  result.load = s.with_memory(s.loads(at)) - part * J.drag * expected;
   return result;
 }
 

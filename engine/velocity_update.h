@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/moving_body.h"
+#include "engine/wave_memory.h"
 
 /// @file
 /// The change of a body's velocity by loads over a substep of length h, at its pose halfway.
@@ -26,6 +27,9 @@
 /// body: stable and without loss for any h ω. (E5) is taken where ζ < kStiffDrag and (h ω)² <
 /// kStiffWaterplane.
 ///
+/// The memory of waves (wave_memory.h) takes part in both forms, and under constraints: it adds
+/// ¼h² C to S and f to F, so that it is implicit whatever the loads are.
+///
 /// [TI84] Takahashi and Imada. Monte Carlo calculation of quantum systems. II. J. Phys. Soc. Japan
 /// 53 (1984).
 
@@ -33,11 +37,12 @@ namespace engine {
 
 /// A body halfway through a substep, before its loads have acted.
 struct MidpointState {
-  const Motion* motion = nullptr;   ///< After half a drift, with the added mass of the start.
-  Eigen::Matrix3d R_WB;             ///< Orientation of that motion.
-  std::optional<Matrix6d> inertia;  ///< S of (E4) in W; none: M.
-  Vector6d before;                  ///< u in W, relative to the water.
-  Vector6d after;                   ///< u⁺ of (E4) without loads, in W, relative to the water.
+  const Motion* motion = nullptr;      ///< After half a drift, with the added mass of the start.
+  Eigen::Matrix3d R_WB;                ///< Orientation of that motion.
+  std::optional<Matrix6d> inertia;     ///< S of (E4) in W; none: M.
+  Vector6d before;                     ///< u in W, relative to the water.
+  Vector6d after;                      ///< u⁺ of (E4) without loads, in W, relative to the water.
+  std::optional<MemoryEffect> memory;  ///< (E19)
 
   Vector6d mean() const { return (before + after) / 2; }
 };
@@ -47,12 +52,12 @@ struct MidpointState {
 MidpointState make_midpoint(const Body& body, const Motion& motion, const Matrix6d& added_B,
                             const Mobility& mobility);
 
-/// S in W.
+/// S in W, without what the memory of waves adds to it.
 Matrix6d inertia_W(const Body& body, const MidpointState& midpoint);
 
 struct VelocityUpdate {
   Vector6d change = Vector6d::Zero();  ///< Δu, in W.
-  Vector6d load = Vector6d::Zero();    ///< F of (E5), in W.
+  Vector6d load = Vector6d::Zero();    ///< F of (E5), without f of (E19), in W.
   Vector6d slope = Vector6d::Zero();   ///< d(Δu/h)/dt, where a first update shows it, in W.
   Vector6d at = Vector6d::Zero();      ///< The velocity that F was found with, in W.
   bool unpredicted = false;            ///< Extrapolation missed the change.

@@ -49,6 +49,7 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   add(loads.water.viscous_drag, works.viscous_drag);
   add(loads.water.lift, works.lift);
   add(loads.water.wave_inertia, works.wave_inertia);
+  add(loads.water.diffraction, works.diffraction);
   add(loads.water.wind, works.wind);
   for (const hydro::Wrench& load : loads.applied) add(load, works.applied);
   add(loads.weight, works.weight);
@@ -77,6 +78,11 @@ void record_update(const MovingBody& moving, const MidpointState& midpoint,
   const Vector6d w = mean + to_vector6(after.flow, Eigen::Vector3d::Zero());
   const Vector6d impulse = S * update.change;
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
+  if (midpoint.memory) {
+    const Vector6d memory = midpoint.memory->impulse(update.change, update.h);
+    record.works.radiation += memory.dot(w);
+    rest -= memory;
+  }
   if (update.reaction) {
     const Vector6d reaction = update.h * *update.reaction;
     record.constraint_impulse += reaction;
@@ -157,6 +163,7 @@ BodyForces forces_on(const MovingBody& moving, double time, double step) {
   const WorkRecord& record = *motion.work;
   BodyForces forces{.works = record.works};
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
+  forces.radiation = to_wrench(memory_load(body, motion, time));
   forces.weight.force.z() = -body.spec->mass * body.environment.gravity;
   if (body.feels_air || may_be_wet(body, state)) forces.water = water_loads(body, state, time);
   forces.added_mass = to_wrench(record.added_impulse / step);

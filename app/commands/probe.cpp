@@ -34,7 +34,9 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
   if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
     loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
                                  body.coefficients, body.summation);
-  if (sea && body.added_mass)
+  if (sea && body.radiation)
+    loads.diffraction = body.radiation->wave_load(body.initial, *sea, 0);
+  else if (sea && body.added_mass)
     loads.wave_inertia = body.added_mass->wave_load(body.initial, *sea, 0);
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;
@@ -49,6 +51,7 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"viscous_drag", to_json(loads.viscous_drag)},
           {"lift", to_json(loads.lift)},
           {"wave_inertia", to_json(loads.wave_inertia)},
+          {"diffraction", to_json(loads.diffraction)},
           {"wind", to_json(loads.wind)},
           {"added_mass", added_mass}};
 }

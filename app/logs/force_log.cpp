@@ -53,6 +53,10 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("work_brake", forces.works.brake);
   put_load({"wind", forces.water.wind}, put);
   put("work_wind", forces.works.wind);
+  put_load({"diffraction", forces.water.diffraction}, put);
+  put("work_diffraction", forces.works.diffraction);
+  put_load({"radiation", forces.radiation}, put);
+  put("work_radiation", forces.works.radiation);
   return row;
 }
 

@@ -118,6 +118,7 @@ Loads& Loads::operator+=(const Loads& other) {
   viscous_drag += other.viscous_drag;
   lift += other.lift;
   wave_inertia += other.wave_inertia;
+  diffraction += other.diffraction;
   wind += other.wind;
   wetted_area += other.wetted_area;
   displaced_volume += other.displaced_volume;

@@ -10,8 +10,8 @@ namespace hydro {
 namespace {
 
 // Depth of full presence over the draught or the height [-]. A body that falls in from the surface
-// gives its momentum to the whole A∞ there: at a twentieth of the draught it has little.
-constexpr double kFullPresence = 0.05;
+// gives its momentum to the whole A∞ there: at a fiftieth of the draught it has little.
+constexpr double kFullPresence = 0.02;
 
 /// A matrix with the axes of H in those of B.
 Matrix6d in_body_axes(const MeanPose& pose, const Matrix6d& matrix_H) {

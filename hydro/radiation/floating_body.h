@@ -30,7 +30,7 @@ class FloatingBody final : public AddedMassModel {
   FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction = {});
 
   /// w [-]: 0 while every vertex is above the surface, 1 once one is deeper below it than a
-  /// twentieth of the draught of the mean pose or of the body's height, whichever is less, and
+  /// fiftieth of the draught of the mean pose or of the body's height, whichever is less, and
   /// smooth between. Evaluates the surface once as a rule, as the vertex that is the lowest one in
   /// the mean pose is looked at first.
   double presence(const BodyState& state, const Sea& sea, double time) const;

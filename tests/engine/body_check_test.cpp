@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/engine/prelude.h"
+#include "tests/support/radiating_sphere.h"
 
 namespace {
 
@@ -48,6 +49,11 @@ TEST(BodyCheck, RefusesWhatNoSolidCouldBeAndSaysWhy) {
          b.mesh_B = {};
        },
        "no triangles"},
+      {[](BodySpec& b) {
+         b.radiation =
+             std::make_shared<hydro::FloatingBody>(b.mesh_B, support::radiating_sphere(1));
+       },
+       "no added mass"},
   };
   for (const Fault& fault : faults) {
     BodySpec body = sound();

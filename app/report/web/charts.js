@@ -5,6 +5,7 @@ const LOADS = [
   ["weight", "weight", "--c2"], ["buoyancy", "buoyancy", "--c1"],
   ["pressure_drag", "pressure drag", "--c3"], ["viscous_drag", "viscous drag", "--c4"],
   ["lift", "lift", "--c5"], ["wave_inertia", "wave inertia", "--c9"], ["wind", "wind", "--c10"],
+  ["diffraction", "diffraction", "--c11"], ["radiation", "radiation", "--c12"],
   ["added_mass", "added mass", "--c7"],
   ["applied", "applied", "--c6"], ["constraint", "constraint", "--c8"]];
 const AXES = ["--c1", "--c2", "--c3"];

@@ -1,0 +1,332 @@
+#include <complex>
+
+#include "engine/energy.h"
+#include "engine/state_data.h"
+#include "engine/velocity_update.h"
+#include "hydro/airy_waves.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/primitives.h"
+#include "tests/engine/prelude.h"
+#include "tests/support/radiating_sphere.h"
+
+/// Bodies that make waves, and the waves' memory.
+
+namespace {
+
+using hydro::FloatingBody;
+using hydro::RadiationData;
+
+constexpr double kRho = 1000;  // Density of the water [kg/m^3].
+
+/// A sphere of 1 m that floats half submerged, without drag.
+BodySpec radiating_ball(const RadiationData& data) {
+  BodySpec body = support::sphere_body("ball", 1, 500, {0, 0, 0});
+  body.mesh_B = hydro::make_icosphere(1, 3);
+  body.mass = kRho / 2 * hydro::solid_properties(body.mesh_B).volume;
+  body.wet = true;
+  body.coefficients.pressure_drag = {0, 0};
+  body.coefficients.lift = 0;
+  body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  body.radiation = std::make_shared<FloatingBody>(body.mesh_B, data);
+  body.added_mass = body.radiation;
+  return body;
+}
+BodySpec radiating_ball() {
+  static const BodySpec body = radiating_ball(support::radiating_sphere(1));
+  return body;
+}
+
+SimulationSpec afloat(const BodySpec& body, double step) {
+  SimulationSpec spec = support::dry_world({body}, step);
+  spec.sea = hydro::Sea{.density = kRho, .gravity = kGravity};
+  return spec;
+}
+
+/// Waves that surge and sway make differently.
+RadiationData uneven_data() {
+  RadiationData data = support::radiating_sphere(1);
+  for (Matrix6d& damping : data.damping) damping(0, 0) *= 0.1;
+  for (Matrix6d& mass : data.added_mass)
+    mass(0, 0) =
+        data.infinite_added_mass(0, 0) + 0.1 * (mass(0, 0) - data.infinite_added_mass(0, 0));
+  return data;
+}
+
+double energy(const engine::Body& body, const engine::Motion& motion) {
+  return engine::kinetic_energy(body, motion, body.current()) +
+         engine::potential_energy(body, motion.state) + engine::memory_energy(body, motion);
+}
+
+engine::Motion motion_of(const Simulation& simulation) {
+  return simulation.state().data().bodies[0].motion;
+}
+
+TEST(WaveMemory, TakesFromTheBodyWhatItGainsAndDampsForAnyStep) {
+  BodySpec ball = radiating_ball(uneven_data());
+  ball.wet = false;  // Nothing but the memory acts on it.
+  SimulationSpec spec = afloat(ball, 0.1);
+  spec.gravity = 0;
+  support::Random random(3);
+  for (const double h : {1e-4, 0.01, 0.1, 1.0, 1e3, 1e6}) {
+    ball.initial.linear_velocity = {1, -2, 3};
+    ball.initial.orientation = Eigen::AngleAxisd(0.7, Vector3d::UnitZ());
+    spec.bodies = {ball};
+    std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
+    engine::MovingBody& moving = bodies[0];
+    engine::Motion& motion = moving.motion;
+    const hydro::RadiationMemory& memory = ball.radiation->memory();
+    double before = energy(moving.body, motion);
+    const double start = before;
+    for (int i = 0; i < 50; ++i) {
+      engine::MidpointState middle =
+          engine::make_midpoint(moving.body, motion, motion.added(), engine::Mobility{});
+      engine::WaveMemoryRule rule;
+      middle.memory = engine::memory_effect(moving.body, middle, 0, h, rule);
+      const engine::VelocityUpdate update = engine::free_update(moving, middle, 0, h);
+      engine::Motion next = motion;
+      next.state = engine::with_velocity(motion.state, middle.after + update.change, {0, 0, 0});
+      engine::advance_memory(moving.body, middle, update.change, rule, next);
+      const Eigen::VectorXd mean = (motion.memory->p + next.memory->p) / 2;
+      const double damped = h * mean.dot(memory.damping * mean);
+      const double taken = -middle.memory->impulse(update.change, h)
+                                .dot(engine::velocity(motion.state, {0, 0, 0}) + update.change / 2);
+      const double gained =
+          engine::memory_energy(moving.body, next) - engine::memory_energy(moving.body, motion);
+      // Round-off of q, which a long step makes large.
+      const double round_off = tolerance(1e-12) * start * std::max(1.0, h);
+      EXPECT_NEAR(gained, taken - damped, round_off) << h;
+      const double now = energy(moving.body, next);
+      EXPECT_LE(now, before + round_off) << h << ", step " << i;
+      before = now;
+      motion = next;
+    }
+    EXPECT_LT(before, start);
+  }
+}
+
+/// The root s of (M + A∞) s² + s Ĥ(s) + C = 0 nearest to an undamped oscillation.
+std::complex<double> free_oscillation(const BodySpec& body, double stiffness) {
+  using Complex = std::complex<double>;
+  const hydro::RadiationMemory& memory = body.radiation->memory();
+  const double inertia = body.mass + kRho * body.radiation->data().infinite_added_mass(2, 2);
+  const auto rest = [&](Complex s) {
+    Eigen::MatrixXcd matrix = s * memory.damping.cast<Complex>();
+    matrix.diagonal().array() += s * s + memory.frequencies.array().square();
+    const Eigen::VectorXcd port = memory.port.col(2).cast<Complex>();
+    const Complex H = kRho * s * (port.transpose() * matrix.partialPivLu().solve(port)).value();
+    return inertia * s * s + s * H + stiffness;
+  };
+  Complex s(-0.3, std::sqrt(stiffness / inertia)), last = s * 1.01;
+  Complex f = rest(s), f_last = rest(last);
+  for (int i = 0; i < 50 && std::abs(s - last) > 1e-12; ++i) {
+    const Complex next = s - f * (s - last) / (f - f_last);
+    last = s;
+    f_last = f;
+    s = next;
+    f = rest(s);
+  }
+  return s;
+}
+
+double heave_stiffness(const BodySpec& body) {
+  const hydro::Hull hull = hydro::make_hull(body.mesh_B);
+  const hydro::Sea sea{.density = kRho, .gravity = kGravity};
+  const auto lift = [&](double z) {
+    return hydro::compute_loads(hull, {.position = {0, 0, z}}, sea, 0, body.coefficients)
+        .buoyancy.force.z();
+  };
+  return (lift(-1e-3) - lift(1e-3)) / 2e-3;
+}
+
+/// Times and heights of the turns of a heave, by parabolas.
+std::vector<std::pair<double, double>> turns_of_heave(const SimulationSpec& spec, int count) {
+  Simulation simulation(spec);
+  std::vector<double> z = {simulation.states()[0].position.z()};
+  std::vector<std::pair<double, double>> turns;
+  while (static_cast<int>(turns.size()) < count && z.size() < 10000) {
+    simulation.step();
+    z.push_back(simulation.states()[0].position.z());
+    const std::size_t n = z.size();
+    if (n < 3 || !((z[n - 2] - z[n - 3]) * (z[n - 1] - z[n - 2]) < 0)) continue;
+    const double slope = (z[n - 1] - z[n - 3]) / 2, bend = z[n - 1] - 2 * z[n - 2] + z[n - 3];
+    turns.emplace_back((static_cast<double>(n - 2) - slope / bend) * spec.step,
+                       z[n - 2] - slope * slope / (2 * bend));
+  }
+  return turns;
+}
+
+TEST(Radiation, DampsAHeavingSphereAsItsFrequencyResponseHasIt) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 1e-2;
+  const std::complex<double> s = free_oscillation(ball, heave_stiffness(ball));
+  const auto turns = turns_of_heave(afloat(ball, 0.01), 7);
+  ASSERT_EQ(turns.size(), 7U);
+  // Four half periods, once the memory's own transients have gone. The waterplane of the mesh
+  // changes by 1e-3 over the amplitude.
+  const double time = turns[6].first - turns[2].first;
+  EXPECT_NEAR(time, 4 * M_PI / s.imag(), 0.003 * time);
+  EXPECT_NEAR(std::log(turns[2].second / turns[6].second), -s.real() * time,
+              -0.01 * s.real() * time);
+  // Linear theory's damping at that frequency is near: B/(2 (M + A)) at kR = 1.1.
+  EXPECT_NEAR(-s.real(), 1.579245 / (2 * (2.0944 + 0.870787)), 0.05);
+}
+
+TEST(Radiation, IsOfSecondOrderInTheStep) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position = {0, 0, 0.3};
+  ball.initial.linear_velocity = {0.5, 0, 0};
+  const auto end = [&](double step) {
+    return support::after(afloat(ball, step), support::steps_in(1.6, step)).states()[0];
+  };
+  const BodyState exact = end(0.0025);
+  const double coarse = distance(end(0.04), exact), fine = distance(end(0.02), exact);
+  EXPECT_LT(coarse, 2e-3);
+  EXPECT_GT(coarse / fine, 3.5);
+}
+
+TEST(Radiation, NeverAddsEnergyToBodyAndWavesInStillWater) {
+  for (const double step : {0.01, 1.0 / 60, 0.1, 0.3}) {
+    BodySpec ball = radiating_ball();
+    ball.initial.position = {0, 0, 1.2};  // It falls in.
+    ball.initial.linear_velocity = {1, 0.5, 0};
+    Simulation simulation(afloat(ball, step));
+    const engine::Body body = engine::make_bodies(simulation.spec())[0];
+    double least = energy(body, motion_of(simulation));
+    const double start = least;
+    for (int i = 0; i < 200; ++i) {
+      simulation.step();
+      const double now = energy(body, motion_of(simulation));
+      // What the limiter ignores, and the correction of the reported state.
+      EXPECT_LE(now, least + 0.01 * start) << step << ", step " << i;
+      least = std::min(least, now);
+    }
+    EXPECT_LT(least, 0.75 * start) << step;
+  }
+}
+
+TEST(Radiation, IsNoBrakeForTheLimiter) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 0.5;
+  const Simulation simulation = support::after(afloat(ball, 1.0 / 60), 600);
+  EXPECT_EQ(simulation.counts()[0].clamped, 0);
+}
+
+TEST(Radiation, TurnsWithTheHeading) {
+  BodySpec ball = radiating_ball(uneven_data());
+  ball.initial.linear_velocity = {0.2, 0.4, 0};
+  const Simulation ahead = support::after(afloat(ball, 0.02), 100);
+  const Eigen::Quaterniond yaw(Eigen::AngleAxisd(2.1, Vector3d::UnitZ()));
+  ball.initial.orientation = yaw;
+  ball.initial.linear_velocity = yaw * ball.initial.linear_velocity;
+  const Simulation turned = support::after(afloat(ball, 0.02), 100);
+  const Vector3d expected = yaw * ahead.states()[0].linear_velocity;
+  EXPECT_LT((turned.states()[0].linear_velocity - expected).norm(), 1e-9);
+  // The heading matters: the motion along y has lost more.
+  const Vector3d left = ahead.states()[0].linear_velocity;
+  EXPECT_GT(std::abs(left.x() / 0.2 - left.y() / 0.4), 0.02);
+}
+
+TEST(Radiation, ActsOnABodyUnderJointsAsOnAFreeOne) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 0.2;
+  SimulationSpec spec = afloat(ball, 0.01);
+  const BodyState free = support::after(spec, 300).states()[0];
+  spec.joints = {{.name = "rail", .type = JointSpec::Type::slider, .first = 0}};
+  const BodyState reduced = support::after(spec, 300).states()[0];
+  const BodyState solved = support::after(support::left_to_the_solver(spec), 300).states()[0];
+  // The corrections (E9) of a free body and of one under constraints differ.
+  EXPECT_NEAR(reduced.position.z(), free.position.z(), 1e-4);
+  EXPECT_NEAR(solved.position.z(), free.position.z(), 1e-4);
+  ball.radiation.reset();
+  spec = afloat(ball, 0.01);
+  EXPECT_GT(std::abs(support::after(spec, 300).states()[0].position.z() - free.position.z()), 0.05);
+}
+
+TEST(Radiation, LocksLeaveItTheOtherMotions) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 0.2;
+  const BodyState free = support::after(afloat(ball, 0.01), 300).states()[0];
+  ball.locked = {true, true, false, true, true, true};
+  const BodyState locked = support::after(afloat(ball, 0.01), 300).states()[0];
+  EXPECT_NEAR(locked.position.z(), free.position.z(), 1e-6);
+}
+
+TEST(Radiation, IsRelativeToTheCurrent) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 0.2;
+  ball.initial.linear_velocity = {0.3, 0, 0};
+  const BodyState still = support::after(afloat(ball, 0.01), 200).states()[0];
+  SimulationSpec spec = afloat(ball, 0.01);
+  spec.sea->current = {0.7, -0.4, 0};
+  spec.bodies[0].initial.linear_velocity += spec.sea->current;
+  const BodyState drifting = support::after(spec, 200).states()[0];
+  EXPECT_LT((still.position + 2 * spec.sea->current - drifting.position).norm(), 1e-9);
+}
+
+TEST(Radiation, DoesNotReachABodyInTheAir) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 5;
+  ball.initial.linear_velocity = {1, 0, 0};
+  const BodyState radiating = support::after(afloat(ball, 0.01), 50).states()[0];
+  ball.radiation.reset();
+  ball.added_mass.reset();
+  const BodyState plain = support::after(afloat(ball, 0.01), 50).states()[0];
+  EXPECT_LT(distance(radiating, plain), 1e-12);
+}
+
+TEST(Radiation, ClosesTheBudgetOfWorks) {
+  const auto off = [](double step) {
+    BodySpec ball = radiating_ball();
+    ball.initial.position.z() = 0.4;
+    ball.initial.linear_velocity = {0.5, 0, 0};
+    SimulationSpec spec = afloat(ball, step);
+    spec.record_work = true;
+    const engine::BodyForces start = Simulation(spec).forces()[0];
+    const engine::BodyForces end = support::after(spec, support::steps_in(3, step)).forces()[0];
+    EXPECT_LT(end.works.radiation, -0.3 * std::abs(end.works.weight + end.works.buoyancy));
+    return std::abs(end.kinetic_energy - start.kinetic_energy - end.works.sum()) /
+           std::abs(end.works.radiation);
+  };
+  // What is missing is the correction (E9) of the state, of second order.
+  const double coarse = off(0.02), fine = off(0.01);
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_LT(fine, coarse / 3);
+}
+
+TEST(Radiation, GoesOnFromASavedStateWithTheSameBytes) {
+  BodySpec ball = radiating_ball();
+  ball.initial.position.z() = 0.4;
+  ball.initial.linear_velocity = {0.5, 0, 0};
+  SimulationSpec spec = afloat(ball, 0.02);
+  spec.record_work = true;
+  Simulation whole = support::after(spec, 40);
+  Simulation restored(spec);
+  restored.restore(engine::SimulationState::from_bytes(whole.state().to_bytes()));
+  for (int i = 0; i < 40; ++i) {
+    whole.step();
+    restored.step();
+  }
+  EXPECT_EQ(whole.state().to_bytes(), restored.state().to_bytes());
+  spec.bodies[0].radiation.reset();
+  Simulation without(spec);
+  EXPECT_THROW(without.restore(whole.state()), std::invalid_argument);
+}
+
+TEST(Radiation, ScattersWavesInPlaceOfTheirInertia) {
+  BodySpec ball = radiating_ball();
+  const auto push = [](const BodyState&, const hydro::Sea&, double) {
+    return hydro::Wrench{.force = {100, 0, 0}};
+  };
+  ball.radiation = std::make_shared<FloatingBody>(ball.mesh_B, support::radiating_sphere(1), push);
+  ball.added_mass = ball.radiation;
+  SimulationSpec spec = afloat(ball, 0.02);
+  spec.record_work = true;
+  spec.sea->surface = hydro::WaveSurface{{hydro::deep_water_wave(0.05, 20, 0, 0, kGravity)}};
+  const engine::BodyForces forces = support::after(spec, 50).forces()[0];
+  EXPECT_EQ(forces.water.diffraction.force.x(), 100);
+  EXPECT_TRUE(forces.water.wave_inertia.force.isZero(0));
+  EXPECT_NE(forces.works.diffraction, 0);
+  EXPECT_EQ(forces.works.wave_inertia, 0);
+}
+
+}  // namespace
