@@ -31,7 +31,7 @@ namespace assembly {
 /// older versions are ignored.
 inline constexpr int kAddedMassVersion = 3;
 /// This version must be raised whenever `hydro::SurfaceAddedMass` gives other numbers.
-inline constexpr int kSurfaceVersion = 1;
+inline constexpr int kSurfaceVersion = 2;
 
 struct StoredAddedMass {
   std::shared_ptr<const hydro::AddedMassSolution> solution;

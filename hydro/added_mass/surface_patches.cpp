@@ -1,6 +1,7 @@
 #include "hydro/added_mass/surface_patches.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -123,6 +124,32 @@ std::vector<PatchPoint> few_points(const std::vector<Element>& panels) {
   return points;
 }
 
+/// Changes the weights of points as little as makes sums over them exact for products of two
+/// functions. @return false if points are too few or too uneven for that
+bool match_moments(const Patch& patch, std::vector<PatchPoint>& points) {
+  using Products = Eigen::Matrix<double, 6, 1>;
+  const auto products = [&patch](const Vector3d& at) {
+    const Vector3d f = patch.functions(at);
+    Products all;
+    all << f, f[1] * f[1], f[2] * f[2], f[1] * f[2];
+    return all;
+  };
+  Products missing = Products::Zero();
+  for (const Element& panel : patch.panels)
+    for (std::size_t e = 0; e < 3; ++e)
+      missing += panel.area / 3 * products((panel.corners[e] + panel.corners[(e + 1) % 3]) / 2);
+  Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
+  for (const PatchPoint& point : points) {
+    const Products at = products(point.at);
+    missing -= point.weight * at;
+    gram += point.weight * at * at.transpose();
+  }
+  const Products change = gram.completeOrthogonalDecomposition().solve(missing);
+  for (PatchPoint& point : points) point.weight *= 1 + change.dot(products(point.at));
+  return std::all_of(points.begin(), points.end(),
+                     [](const PatchPoint& point) { return point.weight > 0; });
+}
+
 /// True if the points distinguish the patch's functions about as well as its whole area does.
 bool tell_apart(const Patch& patch, const std::vector<PatchPoint>& points) {
   Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
@@ -146,7 +173,8 @@ Patch make_patch(std::vector<Element> panels) {
       patch.radius = std::max(patch.radius, (corner - patch.centre).norm());
   patch.slopes = slopes_of(patch);
   if (patch.panels.size() > kPointsAPatch) patch.points = few_points(patch.panels);
-  if (patch.points.empty() || !tell_apart(patch, patch.points))
+  if (patch.points.empty() || !match_moments(patch, patch.points) ||
+      !tell_apart(patch, patch.points))
     patch.points = all_points(patch.panels);
   return patch;
 }

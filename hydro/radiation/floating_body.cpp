@@ -33,8 +33,7 @@ FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffr
       memory_(fit_memory(data_)),
       diffraction_(std::move(diffraction)),
       vertices_B_(std::move(mesh_B.vertices)),
-      added_B_(
-          in_body_axes(data_.pose, semi_definite_part(data_.infinite_added_mass + memory_.mass))) {
+      added_B_(in_body_axes(data_.pose, semi_definite_part(data_.infinite_added_mass))) {
   const Eigen::RowVectorXd z =
       (data_.pose.orientation.toRotationMatrix() * vertices_B_).row(2).array() + data_.pose.height;
   Eigen::Index lowest = 0;

@@ -49,7 +49,7 @@ class FloatingBody final : public AddedMassModel {
   Diffraction diffraction_;
   Eigen::Matrix3Xd vertices_B_;  ///< The lowest one of the mean pose first.
   double depth_ = 0;             ///< Of full presence [m].
-  Matrix6d added_B_;             ///< A∞ with the correction of the memory, for ρ = 1.
+  Matrix6d added_B_;             ///< A∞ for ρ = 1.
 };
 
 }  // namespace hydro

@@ -16,17 +16,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-constexpr int kMostPerMotion = 4;         ///< Oscillators.
-constexpr std::size_t kMostSamples = 24;  ///< Frequencies that are fitted, more or less.
-constexpr int kTrialEvaluations = 50;     ///< Of the residuals, from each start.
-constexpr int kMostEvaluations = 200;     ///< From the best ends of those.
-constexpr std::size_t kKeptFits = 3;      ///< That are carried on, and grow.
-constexpr Index kLargeFit = 40;           ///< Parameters from which only one is.
-constexpr double kSmallGain = 1e-5;       ///< Part of the sum of squares that ends a search [-].
-constexpr double kUseful = 0.9;           ///< Ratio of errors by which one more is of use [-].
-constexpr double kWeakest = 0.01;         ///< Damping of an oscillator at the start of a fit [-].
-constexpr double kLargestPeak = 1.5;      ///< Of a response between the data, over the data's [-].
-constexpr int kBetween = 8;               ///< Parts between two frequencies that are looked at.
+constexpr int kMostPerMotion = 3;         ///< Oscillators.
+constexpr std::size_t kMostSamples = 40;  ///< Frequencies that are fitted, more or less.
+constexpr int kTrialEvaluations = 50;  ///< Of the residuals, from each start; in a large fit half.
+constexpr int kMostEvaluations = 200;  ///< From the best ends of those; in a large fit half.
+constexpr std::size_t kKeptFits = 3;   ///< That are carried on, and grow.
+constexpr Index kLargeFit = 60;        ///< Parameters from which only one is.
+constexpr double kSmallGain = 1e-5;    ///< Part of the sum of squares that ends a search [-].
+constexpr double kUseful = 0.9;        ///< Ratio of errors by which one more is of use [-].
+constexpr double kWeakest = 0.01;      ///< Damping of an oscillator at the start of a fit [-].
+// Errors above the mean frequency of the damping count by its ratio to theirs to this power. A body
+// moves little there, and the data of a solver has its largest errors there: panels that are
+// coarse against the waves, and irregular frequencies, which nothing passive follows.
+constexpr double kTailWeight = 1;
+constexpr double kLargestPeak = 1.5;  ///< Of a response between the data, over the data's [-].
+constexpr int kBetween = 8;           ///< Parts between two frequencies that are looked at.
 
 /// What is fitted: frequencies over `unit`, H over `scale` along rows and columns.
 struct Samples {
@@ -34,6 +38,7 @@ struct Samples {
   VectorXd scale;   ///< The root of the largest |H_ii|.
   std::vector<double> frequencies;
   std::vector<MatrixXcd> H;
+  std::vector<double> weights;
 
   Index motions() const { return scale.size(); }
 };
@@ -55,20 +60,23 @@ Samples make_samples(const std::vector<double>& frequencies, const std::vector<M
   }
   samples.unit =
       weight > 0 ? std::exp(sum / weight) : std::sqrt(frequencies.front() * frequencies.back());
-  for (double& frequency : samples.frequencies) frequency /= samples.unit;
+  for (double& frequency : samples.frequencies) {
+    frequency /= samples.unit;
+    samples.weights.push_back(std::pow(std::max(1.0, frequency), -kTailWeight));
+  }
   return samples;
 }
 
-/// m log-frequencies, the columns of L from its diagonal down, the rows of B, the columns of ΔA
-/// from its diagonal down.
+/// m log-frequencies, the columns of L from its diagonal down, the rows of B.
 struct Layout {
   Index m, n;
 
   Index damping() const { return m; }
   Index port() const { return m + m * (m + 1) / 2; }
-  Index mass() const { return port() + m * n; }
-  Index size() const { return mass() + n * (n + 1) / 2; }
+  Index size() const { return port() + m * n; }
 };
+
+bool is_large(const Layout& layout) { return layout.size() > kLargeFit; }
 
 MatrixXd lower(const Layout& layout, const VectorXd& x) {
   MatrixXd L = MatrixXd::Zero(layout.m, layout.m);
@@ -79,24 +87,14 @@ MatrixXd lower(const Layout& layout, const VectorXd& x) {
 }
 
 MatrixXd port(const Layout& layout, const VectorXd& x) {
-  return x.segment(layout.port(), layout.m * layout.n)
-      .reshaped<Eigen::RowMajor>(layout.m, layout.n);
-}
-
-MatrixXd mass(const Layout& layout, const VectorXd& x) {
-  MatrixXd A(layout.n, layout.n);
-  Index at = layout.mass();
-  for (Index j = 0; j < layout.n; ++j)
-    for (Index i = j; i < layout.n; ++i) A(i, j) = A(j, i) = x[at++];
-  return A;
+  return x.tail(layout.m * layout.n).reshaped<Eigen::RowMajor>(layout.m, layout.n);
 }
 
 Oscillators oscillators(const Layout& layout, const VectorXd& x) {
   const MatrixXd L = lower(layout, x);
   return {.frequencies = x.head(layout.m).array().exp(),
           .damping = L * L.transpose(),
-          .port = port(layout, x),
-          .mass = mass(layout, x)};
+          .port = port(layout, x)};
 }
 
 /// (s² + s D + Ω²)⁻¹ B
@@ -122,7 +120,8 @@ class Residuals : public Eigen::DenseFunctor<double> {
     residuals.setZero();
     double* out = residuals.data();
     for (std::size_t k = 0; k < samples_.H.size(); ++k) {
-      const MatrixXcd off = response(o, samples_.frequencies[k]) - samples_.H[k];
+      const MatrixXcd off =
+          samples_.weights[k] * (response(o, samples_.frequencies[k]) - samples_.H[k]);
       put([&off](Index i, Index j) { return off(i, j); }, out);
     }
     return 0;
@@ -130,12 +129,13 @@ class Residuals : public Eigen::DenseFunctor<double> {
 
   /// The derivatives by the parameters. With X = (s² + sD + Ω²)⁻¹ B,
   ///
-  ///     dĤ = s (dBᵀ X + Xᵀ dB) − s Xᵀ (dΩ² + s dD) X + s dA.
+  ///     dĤ = s (dBᵀ X + Xᵀ dB) − s Xᵀ (dΩ² + s dD) X.
   int df(const VectorXd& x, MatrixXd& jacobian) const {
     const Oscillators o = oscillators(layout_, x);
     const MatrixXd L = lower(layout_, x);
     jacobian.setZero();
     for (std::size_t k = 0; k < samples_.H.size(); ++k) {
+      const double weight = samples_.weights[k];
       const Complex s(0, samples_.frequencies[k]);
       const MatrixXcd X = displacements(o, samples_.frequencies[k]);
       const MatrixXcd Y = L.transpose() * X;
@@ -145,20 +145,19 @@ class Residuals : public Eigen::DenseFunctor<double> {
         put(entry, out);
       };
       for (Index j = 0; j < layout_.m; ++j) {
-        const Complex factor = -2.0 * s * o.frequencies[j] * o.frequencies[j];
+        const Complex factor = -2.0 * weight * s * o.frequencies[j] * o.frequencies[j];
         add([&](Index a, Index b) { return factor * X(j, a) * X(j, b); });
       }
       for (Index j = 0; j < layout_.m; ++j)
         for (Index i = j; i < layout_.m; ++i)
-          add([&](Index a, Index b) { return -s * s * (X(i, a) * Y(j, b) + Y(j, a) * X(i, b)); });
+          add([&](Index a, Index b) {
+            return -weight * s * s * (X(i, a) * Y(j, b) + Y(j, a) * X(i, b));
+          });
       for (Index j = 0; j < layout_.m; ++j)
         for (Index i = 0; i < layout_.n; ++i)
           add([&](Index a, Index b) {
-            return s * ((a == i ? X(j, b) : Complex(0)) + (b == i ? X(j, a) : Complex(0)));
+            return weight * s * ((a == i ? X(j, b) : Complex(0)) + (b == i ? X(j, a) : Complex(0)));
           });
-      for (Index j = 0; j < layout_.n; ++j)
-        for (Index i = j; i < layout_.n; ++i)
-          add([&](Index a, Index b) { return a == i && b == j ? s : Complex(0); });
     }
     return 0;
   }
@@ -202,7 +201,8 @@ struct Fit {
 double rms_error(const Samples& samples, const Oscillators& o) {
   double sum = 0;
   for (std::size_t k = 0; k < samples.H.size(); ++k)
-    sum += (response(o, samples.frequencies[k]) - samples.H[k]).squaredNorm();
+    sum += std::pow(samples.weights[k], 2) *
+           (response(o, samples.frequencies[k]) - samples.H[k]).squaredNorm();
   const Index n = samples.motions();
   return std::sqrt(sum / static_cast<double>(samples.H.size()) / static_cast<double>(n * n));
 }
@@ -245,10 +245,8 @@ VectorXd with_one_more(const Layout& before, const VectorXd& x, const Added& add
   Index at = after.damping();
   for (Index j = 0; j < after.m; ++j)
     for (Index i = j; i < after.m; ++i) result[at++] = L(i, j);
-  const Index ports = before.m * before.n, masses = before.size() - before.mass();
-  result.segment(after.port(), ports) = x.segment(before.port(), ports);
-  result.segment(after.port() + ports, after.n) = L(before.m, before.m) * added.port;
-  result.tail(masses) = x.tail(masses);
+  result.segment(after.port(), before.m * before.n) = x.tail(before.m * before.n);
+  result.tail(after.n) = L(before.m, before.m) * added.port;
   return result;
 }
 
@@ -274,7 +272,7 @@ Added supplement(const Samples& samples, const Oscillators& o, double frequency,
 /// Parameters of m oscillators that are spread over the frequencies from 1/reach to reach.
 VectorXd spread_oscillators(const Samples& samples, Index m, double reach, double damping) {
   Layout layout{.m = 0, .n = samples.motions()};
-  VectorXd x = VectorXd::Zero(layout.size());
+  VectorXd x(0);
   for (; layout.m < m; ++layout.m) {
     const double place = (2.0 * static_cast<double>(layout.m) + 1) / static_cast<double>(m) - 1;
     Added added = supplement(samples, {}, std::pow(reach, place), kWeakest);
@@ -295,6 +293,7 @@ std::vector<VectorXd> starts(const Samples& samples, Index m, const std::vector<
       for (const double least : {kWeakest, 1.0})
         result.push_back(with_one_more(before, fit.x, supplement(samples, o, frequency, least)));
   }
+  if (is_large({.m = m + 1, .n = before.n})) return result;
   for (const double reach : {1.5, 3.0})
     for (const double damping : {0.5, 1.5})
       result.push_back(spread_oscillators(samples, m + 1, reach, damping));
@@ -309,16 +308,19 @@ void sort_by_error(std::vector<Fit>& fits) {
 /// The best fits with one oscillator more than those of `last`, which have m; may be none.
 std::vector<Fit> grown(const Samples& samples, Index m, const std::vector<Fit>& last) {
   const Layout layout{.m = m + 1, .n = samples.motions()};
+  const bool large = is_large(layout);
   std::vector<Fit> fits;
   for (const VectorXd& start : starts(samples, m, last)) {
-    const Fit fit = fit_from(samples, layout, start, kTrialEvaluations);
+    const Fit fit =
+        fit_from(samples, layout, start, large ? kTrialEvaluations / 2 : kTrialEvaluations);
     if (std::isfinite(fit.error)) fits.push_back(fit);
   }
   sort_by_error(fits);
-  const std::size_t kept = layout.size() > kLargeFit ? 1 : kKeptFits;
+  const std::size_t kept = large ? 1 : kKeptFits;
   if (fits.size() > kept) fits.resize(kept);
   for (Fit& fit : fits) {
-    const Fit better = fit_from(samples, layout, fit.x, kMostEvaluations);
+    const Fit better =
+        fit_from(samples, layout, fit.x, large ? kMostEvaluations / 2 : kMostEvaluations);
     if (better.error < fit.error) fit = better;
   }
   sort_by_error(fits);
@@ -328,15 +330,14 @@ std::vector<Fit> grown(const Samples& samples, Index m, const std::vector<Fit>& 
 }  // namespace
 
 MatrixXcd response(const Oscillators& o, double frequency) {
-  const Complex s(0, frequency);
-  return s * (o.port.transpose() * displacements(o, frequency) + o.mass.cast<Complex>());
+  return Complex(0, frequency) * (o.port.transpose() * displacements(o, frequency));
 }
 
 Oscillators fit_oscillators(const std::vector<double>& frequencies, const std::vector<MatrixXcd>& H,
                             double wanted) {
   const Samples samples = make_samples(frequencies, H);
   const Index n = samples.motions();
-  std::vector<Fit> best = {{.x = VectorXd::Zero(Layout{.m = 0, .n = n}.size())}};
+  std::vector<Fit> best = {{.x = VectorXd(0)}};
   Index m = 0;
   for (Index more = 1; more <= kMostPerMotion * n && best.front().error > wanted; ++more) {
     std::vector<Fit> fits = grown(samples, more - 1, best);
@@ -349,8 +350,6 @@ Oscillators fit_oscillators(const std::vector<double>& frequencies, const std::v
   result.frequencies *= samples.unit;
   result.damping *= samples.unit;
   result.port = std::sqrt(samples.unit) * result.port * samples.scale.asDiagonal();
-  result.mass = samples.scale.asDiagonal() * result.mass * samples.scale.asDiagonal();
-  result.mass /= samples.unit;
   return result;
 }
 

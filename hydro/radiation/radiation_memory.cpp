@@ -82,6 +82,35 @@ std::vector<std::vector<int>> independent_motions(const Matrix6d& largest, doubl
   return sets;
 }
 
+/// Responses with one more in the middle of each two frequencies, from the cubic in log ω through
+/// the four nearest ones: what a fit may do between the data is what the data lets expect.
+struct Densified {
+  std::vector<double> frequencies;
+  std::vector<Matrix6cd> H;
+};
+Densified densified(const std::vector<double>& frequencies, const std::vector<Matrix6cd>& H) {
+  if (H.size() < 4) return {frequencies, H};
+  Densified result;
+  for (std::size_t k = 0; k < H.size(); ++k) {
+    result.frequencies.push_back(frequencies[k]);
+    result.H.push_back(H[k]);
+    if (k + 1 == H.size()) break;
+    const double middle = std::sqrt(frequencies[k] * frequencies[k + 1]);
+    const std::size_t first = std::clamp<std::size_t>(k, 1, H.size() - 3) - 1;
+    Matrix6cd sum = Matrix6cd::Zero();
+    for (std::size_t i = first; i < first + 4; ++i) {
+      double weight = 1;
+      for (std::size_t j = first; j < first + 4; ++j)
+        if (j != i)
+          weight *= std::log(middle / frequencies[j]) / std::log(frequencies[i] / frequencies[j]);
+      sum += weight * H[i];
+    }
+    result.frequencies.push_back(middle);
+    result.H.push_back(sum);
+  }
+  return result;
+}
+
 /// Adds oscillators that drive these motions alone.
 void append_block(const Oscillators& block, const std::vector<int>& motions,
                   RadiationMemory& memory) {
@@ -93,7 +122,6 @@ void append_block(const Oscillators& block, const std::vector<int>& motions,
   memory.port.conservativeResizeLike(Eigen::MatrixXd::Zero(before + more, 6));
   for (std::size_t i = 0; i < motions.size(); ++i)
     memory.port.col(motions[i]).tail(more) = block.port.col(static_cast<Eigen::Index>(i));
-  memory.mass(motions, motions) = block.mass;
 }
 
 void set_errors(const std::vector<double>& frequencies, const std::vector<Matrix6cd>& H,
@@ -119,10 +147,8 @@ void set_errors(const std::vector<double>& frequencies, const std::vector<Matrix
 
 Matrix6cd response(const RadiationMemory& memory, double frequency) {
   if (memory.size() == 0) return Matrix6cd::Zero();
-  const Oscillators all{.frequencies = memory.frequencies,
-                        .damping = memory.damping,
-                        .port = memory.port,
-                        .mass = memory.mass};
+  const Oscillators all{
+      .frequencies = memory.frequencies, .damping = memory.damping, .port = memory.port};
   return response(all, frequency);
 }
 
@@ -130,11 +156,12 @@ RadiationMemory fit_memory(const RadiationData& data) {
   check_radiation(data);
   const std::vector<Matrix6cd> H = responses(data);
   const Matrix6d largest = largest_entries(H);
+  const Densified all = densified(data.frequencies, H);
   RadiationMemory memory;
   for (const std::vector<int>& motions : independent_motions(largest, body_length(data, largest))) {
     std::vector<Eigen::MatrixXcd> block;
-    for (const Matrix6cd& at : H) block.push_back(at(motions, motions));
-    append_block(fit_oscillators(data.frequencies, block, kWanted), motions, memory);
+    for (const Matrix6cd& at : all.H) block.push_back(at(motions, motions));
+    append_block(fit_oscillators(all.frequencies, block, kWanted), motions, memory);
   }
   set_errors(data.frequencies, H, memory);
   return memory;

@@ -13,15 +13,14 @@
 /// m coupled oscillators q that the velocity drives through a port B have the same effect:
 ///
 ///     q'' + D q' + Ω² q = B u,      F = −Bᵀ q',      D = L Lᵀ,  Ω diagonal                  (2)
-///     Ĥ(s) = s Bᵀ (s² + s D + Ω²)⁻¹ B + s ΔA                                                (3)
+///     Ĥ(s) = s Bᵀ (s² + s D + Ω²)⁻¹ B                                                       (3)
 ///
 /// For any Ω, L and B this is passive, as the energy ½ (q'² + q·Ω² q) shows, which grows by u·Bᵀq'
-/// − q'·D q': the body never gets back more than it has given. Without ΔA (3) is zero for a slow
-/// motion and decays as 1/s for a fast one, as the memory of any floating body does [PF08]. ΔA
-/// corrects A∞: an error of 1 % of it is one of several percent of H at the highest frequencies.
+/// − q'·D q': the body never gets back more than it has given. (3) is zero for a slow motion and
+/// decays as 1/s for a fast one, as the memory of any floating body does [PF08].
 ///
-/// Ω, L, B and ΔA are fitted to (1) by least squares, apart for motions that do not act on each
-/// other. The sign of i in the data's e^{−iωt} does not matter, as A and B are real.
+/// Ω, L and B are fitted to (1) by least squares, apart for motions that do not act on each other.
+/// The sign of i in the data's e^{−iωt} does not matter, as A and B are real.
 ///
 /// [PF08] Pérez and Fossen. Time- vs. frequency-domain identification of parametric radiation force
 /// models for marine structures at zero speed. Modeling, Identification and Control 29 (2008).
@@ -36,7 +35,6 @@ struct RadiationMemory {
   Eigen::VectorXd frequencies;                    ///< Ω, > 0 [rad/s].
   Eigen::MatrixXd damping;                        ///< D, symmetric, ≥ 0 [1/s].
   Eigen::Matrix<double, Eigen::Dynamic, 6> port;  ///< B, a row for each oscillator.
-  Matrix6d mass = Matrix6d::Zero();               ///< ΔA, to be added to A∞.
 
   // Ĥ − H at the data's frequencies, over the root of the largest |H_ii| times the largest |H_jj|
   // [-]; zero where a motion makes no waves.
@@ -51,7 +49,8 @@ Matrix6cd response(const RadiationMemory& memory, double frequency);
 
 /// The memory of a body with this data. It has no oscillators where the body makes no waves, and as
 /// few as give the accuracy that is wanted (0.3 % of the largest |H|, in the root mean square)
-/// where they can. The result depends on the data alone.
+/// where they can. Frequencies far above those of the damping count less. The result depends on the
+/// data alone.
 /// @throws std::invalid_argument if the data has no frequencies, if they do not ascend from above
 /// 0, or if a frequency lacks its matrices or a number is not finite.
 RadiationMemory fit_memory(const RadiationData& data);
