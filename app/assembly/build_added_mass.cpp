@@ -124,6 +124,7 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
   SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     engine::BodySpec& body = built.spec.bodies[i];
+    if (body.radiation) continue;
     const scene::AddedMass& added_mass = scene.bodies[i].hydro.added_mass;
     const Model model = model_of(scene.bodies[i], body);
     if (model == Model::matrix) built.added_mass[i] = add_matrix(added_mass, body);

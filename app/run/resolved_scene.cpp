@@ -72,6 +72,7 @@ std::string size_of(const hydro::TriMesh& mesh) {
 /// Names the origin of a body's added mass.
 std::string source_of(const assembly::AddedMassReport& report) {
   if (report.surface) return "surface";
+  if (report.model == scene::AddedMass::Model::automatic) return "mean pose";
   if (!report.stored) return "given";
   return report.stored->from_store ? "deep, from store" : "deep, solved now";
 }
