@@ -72,12 +72,9 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
   faults.throw_if_any();
 }
 
-std::vector<std::string> assumptions(const RadiationReport& report) {
-  if (!report.choice.pose) return {};
-  return {fmt::format("motions are small about the mean pose, at a draught of {:.4g} m",
-                      report.choice.draught),
-          "the water is deep", "the body has no forward speed in the water",
-          "no other body is near"};
+std::vector<std::string> assumptions() {
+  return {"small motions about the mean pose", "deep water", "no forward speed in the water",
+          "no other body near"};
 }
 
 }  // namespace assembly

@@ -17,7 +17,7 @@ namespace assembly {
 void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore& store,
                    app::Reporter& reporter);
 
-/// What linear theory takes for granted of a body's waves, a line each.
-std::vector<std::string> assumptions(const RadiationReport& report);
+/// What linear theory takes for granted of bodies that make waves.
+std::vector<std::string> assumptions();
 
 }  // namespace assembly

@@ -66,12 +66,12 @@ Json to_json(const assembly::RadiationReport& report) {
           {"mean_pose",
            {{"height", pose.height},
             {"draught", report.choice.draught},
-            {"roll_deg", angles[0]},
-            {"pitch_deg", angles[1]}}},
+            {"roll_deg", angles[0] + 0.0},
+            {"pitch_deg", angles[1] + 0.0}}},
           {"oscillators", memory.size()},
           {"fit_error_rms", memory.rms_error.maxCoeff()},
           {"fit_error_largest", memory.largest_error.maxCoeff()},
-          {"assumed", assembly::assumptions(report)}};
+          {"assumed", assembly::assumptions()}};
 }
 
 Json body_summary(const RunSummary& summary, std::size_t i) {
