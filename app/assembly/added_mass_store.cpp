@@ -1,14 +1,10 @@
 #include "app/assembly/added_mass_store.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <vector>
 
-#include "app/base/atomic_file.h"
 #include "app/base/checked_file.h"
 #include "hydro/added_mass/surface_added_mass.h"
 
@@ -26,17 +22,12 @@ using hydro::TriMesh;
 constexpr std::uint64_t kMagic = 0x504c494d534f4c32;       // PLIMSOL2
 constexpr std::uint64_t kNodesMagic = 0x504c494d53524632;  // PLIMSRF2
 
+constexpr const char* kSolutionKind = "addedmass";
+constexpr const char* kNodesKind = "surface";
+
 /// Doubles of a solution: the matrix and six numbers, and per face six potentials at three corners.
 constexpr std::size_t kNumbers = 36 + 6;
 constexpr std::size_t kNumbersAFace = 18;
-
-void append_mesh(std::string& bytes, const TriMesh& mesh) {
-  app::append(bytes, static_cast<std::int64_t>(mesh.vertex_count()));
-  app::append(bytes, static_cast<std::int64_t>(mesh.face_count()));
-  const Eigen::Matrix3Xd vertices = mesh.vertices.array() + 0.0;  // −0 is 0
-  app::append(bytes, vertices.data(), static_cast<std::size_t>(vertices.size()));
-  app::append(bytes, mesh.faces.data(), static_cast<std::size_t>(mesh.faces.size()));
-}
 
 /// Returns the identity of a solution, everything that it depends on.
 std::string identity_of(const TriMesh& mesh, const AddedMassOptions& options) {
@@ -59,8 +50,8 @@ std::string identity_of_nodes(const TriMesh& mesh_B) {
   return bytes;
 }
 
-/// Returns all bytes of a solution's file.
-std::string encode(const std::string& identity, const AddedMassSolution& solution) {
+/// Returns the content of a solution's file.
+std::string encode(const AddedMassSolution& solution) {
   std::string content;
   app::append(content, solution.matrix.data(), 36);
   for (const double number :
@@ -69,7 +60,7 @@ std::string encode(const std::string& identity, const AddedMassSolution& solutio
     app::append(content, number);
   for (const hydro::CornerPotentials& psi : solution.potentials)
     app::append(content, psi.data(), kNumbersAFace);
-  return app::checked(identity, content);
+  return content;
 }
 
 /// Returns the solution in the content of a file.
@@ -113,41 +104,13 @@ SurfaceNode decode_node(const char* bytes) {
   return node;
 }
 
-std::string not_kept(const std::exception& error) {
-  return fmt::format("the added mass is not kept for later runs: {}", error.what());
-}
-
-/// Returns the solution in a file; none if the file is missing, or, with a warning, unusable.
-std::optional<AddedMassSolution> load(const fs::path& file, const std::string& identity,
-                                      std::size_t faces, app::Reporter& reporter) {
-  try {
-    const std::size_t size = (kNumbers + kNumbersAFace * faces) * sizeof(double);
-    const std::optional<std::string> content = app::read_checked(file, identity, size);
-    if (content) return decode(content->data(), faces);
-  } catch (const std::runtime_error& error) {
-    reporter.warning(
-        fmt::format("{} {}; the added mass is computed anew", file.string(), error.what()));
-  }
-  return std::nullopt;
-}
-
-/// Returns the value of an environment variable; none if it is unset or empty.
-std::optional<std::string> variable(const char* name) {
-  const char* value = std::getenv(name);
-  if (value == nullptr || *value == '\0') return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
-AddedMassStore::AddedMassStore(std::optional<fs::path> folder) : folder_(std::move(folder)) {}
-
-fs::path AddedMassStore::file_named_after(const std::string& identity, const char* kind) const {
-  return folder_ ? *folder_ / fmt::format("{:016x}.{}", app::hash_of(identity), kind) : fs::path();
-}
+AddedMassStore::AddedMassStore(std::optional<fs::path> folder)
+    : files_(std::move(folder), "the added mass") {}
 
 fs::path AddedMassStore::file_of(const TriMesh& mesh, const AddedMassOptions& options) const {
-  return file_named_after(identity_of(mesh, options), "addedmass");
+  return files_.file_of(identity_of(mesh, options), kSolutionKind);
 }
 
 std::optional<StoredAddedMass> AddedMassStore::find(const TriMesh& mesh,
@@ -156,73 +119,47 @@ std::optional<StoredAddedMass> AddedMassStore::find(const TriMesh& mesh,
   const std::string identity = identity_of(mesh, options);
   const auto known = known_.find(identity);
   if (known != known_.end()) return known->second;
-  if (!folder_) return std::nullopt;
-  auto solution = load(file_named_after(identity, "addedmass"), identity,
-                       static_cast<std::size_t>(mesh.face_count()), reporter);
-  if (!solution) return std::nullopt;
-  const StoredAddedMass stored = {std::make_shared<const AddedMassSolution>(std::move(*solution)),
-                                  true};
+  const auto faces = static_cast<std::size_t>(mesh.face_count());
+  const auto content = files_.read(identity, kSolutionKind,
+                                   (kNumbers + kNumbersAFace * faces) * sizeof(double), reporter);
+  if (!content) return std::nullopt;
+  const StoredAddedMass stored = {
+      std::make_shared<const AddedMassSolution>(decode(content->data(), faces)), true};
   return known_.emplace(identity, stored).first->second;
 }
 
 StoredAddedMass AddedMassStore::keep(const TriMesh& mesh, const AddedMassOptions& options,
                                      AddedMassSolution solution, app::Reporter& reporter) {
   const std::string identity = identity_of(mesh, options);
-  if (folder_) {
-    const fs::path file = file_named_after(identity, "addedmass");
-    try {
-      app::write_whole(file, encode(identity, solution));
-    } catch (const std::exception& error) {
-      reporter.warning(not_kept(error));
-    }
-  }
+  files_.write(identity, kSolutionKind, encode(solution), reporter);
   const StoredAddedMass stored = {std::make_shared<const AddedMassSolution>(std::move(solution)),
                                   false};
   return known_.insert_or_assign(identity, stored).first->second;
 }
 
 fs::path AddedMassStore::nodes_file_of(const TriMesh& mesh_B) const {
-  return file_named_after(identity_of_nodes(mesh_B), "surface");
+  return files_.file_of(identity_of_nodes(mesh_B), kNodesKind);
 }
 
 std::vector<SurfaceNode> AddedMassStore::find_nodes(const TriMesh& mesh_B,
                                                     app::Reporter& reporter) const {
   std::vector<SurfaceNode> nodes;
-  if (!folder_) return nodes;
-  const fs::path file = nodes_file_of(mesh_B);
-  try {
-    const auto content = app::read_checked(file, identity_of_nodes(mesh_B), std::nullopt);
-    for (std::size_t at = 0; content && at + kNodeBytes <= content->size(); at += kNodeBytes)
-      nodes.push_back(decode_node(content->data() + at));
-  } catch (const std::runtime_error& error) {
-    reporter.warning(
-        fmt::format("{} {}; the added mass is computed anew", file.string(), error.what()));
-  }
+  const auto content = files_.read(identity_of_nodes(mesh_B), kNodesKind, std::nullopt, reporter);
+  for (std::size_t at = 0; content && at + kNodeBytes <= content->size(); at += kNodeBytes)
+    nodes.push_back(decode_node(content->data() + at));
   return nodes;
 }
 
 void AddedMassStore::keep_nodes(const TriMesh& mesh_B, const std::vector<SurfaceNode>& nodes,
                                 app::Reporter& reporter) const {
-  if (!folder_) return;
+  if (!folder()) return;
   std::map<std::pair<int, int>, SurfaceNode> all;
   for (const SurfaceNode& node : find_nodes(mesh_B, reporter))
     all[{node.attitude, node.draught}] = node;
   for (const SurfaceNode& node : nodes) all[{node.attitude, node.draught}] = node;
   std::string content;
   for (const auto& [place, node] : all) append_node(content, node);
-  try {
-    app::write_whole(nodes_file_of(mesh_B), app::checked(identity_of_nodes(mesh_B), content));
-  } catch (const std::exception& error) {
-    reporter.warning(not_kept(error));
-  }
-}
-
-std::optional<fs::path> cache_folder() {
-  if (const auto folder = variable("PLIMSOLL_CACHE")) return *folder;
-  const auto cache = variable("XDG_CACHE_HOME");
-  if (cache && fs::path(*cache).is_absolute()) return fs::path(*cache) / "plimsoll";
-  if (const auto home = variable("HOME")) return fs::path(*home) / ".cache" / "plimsoll";
-  return std::nullopt;
+  files_.write(identity_of_nodes(mesh_B), kNodesKind, content, reporter);
 }
 
 }  // namespace assembly

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/assembly/solution_files.h"
 #include "app/base/reporter.h"
 #include "hydro/added_mass/added_mass.h"
 
@@ -18,12 +19,8 @@ struct SurfaceNode;
 /// Store of added-mass solutions for later runs, in the user's cache folder. Each mesh and set of
 /// options has a file; none depends on the density of water or body.
 ///
-/// A file begins with everything that its solution depends on (format, version of the method,
-/// options, the whole mesh), which must equal the request bit for bit; a hash of it is the file's
-/// name. The solution and a checksum follow. A file is written under another name, flushed to the
-/// disk and renamed, so that several processes may use a folder and every file is complete. The
-/// reporter receives a warning of a file that cannot be read or written; its solution is then
-/// computed again or not stored.
+/// solution_files.h tells how files are named, checked and written. The reporter receives a warning
+/// of a file that cannot be read or written; its solution is then computed again or not stored.
 
 namespace assembly {
 
@@ -68,15 +65,11 @@ class AddedMassStore {
   /// Returns the file of a mesh's nodes; empty without a folder.
   std::filesystem::path nodes_file_of(const hydro::TriMesh& mesh_B) const;
 
- private:
-  std::filesystem::path file_named_after(const std::string& identity, const char* kind) const;
+  const std::optional<std::filesystem::path>& folder() const { return files_.folder(); }
 
-  std::optional<std::filesystem::path> folder_;
+ private:
+  SolutionFiles files_;
   std::map<std::string, StoredAddedMass> known_;  ///< The key is the file's identity.
 };
-
-/// Returns $PLIMSOLL_CACHE, else `plimsoll` in $XDG_CACHE_HOME or ~/.cache; none without a home
-/// folder. An empty variable counts as unset, and so does an XDG_CACHE_HOME that is not absolute.
-std::optional<std::filesystem::path> cache_folder();
 
 }  // namespace assembly

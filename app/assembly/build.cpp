@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "app/assembly/build_added_mass.h"
+#include "app/assembly/build_radiation.h"
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
@@ -291,11 +292,17 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   }
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
   log.faults.throw_if_any();
+  std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
+  log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);
   built.warnings = std::move(log.warnings);
   for (std::string& warning : sea_warnings(scene, built))
     built.warnings.push_back(std::move(warning));
+  for (std::string& warning : radiation_warnings(spec, radiation))
+    built.warnings.push_back(std::move(warning));
+  for (RadiationChoice& choice : radiation)
+    built.radiation.push_back({.choice = std::move(choice)});
   if (scene.integrator.sleep > 0)
     built.notes.emplace_back(
         "integrator.sleep has no effect any more: bodies at rest move on like all others");
@@ -307,6 +314,8 @@ BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter
   for (const std::string& note : built.notes)
     reporter.note(fmt::format("{}: note: {}", scene.file.string(), note));
   const app::WallClock clock;
+  RadiationStore radiation_store(store.folder());
+  add_radiation(scene, built, radiation_store, reporter);
   add_added_mass(scene, built, store, reporter);
   built.added_mass_seconds = clock.seconds();
   return built;

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
-#include <system_error>
 
-#include "app/base/file_lock.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
@@ -102,32 +99,22 @@ AddedMassReport add_deep(const CenteredMesh& solid, const StoredAddedMass& store
       .model = Model::deep, .matrix = density * model->whole(), .stored = stored, .surface = {}};
 }
 
-bool is_there(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return !file.empty() && std::filesystem::exists(file, ignored);
-}
-
 }  // namespace
 
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
                                   const hydro::AddedMassOptions& options, AddedMassStore& store,
                                   app::Reporter& reporter) {
-  const std::filesystem::path file = store.file_of(mesh, options);
-  const bool had_file = is_there(file);
-  if (auto stored = store.find(mesh, options, reporter)) return *stored;
-  // The process that holds the lock solves; the others wait.
-  reporter.working_on(fmt::format("added mass of {}: another process solves for it", name));
-  const app::FileLock lock(file.empty() ? file : std::filesystem::path(file.string() + ".lock"));
-  if (lock.waited() || is_there(file) != had_file)
-    if (auto stored = store.find(mesh, options, reporter)) {
-      reporter.done("");
-      return *stored;
-    }
-  reporter.working_on(fmt::format("added mass of {}: solving for {} triangles, once for this mesh",
-                                  name, mesh.face_count()));
-  hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);
-  reporter.done(fmt::format("added mass of {}: {:.1f} s", name, solution.seconds));
-  return store.keep(mesh, options, std::move(solution), reporter);
+  const std::string what = "added mass of " + name;
+  return found_or_solved(
+      store.file_of(mesh, options), what, reporter,
+      [&] { return store.find(mesh, options, reporter); },
+      [&] {
+        reporter.working_on(fmt::format("{}: solving for {} triangles, once for this mesh", what,
+                                        mesh.face_count()));
+        hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);
+        reporter.done(fmt::format("{}: {:.1f} s", what, solution.seconds));
+        return store.keep(mesh, options, std::move(solution), reporter);
+      });
 }
 
 void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore& store,
@@ -137,6 +124,7 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
   SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     engine::BodySpec& body = built.spec.bodies[i];
+    if (body.radiation) continue;
     const scene::AddedMass& added_mass = scene.bodies[i].hydro.added_mass;
     const Model model = model_of(scene.bodies[i], body);
     if (model == Model::matrix) built.added_mass[i] = add_matrix(added_mass, body);

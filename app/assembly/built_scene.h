@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/assembly/added_mass_store.h"
+#include "app/assembly/radiation_choice.h"
+#include "app/assembly/radiation_store.h"
 #include "app/scene/scene.h"
 #include "engine/spec.h"
 #include "hydro/measured_elevation.h"
@@ -25,11 +27,19 @@ struct CenteredMesh {
 
 /// The added mass of a body and its origin.
 struct AddedMassReport {
+  /// `automatic` stands for that of the mean pose of a body with radiation.
   scene::AddedMass::Model model = scene::AddedMass::Model::deep;
   /// Added mass of the submerged body about its centre of mass, body axes [kg, kg m, kg m^2].
   hydro::Matrix6d matrix = hydro::Matrix6d::Zero();
   std::optional<StoredAddedMass> stored;                   ///< Solution of `deep`.
   std::shared_ptr<const hydro::SurfaceAddedMass> surface;  ///< Model of `surface`.
+};
+
+/// The waves that a body makes and scatters.
+struct RadiationReport {
+  RadiationChoice choice;
+  std::optional<StoredRadiation> stored;             ///< None until it is solved.
+  std::shared_ptr<const hydro::FloatingBody> model;  ///< None until it is solved.
 };
 
 /// Measures of irregular waves.
@@ -48,7 +58,8 @@ struct BuiltScene {
   std::vector<CenteredMesh> solids;
   /// Per body; none for a body without added mass.
   std::vector<std::optional<AddedMassReport>> added_mass;
-  double added_mass_seconds = 0;              ///< Wall time of the added mass [s].
+  std::vector<RadiationReport> radiation;     ///< Per body.
+  double added_mass_seconds = 0;              ///< Wall time of added mass and radiation [s].
   std::optional<IrregularSea> irregular_sea;  ///< None without irregular waves.
   std::vector<std::string> notes;  ///< Notes for the author, for example on a reversed mesh.
   /// What the author should change, because it cannot give what he expects; see sea_warnings.h.

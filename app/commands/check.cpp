@@ -16,6 +16,12 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
   fmt::print("{}: ok: {}, {} triangles, {}\n", scene.file.string(),
              counted(built.spec.bodies.size(), "body", "bodies"), triangles,
              counted(built.spec.joints.size(), "joint", "joints"));
+  std::vector<assembly::RadiationChoice> radiation;
+  for (const assembly::RadiationReport& report : built.radiation)
+    radiation.push_back(report.choice);
+  if (built.spec.sea)
+    for (const std::string& line : assembly::radiation_lines(built.spec, radiation))
+      fmt::print("{}: {}\n", scene.file.string(), line);
   for (const std::string& note : built.notes)
     fmt::print("{}: note: {}\n", scene.file.string(), note);
   for (const std::string& warning : built.warnings)

@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <span>
 
+#include "app/assembly/build_radiation.h"
 #include "app/base/console.h"
 #include "app/base/table.h"
 #include "app/run/summary.h"
@@ -72,6 +74,7 @@ std::string size_of(const hydro::TriMesh& mesh) {
 /// Names the origin of a body's added mass.
 std::string source_of(const assembly::AddedMassReport& report) {
   if (report.surface) return "surface";
+  if (report.model == scene::AddedMass::Model::automatic) return "mean pose";
   if (!report.stored) return "given";
   return report.stored->from_store ? "deep, from store" : "deep, solved now";
 }
@@ -80,6 +83,7 @@ std::string source_of(const assembly::AddedMassReport& report) {
 struct BodyKind {
   Cells body;        ///< Triangles, size, volume, mass, start.
   Cells added_mass;  ///< Source and diagonal; empty without added mass.
+  Cells radiation;   ///< Source and size; empty without radiation.
   std::vector<std::string> names;
   Spread draught;    ///< Depth of the lowest point below the still water [m].
   Spread freeboard;  ///< Height of the highest point above it [m].
@@ -111,18 +115,30 @@ Cells added_mass_row(const assembly::AddedMassReport& report) {
   return row;
 }
 
+Cells radiation_row(const assembly::RadiationReport& report) {
+  if (!report.model) return {};
+  const hydro::RadiationMemory& memory = report.model->memory();
+  return {report.stored->from_store ? "from store" : "solved now",
+          std::to_string(report.model->data().frequencies.size()),
+          number_text(report.choice.draught, 3), std::to_string(memory.size()),
+          number_text(100 * memory.rms_error.maxCoeff(), 2)};
+}
+
 /// Returns the kinds of bodies, the most frequent first.
 std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltScene& built) {
   std::vector<BodyKind> kinds;
-  std::map<std::pair<Cells, Cells>, std::size_t> known;
+  std::map<std::array<Cells, 3>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
     const Cells row = body_row(scene.bodies[i], body);
     const Cells added_mass =
         has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
-    const auto [place, is_new] = known.emplace(std::pair(row, added_mass), kinds.size());
-    if (is_new) kinds.push_back({.body = row, .added_mass = added_mass, .names = {}});
+    const Cells radiation = radiation_row(built.radiation[i]);
+    const auto [place, is_new] =
+        known.emplace(std::array{row, added_mass, radiation}, kinds.size());
+    if (is_new)
+      kinds.push_back({.body = row, .added_mass = added_mass, .radiation = radiation, .names = {}});
     BodyKind& kind = kinds[place->second];
     kind.names.push_back(body.name);
     const Spread height = height_of(body);
@@ -221,6 +237,8 @@ std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
       note_omission(load, "switched off", body.name, omissions);
     if (!has_added_mass(built, i))
       note_omission("added mass", reason_for_no_added_mass(spec, body), body.name, omissions);
+    else if (!built.radiation[i].model && !built.radiation[i].choice.reason.empty())
+      note_omission("radiation", built.radiation[i].choice.reason, body.name, omissions);
   }
   return omissions;
 }
@@ -286,6 +304,18 @@ std::vector<Cells> added_mass_table(std::span<const BodyKind> kinds) {
   return rows;
 }
 
+/// Returns the rows of the kinds that make waves.
+std::vector<Cells> radiation_table(std::span<const BodyKind> kinds) {
+  std::vector<Cells> rows = {
+      {"radiation", "", "frequencies", "mean draught m", "oscillators", "fit error %"}};
+  for (const BodyKind& kind : kinds) {
+    if (kind.radiation.empty()) continue;
+    rows.push_back({kind.title()});
+    append_cells(rows.back(), kind.radiation);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<std::string> resolved_scene(const scene::Scene& scene,
@@ -300,6 +330,11 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
   if (kinds.size() > shown.size()) lines.push_back(rest_of(kinds));
   const std::vector<Cells> added_mass = added_mass_table(shown);
   if (added_mass.size() > 1) append_cells(lines, aligned_lines(added_mass));
+  const std::vector<Cells> radiation = radiation_table(shown);
+  if (radiation.size() > 1) {
+    append_cells(lines, aligned_lines(radiation));
+    lines.push_back(fmt::format("  assumed: {}", fmt::join(assembly::assumptions(), ", ")));
+  }
   const std::vector<std::string> omitted = omission_texts(built, skips, no_pictures);
   if (!omitted.empty())
     lines.push_back(fmt::format("  not computed: {}", fmt::join(omitted, "; ")));

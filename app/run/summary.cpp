@@ -6,11 +6,13 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "app/assembly/build_radiation.h"
 #include "app/base/atomic_file.h"
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
 #include "app/run/run_source.h"
 #include "hydro/added_mass/surface_added_mass.h"
+#include "hydro/statics/equilibrium.h"
 
 namespace app {
 namespace {
@@ -34,6 +36,8 @@ Json to_json(const std::optional<assembly::AddedMassReport>& report) {
     return {{"model", "surface"},
             {"matrix", json_rows(report->matrix)},
             {"solves", report->surface->solves()}};
+  if (report->model == scene::AddedMass::Model::automatic)
+    return {{"model", "mean pose"}, {"matrix", json_rows(report->matrix)}};
   if (!report->stored) return {{"model", "matrix"}, {"matrix", json_rows(report->matrix)}};
   const hydro::AddedMassSolution& solution = *report->stored->solution;
   return {{"model", "deep"},
@@ -42,6 +46,32 @@ Json to_json(const std::optional<assembly::AddedMassReport>& report) {
           {"error_estimate", solution.error_estimate},
           {"from_store", report->stored->from_store},
           {"solve_seconds", solution.seconds}};
+}
+
+/// Returns what is known of the waves that a body makes, or why it makes none; null if the scene
+/// says so.
+Json to_json(const assembly::RadiationReport& report) {
+  if (!report.model)
+    return report.choice.reason.empty() ? Json() : Json{{"why_none", report.choice.reason}};
+  const hydro::RadiationSolution& solution = *report.stored->solution;
+  const hydro::RadiationMemory& memory = report.model->memory();
+  const hydro::MeanPose& pose = solution.data.pose;
+  const Eigen::Vector3d angles = hydro::euler_angles(pose.orientation) * (180 / std::numbers::pi);
+  return {{"source", "solved"},
+          {"from_store", report.stored->from_store},
+          {"solve_seconds", report.stored->seconds},
+          {"unknowns", solution.unknowns},
+          {"haskind_mismatch", solution.mismatch},
+          {"frequencies", solution.data.frequencies},
+          {"mean_pose",
+           {{"height", pose.height},
+            {"draught", report.choice.draught},
+            {"roll_deg", angles[0] + 0.0},
+            {"pitch_deg", angles[1] + 0.0}}},
+          {"oscillators", memory.size()},
+          {"fit_error_rms", memory.rms_error.maxCoeff()},
+          {"fit_error_largest", memory.largest_error.maxCoeff()},
+          {"assumed", assembly::assumptions()}};
 }
 
 Json body_summary(const RunSummary& summary, std::size_t i) {
@@ -53,7 +83,8 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"steps_above_water", summary.counts[i].dry},
           {"steps_at_rest", summary.counts[i].resting},
           {"motion", motion_summary(summary.counts[i])},
-          {"added_mass", to_json(summary.built.added_mass[i])}};
+          {"added_mass", to_json(summary.built.added_mass[i])},
+          {"radiation", to_json(summary.built.radiation[i])}};
 }
 
 /// Returns the report of pictures; cameras are listed if there are several, videos if there are

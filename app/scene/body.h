@@ -52,9 +52,17 @@ struct AddedMass {
   hydro::Matrix6d matrix = hydro::Matrix6d::Zero();
 };
 
+/// The waves that a body makes and scatters.
+enum class Radiation {
+  by_default,  ///< `automatic` for a body that starts afloat (assembly/radiation_choice.h).
+  automatic,   ///< Solved on the body's mesh in its mean pose.
+  none
+};
+
 /// The block `hydro`.
 struct Hydro : hydro::Coefficients {
   AddedMass added_mass;
+  Radiation radiation = Radiation::by_default;
   double wave_tolerance = hydro::LoadAccuracy().wave_tolerance;
 };
 

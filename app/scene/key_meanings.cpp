@@ -218,6 +218,13 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "heave, roll, pitch, yaw. It holds while any part of the body is wet, whatever the water's "
      "density. It must be symmetric and have no negative eigenvalues, both to 1e-9 of its "
      "largest entry."},
+    {"hydro.radiation",
+     "The waves that the body makes as it moves, and those that it scatters. With `auto` both are "
+     "solved on its mesh in its mean pose, that in which it floats at rest, and kept for later "
+     "runs; its added mass is then that of this pose in waves of high frequency, so the key "
+     "excludes `added_mass`. Without the key it is `auto` for a body that starts afloat near its "
+     "mean pose, free and alone on deep water, and otherwise `none`; `plimsoll check` tells which, "
+     "and why ([below](#radiation))."},
     {"bodies[].name",
      "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
      "a double quote or a line break."},

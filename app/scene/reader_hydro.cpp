@@ -119,6 +119,9 @@ void read_added_mass(MapReader& map, AddedMass& added_mass) {
     value->refuse(expected);
 }
 
+const ChoiceRule<Radiation> kRadiations = {
+    {{"auto", Radiation::automatic}, {"none", Radiation::none}}};
+
 /// Round-off of a matrix that was computed elsewhere and printed, relative to its largest entry.
 constexpr double kMatrixRoundOff = 1e-9;
 
@@ -193,6 +196,7 @@ void read(MapReader& map, Hydro& hydro) {
   read_viscous_drag(map, hydro.viscous_drag);
   read_length(map, hydro.viscous_drag);
   read_added_mass(map, hydro.added_mass);
+  map.optional("radiation", hydro.radiation, kRadiations);
   map.optional("wave_tolerance", hydro.wave_tolerance, not_negative());
 }
 

@@ -9,6 +9,7 @@
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/primitives.h"
 #include "hydro/parallel.h"
+#include "hydro/radiation/diffraction_load.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/water_planes.h"
@@ -100,6 +101,28 @@ TEST(Threads, AskOneWettedModelAtOnce) {
   });
   for (std::size_t i = 0; i < states.size(); ++i)
     EXPECT_EQ(model.at(states[i], sea, 0.5), found[i]);
+}
+
+TEST(Threads, MakeTheDiffractionOfASeaOnce) {
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
+  hydro::RadiationData data;
+  data.frequencies = {1, 2};
+  data.headings = {0};
+  data.diffraction.resize(2, hydro::Vector6cd::Constant({0.3, 0.4}));
+  const hydro::DiffractionLoad load(data), same(data);
+  const auto at = [](const hydro::DiffractionLoad& of, int wave) {
+    hydro::Sea sea;
+    sea.surface =
+        hydro::WaveSurface{{hydro::deep_water_wave(0.2, 3 + wave % 3, 0.4, 1, sea.gravity)}};
+    return of.at({}, sea, wave).force;
+  };
+  std::vector<Eigen::Vector3d> forces(60);
+  tbb::task_arena(4).execute([&] {
+    hydro::parallel_for(forces.size(),
+                        [&](std::size_t i) { forces[i] = at(load, static_cast<int>(i)); });
+  });
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    EXPECT_EQ(forces[i], at(same, static_cast<int>(i)));
 }
 
 }  // namespace

@@ -1,0 +1,80 @@
+#include "app/assembly/build_radiation.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "hydro/airy_waves.h"
+#include "hydro/radiation/diffraction_load.h"
+
+namespace assembly {
+namespace {
+
+using FloatingModel = std::shared_ptr<const hydro::FloatingBody>;
+
+/// Models by their solution, which bodies with equal meshes and mean poses share.
+using FloatingModels = std::map<const hydro::RadiationSolution*, FloatingModel>;
+
+FloatingModel floating_model(const engine::BodySpec& body, const hydro::Sea& sea,
+                             const hydro::RadiationSolution& solution) {
+  hydro::FloatingBody::Diffraction diffraction;
+  if (hydro::has_airy_waves(sea))
+    diffraction = [load = std::make_shared<const hydro::DiffractionLoad>(solution.data)](
+                      const hydro::BodyState& state, const hydro::Sea& water, double time) {
+      return load->at(state, water, time);
+    };
+  return std::make_shared<const hydro::FloatingBody>(body.mesh_B, solution.data,
+                                                     std::move(diffraction));
+}
+
+/// The added mass in the mean pose, where the body is present in full.
+AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro::Sea& sea) {
+  const hydro::MeanPose& pose = model.data().pose;
+  const hydro::Sea still{.density = sea.density, .gravity = sea.gravity};
+  return {.model = scene::AddedMass::Model::automatic,
+          .matrix = model.at({.position = {0, 0, pose.height}, .orientation = pose.orientation},
+                             still, 0),
+          .stored = {},
+          .surface = {}};
+}
+
+}  // namespace
+
+void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore& store,
+                   app::Reporter& reporter) {
+  scene::Faults faults;
+  FloatingModels models;
+  for (std::size_t i = 0; i < built.radiation.size(); ++i) {
+    RadiationReport& report = built.radiation[i];
+    if (!report.choice.pose) continue;
+    engine::BodySpec& body = built.spec.bodies[i];
+    const hydro::Sea& sea = *built.spec.sea;
+    try {
+      report.stored = solved_radiation(body.name,
+                                       {.mesh_B = body.mesh_B,
+                                        .pose = *report.choice.pose,
+                                        .water = {.gravity = sea.gravity, .depth = sea.depth}},
+                                       store, reporter);
+      FloatingModel& model = models[report.stored->solution.get()];
+      if (!model) model = floating_model(body, sea, *report.stored->solution);
+      report.model = model;
+      body.radiation = model;
+      body.added_mass = model;
+      built.added_mass[i] = added_mass_report(*model, sea);
+    } catch (const std::invalid_argument& error) {
+      report.choice.pose.reset();
+      report.choice.reason = error.what();
+      if (report.choice.written)
+        faults.add(scene.places, fmt::format("bodies[{}].hydro.radiation", i), error.what());
+    }
+  }
+  faults.throw_if_any();
+}
+
+std::vector<std::string> assumptions() {
+  return {"small motions about the mean pose", "deep water", "no forward speed in the water",
+          "no other body near"};
+}
+
+}  // namespace assembly

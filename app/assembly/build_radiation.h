@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/assembly/built_scene.h"
+#include "app/assembly/radiation_store.h"
+#include "app/base/reporter.h"
+#include "app/scene/scene.h"
+
+/// @file
+/// Builds the waves of the bodies that `radiation_choices` has chosen.
+
+namespace assembly {
+
+/// Gives each chosen body its added mass, memory and diffraction, solved or from the store. Bodies
+/// with equal meshes and mean poses share them. A body that has radiation by default and for which
+/// there is no solution has none, and its report tells why.
+/// @throws InputError for a body that the scene gives radiation and that has no solution
+void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore& store,
+                   app::Reporter& reporter);
+
+/// What linear theory takes for granted of bodies that make waves.
+std::vector<std::string> assumptions();
+
+}  // namespace assembly

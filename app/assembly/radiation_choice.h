@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/diagnostics.h"
+#include "app/scene/scene.h"
+#include "engine/spec.h"
+#include "hydro/radiation/radiation_data.h"
+
+/// @file
+/// Which bodies make waves, by `hydro.radiation`.
+///
+/// Linear theory knows the waves of a body that moves little about the pose in which it floats at
+/// rest, on deep water, without forward speed and with no other body near. With `auto` the body
+/// must be able to float. Without the key, it must start so:
+/// - free, without joints, and with its added mass left to the program;
+/// - at a draught at which it displaces its mass within a quarter, and at most 15° from the
+/// attitude
+///   at which it comes to rest;
+/// - slower than a Froude number of 0.1 in the water, by its length on the water;
+/// - over ground that is deeper than four of its draughts and half its length;
+/// - with no other body within its radius and the other's.
+
+namespace assembly {
+
+/// Whether a body makes waves.
+struct RadiationChoice {
+  std::optional<hydro::MeanPose> pose;  ///< The mean pose; none: the body makes no waves.
+  bool written = false;                 ///< The scene has the key for the body.
+  std::string reason;                   ///< Why it makes none; empty if the scene says so.
+  double draught = 0;                   ///< In the mean pose [m].
+  double length = 0;                    ///< Largest horizontal extent in the mean pose [m].
+};
+
+/// Returns the choice for each body. A body that cannot have the radiation which its key asks for
+/// is a fault at the key.
+/// @param spec   Of the same scene, with bodies, sea, ground and joints.
+std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
+                                               const engine::SimulationSpec& spec,
+                                               scene::Faults& faults);
+
+/// Returns warnings of bodies whose written `radiation` assumes what does not hold: forward speed,
+/// and other bodies that make waves within ten of their lengths.
+std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
+                                            const std::vector<RadiationChoice>& choices);
+
+/// Tells which bodies make waves and why others do not, in one line for all that are alike. Bodies
+/// for which the scene says `none` are not mentioned.
+std::vector<std::string> radiation_lines(const engine::SimulationSpec& spec,
+                                         const std::vector<RadiationChoice>& choices);
+
+}  // namespace assembly

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "app/assembly/solution_files.h"
+#include "hydro/radiation/radiation_solve.h"
+
+/// @file
+/// Store of the solutions of radiation and diffraction for later runs, in the user's cache folder
+/// (solution_files.h). Each mesh, mean pose, water and set of options has a file; none depends on
+/// the density of water or body.
+
+namespace assembly {
+
+/// This version must be raised whenever `hydro::solve_radiation` gives other numbers; files of
+/// older versions are ignored.
+inline constexpr int kRadiationVersion = 1;
+
+/// What a solution depends on.
+struct RadiationProblem {
+  const hydro::TriMesh& mesh_B;  ///< Its origin is the centre of mass.
+  hydro::MeanPose pose;
+  hydro::LinearWater water;
+  hydro::RadiationOptions options = {};
+};
+
+struct StoredRadiation {
+  std::shared_ptr<const hydro::RadiationSolution> solution;
+  double seconds = 0;       ///< Wall time of the solve [s].
+  bool from_store = false;  ///< True if another process solved it.
+};
+
+class RadiationStore {
+ public:
+  /// @param folder   None: solutions live only as long as this object.
+  explicit RadiationStore(std::optional<std::filesystem::path> folder);
+
+  /// Returns the stored solution; none if there is none.
+  std::optional<StoredRadiation> find(const RadiationProblem& problem,
+                                      app::Reporter& reporter = app::quiet());
+
+  /// Stores a new solution.
+  StoredRadiation keep(const RadiationProblem& problem, hydro::RadiationSolution solution,
+                       double seconds, app::Reporter& reporter = app::quiet());
+
+  /// Returns the file of a solution; empty without a folder.
+  std::filesystem::path file_of(const RadiationProblem& problem) const;
+
+ private:
+  SolutionFiles files_;
+  std::map<std::string, StoredRadiation> known_;  ///< The key is the file's identity.
+};
+
+/// Returns the pose with its numbers rounded to 1e-7 of the body's radius and 1e-7 rad, so that
+/// bodies whose equilibrium differs by round-off share a solution.
+hydro::MeanPose rounded(const hydro::MeanPose& pose, double radius);
+
+/// Returns the solution of a problem, which is computed and stored if the store lacks it. If
+/// several processes need it at once, one computes it and the others wait.
+/// @param name   Name of the body in messages.
+/// @throws std::invalid_argument as hydro::solve_radiation does
+StoredRadiation solved_radiation(const std::string& name, const RadiationProblem& problem,
+                                 RadiationStore& store, app::Reporter& reporter);
+
+}  // namespace assembly

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "hydro/radiation/radiation_data.h"
+#include "hydro/sea.h"
+
+/// @file
+/// The load of the waves that a floating body scatters.
+///
+/// Over the sea's Airy waves, with the phase θ = k·x − ωt + φ at the body's centre of mass and the
+/// heading ψ of the body (floating_body.h),
+///
+///     F = Σ Re{ρ X_D(σ, β − ψ) a e^{iθ}}  in H,                                              (1)
+///
+/// turned to W by ψ. X_D is known without current, so σ is the frequency of a wave for an observer
+/// who drifts with the water (airy_waves.h). The amplitudes are those of the ramp at the time.
+///
+/// Over the heading X_D is the trigonometric series through the data. Over the frequency X_D/k is
+/// the cubic Hermite interpolant with the slopes of parabolas through three neighbours: continuous
+/// with its first derivative, and exact for a parabola. In long waves the water accelerates past
+/// the body by gk a, which its added mass meets, so X_D/k has a limit; below the lowest frequency
+/// it is that of the lowest. Above the highest, X_D keeps its phase and falls as k⁻²: faster than
+/// the k⁻¹ of a wall that reflects all waves, as crests along a hull cancel each other.
+
+namespace hydro {
+
+/// The loads on one body. Several threads may ask at once, and an answer does not depend on earlier
+/// questions. Coefficients are made at the first question for a sea and kept as long as the object.
+class DiffractionLoad {
+ public:
+  /// Data without headings give no load.
+  /// @throws std::invalid_argument unless the headings are 0, 2π/n, 4π/n … within 1e-6 rad and each
+  ///     frequency has its loads
+  explicit DiffractionLoad(const RadiationData& data);
+  ~DiffractionLoad();
+  DiffractionLoad(const DiffractionLoad&) = delete;
+  DiffractionLoad& operator=(const DiffractionLoad&) = delete;
+
+  /// The load (1) on a body about its centre of mass, W axes [N, N m]; zero where the sea has no
+  /// Airy waves. Of the state, position and orientation matter.
+  Wrench at(const BodyState& state, const Sea& sea, double time) const;
+
+  /// X_D for ρ = 1 at a frequency [rad/s] and a direction of travel in H [rad], by the series and
+  /// the interpolant above.
+  Vector6cd coefficients(double frequency, double heading) const;
+
+ private:
+  /// A load as a complex Fourier series in the heading: a column for each of e^{imβ}, m = −M … M.
+  using Series = Loads6cd;
+  struct Waves;
+
+  /// @param k   Wave number of that frequency in the data's water [rad/m].
+  Series series_at(double frequency, double k) const;
+  const Waves& waves_of(const Sea& sea) const;
+
+  MeanPose pose_;
+  LinearWater water_;
+  std::vector<double> frequencies_;
+  std::vector<Series> over_k_;  ///< X_D/k at the frequencies.
+  std::vector<Series> slopes_;  ///< Derivatives of X_D/k by frequency.
+  mutable std::mutex making_;
+  mutable std::atomic<const Waves*> known_ = nullptr;  ///< A list of all seas that were asked for.
+};
+
+}  // namespace hydro
