@@ -22,6 +22,10 @@ constexpr double kMassMismatch = 0.25;             ///< Of the displaced mass [-
 constexpr double kTiltMismatch = 15 * M_PI / 180;  ///< [rad]
 constexpr double kLargestFroudeNumber = 0.1;       ///< Below it encounter effects are small [-].
 
+/// Part of the body's radius by which its centre of mass would sink against that of buoyancy on the
+/// way to an attitude that does not matter [-]: a sphere of triangles has some 1e-4.
+constexpr double kNeutral = 2e-4;
+
 // Waves of half the body's length, and the added mass, feel a bottom that is nearer than these.
 constexpr double kDraughtsToGround = 4;
 constexpr double kLengthsToGround = 0.5;
@@ -75,7 +79,9 @@ class Chooser {
   RadiationChoice choose(std::size_t i) const {
     const scene::Radiation wanted = scene_.bodies[i].hydro.radiation;
     RadiationChoice choice{.written = wanted != scene::Radiation::by_default};
-    if (wanted == scene::Radiation::none) return choice;
+    const bool other =
+        scene_.bodies[i].hydro.added_mass.model != scene::AddedMass::Model::automatic;
+    if (wanted == scene::Radiation::none || (other && !choice.written)) return choice;
     choice.reason = impossible(i);
     if (!choice.reason.empty()) return choice;
     if (!choice.written) choice.reason = not_free_and_afloat(i);
@@ -143,18 +149,27 @@ class Chooser {
 
   hydro::MeanPose mean_pose(const engine::BodySpec& body) const {
     const hydro::BodyState& start = body.initial;
-    const double volume = body.mass / spec_.sea->density;
     hydro::MeanPose pose{.orientation = start.orientation,
                          .height = start.position.z() - spec_.sea->level};
     if (!body.locked[2]) {
-      const bool held = body.locked[3] || body.locked[4];
-      const hydro::Flotation rest =
-          held ? hydro::afloat(body.mesh_B, volume, start.orientation)
-               : hydro::equilibrium(body.mesh_B, volume, start.orientation);
+      const hydro::Flotation rest = at_rest(body);
       pose = {.orientation = rest.orientation, .height = rest.height};
     }
     pose.orientation = hydro::with_heading(pose.orientation, 0);
     return rounded(pose, extent_of(body, pose.orientation).radius);
+  }
+
+  /// The body as it floats at rest; in its attitude at the start if that is locked or neutral.
+  hydro::Flotation at_rest(const engine::BodySpec& body) const {
+    const double volume = body.mass / spec_.sea->density;
+    const Eigen::Quaterniond& start = body.initial.orientation;
+    const hydro::Flotation held = hydro::afloat(body.mesh_B, volume, start);
+    if (body.locked[3] || body.locked[4]) return held;
+    const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, volume, start);
+    const double sinks =
+        rest.hydrostatics.centre_of_buoyancy.z() - held.hydrostatics.centre_of_buoyancy.z();
+    const bool neutral = sinks < kNeutral * extent_of(body, start).radius;
+    return neutral && tilt_between(start, rest.orientation) > kTiltMismatch ? held : rest;
   }
 
   /// A body whose height is locked may be out of the water.

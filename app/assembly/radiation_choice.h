@@ -14,11 +14,11 @@
 ///
 /// Linear theory knows the waves of a body that moves little about the pose in which it floats at
 /// rest, on deep water, without forward speed and with no other body near. With `auto` the body
-/// must be able to float. Without the key, it must start so:
-/// - free, without joints, and with its added mass left to the program;
-/// - at a draught at which it displaces its mass within a quarter, and at most 15° from the
-/// attitude
-///   at which it comes to rest;
+/// must be able to float. Without the key it has radiation unless its added mass is given, if it
+/// starts
+/// - free, without joints;
+/// - displacing its mass within a quarter, and at most 15° from the attitude at which it comes to
+///   rest; a sphere, to which the attitude does not matter, keeps that of its start;
 /// - slower than a Froude number of 0.1 in the water, by its length on the water;
 /// - over ground that is deeper than four of its draughts and half its length;
 /// - with no other body within its radius and the other's.
@@ -29,9 +29,9 @@ namespace assembly {
 struct RadiationChoice {
   std::optional<hydro::MeanPose> pose;  ///< The mean pose; none: the body makes no waves.
   bool written = false;                 ///< The scene has the key for the body.
-  std::string reason;                   ///< Why it makes none; empty if the scene says so.
-  double draught = 0;                   ///< In the mean pose [m].
-  double length = 0;                    ///< Largest horizontal extent in the mean pose [m].
+  std::string reason;  ///< Why it makes none; empty if this key or `added_mass` says so.
+  double draught = 0;  ///< In the mean pose [m].
+  double length = 0;   ///< Largest horizontal extent in the mean pose [m].
 };
 
 /// Returns the choice for each body. A body that cannot have the radiation which its key asks for
@@ -47,7 +47,7 @@ std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
                                             const std::vector<RadiationChoice>& choices);
 
 /// Tells which bodies make waves and why others do not, in one line for all that are alike. Bodies
-/// for which the scene says `none` are not mentioned.
+/// without a reason are not mentioned.
 std::vector<std::string> radiation_lines(const engine::SimulationSpec& spec,
                                          const std::vector<RadiationChoice>& choices);
 

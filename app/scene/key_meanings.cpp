@@ -204,7 +204,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Added mass of the body. `deep` is that of the body in unbounded fluid, of which the wetted "
      "panels contribute their share; it is solved once per mesh and kept for later runs. A body "
      "without loads of the water has added mass only if this key asks for it, and a body locked "
-     "in all six degrees of freedom has none."},
+     "in all six degrees of freedom has none. Without this key, a body with `radiation` has the "
+     "added mass of its mean pose."},
     {"hydro.added_mass.model",
      "Model of the added mass. `none` and `deep` are the same as the words alone. `surface` sets "
      "the potential to 0 on the water surface, the limit of high frequency (`hydro/README.md`); "
@@ -222,7 +223,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "The waves that the body makes as it moves, and those that it scatters. With `auto` both are "
      "solved on its mesh in its mean pose, that in which it floats at rest, and kept for later "
      "runs; its added mass is then that of this pose in waves of high frequency, so the key "
-     "excludes `added_mass`. Without the key it is `auto` for a body that starts afloat near its "
+     "excludes `added_mass`. Without both keys it is `auto` for a body that starts afloat near its "
      "mean pose, free and alone on deep water, and otherwise `none`; `plimsoll check` tells which, "
      "and why ([below](#radiation))."},
     {"bodies[].name",

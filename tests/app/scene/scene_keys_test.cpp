@@ -46,7 +46,7 @@ std::string every_key() {
          " exponent: 0.2}}\n"
          "ground: {z: -10}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
-         " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3,"
+         " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3, radiation: none,"
          " added_mass: {model: deep, tolerance: 2e-3}}\n"
          "bodies:\n"
          "  - name: a\n"
@@ -63,7 +63,7 @@ std::string every_key() {
          "    angular_velocity: [-1, -2, -3]\n"
          "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5,"
          "      blunt: 0.25},"
-         " lift: 1, viscous_drag: ittc57, length: 3, wave_tolerance: 0,"
+         " lift: 1, viscous_drag: ittc57, length: 3, wave_tolerance: 0, radiation: auto,"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
@@ -333,6 +333,8 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   EXPECT_EQ(own.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 3}));
   EXPECT_EQ(scene.bodies[0].hydro.wave_tolerance, 0);
   EXPECT_EQ(scene.bodies[1].hydro.wave_tolerance, 2e-3);
+  EXPECT_EQ(scene.bodies[0].hydro.radiation, scene::Radiation::automatic);
+  EXPECT_EQ(scene.bodies[1].hydro.radiation, scene::Radiation::none);
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
   EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
             std::tuple(true, hydro::PressureDrag{0.5, 0.5, 0}, 0));

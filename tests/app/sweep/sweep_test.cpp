@@ -184,9 +184,9 @@ TEST(SweepOutcome, HasTheLastAndTheExtremeValuesOfATrack) {
   EXPECT_EQ(value_of(outcome, "speed_max"), 4);
   EXPECT_EQ(value_of(outcome, "angular_speed_max"), 1);
   EXPECT_EQ(value_of(outcome, "acceleration_max"), 8);
-  constexpr double kRoundOff = 1e-12;
-  EXPECT_NEAR(value_of(outcome, "tilt_deg"), 45, kRoundOff);
-  EXPECT_NEAR(value_of(outcome, "tilt_max_deg"), 90, kRoundOff);
+  constexpr double kAngleRoundOff = 1e-12;
+  EXPECT_NEAR(value_of(outcome, "tilt_deg"), 45, kAngleRoundOff);
+  EXPECT_NEAR(value_of(outcome, "tilt_max_deg"), 90, kAngleRoundOff);
 }
 
 TEST(SweepOutcome, IsReadBackToTheSameNumbers) {
