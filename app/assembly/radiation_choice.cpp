@@ -23,8 +23,8 @@ constexpr double kTiltMismatch = 15 * M_PI / 180;  ///< [rad]
 constexpr double kLargestFroudeNumber = 0.1;       ///< Below it encounter effects are small [-].
 
 /// Part of the body's radius by which its centre of mass would sink against that of buoyancy on the
-/// way to an attitude that does not matter [-]: a sphere of triangles has some 1e-4.
-constexpr double kNeutral = 2e-4;
+/// way to an attitude that does not matter [-]: a sphere of 50 slices has 4e-4.
+constexpr double kNeutral = 5e-4;
 
 // Waves of half the body's length, and the added mass, feel a bottom that is nearer than these.
 constexpr double kDraughtsToGround = 4;
