@@ -347,7 +347,8 @@ std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose&
   const Eigen::Matrix3Xd at = turned(mesh_B, pose).vertices;
   const Eigen::Vector2d sizes =
       at.topRows<2>().rowwise().maxCoeff() - at.topRows<2>().rowwise().minCoeff();
-  const double lowest = std::sqrt(water.gravity * 0.1 / sizes.maxCoeff());
+  const double draught = -pose.height - at.row(2).minCoeff();
+  const double lowest = std::sqrt(water.gravity * 0.1 / std::max(sizes.maxCoeff(), 2 * draught));
   const double highest = std::sqrt(water.gravity * 10 / sizes.minCoeff());
   std::vector<double> frequencies;
   for (int i = 0; i < kCount; ++i)

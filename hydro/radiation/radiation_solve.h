@@ -45,8 +45,8 @@ struct RadiationSolution {
   double mismatch = 0;
 };
 
-/// Sixteen frequencies, evenly spaced in their logarithm, from waves of 60 times the body's
-/// half-length to waves as long as a fifth of the circle about its waterplane's half-breadth.
+/// Sixteen frequencies, evenly spaced in their logarithm: from waves of 126 times the body's
+/// half-length, or its draught if that is larger, to waves of 1.26 times its half-breadth.
 std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose& pose,
                                           const LinearWater& water);
 

@@ -59,6 +59,9 @@ TEST(RadiationFrequencies, SpanTheWavesThatABodyMeets) {
   EXPECT_EQ(omega.size(), 16u);
   EXPECT_NEAR(omega.front() * omega.front() / kGravity * 10, 0.05, 1e-12);
   EXPECT_NEAR(omega.back() * omega.back() / kGravity * 1, 5, 1e-12);
+  const std::vector<double> spar = hydro::radiation_frequencies(
+      hydro::make_box({2, 2, 12}, 1), {.height = -4}, {.gravity = kGravity});
+  EXPECT_NEAR(spar.front() * spar.front() / kGravity * 10, 0.05, 1e-12);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ class Body:
     viscous_drag: Load
     lift: Load
     wave_inertia: Load
+    diffraction: Load
     wind: Load
     added_mass: np.ndarray | None  # 6 x 6, about the centre of mass; None without a model.
 
@@ -63,7 +64,7 @@ def _body(entry: dict) -> Body:
         added_mass=None if entry["added_mass"] is None else np.array(entry["added_mass"]),
         **{name: _load(entry[name])
            for name in ("buoyancy", "pressure_drag", "viscous_drag", "lift", "wave_inertia",
-                        "wind")})
+                        "diffraction", "wind")})
 
 
 def _set_options(overrides: dict) -> list[str]:

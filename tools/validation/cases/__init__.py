@@ -1,6 +1,6 @@
 """Every case, in the order of the report."""
 
-from . import (added_mass, balance, calibrated, cost, drag, drag_tables, frames, friction,
+from . import (added_mass, balance, calibrated, cost, decay, drag, drag_tables, frames, friction,
                immersion, motion, seakeeping, spin, stability, towing, tilt, wave_forces,
                wave_motions, waves, wind)
 
@@ -8,5 +8,6 @@ kCases = [
     *immersion.kCases, *tilt.kCases, *drag.kCases, *drag_tables.kCases, *calibrated.kCases,
     *friction.kCases, *spin.kCases, *towing.kCases, *added_mass.kCases,
     *balance.kCases, *stability.kCases, *motion.kCases, *frames.kCases, *waves.kCases,
-    *wave_forces.kCases, *wave_motions.kCases, *seakeeping.kCases, *wind.kCases, *cost.kCases,
+    *wave_forces.kCases, *wave_motions.kCases, *seakeeping.kCases, *decay.kCases, *wind.kCases,
+    *cost.kCases,
 ]
