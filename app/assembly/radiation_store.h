@@ -15,7 +15,7 @@ namespace assembly {
 
 /// This version must be raised whenever `hydro::solve_radiation` gives other numbers; files of
 /// older versions are ignored.
-inline constexpr int kRadiationVersion = 1;
+inline constexpr int kRadiationVersion = 2;
 
 /// What a solution depends on.
 struct RadiationProblem {
