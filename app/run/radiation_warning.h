@@ -14,6 +14,7 @@ inline constexpr double kLargestTilt = 30 * std::numbers::pi / 180;
 
 /// Returns a warning if a body with radiation is turned further than kLargestTilt from its mean
 /// pose in these states, as one that capsizes.
+/// Spheres about their centres may turn.
 std::optional<std::string> radiation_warning(const engine::SimulationSpec& spec,
                                              const std::vector<hydro::BodyState>& states);
 

@@ -41,8 +41,13 @@ TEST(RadiationWarning, IsOfABodyThatTurnsFarFromItsMeanPose) {
                 testing::HasSubstr("body 'box' has turned more than 30°"));
 }
 
-TEST(RadiationWarning, IsOnlyOfBodiesWithRadiation) {
+TEST(RadiationWarning, IsNotOfBodiesThatAreRoundOrWithoutRadiation) {
   engine::SimulationSpec spec = heeled_box();
+  hydro::RadiationData data = spec.bodies[0].radiation->data();
+  data.infinite_added_mass.bottomRightCorner<3, 3>() *= 1e-4;
+  spec.bodies[0].radiation =
+      std::make_shared<const hydro::FloatingBody>(spec.bodies[0].mesh_B, data);
+  EXPECT_FALSE(app::radiation_warning(spec, {heeled_by(180)}));
   spec.bodies[0].radiation.reset();
   EXPECT_FALSE(app::radiation_warning(spec, {heeled_by(180)}));
 }
