@@ -29,6 +29,7 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
+#include "app/run/radiation_warning.h"
 #include "app/run/resolved_scene.h"
 #include "app/run/run_source.h"
 #include "app/run/summary.h"
@@ -214,11 +215,13 @@ class Run {
     return code;
   }
 
-  /// Warns once of a step that is too long for the waves that bodies meet.
+  /// Warns once of a step that is too long for the waves that bodies meet, or of a body that has
+  /// left the motions for which its own waves are known, whichever comes first.
   void check_waves() {
     if (summary_.warnings.size() > built_.warnings.size()) return;
-    if (const auto warning = wave_warning(built_.spec, simulation_.states()))
-      summary_.warnings.push_back(*warning);
+    auto warning = wave_warning(built_.spec, simulation_.states());
+    if (!warning) warning = radiation_warning(built_.spec, simulation_.states());
+    if (warning) summary_.warnings.push_back(*warning);
   }
 
   /// Logs the state and stores it for a picture, if either is due.
