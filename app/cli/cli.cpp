@@ -14,6 +14,7 @@
 #include "app/commands/check.h"
 #include "app/commands/new_scene.h"
 #include "app/commands/probe.h"
+#include "app/commands/radiation.h"
 #include "app/commands/render_trajectory.h"
 #include "app/commands/schema_command.h"
 #include "app/compare/compare.h"
@@ -85,6 +86,7 @@ struct Arguments {
   ReportOptions report;
   HydrostaticsOptions hydrostatics;
   AddedMassCommand addedmass;
+  RadiationCommand radiation;
   SweepOptions sweep;
   std::vector<double> center_of_mass;
   std::string heels = "0:60:5";
@@ -282,6 +284,30 @@ void add_addedmass(CLI::App& program, Arguments& a) {
   command->add_flag("--json", o.json, "Print JSON");
 }
 
+void add_radiation(CLI::App& program, Arguments& a) {
+  CLI::App* command = program.add_subcommand(
+      "radiation", "Added mass, damping and loads of waves on a floating mesh or a scene's bodies");
+  RadiationCommand& o = a.radiation;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--density", o.density, "Density of the water about a mesh [kg/m^3]")
+      ->capture_default_str();
+  command
+      ->add_option("--relative-density", o.relative_density,
+                   "Density of a mesh's body, which is uniform, over the water's")
+      ->capture_default_str();
+  command
+      ->add_option("--frequencies", o.frequencies,
+                   "Frequencies [rad/s], ascending [sixteen, chosen for the body]")
+      ->delimiter(',');
+  add_sets(command, a);
+  command->add_flag_callback(
+      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
+  CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
+  command->add_flag("--csv", o.csv, "Print CSV, one number per row")->excludes(json);
+  command->add_option("--wamit", o.wamit, "Write STEM.1 and STEM.3 as WAMIT does")
+      ->type_name("STEM");
+}
+
 void add_schema(CLI::App& program, Arguments& a) {
   program.add_subcommand("schema", "Print the JSON Schema of scenes, for editors")
       ->add_flag("--markdown", a.markdown, "Print the tables of keys of scenes/README.md instead");
@@ -318,7 +344,8 @@ void check_command(const CLI::App& program, int argc, char** argv) {
 
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
-  a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides = overrides;
+  a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides =
+      a.radiation.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
   if (program.got_subcommand("view")) return view(a.view);
@@ -328,6 +355,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
+  if (program.got_subcommand("radiation")) return radiation(a.radiation);
   if (program.got_subcommand("report")) return report(a.report);
   if (program.got_subcommand("completion")) return completion(program, a.shell);
   if (program.got_subcommand("schema")) return schema(a.markdown);
@@ -350,6 +378,7 @@ int command_line(int argc, char** argv) {
   add_report(program, arguments);
   add_hydrostatics(program, arguments);
   add_addedmass(program, arguments);
+  add_radiation(program, arguments);
   add_sweep(program, arguments.sweep);
   add_schema(program, arguments);
   add_completion(program, arguments);

@@ -1,0 +1,262 @@
+#include "app/commands/radiation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/assembly/build.h"
+#include "app/assembly/build_radiation.h"
+#include "app/assembly/build_start.h"
+#include "app/assembly/mesh_io.h"
+#include "app/base/atomic_file.h"
+#include "app/base/console.h"
+#include "app/base/exit_code.h"
+#include "app/base/json_rows.h"
+#include "app/base/terminal_reporter.h"
+#include "app/scene/diagnostics.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/statics/equilibrium.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using std::numbers::pi;
+
+constexpr const char* kMotions[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+
+/// A body in the pose in which it floats at rest.
+struct Afloat {
+  std::string name;
+  hydro::TriMesh mesh_B;
+  hydro::MeanPose pose;
+  double density = 1000;  ///< Of the water [kg/m^3].
+  hydro::LinearWater water;
+};
+
+struct Solved {
+  Afloat body;
+  assembly::StoredRadiation stored;
+
+  const hydro::RadiationData& data() const { return stored.solution->data; }
+  hydro::Vector6cd excitation(std::size_t frequency, Eigen::Index heading) const {
+    return body.density * (data().froude_krylov[frequency].col(heading) +
+                           data().diffraction[frequency].col(heading));
+  }
+};
+
+Afloat body_of_mesh(const RadiationCommand& o) {
+  if (!o.overrides.empty()) throw scene::InputError("--set", "is for a scene, and this is a mesh");
+  if (!(o.density > 0 && std::isfinite(o.density)))
+    throw scene::InputError(
+        "--density", fmt::format("found {:g}, expected a positive number [kg/m^3]", o.density));
+  if (!(o.relative_density > 0 && o.relative_density < 1))
+    throw scene::InputError(
+        "--relative-density",
+        fmt::format("found {:g}, expected a number between 0 and 1", o.relative_density));
+  TerminalReporter reporter(false);
+  Afloat body{.name = o.file.stem().string(), .density = o.density};
+  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter);
+  const hydro::SolidProperties solid = hydro::solid_properties(mesh);
+  body.mesh_B = hydro::translated(std::move(mesh), -solid.centroid);
+  const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, o.relative_density * solid.volume,
+                                                   Eigen::Quaterniond::Identity());
+  body.pose = {.orientation = hydro::with_heading(rest.orientation, 0), .height = rest.height};
+  return body;
+}
+
+std::vector<Afloat> bodies_of_scene(const RadiationCommand& o) {
+  const scene::Scene scene = scene::read(o.file, o.overrides);
+  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
+  std::vector<Afloat> bodies;
+  for (std::size_t i = 0; i < built.radiation.size(); ++i) {
+    const assembly::RadiationChoice& choice = built.radiation[i].choice;
+    if (!choice.pose) continue;
+    const engine::BodySpec& body = built.spec.bodies[i];
+    const hydro::Sea& sea = *built.spec.sea;
+    bodies.push_back({.name = body.name,
+                      .mesh_B = body.mesh_B,
+                      .pose = *choice.pose,
+                      .density = sea.density,
+                      .water = {.gravity = sea.gravity, .depth = sea.depth}});
+  }
+  if (!bodies.empty()) return bodies;
+  std::string why;
+  for (std::size_t i = 0; i < built.radiation.size(); ++i)
+    if (!built.radiation[i].choice.reason.empty())
+      why = fmt::format("; {}: {}", built.spec.bodies[i].name, built.radiation[i].choice.reason);
+  throw scene::InputError(o.file.string(), "no body of the scene makes waves" + why);
+}
+
+hydro::RadiationOptions options_of(const RadiationCommand& o) {
+  for (std::size_t i = 0; i < o.frequencies.size(); ++i)
+    if (!(o.frequencies[i] > (i == 0 ? 0 : o.frequencies[i - 1]) &&
+          std::isfinite(o.frequencies[i])))
+      throw scene::InputError("--frequencies", "expected positive numbers that ascend [rad/s]");
+  return {.frequencies = o.frequencies};
+}
+
+Json to_json(const hydro::Loads6cd& loads, double density, bool imaginary) {
+  const Eigen::MatrixXd part = density * (imaginary ? loads.imag() : loads.real());
+  Json rows = Json::array();
+  for (Eigen::Index h = 0; h < part.cols(); ++h)
+    rows.push_back(std::vector<double>(part.col(h).begin(), part.col(h).end()));
+  return rows;
+}
+
+Json to_json(const Solved& solved) {
+  const hydro::RadiationData& data = solved.data();
+  const double density = solved.body.density;
+  const Eigen::Quaterniond& q = data.pose.orientation;
+  Json all = {{"density", density},
+              {"gravity", data.water.gravity},
+              {"assumed", assembly::assumptions()},
+              {"displaced_volume", data.volume},
+              {"height", data.pose.height},
+              {"orientation", {q.w(), q.x(), q.y(), q.z()}},
+              {"unknowns", solved.stored.solution->unknowns},
+              {"mismatch", solved.stored.solution->mismatch},
+              {"from_store", solved.stored.from_store},
+              {"solve_seconds", solved.stored.seconds},
+              {"infinite_added_mass", json_rows(density * data.infinite_added_mass)},
+              {"headings", data.headings},
+              {"frequencies", Json::array()}};
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f)
+    all["frequencies"].push_back(
+        {{"omega", data.frequencies[f]},
+         {"added_mass", json_rows(density * data.added_mass[f])},
+         {"damping", json_rows(density * data.damping[f])},
+         {"froude_krylov_real", to_json(data.froude_krylov[f], density, false)},
+         {"froude_krylov_imag", to_json(data.froude_krylov[f], density, true)},
+         {"diffraction_real", to_json(data.diffraction[f], density, false)},
+         {"diffraction_imag", to_json(data.diffraction[f], density, true)}});
+  return all;
+}
+
+/// One row a number: of matrices two motions, of loads a motion and a heading.
+std::string csv_of(const Solved& solved) {
+  const hydro::RadiationData& data = solved.data();
+  std::string text;
+  const auto add = [&](double omega, const char* what, int i, const std::string& other,
+                       double value) {
+    text += fmt::format("{},{},{},{},{},{}\n", solved.body.name, omega, what, kMotions[i], other,
+                        value);
+  };
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    const double omega = data.frequencies[f];
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) {
+        add(omega, "added_mass", i, kMotions[j], solved.body.density * data.added_mass[f](i, j));
+        add(omega, "damping", i, kMotions[j], solved.body.density * data.damping[f](i, j));
+      }
+    for (std::size_t h = 0; h < data.headings.size(); ++h) {
+      const hydro::Vector6cd X = solved.excitation(f, static_cast<Eigen::Index>(h));
+      const std::string heading = fmt::format("{:g}", data.headings[h] * 180 / pi);
+      for (int i = 0; i < 6; ++i) {
+        add(omega, "excitation_real", i, heading, X[i].real());
+        add(omega, "excitation_imag", i, heading, X[i].imag());
+      }
+    }
+  }
+  return text;
+}
+
+std::string table_of(const Solved& solved) {
+  const hydro::RadiationData& data = solved.data();
+  const double density = solved.body.density;
+  std::string text = fmt::format(
+      "{}: displaced {:.6g} m^3, centre of mass {:.6g} m above the water of {:g} kg/m^3\n"
+      "  {} frequencies on {} unknowns, {:.2f} s{}; damping by pressure and far away differ by "
+      "{:.2g} %\n  assumed: {}\n",
+      solved.body.name, data.volume, data.pose.height, density, data.frequencies.size(),
+      solved.stored.solution->unknowns, solved.stored.seconds,
+      solved.stored.from_store ? ", from the store" : "", 100 * solved.stored.solution->mismatch,
+      fmt::join(assembly::assumptions(), ", "));
+  text += fmt::format("{:>9}{:>10}{:>36}{:>36}{:>36}\n{:>9}{:>10}", "omega", "length",
+                      "added mass [kg, kg m^2]", "damping [kg/s, kg m^2/s]", "|X| along x [N/m, N]",
+                      "rad/s", "m");
+  for (int part = 0; part < 3; ++part)
+    for (const int i : {0, 2, 4}) text += fmt::format("{:>12}", kMotions[i]);
+  text += "\n";
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    const double omega = data.frequencies[f];
+    text += fmt::format("{:>9.4g}{:>10.4g}", omega, 2 * pi * data.water.gravity / (omega * omega));
+    for (const int i : {0, 2, 4})
+      text += fmt::format("{:>12.4g}", density * data.added_mass[f](i, i));
+    for (const int i : {0, 2, 4}) text += fmt::format("{:>12.4g}", density * data.damping[f](i, i));
+    const hydro::Vector6cd X = solved.excitation(f, 0);
+    for (const int i : {0, 2, 4}) text += fmt::format("{:>12.4g}", std::abs(X[i]));
+    text += "\n";
+  }
+  text += fmt::format("{:>9}{:>10}", "infinite", "0");
+  for (const int i : {0, 2, 4})
+    text += fmt::format("{:>12.4g}", density * data.infinite_added_mass(i, i));
+  return text + "\n";
+}
+
+/// WAMIT's files .1 and .3 with a length of 1 m: A/ρ, B/(ρω) and X/(ρg), for e^{+iωt}.
+void write_wamit(const std::filesystem::path& stem, const Solved& solved) {
+  const hydro::RadiationData& data = solved.data();
+  std::string radiation, excitation;
+  const auto add = [&](double period, const hydro::Matrix6d& A, const hydro::Matrix6d* B) {
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) {
+        radiation += fmt::format(" {:13.6E} {:5d} {:5d} {:14.6E}", period, i + 1, j + 1, A(i, j));
+        radiation += B ? fmt::format(" {:14.6E}\n", (*B)(i, j)) : "\n";
+      }
+  };
+  add(0, data.infinite_added_mass, nullptr);
+  for (std::size_t f = data.frequencies.size(); f-- > 0;) {  // periods ascend
+    const double omega = data.frequencies[f], period = 2 * pi / omega;
+    const hydro::Matrix6d B = data.damping[f] / omega;
+    add(period, data.added_mass[f], &B);
+    for (std::size_t h = 0; h < data.headings.size(); ++h) {
+      const hydro::Vector6cd X = (solved.excitation(f, static_cast<Eigen::Index>(h)) /
+                                  (solved.body.density * data.water.gravity))
+                                     .conjugate();
+      for (int i = 0; i < 6; ++i)
+        excitation += fmt::format(" {:13.6E} {:13.6E} {:5d} {:14.6E} {:14.6E} {:14.6E} {:14.6E}\n",
+                                  period, data.headings[h] * 180 / pi, i + 1, std::abs(X[i]),
+                                  std::arg(X[i]) * 180 / pi, X[i].real(), X[i].imag());
+    }
+  }
+  write_whole(stem.string() + ".1", radiation);
+  write_whole(stem.string() + ".3", excitation);
+}
+
+}  // namespace
+
+int radiation(const RadiationCommand& command) {
+  const hydro::RadiationOptions options = options_of(command);
+  const std::vector<Afloat> bodies = scene::is_scene_file(command.file)
+                                         ? bodies_of_scene(command)
+                                         : std::vector{body_of_mesh(command)};
+  if (!command.wamit.empty() && bodies.size() > 1)
+    throw scene::InputError("--wamit",
+                            "is for one body, and the scene has several that make waves");
+  TerminalReporter reporter(false);
+  assembly::RadiationStore store(command.store ? assembly::cache_folder() : std::nullopt);
+  Json all = Json::object();
+  std::string text = command.csv ? "body,omega,quantity,motion,motion_or_heading_deg,value\n" : "";
+  for (const Afloat& body : bodies) {
+    const Solved solved{
+        body,
+        assembly::solved_radiation(
+            body.name,
+            {.mesh_B = body.mesh_B, .pose = body.pose, .water = body.water, .options = options},
+            store, reporter)};
+    if (!command.wamit.empty()) write_wamit(command.wamit, solved);
+    if (command.json)
+      all[body.name] = to_json(solved);
+    else
+      text += command.csv ? csv_of(solved) : table_of(solved);
+  }
+  fmt::print("{}", command.json ? Json{{"bodies", all}}.dump(2) + "\n" : text);
+  flush_output();
+  return kDone;
+}
+
+}  // namespace app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/scene/reader.h"
+
+namespace app {
+
+struct RadiationCommand {
+  std::filesystem::path file;     ///< A scene if its extension is .yaml or .yml, else a mesh.
+  double density = 1000;          ///< Density of the water about a mesh [kg/m^3].
+  double relative_density = 0.5;  ///< Of a mesh's body, which is uniform, over the water's [-].
+  std::vector<scene::Override> overrides;  ///< Overrides of a scene.
+  std::vector<double> frequencies;         ///< [rad/s]; empty: those that a run solves for.
+  bool store = true;                       ///< Solutions are read from the store and written to it.
+  bool json = false;
+  bool csv = false;
+  std::filesystem::path wamit;  ///< Stem of files .1 and .3; empty: none are written.
+};
+
+/// Prints added mass, damping and the loads of waves on a floating mesh or a scene's bodies.
+/// @return the exit code
+int radiation(const RadiationCommand& command);
+
+}  // namespace app

@@ -1,0 +1,97 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/app/program/program.h"
+#include "tests/app/scene_text.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string kBuoy =
+    "plimsoll: 1\n"
+    "duration: 1\n"
+    "gravity: 9.81\n"
+    "water: {density: 1025}\n"
+    "bodies:\n"
+    "  - {name: buoy, icosphere: {radius: 1, subdivisions: 2}, density: 512.5,\n"
+    "     start: equilibrium}\n"
+    "  - {name: stone, icosphere: {radius: 1, subdivisions: 1}, density: 2000, position: [9, 0, "
+    "-9]}\n";
+
+/// What the command prints, or the fault it throws.
+std::string output_of(std::vector<std::string> words) {
+  words.insert(words.begin(), "radiation");
+  return support::output_of(std::move(words));
+}
+
+TEST(RadiationCommand, TakesTheBodiesOfASceneThatMakeWaves) {
+  const std::string file = support::write_scene(kBuoy);
+  const json bodies =
+      json::parse(output_of({file, "--json", "--no-store", "--frequencies", "1,2.2147"}))["bodies"];
+  ASSERT_EQ(bodies.size(), 1);
+  const json& buoy = bodies["buoy"];
+  const json& row = buoy["frequencies"][1];
+  EXPECT_EQ(row["omega"], 2.2147);  // kR = 0.5
+  const double mass = 1025 * buoy["displaced_volume"].get<double>();
+  EXPECT_NEAR(row["added_mass"][2][2].get<double>() / mass, 0.586, 0.02);
+  EXPECT_NEAR(row["damping"][2][2].get<double>() / (2.2147 * mass), 0.339, 0.02);
+  const double real =
+      row["froude_krylov_real"][0][2].get<double>() + row["diffraction_real"][0][2].get<double>();
+  const double imag =
+      row["froude_krylov_imag"][0][2].get<double>() + row["diffraction_imag"][0][2].get<double>();
+  EXPECT_NEAR(std::hypot(real, imag) / (1025 * 9.81 * M_PI), 0.537, 0.03);
+  EXPECT_EQ(buoy["headings"].size(), 36);
+}
+
+TEST(RadiationCommand, WritesWhatOtherProgramsRead) {
+  const std::string file = support::write_scene(kBuoy);
+  const std::filesystem::path stem = std::filesystem::path(testing::TempDir()) / "radiation_buoy";
+  const std::string text =
+      output_of({file, "--no-store", "--frequencies", "2.2147", "--wamit", stem.string()});
+  EXPECT_THAT(text, HasSubstr("assumed: small motions"));
+  EXPECT_THAT(text, HasSubstr("2.215"));
+  std::ifstream radiation(stem.string() + ".1");
+  double period = 0, A = 0, B = 0, heave = 0;
+  int i = 0, j = 0, rows = 0;
+  std::string line;
+  while (std::getline(radiation, line)) {
+    std::istringstream words(line);
+    words >> period >> i >> j >> A;
+    ++rows;
+    if (period > 0 && i == 3 && j == 3 && words >> B) heave = A;
+  }
+  EXPECT_EQ(rows, 72);  // Of the limit and of one frequency.
+  EXPECT_NEAR(period, 2 * M_PI / 2.2147, 1e-5);
+  EXPECT_NEAR(heave, 0.586 * 2.03, 0.06);  // Over the density, of the polyhedron's volume.
+}
+
+TEST(RadiationCommand, TakesAMeshAsAUniformBody) {
+  const std::string mesh =
+      (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();
+  const std::string rows = output_of({mesh, "--csv", "--no-store", "--frequencies", "1"});
+  EXPECT_THAT(rows, HasSubstr("barge,1,added_mass,surge,surge,"));
+  EXPECT_THAT(rows, HasSubstr("barge,1,excitation_imag,yaw,350,"));
+}
+
+TEST(RadiationCommand, RefusesWhatIsWrong) {
+  const std::string file = support::write_scene(kBuoy);
+  EXPECT_THAT(output_of({file, "--set", "water.depth=20"}),
+              HasSubstr("no body of the scene makes waves; stone:"));
+  EXPECT_THAT(output_of({file, "--frequencies", "2,1"}), HasSubstr("that ascend"));
+  const std::string mesh =
+      (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();
+  EXPECT_THAT(output_of({mesh, "--relative-density", "1.2"}),
+              HasSubstr("--relative-density: found 1.2"));
+  EXPECT_THAT(output_of({mesh, "--density", "0"}), HasSubstr("--density: found 0"));
+  EXPECT_THAT(output_of({mesh, "--set", "gravity=1"}), HasSubstr("--set is for a scene"));
+}
+
+}  // namespace
