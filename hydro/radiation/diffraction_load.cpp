@@ -137,9 +137,17 @@ DiffractionLoad::DiffractionLoad(const RadiationData& data) : pose_(data.pose), 
 
 DiffractionLoad::~DiffractionLoad() { delete known_.load(); }
 
+DiffractionLoad::Series DiffractionLoad::below_lowest(double k) const {
+  if (frequencies_.size() < 2) return over_k_[0];
+  const auto k_of = [&](std::size_t i) {
+    return wave_number(frequencies_[i], water_.depth, water_.gravity).value();
+  };
+  return over_k_[0] + (k - k_of(0)) / (k_of(1) - k_of(0)) * (over_k_[1] - over_k_[0]);
+}
+
 DiffractionLoad::Series DiffractionLoad::series_at(double frequency, double k) const {
   const auto above = std::upper_bound(frequencies_.begin(), frequencies_.end(), frequency);
-  if (above == frequencies_.begin()) return k * over_k_.front();
+  if (above == frequencies_.begin()) return k * below_lowest(k);
   if (above == frequencies_.end()) {
     const double last = wave_number(frequencies_.back(), water_.depth, water_.gravity).value();
     return last * std::pow(last / k, 2) * over_k_.back();

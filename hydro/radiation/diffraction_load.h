@@ -24,8 +24,9 @@
 /// the cubic Hermite interpolant with the slopes of parabolas through three neighbours: continuous
 /// with its first derivative, and exact for a parabola. In long waves the water accelerates past
 /// the body by gk a, which its added mass meets, so X_D/k has a limit; below the lowest frequency
-/// it is that of the lowest. Above the highest, X_D keeps its phase and falls as k⁻²: faster than
-/// the k⁻¹ of a wall that reflects all waves, as crests along a hull cancel each other.
+/// it is linear in k, as the two lowest tell, as e^{kz} is over the draught. Above the highest, X_D
+/// keeps its phase and falls as k⁻²: faster than the k⁻¹ of a wall that reflects all waves, as
+/// crests along a hull cancel each other.
 
 namespace hydro {
 
@@ -56,6 +57,8 @@ class DiffractionLoad {
 
   /// @param k   Wave number of that frequency in the data's water [rad/m].
   Series series_at(double frequency, double k) const;
+  /// X_D/k below the lowest frequency.
+  Series below_lowest(double k) const;
   const Waves& waves_of(const Sea& sea) const;
 
   MeanPose pose_;

@@ -147,10 +147,17 @@ TEST(DiffractionLoad, GoesWithTheWaveNumberInLongWavesAndDiesOutInShortOnes) {
   const RadiationData data = some_data(random, 5, 2);
   const DiffractionLoad load(data);
   const double g = data.water.gravity;
-  const auto at = [&](double k) { return load.coefficients(std::sqrt(g * k), 1.1); };
-  const double low = 0.36 / g, high = 16 / g;
-  EXPECT_LT((at(low / 100) * 100 - at(low)).norm(), 1e-12 * at(low).norm());
-  EXPECT_LT((at(10 * high) * 100 - at(high)).norm(), 1e-12 * at(high).norm());
+  const auto over_k = [&](double k) -> Vector6cd {
+    return load.coefficients(std::sqrt(g * k), 1.1) / k;
+  };
+  // Over k it is on one line with the loads at the two lowest frequencies, 0.6 and 1 rad/s.
+  const double low = 0.36 / g, next = 1 / g, high = 16 / g;
+  const Vector6cd slope = (over_k(next) - over_k(low)) / (next - low);
+  for (const double k : {1e-9, low / 3, 0.999 * low}) {
+    const Vector6cd expected = over_k(low) + (k - low) * slope;
+    EXPECT_LT((over_k(k) - expected).norm(), 1e-12 * expected.norm()) << k;
+  }
+  EXPECT_LT((over_k(10 * high) * 1000 - over_k(high)).norm(), 1e-12 * over_k(high).norm());
 }
 
 TEST(DiffractionLoad, IsThatOfEveryWaveOfTheSea) {
