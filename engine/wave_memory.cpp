@@ -30,8 +30,8 @@ double port_strength(const Body& body, const hydro::BodyState& state, double tim
 }
 
 Eigen::Matrix3d R_WH(const Body& body, const hydro::BodyState& state) {
-  const double heading = hydro::heading(body.spec->radiation->data().pose, state.orientation);
-  return Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const hydro::MeanPose& pose = body.spec->radiation->data().pose;
+  return (state.orientation * pose.orientation.conjugate()).toRotationMatrix();
 }
 
 /// p − ½h Ω² q

@@ -222,7 +222,7 @@ Wrench DiffractionLoad::at(const BodyState& state, const Sea& sea, double time) 
     load += w.amplitude * (std::cos(theta) * X.head<6>() - std::sin(theta) * X.tail<6>());
   }
   load *= sea.density * amplitude_factor(surface, time);
-  const Eigen::AngleAxisd turned(psi, Eigen::Vector3d::UnitZ());
+  const Eigen::Quaterniond turned = state.orientation * pose_.orientation.conjugate();
   return {turned * Eigen::Vector3d(load.head<3>()), turned * Eigen::Vector3d(load.tail<3>())};
 }
 

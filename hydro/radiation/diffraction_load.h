@@ -17,8 +17,10 @@
 ///
 ///     F = Σ Re{ρ X_D(σ, β − ψ) a e^{iθ}}  in H,                                              (1)
 ///
-/// turned to W by ψ. X_D is known without current, so σ is the frequency of a wave for an observer
-/// who drifts with the water (airy_waves.h). The amplitudes are those of the ramp at the time.
+/// turned to W as the body is turned from its mean pose: no pressure turns a body of revolution
+/// about its own axis, however it is tilted. X_D is known without current, so σ is the frequency of
+/// a wave for an observer who drifts with the water (airy_waves.h). The amplitudes are those of the
+/// ramp at the time.
 ///
 /// Over the heading X_D is the trigonometric series through the data. Over the frequency X_D/k is
 /// the cubic Hermite interpolant with the slopes of parabolas through three neighbours: continuous

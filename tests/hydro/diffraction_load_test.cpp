@@ -200,6 +200,17 @@ TEST(DiffractionLoad, TurnsWithBodyAndWaves) {
   EXPECT_LT((turn(angle) * first.moment - second.moment).norm(), 1e-12 * first.moment.norm());
 }
 
+TEST(DiffractionLoad, DoesNotTurnABodyOfRevolutionAboutItsTiltedAxis) {
+  support::Random random(10);
+  RadiationData data = some_data(random, 12, 4);
+  data.pose.orientation.setIdentity();
+  for (hydro::Loads6cd& loads : data.diffraction) loads.row(5).setZero();
+  const Quaterniond tilted(Eigen::AngleAxisd(0.3, Vector3d(1, -2, 0).normalized()));
+  const Wrench load = DiffractionLoad(data).at({.orientation = tilted * turn(0.7)},
+                                               sea_of(data, {{0.3, 0.2, 0.1, 1.7, 0.4}}), 1.3);
+  EXPECT_LT(std::abs(load.moment.dot(tilted * Vector3d::UnitZ())), 1e-14 * load.moment.norm());
+}
+
 TEST(DiffractionLoad, FollowsTheRampAndHasTheFrequencyOfTheWaterThatDrifts) {
   support::Random random(7);
   const RadiationData data = some_data(random, 12, 4);
