@@ -100,7 +100,8 @@ hydro::RadiationOptions options_of(const RadiationCommand& o) {
 }
 
 Json to_json(const hydro::Loads6cd& loads, double density, bool imaginary) {
-  const Eigen::MatrixXd part = density * (imaginary ? loads.imag() : loads.real());
+  const Eigen::MatrixXd part =
+      density * (imaginary ? Eigen::MatrixXd(loads.imag()) : Eigen::MatrixXd(loads.real()));
   Json rows = Json::array();
   for (Eigen::Index h = 0; h < part.cols(); ++h)
     rows.push_back(std::vector<double>(part.col(h).begin(), part.col(h).end()));

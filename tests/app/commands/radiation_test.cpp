@@ -27,15 +27,15 @@ const std::string kBuoy =
     "-9]}\n";
 
 /// What the command prints, or the fault it throws.
-std::string output_of(std::vector<std::string> words) {
+std::string radiation_of(std::vector<std::string> words) {
   words.insert(words.begin(), "radiation");
   return support::output_of(std::move(words));
 }
 
 TEST(RadiationCommand, TakesTheBodiesOfASceneThatMakeWaves) {
   const std::string file = support::write_scene(kBuoy);
-  const json bodies =
-      json::parse(output_of({file, "--json", "--no-store", "--frequencies", "1,2.2147"}))["bodies"];
+  const json bodies = json::parse(
+      radiation_of({file, "--json", "--no-store", "--frequencies", "1,2.2147"}))["bodies"];
   ASSERT_EQ(bodies.size(), 1);
   const json& buoy = bodies["buoy"];
   const json& row = buoy["frequencies"][1];
@@ -55,7 +55,7 @@ TEST(RadiationCommand, WritesWhatOtherProgramsRead) {
   const std::string file = support::write_scene(kBuoy);
   const std::filesystem::path stem = std::filesystem::path(testing::TempDir()) / "radiation_buoy";
   const std::string text =
-      output_of({file, "--no-store", "--frequencies", "2.2147", "--wamit", stem.string()});
+      radiation_of({file, "--no-store", "--frequencies", "2.2147", "--wamit", stem.string()});
   EXPECT_THAT(text, HasSubstr("assumed: small motions"));
   EXPECT_THAT(text, HasSubstr("2.215"));
   std::ifstream radiation(stem.string() + ".1");
@@ -76,22 +76,22 @@ TEST(RadiationCommand, WritesWhatOtherProgramsRead) {
 TEST(RadiationCommand, TakesAMeshAsAUniformBody) {
   const std::string mesh =
       (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();
-  const std::string rows = output_of({mesh, "--csv", "--no-store", "--frequencies", "1"});
+  const std::string rows = radiation_of({mesh, "--csv", "--no-store", "--frequencies", "1"});
   EXPECT_THAT(rows, HasSubstr("barge,1,added_mass,surge,surge,"));
   EXPECT_THAT(rows, HasSubstr("barge,1,excitation_imag,yaw,350,"));
 }
 
 TEST(RadiationCommand, RefusesWhatIsWrong) {
   const std::string file = support::write_scene(kBuoy);
-  EXPECT_THAT(output_of({file, "--set", "water.depth=20"}),
+  EXPECT_THAT(radiation_of({file, "--set", "water.depth=20"}),
               HasSubstr("no body of the scene makes waves; stone:"));
-  EXPECT_THAT(output_of({file, "--frequencies", "2,1"}), HasSubstr("that ascend"));
+  EXPECT_THAT(radiation_of({file, "--frequencies", "2,1"}), HasSubstr("that ascend"));
   const std::string mesh =
       (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();
-  EXPECT_THAT(output_of({mesh, "--relative-density", "1.2"}),
+  EXPECT_THAT(radiation_of({mesh, "--relative-density", "1.2"}),
               HasSubstr("--relative-density: found 1.2"));
-  EXPECT_THAT(output_of({mesh, "--density", "0"}), HasSubstr("--density: found 0"));
-  EXPECT_THAT(output_of({mesh, "--set", "gravity=1"}), HasSubstr("--set is for a scene"));
+  EXPECT_THAT(radiation_of({mesh, "--density", "0"}), HasSubstr("--density: found 0"));
+  EXPECT_THAT(radiation_of({mesh, "--set", "gravity=1"}), HasSubstr("--set is for a scene"));
 }
 
 }  // namespace
