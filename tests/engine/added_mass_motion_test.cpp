@@ -189,7 +189,7 @@ TEST(FreeMotion, WithLocksNeverDiverges) {
       -1.03163e-13, 9.44474e-12, 3.37775e-13, -4.48153e-17, -3.38662e-15, 4.48738e-14;
   const engine::DofMask locked = {true, true, false, false, false, true};
   support::Random random(12);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < support::repeats(3); ++i) {
     const Vector3d spin(random.uniform(-1000, 1000), random.uniform(-1000, 1000), 0);
     const hydro::BodyState state{.orientation = random.rotation(), .angular_velocity = spin};
     const hydro::BodyState end = engine::drifted(S, locked, state, {3, 1, 0}, 1.0 / 500);

@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "tests/engine/prelude.h"
+#include "tests/support/repeats.h"
 
 namespace {
 
@@ -21,6 +22,8 @@ bool same_bits(const Simulation& a, const Simulation& b) {
   }
   return same;
 }
+
+constexpr int kSteps = support::repeats(300);
 
 /// Contacts, a joint, locks, loads and water at once.
 SimulationSpec busy_world() {
@@ -47,26 +50,27 @@ SimulationSpec busy_world() {
 }
 
 TEST(Determinism, TwoRunsGiveTheSameBits) {
-  EXPECT_TRUE(same_bits(support::after(busy_world(), 600), support::after(busy_world(), 600)));
+  const Simulation first = support::after(busy_world(), 2 * kSteps);
+  EXPECT_TRUE(same_bits(first, support::after(busy_world(), 2 * kSteps)));
 }
 
 TEST(Determinism, SimulationsThatLiveTogetherDoNotTouchEachOther) {
   Simulation first(busy_world());
   Simulation second(busy_world());
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < kSteps; ++i) {
     first.step();
     second.step();
   }
   EXPECT_TRUE(same_bits(first, second));
-  EXPECT_TRUE(same_bits(first, support::after(busy_world(), 300)));
+  EXPECT_TRUE(same_bits(first, support::after(busy_world(), kSteps)));
 }
 
 TEST(Determinism, DoesNotDependOnTheThreadThatSteps) {
   Simulation simulation(busy_world());
   std::thread([&simulation] {
-    for (int i = 0; i < 300; ++i) simulation.step();
+    for (int i = 0; i < kSteps; ++i) simulation.step();
   }).join();
-  EXPECT_TRUE(same_bits(simulation, support::after(busy_world(), 300)));
+  EXPECT_TRUE(same_bits(simulation, support::after(busy_world(), kSteps)));
 }
 
 /// A heap of crates, enough for the iterative solver, and three pairs by themselves, afloat.

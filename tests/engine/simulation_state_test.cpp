@@ -31,7 +31,7 @@ std::shared_ptr<const hydro::AddedMassModel> wetted(const hydro::TriMesh& mesh_B
 
 /// A box with all loads of the water.
 BodySpec floating_box(const Vector3d& position) {
-  BodySpec box = support::box_body("box", {2, 1.4, 0.6}, 500, position, 2);
+  BodySpec box = support::box_body("box", {2, 1.4, 0.6}, 500, position);
   box.wet = true;
   box.coefficients.lift = 0.1;
   box.initial.orientation = Eigen::AngleAxisd(0.2, Vector3d(1, 2, 3).normalized());

@@ -46,7 +46,7 @@ double off_budget(const SimulationSpec& spec, const BodyForces& end) {
 
 /// The drags of its two parts balance: ρ_a A_a (U − v)² = ρ_w A_w v².
 TEST(WindMotion, ABoxDriftsAtTheSpeedAtWhichAirAndWaterBalance) {
-  const BodySpec box = dragged(support::box_body("box", {2, 2, 1}, 500, {0, 0, 0}, 4), 0.93, 0.12);
+  const BodySpec box = dragged(support::box_body("box", {2, 2, 1}, 500, {0, 0, 0}, 2), 0.93, 0.12);
   const double wind = 20;
   const SimulationSpec spec = in_wind(box, sea_under({.velocity = {wind, 0, 0}}));
   const Simulation end = support::after(spec, support::steps_in(400, kStep));

@@ -60,7 +60,7 @@ std::vector<RunName> heavy_water() {
   std::vector<RunName> runs;
   const RunName base = parse_run("density=0.5 speed=1 spin=1 start=deep steps=3600");
   for (const char* with : {"free", "hinged", "pinned", "chain", "wall"})
-    for (const char* added : {"0.5", "1", "2", "10", "100", "1000"})
+    for (const char* added : {"waves", "0.5", "1", "2", "10", "100", "1000"})
       runs.push_back(base.with(Key::with, with).with(Key::added, added));
   return runs;
 }
@@ -90,7 +90,7 @@ using Part = std::vector<RunName> (*)();
 
 /// Parts of the matrix and their strides: one of so many runs is in the subset.
 constexpr std::pair<Part, std::size_t> kParts[] = {
-    {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 5}, {great_teapots, 6}};
+    {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 6}, {great_teapots, 6}};
 
 std::vector<RunName> every_once(std::vector<std::size_t> strides) {
   std::vector<RunName> runs;

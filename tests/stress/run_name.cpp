@@ -47,7 +47,7 @@ const std::vector<Dimension>& dimensions() {
        "water",
        {"flat", "current", "swell", "steep", "breaking", "short", "jonswap", "bumps", "cliff"}},
       {Key::coefs, "coefs", {"default", "none", "thesis", "lift", "x100", "x100lift"}},
-      {Key::added, "added", {"deep", "none", "0.5", "1", "10", "100", "1000"}},
+      {Key::added, "added", {"deep", "waves", "none", "0.5", "1", "10", "100", "1000"}},
       {Key::with,
        "with",
        {"free", "locked", "pinned", "hinged", "slider", "chain", "fixed", "floor", "terrain",

@@ -61,12 +61,13 @@ double height(const RunName& run, double size, double reach_down) {
   throw std::invalid_argument(fmt::format("'{}' is no place to start", start));
 }
 
-engine::BodySpec make_body(const RunName& run, const Shape& shape, double size) {
+engine::BodySpec make_body(const RunName& run, const Shape& shape, double size,
+                           const hydro::Sea& sea) {
   engine::BodySpec body{.name = "body", .mesh_B = shape.mesh_B};
   body.mass = run.number(Key::density) * kWater * shape.volume;
   body.inertia_B = body.mass * shape.inertia;
   body.coefficients = hydro::for_mesh(coefficients(run[Key::coefs]), body.mesh_B, kViscosity);
-  body.added_mass = make_added_mass(run[Key::added], run[Key::shape], size, body);
+  add_inertia_of_water(run[Key::added], run[Key::shape], size, sea, body);
   hydro::BodyState& state = body.initial;
   state.orientation = orientation(run[Key::pose]);
   state.position.z() = height(run, size, -lowest(body));
@@ -84,7 +85,7 @@ Scenario make_scenario(const RunName& run) {
   scenario.steps = static_cast<long>(run.number(Key::steps));
   scenario.spec.step = run.number(Key::step);
   scenario.spec.sea = make_water(run[Key::water], scenario.size);
-  arrange(run[Key::with], make_body(run, shape, scenario.size), scenario);
+  arrange(run[Key::with], make_body(run, shape, scenario.size, *scenario.spec.sea), scenario);
   const bool streams = !scenario.spec.sea->current.isZero(0);
   const bool freely = run[Key::with] == "free";
   scenario.passive = hydro::is_flat(*scenario.spec.sea) &&

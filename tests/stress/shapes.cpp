@@ -11,8 +11,11 @@
 #include "app/assembly/mesh_io.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
+#include "hydro/radiation/diffraction_load.h"
+#include "hydro/radiation/radiation_solve.h"
 #include "tests/stress/run_name.h"
 
 namespace stress {
@@ -90,6 +93,20 @@ std::shared_ptr<const hydro::AddedMassModel> deep(const std::string& shape, doub
                                                   scaled_solution(*stored->solution, size));
 }
 
+std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body,
+                                                    const hydro::Sea& sea) {
+  // As for the added mass: accurate enough to stress the mechanics.
+  const hydro::RadiationData data =
+      hydro::solve_radiation(body.mesh_B, {}, {.gravity = sea.gravity}, {.patches = 80}).data;
+  hydro::FloatingBody::Diffraction diffraction;
+  if (hydro::has_airy_waves(sea))
+    diffraction = [load = std::make_shared<hydro::DiffractionLoad>(data)](
+                      const hydro::BodyState& state, const hydro::Sea& water, double time) {
+      return load->at(state, water, time);
+    };
+  return std::make_shared<hydro::FloatingBody>(body.mesh_B, data, std::move(diffraction));
+}
+
 std::shared_ptr<const hydro::AddedMassModel> given(double ratio, const engine::BodySpec& body) {
   const Eigen::Vector3d moments = body.inertia_B.diagonal();
   hydro::Vector6d diagonal;
@@ -112,12 +129,17 @@ Shape make_shape(const std::string& name, double size) {
   return shape;
 }
 
-std::shared_ptr<const hydro::AddedMassModel> make_added_mass(const std::string& added,
-                                                             const std::string& shape, double size,
-                                                             const engine::BodySpec& body) {
-  if (added == "none") return nullptr;
-  if (added == "deep") return deep(shape, size, body);
-  return given(RunName().with(Key::added, added).number(Key::added), body);
+void add_inertia_of_water(const std::string& added, const std::string& shape, double size,
+                          const hydro::Sea& sea, engine::BodySpec& body) {
+  if (added == "none") return;
+  if (added == "waves") {
+    body.radiation = floating(body, sea);
+    body.added_mass = body.radiation;
+  } else if (added == "deep") {
+    body.added_mass = deep(shape, size, body);
+  } else {
+    body.added_mass = given(RunName().with(Key::added, added).number(Key::added), body);
+  }
 }
 
 }  // namespace stress

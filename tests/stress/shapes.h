@@ -22,10 +22,10 @@ struct Shape {
 /// @throws std::invalid_argument for another name.
 Shape make_shape(const std::string& name, double size);
 
-/// Returns the model that the run's value `added` names: none, deep, or a number, which is the
-/// largest ratio of A to M; A then differs between the axes and couples surge with pitch.
-std::shared_ptr<const hydro::AddedMassModel> make_added_mass(const std::string& added,
-                                                             const std::string& shape, double size,
-                                                             const engine::BodySpec& body);
+/// Gives the body what the run's value `added` names: none; deep; waves, which it makes as if it
+/// floated half immersed; or a number, which is the largest ratio of A to M: A then differs between
+/// the axes and couples surge with pitch.
+void add_inertia_of_water(const std::string& added, const std::string& shape, double size,
+                          const hydro::Sea& sea, engine::BodySpec& body);
 
 }  // namespace stress

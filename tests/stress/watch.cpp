@@ -7,15 +7,22 @@
 
 #include "engine/energy.h"
 #include "engine/state_checks.h"
+#include "engine/state_data.h"
 #include "tests/stress/waters.h"
 
 namespace stress {
 namespace {
 
-engine::Motion motion_of(const engine::Body& body, const hydro::BodyState& state) {
-  engine::Motion motion{.state = state};
-  motion.added_B = engine::added_mass(body, state, 0);
-  return motion;
+/// The simulation's motions, each with the added mass of its own pose.
+std::vector<engine::Motion> motions_of(const engine::Simulation& simulation,
+                                       const std::vector<engine::Body>& bodies) {
+  const engine::SimulationState state = simulation.state();
+  std::vector<engine::Motion> motions;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    motions.push_back(state.data().bodies[i].motion);
+    motions.back().added_B = engine::added_mass(bodies[i], motions.back().state, 0);
+  }
+  return motions;
 }
 
 }  // namespace
@@ -27,18 +34,18 @@ Watch::Watch(const Scenario& scenario)
   world_.add_ground(scenario_.spec.ground);
   environment_ = engine::make_environment(scenario_.spec);
   bodies_ = engine::make_bodies(scenario_.spec);
-  std::vector<hydro::BodyState> states;
+  std::vector<engine::Motion> motions;
   for (std::size_t i = 0; i < scenario_.spec.bodies.size(); ++i) {
-    const engine::Motion motion =
-        engine::motion_at(bodies_[i], scenario_.spec, scenario_.spec.bodies[i].initial, 0);
-    states.push_back(motion.state);
-    initial_energies_.push_back(engine::kinetic_energy(bodies_[i], motion, bodies_[i].current()));
+    motions.push_back(
+        engine::motion_at(bodies_[i], scenario_.spec, scenario_.spec.bodies[i].initial, 0));
+    initial_energies_.push_back(
+        engine::kinetic_energy(bodies_[i], motions.back(), bodies_[i].current()));
     weight_ += (scenario_.spec.bodies[i].mass + environment_.sea->density * scenario_.volume) *
                environment_.gravity;
   }
   smallest_scale_ = kSmallestScale * weight_ * scenario_.size;
   if (!scenario_.passive) return;
-  const Energy energy = find_energy(states);
+  const Energy energy = find_energy(motions);
   energy_ = lowest_ = highest_ = energy.total();
   lowest_potential_ = energy.potential;
 }
@@ -58,17 +65,16 @@ double Watch::overlap_energy(const std::vector<engine::Motion>& motions) {
   return weight_ * static_cast<double>(bodies_.size()) * deepest;
 }
 
-Watch::Energy Watch::find_energy(const std::vector<hydro::BodyState>& states) {
+Watch::Energy Watch::find_energy(const std::vector<engine::Motion>& motions) {
   Energy sum;
-  std::vector<engine::Motion> motions;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    motions.push_back(motion_of(bodies_[i], states[i]));
     if (!bodies_[i].movable) continue;
-    const engine::Motion& motion = motions.back();
-    sum.kinetic += engine::kinetic_energy(bodies_[i], motion, bodies_[i].current());
+    const engine::Motion& motion = motions[i];
+    sum.kinetic += engine::kinetic_energy(bodies_[i], motion, bodies_[i].current()) +
+                   engine::memory_energy(bodies_[i], motion);
     sum.potential += engine::potential_energy(bodies_[i], motion.state);
   }
-  sum.potential -= scenario_.push.dot(states[0].position);
+  sum.potential -= scenario_.push.dot(motions[0].state.position);
   sum.overlap = overlap_energy(motions);
   return sum;
 }
@@ -134,7 +140,7 @@ std::optional<std::string> Watch::look(const engine::Simulation& simulation) {
   for (const hydro::BodyState& state : simulation.states())
     if (const auto fault = engine::state_fault(state)) return fault;
   if (scenario_.passive) {
-    follow_energy(find_energy(simulation.states()));
+    follow_energy(find_energy(motions_of(simulation, bodies_)));
     if (worst_rise_ > kLargestRise)
       return fmt::format("energy rose by {:.3g} of the greatest so far", worst_rise_);
   }

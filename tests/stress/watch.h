@@ -12,8 +12,9 @@
 /// @file
 /// Criteria by which a run fails.
 ///
-/// Let E = K + U be the energy of all bodies, K their kinetic energy with added mass and U their
-/// potential energy (gravity, buoyancy, a constant push). In still water without lift
+/// Let E = K + U be the energy of all bodies, K their kinetic energy with added mass and that in
+/// the memory of their waves, and U their potential energy (gravity, buoyancy, a constant push). In
+/// still water without lift
 ///
 ///     rise(t)  = E(t) − min E(s) − max C(s)  over s <= t,
 ///     scale(t) = max E(s) − min U(s)  over s <= t                                           (1)
@@ -68,7 +69,7 @@ class Watch {
     double overlap = 0;  ///< C
     double total() const { return kinetic + potential; }
   };
-  Energy find_energy(const std::vector<hydro::BodyState>& states);
+  Energy find_energy(const std::vector<engine::Motion>& motions);
   double overlap_energy(const std::vector<engine::Motion>& motions);
   void follow_energy(const Energy& energy);
   double greatest_speed(std::size_t body, const hydro::BodyState& state) const;

@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "tests/app/program/program.h"
+#include "tests/support/repeats.h"
 
 /// A run that is killed and resumed writes what a run that is not stopped writes.
 
@@ -14,7 +15,8 @@ using support::Workplace;
 /// Boxes that fall, float, and touch, with forces and probes logged; long enough to be killed on
 /// its way.
 std::string long_scene(const std::string& more = "") {
-  return "plimsoll: 1\nduration: 60\nstep: 0.005\nwater: {density: 1000}\n"
+  return "plimsoll: 1\nduration: " + std::to_string(support::repeats(60)) +
+         "\nstep: 0.005\nwater: {density: 1000}\n"
          "bodies:\n"
          "  - {name: a, box: {size: [1, 1, 1]}, density: 500, position: [0, 0, 1],\n"
          "     orientation: {axis: [1, 2, 3], angle_deg: 40}}\n"
