@@ -118,20 +118,32 @@ void advance(const Matrix6d& S_inverse, DriftState& m, double time, int halvings
   m.p = 2 * mean->p - m.p;
 }
 
-/// Advances ω in B by Euler's equations, with (E2). @return ω̄
-Vector3d turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w,
-                          double time) {
+/// Advances ω in B and the orientation by Euler's equations, with (E2) solved by repeated
+/// substitution. It converges for a body by itself. With added mass, one moment of inertia may be
+/// thousands of times another, and where it does not, (E2) is solved as that of a whole body.
+void turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w,
+                      Eigen::Quaterniond& q, double time) {
   const Vector3d L = inertia * w;
   Vector3d mean = L;
+  double change = 0;
   for (int i = 0; i < kMostDriftSolves; ++i) {
     const Vector3d rate = inverse * mean;
     const Vector3d next = L + half_step(rate.norm(), time) * mean.cross(rate);
-    const double change = (next - mean).squaredNorm();
+    change = (next - mean).squaredNorm();
     mean = next;
     if (change <= kDriftConverged * kDriftConverged * L.squaredNorm()) break;
   }
-  w = inverse * (2 * mean - L);
-  return inverse * mean;
+  if (change <= kDriftRoundOff * kDriftRoundOff * L.squaredNorm()) {
+    w = inverse * (2 * mean - L);
+    q = renormalized(q * exponential(time * (inverse * mean)));
+    return;
+  }
+  Matrix6d S_inverse = Matrix6d::Identity();
+  S_inverse.bottomRightCorner<3, 3>() = inverse;
+  DriftState m{.p = to_vector6(Vector3d::Zero(), L), .q = q};
+  advance(S_inverse, m, time, kMostDriftHalvings);
+  w = inverse * m.p.tail<3>();
+  q = m.q;
 }
 
 /// (0, −v × P) in W.
@@ -274,10 +286,8 @@ hydro::BodyState rotated_freely(const Matrix3d& inertia, const hydro::BodyState&
   const Matrix3d inverse = inertia.inverse();
   Vector3d w_B = state.orientation.conjugate() * state.angular_velocity;
   const int count = count_parts(w_B.norm(), time);
-  for (int i = 0; i < count; ++i) {
-    const Vector3d mean = turn_by_midpoint(inertia, inverse, w_B, time / count);
-    next.orientation = renormalized(next.orientation * exponential(time / count * mean));
-  }
+  for (int i = 0; i < count; ++i)
+    turn_by_midpoint(inertia, inverse, w_B, next.orientation, time / count);
   next.angular_velocity = next.orientation * w_B;
   return next;
 }

@@ -1,3 +1,5 @@
+#include "engine/free_motion.h"
+
 #include <numbers>
 
 #include "tests/engine/prelude.h"
@@ -93,6 +95,32 @@ Eigen::Quaterniond tumbled(double step) {
   SimulationSpec spec = weightless(body);
   spec.step = step;
   return support::after(spec, support::steps_in(1, step)).states()[0].orientation;
+}
+
+/// With the added mass of a thin plate, one moment may be a million times another.
+TEST(FreeSpin, KeepsEnergyAndAngularMomentumWhateverTheMomentsOfInertia) {
+  support::Random random(8);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Matrix3d axes = random.rotation().toRotationMatrix();
+    const Vector3d moments(1, std::pow(10, random.uniform(-6, 0)),
+                           std::pow(10, random.uniform(-6, 0)));
+    const Eigen::Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
+    const hydro::BodyState start{
+        .orientation = random.rotation(),
+        .angular_velocity = std::pow(10, random.uniform(0, 2)) * random.vector(1)};
+    const auto momentum = [&](const hydro::BodyState& state) {
+      return Vector3d(state.orientation *
+                      (inertia * (state.orientation.conjugate() * state.angular_velocity)));
+    };
+    const auto energy = [&](const hydro::BodyState& state) {
+      return momentum(state).dot(state.angular_velocity) / 2;
+    };
+    const hydro::BodyState end = engine::rotated_freely(inertia, start, 1.0 / 60);
+    // (E2) may be left with a change of energy of kDriftEnergyKept in each of 64 parts of up to 17.
+    EXPECT_NEAR(energy(end), energy(start), tolerance(1e-6) * energy(start)) << moments.transpose();
+    EXPECT_LT((momentum(end) - momentum(start)).norm(), tolerance(1e-6) * momentum(start).norm())
+        << moments.transpose();
+  }
 }
 
 TEST(FreeSpin, TurnsToSecondOrder) {
