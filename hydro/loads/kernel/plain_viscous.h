@@ -7,10 +7,6 @@
 
 namespace hydro::kernel {
 
-/// Reynolds number below which the ITTC line is held, and its C_v there (`viscous_drag.cpp`).
-inline constexpr double kLeastReynolds = 1e4;
-inline constexpr double kHeldCoefficient = 0.075 / 4;
-
 /// Triangles in body axes about the centre of mass, lane by lane.
 struct alignas(64) PlainPanels {
   double r[3][3][kMostLanes];  ///< Vertex, axis, lane [m].

@@ -9,6 +9,7 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include "hydro/loads/kernel/lanes-inl.h"
+#include "hydro/loads/kernel/line_about_pole-inl.h"
 #include "hydro/loads/kernel/plain_viscous.h"
 
 /// @file
@@ -20,7 +21,8 @@
 ///   - by seven points on each quarter below 2 kSmooth, if C_v is the ITTC line;
 ///   - cut at the one kink of C_v that lies on it, and then by seven points, below kStraight;
 ///   - by the closed form of `rotary_drag.h` where C_v is linear in the speed all over it;
-///   - by `viscous_drag_load` otherwise: a few triangles near the places where v_t vanishes.
+///   - by sums over its edges of means of the ITTC line (`line_about_pole-inl.h`);
+///   - by `viscous_drag_load` otherwise: a few triangles of the thesis's law, with a kink.
 /// The errors are those told there, below 1e-6 of a panel's largest load.
 
 HWY_BEFORE_NAMESPACE();
@@ -224,15 +226,6 @@ inline HWY_NOINLINE Friction cut_at_kink(const Sliding& s, const ViscousDrag& la
 
 /// The terms of equations (3) and (4) of rotary_drag.h for one edge from s0 to s1, seen from the
 /// pole, with C_v = a + b d.
-struct PoleMoments {
-  V2 first;
-  V third;
-};
-
-HWY_INLINE PoleMoments operator+(const PoleMoments& a, const PoleMoments& b) {
-  return {{a.first.x + b.first.x, a.first.y + b.first.y}, a.third + b.third};
-}
-
 inline HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V b) {
   const V2 edge = {s1.x - s0.x, s1.y - s0.y};
   const V size = length(edge);
@@ -264,14 +257,13 @@ inline HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V 
       hn::MulAdd(a5, rho3, b6 * (rho4_to(t1) - rho4_to(t0)))};
 }
 
-/// The closed form where C_v is linear in the speed all over the triangle.
-inline HWY_NOINLINE Friction about_pole(const Sliding& s, const ViscousDrag& law, M which) {
-  const Branch branch = branch_at<kAllTerms>(law, s.middle);
+/// Friction by its integrals over the edges, seen from the pole. @param moments_of   Of an edge.
+template <class MomentsOf>
+HWY_INLINE Friction about_pole(const Sliding& s, M which, const MomentsOf& moments_of) {
   const V omega = hn::IfThenElse(which, s.flow.spin, all(1)), spin = hn::Abs(omega);
   const V2 pole = {(zero() - s.flow.b) / omega, s.flow.a / omega};
   const auto edge = [&](const V2& from, const V2& to) HWY_ATTR {
-    return edge_moments({from.x - pole.x, from.y - pole.y}, {to.x - pole.x, to.y - pole.y},
-                        branch.constant, branch.slope * spin);
+    return moments_of(spin, V2{from.x - pole.x, from.y - pole.y}, V2{to.x - pole.x, to.y - pole.y});
   };
   const PoleMoments sum = edge(s.t.a, s.t.b) + edge(s.t.b, s.t.c) + edge(s.t.c, s.t.a);
   const V factor = spin * omega;
@@ -279,6 +271,22 @@ inline HWY_NOINLINE Friction about_pole(const Sliding& s, const ViscousDrag& law
   const V moment = hn::MulAdd(factor, sum.third, hn::MulSub(pole.x, force.y, pole.y * force.x));
   return {{hn::IfThenElseZero(which, force.x), hn::IfThenElseZero(which, force.y)},
           hn::IfThenElseZero(which, moment)};
+}
+
+/// The closed form where C_v is linear in the speed all over the triangle.
+inline HWY_NOINLINE Friction linear_about_pole(const Sliding& s, const ViscousDrag& law, M which) {
+  const Branch branch = branch_at<kAllTerms>(law, s.middle);
+  return about_pole(s, which, [&](V spin, const V2& from, const V2& to) HWY_ATTR {
+    return edge_moments(from, to, branch.constant, branch.slope * spin);
+  });
+}
+
+/// The ITTC line, held or not.
+inline HWY_NOINLINE Friction line_about_pole(const Sliding& s, const ViscousDrag& law, M which) {
+  const FrictionMeans& means = friction_means();
+  return about_pole(s, which, [&](V spin, const V2& from, const V2& to) HWY_ATTR {
+    return line_moments(means, all(law.reynolds_per_speed / 100) * spin, from, to);
+  });
 }
 
 HWY_INLINE void add_friction(Sums& sums, const Plane& p, V factor, const Friction& f) {
@@ -355,12 +363,14 @@ inline HWY_NOINLINE void add_viscous(Sums& sums, const LoadInputs& in, const Pla
   const M flat = hn::And(smooth, change <= all(kFlat) * low);
   const M gentle = hn::And(smooth, change <= all(kGentle) * low);
   const M straight = hn::And(kink, change <= all(kStraight) * low);
-  M linear = hn::AndNot(hn::Or(kink, smooth), counts);
-  M quartered = hn::FirstN(d, 0);
+  const M turning = hn::AndNot(hn::Or(smooth, straight), counts);
+  const M held = high <= first_kink;
+  const M linear = hn::AndNot(kink, ittc ? hn::And(held, turning) : turning);
+  M quartered = hn::FirstN(d, 0), line = quartered;
   if (ittc) {
-    quartered = hn::And(linear, change <= all(2 * kSmooth) * low);
-    linear = hn::And(linear, high <= first_kink);
-    quartered = hn::AndNot(linear, quartered);
+    quartered =
+        hn::AndNot(hn::Or(kink, linear), hn::And(turning, change <= all(2 * kSmooth) * low));
+    line = hn::AndNot(hn::Or(linear, quartered), turning);
   }
 
   Friction sum{{zero(), zero()}, zero()};
@@ -377,9 +387,10 @@ inline HWY_NOINLINE void add_viscous(Sums& sums, const LoadInputs& in, const Pla
   }
   if (!hn::AllFalse(d, quartered))
     sum = sum + in_quarters({s.plane, s.flow, s.t, only(quartered), middle}, law);
-  if (!hn::AllFalse(d, linear)) sum = sum + about_pole(s, law, linear);
+  if (!hn::AllFalse(d, linear)) sum = sum + linear_about_pole(s, law, linear);
+  if (!hn::AllFalse(d, line)) sum = sum + line_about_pole(s, law, line);
   add_friction(sums, s.plane, all(-in.half_density), sum);
-  const M others = hn::AndNot(hn::Or(hn::Or(smooth, straight), hn::Or(linear, quartered)), counts);
+  const M others = hn::AndNot(hn::Or(hn::Or(linear, line), quartered), turning);
   if (!hn::AllFalse(d, others)) add_lane_by_lane(sums, in, s, others);
 }
 
