@@ -7,6 +7,7 @@
 
 #include "hydro/loads/loads.h"
 #include "hydro/loads/plain_loads.h"
+#include "hydro/loads/wind.h"
 #include "hydro/mesh/primitives.h"
 #include "hydro/wave_spectrum.h"
 #include "tests/benchmarks/bare_loop.h"
@@ -15,8 +16,9 @@
 /// @file
 /// Loads on one body. A name is BM_Hydro/SHAPE/TRIANGLES/STATE/THREADS[/WHAT]: without WHAT all
 /// loads of the default coefficients but viscous drag, with the tree; `viscous` adds that,
-/// `no_tree` takes every leaf, `plain` is the sum that the tests compare with. For one thread read
-/// the CPU time, for more the real time. BM_BareLoop is the floor to compare with.
+/// `no_tree` takes every leaf, `plain` is the sum that the tests compare with, `wind` is the load
+/// of the air alone. For one thread read the CPU time, for more the real time. BM_BareLoop is the
+/// floor to compare with.
 
 namespace bench {
 namespace {
@@ -96,6 +98,16 @@ void loads_of_a_body(benchmark::State& state, const Case& c) {
   count(state, hull.mesh_B.face_count());
 }
 
+void load_of_wind(benchmark::State& state, const Case& c) {
+  const hydro::Hull hull = hydro::make_hull(hydro::make_icosphere(1, c.subdivisions));
+  Sea sea = sea_of(c.state);
+  sea.air = hydro::Air{.wind = {.velocity = {12, 5, 0}, .exponent = 0.11}};
+  const BodyState motion = state_of(c.state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(hydro::wind_load(hull, motion, sea, 0.7, kInviscid));
+  count(state, hull.mesh_B.face_count());
+}
+
 void bare(benchmark::State& state, int subdivisions) {
   const hydro::TriMesh mesh = hydro::make_icosphere(1, subdivisions);
   const BareTriangles triangles(mesh);
@@ -110,7 +122,10 @@ void add(const Case& c) {
   const int triangles = 20 << (2 * c.subdivisions);
   const std::string name = fmt::format("BM_Hydro/icosphere/{}/{}/{}{}{}", triangles, c.state,
                                        c.threads, c.what.empty() ? "" : "/", c.what);
-  benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& s) { loads_of_a_body(s, c); });
+  benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& s) {
+    if (c.what == "wind") return load_of_wind(s, c);
+    loads_of_a_body(s, c);
+  });
 }
 
 }  // namespace
@@ -124,6 +139,8 @@ void register_hydro() {
            {"", "no_tree", "viscous", "viscous_no_tree", "plain", "plain_viscous"})
         add({state, what, subdivisions, 1});
   }
+  for (const int subdivisions : {3, 6})
+    for (const char* state : {"half", "waves"}) add({state, "wind", subdivisions, 1});
   add({"half", "rest", 4, 1});
   add({"half", "no_tree", 6, 2});
   add({"jonswap256", "viscous", 4, 1});

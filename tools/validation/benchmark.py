@@ -27,7 +27,8 @@ kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
           ("waves", ""): "half immersed, in a wave",
           ("half", "viscous"): "half immersed, with viscous drag",
           ("half", "no_tree"): "half immersed, without the tree",
-          ("half", "plain"): "half immersed, plain sum, not vectorised"}
+          ("half", "plain"): "half immersed, plain sum, not vectorised",
+          ("half", "wind"): "half immersed, the wind alone, not vectorised"}
 kBare = ("", "bare")
 # Arrangements of BM_Step, by the end of its name.
 kArrangements = {"": "apart", "crates": "in heaps of ten", "heap": "in one heap",
