@@ -1,0 +1,204 @@
+#include "app/databases/database_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/scene/diagnostics.h"
+#include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
+#include "hydro/decompositions.h"
+#include "hydro/statics/hydrostatics.h"
+
+namespace databases {
+namespace {
+
+using Eigen::Index;
+using hydro::Matrix6d;
+using std::numbers::pi;
+
+// Bounds above which a check is noted, and refused, relative to the largest of its kind [-].
+// Panel methods stay below the former; what is above the latter is of another body or convention.
+struct Bounds {
+  double noted, refused;
+};
+constexpr Bounds kAsymmetry = {0.01, 0.1};
+constexpr Bounds kNegative = {0.005, 0.05};
+constexpr Bounds kVolume = {0.01, 0.1};
+constexpr Bounds kWaterplane = {0.02, 0.2};
+constexpr Bounds kHaskind = {0.05, 0.3};
+
+/// Longest waves' wave number by the lever below which the body is small in them [-].
+constexpr double kLongWave = 0.5;
+/// Least part of the push that a body of its volume must feel in them for the phase to count [-].
+constexpr double kLeastPush = 0.2;
+
+Matrix6d weighted(const Matrix6d& matrix, double lever) {
+  hydro::Vector6d weight = hydro::Vector6d::Ones();
+  weight.tail<3>() /= lever;
+  return weight.asDiagonal() * matrix * weight.asDiagonal();
+}
+
+/// Adds a check and its note.
+void add(const std::string& name, double value, const Bounds& bounds, BodyData& found) {
+  found.checks.push_back({name, value});
+  if (std::abs(value) > bounds.noted)
+    found.notes.push_back(fmt::format("{} {:.2g} %", name, 100 * value));
+}
+
+/// The matrices of one kind.
+struct Kind {
+  const char* name;
+  std::vector<Matrix6d*> matrices;
+  std::vector<double> frequencies;  ///< Infinite for A∞ [rad/s].
+};
+
+double largest_of(const Kind& kind, double lever) {
+  double largest = 0;
+  for (const Matrix6d* matrix : kind.matrices)
+    largest = std::max(largest, weighted(*matrix, lever).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+void check_symmetry(const Database& d, const Kind& kind, double lever, BodyData& found) {
+  const double largest = largest_of(kind, lever);
+  double worst = 0;
+  for (std::size_t f = 0; f < kind.matrices.size(); ++f) {
+    Matrix6d& matrix = *kind.matrices[f];
+    const Matrix6d scaled = weighted(matrix, lever);
+    Index row = 0, column = 0;
+    const double error = (scaled - scaled.transpose()).cwiseAbs().maxCoeff(&column, &row);
+    if (error > kAsymmetry.refused * largest)
+      refuse(d, fmt::format("{} at {:g} rad/s: found {:g} in row {}, column {} and {:g} in row {}, "
+                            "column {} (for water of density 1); expected a symmetric matrix",
+                            kind.name, kind.frequencies[f], matrix(row, column), row + 1,
+                            column + 1, matrix(column, row), column + 1, row + 1));
+    worst = std::max(worst, error);
+    matrix = (0.5 * (matrix + matrix.transpose())).eval();
+  }
+  add(fmt::format("asymmetry of {}", kind.name), largest > 0 ? worst / largest : 0, kAsymmetry,
+      found);
+}
+
+void check_eigenvalues(const Database& d, const Kind& kind, double lever, BodyData& found) {
+  const double largest = largest_of(kind, lever);
+  double worst = 0;
+  for (std::size_t f = 0; largest > 0 && f < kind.matrices.size(); ++f) {
+    const auto parts = hydro::eigen_decomposition(weighted(*kind.matrices[f], lever));
+    const double least = parts.values[0] / largest;
+    Index row = 0;
+    parts.vectors.col(0).cwiseAbs().maxCoeff(&row);
+    if (least < -kNegative.refused)
+      refuse(d, fmt::format("{} at {:g} rad/s: has an eigenvalue of {:.2g} % of its largest entry, "
+                            "most of it in row {}, column {} ({:g} for water of density 1); "
+                            "expected none below {:g} %",
+                            kind.name, kind.frequencies[f], 100 * least, row + 1, row + 1,
+                            (*kind.matrices[f])(row, row), -100 * kNegative.refused));
+    if (least >= 0) continue;
+    worst = std::min(worst, least);
+    const Matrix6d kept = hydro::semi_definite_part(weighted(*kind.matrices[f], lever));
+    *kind.matrices[f] = weighted(kept, 1 / lever);
+  }
+  add(fmt::format("least eigenvalue of {}", kind.name), worst, kNegative, found);
+}
+
+/// Group velocity [m/s].
+double group_velocity(double omega, double k, double depth) {
+  const double kh = k * depth;
+  return omega / (2 * k) * (1 + (kh > 300 ? 0 : 2 * kh / std::sinh(2 * kh)));
+}
+
+void check_push(const Database& d, BodyData& found) {
+  const hydro::RadiationData& data = found.data;
+  const double k =
+      hydro::wave_number(data.frequencies[0], data.water.depth, data.water.gravity).value();
+  double push = 0;  // Along the waves, in phase with the water's acceleration.
+  for (std::size_t h = 0; h < data.headings.size(); ++h) {
+    const auto X = (data.froude_krylov[0] + data.diffraction[0]).col(static_cast<Index>(h)).imag();
+    push -= X[0] * std::cos(data.headings[h]) + X[1] * std::sin(data.headings[h]);
+  }
+  const double expected =
+      data.water.gravity * k * data.volume * static_cast<double>(data.headings.size());
+  if (push < -kLeastPush * expected)
+    refuse(d, fmt::format("excitation at {:g} rad/s: the waves push the body against the water's "
+                          "acceleration, rows 1 and 2; expected the other sign of the imaginary "
+                          "part, or of the headings",
+                          data.frequencies[0]));
+}
+
+}  // namespace
+
+void check_matrices(Database& d, double lever, BodyData& found) {
+  Kind A{"added mass", {}, d.frequencies}, B{"damping", {}, d.frequencies};
+  for (Matrix6d& matrix : d.added_mass) A.matrices.push_back(&matrix);
+  for (Matrix6d& matrix : d.damping) B.matrices.push_back(&matrix);
+  if (d.infinite_added_mass) {
+    A.matrices.push_back(&*d.infinite_added_mass);
+    A.frequencies.push_back(std::numeric_limits<double>::infinity());
+  }
+  check_symmetry(d, A, lever, found);
+  check_symmetry(d, B, lever, found);
+  check_eigenvalues(d, B, lever, found);
+  if (d.infinite_added_mass)
+    check_eigenvalues(d,
+                      {"infinite added mass",
+                       {&*d.infinite_added_mass},
+                       {std::numeric_limits<double>::infinity()}},
+                      lever, found);
+}
+
+void check_statics(const Database& d, const FloatingMesh& body, BodyData& found) {
+  const hydro::Hydrostatics own = hydro::hydrostatics(
+      hydro::transformed(body.mesh_B, Eigen::Isometry3d(body.pose.orientation)), body.pose.height);
+  found.data.volume = own.volume;
+  const auto compare = [&](const char* what, const char* unit, double theirs, double ours,
+                           const Bounds& bounds) {
+    const double difference = theirs / ours - 1;
+    if (!(std::abs(difference) < bounds.refused))
+      refuse(d,
+             fmt::format("found a {} of {:.5g} {}, and the body's is {:.5g} {} in its mean pose; "
+                         "expected them to agree within {:g} %",
+                         what, theirs, unit, ours, unit, 100 * bounds.refused));
+    add(fmt::format("{} against the mesh", what), difference, bounds, found);
+  };
+  if (d.volume) compare("displaced volume", "m^3", *d.volume, own.volume, kVolume);
+  if (d.waterplane_area && own.waterplane.area > 0)
+    compare("waterplane", "m^2", *d.waterplane_area, own.waterplane.area, kWaterplane);
+}
+
+void check_loads(const Database& d, double lever, BodyData& found) {
+  const hydro::RadiationData& data = found.data;
+  double largest = 0, worst = 0, at = 0;
+  Index row = 0, column = 0;
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    const double omega = data.frequencies[f];
+    const double k = hydro::wave_number(omega, data.water.depth, data.water.gravity).value();
+    const hydro::Loads6cd X = data.froude_krylov[f] + data.diffraction[f];
+    const double factor =
+        k / (8 * pi * data.water.gravity * group_velocity(omega, k, data.water.depth)) * 2 * pi /
+        static_cast<double>(X.cols());
+    const Matrix6d radiated = factor * (X * X.adjoint()).real();
+    largest = std::max(largest, weighted(data.damping[f], lever).cwiseAbs().maxCoeff());
+    Index i = 0, j = 0;
+    const double error = weighted(radiated - data.damping[f], lever).cwiseAbs().maxCoeff(&i, &j);
+    if (error <= worst) continue;
+    worst = error;
+    at = omega;
+    row = i;
+    column = j;
+  }
+  if (largest > 0) worst /= largest;
+  if (worst > kHaskind.refused)
+    refuse(d, fmt::format("damping at {:g} rad/s, row {}, column {}: differs by {:.2g} % of the "
+                          "largest from that of the loads of waves (Haskind's relation); expected "
+                          "at most {:g} %",
+                          at, row + 1, column + 1, 100 * worst, 100 * kHaskind.refused));
+  add("damping against Haskind's relation", worst, kHaskind, found);
+  const double k =
+      hydro::wave_number(data.frequencies[0], data.water.depth, data.water.gravity).value();
+  if (k * lever < kLongWave) check_push(d, found);
+}
+
+}  // namespace databases
