@@ -105,7 +105,7 @@ Body body_of(const ArrayFile& file, std::size_t index) {
   body.scaled = file.number("simulation_parameters/scaled").value_or(0) != 0;
   body.density = file.number("simulation_parameters/rho").value_or(0);
   body.gravity = file.number("simulation_parameters/g").value_or(0);
-  if (!(body.gravity > 0 && body.density > 0))
+  if (!(body.gravity > 0 && body.density > 0 && std::isfinite(body.density)))
     file.refuse("expected positive simulation_parameters/rho and g");
   return body;
 }

@@ -213,7 +213,8 @@ Database read_capytaine(const scene::RadiationFile& source) {
   set.radiating = places_of(radiating, names[body]);
   set.influenced = places_of(influenced, names[body]);
   set.density = file->number("rho").value_or(0);
-  if (!(set.density > 0)) file->refuse("expected a positive density rho");
+  if (!(set.density > 0 && std::isfinite(set.density)))
+    file->refuse("expected a positive density rho");
   if (const auto headings = file->find("wave_direction")) set.heading = headings->numbers;
   Database d{.format = "Capytaine", .body = names[body], .files = {source.file}};
   note_motions(set, names[body], influenced.size(), d);

@@ -42,6 +42,21 @@ Matrix3d cross_matrix(const Vector3d& r) {
   return m;
 }
 
+void check_water(const Database& d, const hydro::LinearWater& water) {
+  if (!(water.gravity > 0 && std::isfinite(water.gravity) && water.depth > 0))
+    refuse(d, fmt::format("found a gravity of {:g} m/s^2 and a depth of {:g} m, expected positive "
+                          "numbers",
+                          water.gravity, water.depth));
+  for (const double omega : {d.frequencies.front(), d.frequencies.back()}) {
+    const auto k = hydro::wave_number(omega, water.depth, water.gravity);
+    if (!k || !std::isfinite(*k) || !(*k > 0))
+      refuse(d, fmt::format("found the frequency {:g} rad/s, at which there are no waves", omega));
+  }
+  for (const double heading : d.headings)
+    if (!std::isfinite(heading))
+      refuse(d, fmt::format("found the heading {:g}, expected a finite number", heading));
+}
+
 Move move_of(const Database& d, const scene::RadiationFile& source, const FloatingMesh& body,
              double length, std::vector<std::string>& notes) {
   Move move{.center = {0, 0, body.pose.height},
@@ -67,6 +82,7 @@ Move move_of(const Database& d, const scene::RadiationFile& source, const Floati
   move.to_H.topLeftCorner<3, 3>() = move.to_H.bottomRightCorner<3, 3>() = turn;
   if (d.gravity) move.water.gravity = *d.gravity;
   if (d.depth) move.water.depth = *d.depth;
+  check_water(d, move.water);
   return move;
 }
 

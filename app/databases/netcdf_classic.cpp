@@ -17,9 +17,6 @@ namespace {
 constexpr std::uint32_t kDimensions = 10, kVariables = 11, kAttributes = 12;
 enum Type : std::uint32_t { kByte = 1, kChar, kShort, kInt, kFloat, kDouble };
 
-/// Most entries of an array: far more than a database has, and few enough for the memory.
-constexpr std::size_t kMostNumbers = std::size_t{1} << 28;
-
 std::size_t size_of(std::uint32_t type) {
   constexpr std::size_t kSizes[] = {0, 1, 1, 2, 4, 4, 8};
   return type >= kByte && type <= kDouble ? kSizes[type] : 0;
@@ -116,8 +113,7 @@ class ClassicFile final : public ArrayFile {
     std::size_t count = 1;
     for (const std::size_t id : variable.dimensions) {
       const auto& [dimension, length] = dimensions_[id];
-      if (length == 0 || length > kMostNumbers / count)
-        refuse(fmt::format("{}: its dimension {} has {} entries", name, dimension, length));
+      if (length == 0) refuse(fmt::format("{}: its dimension {} has no entries", name, dimension));
       count *= length;
       array.dimensions.push_back(dimension);
       array.shape.push_back(length);
@@ -127,7 +123,6 @@ class ClassicFile final : public ArrayFile {
     if (variable.type == kChar) {
       read_texts(bytes, count, array);
     } else {
-      if (count * size_of(variable.type) > bytes_.size() - variable.begin) bytes.fail();
       array.numbers.reserve(count);
       for (std::size_t i = 0; i < count; ++i) array.numbers.push_back(bytes.number(variable.type));
     }
@@ -165,7 +160,12 @@ class ClassicFile final : public ArrayFile {
       if (size_of(variable.type) == 0) bytes.fail();
       bytes.four();  // Size, which follows from the dimensions.
       variable.begin = bytes.word(version == 1 ? 4 : 8);
-      if (variable.begin > bytes_.size()) bytes.fail();
+      std::size_t size = size_of(variable.type);
+      for (const std::size_t id : variable.dimensions) {
+        size *= dimensions_[id].second;  // 0 along the unlimited dimension.
+        if (size > bytes_.size()) bytes.fail();
+      }
+      if (variable.begin > bytes_.size() - size) bytes.fail();
       variables_.emplace(name, std::move(variable));
     }
   }

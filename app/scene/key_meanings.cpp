@@ -242,7 +242,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"hydro.radiation.center_of_mass",
      "The body's centre of mass in the file's frame. The default is what the file tells, or else "
      "the place over the frame's origin; the height is that of the body's mean pose."},
-    {"hydro.radiation.heading",
+    {"hydro.radiation.heading_deg",
      "Direction of the file's x axis as the body sees it, counter-clockwise from its own x axis."},
     {"hydro.radiation.length",
      "The length by which WAMIT's files are without dimension (ULEN); other files have units."},

@@ -225,7 +225,7 @@ void read(MapReader& map, Radiation& radiation) {
   read_database_body(map, database.body);
   map.optional("reference_point", database.reference_point, number("m"));
   map.optional("center_of_mass", database.center_of_mass, number("m"));
-  map.optional("heading", database.heading, degrees());
+  map.optional("heading_deg", database.heading, degrees());
   map.optional("length", database.length, positive("m"));
 }
 
