@@ -308,6 +308,8 @@ void add_radiation(CLI::App& program, Arguments& a) {
       ->type_name("STEM");
   command->add_option("--capytaine", o.capytaine, "Write a dataset .nc as Capytaine does")
       ->type_name("FILE");
+  command->add_option("--plot", o.plot, "Draw added mass, damping and loads of waves as SVG")
+      ->type_name("FILE");
 }
 
 void add_schema(CLI::App& program, Arguments& a) {

@@ -11,10 +11,12 @@
 #include "app/assembly/build_radiation.h"
 #include "app/assembly/build_start.h"
 #include "app/assembly/mesh_io.h"
+#include "app/base/atomic_file.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
 #include "app/base/terminal_reporter.h"
+#include "app/commands/radiation_plot.h"
 #include "app/databases/write_database.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/mass_properties.h"
@@ -237,6 +239,8 @@ void write_files(const RadiationCommand& command, const Solved& solved, Reporter
     databases::write_wamit(command.wamit, written(solved));
     reporter.note(fmt::format("{}.1, .3 and .hst: {}", command.wamit.string(), place));
   }
+  if (!command.plot.empty())
+    write_whole(command.plot, radiation_svg(solved.body.name, solved.data(), solved.body.density));
   if (!command.capytaine.empty()) {
     databases::write_capytaine(command.capytaine, written(solved));
     reporter.note(fmt::format("{}: {}", command.capytaine.string(), place));
@@ -251,7 +255,8 @@ int radiation(const RadiationCommand& command) {
                                          ? bodies_of_scene(command)
                                          : std::vector{body_of_mesh(command)};
   for (const auto& [option, file] :
-       {std::pair("--wamit", command.wamit), std::pair("--capytaine", command.capytaine)})
+       {std::pair("--wamit", command.wamit), std::pair("--capytaine", command.capytaine),
+        std::pair("--plot", command.plot)})
     if (!file.empty() && bodies.size() > 1)
       throw scene::InputError(option, "is for one body, and the scene has several that make waves");
   for (const Afloat& body : bodies)

@@ -12,7 +12,7 @@ namespace {
 using hydro::Loads6cd;
 
 /// A box of 4 x 2 x 1 m with its centre 0.1 m below the water, in closed form: heave and surge.
-TEST(FroudeKrylov, IsExactOnABox) {
+TEST(FroudeKrylovForce, IsExactOnABox) {
   const double g = 9.81, depth = 0.6, height = -0.1;
   for (const double h : {std::numeric_limits<double>::infinity(), 2.0}) {
     const std::vector<double> frequencies = {0.8, 2, 4};
@@ -45,7 +45,7 @@ TEST(FroudeKrylov, IsExactOnABox) {
   }
 }
 
-TEST(FroudeKrylov, IsThatOfTheSolver) {
+TEST(FroudeKrylovForce, IsThatOfTheSolver) {
   const hydro::TriMesh mesh = hydro::make_icosphere(1, 3);
   const auto solved = hydro::solve_radiation(mesh, {.height = 0.2}, {},
                                              {.frequencies = {2, 3}, .headings = 8, .patches = 60});

@@ -73,6 +73,36 @@ TEST(RadiationCommand, WritesWhatOtherProgramsRead) {
   EXPECT_NEAR(heave, 0.586 * 2.03, 0.06);  // Over the density, of the polyhedron's volume.
 }
 
+TEST(RadiationCommand, ReadsWhatItHasWritten) {
+  const std::filesystem::path folder = testing::TempDir();
+  const std::string scene = support::write_scene(kBuoy);
+  const std::string dataset = (folder / "buoy.nc").string(),
+                    picture = (folder / "buoy.svg").string();
+  const json solved =
+      json::parse(radiation_of({scene, "--json", "--no-store", "--frequencies", "1,2.2147",
+                                "--capytaine", dataset, "--plot", picture}))["bodies"]["buoy"];
+  const std::string by_file = support::write_scene(kBuoy);
+  const std::string set = "--set=bodies[buoy].hydro.radiation={file: " + dataset + "}";
+  const json read = json::parse(radiation_of({by_file, "--json", set}))["bodies"]["buoy"];
+  EXPECT_EQ(read["format"], "Capytaine");
+  EXPECT_EQ(read["file"], dataset);
+  EXPECT_EQ(read["notes"], json::array());
+  ASSERT_EQ(read["frequencies"].size(), 2);
+  for (const char* key : {"added_mass", "damping"})
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_NEAR(read["frequencies"][1][key][i][i].get<double>(),
+                  solved["frequencies"][1][key][i][i].get<double>(), 1e-9);
+  EXPECT_EQ(read["headings"], solved["headings"]);
+  EXPECT_THAT(radiation_of({by_file, set}), HasSubstr("2 frequencies and 36 headings of"));
+  EXPECT_THAT(radiation_of({by_file, set, "--frequencies", "1"}),
+              HasSubstr("--frequencies: is for bodies that are solved"));
+  std::ifstream drawn(picture);
+  const std::string svg(std::istreambuf_iterator<char>(drawn), {});
+  EXPECT_THAT(svg,
+              testing::AllOf(testing::StartsWith("<svg"), testing::EndsWith("</svg>\n"),
+                             HasSubstr("added mass A [kg]"), HasSubstr("|X| over heading, yaw")));
+}
+
 TEST(RadiationCommand, TakesAMeshAsAUniformBody) {
   const std::string mesh =
       (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();

@@ -538,6 +538,9 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             " highest_frequency_hz: 3, components: 5}}"},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           {"hydro.radiation={file: " + support::data_folder().string() +
+            "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
+            " heading_deg: 1, length: 2}"},
            kCameras,
            {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
