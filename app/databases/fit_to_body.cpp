@@ -21,6 +21,9 @@ using hydro::Matrix6d;
 /// Bound of the differences between estimates of A∞, over its largest entry [-].
 constexpr double kLargestSpread = 0.05;
 
+/// Largest B or ω(A − A∞) of a motion, over that of all, up to which it makes no waves [-].
+constexpr double kLeastResponse = 1e-5;
+
 /// Part of the body's length by which centres of mass may differ without a note [-].
 constexpr double kSameCenter = 0.01;
 
@@ -166,9 +169,34 @@ void note_depth(const Move& move, const FloatingMesh& body, const Database& d,
       fmt::format("the file is for water of {}, the scene's has {}", text(theirs), text(ours)));
 }
 
+/// Takes out what is mere round-off of the file's program: couplings that the symmetries forbid,
+/// and the memory of motions that make next to no waves. Oscillators would be fitted to it.
+void take_noise_out(const BodySymmetry& symmetry, double lever, hydro::RadiationData& data) {
+  Matrix6d& limit = data.infinite_added_mass;
+  take_forbidden_out(symmetry, limit);
+  hydro::Vector6d response = hydro::Vector6d::Zero();
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    take_forbidden_out(symmetry, data.added_mass[f]);
+    take_forbidden_out(symmetry, data.damping[f]);
+    const Matrix6d kept = data.frequencies[f] * (data.added_mass[f] - limit);
+    response = response.cwiseMax(data.damping[f].diagonal().cwiseAbs())
+                   .cwiseMax(kept.diagonal().cwiseAbs());
+  }
+  response.tail<3>() /= lever * lever;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    if (response[i] > kLeastResponse * response.maxCoeff()) continue;
+    for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+      data.added_mass[f].row(i) = limit.row(i);
+      data.added_mass[f].col(i) = limit.col(i);
+      data.damping[f].row(i).setZero();
+      data.damping[f].col(i).setZero();
+    }
+  }
+}
+
 /// Adds the loads of waves, which may be missing in still water.
-void add_loads(const Database& d, const Move& move, const FloatingMesh& body, double lever,
-               BodyData& result) {
+void add_loads(const Database& d, const Move& move, const FloatingMesh& body,
+               const BodySymmetry& symmetry, double lever, BodyData& result) {
   hydro::RadiationData& data = result.data;
   if (d.excitation.empty() && d.diffraction.empty()) {
     if (body.waves) refuse(d, "has no loads of waves, and the scene's water has waves");
@@ -177,8 +205,7 @@ void add_loads(const Database& d, const Move& move, const FloatingMesh& body, do
   }
   auto [froude_krylov, diffraction] = both_loads(d, move, body, result.notes);
   try {
-    const std::string how = complete_circle(symmetry_of(body.mesh_B, body.pose, data.added_mass),
-                                            {&froude_krylov, &diffraction});
+    const std::string how = complete_circle(symmetry, {&froude_krylov, &diffraction});
     if (!how.empty()) result.notes.push_back(how);
   } catch (const std::invalid_argument& error) {
     if (body.waves) refuse(d, error.what());
@@ -213,7 +240,9 @@ BodyData fit_to_body(const Database& database, const scene::RadiationFile& sourc
   for (const Matrix6d& A : d.added_mass) data.added_mass.push_back(move.matrix(A));
   for (const Matrix6d& B : d.damping) data.damping.push_back(move.matrix(B));
   data.infinite_added_mass = move.matrix(*d.infinite_added_mass);
-  add_loads(d, move, body, lever, result);
+  const BodySymmetry symmetry = symmetry_of(body.mesh_B, body.pose, data.added_mass);
+  take_noise_out(symmetry, lever, data);
+  add_loads(d, move, body, symmetry, lever, result);
   return result;
 }
 

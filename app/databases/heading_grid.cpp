@@ -180,6 +180,14 @@ BodySymmetry symmetry_of(const hydro::TriMesh& mesh_B, const hydro::MeanPose& po
       .revolution = of_revolution(mesh_H)};
 }
 
+void take_forbidden_out(const BodySymmetry& symmetry, hydro::Matrix6d& matrix) {
+  for (const int axis : {0, 1}) {
+    if (!(axis == 0 ? symmetry.fore_aft : symmetry.left_right)) continue;
+    const Vector6d signs = mirror_signs(axis);
+    matrix = (signs * signs.transpose()).cwiseMax(0).cwiseProduct(matrix).eval();
+  }
+}
+
 std::string complete_circle(const BodySymmetry& symmetry, std::vector<LoadTable*> tables) {
   std::vector<Source> sources;
   const std::vector<double> given = tables.front()->headings;

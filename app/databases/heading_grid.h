@@ -24,6 +24,9 @@ struct BodySymmetry {
 BodySymmetry symmetry_of(const hydro::TriMesh& mesh_B, const hydro::MeanPose& pose,
                          const std::vector<hydro::Matrix6d>& matrices);
 
+/// Sets to 0 the couplings that the mirror symmetries forbid.
+void take_forbidden_out(const BodySymmetry& symmetry, hydro::Matrix6d& matrix);
+
 /// A row of loads over the heading for each frequency.
 struct LoadTable {
   std::vector<double> headings;  ///< In H [rad].
