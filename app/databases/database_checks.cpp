@@ -10,6 +10,7 @@
 #include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
+#include "hydro/radiation/froude_krylov.h"
 #include "hydro/statics/hydrostatics.h"
 
 namespace databases {
@@ -29,6 +30,16 @@ constexpr Bounds kNegative = {0.005, 0.05};
 constexpr Bounds kVolume = {0.01, 0.1};
 constexpr Bounds kWaterplane = {0.02, 0.2};
 constexpr Bounds kHaskind = {0.05, 0.3};
+constexpr Bounds kFroudeKrylov = {0.05, 0.3};
+constexpr Bounds kLongWaves = {0.1, 0.3};
+
+/// Wave number by the lever at which Froude-Krylov forces are compared [-].
+constexpr double kCompared = 0.5;
+/// Wave numbers by half the body's length between which the whole excitation is [-]: in longer
+/// waves moments are small differences.
+constexpr double kShortest = 0.1, kLongest = 0.3;
+/// Part of the moment of the horizontal force by the lever that counts as the least moment [-].
+constexpr double kLeastMoment = 0.1;
 
 /// Longest waves' wave number by the lever below which the body is small in them [-].
 constexpr double kLongWave = 0.5;
@@ -128,7 +139,73 @@ void check_push(const Database& d, BodyData& found) {
                           data.frequencies[0]));
 }
 
+/// The water's acceleration at the centre of mass, over the elevation there [1/s^2].
+Eigen::Vector3cd acceleration(const FloatingMesh& body, const hydro::LinearWater& water, double k,
+                              double heading) {
+  const double z = std::min(0.0, body.pose.height);
+  const double below = std::exp(-2 * k * (z + water.depth)),
+               bottom = std::exp(-2 * k * water.depth);
+  const double gk = water.gravity * k * std::exp(k * z) / (1 + bottom);
+  const std::complex<double> along(0, -gk * (1 + below));
+  return {along * std::cos(heading), along * std::sin(heading), -gk * (1 - below)};
+}
+
+/// Refuses loads that differ from those of the mesh.
+void compare_loads(const Database& d, const char* what, double omega, const hydro::Loads6cd& theirs,
+                   const hydro::Loads6cd& ours, double lever, const Bounds& bounds,
+                   BodyData& found) {
+  const double force =
+      std::max(theirs.topRows<3>().cwiseAbs().maxCoeff(), ours.topRows<3>().cwiseAbs().maxCoeff());
+  const double horizontal = ours.topRows<2>().cwiseAbs().maxCoeff();
+  const double moment =
+      std::max({theirs.bottomRows<3>().cwiseAbs().maxCoeff(),
+                ours.bottomRows<3>().cwiseAbs().maxCoeff(), kLeastMoment * lever * horizontal});
+  Eigen::MatrixXd error = (theirs - ours).cwiseAbs();
+  error.topRows<3>() /= force;
+  error.bottomRows<3>() /= moment;
+  Index row = 0, column = 0;
+  const double worst = error.maxCoeff(&row, &column);
+  if (!(worst <= bounds.refused))
+    refuse(d, fmt::format("{} at {:.4g} rad/s, row {}: found {:.4g}, and by the mesh {:.4g} (over "
+                          "the density, about the body's centre of mass); expected them to agree "
+                          "within {:g} %; reference_point, center_of_mass or heading_deg may be "
+                          "wrong",
+                          what, omega, row + 1, std::abs(theirs(row, column)),
+                          std::abs(ours(row, column)), 100 * bounds.refused));
+  add(fmt::format("{} against the mesh", what), worst, bounds, found);
+}
+
 }  // namespace
+
+void check_loads_by_mesh(const Database& d, const FloatingMesh& body,
+                         const LoadTable& froude_krylov, const LoadTable& diffraction, double lever,
+                         BodyData& found) {
+  const hydro::LinearWater& water = found.data.water;
+  const auto wave_number = [&](std::size_t f) {
+    return hydro::wave_number(d.frequencies[f], water.depth, water.gravity).value();
+  };
+  const auto on_mesh = [&](std::size_t f) {
+    return hydro::froude_krylov(body.mesh_B, body.pose, water, {d.frequencies[f]},
+                                froude_krylov.headings)[0];
+  };
+  std::size_t f = 0;
+  if (!d.froude_krylov.empty()) {
+    while (f + 1 < d.frequencies.size() && wave_number(f) * lever < kCompared) ++f;
+    return compare_loads(d, "Froude-Krylov force", d.frequencies[f], froude_krylov.loads[f],
+                         on_mesh(f), lever, kFroudeKrylov, found);
+  }
+  const double half_length = body.mesh_B.vertices.colwise().norm().maxCoeff();
+  while (f + 1 < d.frequencies.size() && wave_number(f + 1) * half_length < kLongest) ++f;
+  const double k = wave_number(f);
+  if (k * half_length < kShortest || k * half_length > kLongest) return;
+  hydro::Loads6cd expected = on_mesh(f);
+  for (Index h = 0; h < expected.cols(); ++h)
+    expected.col(h) +=
+        found.data.added_mass[f].leftCols<3>().cast<std::complex<double>>() *
+        acceleration(body, water, k, froude_krylov.headings[static_cast<std::size_t>(h)]);
+  compare_loads(d, "excitation in long waves", d.frequencies[f],
+                froude_krylov.loads[f] + diffraction.loads[f], expected, lever, kLongWaves, found);
+}
 
 void check_matrices(Database& d, double lever, BodyData& found) {
   Kind A{"added mass", {}, d.frequencies}, B{"damping", {}, d.frequencies};

@@ -204,6 +204,7 @@ void add_loads(const Database& d, const Move& move, const FloatingMesh& body,
     return;
   }
   auto [froude_krylov, diffraction] = both_loads(d, move, body, result.notes);
+  check_loads_by_mesh(d, body, froude_krylov, diffraction, lever, result);
   try {
     const std::string how = complete_circle(symmetry, {&froude_krylov, &diffraction});
     if (!how.empty()) result.notes.push_back(how);

@@ -310,7 +310,40 @@ class Conventions(unittest.TestCase):
         done = self.call("{file: wrong.nc, heading_deg: 30}")
         self.assertEqual(done.returncode, 2)
         self.assertIn("bodies[0].hydro.radiation.file", done.stderr)
-        self.assertIn("the waves push the body against the water's acceleration", done.stderr)
+        self.assertIn("Froude-Krylov force at", done.stderr)
+        # Where the file has the excitation alone, the push of its longest waves tells.
+        write_bemio(self.folder / "wrong.h5", wrong, False, scattering=False)
+        wrong.X = wrong.X.conj()
+        write_bemio(self.folder / "wrong.h5", wrong, False, scattering=False)
+        done = self.call("{file: wrong.h5, heading_deg: 30, "
+                         f"center_of_mass: [1.5, -0.7, {self.truth.height}]}}")
+        self.assertIn("excitation in long waves at 0.6 rad/s", done.stderr)
+
+    def test_a_run_tells_its_file_and_the_checks(self):
+        write_capytaine(self.folder / "run.nc", self.turned)
+        scene = self.folder / "run.yaml"
+        scene.write_text(SCENE.format(hydro=", hydro: {radiation: {file: run.nc, heading_deg: 30}}"))
+        done = subprocess.run([program, "run", str(scene), "--set", "duration=0.2", "--out",
+                               str(self.folder / "out")], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout + done.stderr, "box +run.nc +10 ")
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        told = summary["bodies"]["box"]["radiation"]
+        self.assertEqual((told["source"], told["format"], told["notes"]), ("file", "Capytaine", []))
+        self.assertEqual(pathlib.Path(told["file"]).name, "run.nc")
+        for name in ("asymmetry of added mass", "least eigenvalue of damping",
+                     "damping against Haskind's relation", "displaced volume against the mesh",
+                     "Froude-Krylov force against the mesh"):
+            self.assertLess(abs(told["checks"][name]), 0.01, name)
+
+    def test_a_wrong_point_is_refused(self):
+        write_capytaine(self.folder / "point.nc", self.turned)
+        for wrong in ("heading_deg: 60", "heading_deg: 30, reference_point: [0, 0, 3]",
+                      "heading_deg: 30, center_of_mass: [4, 0, 0]"):
+            done = self.call(f"{{file: point.nc, {wrong}}}")
+            self.assertEqual(done.returncode, 2, wrong)
+            self.assertIn("reference_point, center_of_mass or heading_deg may be wrong",
+                          done.stderr)
 
     def test_a_damaged_file_is_a_fault(self):
         write_capytaine(self.folder / "whole.nc", self.turned)

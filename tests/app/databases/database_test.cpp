@@ -12,6 +12,7 @@
 #include "app/databases/write_database.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/primitives.h"
+#include "hydro/radiation/froude_krylov.h"
 #include "tests/support/radiating_sphere.h"
 
 namespace {
@@ -38,9 +39,12 @@ RadiationData sphere_data(int headings) {
       X.col(h).head<3>() << std::complex<double>(0, -surge * std::cos(beta)),
           std::complex<double>(0, -surge * std::sin(beta)), heave;
     }
-    data.froude_krylov.emplace_back(1.5 * X);
-    data.diffraction.emplace_back(-0.5 * X);
+    data.diffraction.push_back(X);
   }
+  data.froude_krylov = hydro::froude_krylov(hydro::make_icosphere(1, 4), data.pose, data.water,
+                                            data.frequencies, data.headings);
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f)
+    data.diffraction[f] -= data.froude_krylov[f];
   return data;
 }
 
@@ -137,7 +141,8 @@ TEST_F(RadiationDatabase, OneHeadingOfABodyOfRevolutionIsTurned) {
   const RadiationData data = sphere_data(36);
   databases::write_capytaine(file("ball.nc"), written(only_headings(data, 1)));
   const BodyData found = read({.file = file("ball.nc")});
-  EXPECT_LT(largest_difference(found.data.diffraction, data.diffraction), 1e-12);
+  // The mesh is no exact body of revolution: its Froude-Krylov force differs by 1e-3 of some 15.
+  EXPECT_LT(largest_difference(found.data.diffraction, data.diffraction), 0.03);
   EXPECT_THAT(found.notes,
               Contains("loads of waves: those of the heading 0°, turned about the axis "
                        "of revolution"));
