@@ -247,6 +247,26 @@ void write_files(const RadiationCommand& command, const Solved& solved, Reporter
   }
 }
 
+/// Refuses options that do not fit the bodies, and files whose names tell another format.
+void check_options(const RadiationCommand& command, const std::vector<Afloat>& bodies) {
+  for (const auto& [option, file] :
+       {std::pair("--wamit", command.wamit), std::pair("--capytaine", command.capytaine),
+        std::pair("--plot", command.plot)})
+    if (!file.empty() && bodies.size() > 1)
+      throw scene::InputError(option, "is for one body, and the scene has several that make waves");
+  for (const auto& [option, file, extension] : {std::tuple("--capytaine", command.capytaine, ".nc"),
+                                                std::tuple("--plot", command.plot, ".svg")})
+    if (!file.empty() && file.extension() != extension)
+      throw scene::InputError(
+          option, fmt::format("found {}, expected a file {}", file.string(), extension));
+  for (const Afloat& body : bodies)
+    if (body.database && !command.frequencies.empty())
+      throw scene::InputError("--frequencies",
+                              fmt::format("is for bodies that are solved, and those of {} are in "
+                                          "its file",
+                                          body.name));
+}
+
 }  // namespace
 
 int radiation(const RadiationCommand& command) {
@@ -254,17 +274,7 @@ int radiation(const RadiationCommand& command) {
   const std::vector<Afloat> bodies = scene::is_scene_file(command.file)
                                          ? bodies_of_scene(command)
                                          : std::vector{body_of_mesh(command)};
-  for (const auto& [option, file] :
-       {std::pair("--wamit", command.wamit), std::pair("--capytaine", command.capytaine),
-        std::pair("--plot", command.plot)})
-    if (!file.empty() && bodies.size() > 1)
-      throw scene::InputError(option, "is for one body, and the scene has several that make waves");
-  for (const Afloat& body : bodies)
-    if (body.database && !command.frequencies.empty())
-      throw scene::InputError("--frequencies",
-                              fmt::format("is for bodies that are solved, and those of {} are in "
-                                          "its file",
-                                          body.name));
+  check_options(command, bodies);
   TerminalReporter reporter(false);
   assembly::RadiationStore store(command.store ? assembly::cache_folder() : std::nullopt);
   Json all = Json::object();

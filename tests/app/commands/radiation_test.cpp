@@ -96,6 +96,8 @@ TEST(RadiationCommand, ReadsWhatItHasWritten) {
   EXPECT_THAT(radiation_of({by_file, set}), HasSubstr("2 frequencies and 36 headings of"));
   EXPECT_THAT(radiation_of({by_file, set, "--frequencies", "1"}),
               HasSubstr("--frequencies: is for bodies that are solved"));
+  EXPECT_THAT(radiation_of({by_file, "--plot", "buoy.png"}),
+              HasSubstr("--plot: found buoy.png, expected a file .svg"));
   std::ifstream drawn(picture);
   const std::string svg(std::istreambuf_iterator<char>(drawn), {});
   EXPECT_THAT(svg,
