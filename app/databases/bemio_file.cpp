@@ -135,9 +135,7 @@ Database read_bemio(const scene::RadiationFile& source) {
   Database d{.format = "BEMIO",
              .body = names[body.index].empty() ? std::to_string(body.index + 1) : names[body.index],
              .files = {source.file}};
-  if (names.size() > 1)
-    d.notes.push_back(
-        fmt::format("its coupling with {} other bodies is left out", names.size() - 1));
+  if (names.size() > 1) d.notes.emplace_back("its coupling with the other bodies is left out");
   d.frequencies = body.omega;
   d.headings = body.headings;
   d.added_mass = matrices(body, "added_mass/all");

@@ -245,9 +245,7 @@ Database read_nemoh(const scene::RadiationFile& source) {
   const TecFile radiation = read_tec(source.file);
   const std::size_t body = index_of_body(source, c.bodies);
   Database d{.format = "Nemoh", .body = c.bodies[body], .files = {source.file, calculation}};
-  if (c.bodies.size() > 1)
-    d.notes.push_back(
-        fmt::format("its coupling with {} other bodies is left out", c.bodies.size() - 1));
+  if (c.bodies.size() > 1) d.notes.emplace_back("its coupling with the other bodies is left out");
   take_radiation(radiation, body, c.density, d);
   const std::filesystem::path folder = source.file.parent_path();
   d.excitation = read_loads(folder / "ExcitationForce.tec", body, c.density, d);

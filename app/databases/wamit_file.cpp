@@ -186,9 +186,7 @@ Database read_wamit(const scene::RadiationFile& source, double gravity) {
   const std::size_t body = index_of_body(source, names);
   const Index first = 6 * static_cast<Index>(body);
   Database d{.format = "WAMIT", .body = std::to_string(body + 1), .files = {source.file}};
-  if (names.size() > 1)
-    d.notes.push_back(
-        fmt::format("its coupling with {} other bodies is left out", names.size() - 1));
+  if (names.size() > 1) d.notes.emplace_back("its coupling with the other bodies is left out");
   take_radiation(source, radiation, first, d);
   const auto beside = [&](const char* extension) {
     std::filesystem::path file = source.file;

@@ -221,7 +221,22 @@ TEST_F(RadiationDatabase, WhatContradictsTheBodyIsRefused) {
   for (hydro::Loads6cd& load : data.diffraction) load *= -2;
   databases::write_capytaine(file("ball.nc"), written(data));
   EXPECT_THAT(fault({.file = file("ball.nc")}),
-              HasSubstr("(Haskind's relation); expected at most"));
+              testing::AllOf(HasSubstr("(Haskind's relation), and at"),
+                             HasSubstr("of 12 frequencies by more than 30 %")));
+}
+
+TEST_F(RadiationDatabase, SingleFrequenciesThatContradictHaskindAreLeftOut) {
+  RadiationData data = sphere_data(24);
+  for (const std::size_t f : {7, 9}) data.diffraction[f] *= 30;
+  databases::write_capytaine(file("ball.nc"), written(data));
+  const BodyData found = read({.file = file("ball.nc")});
+  ASSERT_EQ(found.data.frequencies.size(), 10u);
+  EXPECT_EQ(found.data.frequencies[7], data.frequencies[8]);
+  EXPECT_LT((found.data.damping[7] - data.damping[8]).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((found.data.diffraction[8] - data.diffraction[10]).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_THAT(found.notes,
+              Contains("2 of 12 frequencies contradict Haskind's relation and are left "
+                       "out: 2.801, 3.835 rad/s"));
 }
 
 TEST_F(RadiationDatabase, WhatContradictsItselfIsRefused) {
