@@ -136,15 +136,17 @@ Json to_json(const Solved& solved) {
                 {"mismatch", solved.stored.solution->mismatch},
                 {"from_store", solved.stored.from_store},
                 {"solve_seconds", solved.stored.seconds}});
-  for (std::size_t f = 0; f < data.frequencies.size(); ++f)
-    all["frequencies"].push_back(
-        {{"omega", data.frequencies[f]},
-         {"added_mass", json_rows(density * data.added_mass[f])},
-         {"damping", json_rows(density * data.damping[f])},
-         {"froude_krylov_real", to_json(data.froude_krylov[f], density, false)},
-         {"froude_krylov_imag", to_json(data.froude_krylov[f], density, true)},
-         {"diffraction_real", to_json(data.diffraction[f], density, false)},
-         {"diffraction_imag", to_json(data.diffraction[f], density, true)}});
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    Json row = {{"omega", data.frequencies[f]},
+                {"added_mass", json_rows(density * data.added_mass[f])},
+                {"damping", json_rows(density * data.damping[f])}};
+    if (!data.headings.empty())  // A file may have none.
+      row.update({{"froude_krylov_real", to_json(data.froude_krylov[f], density, false)},
+                  {"froude_krylov_imag", to_json(data.froude_krylov[f], density, true)},
+                  {"diffraction_real", to_json(data.diffraction[f], density, false)},
+                  {"diffraction_imag", to_json(data.diffraction[f], density, true)}});
+    all["frequencies"].push_back(std::move(row));
+  }
   return all;
 }
 

@@ -105,6 +105,23 @@ TEST(RadiationCommand, ReadsWhatItHasWritten) {
                              HasSubstr("added mass A [kg]"), HasSubstr("|X| over heading, yaw")));
 }
 
+TEST(RadiationCommand, TellsADatabaseWithoutLoadsOfWaves) {
+  const std::filesystem::path stem = std::filesystem::path(testing::TempDir()) / "still_buoy";
+  const std::string scene = support::write_scene(kBuoy);
+  radiation_of({scene, "--no-store", "--frequencies", "0.5,1,2", "--wamit", stem.string()});
+  std::filesystem::remove(stem.string() + ".3");
+  const std::string set = "--set=bodies[buoy].hydro.radiation={file: " + stem.string() + ".1}";
+  const std::string picture = stem.string() + ".svg";
+  const json buoy =
+      json::parse(radiation_of({scene, "--json", set, "--plot", picture, "--capytaine",
+                                stem.string() + ".nc"}))["bodies"]["buoy"];
+  EXPECT_EQ(buoy["headings"], json::array());
+  EXPECT_FALSE(buoy["frequencies"][0].contains("diffraction_real"));
+  EXPECT_GT(std::filesystem::file_size(picture), 1000u);
+  for (const char* format : {"--csv", "--no-store"})
+    EXPECT_THAT(radiation_of({scene, set, format}), HasSubstr("buoy"));
+}
+
 TEST(RadiationCommand, TakesAMeshAsAUniformBody) {
   const std::string mesh =
       (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();
