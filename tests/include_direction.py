@@ -17,7 +17,7 @@ LIBRARIES = ("app", "engine", "hydro")
 FLOORS = (
     ("base", "render"),
     ("scene",),
-    ("logs",),
+    ("databases", "logs"),
     ("assembly",),
     ("pages", "pictures"),
     ("compare", "hydrostatics", "run", "view"),

@@ -15,6 +15,7 @@
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
+#include "app/assembly/radiation_database.h"
 #include "app/assembly/sea_warnings.h"
 #include "app/base/schedule.h"
 #include "app/base/wall_clock.h"
@@ -293,6 +294,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
   log.faults.throw_if_any();
   std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
+  read_databases(scene, spec, radiation, log.faults);
   log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);
@@ -301,6 +303,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
     built.warnings.push_back(std::move(warning));
   for (std::string& warning : radiation_warnings(spec, radiation))
     built.warnings.push_back(std::move(warning));
+  for (std::string& note : database_notes(spec, radiation)) built.notes.push_back(std::move(note));
   for (RadiationChoice& choice : radiation)
     built.radiation.push_back({.choice = std::move(choice)});
   if (scene.integrator.sleep > 0)

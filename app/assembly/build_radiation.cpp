@@ -13,19 +13,18 @@ namespace {
 
 using FloatingModel = std::shared_ptr<const hydro::FloatingBody>;
 
-/// Models by their solution, which bodies with equal meshes and mean poses share.
-using FloatingModels = std::map<const hydro::RadiationSolution*, FloatingModel>;
+/// Models by their data, which bodies with equal meshes and mean poses share.
+using FloatingModels = std::map<const hydro::RadiationData*, FloatingModel>;
 
 FloatingModel floating_model(const engine::BodySpec& body, const hydro::Sea& sea,
-                             const hydro::RadiationSolution& solution) {
+                             const hydro::RadiationData& data) {
   hydro::FloatingBody::Diffraction diffraction;
   if (hydro::has_airy_waves(sea))
-    diffraction = [load = std::make_shared<const hydro::DiffractionLoad>(solution.data)](
+    diffraction = [load = std::make_shared<const hydro::DiffractionLoad>(data)](
                       const hydro::BodyState& state, const hydro::Sea& water, double time) {
       return load->at(state, water, time);
     };
-  return std::make_shared<const hydro::FloatingBody>(body.mesh_B, solution.data,
-                                                     std::move(diffraction));
+  return std::make_shared<const hydro::FloatingBody>(body.mesh_B, data, std::move(diffraction));
 }
 
 /// The added mass in the mean pose, where the body is present in full.
@@ -51,13 +50,16 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
     engine::BodySpec& body = built.spec.bodies[i];
     const hydro::Sea& sea = *built.spec.sea;
     try {
-      report.stored = solved_radiation(body.name,
-                                       {.mesh_B = body.mesh_B,
-                                        .pose = *report.choice.pose,
-                                        .water = {.gravity = sea.gravity, .depth = sea.depth}},
-                                       store, reporter);
-      FloatingModel& model = models[report.stored->solution.get()];
-      if (!model) model = floating_model(body, sea, *report.stored->solution);
+      if (!report.choice.database)
+        report.stored = solved_radiation(body.name,
+                                         {.mesh_B = body.mesh_B,
+                                          .pose = *report.choice.pose,
+                                          .water = {.gravity = sea.gravity, .depth = sea.depth}},
+                                         store, reporter);
+      const hydro::RadiationData& data = report.choice.database ? report.choice.database->found.data
+                                                                : report.stored->solution->data;
+      FloatingModel& model = models[&data];
+      if (!model) model = floating_model(body, sea, data);
       report.model = model;
       body.radiation = model;
       body.added_mass = model;

@@ -38,7 +38,8 @@ struct AddedMassReport {
 /// The waves that a body makes and scatters.
 struct RadiationReport {
   RadiationChoice choice;
-  std::optional<StoredRadiation> stored;             ///< None until it is solved.
+  /// None until it is solved, and for a body whose choice has a database.
+  std::optional<StoredRadiation> stored;
   std::shared_ptr<const hydro::FloatingBody> model;  ///< None until it is solved.
 };
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/assembly/table_line.h"
 #include "app/scene/diagnostics.h"
+#include "app/scene/table_line.h"
 
 namespace assembly {
 namespace {
+
+using scene::TableLine;
 
 void check_names(const std::vector<std::string>& names, const std::vector<std::string>& known,
                  const std::string& usage, const TableLine& line) {

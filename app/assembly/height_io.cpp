@@ -12,11 +12,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/assembly/table_line.h"
 #include "app/scene/diagnostics.h"
+#include "app/scene/table_line.h"
 
 namespace assembly {
 namespace {
+
+using scene::TableLine;
 
 namespace fs = std::filesystem;
 

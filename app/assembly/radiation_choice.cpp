@@ -51,6 +51,8 @@ Extent extent_of(const engine::BodySpec& body, const Eigen::Quaterniond& orienta
           .highest = at.row(2).maxCoeff()};
 }
 
+using Source = scene::Radiation::Source;
+
 /// Angle between the verticals of two attitudes [rad].
 double tilt_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
   const Eigen::Vector3d up_a = a.conjugate() * Eigen::Vector3d::UnitZ();
@@ -77,11 +79,11 @@ class Chooser {
   }
 
   RadiationChoice choose(std::size_t i) const {
-    const scene::Radiation wanted = scene_.bodies[i].hydro.radiation;
-    RadiationChoice choice{.written = wanted != scene::Radiation::by_default};
+    const Source wanted = scene_.bodies[i].hydro.radiation.source;
+    RadiationChoice choice{.written = wanted != Source::by_default};
     const bool other =
         scene_.bodies[i].hydro.added_mass.model != scene::AddedMass::Model::automatic;
-    if (wanted == scene::Radiation::none || (other && !choice.written)) return choice;
+    if (wanted == Source::none || (other && !choice.written)) return choice;
     choice.reason = impossible(i);
     if (!choice.reason.empty()) return choice;
     if (!choice.written) choice.reason = not_free_and_afloat(i);
@@ -110,7 +112,7 @@ class Chooser {
     const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
     if (waves && waves->kinematics == hydro::Kinematics::hydrostatic)
       return "kinematics: hydrostatic has no waves that a body could scatter";
-    if (std::isfinite(sea.depth))
+    if (std::isfinite(sea.depth) && scene_.bodies[i].hydro.radiation.source != Source::file)
       return fmt::format("it is solved for deep water, and water.depth is {:g} m", sea.depth);
     if (!body.wet || !body.coefficients.buoyancy) return "hydro.buoyancy is switched off";
     if (engine::immovable(body.locked)) return "the body is held in all six";
@@ -220,6 +222,21 @@ class Chooser {
   std::vector<double> radii_;
 };
 
+/// Tells where a body's waves come from.
+std::string described(const RadiationChoice& choice, const engine::BodySpec& body,
+                      const hydro::Sea& sea) {
+  if (!choice.database)
+    return fmt::format(
+        "{} frequencies at a draught of {:.4g} m",
+        hydro::radiation_frequencies(body.mesh_B, *choice.pose, {.gravity = sea.gravity}).size(),
+        choice.draught);
+  const hydro::RadiationData& data = choice.database->found.data;
+  return fmt::format("{} frequencies and {} headings of {} ({}, body {}) at a draught of {:.4g} m",
+                     data.frequencies.size(), data.headings.size(),
+                     choice.database->file.filename().string(), choice.database->format,
+                     choice.database->body, choice.draught);
+}
+
 }  // namespace
 
 std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
@@ -233,7 +250,9 @@ std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
     if (choice.written && !choice.reason.empty())
       faults.add(
           scene.places, fmt::format("bodies[{}].hydro.radiation", i),
-          fmt::format("found auto for {}: {}; expected none", spec.bodies[i].name, choice.reason));
+          fmt::format("found {} for {}: {}; expected none",
+                      scene.bodies[i].hydro.radiation.source == Source::file ? "a file" : "auto",
+                      spec.bodies[i].name, choice.reason));
   }
   return choices;
 }
@@ -272,13 +291,9 @@ std::vector<std::string> radiation_lines(const engine::SimulationSpec& spec,
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const RadiationChoice& choice = choices[i];
     if (!choice.pose && choice.reason.empty()) continue;
-    const std::string text =
-        choice.pose ? fmt::format("radiation: {} frequencies at a draught of {:.4g} m",
-                                  hydro::radiation_frequencies(spec.bodies[i].mesh_B, *choice.pose,
-                                                               {.gravity = spec.sea->gravity})
-                                      .size(),
-                                  choice.draught)
-                    : "no radiation: " + choice.reason;
+    const std::string text = choice.pose
+                                 ? "radiation: " + described(choice, spec.bodies[i], *spec.sea)
+                                 : "no radiation: " + choice.reason;
     auto group = std::find_if(groups.begin(), groups.end(),
                               [&](const auto& known) { return known.first == text; });
     if (group == groups.end()) group = groups.insert(group, {text, {}});

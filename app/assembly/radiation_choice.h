@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/databases/body_data.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/scene.h"
 #include "engine/spec.h"
@@ -13,9 +16,9 @@
 /// Which bodies make waves, by `hydro.radiation`.
 ///
 /// Linear theory knows the waves of a body that moves little about the pose in which it floats at
-/// rest, on deep water, without forward speed and with no other body near. With `auto` the body
-/// must be able to float. Without the key it has radiation unless its added mass is given, if it
-/// starts
+/// rest, on deep water, without forward speed and with no other body near. With `auto` or a file
+/// the body must be able to float; a file may be for shallow water, too. Without the key it has
+/// radiation unless its added mass is given, if it starts
 /// - free, without joints;
 /// - displacing its mass within a quarter, and at most 15° from the attitude at which it comes to
 ///   rest; a sphere, to which the attitude does not matter, keeps that of its start;
@@ -25,6 +28,14 @@
 
 namespace assembly {
 
+/// A database of `hydro.radiation.file` for one body.
+struct RadiationDatabase {
+  std::filesystem::path file;
+  std::string format;
+  std::string body;  ///< Name or number in the file.
+  databases::BodyData found;
+};
+
 /// Whether a body makes waves.
 struct RadiationChoice {
   std::optional<hydro::MeanPose> pose;  ///< The mean pose; none: the body makes no waves.
@@ -32,6 +43,7 @@ struct RadiationChoice {
   std::string reason;  ///< Why it makes none; empty if this key or `added_mass` says so.
   double draught = 0;  ///< In the mean pose [m].
   double length = 0;   ///< Largest horizontal extent in the mean pose [m].
+  std::shared_ptr<const RadiationDatabase> database;  ///< Of its file (radiation_database.h).
 };
 
 /// Returns the choice for each body. A body that cannot have the radiation which its key asks for

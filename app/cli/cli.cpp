@@ -304,8 +304,12 @@ void add_radiation(CLI::App& program, Arguments& a) {
       "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
   CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
   command->add_flag("--csv", o.csv, "Print CSV, one number per row")->excludes(json);
-  command->add_option("--wamit", o.wamit, "Write STEM.1 and STEM.3 as WAMIT does")
+  command->add_option("--wamit", o.wamit, "Write STEM.1, STEM.3 and STEM.hst as WAMIT does")
       ->type_name("STEM");
+  command->add_option("--capytaine", o.capytaine, "Write a dataset .nc as Capytaine does")
+      ->type_name("FILE");
+  command->add_option("--plot", o.plot, "Draw added mass, damping and loads of waves as SVG")
+      ->type_name("FILE");
 }
 
 void add_schema(CLI::App& program, Arguments& a) {

@@ -16,6 +16,8 @@
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
 #include "app/base/terminal_reporter.h"
+#include "app/commands/radiation_plot.h"
+#include "app/databases/write_database.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
@@ -35,13 +37,16 @@ struct Afloat {
   hydro::MeanPose pose;
   double density = 1000;  ///< Of the water [kg/m^3].
   hydro::LinearWater water;
+  std::shared_ptr<const assembly::RadiationDatabase> database;  ///< That of a scene's body.
 };
 
 struct Solved {
   Afloat body;
-  assembly::StoredRadiation stored;
+  assembly::StoredRadiation stored;  ///< Without a solution for a body with a database.
 
-  const hydro::RadiationData& data() const { return stored.solution->data; }
+  const hydro::RadiationData& data() const {
+    return body.database ? body.database->found.data : stored.solution->data;
+  }
   hydro::Vector6cd excitation(std::size_t frequency, Eigen::Index heading) const {
     return body.density * (data().froude_krylov[frequency].col(heading) +
                            data().diffraction[frequency].col(heading));
@@ -81,7 +86,8 @@ std::vector<Afloat> bodies_of_scene(const RadiationCommand& o) {
                       .mesh_B = body.mesh_B,
                       .pose = *choice.pose,
                       .density = sea.density,
-                      .water = {.gravity = sea.gravity, .depth = sea.depth}});
+                      .water = {.gravity = sea.gravity, .depth = sea.depth},
+                      .database = choice.database});
   }
   if (!bodies.empty()) return bodies;
   std::string why;
@@ -118,22 +124,29 @@ Json to_json(const Solved& solved) {
               {"displaced_volume", data.volume},
               {"height", data.pose.height},
               {"orientation", {q.w(), q.x(), q.y(), q.z()}},
-              {"unknowns", solved.stored.solution->unknowns},
-              {"mismatch", solved.stored.solution->mismatch},
-              {"from_store", solved.stored.from_store},
-              {"solve_seconds", solved.stored.seconds},
               {"infinite_added_mass", json_rows(density * data.infinite_added_mass)},
               {"headings", data.headings},
               {"frequencies", Json::array()}};
-  for (std::size_t f = 0; f < data.frequencies.size(); ++f)
-    all["frequencies"].push_back(
-        {{"omega", data.frequencies[f]},
-         {"added_mass", json_rows(density * data.added_mass[f])},
-         {"damping", json_rows(density * data.damping[f])},
-         {"froude_krylov_real", to_json(data.froude_krylov[f], density, false)},
-         {"froude_krylov_imag", to_json(data.froude_krylov[f], density, true)},
-         {"diffraction_real", to_json(data.diffraction[f], density, false)},
-         {"diffraction_imag", to_json(data.diffraction[f], density, true)}});
+  if (const auto& database = solved.body.database)
+    all.update({{"file", database->file.string()},
+                {"format", database->format},
+                {"notes", database->found.notes}});
+  else
+    all.update({{"unknowns", solved.stored.solution->unknowns},
+                {"mismatch", solved.stored.solution->mismatch},
+                {"from_store", solved.stored.from_store},
+                {"solve_seconds", solved.stored.seconds}});
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    Json row = {{"omega", data.frequencies[f]},
+                {"added_mass", json_rows(density * data.added_mass[f])},
+                {"damping", json_rows(density * data.damping[f])}};
+    if (!data.headings.empty())  // A file may have none.
+      row.update({{"froude_krylov_real", to_json(data.froude_krylov[f], density, false)},
+                  {"froude_krylov_imag", to_json(data.froude_krylov[f], density, true)},
+                  {"diffraction_real", to_json(data.diffraction[f], density, false)},
+                  {"diffraction_imag", to_json(data.diffraction[f], density, true)}});
+    all["frequencies"].push_back(std::move(row));
+  }
   return all;
 }
 
@@ -165,16 +178,27 @@ std::string csv_of(const Solved& solved) {
   return text;
 }
 
+/// Where the numbers come from.
+std::string origin_of(const Solved& solved) {
+  const std::size_t frequencies = solved.data().frequencies.size();
+  if (const auto& database = solved.body.database)
+    return fmt::format("{} frequencies and {} headings of {} ({}, body {})", frequencies,
+                       solved.data().headings.size(), database->file.string(), database->format,
+                       database->body);
+  return fmt::format(
+      "{} frequencies on {} unknowns, {:.2f} s{}; damping by pressure and far away differ by "
+      "{:.2g} %",
+      frequencies, solved.stored.solution->unknowns, solved.stored.seconds,
+      solved.stored.from_store ? ", from the store" : "", 100 * solved.stored.solution->mismatch);
+}
+
 std::string table_of(const Solved& solved) {
   const hydro::RadiationData& data = solved.data();
   const double density = solved.body.density;
   std::string text = fmt::format(
-      "{}: displaced {:.6g} m^3, centre of mass {:.6g} m above the water of {:g} kg/m^3\n"
-      "  {} frequencies on {} unknowns, {:.2f} s{}; damping by pressure and far away differ by "
-      "{:.2g} %\n  assumed: {}\n",
-      solved.body.name, data.volume, data.pose.height, density, data.frequencies.size(),
-      solved.stored.solution->unknowns, solved.stored.seconds,
-      solved.stored.from_store ? ", from the store" : "", 100 * solved.stored.solution->mismatch,
+      "{}: displaced {:.6g} m^3, centre of mass {:.6g} m above the water of {:g} kg/m^3\n  {}\n"
+      "  assumed: {}\n",
+      solved.body.name, data.volume, data.pose.height, density, origin_of(solved),
       fmt::join(assembly::assumptions(), ", "));
   text += fmt::format("{:>9}{:>10}{:>36}{:>36}{:>36}\n{:>9}{:>10}", "omega", "length",
                       "added mass [kg, kg m^2]", "damping [kg/s, kg m^2/s]", "|X| along x [N/m, N]",
@@ -188,8 +212,9 @@ std::string table_of(const Solved& solved) {
     for (const int i : {0, 2, 4})
       text += fmt::format("{:>12.4g}", density * data.added_mass[f](i, i));
     for (const int i : {0, 2, 4}) text += fmt::format("{:>12.4g}", density * data.damping[f](i, i));
-    const hydro::Vector6cd X = solved.excitation(f, 0);
-    for (const int i : {0, 2, 4}) text += fmt::format("{:>12.4g}", std::abs(X[i]));
+    if (!data.headings.empty())
+      for (const int i : {0, 2, 4})
+        text += fmt::format("{:>12.4g}", std::abs(solved.excitation(f, 0)[i]));
     text += "\n";
   }
   text += fmt::format("{:>9}{:>10}", "infinite", "0");
@@ -198,34 +223,50 @@ std::string table_of(const Solved& solved) {
   return text + "\n";
 }
 
-/// WAMIT's files .1 and .3 with a length of 1 m: A/ρ, B/(ρω) and X/(ρg), for e^{+iωt}.
-void write_wamit(const std::filesystem::path& stem, const Solved& solved) {
+/// What other programs read of a body.
+databases::WrittenBody written(const Solved& solved) {
   const hydro::RadiationData& data = solved.data();
-  std::string radiation, excitation;
-  const auto add = [&](double period, const hydro::Matrix6d& A, const hydro::Matrix6d* B) {
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) {
-        radiation += fmt::format(" {:13.6E} {:5d} {:5d} {:14.6E}", period, i + 1, j + 1, A(i, j));
-        radiation += B ? fmt::format(" {:14.6E}\n", (*B)(i, j)) : "\n";
-      }
-  };
-  add(0, data.infinite_added_mass, nullptr);
-  for (std::size_t f = data.frequencies.size(); f-- > 0;) {  // periods ascend
-    const double omega = data.frequencies[f], period = 2 * pi / omega;
-    const hydro::Matrix6d B = data.damping[f] / omega;
-    add(period, data.added_mass[f], &B);
-    for (std::size_t h = 0; h < data.headings.size(); ++h) {
-      const hydro::Vector6cd X = (solved.excitation(f, static_cast<Eigen::Index>(h)) /
-                                  (solved.body.density * data.water.gravity))
-                                     .conjugate();
-      for (int i = 0; i < 6; ++i)
-        excitation += fmt::format(" {:13.6E} {:13.6E} {:5d} {:14.6E} {:14.6E} {:14.6E} {:14.6E}\n",
-                                  period, data.headings[h] * 180 / pi, i + 1, std::abs(X[i]),
-                                  std::arg(X[i]) * 180 / pi, X[i].real(), X[i].imag());
-    }
+  const hydro::TriMesh mesh_H =
+      hydro::transformed(solved.body.mesh_B, Eigen::Isometry3d(data.pose.orientation));
+  return {.name = solved.body.name,
+          .data = data,
+          .density = solved.body.density,
+          .statics = hydro::hydrostatics(mesh_H, data.pose.height)};
+}
+
+void write_files(const RadiationCommand& command, const Solved& solved, Reporter& reporter) {
+  const std::string place =
+      fmt::format("about the centre of mass, {:.6g} m above the water", solved.data().pose.height);
+  if (!command.wamit.empty()) {
+    databases::write_wamit(command.wamit, written(solved));
+    reporter.note(fmt::format("{}.1, .3 and .hst: {}", command.wamit.string(), place));
   }
-  write_whole(stem.string() + ".1", radiation);
-  write_whole(stem.string() + ".3", excitation);
+  if (!command.plot.empty())
+    write_whole(command.plot, radiation_svg(solved.body.name, solved.data(), solved.body.density));
+  if (!command.capytaine.empty()) {
+    databases::write_capytaine(command.capytaine, written(solved));
+    reporter.note(fmt::format("{}: {}", command.capytaine.string(), place));
+  }
+}
+
+/// Refuses options that do not fit the bodies, and files whose names tell another format.
+void check_options(const RadiationCommand& command, const std::vector<Afloat>& bodies) {
+  for (const auto& [option, file] :
+       {std::pair("--wamit", command.wamit), std::pair("--capytaine", command.capytaine),
+        std::pair("--plot", command.plot)})
+    if (!file.empty() && bodies.size() > 1)
+      throw scene::InputError(option, "is for one body, and the scene has several that make waves");
+  for (const auto& [option, file, extension] : {std::tuple("--capytaine", command.capytaine, ".nc"),
+                                                std::tuple("--plot", command.plot, ".svg")})
+    if (!file.empty() && file.extension() != extension)
+      throw scene::InputError(
+          option, fmt::format("found {}, expected a file {}", file.string(), extension));
+  for (const Afloat& body : bodies)
+    if (body.database && !command.frequencies.empty())
+      throw scene::InputError("--frequencies",
+                              fmt::format("is for bodies that are solved, and those of {} are in "
+                                          "its file",
+                                          body.name));
 }
 
 }  // namespace
@@ -235,21 +276,19 @@ int radiation(const RadiationCommand& command) {
   const std::vector<Afloat> bodies = scene::is_scene_file(command.file)
                                          ? bodies_of_scene(command)
                                          : std::vector{body_of_mesh(command)};
-  if (!command.wamit.empty() && bodies.size() > 1)
-    throw scene::InputError("--wamit",
-                            "is for one body, and the scene has several that make waves");
+  check_options(command, bodies);
   TerminalReporter reporter(false);
   assembly::RadiationStore store(command.store ? assembly::cache_folder() : std::nullopt);
   Json all = Json::object();
   std::string text = command.csv ? "body,omega,quantity,motion,motion_or_heading_deg,value\n" : "";
   for (const Afloat& body : bodies) {
-    const Solved solved{
-        body,
-        assembly::solved_radiation(
-            body.name,
-            {.mesh_B = body.mesh_B, .pose = body.pose, .water = body.water, .options = options},
-            store, reporter)};
-    if (!command.wamit.empty()) write_wamit(command.wamit, solved);
+    Solved solved{body, {}};
+    if (!body.database)
+      solved.stored = assembly::solved_radiation(
+          body.name,
+          {.mesh_B = body.mesh_B, .pose = body.pose, .water = body.water, .options = options},
+          store, reporter);
+    write_files(command, solved, reporter);
     if (command.json)
       all[body.name] = to_json(solved);
     else

@@ -17,7 +17,9 @@ struct RadiationCommand {
   bool store = true;                       ///< Solutions are read from the store and written to it.
   bool json = false;
   bool csv = false;
-  std::filesystem::path wamit;  ///< Stem of files .1 and .3; empty: none are written.
+  std::filesystem::path wamit;      ///< Stem of files .1, .3 and .hst; empty: none are written.
+  std::filesystem::path capytaine;  ///< Dataset .nc that is written; empty: none.
+  std::filesystem::path plot;       ///< Picture .svg that is written; empty: none.
 };
 
 /// Prints added mass, damping and the loads of waves on a floating mesh or a scene's bodies.

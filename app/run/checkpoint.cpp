@@ -66,6 +66,17 @@ class Digest {
   std::vector<char> bytes_;
 };
 
+/// The waves of a body may come from a file, which may change.
+void add(const hydro::RadiationData& data, Digest& digest) {
+  digest.add(data.infinite_added_mass);
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    digest.add(data.frequencies[f]);
+    digest.add(data.added_mass[f]);
+    digest.add(data.damping[f]);
+  }
+  for (const hydro::Loads6cd& load : data.diffraction) digest.add(load);
+}
+
 }  // namespace
 
 std::string digest_of(const engine::SimulationSpec& spec) {
@@ -78,6 +89,7 @@ std::string digest_of(const engine::SimulationSpec& spec) {
     digest.add(body.inertia_B);
     digest.add(body.initial.position);
     digest.add(body.initial.orientation.coeffs());
+    if (body.radiation) add(body.radiation->data(), digest);
   }
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);

@@ -118,7 +118,10 @@ Cells added_mass_row(const assembly::AddedMassReport& report) {
 Cells radiation_row(const assembly::RadiationReport& report) {
   if (!report.model) return {};
   const hydro::RadiationMemory& memory = report.model->memory();
-  return {report.stored->from_store ? "from store" : "solved now",
+  const auto& database = report.choice.database;
+  return {database                    ? database->file.filename().string()
+          : report.stored->from_store ? "from store"
+                                      : "solved now",
           std::to_string(report.model->data().frequencies.size()),
           number_text(report.choice.draught, 3), std::to_string(memory.size()),
           number_text(100 * memory.rms_error.maxCoeff(), 2)};

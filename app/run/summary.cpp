@@ -48,30 +48,43 @@ Json to_json(const std::optional<assembly::AddedMassReport>& report) {
           {"solve_seconds", solution.seconds}};
 }
 
+/// Returns the origin of what is known of a body's waves, and the checks of it.
+Json origin_of(const assembly::RadiationReport& report) {
+  if (const auto& database = report.choice.database) {
+    Json checks = Json::object();
+    for (const databases::Check& check : database->found.checks) checks[check.name] = check.value;
+    return {{"source", "file"},           {"file", database->file.string()},
+            {"format", database->format}, {"body", database->body},
+            {"checks", checks},           {"notes", database->found.notes}};
+  }
+  return {{"source", "solved"},
+          {"from_store", report.stored->from_store},
+          {"solve_seconds", report.stored->seconds},
+          {"unknowns", report.stored->solution->unknowns},
+          {"haskind_mismatch", report.stored->solution->mismatch}};
+}
+
 /// Returns what is known of the waves that a body makes, or why it makes none; null if the scene
 /// says so.
 Json to_json(const assembly::RadiationReport& report) {
   if (!report.model)
     return report.choice.reason.empty() ? Json() : Json{{"why_none", report.choice.reason}};
-  const hydro::RadiationSolution& solution = *report.stored->solution;
+  const hydro::RadiationData& data = report.model->data();
   const hydro::RadiationMemory& memory = report.model->memory();
-  const hydro::MeanPose& pose = solution.data.pose;
+  const hydro::MeanPose& pose = data.pose;
   const Eigen::Vector3d angles = hydro::euler_angles(pose.orientation) * (180 / std::numbers::pi);
-  return {{"source", "solved"},
-          {"from_store", report.stored->from_store},
-          {"solve_seconds", report.stored->seconds},
-          {"unknowns", solution.unknowns},
-          {"haskind_mismatch", solution.mismatch},
-          {"frequencies", solution.data.frequencies},
-          {"mean_pose",
-           {{"height", pose.height},
-            {"draught", report.choice.draught},
-            {"roll_deg", angles[0] + 0.0},
-            {"pitch_deg", angles[1] + 0.0}}},
-          {"oscillators", memory.size()},
-          {"fit_error_rms", memory.rms_error.maxCoeff()},
-          {"fit_error_largest", memory.largest_error.maxCoeff()},
-          {"assumed", assembly::assumptions()}};
+  Json json = origin_of(report);
+  json.update({{"frequencies", data.frequencies},
+               {"mean_pose",
+                {{"height", pose.height},
+                 {"draught", report.choice.draught},
+                 {"roll_deg", angles[0] + 0.0},
+                 {"pitch_deg", angles[1] + 0.0}}},
+               {"oscillators", memory.size()},
+               {"fit_error_rms", memory.rms_error.maxCoeff()},
+               {"fit_error_largest", memory.largest_error.maxCoeff()},
+               {"assumed", assembly::assumptions()}});
+  return json;
 }
 
 Json body_summary(const RunSummary& summary, std::size_t i) {

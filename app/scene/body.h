@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -52,17 +53,35 @@ struct AddedMass {
   hydro::Matrix6d matrix = hydro::Matrix6d::Zero();
 };
 
+/// A database of the waves that a body makes and scatters, by another program. Points are in the
+/// file's frame, whose z points up from the still water.
+struct RadiationFile {
+  std::filesystem::path file;
+  std::string body;  ///< Its name in the file, or its number from 1; empty: the only one.
+  std::optional<Eigen::Vector3d> reference_point;  ///< Of the file's motions and moments [m].
+  std::optional<Eigen::Vector3d> center_of_mass;   ///< [m]
+  double heading = 0;  ///< Of the file's x axis in the body's frame without heading [rad].
+  double length = 1;   ///< Of WAMIT's numbers without dimension [m].
+
+  bool operator==(const RadiationFile&) const = default;
+};
+
 /// The waves that a body makes and scatters.
-enum class Radiation {
-  by_default,  ///< `automatic` for a body that starts afloat (assembly/radiation_choice.h).
-  automatic,   ///< Solved on the body's mesh in its mean pose.
-  none
+struct Radiation {
+  enum class Source {
+    by_default,  ///< `automatic` for a body that starts afloat (assembly/radiation_choice.h).
+    automatic,   ///< Solved on the body's mesh in its mean pose.
+    none,
+    file  ///< Read from `database`.
+  };
+  Source source = Source::by_default;
+  RadiationFile database;
 };
 
 /// The block `hydro`.
 struct Hydro : hydro::Coefficients {
   AddedMass added_mass;
-  Radiation radiation = Radiation::by_default;
+  Radiation radiation;
   double wave_tolerance = hydro::LoadAccuracy().wave_tolerance;
 };
 

@@ -222,10 +222,30 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"hydro.radiation",
      "The waves that the body makes as it moves, and those that it scatters. With `auto` both are "
      "solved on its mesh in its mean pose, that in which it floats at rest, and kept for later "
-     "runs; its added mass is then that of this pose in waves of high frequency, so the key "
-     "excludes `added_mass`. Without both keys it is `auto` for a body that starts afloat near its "
-     "mean pose, free and alone on deep water, and otherwise `none`; `plimsoll check` tells which, "
-     "and why ([below](#radiation))."},
+     "runs; a block takes them from a database that another program has written. The body's added "
+     "mass is then that of this pose in waves of high frequency, so the key excludes "
+     "`added_mass`. Without both keys it is `auto` for a body that starts afloat near its mean "
+     "pose, free and alone on deep water, and otherwise `none`; `plimsoll check` tells which, and "
+     "why ([below](#radiation))."},
+    {"hydro.radiation.file",
+     "A database of added mass, damping and loads of waves, relative to the scene file: "
+     "Capytaine's "
+     "`.nc`, the `.h5` of BEMIO (WEC-Sim, HydroChrono), WAMIT's `.1` with the `.3` and `.hst` "
+     "beside "
+     "it, or Nemoh's `RadiationCoefficients.tec` with the forces beside it "
+     "([below](#databases))."},
+    {"hydro.radiation.body",
+     "The body in the file, by its name or its number. It is needed if the file has several."},
+    {"hydro.radiation.reference_point",
+     "The point of the file's motions and moments, in the file's frame, whose z points up from the "
+     "still water. The default is what the file tells, or else the frame's origin."},
+    {"hydro.radiation.center_of_mass",
+     "The body's centre of mass in the file's frame. The default is what the file tells, or else "
+     "the place over the frame's origin; the height is that of the body's mean pose."},
+    {"hydro.radiation.heading_deg",
+     "Direction of the file's x axis as the body sees it, counter-clockwise from its own x axis."},
+    {"hydro.radiation.length",
+     "The length by which WAMIT's files are without dimension (ULEN); other files have units."},
     {"bodies[].name",
      "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
      "a double quote or a line break."},

@@ -119,8 +119,37 @@ void read_added_mass(MapReader& map, AddedMass& added_mass) {
     value->refuse(expected);
 }
 
-const ChoiceRule<Radiation> kRadiations = {
-    {{"auto", Radiation::automatic}, {"none", Radiation::none}}};
+using Source = Radiation::Source;
+
+/// Reads a word, or a block with a file.
+void read_radiation(MapReader& map, Radiation& radiation) {
+  const std::string expected = "auto, none, or {file}";
+  const std::string before = radiation.source == Source::none        ? "none"
+                             : radiation.source == Source::automatic ? "auto"
+                             : radiation.source == Source::file      ? "a file"
+                                                                     : "";
+  const auto value = map.find_unless_block("radiation", expected, before, radiation,
+                                           {words_shape({"auto", "none"})});
+  if (!value) return;
+  if (value->node.is_word("auto"))
+    radiation = {.source = Source::automatic, .database = {}};
+  else if (value->node.is_word("none"))
+    radiation = {.source = Source::none, .database = {}};
+  else
+    value->refuse(expected);
+}
+
+/// Reads a body of a database: a name, or its number.
+void read_database_body(MapReader& map, std::string& body) {
+  const std::string expected = "a name, or a number >= 1";
+  const auto value = map.find("body", expected, "",
+                              {{.kind = ValueShape::Kind::text}, shape(between(1, 1e6), true, 0)});
+  if (!value) return;
+  if (value->node.is(YamlNode::Kind::scalar) && !value->node.text.empty())
+    body = value->node.text;
+  else
+    value->refuse(expected);
+}
 
 /// Round-off of a matrix that was computed elsewhere and printed, relative to its largest entry.
 constexpr double kMatrixRoundOff = 1e-9;
@@ -188,6 +217,18 @@ void read(MapReader& map, AddedMass& added_mass) {
   if (read_matrix(map, added_mass.matrix)) added_mass.model = Model::matrix;
 }
 
+/// Reads a block that replaces all earlier settings, as a word does.
+void read(MapReader& map, Radiation& radiation) {
+  radiation = {.source = Source::file, .database = {}};
+  RadiationFile& database = radiation.database;
+  map.required("file", database.file, FileRule{});
+  read_database_body(map, database.body);
+  map.optional("reference_point", database.reference_point, number("m"));
+  map.optional("center_of_mass", database.center_of_mass, number("m"));
+  map.optional("heading_deg", database.heading, degrees());
+  map.optional("length", database.length, positive("m"));
+}
+
 void read(MapReader& map, Hydro& hydro) {
   read_preset(map, hydro);
   map.optional("buoyancy", hydro.buoyancy, TruthRule{});
@@ -196,7 +237,7 @@ void read(MapReader& map, Hydro& hydro) {
   read_viscous_drag(map, hydro.viscous_drag);
   read_length(map, hydro.viscous_drag);
   read_added_mass(map, hydro.added_mass);
-  map.optional("radiation", hydro.radiation, kRadiations);
+  read_radiation(map, hydro.radiation);
   map.optional("wave_tolerance", hydro.wave_tolerance, not_negative());
 }
 

@@ -31,8 +31,9 @@ foreach(printed IN ITEMS
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
 endforeach()
 
-# plimsoll::base is there for the last two; its headers are not meant for users.
-install(TARGETS plimsoll_hydro plimsoll_engine plimsoll_base plimsoll_scene plimsoll_assembly
+# plimsoll::base and plimsoll::databases are there for the others; their headers are not meant for users.
+install(TARGETS plimsoll_hydro plimsoll_engine plimsoll_base plimsoll_scene plimsoll_databases
+  plimsoll_assembly
   EXPORT plimsoll)
 include(tools/cmake/PublicHeaders.cmake)
 install(CODE "

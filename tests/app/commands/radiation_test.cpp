@@ -73,6 +73,55 @@ TEST(RadiationCommand, WritesWhatOtherProgramsRead) {
   EXPECT_NEAR(heave, 0.586 * 2.03, 0.06);  // Over the density, of the polyhedron's volume.
 }
 
+TEST(RadiationCommand, ReadsWhatItHasWritten) {
+  const std::filesystem::path folder = testing::TempDir();
+  const std::string scene = support::write_scene(kBuoy);
+  const std::string dataset = (folder / "buoy.nc").string(),
+                    picture = (folder / "buoy.svg").string();
+  const json solved =
+      json::parse(radiation_of({scene, "--json", "--no-store", "--frequencies", "1,2.2147",
+                                "--capytaine", dataset, "--plot", picture}))["bodies"]["buoy"];
+  const std::string by_file = support::write_scene(kBuoy);
+  const std::string set = "--set=bodies[buoy].hydro.radiation={file: " + dataset + "}";
+  const json read = json::parse(radiation_of({by_file, "--json", set}))["bodies"]["buoy"];
+  EXPECT_EQ(read["format"], "Capytaine");
+  EXPECT_EQ(read["file"], dataset);
+  EXPECT_EQ(read["notes"], json::array());
+  ASSERT_EQ(read["frequencies"].size(), 2);
+  for (const char* key : {"added_mass", "damping"})
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_NEAR(read["frequencies"][1][key][i][i].get<double>(),
+                  solved["frequencies"][1][key][i][i].get<double>(), 1e-9);
+  EXPECT_EQ(read["headings"], solved["headings"]);
+  EXPECT_THAT(radiation_of({by_file, set}), HasSubstr("2 frequencies and 36 headings of"));
+  EXPECT_THAT(radiation_of({by_file, set, "--frequencies", "1"}),
+              HasSubstr("--frequencies: is for bodies that are solved"));
+  EXPECT_THAT(radiation_of({by_file, "--plot", "buoy.png"}),
+              HasSubstr("--plot: found buoy.png, expected a file .svg"));
+  std::ifstream drawn(picture);
+  const std::string svg(std::istreambuf_iterator<char>(drawn), {});
+  EXPECT_THAT(svg,
+              testing::AllOf(testing::StartsWith("<svg"), testing::EndsWith("</svg>\n"),
+                             HasSubstr("added mass A [kg]"), HasSubstr("|X| over heading, yaw")));
+}
+
+TEST(RadiationCommand, TellsADatabaseWithoutLoadsOfWaves) {
+  const std::filesystem::path stem = std::filesystem::path(testing::TempDir()) / "still_buoy";
+  const std::string scene = support::write_scene(kBuoy);
+  radiation_of({scene, "--no-store", "--frequencies", "0.5,1,2", "--wamit", stem.string()});
+  std::filesystem::remove(stem.string() + ".3");
+  const std::string set = "--set=bodies[buoy].hydro.radiation={file: " + stem.string() + ".1}";
+  const std::string picture = stem.string() + ".svg";
+  const json buoy =
+      json::parse(radiation_of({scene, "--json", set, "--plot", picture, "--capytaine",
+                                stem.string() + ".nc"}))["bodies"]["buoy"];
+  EXPECT_EQ(buoy["headings"], json::array());
+  EXPECT_FALSE(buoy["frequencies"][0].contains("diffraction_real"));
+  EXPECT_GT(std::filesystem::file_size(picture), 1000u);
+  for (const char* format : {"--csv", "--no-store"})
+    EXPECT_THAT(radiation_of({scene, set, format}), HasSubstr("buoy"));
+}
+
 TEST(RadiationCommand, TakesAMeshAsAUniformBody) {
   const std::string mesh =
       (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();

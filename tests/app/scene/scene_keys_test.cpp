@@ -63,7 +63,11 @@ std::string every_key() {
          "    angular_velocity: [-1, -2, -3]\n"
          "    hydro: {preset: fitted, buoyancy: false, pressure_drag: {front: 0.75, back: 0.5,"
          "      blunt: 0.25},"
-         " lift: 1, viscous_drag: ittc57, length: 3, wave_tolerance: 0, radiation: auto,"
+         " lift: 1, viscous_drag: ittc57, length: 3, wave_tolerance: 0,"
+         " radiation: {file: " +
+         folder +
+         "/shore.obj, body: 2, reference_point: [1, 2, 3], center_of_mass: [4, 5, 6],"
+         " heading_deg: 90, length: 7},"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
@@ -333,8 +337,15 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   EXPECT_EQ(own.viscous_drag, (hydro::ViscousDrag{.law = Law::ittc57, .length = 3}));
   EXPECT_EQ(scene.bodies[0].hydro.wave_tolerance, 0);
   EXPECT_EQ(scene.bodies[1].hydro.wave_tolerance, 2e-3);
-  EXPECT_EQ(scene.bodies[0].hydro.radiation, scene::Radiation::automatic);
-  EXPECT_EQ(scene.bodies[1].hydro.radiation, scene::Radiation::none);
+  const scene::Radiation& radiation = scene.bodies[0].hydro.radiation;
+  EXPECT_EQ(radiation.source, scene::Radiation::Source::file);
+  EXPECT_EQ(radiation.database.file.filename(), "shore.obj");
+  EXPECT_EQ(radiation.database.body, "2");
+  EXPECT_EQ(radiation.database.reference_point, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(radiation.database.center_of_mass, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(radiation.database.heading, M_PI / 2);
+  EXPECT_EQ(radiation.database.length, 7);
+  EXPECT_EQ(scene.bodies[1].hydro.radiation.source, scene::Radiation::Source::none);
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
   EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
             std::tuple(true, hydro::PressureDrag{0.5, 0.5, 0}, 0));
@@ -527,6 +538,9 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             " highest_frequency_hz: 3, components: 5}}"},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           {"hydro.radiation={file: " + support::data_folder().string() +
+            "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
+            " heading_deg: 1, length: 2}"},
            kCameras,
            {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)

@@ -1,4 +1,4 @@
-#include "app/assembly/table_line.h"
+#include "app/scene/table_line.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 
 #include "app/scene/diagnostics.h"
 
-namespace assembly {
+namespace scene {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r";
@@ -49,8 +49,7 @@ std::vector<std::string> TableLine::words() {
 }
 
 void TableLine::fail(const std::string& message) const {
-  throw scene::InputError(
-      {scene::Fault{{file_, number_, static_cast<int>(next_) + 1}, "", message}});
+  throw InputError({Fault{{file_, number_, static_cast<int>(next_) + 1}, "", message}});
 }
 
 void TableLine::skip_space() {
@@ -75,4 +74,4 @@ double TableLine::value() {
   return number;
 }
 
-}  // namespace assembly
+}  // namespace scene

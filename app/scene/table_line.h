@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace assembly {
+namespace scene {
 
 /// A line of a table that is parsed from left to right. Fields are separated by commas, semicolons
 /// or white space; text after a # is skipped.
@@ -38,4 +38,4 @@ class TableLine {
   std::size_t next_ = 0;
 };
 
-}  // namespace assembly
+}  // namespace scene

@@ -1,0 +1,78 @@
+#include "app/assembly/radiation_database.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/databases/fit_to_body.h"
+#include "hydro/airy_waves.h"
+
+namespace assembly {
+namespace {
+
+bool has_file(const scene::Body& body) {
+  return body.hydro.radiation.source == scene::Radiation::Source::file;
+}
+
+/// The database of an earlier body with the same keys, mesh and mean pose; none without one.
+std::shared_ptr<const RadiationDatabase> known(const scene::Scene& scene,
+                                               const engine::SimulationSpec& spec,
+                                               const std::vector<RadiationChoice>& choices,
+                                               std::size_t i) {
+  for (std::size_t j = 0; j < i; ++j) {
+    const hydro::TriMesh &a = spec.bodies[i].mesh_B, &b = spec.bodies[j].mesh_B;
+    if (choices[j].database && choices[j].pose == choices[i].pose && a.vertices == b.vertices &&
+        a.faces == b.faces &&
+        scene.bodies[j].hydro.radiation.database == scene.bodies[i].hydro.radiation.database)
+      return choices[j].database;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void read_databases(const scene::Scene& scene, const engine::SimulationSpec& spec,
+                    std::vector<RadiationChoice>& choices, scene::Faults& faults) {
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    RadiationChoice& choice = choices[i];
+    if (!choice.pose || !has_file(scene.bodies[i])) continue;
+    choice.database = known(scene, spec, choices, i);
+    if (choice.database) continue;
+    const scene::RadiationFile& source = scene.bodies[i].hydro.radiation.database;
+    const hydro::Sea& sea = *spec.sea;
+    try {
+      const databases::Database read = databases::read_database(source, sea.gravity);
+      choice.database = std::make_shared<const RadiationDatabase>(RadiationDatabase{
+          .file = source.file,
+          .format = read.format,
+          .body = read.body,
+          .found = databases::fit_to_body(read, source,
+                                          {.mesh_B = spec.bodies[i].mesh_B,
+                                           .pose = *choice.pose,
+                                           .water = {.gravity = sea.gravity, .depth = sea.depth},
+                                           .waves = hydro::has_airy_waves(sea)})});
+    } catch (const scene::InputError& error) {
+      for (const scene::Fault& fault : error.faults())
+        faults.add(scene.places, fmt::format("bodies[{}].hydro.radiation.file", i),
+                   scene::to_string(fault));
+    }
+  }
+}
+
+std::vector<std::string> database_notes(const engine::SimulationSpec& spec,
+                                        const std::vector<RadiationChoice>& choices) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const auto& database = choices[i].database;
+    if (!database) continue;
+    const bool told = std::any_of(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(i),
+                                  [&](const auto& other) { return other.database == database; });
+    if (told) continue;
+    for (const std::string& note : database->found.notes)
+      lines.push_back(
+          fmt::format("{}: {}: {}", spec.bodies[i].name, database->file.filename().string(), note));
+  }
+  return lines;
+}
+
+}  // namespace assembly

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hydro/mesh/mesh.h"
+#include "hydro/radiation/radiation_data.h"
+
+namespace databases {
+
+/// The body to which a database is put.
+struct FloatingMesh {
+  const hydro::TriMesh& mesh_B;  ///< Its origin is the centre of mass.
+  hydro::MeanPose pose;
+  hydro::LinearWater water;
+  bool waves = true;  ///< The water has waves, whose loads are needed.
+};
+
+/// One check of a database and what it found.
+struct Check {
+  std::string name;
+  double value = 0;  ///< Relative to what it is compared with [-].
+};
+
+/// Data as a run takes it, and what was found on the way.
+struct BodyData {
+  hydro::RadiationData data;
+  std::vector<Check> checks;
+  std::vector<std::string> notes;  ///< What was left out, taken or is slightly wrong.
+};
+
+}  // namespace databases

@@ -1,0 +1,337 @@
+#include "app/databases/database_checks.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/scene/diagnostics.h"
+#include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/airy_waves.h"
+#include "hydro/decompositions.h"
+#include "hydro/radiation/froude_krylov.h"
+#include "hydro/statics/hydrostatics.h"
+
+namespace databases {
+namespace {
+
+using Eigen::Index;
+using hydro::Matrix6d;
+using std::numbers::pi;
+
+// Bounds above which a check is noted, and refused, relative to the largest of its kind [-].
+// Panel methods stay below the former; what is above the latter is of another body or convention.
+struct Bounds {
+  double noted, refused;
+};
+constexpr Bounds kAsymmetry = {0.01, 0.1};
+constexpr Bounds kNegative = {0.005, 0.05};
+constexpr Bounds kVolume = {0.01, 0.1};
+constexpr Bounds kWaterplane = {0.02, 0.2};
+constexpr Bounds kHaskind = {0.05, 0.3};
+/// Part of the frequencies that may contradict Haskind's relation and be left out [-].
+constexpr double kMostDropped = 0.2;
+constexpr Bounds kFroudeKrylov = {0.05, 0.3};
+constexpr Bounds kLongWaves = {0.1, 0.3};
+
+/// Wave number by the lever at which Froude-Krylov forces are compared [-].
+constexpr double kCompared = 0.5;
+/// Wave numbers by half the body's length between which the whole excitation is [-]: in longer
+/// waves moments are small differences.
+constexpr double kShortest = 0.1, kLongest = 0.3;
+/// Part of the moment of the horizontal force by the lever that counts as the least moment [-].
+constexpr double kLeastMoment = 0.1;
+
+/// Longest waves' wave number by the lever below which the body is small in them [-].
+constexpr double kLongWave = 0.5;
+/// Least part of the push that a body of its volume must feel in them for the phase to count [-].
+constexpr double kLeastPush = 0.2;
+
+Matrix6d weighted(const Matrix6d& matrix, double lever) {
+  hydro::Vector6d weight = hydro::Vector6d::Ones();
+  weight.tail<3>() /= lever;
+  return weight.asDiagonal() * matrix * weight.asDiagonal();
+}
+
+/// Adds a check and its note.
+void add(const std::string& name, double value, const Bounds& bounds, BodyData& found) {
+  found.checks.push_back({name, value});
+  if (std::abs(value) > bounds.noted)
+    found.notes.push_back(fmt::format("{} {:.2g} %", name, 100 * value));
+}
+
+/// The matrices of one kind.
+struct Kind {
+  const char* name;
+  std::vector<Matrix6d*> matrices;
+  std::vector<double> frequencies;  ///< Infinite for A∞ [rad/s].
+};
+
+double largest_of(const Kind& kind, double lever) {
+  double largest = 0;
+  for (const Matrix6d* matrix : kind.matrices)
+    largest = std::max(largest, weighted(*matrix, lever).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+void check_symmetry(const Database& d, const Kind& kind, double lever, BodyData& found) {
+  const double largest = largest_of(kind, lever);
+  double worst = 0;
+  for (std::size_t f = 0; f < kind.matrices.size(); ++f) {
+    Matrix6d& matrix = *kind.matrices[f];
+    const Matrix6d scaled = weighted(matrix, lever);
+    Index row = 0, column = 0;
+    const double error = (scaled - scaled.transpose()).cwiseAbs().maxCoeff(&column, &row);
+    if (error > kAsymmetry.refused * largest)
+      refuse(d, fmt::format("{} at {:g} rad/s: found {:g} in row {}, column {} and {:g} in row {}, "
+                            "column {} (for water of density 1); expected a symmetric matrix",
+                            kind.name, kind.frequencies[f], matrix(row, column), row + 1,
+                            column + 1, matrix(column, row), column + 1, row + 1));
+    worst = std::max(worst, error);
+    matrix = (0.5 * (matrix + matrix.transpose())).eval();
+  }
+  add(fmt::format("asymmetry of {}", kind.name), largest > 0 ? worst / largest : 0, kAsymmetry,
+      found);
+}
+
+void check_eigenvalues(const Database& d, const Kind& kind, double lever, BodyData& found) {
+  const double largest = largest_of(kind, lever);
+  double worst = 0;
+  for (std::size_t f = 0; largest > 0 && f < kind.matrices.size(); ++f) {
+    const auto parts = hydro::eigen_decomposition(weighted(*kind.matrices[f], lever));
+    const double least = parts.values[0] / largest;
+    Index row = 0;
+    parts.vectors.col(0).cwiseAbs().maxCoeff(&row);
+    if (least < -kNegative.refused)
+      refuse(d, fmt::format("{} at {:g} rad/s: has an eigenvalue of {:.2g} % of its largest entry, "
+                            "most of it in row {}, column {} ({:g} for water of density 1); "
+                            "expected none below {:g} %",
+                            kind.name, kind.frequencies[f], 100 * least, row + 1, row + 1,
+                            (*kind.matrices[f])(row, row), -100 * kNegative.refused));
+    if (least >= 0) continue;
+    worst = std::min(worst, least);
+    const Matrix6d kept = hydro::semi_definite_part(weighted(*kind.matrices[f], lever));
+    *kind.matrices[f] = weighted(kept, 1 / lever);
+  }
+  add(fmt::format("least eigenvalue of {}", kind.name), worst, kNegative, found);
+}
+
+/// Group velocity [m/s].
+double group_velocity(double omega, double k, double depth) {
+  const double kh = k * depth;
+  return omega / (2 * k) * (1 + (kh > 300 ? 0 : 2 * kh / std::sinh(2 * kh)));
+}
+
+/// How far the damping of a frequency is from Haskind's relation.
+struct Mismatch {
+  double frequency = 0;  ///< [rad/s]
+  double error = 0;      ///< Largest difference of weighted entries.
+  double size = 0;       ///< Largest entry, of the smaller of the two matrices.
+  Index row = 0, column = 0;
+};
+
+Mismatch haskind_mismatch(const hydro::RadiationData& data, std::size_t f, double lever) {
+  Mismatch found{.frequency = data.frequencies[f]};
+  const hydro::LinearWater& water = data.water;
+  const double k = hydro::wave_number(found.frequency, water.depth, water.gravity).value();
+  const hydro::Loads6cd X = data.froude_krylov[f] + data.diffraction[f];
+  const double factor = k /
+                        (8 * pi * water.gravity * group_velocity(found.frequency, k, water.depth)) *
+                        2 * pi / static_cast<double>(X.cols());
+  const Matrix6d radiated = weighted(factor * (X * X.adjoint()).real(), lever);
+  const Matrix6d damping = weighted(data.damping[f], lever);
+  found.error = (radiated - damping).cwiseAbs().maxCoeff(&found.row, &found.column);
+  found.size = std::min(radiated.cwiseAbs().maxCoeff(), damping.cwiseAbs().maxCoeff());
+  return found;
+}
+
+template <class T>
+void keep_only(const std::vector<bool>& kept, std::vector<T>& list) {
+  std::size_t next = 0;
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (kept[f]) std::swap(list[next++], list[f]);
+  list.resize(next);
+}
+
+/// Leaves out single frequencies that contradict themselves: those of sloshing inside the hull, at
+/// which panel methods have no unique solution.
+void drop_frequencies(const std::vector<bool>& kept, const std::vector<Mismatch>& mismatches,
+                      BodyData& found) {
+  std::vector<std::string> dropped;
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (!kept[f]) dropped.push_back(fmt::format("{:.4g}", mismatches[f].frequency));
+  const std::size_t count = dropped.size();
+  if (count > 5) dropped = {dropped.front(), "…", dropped.back()};
+  found.notes.push_back(
+      fmt::format("{} of {} frequencies contradict Haskind's relation and are left "
+                  "out: {} rad/s",
+                  count, kept.size(), fmt::join(dropped, ", ")));
+  hydro::RadiationData& data = found.data;
+  keep_only(kept, data.frequencies);
+  keep_only(kept, data.added_mass);
+  keep_only(kept, data.damping);
+  keep_only(kept, data.froude_krylov);
+  keep_only(kept, data.diffraction);
+}
+
+void check_push(const Database& d, BodyData& found) {
+  const hydro::RadiationData& data = found.data;
+  const double k =
+      hydro::wave_number(data.frequencies[0], data.water.depth, data.water.gravity).value();
+  double push = 0;  // Along the waves, in phase with the water's acceleration.
+  for (std::size_t h = 0; h < data.headings.size(); ++h) {
+    const auto X = (data.froude_krylov[0] + data.diffraction[0]).col(static_cast<Index>(h)).imag();
+    push -= X[0] * std::cos(data.headings[h]) + X[1] * std::sin(data.headings[h]);
+  }
+  const double expected =
+      data.water.gravity * k * data.volume * static_cast<double>(data.headings.size());
+  if (push < -kLeastPush * expected)
+    refuse(d, fmt::format("excitation at {:g} rad/s: the waves push the body against the water's "
+                          "acceleration, rows 1 and 2; expected the other sign of the imaginary "
+                          "part, or of the headings",
+                          data.frequencies[0]));
+}
+
+/// The water's acceleration at the centre of mass, over the elevation there [1/s^2].
+Eigen::Vector3cd acceleration(const FloatingMesh& body, const hydro::LinearWater& water, double k,
+                              double heading) {
+  const double z = std::min(0.0, body.pose.height);
+  const double below = std::exp(-2 * k * (z + water.depth)),
+               bottom = std::exp(-2 * k * water.depth);
+  const double gk = water.gravity * k * std::exp(k * z) / (1 + bottom);
+  const std::complex<double> along(0, -gk * (1 + below));
+  return {along * std::cos(heading), along * std::sin(heading), -gk * (1 - below)};
+}
+
+/// Refuses loads that differ from those of the mesh.
+void compare_loads(const Database& d, const char* what, double omega, const hydro::Loads6cd& theirs,
+                   const hydro::Loads6cd& ours, double lever, const Bounds& bounds,
+                   BodyData& found) {
+  const double force =
+      std::max(theirs.topRows<3>().cwiseAbs().maxCoeff(), ours.topRows<3>().cwiseAbs().maxCoeff());
+  const double horizontal = ours.topRows<2>().cwiseAbs().maxCoeff();
+  const double moment =
+      std::max({theirs.bottomRows<3>().cwiseAbs().maxCoeff(),
+                ours.bottomRows<3>().cwiseAbs().maxCoeff(), kLeastMoment * lever * horizontal});
+  Eigen::MatrixXd error = (theirs - ours).cwiseAbs();
+  error.topRows<3>() /= force;
+  error.bottomRows<3>() /= moment;
+  Index row = 0, column = 0;
+  const double worst = error.maxCoeff(&row, &column);
+  if (!(worst <= bounds.refused))
+    refuse(d, fmt::format("{} at {:.4g} rad/s, row {}: found {:.4g}, and by the mesh {:.4g} (over "
+                          "the density, about the body's centre of mass); expected them to agree "
+                          "within {:g} %; reference_point, center_of_mass or heading_deg may be "
+                          "wrong",
+                          what, omega, row + 1, std::abs(theirs(row, column)),
+                          std::abs(ours(row, column)), 100 * bounds.refused));
+  add(fmt::format("{} against the mesh", what), worst, bounds, found);
+}
+
+}  // namespace
+
+void check_loads_by_mesh(const Database& d, const FloatingMesh& body,
+                         const LoadTable& froude_krylov, const LoadTable& diffraction, double lever,
+                         BodyData& found) {
+  const hydro::LinearWater& water = found.data.water;
+  const auto wave_number = [&](std::size_t f) {
+    return hydro::wave_number(d.frequencies[f], water.depth, water.gravity).value();
+  };
+  const auto on_mesh = [&](std::size_t f) {
+    return hydro::froude_krylov(body.mesh_B, body.pose, water, {d.frequencies[f]},
+                                froude_krylov.headings)[0];
+  };
+  std::size_t f = 0;
+  if (!d.froude_krylov.empty()) {
+    while (f + 1 < d.frequencies.size() && wave_number(f) * lever < kCompared) ++f;
+    return compare_loads(d, "Froude-Krylov force", d.frequencies[f], froude_krylov.loads[f],
+                         on_mesh(f), lever, kFroudeKrylov, found);
+  }
+  const double half_length = body.mesh_B.vertices.colwise().norm().maxCoeff();
+  while (f + 1 < d.frequencies.size() && wave_number(f + 1) * half_length < kLongest) ++f;
+  const double k = wave_number(f);
+  if (k * half_length < kShortest || k * half_length > kLongest) return;
+  hydro::Loads6cd expected = on_mesh(f);
+  for (Index h = 0; h < expected.cols(); ++h)
+    expected.col(h) +=
+        found.data.added_mass[f].leftCols<3>().cast<std::complex<double>>() *
+        acceleration(body, water, k, froude_krylov.headings[static_cast<std::size_t>(h)]);
+  compare_loads(d, "excitation in long waves", d.frequencies[f],
+                froude_krylov.loads[f] + diffraction.loads[f], expected, lever, kLongWaves, found);
+}
+
+void check_matrices(Database& d, double lever, BodyData& found) {
+  Kind A{"added mass", {}, d.frequencies}, B{"damping", {}, d.frequencies};
+  for (Matrix6d& matrix : d.added_mass) A.matrices.push_back(&matrix);
+  for (Matrix6d& matrix : d.damping) B.matrices.push_back(&matrix);
+  if (d.infinite_added_mass) {
+    A.matrices.push_back(&*d.infinite_added_mass);
+    A.frequencies.push_back(std::numeric_limits<double>::infinity());
+  }
+  check_symmetry(d, A, lever, found);
+  check_symmetry(d, B, lever, found);
+  check_eigenvalues(d, B, lever, found);
+  if (d.infinite_added_mass)
+    check_eigenvalues(d,
+                      {"infinite added mass",
+                       {&*d.infinite_added_mass},
+                       {std::numeric_limits<double>::infinity()}},
+                      lever, found);
+}
+
+void check_statics(const Database& d, const FloatingMesh& body, BodyData& found) {
+  const hydro::Hydrostatics own = hydro::hydrostatics(
+      hydro::transformed(body.mesh_B, Eigen::Isometry3d(body.pose.orientation)), body.pose.height);
+  found.data.volume = own.volume;
+  const auto compare = [&](const char* what, const char* unit, double theirs, double ours,
+                           const Bounds& bounds) {
+    const double difference = theirs / ours - 1;
+    if (!(std::abs(difference) < bounds.refused))
+      refuse(d,
+             fmt::format("found a {} of {:.5g} {}, and the body's is {:.5g} {} in its mean pose; "
+                         "expected them to agree within {:g} %",
+                         what, theirs, unit, ours, unit, 100 * bounds.refused));
+    add(fmt::format("{} against the mesh", what), difference, bounds, found);
+  };
+  if (d.volume) compare("displaced volume", "m^3", *d.volume, own.volume, kVolume);
+  if (d.waterplane_area && own.waterplane.area > 0)
+    compare("waterplane", "m^2", *d.waterplane_area, own.waterplane.area, kWaterplane);
+}
+
+void check_loads(const Database& d, double lever, BodyData& found) {
+  std::vector<Mismatch> mismatches;
+  double largest = 0;
+  for (std::size_t f = 0; f < found.data.frequencies.size(); ++f) {
+    mismatches.push_back(haskind_mismatch(found.data, f, lever));
+    largest = std::max(largest, mismatches.back().size);
+  }
+  if (largest > 0) {
+    const auto worst =
+        std::max_element(mismatches.begin(), mismatches.end(),
+                         [](const Mismatch& a, const Mismatch& b) { return a.error < b.error; });
+    std::vector<bool> kept;
+    for (const Mismatch& each : mismatches)
+      kept.push_back(each.error <= kHaskind.refused * largest);
+    const auto dropped = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+    if (static_cast<double>(dropped) > kMostDropped * static_cast<double>(kept.size()))
+      refuse(d, fmt::format("damping at {:g} rad/s, row {}, column {}: differs by {:.2g} % of the "
+                            "largest from that of the loads of waves (Haskind's relation), and at "
+                            "{} of {} frequencies by more than {:g} %",
+                            worst->frequency, worst->row + 1, worst->column + 1,
+                            100 * worst->error / largest, dropped, kept.size(),
+                            100 * kHaskind.refused));
+    if (dropped > 0) drop_frequencies(kept, mismatches, found);
+    double left = 0;
+    for (std::size_t f = 0; f < kept.size(); ++f)
+      if (kept[f]) left = std::max(left, mismatches[f].error / largest);
+    add("damping against Haskind's relation", left, kHaskind, found);
+  }
+  const hydro::RadiationData& data = found.data;
+  const double k =
+      hydro::wave_number(data.frequencies[0], data.water.depth, data.water.gravity).value();
+  if (k * lever < kLongWave) check_push(d, found);
+}
+
+}  // namespace databases

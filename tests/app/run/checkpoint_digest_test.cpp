@@ -1,0 +1,26 @@
+#include <gtest/gtest.h>
+
+#include "app/run/checkpoint.h"
+#include "hydro/mesh/primitives.h"
+#include "tests/support/radiating_sphere.h"
+
+namespace {
+
+std::string digest_with(const hydro::RadiationData& data) {
+  engine::BodySpec body{.name = "ball", .mesh_B = hydro::make_icosphere(1, 1)};
+  body.radiation = std::make_shared<const hydro::FloatingBody>(body.mesh_B, data);
+  return app::digest_of({.bodies = {body}});
+}
+
+TEST(CheckpointDigest, TellsWhetherTheWavesOfABodyHaveChanged) {
+  const hydro::RadiationData data = support::radiating_sphere(1);
+  EXPECT_EQ(digest_with(data), digest_with(data));
+  hydro::RadiationData other = data;
+  other.damping[3](2, 2) *= 1 + 1e-12;
+  EXPECT_NE(digest_with(data), digest_with(other));
+  other = data;
+  other.infinite_added_mass(0, 0) *= 1 + 1e-12;
+  EXPECT_NE(digest_with(data), digest_with(other));
+}
+
+}  // namespace
