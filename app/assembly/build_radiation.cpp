@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -74,9 +75,11 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
   faults.throw_if_any();
 }
 
-std::vector<std::string> assumptions() {
-  return {"small motions about the mean pose", "deep water", "no forward speed in the water",
-          "no other body near"};
+std::vector<std::string> assumptions(const hydro::LinearWater& water) {
+  return {"small motions about the mean pose",
+          std::isfinite(water.depth) ? fmt::format("water {:g} m deep everywhere", water.depth)
+                                     : "deep water",
+          "no forward speed in the water", "no other body near"};
 }
 
 }  // namespace assembly

@@ -18,6 +18,6 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
                    app::Reporter& reporter);
 
 /// What linear theory takes for granted of bodies that make waves.
-std::vector<std::string> assumptions();
+std::vector<std::string> assumptions(const hydro::LinearWater& water);
 
 }  // namespace assembly

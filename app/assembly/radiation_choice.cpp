@@ -93,7 +93,7 @@ class Chooser {
     const Extent extent = extent_of(body, choice.pose->orientation);
     choice.draught = -(choice.pose->height + extent.lowest);
     choice.length = extent.length;
-    choice.reason = choice.written ? wet_fault(choice, body) : far_from_mean(choice, i);
+    choice.reason = choice.written ? pose_fault(choice, body) : far_from_mean(choice, i);
     if (!choice.reason.empty()) choice.pose.reset();
     return choice;
   }
@@ -112,8 +112,6 @@ class Chooser {
     const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
     if (waves && waves->kinematics == hydro::Kinematics::hydrostatic)
       return "kinematics: hydrostatic has no waves that a body could scatter";
-    if (std::isfinite(sea.depth) && scene_.bodies[i].hydro.radiation.source != Source::file)
-      return fmt::format("it is solved for deep water, and water.depth is {:g} m", sea.depth);
     if (!body.wet || !body.coefficients.buoyancy) return "hydro.buoyancy is switched off";
     if (engine::immovable(body.locked)) return "the body is held in all six";
     if (scene_.bodies[i].hydro.added_mass.model != scene::AddedMass::Model::automatic)
@@ -174,15 +172,18 @@ class Chooser {
     return neutral && tilt_between(start, rest.orientation) > kTiltMismatch ? held : rest;
   }
 
-  /// A body whose height is locked may be out of the water.
-  static std::string wet_fault(const RadiationChoice& choice, const engine::BodySpec& body) {
+  /// A body whose height is locked may be out of the water, and a deep one on its bottom.
+  std::string pose_fault(const RadiationChoice& choice, const engine::BodySpec& body) const {
     if (choice.draught <= 0) return "its height is locked where it is dry";
+    if (choice.draught >= spec_.sea->depth)
+      return fmt::format("its draught of {:.4g} m reaches the bottom", choice.draught);
     const double highest = choice.pose->height + extent_of(body, choice.pose->orientation).highest;
     return highest <= 0 ? "its height is locked where it is submerged" : "";
   }
 
   std::string far_from_mean(const RadiationChoice& choice, std::size_t i) const {
     const engine::BodySpec& body = spec_.bodies[i];
+    if (std::string fault = pose_fault(choice, body); !fault.empty()) return fault;
     const double tilt = tilt_between(body.initial.orientation, choice.pose->orientation);
     if (tilt > kTiltMismatch)
       return fmt::format("it starts {:.0f}° from the attitude at which it floats at rest",
@@ -192,7 +193,8 @@ class Chooser {
       return fmt::format("it starts with a Froude number of {:.2g}", froude);
     const double bound =
         std::max(kDraughtsToGround * choice.draught, kLengthsToGround * choice.length);
-    if (depth_over(body.initial.position, choice.length) < bound) return "ground is near";
+    if (depth_over(body.initial.position, choice.length) < std::min(bound, spec_.sea->depth))
+      return "ground is near";
     return "";
   }
 
@@ -226,10 +228,11 @@ class Chooser {
 std::string described(const RadiationChoice& choice, const engine::BodySpec& body,
                       const hydro::Sea& sea) {
   if (!choice.database)
-    return fmt::format(
-        "{} frequencies at a draught of {:.4g} m",
-        hydro::radiation_frequencies(body.mesh_B, *choice.pose, {.gravity = sea.gravity}).size(),
-        choice.draught);
+    return fmt::format("{} frequencies at a draught of {:.4g} m",
+                       hydro::radiation_frequencies(body.mesh_B, *choice.pose,
+                                                    {.gravity = sea.gravity, .depth = sea.depth})
+                           .size(),
+                       choice.draught);
   const hydro::RadiationData& data = choice.database->found.data;
   return fmt::format("{} frequencies and {} headings of {} ({}, body {}) at a draught of {:.4g} m",
                      data.frequencies.size(), data.headings.size(),

@@ -16,14 +16,15 @@
 /// Which bodies make waves, by `hydro.radiation`.
 ///
 /// Linear theory knows the waves of a body that moves little about the pose in which it floats at
-/// rest, on deep water, without forward speed and with no other body near. With `auto` or a file
-/// the body must be able to float; a file may be for shallow water, too. Without the key it has
-/// radiation unless its added mass is given, if it starts
+/// rest, on water of one depth, without forward speed and with no other body near. With `auto` or a
+/// file the body must be able to float. Without the key it has radiation unless its added mass is
+/// given, if it starts
 /// - free, without joints;
 /// - displacing its mass within a quarter, and at most 15° from the attitude at which it comes to
 ///   rest; a sphere, to which the attitude does not matter, keeps that of its start;
 /// - slower than a Froude number of 0.1 in the water, by its length on the water;
-/// - over ground that is deeper than four of its draughts and half its length;
+/// - over ground that is at or below `water.depth`, or deeper than four of its draughts and half its
+///   length;
 /// - with no other body within its radius and the other's.
 
 namespace assembly {

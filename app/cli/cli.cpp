@@ -291,6 +291,7 @@ void add_radiation(CLI::App& program, Arguments& a) {
   command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
   command->add_option("--density", o.density, "Density of the water about a mesh [kg/m^3]")
       ->capture_default_str();
+  command->add_option("--depth", o.depth, "Depth of the water about a mesh [m] [deep]");
   command
       ->add_option("--relative-density", o.relative_density,
                    "Density of a mesh's body, which is uniform, over the water's")

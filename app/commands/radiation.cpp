@@ -19,6 +19,7 @@
 #include "app/commands/radiation_plot.h"
 #include "app/databases/write_database.h"
 #include "app/scene/diagnostics.h"
+#include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
 
@@ -63,13 +64,19 @@ Afloat body_of_mesh(const RadiationCommand& o) {
         "--relative-density",
         fmt::format("found {:g}, expected a number between 0 and 1", o.relative_density));
   TerminalReporter reporter(false);
-  Afloat body{.name = o.file.stem().string(), .density = o.density};
+  Afloat body{.name = o.file.stem().string(), .density = o.density, .water = {.depth = o.depth}};
   hydro::TriMesh mesh = assembly::read_solid(o.file, reporter);
   const hydro::SolidProperties solid = hydro::solid_properties(mesh);
   body.mesh_B = hydro::translated(std::move(mesh), -solid.centroid);
   const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, o.relative_density * solid.volume,
                                                    Eigen::Quaterniond::Identity());
   body.pose = {.orientation = hydro::with_heading(rest.orientation, 0), .height = rest.height};
+  const Eigen::Matrix3d R_HB = body.pose.orientation.toRotationMatrix();
+  const double draught = -(body.pose.height + (R_HB * body.mesh_B.vertices).row(2).minCoeff());
+  if (!(o.depth > draught))
+    throw scene::InputError("--depth", fmt::format("found {:g}, expected more than the draught of "
+                                                   "{:.4g} m",
+                                                   o.depth, draught));
   return body;
 }
 
@@ -120,7 +127,8 @@ Json to_json(const Solved& solved) {
   const Eigen::Quaterniond& q = data.pose.orientation;
   Json all = {{"density", density},
               {"gravity", data.water.gravity},
-              {"assumed", assembly::assumptions()},
+              {"depth", std::isfinite(data.water.depth) ? Json(data.water.depth) : Json()},
+              {"assumed", assembly::assumptions(data.water)},
               {"displaced_volume", data.volume},
               {"height", data.pose.height},
               {"orientation", {q.w(), q.x(), q.y(), q.z()}},
@@ -199,7 +207,7 @@ std::string table_of(const Solved& solved) {
       "{}: displaced {:.6g} m^3, centre of mass {:.6g} m above the water of {:g} kg/m^3\n  {}\n"
       "  assumed: {}\n",
       solved.body.name, data.volume, data.pose.height, density, origin_of(solved),
-      fmt::join(assembly::assumptions(), ", "));
+      fmt::join(assembly::assumptions(data.water), ", "));
   text += fmt::format("{:>9}{:>10}{:>36}{:>36}{:>36}\n{:>9}{:>10}", "omega", "length",
                       "added mass [kg, kg m^2]", "damping [kg/s, kg m^2/s]", "|X| along x [N/m, N]",
                       "rad/s", "m");
@@ -208,7 +216,8 @@ std::string table_of(const Solved& solved) {
   text += "\n";
   for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
     const double omega = data.frequencies[f];
-    text += fmt::format("{:>9.4g}{:>10.4g}", omega, 2 * pi * data.water.gravity / (omega * omega));
+    const double k = hydro::wave_number(omega, data.water.depth, data.water.gravity).value();
+    text += fmt::format("{:>9.4g}{:>10.4g}", omega, 2 * pi / k);
     for (const int i : {0, 2, 4})
       text += fmt::format("{:>12.4g}", density * data.added_mass[f](i, i));
     for (const int i : {0, 2, 4}) text += fmt::format("{:>12.4g}", density * data.damping[f](i, i));

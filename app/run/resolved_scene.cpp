@@ -336,7 +336,8 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
   const std::vector<Cells> radiation = radiation_table(shown);
   if (radiation.size() > 1) {
     append_cells(lines, aligned_lines(radiation));
-    lines.push_back(fmt::format("  assumed: {}", fmt::join(assembly::assumptions(), ", ")));
+    lines.push_back(fmt::format(
+        "  assumed: {}", fmt::join(assembly::assumptions({.depth = built.spec.sea->depth}), ", ")));
   }
   const std::vector<std::string> omitted = omission_texts(built, skips, no_pictures);
   if (!omitted.empty())

@@ -83,7 +83,7 @@ Json to_json(const assembly::RadiationReport& report) {
                {"oscillators", memory.size()},
                {"fit_error_rms", memory.rms_error.maxCoeff()},
                {"fit_error_largest", memory.largest_error.maxCoeff()},
-               {"assumed", assembly::assumptions()}});
+               {"assumed", assembly::assumptions(data.water)}});
   return json;
 }
 

@@ -225,7 +225,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "runs; a block takes them from a database that another program has written. The body's added "
      "mass is then that of this pose in waves of high frequency, so the key excludes "
      "`added_mass`. Without both keys it is `auto` for a body that starts afloat near its mean "
-     "pose, free and alone on deep water, and otherwise `none`; `plimsoll check` tells which, and "
+     "pose, free and alone on open water, and otherwise `none`; `plimsoll check` tells which, and "
      "why ([below](#radiation))."},
     {"hydro.radiation.file",
      "A database of added mass, damping and loads of waves, relative to the scene file: "

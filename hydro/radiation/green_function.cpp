@@ -2,78 +2,31 @@
 
 #include <math.h>  // j0 to y1, which <cmath> need not have
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
+#include "hydro/radiation/chebyshev_table.h"
+#include "hydro/radiation/gauss_rule.h"
+
 namespace hydro {
 namespace {
 
 using std::numbers::pi;
 
-constexpr int kOrder = 18;  ///< Of the polynomials in each variable.
-using ChebyshevCoefficients = Eigen::Matrix<double, kOrder, kOrder>;
-using ChebyshevValues = Eigen::Matrix<double, kOrder, 1>;
+using Interval = ChebyshevInterval;
+using Table = ChebyshevTable<18>;
 
-struct Interval {
-  double low, high;
-  /// The variable of the polynomials, from −1 to 1.
-  double inner(double t) const { return (2 * t - low - high) / (high - low); }
-  double outer(double s) const { return (low + high + s * (high - low)) / 2; }
-  double scale() const { return 2 / (high - low); }
-};
-
-/// A function of two variables and its slopes.
-struct Sample {
-  double value, by_first, by_second;
-};
-
-/// A function on a rectangle as a sum of products of Chebyshev polynomials.
-class Table {
- public:
-  Table(Interval first, Interval second, const std::function<double(double, double)>& f)
-      : first_(first), second_(second) {
-    ChebyshevCoefficients samples, transform;
-    for (int i = 0; i < kOrder; ++i)
-      for (int j = 0; j < kOrder; ++j) {
-        samples(i, j) = f(first.outer(node(i)), second.outer(node(j)));
-        transform(i, j) = std::cos(pi * i * (j + 0.5) / kOrder) * (i == 0 ? 1.0 : 2.0) / kOrder;
-      }
-    coefficients_ = transform * samples * transform.transpose();
-  }
-
-  Sample at(double first, double second) const {
-    const auto [value, slope] = polynomials(first_.inner(first));
-    const auto [value2, slope2] = polynomials(second_.inner(second));
-    const ChebyshevValues along = coefficients_ * value2;
-    return {value.dot(along), first_.scale() * slope.dot(along),
-            second_.scale() * value.dot(coefficients_ * slope2)};
-  }
-
- private:
-  static double node(int i) { return std::cos(pi * (i + 0.5) / kOrder); }
-  struct Values {
-    ChebyshevValues value, slope;
-  };
-  static Values polynomials(double s) {
-    Values v;
-    v.value[0] = 1;
-    v.value[1] = s;
-    v.slope[0] = 0;
-    v.slope[1] = 1;
-    for (int i = 2; i < kOrder; ++i) {
-      v.value[i] = 2 * s * v.value[i - 1] - v.value[i - 2];
-      v.slope[i] = 2 * v.value[i - 1] + 2 * s * v.slope[i - 1] - v.slope[i - 2];
-    }
-    return v;
-  }
-
-  Interval first_, second_;
-  ChebyshevCoefficients coefficients_;
-};
+/// The table of a function on a rectangle.
+Table tabulated(Interval first, Interval second, const std::function<double(double, double)>& f) {
+  Table::Samples samples;
+  for (int i = 0; i < samples.rows(); ++i)
+    for (int j = 0; j < samples.cols(); ++j)
+      samples(i, j) = f(Table::place(first, i), Table::place(second, j));
+  return {first, second, samples};
+}
 
 /// Distance in ρ up to which (2) is told with its logarithm taken out.
 constexpr double kNear = 10;
@@ -101,11 +54,11 @@ struct Tables {
   std::array<Interval, 6> rings = {
       {{1e-3, 1}, {1, 3}, {3, 6}, {6, kNear}, {kNear, 16}, {16, kSeries}}};
   std::array<Table, 6> near = {
-      Table(rings[0], {0, 1}, smooth_part),     Table(rings[1], {0, 1}, smooth_part),
-      Table(rings[2], {0, 1}, smooth_part),     Table(rings[3], {0, 1}, smooth_part),
-      Table(rings[4], {kAxis, 1}, smooth_part), Table(rings[5], {kAxis, 1}, smooth_part)};
+      tabulated(rings[0], {0, 1}, smooth_part),     tabulated(rings[1], {0, 1}, smooth_part),
+      tabulated(rings[2], {0, 1}, smooth_part),     tabulated(rings[3], {0, 1}, smooth_part),
+      tabulated(rings[4], {kAxis, 1}, smooth_part), tabulated(rings[5], {kAxis, 1}, smooth_part)};
   Interval inverse = {1e-6, 1};
-  Table far = Table(inverse, {0, kAxis}, far_integral);
+  Table far = tabulated(inverse, {0, kAxis}, far_integral);
 };
 
 const Tables& tables() {
@@ -121,7 +74,7 @@ struct Real {
 /// F by its analytic part, with ρ_X = X/ρ and μ_X = −μX/ρ².
 Real with_logarithm(const Table& table, double x, double y, double rho) {
   const double mu = y / rho;
-  const Sample s = table.at(rho, mu);
+  const Table::Sample s = table.at(rho, mu);
   const double decay = std::exp(-y), logarithm = std::log((rho + y) / 2);
   const double j = ::j0(x);
   return {s.value - 2 * decay * j * logarithm,
@@ -131,7 +84,7 @@ Real with_logarithm(const Table& table, double x, double y, double rho) {
 
 Real far_away(const Tables& t, double x, double y, double rho) {
   const double mu = y / rho, inverse = kNear / rho;
-  const Sample s = t.far.at(inverse, mu);
+  const Table::Sample s = t.far.at(inverse, mu);
   const double decay = 2 * pi * std::exp(-y);
   const double slope = -s.by_first * inverse * x / (rho * rho) - s.by_second * mu * x / (rho * rho);
   return {-decay * ::y0(x) - 2 * s.value, decay * ::y1(x) - 2 * slope};
@@ -171,16 +124,12 @@ Real real_part(double x, double y) {
 /// ∫ f over [a, b] by `count` intervals of Gauss' rule of eight points.
 template <class Function>
 double gauss(double a, double b, int count, const Function& f) {
-  constexpr std::array<double, 4> kAt = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                         0.9602898564975363};
-  constexpr std::array<double, 4> kWeight = {0.3626837833783620, 0.3137066458778873,
-                                             0.2223810344533745, 0.1012285362903763};
   double sum = 0;
   const double half = (b - a) / (2 * count);
   for (int i = 0; i < count; ++i) {
     const double middle = a + (2 * i + 1) * half;
-    for (std::size_t k = 0; k < 4; ++k)
-      sum += kWeight[k] * (f(middle - half * kAt[k]) + f(middle + half * kAt[k]));
+    for (std::size_t k = 0; k < kGaussAt.size(); ++k)
+      sum += kGaussWeight[k] * (f(middle - half * kGaussAt[k]) + f(middle + half * kGaussAt[k]));
   }
   return sum * half;
 }

@@ -4,10 +4,12 @@
 #include "hydro/radiation/radiation_data.h"
 
 /// @file
-/// Radiation and diffraction of a body at rest in deep water, by boundary elements on its mesh.
+/// Radiation and diffraction of a body at rest in water of constant depth, by boundary elements on
+/// its mesh.
 ///
-/// With k = ω²/g, N = (n, r × n) and G = 1/r + 1/r' + k 𝒢 of green_function.h, the potentials ψ_m
-/// of the six motions, which send their waves outward, solve on the wetted surface S_w
+/// With N = (n, r × n) and G of green_function.h, in water of finite depth of finite_depth_green.h,
+/// the potentials ψ_m of the six motions, which send their waves outward, solve on the wetted
+/// surface S_w
 ///
 ///     ½ψ(x) − (1/4π) ∫_{S_w} ψ n·∇G dS = (1/4π) ∫_{S_w} N G dS,                             (1)
 ///     ∫_{S_w} ψ_m N_n dS = A_mn + i B_mn/ω,                                                  (2)
@@ -16,13 +18,16 @@
 /// diffraction, too: with p₀ and u̇₀ those of the undisturbed wave of amplitude 1,
 ///
 ///     X_FK = −∫_{S_w} p₀ N dS,        X_D = ∫_{S_w} ψ (u̇₀·n) dS,                             (3)
-///     B_mn = (k ω / 4π g²) ∫₀^{2π} X_m X_n* dβ.                                              (4)
+///     B_mn = (k / 8π g c_g) ∫₀^{2π} X_m X_n* dβ,                                             (4)
+///
+/// where k is the wave number and c_g the group velocity, g/2ω in deep water.
 ///
 /// ψ is linear on each of some 250 patches, and (1) holds on each patch in the mean
-/// (surface_solve.h); 1/r, 1/r' and the 2/r' in ∂(k𝒢)/∂z are integrated in closed form, and what is
-/// smooth by its values at three nodes a patch. At the frequencies of sloshing inside the hull (1)
-/// has no unique solution. From the lowest such frequency on the equation without ½ψ is asked for
-/// at some points of the waterplane inside the hull, and all are met in the least squares.
+/// (surface_solve.h); 1/r, 1/r', the 2/r' in ∂(k𝒢)/∂z and the image 1/r'' in the bottom are
+/// integrated in closed form, and what is smooth by its values at three nodes a patch. At the
+/// frequencies of sloshing inside the hull (1) has no unique solution. From the lowest such
+/// frequency on the equation without ½ψ is asked for at some points of the waterplane inside the
+/// hull, and all are met in the least squares.
 ///
 /// What the mirror symmetries of a hull in the vertical planes of H forbid is taken out.
 ///
@@ -46,12 +51,15 @@ struct RadiationSolution {
 };
 
 /// Sixteen frequencies, evenly spaced in their logarithm: from waves of 126 times the body's
-/// half-length, or its draught if that is larger, to waves of 1.26 times its half-breadth.
+/// half-length, or its draught if that is larger, to waves of 1.26 times its half-breadth. In
+/// longer waves B is small, and A and X_D/k are near their limits; shorter waves are reflected as
+/// by a wall, and A is near A∞. Pitch and waves along a hull have the scale of its length, roll and
+/// heave that of its breadth: the range has both.
 std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose& pose,
                                           const LinearWater& water);
 
 /// @param mesh_B   Closed; its origin is the centre of mass.
-/// @throws std::invalid_argument if the body is dry in the pose, or the water is not deep.
+/// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.
 RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
                                   const LinearWater& water, const RadiationOptions& options = {});
 

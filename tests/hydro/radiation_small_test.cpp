@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "hydro/mesh/mirror_symmetry.h"
 #include "hydro/mesh/primitives.h"
@@ -47,10 +48,40 @@ TEST(SmallRadiationSolve, OfFewPatchesIsNearTheTable) {
   EXPECT_LT(solution.mismatch, 0.05);
 }
 
-TEST(RadiationSolve, RefusesADryBodyAndShallowWater) {
-  const TriMesh mesh = hydro::make_icosphere(1, 1);
+TEST(SmallRadiationSolve, ItsDampingIsThatOfTheWavesFarAwayOnShallowWater) {
+  // The bottom is a fifth of the draught below the sphere.
+  const hydro::RadiationSolution solution =
+      hydro::solve_radiation(hydro::make_icosphere(1, 2), {}, {.gravity = kGravity, .depth = 1.2},
+                             {.frequencies = {1.5, 3.5}, .headings = 8, .patches = 40});
+  EXPECT_LT(solution.mismatch, 0.02);
+  const hydro::RadiationData& data = solution.data;
+  EXPECT_GT(data.infinite_added_mass(2, 2), 0.6 * data.volume);  // 0.5 in deep water
+  EXPECT_GT(data.infinite_added_mass(0, 0), 0.28 * data.volume);
+}
+
+TEST(SmallRadiationSolve, OfWaterManyDraughtsDeepIsThatOfDeepWater) {
+  const auto solved = [](double depth) {
+    return hydro::solve_radiation(hydro::make_box({3, 2, 1}, 1), {},
+                                  {.gravity = kGravity, .depth = depth},
+                                  {.frequencies = {2, 4}, .headings = 4, .patches = 20})
+        .data;
+  };
+  const hydro::RadiationData deep = solved(std::numeric_limits<double>::infinity());
+  const hydro::RadiationData finite = solved(100);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_LT((finite.added_mass[f] - deep.added_mass[f]).norm(), 1e-3 * deep.added_mass[f].norm());
+    EXPECT_LT((finite.damping[f] - deep.damping[f]).norm(), 1e-4 * deep.added_mass[f].norm());
+    EXPECT_LT((finite.diffraction[f] - deep.diffraction[f]).norm(),
+              1e-3 * deep.diffraction[f].norm());
+  }
+  EXPECT_LT((finite.infinite_added_mass - deep.infinite_added_mass).norm(),
+            1e-3 * deep.infinite_added_mass.norm());
+}
+
+TEST(RadiationSolve, RefusesADryBodyAndOneThatReachesTheBottom) {
+  const hydro::TriMesh mesh = hydro::make_icosphere(1, 1);
   EXPECT_THROW(hydro::solve_radiation(mesh, {.height = 2}, {}), std::invalid_argument);
-  EXPECT_THROW(hydro::solve_radiation(mesh, {}, {.depth = 10}), std::invalid_argument);
+  EXPECT_THROW(hydro::solve_radiation(mesh, {}, {.depth = 1}), std::invalid_argument);
 }
 
 TEST(RadiationFrequencies, SpanTheWavesThatABodyMeets) {
@@ -62,6 +93,9 @@ TEST(RadiationFrequencies, SpanTheWavesThatABodyMeets) {
   const std::vector<double> spar = hydro::radiation_frequencies(
       hydro::make_box({2, 2, 12}, 1), {.height = -4}, {.gravity = kGravity});
   EXPECT_NEAR(spar.front() * spar.front() / kGravity * 10, 0.05, 1e-12);
+  const std::vector<double> shallow = hydro::radiation_frequencies(
+      hydro::make_box({20, 2, 1}, 1), {}, {.gravity = kGravity, .depth = 2});
+  EXPECT_NEAR(shallow.front() * shallow.front() / kGravity, 0.005 * std::tanh(0.01), 1e-15);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "hydro/radiation/radiation_solve.h"
 
 #include <gtest/gtest.h>
+#include <math.h>  // j0 to y1, which <cmath> need not have
 
 #include <cmath>
 #include <numbers>
@@ -130,6 +131,65 @@ TEST(RadiationSolve, OfABargeHasItsCouplings) {
       const std::complex<double> found = excitation(data, f, 0)[2 * static_cast<Eigen::Index>(m)];
       EXPECT_LT(std::abs(found - wanted), tolerance[f] * std::abs(wanted)) << f << m;
     }
+  }
+}
+
+TEST(RadiationSolve, OfACylinderThatStandsOnTheBottomHasTheLoadOfWavesInClosedForm) {
+  // MacCamy and Fuchs (1954). Two gaps below, of which the load is a linear function, are
+  // extrapolated to none. A prism of 32 sides has the section of the cylinder.
+  const double draught = 2, gaps[] = {0.05, 0.02};
+  const double radius = std::sqrt(pi / (16 * std::sin(pi / 16)));
+  const TriMesh mesh = hydro::make_cylinder(radius, 3, 32, 6);
+  const std::vector<double> wave_numbers = {0.5, 1.0, 2.0};
+  std::vector<std::vector<double>> loads;  // over that of the closed form
+  for (const double gap : gaps) {
+    const double depth = draught + gap;
+    std::vector<double> omega, ratios;
+    for (const double k : wave_numbers)
+      omega.push_back(std::sqrt(kGravity * k * std::tanh(k * depth)));
+    const RadiationSolution solution = hydro::solve_radiation(
+        mesh, {.height = 1.5 - draught}, {.gravity = kGravity, .depth = depth},
+        {.frequencies = omega, .headings = 8, .patches = 200});
+    EXPECT_LT(solution.mismatch, 0.015) << gap;
+    for (std::size_t f = 0; f < omega.size(); ++f) {
+      const double k = wave_numbers[f];
+      const double j = ::j0(k) - ::j1(k) / k, y = ::y0(k) - ::y1(k) / k;  // slopes of J₁ and Y₁
+      const double wanted = 4 * kGravity / (k * k) * std::tanh(k * depth) / std::hypot(j, y);
+      ratios.push_back(std::abs(excitation(solution.data, f, 0)[0]) / wanted);
+    }
+    loads.push_back(ratios);
+  }
+  for (std::size_t f = 0; f < wave_numbers.size(); ++f) {
+    const double ratio = loads[1][f] + (loads[1][f] - loads[0][f]) * gaps[1] / (gaps[0] - gaps[1]);
+    EXPECT_NEAR(ratio, 1, 0.005) << wave_numbers[f];
+  }
+}
+
+TEST(RadiationSolve, OfAFloatingSphereInShallowWaterIsThatOfAnotherMethod) {
+  // tools/validation/potential_flow.py, of constant panels and another integral for the depth, of
+  // 12 by 12 and 16 by 16 panels a quarter, extrapolated to small panels. R = 1 m, h = 1.5 m.
+  struct Row {
+    double k, surge, heave, heave_damping, surge_load, heave_load;
+  };
+  constexpr Row kRows[] = {{0.2, 1.2455, 2.3521, 1.1348, 6.3544, 28.5834},
+                           {0.5, 1.3567, 1.4292, 2.0538, 14.1824, 22.0146}};
+  const double depth = 1.5;
+  std::vector<double> omega;
+  for (const Row& row : kRows)
+    omega.push_back(std::sqrt(kGravity * row.k * std::tanh(row.k * depth)));
+  const RadiationSolution solution =
+      hydro::solve_radiation(hydro::make_icosphere(1, 4), {}, {.gravity = kGravity, .depth = depth},
+                             {.frequencies = omega, .headings = 8});
+  EXPECT_LT(solution.mismatch, 0.003);
+  for (std::size_t f = 0; f < omega.size(); ++f) {
+    const Row& row = kRows[f];
+    const Matrix6d &A = solution.data.added_mass[f], &B = solution.data.damping[f];
+    EXPECT_NEAR(A(0, 0), row.surge, 0.005 * row.surge) << row.k;
+    EXPECT_NEAR(A(2, 2), row.heave, 0.005 * row.heave) << row.k;
+    EXPECT_NEAR(B(2, 2), row.heave_damping, 0.005 * row.heave_damping) << row.k;
+    const hydro::Vector6cd X = excitation(solution.data, f, 0);
+    EXPECT_NEAR(std::abs(X[0]), row.surge_load, 0.005 * row.surge_load) << row.k;
+    EXPECT_NEAR(std::abs(X[2]), row.heave_load, 0.005 * row.heave_load) << row.k;
   }
 }
 

@@ -1,4 +1,5 @@
-"""Linear radiation and diffraction of a floating body at rest in deep water, by constant panels.
+"""Linear radiation and diffraction of a floating body at rest in water of constant depth, by
+constant panels.
 
 The reference for motions in waves shares nothing with the program. Time goes as e^{-iωt}, waves
 travel along +x, a crest is over the origin at time 0. Needs SciPy.
@@ -6,6 +7,9 @@ travel along +x, a crest is over the origin at time 0. Needs SciPy.
 Green's function of deep water [N85], with X = kR and Y = -k(z + z'):
   G = 1/r + 1/r' + k (F + 2πi e^{-Y} J0(X)),
   F = -π e^{-Y} (H0(X) + Y0(X)) - 2 ∫_0^Y e^{t-Y} / sqrt(X² + t²) dt.
+
+In water of the depth h, k above is K = ω²/g, and G has the image 1/r'' in the bottom and the
+integral of `of_depth` in addition, along a path below the poles.
 
 [N85] Newman. Algorithms for the free-surface Green function. J. Eng. Math. 19 (1985) 57-67.
 """
@@ -15,7 +19,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import j0, j1, struve, y0, y1
+from scipy.interpolate import RectBivariateSpline
+from scipy.optimize import brentq
+from scipy.special import j0, j1, jv, struve, y0, y1
 
 from floating_bodies import Inertia
 
@@ -132,7 +138,63 @@ def wave_part(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return real + 2j * np.pi * decay * j0(x), slope - 2j * np.pi * decay * j1(x)
 
 
-def influence(at: np.ndarray, of: Panels, k: float) -> tuple[np.ndarray, np.ndarray]:
+def wave_number(k: float, depth: float) -> float:
+    """Of waves with ω²/g = k."""
+    return brentq(lambda q: q * np.tanh(q * depth) - k, k / 2, k + 10 / depth, xtol=1e-15 * k)
+
+
+@dataclass(frozen=True)
+class FiniteDepth:
+    """What the depth adds to G of deep water, less 1/r'': splines of ∫ f J0(μR) dμ over the range
+    of a hull."""
+
+    depth: float
+    parts: tuple  # Of |z - z'| and of z + z' + 2h: the real and the imaginary part of each.
+
+    def at(self, distance: np.ndarray, z: np.ndarray, height: np.ndarray):
+        """The sum, and its slopes by the distance and by the source's height."""
+        total = []
+        apart = height - z
+        for along, across in ((0, 0), (1, 0), (0, 1)):
+            sums = 0
+            for part, v, slope in zip(self.parts, (np.abs(apart), z + height + 2 * self.depth),
+                                      (np.sign(apart), 1)):
+                real, imaginary = (s.ev(distance, v, dx=along, dy=across) for s in part)
+                sums = sums + (slope if across else 1) * (real + 1j * imaginary)
+            total.append(sums)
+        return total
+
+
+def of_depth(k: float, depth: float, reach: float, draft: float) -> FiniteDepth:
+    pole = wave_number(k, depth)
+    dip = min(pole / 2, 1.5 / reach)
+    corners = [0, pole - 1j * dip, 2 * pole, max(2 * pole, 30 / (2 * depth - draft))]
+    mu, weights = [], []
+    for a, b in zip(corners, corners[1:]):
+        count = 4 + int(abs(b - a) * max(depth, reach, 1 / dip) / 10)
+        for i in range(count):
+            start, step = a + (b - a) * i / count, (b - a) / count
+            mu.append(start + step * (kPoints + 1) / 2)
+            weights.append(step * kWeights / 2)
+    mu, weights = np.concatenate(mu), np.concatenate(weights)
+    fade = np.exp(-2 * mu * depth)
+    ratio = (mu + k) / (mu - k - (mu + k) * fade)
+    low = lambda v: ratio * (np.exp(-mu * (2 * depth - v)) + np.exp(-mu * (2 * depth + v)))
+    high = lambda v: ratio * (np.exp(-mu * (2 * depth + v))
+                              + (mu + k) / (mu - k) * np.exp(-mu * (4 * depth - v)))
+    distances = np.linspace(0, reach, 30 + int(10 * reach * max(1 / depth, pole)))
+    waves = jv(0, mu[None] * distances[:, None]) * weights
+    parts = []
+    for integrand, start, end in ((low, 0, draft), (high, 2 * (depth - draft), 2 * depth)):
+        places = np.linspace(start, end, 24)
+        values = waves @ np.stack([integrand(v) for v in places], axis=1)
+        parts.append(tuple(RectBivariateSpline(distances, places, part, kx=5, ky=5)
+                           for part in (values.real, values.imag)))
+    return FiniteDepth(depth, tuple(parts))
+
+
+def influence(at: np.ndarray, of: Panels, k: float,
+              finite: FiniteDepth | None = None) -> tuple[np.ndarray, np.ndarray]:
     """∫ G dS and ∫ ∂G/∂n dS of panels at points, (P, N) each."""
     image = of.mirrored(1, 1, -1)
     source, dipole = integrals_of_source(at, of)
@@ -148,16 +210,24 @@ def influence(at: np.ndarray, of: Panels, k: float) -> tuple[np.ndarray, np.ndar
     rise = normal[None, :, None, 2] * value
     wave = k * np.einsum("pnq,nq->pn", value, weights)
     waving = k**2 * np.einsum("pnq,nq->pn", slope * outward + rise, weights)
+    if finite:
+        below = Panels(image.corners - (0, 0, 2 * finite.depth))
+        more, dipole_below = integrals_of_source(at, below)
+        value, along, up = finite.at(distance, at[:, None, None, 2], points[None, ..., 2])
+        wave = wave + more + np.einsum("pnq,nq->pn", value, weights)
+        waving = waving + dipole_below + np.einsum(
+            "pnq,nq->pn", along * outward + normal[None, :, None, 2] * up, weights)
     return (source + source_above + wave,
             dipole + dipole_above + waving + 2 * k * normal[:, 2] * source_above)
 
 
-def potentials(panels: Panels, modes: np.ndarray, k: float) -> np.ndarray:
+def potentials(panels: Panels, modes: np.ndarray, k: float,
+               finite: FiniteDepth | None = None) -> np.ndarray:
     """On the panels, of motions with unit velocity whose normal parts are `modes` (N, 3):
     2π φ = ∫ (φ ∂G/∂n − G ∂φ/∂n) dS."""
     at = panels.centroids
     images = [(x, y) for x in (1, -1) for y in (1, -1)]
-    parts = [influence(at, panels.mirrored(x, y), k) for x, y in images]
+    parts = [influence(at, panels.mirrored(x, y), k, finite) for x, y in images]
     result = np.empty(modes.shape, complex)
     for mode, (px, py) in enumerate(kParities):
         signs = [(px if x < 0 else 1) * (py if y < 0 else 1) for x, y in images]
@@ -168,18 +238,28 @@ def potentials(panels: Panels, modes: np.ndarray, k: float) -> np.ndarray:
 
 
 def solve(panels: Panels, k: float, centre: float, density: float,
-          gravity: float = 9.80665) -> Coefficients:
+          gravity: float = 9.80665, depth: float = np.inf) -> Coefficients:
     """Of the wave number k; `centre` is the height of the point for pitch above the water [m]."""
-    omega = np.sqrt(gravity * k)
+    deep = k * np.tanh(k * depth)  # ω²/g
+    omega = np.sqrt(gravity * deep)
+    finite = None
+    if np.isfinite(depth):
+        corners = panels.corners.reshape(-1, 3)
+        reach = 2 * np.linalg.norm(corners[:, :2], axis=1).max()
+        finite = of_depth(deep, depth, reach, -corners[:, 2].min())
     at, normals, areas = panels.centroids, panels.normals, 4 * panels.areas
     pitch = (at[:, 2] - centre) * normals[:, 0] - at[:, 0] * normals[:, 2]
     modes = np.stack([normals[:, 0], normals[:, 2], pitch], axis=1)
-    phi = potentials(panels, modes, k)
+    phi = potentials(panels, modes, deep, finite)
     radiation = -density * np.einsum("ni,nj,n->ij", modes, phi, areas)
     radiation[kHeave, [kSurge, kPitch]] = radiation[[kSurge, kPitch], kHeave] = 0
     # Over the four images, the even or the odd part of the wave acts.
     points, weights = panels.points()
-    head = np.exp(k * points[..., 2])
+    bottom = 0 if finite is None else np.exp(-2 * k * (depth + points[..., 2]))
+    head = np.exp(k * points[..., 2]) * (1 + bottom)
+    if finite:
+        head /= 1 + np.exp(-2 * k * depth)
+    rise = (1 - bottom) / (1 + bottom)  # The slope of the head over k.
     even, odd = head * np.cos(k * points[..., 0]), 1j * head * np.sin(k * points[..., 0])
     part = lambda mode: odd if kParities[mode][0] < 0 else even
     lever = ((points[..., 2] - centre) * normals[:, None, 0]
@@ -190,7 +270,7 @@ def solve(panels: Panels, k: float, centre: float, density: float,
     # φ0 = -i (g/ω) e^{kz + ikx}; its slope along x turns even into odd.
     flow = lambda mode: -1j * gravity / omega * k * (
         1j * normals[:, None, 0] * (even if part(mode) is odd else odd)
-        + normals[:, None, 2] * part(mode))
+        + normals[:, None, 2] * rise * part(mode))
     diffraction = np.array([4j * density * omega
                             * np.sum(phi[:, None, i] * flow(i) * weights) for i in range(3)])
     return Coefficients(radiation.real, omega * radiation.imag, froude_krylov + diffraction,

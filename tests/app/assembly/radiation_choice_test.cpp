@@ -83,10 +83,13 @@ TEST(RadiationChoice, NeedsAStartAfloatUnlessItIsWritten) {
     EXPECT_EQ(fault(keys), "") << keys;
 }
 
-TEST(RadiationChoice, NeedsDeepOpenWaterUnlessItIsWritten) {
+TEST(RadiationChoice, NeedsOpenWaterOfOneDepthUnlessItIsWritten) {
   EXPECT_EQ(reason("", "ground: {z: -1.9}\n"), "ground is near");
   EXPECT_EQ(reason("", "ground: {z: -2.1}\n"), "");
   EXPECT_EQ(fault("", "ground: {z: -1.9}\n"), "");
+  EXPECT_EQ(reason("", "water: {depth: 0.6}\n"), "");
+  EXPECT_EQ(reason("", "water: {depth: 1.9}\nground: {z: -1.9}\n"), "");
+  EXPECT_EQ(reason("", "water: {depth: 1.9}\nground: {z: -1.8}\n"), "ground is near");
   const std::string two =
       raft() + "  - {name: other, sphere: {radius: 1}, density: 3000, position: [0, 3.1, 0]}\n";
   EXPECT_THAT(choice(two).reason, HasSubstr("another body"));
@@ -102,7 +105,7 @@ TEST(RadiationChoice, IsAFaultAtTheKeyWhereThereIsNoTheory) {
     EXPECT_THAT(fault(keys, blocks, hydro), HasSubstr(why));
     EXPECT_THAT(fault(keys, blocks, hydro), HasSubstr("bodies[0].hydro.radiation: found auto"));
   };
-  is_told("", "water: {depth: 30}\n", "", "it is solved for deep water, and water.depth is 30 m");
+  is_told("", "water: {depth: 0.49}\n", "", "its draught of 0.5 m reaches the bottom");
   is_told("", "water: {surface: {waves: [{amplitude: 1, period: 9}], kinematics: hydrostatic}}\n",
           "", "kinematics: hydrostatic");
   is_told("", "integrator: {method: ode}\n", "", "method: ode");

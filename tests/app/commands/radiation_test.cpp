@@ -128,17 +128,23 @@ TEST(RadiationCommand, TakesAMeshAsAUniformBody) {
   const std::string rows = radiation_of({mesh, "--csv", "--no-store", "--frequencies", "1"});
   EXPECT_THAT(rows, HasSubstr("barge,1,added_mass,surge,surge,"));
   EXPECT_THAT(rows, HasSubstr("barge,1,excitation_imag,yaw,350,"));
+  const std::string shallow =
+      radiation_of({mesh, "--no-store", "--frequencies", "1", "--depth", "3"});
+  EXPECT_THAT(shallow, HasSubstr("water 3 m deep everywhere"));
+  EXPECT_THAT(shallow, HasSubstr("        1     32.34"));  // ω² = g k tanh 3k
 }
 
 TEST(RadiationCommand, RefusesWhatIsWrong) {
   const std::string file = support::write_scene(kBuoy);
-  EXPECT_THAT(radiation_of({file, "--set", "water.depth=20"}),
+  EXPECT_THAT(radiation_of({file, "--set", "integrator.method=ode"}),
               HasSubstr("no body of the scene makes waves; stone:"));
   EXPECT_THAT(radiation_of({file, "--frequencies", "2,1"}), HasSubstr("that ascend"));
   const std::string mesh =
       (std::filesystem::path(PLIMSOLL_SOURCE_DIR) / "scenes/meshes/barge.obj").string();
   EXPECT_THAT(radiation_of({mesh, "--relative-density", "1.2"}),
               HasSubstr("--relative-density: found 1.2"));
+  EXPECT_THAT(radiation_of({mesh, "--depth", "1.5"}),
+              HasSubstr("--depth: found 1.5, expected more than the draught of 1.633 m"));
   EXPECT_THAT(radiation_of({mesh, "--density", "0"}), HasSubstr("--density: found 0"));
   EXPECT_THAT(radiation_of({mesh, "--set", "gravity=1"}), HasSubstr("--set is for a scene"));
 }
