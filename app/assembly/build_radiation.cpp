@@ -18,14 +18,18 @@ using FloatingModel = std::shared_ptr<const hydro::FloatingBody>;
 using FloatingModels = std::map<const hydro::RadiationData*, FloatingModel>;
 
 FloatingModel floating_model(const engine::BodySpec& body, const hydro::Sea& sea,
-                             const hydro::RadiationData& data) {
+                             const hydro::RadiationData& data,
+                             const hydro::RadiationMemory* memory) {
   hydro::FloatingBody::Diffraction diffraction;
   if (hydro::has_airy_waves(sea))
     diffraction = [load = std::make_shared<const hydro::DiffractionLoad>(data)](
                       const hydro::BodyState& state, const hydro::Sea& water, double time) {
       return load->at(state, water, time);
     };
-  return std::make_shared<const hydro::FloatingBody>(body.mesh_B, data, std::move(diffraction));
+  if (!memory)
+    return std::make_shared<const hydro::FloatingBody>(body.mesh_B, data, std::move(diffraction));
+  return std::make_shared<const hydro::FloatingBody>(body.mesh_B, data, *memory,
+                                                     std::move(diffraction));
 }
 
 /// The added mass in the mean pose, where the body is present in full.
@@ -60,7 +64,9 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
       const hydro::RadiationData& data = report.choice.database ? report.choice.database->found.data
                                                                 : report.stored->solution->data;
       FloatingModel& model = models[&data];
-      if (!model) model = floating_model(body, sea, data);
+      if (!model)
+        model =
+            floating_model(body, sea, data, report.stored ? report.stored->memory.get() : nullptr);
       report.model = model;
       body.radiation = model;
       body.added_mass = model;

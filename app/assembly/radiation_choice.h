@@ -23,7 +23,8 @@
 /// - displacing its mass within a quarter, and at most 15° from the attitude at which it comes to
 ///   rest; a sphere, to which the attitude does not matter, keeps that of its start;
 /// - slower than a Froude number of 0.1 in the water, by its length on the water;
-/// - over ground that is at or below `water.depth`, or deeper than four of its draughts and half its
+/// - over ground that is at or below `water.depth`, or deeper than four of its draughts and half
+/// its
 ///   length;
 /// - with no other body within its radius and the other's.
 

@@ -64,6 +64,21 @@ void visit(Numbers&& numbers, RadiationSolution& solution) {
   }
 }
 
+/// The same for the oscillators, of which there are `count`.
+template <class Numbers>
+void visit(Numbers&& numbers, double count, hydro::RadiationMemory& memory) {
+  numbers(count);
+  const auto m = static_cast<Eigen::Index>(count);
+  memory.frequencies.resize(m);
+  memory.damping.resize(m, m);
+  memory.port.resize(m, 6);
+  numbers(memory.frequencies);
+  numbers(memory.damping);
+  numbers(memory.port);
+  numbers(memory.rms_error);
+  numbers(memory.largest_error);
+}
+
 struct Writer {
   std::string bytes;
 
@@ -105,11 +120,14 @@ std::size_t frequency_count(const RadiationProblem& p) {
              : p.options.frequencies.size();
 }
 
-std::string encode(RadiationSolution& solution, double seconds) {
+bool has_memory(const RadiationProblem& problem) { return problem.options.frequencies.empty(); }
+
+std::string encode(RadiationSolution& solution, hydro::RadiationMemory* memory, double seconds) {
   Writer writer;
   writer(seconds);
   writer(static_cast<double>(solution.unknowns));
   visit(writer, solution);
+  if (memory) visit(writer, static_cast<double>(memory->size()), *memory);
   return std::move(writer.bytes);
 }
 
@@ -125,6 +143,10 @@ StoredRadiation decode(const std::string& content, const RadiationProblem& probl
   solution->unknowns = static_cast<int>(unknowns);
   visit(reader, *solution);
   stored.solution = std::move(solution);
+  if (!has_memory(problem)) return stored;
+  auto memory = std::make_shared<hydro::RadiationMemory>();
+  visit(reader, 0, *memory);
+  stored.memory = std::move(memory);
   return stored;
 }
 
@@ -150,9 +172,12 @@ std::optional<StoredRadiation> RadiationStore::find(const RadiationProblem& prob
 StoredRadiation RadiationStore::keep(const RadiationProblem& problem, RadiationSolution solution,
                                      double seconds, app::Reporter& reporter) {
   const std::string identity = identity_of(problem);
-  files_.write(identity, kRadiationKind, encode(solution, seconds), reporter);
+  std::shared_ptr<hydro::RadiationMemory> memory;
+  if (has_memory(problem))
+    memory = std::make_shared<hydro::RadiationMemory>(hydro::fit_memory(solution.data));
+  files_.write(identity, kRadiationKind, encode(solution, memory.get(), seconds), reporter);
   const StoredRadiation stored = {std::make_shared<const RadiationSolution>(std::move(solution)),
-                                  seconds, false};
+                                  std::move(memory), seconds, false};
   return known_.insert_or_assign(identity, stored).first->second;
 }
 

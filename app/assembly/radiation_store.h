@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/assembly/solution_files.h"
+#include "hydro/radiation/radiation_memory.h"
 #include "hydro/radiation/radiation_solve.h"
 
 /// @file
@@ -13,9 +14,9 @@
 
 namespace assembly {
 
-/// This version must be raised whenever `hydro::solve_radiation` gives other numbers; files of
-/// older versions are ignored.
-inline constexpr int kRadiationVersion = 2;
+/// This version must be raised whenever `hydro::solve_radiation` or `hydro::fit_memory` gives other
+/// numbers; files of older versions are ignored.
+inline constexpr int kRadiationVersion = 3;
 
 /// What a solution depends on.
 struct RadiationProblem {
@@ -27,6 +28,8 @@ struct RadiationProblem {
 
 struct StoredRadiation {
   std::shared_ptr<const hydro::RadiationSolution> solution;
+  /// Fitted to the solution; none where the problem gives its frequencies.
+  std::shared_ptr<const hydro::RadiationMemory> memory;
   double seconds = 0;       ///< Wall time of the solve [s].
   bool from_store = false;  ///< True if another process solved it.
 };

@@ -29,8 +29,12 @@ double heading(const MeanPose& pose, const Eigen::Quaterniond& orientation) {
 }
 
 FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction)
+    : FloatingBody(std::move(mesh_B), data, fit_memory(data), std::move(diffraction)) {}
+
+FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory memory,
+                           Diffraction diffraction)
     : data_(std::move(data)),
-      memory_(fit_memory(data_)),
+      memory_(std::move(memory)),
       diffraction_(std::move(diffraction)),
       vertices_B_(std::move(mesh_B.vertices)),
       added_B_(in_body_axes(data_.pose, semi_definite_part(data_.infinite_added_mass))) {

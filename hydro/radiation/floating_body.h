@@ -28,6 +28,8 @@ class FloatingBody final : public AddedMassModel {
   /// @param diffraction   Empty: none.
   /// @throws std::invalid_argument as fit_memory does.
   FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction = {});
+  /// @param memory   Fitted to the data before.
+  FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory memory, Diffraction diffraction);
 
   /// w [-]: 0 while every vertex is above the surface, 1 once one is deeper below it than a
   /// fiftieth of the draught of the mean pose or of the body's height, whichever is less, and

@@ -89,6 +89,19 @@ TEST_F(StoreOfRadiation, KeepsASolutionToTheLastBit) {
   EXPECT_THAT(warnings.text, IsEmpty());
 }
 
+TEST_F(StoreOfRadiation, KeepsTheOscillatorsThatWereFittedToTheLastBit) {
+  const auto kept = RadiationStore(folder).keep(problem(), some_solution(), 1, warnings).memory;
+  const auto found = RadiationStore(folder).find(problem(), warnings)->memory;
+  ASSERT_TRUE(kept && found);
+  EXPECT_EQ(kept->frequencies, hydro::fit_memory(some_solution().data).frequencies);
+  EXPECT_GT(kept->size(), 0);
+  EXPECT_EQ(found->frequencies, kept->frequencies);
+  EXPECT_EQ(found->damping, kept->damping);
+  EXPECT_EQ(found->port, kept->port);
+  EXPECT_EQ(found->rms_error, kept->rms_error);
+  EXPECT_EQ(found->largest_error, kept->largest_error);
+}
+
 TEST_F(StoreOfRadiation, HasAFileForEverythingThatMatters) {
   const RadiationStore store(folder);
   const fs::path file = store.file_of(problem());
