@@ -68,7 +68,7 @@ TEST(ProgramCheckpoint, AnInterruptedRunSaysHowToGoOnAndLosesNoStep) {
 TEST(ProgramCheckpoint, PicturesOfAResumedRunAreThoseOfTheWholeOne) {
   const Workplace place;
   const std::string scene =
-      place.write("scene.yaml", long_scene("render: {every: 20, size: [64, 48]}\n"));
+      place.write("scene.yaml", long_scene("render: {every: 4, size: [64, 48]}\n"));
   ASSERT_EQ(place.run({"run", scene, "--out", "whole", "--quiet"}).code, 0);
   ASSERT_EQ(stop_by(place, SIGKILL, {"run", scene}).code, -SIGKILL);
   ASSERT_EQ(place.run({"run", "--resume", "cut", "--quiet"}).code, 0);
