@@ -72,10 +72,11 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
   if (state.position.z() - hull.radius >= bounds.highest || hull.tree.nodes.empty()) return {};
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   kernel::LoadInputs in;
-  // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
-  // then taken from the level of the centre of mass, so that a deep body loses no digits.
   in.wet = state.position.z() + hull.radius < bounds.lowest;
-  in.below = in.wet ? 0 : sea.level - state.position.z();
+  // A constant added to the depth changes nothing on a closed surface. Depths of a wholly submerged
+  // one are taken from the level of the centre of mass, so that a deep body loses no digits.
+  const bool shifted = in.wet && hull.boundary == Hull::Boundary::closed;
+  in.below = shifted ? 0 : sea.level - state.position.z();
   in.branches = how.branches;
   set(in.up, R_WB.row(2));
   if (!in.wet && all_dry(hull, in, bounds.highest - sea.level)) return {};
@@ -125,13 +126,13 @@ Loads& Loads::operator+=(const Loads& other) {
   return *this;
 }
 
-Hull make_hull(TriMesh mesh_B) {
-  Hull hull{.mesh_B = std::move(mesh_B)};
+Hull make_hull(TriMesh mesh_B, Hull::Boundary boundary) {
+  Hull hull{.mesh_B = std::move(mesh_B), .boundary = boundary};
   if (hull.mesh_B.vertex_count() > 0)
     hull.radius = hull.mesh_B.vertices.colwise().norm().maxCoeff();
   hull.panels = kernel::make_panels(hull.mesh_B);
   hull.tree = kernel::make_tree(hull.panels);
-  assert(is_closed(hull.mesh_B));
+  assert(boundary == Hull::Boundary::open || is_closed(hull.mesh_B));
   return hull;
 }
 

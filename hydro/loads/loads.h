@@ -14,14 +14,18 @@ namespace hydro {
 
 /// The outer surface of a body, as the water sees it. It is constant.
 struct Hull {
-  TriMesh mesh_B;         ///< Closed and outward; its origin is the centre of mass.
+  /// A part of a surface is open: what it lacks is dry, or a hull of its own.
+  enum class Boundary { closed, open };
+
+  TriMesh mesh_B;         ///< Outward; its origin is the centre of mass.
   double radius = 0;      ///< Largest distance of a vertex from the centre of mass [m].
   kernel::Panels panels;  ///< The mesh as the kernel reads it.
   kernel::Tree tree;
+  Boundary boundary = Boundary::closed;
 };
 
-/// Builds a hull from a closed mesh in B.
-Hull make_hull(TriMesh mesh_B);
+/// Builds a hull from a mesh in B.
+Hull make_hull(TriMesh mesh_B, Hull::Boundary boundary = Hull::Boundary::closed);
 
 /// The loads of the water, and of the air above it, by kind, in W. Moments are about the centre of
 /// mass.

@@ -161,10 +161,11 @@ Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
   if (state.position.z() - hull.radius >= bounds.highest) return {};
   const PlainInputs in = immerse(hull, state, sea, time, coefficients);
   if (in.r.row(2).minCoeff() + state.position.z() >= bounds.highest) return {};
-  // A wholly submerged surface is closed: a constant added to the depth changes nothing. Depths are
-  // then taken from the level of the centre of mass, so that a deep body loses no digits.
+  // A constant added to the depth changes nothing on a closed surface. Depths of a wholly submerged
+  // one are taken from the level of the centre of mass, so that a deep body loses no digits.
   const bool all_wet = in.r.row(2).maxCoeff() + state.position.z() < bounds.lowest;
-  Loads loads = sum_faces(in, all_wet ? 0 : in.level, all_wet);
+  const bool shifted = all_wet && hull.boundary == Hull::Boundary::closed;
+  Loads loads = sum_faces(in, shifted ? 0 : in.level, all_wet);
   loads.pressure_drag.force = in.shape * loads.pressure_drag.force;
   loads.pressure_drag =
       drag_scale(coefficients, state, current_at(sea, state.position.z())) * loads.pressure_drag;

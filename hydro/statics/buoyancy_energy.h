@@ -13,4 +13,10 @@ namespace hydro {
 /// `sea`.
 double buoyancy_energy(const Hull& hull, const BodyState& state, const Sea& sea);
 
+/// ∫ d²/2 n_z dS over the faces of a hull below a level, with their depths d under it [m^4]. Of a
+/// pocket (hydro/interior) it is ∫ d dV over the water up to that level.
+/// @param R_WB    Orientation of the hull.
+/// @param level   Height above the centre of mass [m].
+double depth_moment(const Hull& hull, const Eigen::Matrix3d& R_WB, double level);
+
 }  // namespace hydro

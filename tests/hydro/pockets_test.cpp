@@ -1,0 +1,121 @@
+#include "hydro/interior/pockets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "hydro/mesh/primitives.h"
+#include "tests/support/hollows.h"
+
+namespace {
+
+using hydro::find_pockets;
+using hydro::kSea;
+using hydro::Pockets;
+
+const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
+
+/// The vertical in the frame of a body that is turned by an angle about its y axis [rad].
+Eigen::Vector3d tilted(double angle) { return {-std::sin(angle), 0, std::cos(angle)}; }
+
+double degrees(double d) { return d * std::numbers::pi / 180; }
+
+TEST(Pockets, AnOpenBoxHoldsItsInnerVolumeUpToItsRim) {
+  const Pockets found = find_pockets(support::open_box(), kUp);
+  ASSERT_EQ(found.pockets.size(), 1u);
+  EXPECT_NEAR(found.pockets[0].spill, 1, 1e-15);
+  EXPECT_NEAR(found.pockets[0].floor, 0.05, 1e-15);
+  EXPECT_NEAR(found.pockets[0].capacity, 1.9 * 0.9 * 0.95, 1e-14);
+  EXPECT_EQ(found.pockets[0].faces.size(), 10u);
+  EXPECT_EQ(found.sills.size(), 4u);
+  for (const hydro::SillEdge& sill : found.sills) EXPECT_EQ(sill.other, kSea);
+}
+
+TEST(Pockets, ATiltedBoxHoldsAPrism) {
+  // About y by an angle whose tangent is below 0.95/1.9 the water's surface meets both ends.
+  const double angle = degrees(20), slope = std::tan(angle);
+  const Pockets found = find_pockets(support::open_box(), tilted(angle));
+  ASSERT_EQ(found.pockets.size(), 1u);
+  EXPECT_NEAR(found.pockets[0].capacity, 0.9 * 1.9 * (0.95 - 1.9 * slope / 2), 1e-13);
+  EXPECT_NEAR(found.pockets[0].spill, std::cos(angle) - 0.95 * std::sin(angle), 1e-14);
+}
+
+TEST(Pockets, ABoxUpsideDownHasNone) {
+  EXPECT_TRUE(find_pockets(support::open_box(), -kUp).pockets.empty());
+  EXPECT_TRUE(
+      find_pockets(support::open_box(), Eigen::Vector3d(1, 0, -0.3).normalized()).pockets.empty());
+}
+
+TEST(Pockets, AWallBelowTheRimDividesThem) {
+  const Pockets found = find_pockets(support::divided_box(0.6), kUp);
+  ASSERT_EQ(found.pockets.size(), 2u);
+  for (const hydro::Pocket& pocket : found.pockets) {
+    EXPECT_NEAR(pocket.spill, 0.6, 1e-14);
+    EXPECT_NEAR(pocket.capacity, 0.925 * 0.9 * 0.55, 1e-13);
+  }
+  double to_sea = HUGE_VAL, between = HUGE_VAL;
+  const hydro::TriMesh mesh = support::divided_box(0.6);
+  for (const hydro::SillEdge& sill : found.sills) {
+    double& lowest = sill.other == kSea ? to_sea : between;
+    lowest = std::min({lowest, mesh.vertices(2, sill.from), mesh.vertices(2, sill.to)});
+  }
+  EXPECT_EQ(to_sea, 1);
+  EXPECT_EQ(between, 0.6);
+}
+
+TEST(Pockets, AVoidNeverSpills) {
+  for (const Eigen::Vector3d& up : {kUp, Eigen::Vector3d(-kUp), tilted(1.1)}) {
+    const Pockets found = find_pockets(support::closed_box(), up);
+    ASSERT_EQ(found.pockets.size(), 1u);
+    EXPECT_EQ(found.pockets[0].spill, HUGE_VAL);
+    EXPECT_NEAR(found.pockets[0].capacity, 1.9 * 0.9 * 0.9, 1e-13);
+    EXPECT_TRUE(found.sills.empty());
+  }
+}
+
+TEST(Pockets, ABracketThatHangsIntoAPocketIsAPartOfIt) {
+  // A beam across the mouth with a block under its middle, which has a lowest point of its own.
+  const hydro::TriMesh mesh = support::blocks({{{-1, -0.95, -0.1, 0.1, 0.95, 1},
+                                                {-0.5, -0.45, -0.1, 0.1, 0.45, 0.5},
+                                                {0, 0.05, 0.5, 0.8, 1}}},
+                                              [](int i, int j, int k) {
+                                                const bool wall =
+                                                    i == 0 || i == 4 || j == 0 || j == 4 || k == 0;
+                                                const bool beam = i == 2 && k == 3;
+                                                const bool block = i == 2 && j == 2 && k == 2;
+                                                return wall || beam || block;
+                                              });
+  const Pockets found = find_pockets(mesh, kUp);
+  ASSERT_EQ(found.pockets.size(), 1u);
+  EXPECT_NEAR(found.pockets[0].spill, 1, 1e-14);
+  EXPECT_NEAR(found.pockets[0].capacity, 1.9 * 0.9 * 0.95 - 0.2 * 0.2 * 0.3 - 0.2 * 0.9 * 0.2,
+              1e-13);
+}
+
+TEST(Pockets, ACatamaranIsOutside) {
+  // Two hulls under a deck; the right one has a cockpit.
+  const hydro::TriMesh mesh = support::blocks(
+      {{{0, 1, 3, 3.2, 3.8, 4}, {0, 0.2, 5.8, 6}, {0, 1, 1.3, 2}}}, [](int i, int j, int k) {
+        if (k == 1) return !(i == 3 && j == 1);
+        if (k == 0) return i == 0 || i >= 2;
+        return i == 2 || i == 4 || (i == 3 && j != 1);
+      });
+  const Pockets found = find_pockets(mesh, kUp);
+  ASSERT_EQ(found.pockets.size(), 1u);
+  EXPECT_NEAR(found.pockets[0].capacity, 0.6 * 5.6 * 1.0, 1e-12);
+  EXPECT_NEAR(found.pockets[0].spill, 2, 1e-14);
+}
+
+TEST(Pockets, ConvexBodiesHaveNone) {
+  for (const hydro::TriMesh& mesh : {hydro::make_box({2, 1, 0.5}, 3), hydro::make_icosphere(1, 2),
+                                     hydro::make_cylinder(1, 2, 12, 2)}) {
+    EXPECT_TRUE(hydro::is_convex(mesh));
+    for (int i = 0; i < 50; ++i)
+      EXPECT_TRUE(find_pockets(mesh, Eigen::Vector3d::Random().normalized()).pockets.empty());
+  }
+  EXPECT_FALSE(hydro::is_convex(support::open_box()));
+  EXPECT_FALSE(hydro::is_convex(support::closed_box()));
+}
+
+}  // namespace
