@@ -8,6 +8,7 @@
 #include "engine/locks.h"
 #include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
+#include "hydro/interior/pockets.h"
 #include "hydro/mesh/mass_properties.h"
 
 namespace engine {
@@ -20,6 +21,11 @@ double relative_change(const Body& body, const Matrix6d& added_B, const Matrix6d
 
 std::optional<Matrix6d> unless_zero(const Matrix6d& matrix) {
   return matrix.isZero(0) ? std::nullopt : std::optional<Matrix6d>(matrix);
+}
+
+/// The surface that the water sees.
+const hydro::TriMesh& water_mesh(const BodySpec& spec) {
+  return spec.water_mesh_B ? *spec.water_mesh_B : spec.mesh_B;
 }
 
 /// The state with the projection of its momentum on the reduced joint.
@@ -54,11 +60,14 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
                 spec.joints.begin(), spec.joints.end(),
                 [id](const JointSpec& joint) { return joint.first == id || joint.second == id; }),
             .reduced_joint = find_reduced_joint(spec, index)};
+  body.hollow = body.wet && s.flooding && s.coefficients.buoyancy && !hydro::is_convex(s.mesh_B);
+  const bool carries_water = body.hollow && spec.integrator.method == Integrator::Method::split;
+  body.has_added_mass = body.has_added_mass || carries_water;
   const bool in_shear = spec.sea && !spec.sea->profile.empty() && (body.wet || s.added_mass) &&
                         spec.integrator.method == Integrator::Method::split;
   body.has_flow = body.has_wave_load || in_shear;
   if (spec.sea)
-    body.displacement = spec.sea->density * std::abs(hydro::solid_properties(s.mesh_B).volume);
+    body.displacement = spec.sea->density * std::abs(hydro::solid_properties(water_mesh(s)).volume);
   return body;
 }
 
@@ -83,11 +92,12 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
     body.feels_air = body.wet && spec.sea->air && !body.spec->coefficients.pressure_drag.none();
     if (body.wet) {
       const auto same = std::find_if(bodies.begin(), bodies.end(), [&](const Body& other) {
-        return other.hull && hydro::same_mesh(other.hull->mesh_B, body.spec->mesh_B);
+        return other.hull && hydro::same_mesh(other.hull->mesh_B, water_mesh(*body.spec));
       });
-      body.hull = same != bodies.end()
-                      ? same->hull
-                      : std::make_shared<const hydro::Hull>(hydro::make_hull(body.spec->mesh_B));
+      body.hull =
+          same != bodies.end()
+              ? same->hull
+              : std::make_shared<const hydro::Hull>(hydro::make_hull(water_mesh(*body.spec)));
     }
     bodies.push_back(std::move(body));
   }
@@ -96,8 +106,8 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time) {
-  Motion motion{.state = state, .memory = still_memory(body)};
-  if (body.has_added_mass) motion.added_B = unless_zero(added_mass(body, motion.state, time));
+  Motion motion{.state = state, .memory = still_memory(body), .held = water_at_start(body, state)};
+  if (body.has_added_mass) motion.added_B = unless_zero(added_mass(body, motion, time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (spec.record_work) motion.work = {.added_energy_at_start = added_kinetic_energy(body, motion)};
   return motion;
@@ -183,9 +193,13 @@ double contact_fall(const Body& body, const Motion& motion) {
   return std::min(1.0, (body.spec->mass + body.displacement) / contact_mass(body, motion));
 }
 
-Matrix6d added_mass(const Body& body, const hydro::BodyState& state, double time) {
-  return body.has_added_mass ? body.spec->added_mass->at(state, *body.environment.sea, time)
-                             : Matrix6d(Matrix6d::Zero());
+Matrix6d added_mass(const Body& body, const Motion& motion, double time) {
+  Matrix6d added = Matrix6d::Zero();
+  if (!body.has_added_mass) return added;
+  if (body.spec->added_mass)
+    added = body.spec->added_mass->at(motion.state, *body.environment.sea, time);
+  if (motion.held) added += motion.held->inertia_B;
+  return added;
 }
 
 void set_added_mass(Motion& motion, const Matrix6d& added_B, double h) {

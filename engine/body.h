@@ -39,6 +39,7 @@ struct Body {
   bool feels_air = false;       ///< Wet, and the air has a load on its dry part.
   bool has_added_mass = false;  ///< A may not be zero.
   bool has_wave_load = false;   ///< Waves accelerate the water about it, or are scattered.
+  bool hollow = false;          ///< It may have pockets.
   bool has_memory = false;      ///< Waves that it has made act on it.
   bool has_flow = false;        ///< The water about it may not move with `current()`.
   bool movable = true;          ///< At least one degree of freedom is not locked.
@@ -100,8 +101,8 @@ double contact_mass(const Body& body, const Motion& motion);
 /// Acceleration of that mass by weight and full buoyancy, in units of gravity, at most 1.
 double contact_fall(const Body& body, const Motion& motion);
 
-/// A of the body in a state, in B.
-Matrix6d added_mass(const Body& body, const hydro::BodyState& state, double time);
+/// A of the body in its state, in B: that of the water outside, and the water in its pockets.
+Matrix6d added_mass(const Body& body, const Motion& motion, double time);
 
 /// Sets A, and its rate over the substep of length h [s] that ends with it.
 void set_added_mass(Motion& motion, const Matrix6d& added_B, double h);

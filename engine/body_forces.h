@@ -32,6 +32,7 @@ struct Works {
   double diffraction = 0;
   double radiation = 0;  ///< By the memory of the waves that the body has made.
   double wind = 0;
+  double interior = 0;  ///< By the water in its pockets.
   double added_mass = 0;
   double applied = 0;     ///< By the forces of the scene and of the program.
   double weight = 0;      ///< Of the body's own mass.
@@ -40,7 +41,7 @@ struct Works {
 
   double sum() const {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
-           wind + added_mass + applied + weight + constraint + brake;
+           wind + interior + added_mass + applied + weight + constraint + brake;
   }
 };
 

@@ -111,6 +111,17 @@ inline constexpr double kResolved = 0.25;
 /// between two largest accelerations.
 inline constexpr double kFrequencyKept = 0.9;
 
+// ── Water in pockets (held_water.h, pocket_search.h) ────────────────────────────────────────────
+
+/// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 4°.
+/// Smaller: pockets are searched for more often.
+inline constexpr double kKnownAttitude = 0.9976;
+/// Difference of spill heights over the radius, and of volumes over that of the box, up to which
+/// pockets are kept [-]. Smaller: hulls with rounded rims are divided anew more often.
+inline constexpr double kKeptSpill = 1e-3;
+/// Cosine of the turn after which the water's mass has another place in the body [-].
+inline constexpr double kKeptMassTurn = 0.5;
+
 // ── Constraints (constrained_update.h) ──────────────────────────────────────────────────────────
 
 /// Error of the reactions, as a change of velocity in the metric of M_o, over the motion [-].

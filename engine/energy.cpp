@@ -21,12 +21,14 @@ double kinetic_energy(const Body& body, const Motion& motion, const Eigen::Vecto
   return u.dot((body.rigid_B + motion.added()) * u) / 2;
 }
 
-double potential_energy(const Body& body, const hydro::BodyState& state) {
+double potential_energy(const Body& body, const Motion& motion) {
+  const hydro::BodyState& state = motion.state;
   const Environment& environment = body.environment;
-  const double weight =
-      body.spec->mass * environment.gravity * (state.position.z() - environment.level);
+  double energy = body.spec->mass * environment.gravity * (state.position.z() - environment.level);
+  if (holds_water(motion)) energy += held_energy(body, *motion.held, state);
   const bool lifted = body.wet && body.spec->coefficients.buoyancy && may_be_wet(body, state);
-  return lifted ? weight + hydro::buoyancy_energy(*body.hull, state, *environment.sea) : weight;
+  if (lifted) energy += hydro::buoyancy_energy(sea_hull(body, motion), state, *environment.sea);
+  return energy;
 }
 
 bool must_not_gain_energy(const Body& body) {

@@ -15,8 +15,8 @@ namespace engine {
 /// ½ u·(M + A) u with the added mass of the motion and u relative to a frame of this velocity [J].
 double kinetic_energy(const Body& body, const Motion& motion, const Eigen::Vector3d& frame);
 
-/// m g z + U [J]
-double potential_energy(const Body& body, const hydro::BodyState& state);
+/// m g z + U, and that of the water in its pockets [J]
+double potential_energy(const Body& body, const Motion& motion);
 
 /// True if the loads that may add to the body's energy are known: water and air stand still, or
 /// carry along, at one velocity, a body without locks and joints.

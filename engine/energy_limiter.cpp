@@ -82,11 +82,11 @@ void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, doubl
   kinetic_ = 0;
   for (const SubstepBody* b : members) {
     const Motion& start = b->moving->motion;
-    const double stored = potential_energy(b->body(), start.state);
+    const double stored = potential_energy(b->body(), start);
     potential_before += stored;
     before += stored + memory_energy(b->body(), start) +
               kinetic_energy(b->body(), start, b->body().current());
-    potential += potential_energy(b->body(), b->end.state);
+    potential += potential_energy(b->body(), b->end);
     kinetic_ += kinetic_energy(b->body(), b->end, b->body().current());
     remembered += memory_energy(b->body(), b->end);
     driven = driven || is_driven(*b->moving);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/acceleration_history.h"
+#include "engine/held_water.h"
 #include "engine/wave_memory.h"
 #include "engine/work_record.h"
 
@@ -22,6 +23,7 @@ struct Motion {
   std::optional<Matrix6d> added_B;         ///< A; none where it is zero.
   std::optional<Matrix6d> added_rate_B;    ///< dA/dt over the last substep [1/s]; none where zero.
   std::optional<WaveMemory> memory;        ///< Of a body that radiates waves.
+  std::shared_ptr<const HeldWater> held;   ///< Null: the body cannot have pockets.
   AccelerationHistory accelerations;       ///< Empty after contacts and other jumps.
   bool constrained = false;                ///< Joints or contacts acted in the last substep.
   Vector6d reaction_B = Vector6d::Zero();  ///< R of the last substep, in B.

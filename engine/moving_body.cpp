@@ -37,12 +37,14 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
   return loads;
 }
 
-hydro::Loads water_loads(const Body& body, const hydro::BodyState& state, double time) {
+hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
+                         double time) {
   const hydro::Sea* sea = body.environment.sea;
   hydro::Loads loads;
   if (body.wet)
-    loads = hydro::compute_loads(*body.hull, state, *sea, time, body.spec->coefficients,
+    loads = hydro::compute_loads(sea_hull(body, motion), state, *sea, time, body.spec->coefficients,
                                  body.spec->summation);
+  if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
   if (!body.has_wave_load) return loads;
   if (body.spec->radiation)
     loads.diffraction = body.spec->radiation->wave_load(state, *sea, time);
@@ -58,16 +60,18 @@ hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, doub
   loads.applied = applied_loads(moving, state, time);
   loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
   const bool meets_water = moving.body.wet || moving.body.has_wave_load;
-  const bool stays_dry = meets_water && !may_be_wet(moving.body, state);
+  const bool stays_dry =
+      meets_water && !holds_water(moving.motion) && !may_be_wet(moving.body, state);
   moving.counts.dry += stays_dry;
   if (stays_dry && !moving.body.feels_air) {
     loads.water = {};
     cache.water_state.reset();
-  } else if (meets_water && cache.water_state == state) {
+  } else if (meets_water && cache.water_state == state && cache.held == moving.motion.held) {
     ++moving.counts.resting;
   } else if (meets_water) {
     const Stopwatch stopwatch(cache.seconds);
-    loads.water = water_loads(moving.body, state, time);
+    loads.water = water_loads(moving.body, moving.motion, state, time);
+    cache.held = moving.motion.held;
     cache.water_state.reset();
     if (!hydro::changes_with_time(*moving.body.environment.sea)) cache.water_state = state;
   }

@@ -26,8 +26,9 @@ struct LoadCache {
   BodyLoads loads;
   /// State that the water's loads are those of; none where they follow from more than that.
   std::optional<hydro::BodyState> water_state;
-  WaveMemoryRule memory_rule;  ///< Of the last substep.
-  double seconds = 0;          ///< Wall time of loads and added mass so far [s].
+  std::shared_ptr<const HeldWater> held;  ///< The water in its pockets for that state.
+  WaveMemoryRule memory_rule;             ///< Of the last substep.
+  double seconds = 0;                     ///< Wall time of loads and added mass so far [s].
 };
 
 struct MovingBody {
@@ -44,7 +45,9 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
 }
 
 /// The loads of the water, and of the air, on a body in a state that may be wet or feels the air.
-hydro::Loads water_loads(const Body& body, const hydro::BodyState& state, double time);
+/// @param motion   Tells the water in its pockets.
+hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
+                         double time);
 
 /// The sum of all loads on the body in a state, its weight included; the cache keeps them.
 /// @throws MotionFault if they are not finite.

@@ -1,5 +1,6 @@
 #include "engine/ode_step.h"
 
+#include "engine/flooding.h"
 #include "engine/locks.h"
 
 namespace engine {
@@ -37,6 +38,7 @@ void ode_step(const StepContext& context, double time, double step) {
     check_state(moving, next);
     const Motion before = moving.motion;
     moving.motion.state = next;
+    let_water_run(body, time + step, step, moving.motion);
     if (moving.motion.work)
       record_ode_step(moving, before, step, body.jointed || body.locked || touching[i],
                       moving.motion);

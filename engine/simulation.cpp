@@ -147,7 +147,9 @@ SimulationState Simulation::Impl::state() const {
     data->bodies.push_back({.motion = moving.motion,
                             .inputs = moving.inputs,
                             .counts = moving.counts,
-                            .water_state = moving.cache.water_state});
+                            .water_state = moving.cache.held == moving.motion.held
+                                               ? moving.cache.water_state
+                                               : std::nullopt});
   data->stepper = stepper.state();
   return SimulationState(std::move(data));
 }
@@ -162,8 +164,13 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
       throw std::invalid_argument(
           fmt::format("the state is that of another scene: body '{}' has another memory of waves",
                       spec.bodies[i].name));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!fits_water(bodies[i].body, data.bodies[i].motion))
+      throw std::invalid_argument(fmt::format(
+          "the state is that of another scene: body '{}' has other pockets", spec.bodies[i].name));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies[i].motion = data.bodies[i].motion;
+    bodies[i].motion.held = completed(bodies[i].body, data.bodies[i].motion.held);
     bodies[i].inputs = data.bodies[i].inputs;
     bodies[i].counts = data.bodies[i].counts;
     restore_cache(bodies[i], data.bodies[i].water_state);
@@ -201,6 +208,12 @@ double Simulation::time() const { return impl_->time(); }
 long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
+std::vector<InteriorState> Simulation::interiors() const {
+  std::vector<InteriorState> interiors;
+  for (const MovingBody& moving : impl_->bodies)
+    interiors.push_back(interior_state(moving, time()));
+  return interiors;
+}
 const Timings& Simulation::timings() const { return impl_->timings; }
 
 Skips Simulation::skips() const {

@@ -8,6 +8,7 @@
 
 #include "engine/body_forces.h"
 #include "engine/counts.h"
+#include "engine/interior_water.h"
 #include "engine/pull.h"
 #include "engine/simulation_state.h"
 #include "engine/spec.h"
@@ -62,6 +63,8 @@ class Simulation {
   /// What acts on each body in its present state, and the works so far.
   /// @throws std::logic_error unless the specification asks for a record of work.
   std::vector<BodyForces> forces() const;
+  /// The pockets of each body and their water, in the present state.
+  std::vector<InteriorState> interiors() const;
   const Timings& timings() const;
   Skips skips() const;
   std::vector<Counts> counts() const;  ///< Per body.

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 3";
+constexpr std::string_view kMagic = "plimsoll state 4";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -96,24 +96,39 @@ void visit(auto& a, hydro::BodyState& s) {
 void visit(auto& a, AccelerationHistory& history) {
   history.visit_parts([&a](auto&... parts) { visit_all(a, parts...); });
 }
-template <class Archive, std::size_t N>
-void visit(Archive& a, std::array<double, N>& numbers) {
-  for (double& number : numbers) visit(a, number);
+template <class Archive, Number T, std::size_t N>
+void visit(Archive& a, std::array<T, N>& numbers) {
+  for (T& number : numbers) visit(a, number);
 }
 void visit(auto& a, WorkRecord& w) {
   Works& works = w.works;
   visit_all(a, works.buoyancy, works.pressure_drag, works.viscous_drag, works.lift,
-            works.wave_inertia, works.diffraction, works.radiation, works.wind, works.added_mass,
-            works.applied, works.weight, works.constraint, works.brake, w.added_energy_at_start,
-            w.added_impulse, w.constraint_impulse);
+            works.wave_inertia, works.diffraction, works.radiation, works.wind, works.interior,
+            works.added_mass, works.applied, works.weight, works.constraint, works.brake,
+            w.added_energy_at_start, w.added_impulse, w.constraint_impulse);
 }
 void visit(auto& a, Eigen::VectorXd& vector) {
   vector.resize(static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(vector.size()))));
   a.bytes(vector.data(), sizeof(double) * static_cast<std::size_t>(vector.size()));
 }
 void visit(auto& a, WaveMemory& memory) { visit_all(a, memory.q, memory.p); }
+void visit(auto& a, PocketContent& p) {
+  visit_all(a, p.id, p.volume, p.inflow, p.flooded, p.surface.level, p.surface.area, p.centre_B,
+            p.up_B);
+}
+/// The interior follows from the rest (`completed`).
+void visit(auto& a, HeldWater& water) {
+  visit_all(a, water.found_up_B, water.known_up_B, water.pockets, water.openings, water.inertia_B,
+            water.next_id);
+}
+void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
+  std::optional<HeldWater> water;
+  if (held) water = *held;
+  visit(a, water);
+  held = water ? std::make_shared<const HeldWater>(*std::move(water)) : nullptr;
+}
 void visit(auto& a, Motion& m) {
-  visit_all(a, m.state, m.added_B, m.added_rate_B, m.memory, m.accelerations, m.constrained,
+  visit_all(a, m.state, m.added_B, m.added_rate_B, m.memory, m.held, m.accelerations, m.constrained,
             m.reaction_B, m.load_acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }

@@ -50,6 +50,19 @@ struct AppliedLoad {
   std::optional<Sine> sine;  ///< Multiplies the load by sin(2π·frequency·t + phase).
 };
 
+/// A hole through which water runs between the two spaces on its sides: the sea or pockets.
+struct Opening {
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< Its centre, near the wall that it is in [m].
+  double area = 0;                                 ///< [m^2]
+  double discharge = 0.6;                          ///< Coefficient of discharge [-].
+};
+
+/// Water in a pocket at time 0.
+struct WaterAtStart {
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< A point above the pocket's surface [m].
+  double volume = 0;                               ///< [m^3]
+};
+
 /// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
 struct BodySpec {
   std::string name;
@@ -64,6 +77,12 @@ struct BodySpec {
   /// rule the same object.
   std::shared_ptr<const hydro::FloatingBody> radiation;
   bool wet = true;  ///< False: the water has no effect on it.
+  /// Its pockets (hydro/interior) are dry until water comes in. Otherwise all of it is wet.
+  bool flooding = false;
+  std::vector<Opening> openings;
+  std::vector<WaterAtStart> interior_water;
+  /// The surface that the water sees in place of `mesh_B`, where pockets stay dry; closed.
+  std::optional<hydro::TriMesh> water_mesh_B;
   CollisionShape collision = CollisionShape::mesh;
   DofMask locked = {};  ///< They keep their initial value; all six make the body immovable.
   std::vector<AppliedLoad> loads;

@@ -4,6 +4,7 @@
 
 #include "engine/constants.h"
 #include "engine/constrained_update.h"
+#include "engine/flooding.h"
 #include "engine/stopwatch.h"
 #include "engine/substep_limit.h"
 
@@ -97,7 +98,7 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   for (SubstepBody* b : island.bodies) {
     if (!b->body().has_added_mass) continue;
     const Stopwatch stopwatch(b->moving->cache.seconds);
-    const Matrix6d found_B = added_mass(b->body(), b->end.state, time);
+    const Matrix6d found_B = added_mass(b->body(), b->end, time);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
     worst = std::max(worst, match);
@@ -107,8 +108,9 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   return worst;
 }
 
-/// Counts the substep, tells whether it is to be judged, and takes the correction back.
-void conclude(SubstepBody& b, bool constrained, double h) {
+/// Counts the substep, tells whether it is to be judged, takes the correction back, and lets water
+/// run. @param time   At the end of the substep [s].
+void conclude(SubstepBody& b, bool constrained, double time, double h) {
   Counts& counts = b.moving->counts;
   counts.implicit += b.update.implicit;
   counts.constrained += constrained;
@@ -116,9 +118,11 @@ void conclude(SubstepBody& b, bool constrained, double h) {
   if (constrained) b.reaction_work = reaction_work(b, h);
   b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
                          : is_abrupt(b, h);
-  if (!b.correction) return;
-  const auto after = find_correction(b.body(), b.end, h).value_or(*b.correction);
-  correct(b.body(), after, -1, b.end);
+  if (b.correction) {
+    const auto after = find_correction(b.body(), b.end, h).value_or(*b.correction);
+    correct(b.body(), after, -1, b.end);
+  }
+  let_water_run(b.body(), time, h, b.end);
 }
 
 }  // namespace
@@ -159,7 +163,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
     if (match == AddedMassMatch::near) break;
     match = match_added_mass(island, time + h, pass == most);
   }
-  for (SubstepBody* b : island.bodies) conclude(*b, constrained, h);
+  for (SubstepBody* b : island.bodies) conclude(*b, constrained, time + h, h);
 }
 
 }  // namespace engine

@@ -114,7 +114,8 @@ double heave_stiffness(const UpdateContext& s, double height) {
   const auto buoyancy = [&](double rise) {
     hydro::BodyState state = s.state();
     state.position.z() += rise;
-    return hydro::compute_loads(*s.body.hull, state, *s.body.environment.sea, s.time, coefficients)
+    return hydro::compute_loads(sea_hull(s.body, *s.midpoint.motion), state,
+                                *s.body.environment.sea, s.time, coefficients)
         .buoyancy.force.z();
   };
   const double rise = 1e-3 * height;
@@ -149,8 +150,8 @@ double largest_stiffness(const UpdateContext& s, const Matrix6d& J) {
 }
 
 hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative) {
-  return hydro::load_jacobian(*s.body.hull, s.at(relative), *s.body.environment.sea, s.time,
-                              s.body.spec->coefficients);
+  return hydro::load_jacobian(sea_hull(s.body, *s.midpoint.motion), s.at(relative),
+                              *s.body.environment.sea, s.time, s.body.spec->coefficients);
 }
 
 /// S − ¼h²K, or S where K is no stiffness: where waves are too steep to be followed by panels, more

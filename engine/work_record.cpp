@@ -51,6 +51,7 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   add(loads.water.wave_inertia, works.wave_inertia);
   add(loads.water.diffraction, works.diffraction);
   add(loads.water.wind, works.wind);
+  add(loads.water.interior, works.interior);
   for (const hydro::Wrench& load : loads.applied) add(load, works.applied);
   add(loads.weight, works.weight);
   return sum;
@@ -165,7 +166,8 @@ BodyForces forces_on(const MovingBody& moving, double time, double step) {
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
   forces.radiation = to_wrench(memory_load(body, motion, time));
   forces.weight.force.z() = -body.spec->mass * body.environment.gravity;
-  if (body.feels_air || may_be_wet(body, state)) forces.water = water_loads(body, state, time);
+  if (body.feels_air || holds_water(motion) || may_be_wet(body, state))
+    forces.water = water_loads(body, motion, state, time);
   forces.added_mass = to_wrench(record.added_impulse / step);
   forces.constraint = to_wrench(record.constraint_impulse / step);
   if (!body.movable)

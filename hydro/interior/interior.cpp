@@ -99,7 +99,7 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
     const WaterInside there = water_up_to(pocket, R_WB, next);
     const double gain = there.volume - at.volume;
     // A void that is full holds no more.
-    if (at.level >= span.highest && gain <= kVolumeError * volume) break;
+    if (next > at.level && at.level >= span.highest && gain <= kVolumeError * volume) break;
     if (gain != 0) area = gain / (next - at.level);
     at = there;
   }

@@ -41,6 +41,8 @@ WaterInside water_up_to(const Hull& pocket, const Eigen::Matrix3d& R_WB, double 
 struct LevelGuess {
   double level = 0;  ///< [m]
   double area = 0;   ///< [m^2]
+
+  friend bool operator==(const LevelGuess&, const LevelGuess&) = default;
 };
 
 /// The water of a volume in a pocket. Its level solves V(level) = volume to 1e-13 of the volume, by

@@ -121,6 +121,7 @@ Loads& Loads::operator+=(const Loads& other) {
   wave_inertia += other.wave_inertia;
   diffraction += other.diffraction;
   wind += other.wind;
+  interior += other.interior;
   wetted_area += other.wetted_area;
   displaced_volume += other.displaced_volume;
   return *this;

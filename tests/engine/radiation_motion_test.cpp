@@ -54,7 +54,7 @@ RadiationData uneven_data() {
 
 double energy(const engine::Body& body, const engine::Motion& motion) {
   return engine::kinetic_energy(body, motion, body.current()) +
-         engine::potential_energy(body, motion.state) + engine::memory_energy(body, motion);
+         engine::potential_energy(body, motion) + engine::memory_energy(body, motion);
 }
 
 engine::Motion motion_of(const Simulation& simulation) {

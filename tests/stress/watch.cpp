@@ -72,7 +72,7 @@ Watch::Energy Watch::find_energy(const std::vector<engine::Motion>& motions) {
     const engine::Motion& motion = motions[i];
     sum.kinetic += engine::kinetic_energy(bodies_[i], motion, bodies_[i].current()) +
                    engine::memory_energy(bodies_[i], motion);
-    sum.potential += engine::potential_energy(bodies_[i], motion.state);
+    sum.potential += engine::potential_energy(bodies_[i], motion);
   }
   sum.potential -= scenario_.push.dot(motions[0].state.position);
   sum.overlap = overlap_energy(motions);

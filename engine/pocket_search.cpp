@@ -1,0 +1,146 @@
+#include "engine/pocket_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/body.h"
+#include "engine/constants.h"
+
+namespace engine {
+namespace {
+
+using hydro::kSea;
+
+/// A face of a pocket at its lowest vertex in an attitude.
+int lowest_face(const hydro::TriMesh& mesh_B, const hydro::Pocket& pocket,
+                const Eigen::Vector3d& up_B) {
+  int lowest = pocket.faces.front();
+  double least = HUGE_VAL;
+  for (const int f : pocket.faces)
+    for (const int v : mesh_B.faces.col(f)) {
+      const double height = up_B.dot(mesh_B.vertices.col(v));
+      if (height >= least) continue;
+      least = height;
+      lowest = f;
+    }
+  return lowest;
+}
+
+/// Height of the lowest sill of each pocket, above the centre of mass.
+std::vector<double> spill_heights(const hydro::TriMesh& mesh_B, const hydro::Pockets& division,
+                                  const Eigen::Vector3d& up_B) {
+  std::vector<double> spill(division.pockets.size(), HUGE_VAL);
+  for (const hydro::SillEdge& edge : division.sills) {
+    const double height =
+        std::min(up_B.dot(mesh_B.vertices.col(edge.from)), up_B.dot(mesh_B.vertices.col(edge.to)));
+    for (const int space : {edge.pocket, edge.other})
+      if (space != kSea) spill[space] = std::min(spill[space], height);
+  }
+  return spill;
+}
+
+bool same_height(double a, double b, double error) {
+  return a == b || std::abs(a - b) <= error;  // Those of voids are infinite.
+}
+
+/// True if the pockets at hand are those that a search finds in an attitude.
+bool agree(const Body& body, const hydro::Interior& interior, const hydro::Pockets& found,
+           const Eigen::Matrix3d& R_WB) {
+  const hydro::TriMesh& mesh_B = body.spec->mesh_B;
+  const Eigen::Vector3d up_B = R_WB.row(2);
+  const std::vector<double> spill = spill_heights(mesh_B, interior.division, up_B);
+  const double error = kKeptSpill * body.box_B.volume();
+  std::vector<double> capacity(spill.size());
+  for (std::size_t i = 0; i < spill.size(); ++i)
+    capacity[i] = std::isfinite(spill[i])
+                      ? hydro::water_up_to(interior.pockets[i], R_WB, spill[i]).volume
+                      : interior.division.pockets[i].capacity;
+  for (const hydro::Pocket& pocket : found.pockets) {
+    const int own = interior.division.pocket_of_face[lowest_face(mesh_B, pocket, up_B)];
+    if (own == kSea || !same_height(spill[own], pocket.spill, kKeptSpill * body.radius) ||
+        std::abs(capacity[own] - pocket.capacity) > error)
+      return false;
+    capacity[own] = 0;
+  }
+  return std::all_of(capacity.begin(), capacity.end(), [&](double c) { return c <= error; });
+}
+
+/// Gives the pockets of a new division the water of the old one.
+void take_over(const Body& body, const hydro::BodyState& state, double time, const HeldWater& old,
+               HeldWater& held) {
+  const hydro::TriMesh& mesh_B = body.spec->mesh_B;
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d up_B = R_WB.row(2);
+  held.next_id = old.next_id;
+  std::vector<bool> known(held.pockets.size(), false);
+  for (std::size_t i = 0; i < old.pockets.size(); ++i) {
+    const int face = lowest_face(mesh_B, old.interior->division.pockets[i], up_B);
+    const int to = held.interior ? held.interior->division.pocket_of_face[face] : kSea;
+    if (to == kSea) continue;
+    PocketContent& content = held.pockets[to];
+    content.id = known[to] ? std::min(content.id, old.pockets[i].id) : old.pockets[i].id;
+    known[to] = true;
+    content.volume += old.pockets[i].volume;
+    content.inflow += old.pockets[i].inflow;
+    content.flooded = content.flooded || old.pockets[i].flooded;
+  }
+  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+    PocketContent& content = held.pockets[i];
+    const hydro::Pocket& pocket = held.interior->division.pockets[i];
+    const hydro::Hull& hull = held.interior->pockets[i];
+    if (!known[i]) {
+      content.id = held.next_id++;
+      const Eigen::Vector3d p = state.position + R_WB * mesh_B.vertices.col(pocket.lowest);
+      const double sea =
+          hydro::surface_height(*body.environment.sea, p.x(), p.y(), time) - state.position.z();
+      content.flooded = sea > pocket.spill;
+      if (sea > pocket.floor) content.volume = hydro::water_up_to(hull, R_WB, sea).volume;
+      content.inflow = content.volume;
+    }
+    if (content.flooded) {
+      content.inflow += pocket.capacity - content.volume;
+      content.volume = pocket.capacity;
+    }
+    if (!(content.volume > 0)) continue;
+    const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume);
+    content.surface = {water.level, water.area};
+    content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
+    content.up_B = up_B;
+  }
+  held.inertia_B = water_inertia(held.pockets, body.environment.sea->density);
+}
+
+/// True if a division makes no difference: all of the body is in the sea.
+bool is_all_sea(const Body& body, const hydro::BodyState& state, const HeldWater& held) {
+  const auto [lowest, height] = vertical_extent(body, state);
+  return lowest + height < body.environment.lowest &&
+         std::all_of(held.pockets.begin(), held.pockets.end(),
+                     [](const PocketContent& p) { return p.flooded; });
+}
+
+}  // namespace
+
+std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& state,
+                                             double time,
+                                             const std::shared_ptr<const HeldWater>& held) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d up_B = R_WB.row(2);
+  const auto near = [&](const Eigen::Vector3d& known) { return known.dot(up_B) > kKnownAttitude; };
+  if (std::any_of(held->known_up_B.rbegin(), held->known_up_B.rend(), near) ||
+      is_all_sea(body, state, *held))
+    return held;
+  const hydro::Pockets found = hydro::find_pockets(body.spec->mesh_B, up_B);
+  const bool right =
+      held->interior ? agree(body, *held->interior, found, R_WB) : found.pockets.empty();
+  std::shared_ptr<HeldWater> next;
+  if (right) {
+    next = std::make_shared<HeldWater>(*held);
+    next->known_up_B.push_back(up_B);
+  } else {
+    next = dry_pockets(body, up_B);
+    take_over(body, state, time, *held, *next);
+  }
+  return next;
+}
+
+}  // namespace engine

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/held_water.h"
+
+/// @file
+/// Which pockets a hollow body has as it turns.
+///
+/// Pockets that were found in one attitude are good for others in which a new search would find the
+/// same spill heights and volumes: the mouth of a bucket is its rim in any attitude. So the surface
+/// is divided anew only where a search tells so, and searched only in attitudes that are not near
+/// one in which the division at hand was right.
+
+namespace engine {
+
+/// The water with the pockets that the body has in this state: `held`, if they are right. Water
+/// goes to the pocket that its lowest point is in. A pocket that was outside has the water that the
+/// sea left there.
+std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& state,
+                                             double time,
+                                             const std::shared_ptr<const HeldWater>& held);
+
+}  // namespace engine
