@@ -8,8 +8,9 @@
 namespace hydro {
 
 /// The mesh without the faces of its pockets, each mouth closed by a lid over its sill, and voids
-/// left out. Lids are triangulated in the mean plane of each loop of the sill, with its vertices
-/// only. The result is closed and outward; vertices that no face names are left out.
+/// left out. Lids are triangulated in the mean plane of each loop of the sill, by cutting off the
+/// best corner; the rest, if none can be cut off, about a vertex in its middle. The result is
+/// closed and outward; vertices that no face names are left out.
 /// @param division   find_pockets() of the mesh.
 TriMesh with_closed_mouths(const TriMesh& mesh, const Pockets& division);
 
