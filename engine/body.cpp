@@ -23,9 +23,9 @@ std::optional<Matrix6d> unless_zero(const Matrix6d& matrix) {
   return matrix.isZero(0) ? std::nullopt : std::optional<Matrix6d>(matrix);
 }
 
-/// The surface that the water sees.
+/// The surface of the hull. Pockets that may be flooded are a part of it.
 const hydro::TriMesh& water_mesh(const BodySpec& spec) {
-  return spec.water_mesh_B ? *spec.water_mesh_B : spec.mesh_B;
+  return spec.interior == Interior::dry ? outside_B(spec) : spec.mesh_B;
 }
 
 /// The state with the projection of its momentum on the reduced joint.
@@ -60,7 +60,8 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
                 spec.joints.begin(), spec.joints.end(),
                 [id](const JointSpec& joint) { return joint.first == id || joint.second == id; }),
             .reduced_joint = find_reduced_joint(spec, index)};
-  body.hollow = body.wet && s.flooding && s.coefficients.buoyancy && !hydro::is_convex(s.mesh_B);
+  body.hollow = body.wet && s.interior == Interior::flooding && s.coefficients.buoyancy &&
+                !hydro::is_convex(s.mesh_B);
   const bool carries_water = body.hollow && spec.integrator.method == Integrator::Method::split;
   body.has_added_mass = body.has_added_mass || carries_water;
   const bool in_shear = spec.sea && !spec.sea->profile.empty() && (body.wet || s.added_mass) &&

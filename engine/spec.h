@@ -63,6 +63,13 @@ struct WaterAtStart {
   double volume = 0;                               ///< [m^3]
 };
 
+/// What water does in the pockets of a body (hydro/interior).
+enum class Interior {
+  wet,      ///< All of its surface is in the sea, without pockets.
+  dry,      ///< The pockets of its start are closed by lids.
+  flooding  ///< They are dry until water comes in.
+};
+
 /// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
 struct BodySpec {
   std::string name;
@@ -77,16 +84,20 @@ struct BodySpec {
   /// rule the same object.
   std::shared_ptr<const hydro::FloatingBody> radiation;
   bool wet = true;  ///< False: the water has no effect on it.
-  /// Its pockets (hydro/interior) are dry until water comes in. Otherwise all of it is wet.
-  bool flooding = false;
+  Interior interior = Interior::wet;
   std::vector<Opening> openings;
   std::vector<WaterAtStart> interior_water;
-  /// The surface that the water sees in place of `mesh_B`, where pockets stay dry; closed.
-  std::optional<hydro::TriMesh> water_mesh_B;
+  /// The mesh with the pockets of the start closed by lids; none without pockets.
+  std::optional<hydro::TriMesh> closed_mesh_B;
   CollisionShape collision = CollisionShape::mesh;
   DofMask locked = {};  ///< They keep their initial value; all six make the body immovable.
   std::vector<AppliedLoad> loads;
 };
+
+/// The surface of a body as the sea outside sees it at the start.
+inline const hydro::TriMesh& outside_B(const BodySpec& body) {
+  return body.closed_mesh_B && body.interior != Interior::wet ? *body.closed_mesh_B : body.mesh_B;
+}
 
 struct JointSpec {
   enum class Type { ball, hinge, slider, fixed, universal };

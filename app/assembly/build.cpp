@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "app/assembly/build_added_mass.h"
+#include "app/assembly/build_interior.h"
 #include "app/assembly/build_radiation.h"
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
@@ -178,6 +179,12 @@ bool feels_water(const scene::Body& body, const scene::Scene& scene) {
   return scene.water && (asks_for_added_mass || !hydro::no_load(body.hydro));
 }
 
+/// The mesh of the added mass.
+CenteredMesh centered_mesh(const hydro::TriMesh& mesh_B) {
+  const Eigen::Vector3d centroid_B = hydro::solid_properties(mesh_B).centroid;
+  return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
+}
+
 engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog& log,
                             Eigen::Vector3d& com_M, CenteredMesh& centered) {
   const std::string path = body_path(index);
@@ -202,12 +209,16 @@ engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog
                   .orientation = body.orientation,
                   .linear_velocity = body.linear_velocity,
                   .angular_velocity = body.angular_velocity};
+  build_interior(body, spec);
+  fill_interior(body, com_M, path, spec, log);
   if (body.start == scene::Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
-  spec.coefficients = build_coefficients(body, spec.mesh_B, path, log);
+  spec.coefficients = build_coefficients(body, engine::outside_B(spec), path, log);
   spec.summation.wave_tolerance = body.hydro.wave_tolerance;
   for (const scene::AppliedLoad& load : body.forces)
     spec.loads.push_back(applied_load(load, com_M));
   check_motion(spec, path, log);
+  if (needed == Soundness::closed && spec.closed_mesh_B)
+    centered = centered_mesh(engine::outside_B(spec));
   return spec;
 }
 
@@ -338,7 +349,7 @@ void keep_solutions(const BuiltScene& built, const AddedMassStore& store, app::R
     const auto& report = built.added_mass[i];
     if (!report || !report->surface || report->surface->solves() == 0) continue;
     if (kept.insert(report->surface.get()).second)
-      store.keep_nodes(built.spec.bodies[i].mesh_B, report->surface->nodes(), reporter);
+      store.keep_nodes(engine::outside_B(built.spec.bodies[i]), report->surface->nodes(), reporter);
   }
 }
 

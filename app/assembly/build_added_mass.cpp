@@ -35,8 +35,8 @@ class DeepModels {
     const bool moves = !solid.com_C.isZero(0);  // False for uniform density.
     auto model =
         moves ? std::make_shared<const hydro::WettedAddedMass>(
-                    body.mesh_B, hydro::moved_origin(*stored.solution, solid.com_C))
-              : std::make_shared<const hydro::WettedAddedMass>(body.mesh_B, *stored.solution);
+                    outside_B(body), hydro::moved_origin(*stored.solution, solid.com_C))
+              : std::make_shared<const hydro::WettedAddedMass>(outside_B(body), *stored.solution);
     entries_.push_back({stored.solution, solid.com_C, model});
     return model;
   }
@@ -57,11 +57,9 @@ class SurfaceModels {
                                                     const AddedMassStore& store,
                                                     app::Reporter& reporter) {
     for (const auto& [first, model] : entries_)
-      if (first->mesh_B.vertices == body.mesh_B.vertices &&
-          first->mesh_B.faces == body.mesh_B.faces)
-        return model;
+      if (hydro::same_mesh(outside_B(*first), outside_B(body))) return model;
     auto model = std::make_shared<const hydro::SurfaceAddedMass>(
-        body.mesh_B, store.find_nodes(body.mesh_B, reporter));
+        outside_B(body), store.find_nodes(outside_B(body), reporter));
     entries_.emplace_back(&body, model);
     return model;
   }
@@ -74,7 +72,7 @@ class SurfaceModels {
 /// Sets the model `matrix` of a body and returns its report.
 AddedMassReport add_matrix(const scene::AddedMass& added_mass, engine::BodySpec& body) {
   const auto model =
-      std::make_shared<const hydro::ConstantAddedMass>(body.mesh_B, added_mass.matrix);
+      std::make_shared<const hydro::ConstantAddedMass>(outside_B(body), added_mass.matrix);
   body.added_mass = model;
   return {.model = Model::matrix, .matrix = model->matrix(), .stored = {}, .surface = {}};
 }

@@ -27,8 +27,9 @@ FloatingModel floating_model(const engine::BodySpec& body, const hydro::Sea& sea
       return load->at(state, water, time);
     };
   if (!memory)
-    return std::make_shared<const hydro::FloatingBody>(body.mesh_B, data, std::move(diffraction));
-  return std::make_shared<const hydro::FloatingBody>(body.mesh_B, data, *memory,
+    return std::make_shared<const hydro::FloatingBody>(outside_B(body), data,
+                                                       std::move(diffraction));
+  return std::make_shared<const hydro::FloatingBody>(outside_B(body), data, *memory,
                                                      std::move(diffraction));
 }
 
@@ -57,7 +58,7 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
     try {
       if (!report.choice.database)
         report.stored = solved_radiation(body.name,
-                                         {.mesh_B = body.mesh_B,
+                                         {.mesh_B = outside_B(body),
                                           .pose = *report.choice.pose,
                                           .water = {.gravity = sea.gravity, .depth = sea.depth}},
                                          store, reporter);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/assembly/build_interior.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
 
@@ -21,13 +22,15 @@ std::string why_not_afloat(double mass, double volume, double density) {
 void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
                 const std::string& key_path, engine::BodySpec& body, BuildLog& log) {
   const scene::Water& water = *log.scene.water;
-  const double volume = hydro::solid_properties(body.mesh_B).volume;
-  const std::string reason = why_not_afloat(body.mass, volume, water.density);
+  const hydro::TriMesh& mesh_B = engine::outside_B(body);
+  const double volume = hydro::solid_properties(mesh_B).volume;
+  const double mass = mass_afloat(body, water.density);
+  const std::string reason = why_not_afloat(mass, volume, water.density);
   if (!reason.empty()) return log.faults.add(log.scene.places, key_path + ".start", reason);
   hydro::BodyState& state = body.initial;
   const double heading = hydro::euler_angles(state.orientation)[2];
   const hydro::Flotation rest =
-      hydro::equilibrium(body.mesh_B, body.mass / water.density, state.orientation);
+      hydro::equilibrium(mesh_B, mass / water.density, state.orientation, tanks_of(body));
   state.orientation = hydro::with_heading(rest.orientation, heading);
   state.position = position + state.orientation * com_M;
   state.position.z() = water.level + rest.height;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/assembly/build_interior.h"
 #include "app/assembly/build_start.h"
 #include "app/assembly/radiation_store.h"
 #include "engine/locks.h"
@@ -43,7 +44,7 @@ struct Extent {
 };
 
 Extent extent_of(const engine::BodySpec& body, const Eigen::Quaterniond& orientation) {
-  const Eigen::Matrix3Xd at = orientation.toRotationMatrix() * body.mesh_B.vertices;
+  const Eigen::Matrix3Xd at = orientation.toRotationMatrix() * outside_B(body).vertices;
   const Eigen::Vector3d sides = at.rowwise().maxCoeff() - at.rowwise().minCoeff();
   return {.radius = std::sqrt(at.colwise().squaredNorm().maxCoeff()),
           .length = std::max(sides.x(), sides.y()),
@@ -73,8 +74,8 @@ class Chooser {
   Chooser(const scene::Scene& scene, const engine::SimulationSpec& spec)
       : scene_(scene), spec_(spec) {
     for (const engine::BodySpec& body : spec.bodies)
-      radii_.push_back(body.mesh_B.vertex_count() > 0
-                           ? std::sqrt(body.mesh_B.vertices.colwise().squaredNorm().maxCoeff())
+      radii_.push_back(outside_B(body).vertex_count() > 0
+                           ? std::sqrt(outside_B(body).vertices.colwise().squaredNorm().maxCoeff())
                            : 0);
   }
 
@@ -116,7 +117,8 @@ class Chooser {
     if (engine::immovable(body.locked)) return "the body is held in all six";
     if (scene_.bodies[i].hydro.added_mass.model != scene::AddedMass::Model::automatic)
       return "hydro.added_mass is given, and with radiation it is that of the mean pose";
-    return why_not_afloat(body.mass, hydro::solid_properties(body.mesh_B).volume, sea.density);
+    return why_not_afloat(mass_afloat(body, sea.density),
+                          hydro::solid_properties(outside_B(body)).volume, sea.density);
   }
 
   std::string not_free_and_afloat(std::size_t i) const {
@@ -127,11 +129,11 @@ class Chooser {
           joint.second == static_cast<engine::BodyId>(i))
         return fmt::format("it hangs on {}", joint.name);
     const hydro::TriMesh mesh_G =
-        hydro::transformed(body.mesh_B, Eigen::Isometry3d(body.initial.orientation));
+        hydro::transformed(outside_B(body), Eigen::Isometry3d(body.initial.orientation));
     const double volume =
         hydro::hydrostatics(mesh_G, body.initial.position.z() - spec_.sea->level).volume;
     if (volume == 0) return "it starts dry";
-    const double ratio = spec_.sea->density * volume / body.mass;
+    const double ratio = spec_.sea->density * volume / mass_afloat(body, spec_.sea->density);
     if (std::abs(ratio - 1) > kMassMismatch)
       return fmt::format("at its start it displaces {:.3g} of its mass", ratio);
     return neighbour(i);
@@ -161,13 +163,14 @@ class Chooser {
 
   /// The body as it floats at rest; in its attitude at the start if that is locked or neutral.
   hydro::Flotation at_rest(const engine::BodySpec& body) const {
-    const double volume = body.mass / spec_.sea->density;
+    const double density = spec_.sea->density;
+    const double volume = mass_afloat(body, density) / density;
+    const std::vector<hydro::Tank> tanks = tanks_of(body);
     const Eigen::Quaterniond& start = body.initial.orientation;
-    const hydro::Flotation held = hydro::afloat(body.mesh_B, volume, start);
+    const hydro::Flotation held = hydro::afloat(outside_B(body), volume, start, tanks);
     if (body.locked[3] || body.locked[4]) return held;
-    const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, volume, start);
-    const double sinks =
-        rest.hydrostatics.centre_of_buoyancy.z() - held.hydrostatics.centre_of_buoyancy.z();
+    const hydro::Flotation rest = hydro::equilibrium(outside_B(body), volume, start, tanks);
+    const double sinks = rest.effective_centre().z() - held.effective_centre().z();
     const bool neutral = sinks < kNeutral * extent_of(body, start).radius;
     return neutral && tilt_between(start, rest.orientation) > kTiltMismatch ? held : rest;
   }
@@ -229,7 +232,7 @@ std::string described(const RadiationChoice& choice, const engine::BodySpec& bod
                       const hydro::Sea& sea) {
   if (!choice.database)
     return fmt::format("{} frequencies at a draught of {:.4g} m",
-                       hydro::radiation_frequencies(body.mesh_B, *choice.pose,
+                       hydro::radiation_frequencies(outside_B(body), *choice.pose,
                                                     {.gravity = sea.gravity, .depth = sea.depth})
                            .size(),
                        choice.draught);

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/assembly/build.h"
+#include "app/assembly/build_interior.h"
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
 #include "app/base/terminal_reporter.h"
+#include "hydro/interior/interior.h"
 #include "hydro/mesh/mesh_check.h"
 
 namespace app {
@@ -29,11 +32,45 @@ Json in_world_axes(const hydro::Matrix6d& matrix_B, const Eigen::Matrix3d& R_WB)
   return json_rows((matrix + matrix.transpose()) / 2);
 }
 
+/// The surface that the sea wets at the start.
+hydro::Hull sea_hull(const engine::BodySpec& body, const hydro::Interior* interior) {
+  if (interior) return interior->outside;
+  return hydro::make_hull(engine::outside_B(body));
+}
+
+/// The load of the water inside.
+hydro::Wrench interior_load(const engine::BodySpec& body, const hydro::Sea& sea) {
+  hydro::Wrench sum;
+  const Eigen::Matrix3d R_WB = body.initial.orientation.toRotationMatrix();
+  for (const hydro::Tank& tank : assembly::tanks_of(body))
+    sum += sea.density * sea.gravity * hydro::water_of(tank.hull, R_WB, tank.volume).push;
+  return sum;
+}
+
+Json pockets_of(const engine::BodySpec& body, const hydro::Interior* interior) {
+  Json pockets = Json::array();
+  if (!interior) return pockets;
+  for (const hydro::Pocket& pocket : interior->division.pockets) {
+    Json spill;
+    if (std::isfinite(pocket.spill)) spill = body.initial.position.z() + pocket.spill;
+    pockets.push_back({{"capacity", pocket.capacity},
+                       {"spill", spill},
+                       {"floor", body.initial.position.z() + pocket.floor}});
+  }
+  return pockets;
+}
+
 Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
   hydro::Loads loads;
-  if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed()))
-    loads = hydro::compute_loads(hydro::make_hull(body.mesh_B), body.initial, *sea, 0,
+  std::shared_ptr<const hydro::Interior> interior;
+  if (body.interior == engine::Interior::flooding)
+    interior =
+        hydro::make_interior(body.mesh_B, body.initial.orientation.toRotationMatrix().row(2));
+  if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed())) {
+    loads = hydro::compute_loads(sea_hull(body, interior.get()), body.initial, *sea, 0,
                                  body.coefficients, body.summation);
+    loads.interior = interior_load(body, *sea);
+  }
   if (sea && body.radiation)
     loads.diffraction = body.radiation->wave_load(body.initial, *sea, 0);
   else if (sea && body.added_mass)
@@ -53,6 +90,8 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"wave_inertia", to_json(loads.wave_inertia)},
           {"diffraction", to_json(loads.diffraction)},
           {"wind", to_json(loads.wind)},
+          {"interior", to_json(loads.interior)},
+          {"pockets", pockets_of(body, interior.get())},
           {"added_mass", added_mass}};
 }
 

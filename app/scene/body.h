@@ -93,6 +93,27 @@ enum class Start {
   equilibrium  ///< The equilibrium afloat that this pose leads to.
 };
 
+/// What water does in the hollows of a body.
+enum class Interior {
+  flooding,  ///< They are dry until water comes in.
+  dry,       ///< They never fill.
+  wet        ///< They are a part of the sea.
+};
+
+/// Water in a hollow at time 0.
+struct InteriorWater {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< A point of the hollow, in the mesh frame.
+  std::optional<double> volume;
+  std::optional<double> level;  ///< Height over the origin of the mesh frame at time 0.
+};
+
+/// A hole in a wall.
+struct Opening {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< In the mesh frame.
+  double area = 0;
+  double discharge = 0.6;  ///< Coefficient of discharge [-].
+};
+
 struct Body {
   std::string name;
   Shape shape;
@@ -105,6 +126,9 @@ struct Body {
   Start start = Start::given;
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  Interior interior = Interior::flooding;
+  std::vector<InteriorWater> interior_water;
+  std::vector<Opening> openings;
   Hydro hydro;  ///< The scene's defaults, overridden by the body's own keys.
   std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;

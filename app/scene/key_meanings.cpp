@@ -303,6 +303,24 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "must not be locked."},
     {"bodies[].linear_velocity", "Velocity of the centre of mass in world axes."},
     {"bodies[].angular_velocity", "Angular velocity in world axes."},
+    {"bodies[].interior",
+     "Water in the hollows of the body. With `flooding` they are dry until water comes over "
+     "their rims or through `openings`; it then has a level of its own in each of them. With "
+     "`dry` those that the body has at time 0 are closed by lids, and voids are dry. With `wet` "
+     "all that is below the surface is in the sea."},
+    {"bodies[].interior_water", "Water in the hollows at time 0."},
+    {"bodies[].interior_water[].at",
+     "A point in the hollow, in the mesh frame: the hollow's surface is straight below it."},
+    {"bodies[].interior_water[].volume", "Volume of the water."},
+    {"bodies[].interior_water[].level",
+     "Height of the water's surface above the origin of the mesh frame, along the world's "
+     "vertical at time 0."},
+    {"bodies[].openings",
+     "Holes through which water runs between the sea and a hollow, or between two hollows, "
+     "driven by the difference of their pressures."},
+    {"bodies[].openings[].at", "Centre of the hole, in or near the wall, in the mesh frame."},
+    {"bodies[].openings[].area", "Area of the hole."},
+    {"bodies[].openings[].discharge", "Coefficient of discharge."},
     {"bodies[].hydro", "Coefficients of this body. They override the scene's `hydro` key by key."},
     {"bodies[].calibrate",
      "Scaling of the body's pressure drag to tabulated values, independent of its mesh."},

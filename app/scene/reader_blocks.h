@@ -36,6 +36,10 @@ void read(MapReader& map, Body& body);
 void read(MapReader& map, Eigen::Quaterniond& orientation);
 void read(MapReader& map, AppliedLoad& load);
 void read(MapReader& map, AppliedLoad::Sine& sine);
+/// Reads `interior`, `interior_water` and `openings`.
+void read_interior(MapReader& map, Body& body);
+void read(MapReader& map, InteriorWater& water);
+void read(MapReader& map, Opening& opening);
 void read(MapReader& map, Joint& joint);
 
 void read(MapReader& map, Render& render);

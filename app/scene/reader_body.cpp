@@ -172,6 +172,7 @@ void read(MapReader& map, Body& body) {
   map.optional("start", body.start, kStarts);
   map.optional("linear_velocity", body.linear_velocity, number("m/s"));
   map.optional("angular_velocity", body.angular_velocity, number("rad/s"));
+  read_interior(map, body);
   map.block("hydro", body.hydro);
   read_calibration(map, body);
   map.optional("collision", body.collision, kCollisions);

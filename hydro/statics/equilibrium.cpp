@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "hydro/interior/interior.h"
 #include "hydro/statics/trust_region.h"
 
 namespace hydro {
@@ -19,6 +20,13 @@ constexpr double kRoundOff = 1e-15;    ///< Round-off of moment arms, over the r
 constexpr double kNoStability = 1e-9;  ///< Metacentric heights that count as zero, over the radius.
 constexpr double kEnergyNoise = 1e-12;  ///< Round-off of energy differences, over the radius.
 
+/// The water in a tank at an orientation, seen as a body of water that floats: in G.
+Hydrostatics tank_statics(const Tank& tank, const Eigen::Quaterniond& orientation) {
+  const Eigen::Matrix3d R_WB = orientation.toRotationMatrix();
+  const TriMesh water_G = flipped({R_WB * tank.hull.mesh_B.vertices, tank.hull.mesh_B.faces});
+  return hydrostatics(water_G, -water_of(tank.hull, R_WB, tank.volume).level);
+}
+
 /// Rotations allowed in a search.
 enum class Freedom { all, pitch_only };
 
@@ -31,9 +39,9 @@ struct Model {
 
 /// Returns the model; an excluded axis has no gradient and is stiff, so no step rotates about it.
 Model model_of(const Flotation& flotation, Freedom freedom) {
-  Model model{.energy = -flotation.hydrostatics.centre_of_buoyancy.z(),
+  Model model{.energy = -flotation.effective_centre().z(),
               .gradient = flotation.gradient(),
-              .hessian = metacentric_heights(flotation.hydrostatics)};
+              .hessian = flotation.effective_metacentric_heights()};
   if (freedom == Freedom::all) return model;
   model.gradient[0] = 0;
   model.hessian(0, 1) = model.hessian(1, 0) = 0;
@@ -55,14 +63,15 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Ve
 /// One body's search for an attitude of least energy.
 class Descent {
  public:
-  Descent(const TriMesh& mesh_B, double volume, Freedom freedom)
+  Descent(const TriMesh& mesh_B, double volume, const std::vector<Tank>& tanks, Freedom freedom)
       : mesh_B_(mesh_B),
         volume_(volume),
+        tanks_(tanks),
         freedom_(freedom),
         size_(mesh_B.vertices.colwise().norm().maxCoeff()) {}
 
   Flotation from(const Eigen::Quaterniond& start) const {
-    Flotation found = search(afloat(mesh_B_, volume_, start));
+    Flotation found = search(afloat(mesh_B_, volume_, start, tanks_));
     for (int i = 1; i < kMostSearches; ++i) {
       const std::optional<Flotation> lower = lower_nearby(found);
       if (!lower) break;
@@ -91,7 +100,7 @@ class Descent {
     for (int i = 0; i < kMostSteps && reach > 1e-16 && !settled(model); ++i) {
       const Eigen::Vector2d step =
           trust_region_step(model.gradient, model.hessian, reach, kEnergyNoise * size_);
-      const Flotation there = afloat(mesh_B_, volume_, turned(here.orientation, step));
+      const Flotation there = afloat(mesh_B_, volume_, turned(here.orientation, step), tanks_);
       const Model model_there = model_of(there, freedom_);
       const double quality = merit(model, model_there, step);
       if (quality < 0.25) reach = 0.25 * std::min(reach, step.norm());
@@ -113,7 +122,7 @@ class Descent {
                                                             std::sin(k * std::numbers::pi / 4));
       const Eigen::Vector2d allowed =
           freedom_ == Freedom::all ? turn : Eigen::Vector2d(0, turn.y());
-      const Flotation there = afloat(mesh_B_, volume_, turned(found.orientation, allowed));
+      const Flotation there = afloat(mesh_B_, volume_, turned(found.orientation, allowed), tanks_);
       const double energy = model_of(there, freedom_).energy;
       if (energy >= least) continue;
       least = energy;
@@ -124,38 +133,58 @@ class Descent {
 
   const TriMesh& mesh_B_;
   double volume_;
+  const std::vector<Tank>& tanks_;
   Freedom freedom_;
   double size_;  ///< The body's radius [m].
 };
 
 }  // namespace
 
-Eigen::Vector2d Flotation::gradient() const {
-  return {-hydrostatics.centre_of_buoyancy.y(), hydrostatics.centre_of_buoyancy.x()};
+Eigen::Vector3d Flotation::effective_centre() const {
+  Eigen::Vector3d centre = hydrostatics.centre_of_buoyancy;
+  for (const Hydrostatics& tank : tanks)
+    centre -= tank.volume / hydrostatics.volume * tank.centre_of_buoyancy;
+  return centre;
 }
 
-Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation) {
+Eigen::Matrix2d Flotation::effective_metacentric_heights() const {
+  Eigen::Matrix2d heights = metacentric_heights(hydrostatics);
+  for (const Hydrostatics& tank : tanks)
+    heights -= tank.volume / hydrostatics.volume * metacentric_heights(tank);
+  return heights;
+}
+
+Eigen::Vector2d Flotation::gradient() const {
+  const Eigen::Vector3d centre = effective_centre();
+  return {-centre.y(), centre.x()};
+}
+
+Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
+                 const std::vector<Tank>& tanks) {
   const TriMesh mesh_G{orientation.toRotationMatrix() * mesh_B.vertices, mesh_B.faces};
   Flotation flotation{.orientation = orientation, .height = floating_height(mesh_G, volume)};
   flotation.draught = -flotation.height - mesh_G.vertices.row(2).minCoeff();
   flotation.hydrostatics = hydrostatics(mesh_G, flotation.height);
+  for (const Tank& tank : tanks) flotation.tanks.push_back(tank_statics(tank, orientation));
   return flotation;
 }
 
 Stability stability(const TriMesh& mesh_B, const Flotation& flotation) {
   const double size = mesh_B.vertices.colwise().norm().maxCoeff();
-  const double lowest = lowest_eigenvalue(metacentric_heights(flotation.hydrostatics));
+  const double lowest = lowest_eigenvalue(flotation.effective_metacentric_heights());
   if (lowest < -kNoStability * size) return Stability::unstable;
   return lowest > kNoStability * size ? Stability::stable : Stability::neutral;
 }
 
-Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start) {
-  return Descent(mesh_B, volume, Freedom::all).from(start);
+Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start,
+                      const std::vector<Tank>& tanks) {
+  return Descent(mesh_B, volume, tanks, Freedom::all).from(start);
 }
 
 std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
-                                       const std::vector<double>& heels) {
-  const Descent descent(mesh_B, volume, Freedom::pitch_only);
+                                       const std::vector<double>& heels,
+                                       const std::vector<Tank>& tanks) {
+  const Descent descent(mesh_B, volume, tanks, Freedom::pitch_only);
   std::vector<RightingArm> arms;
   double trim = 0;
   for (const double heel : heels) {
@@ -164,10 +193,8 @@ std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
     const Flotation found = descent.from(start);
     const Eigen::Vector3d x_axis = found.orientation * Eigen::Vector3d::UnitX();
     trim = std::atan2(-x_axis.z(), x_axis.x());
-    arms.push_back({.heel = heel,
-                    .trim = trim,
-                    .draught = found.draught,
-                    .lever = -found.hydrostatics.centre_of_buoyancy.y()});
+    arms.push_back(
+        {.heel = heel, .trim = trim, .draught = found.draught, .lever = found.gradient().x()});
   }
   return arms;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "hydro/loads/loads.h"
 #include "hydro/mesh/mesh.h"
 #include "hydro/statics/hydrostatics.h"
 
@@ -19,25 +20,44 @@
 /// The energy e does not depend on rotations about the vertical. Its gradient is continuous; M
 /// jumps where a face of the body lies in the surface.
 ///
+/// Water in tanks weighs on the body: `volume` then includes it, and with its volume v, its
+/// centroid C and M_v of its free surface by the same formulas, (1) holds with B − Σ (v/V) C in
+/// place of B and M − Σ (v/V) M_v in place of M: its centre is that of the water as it lies, and
+/// its surface takes from the stability.
+///
 /// Frames   B: origin at the centre of mass.   G: the same origin, W axes.
 /// Units    SI. `volume` is the displacement: the mass over the density of water [m^3].
 /// Errors   std::invalid_argument unless volume is positive and less than the body's.
 
 namespace hydro {
 
-/// A body that displaces its mass at some attitude.
+/// Water that is enclosed in a body, in a pocket of hydro/interior.
+struct Tank {
+  Hull hull;          ///< The surface of the pocket; its normals point into the water.
+  double volume = 0;  ///< [m^3], > 0.
+};
+
+/// A body that displaces its mass, and that of the water in it, at some attitude.
 struct Flotation {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB
-  double height = 0;          ///< Height of the centre of mass above the water [m].
-  double draught = 0;         ///< Depth of the lowest point [m].
-  Hydrostatics hydrostatics;  ///< Hydrostatics in G.
+  double height = 0;                ///< Height of the centre of mass above the water [m].
+  double draught = 0;               ///< Depth of the lowest point [m].
+  Hydrostatics hydrostatics;        ///< Hydrostatics in G.
+  std::vector<Hydrostatics> tanks;  ///< Those of the water in each tank, in G.
+
+  /// B − Σ (v/V) C [m]
+  Eigen::Vector3d effective_centre() const;
+  /// M − Σ (v/V) M_v [m]
+  Eigen::Matrix2d effective_metacentric_heights() const;
 
   /// Gradient in (1): the moment arms about the centre of mass [m]; zero at equilibrium.
   Eigen::Vector2d gradient() const;
 };
 
 /// Returns the body at the given orientation and the height where it displaces `volume`.
-Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation);
+/// @param volume   Of the mass of the body and of the water in its tanks.
+Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
+                 const std::vector<Tank>& tanks = {});
 
 /// Stability of a floating body against small rotations.
 enum class Stability {
@@ -53,7 +73,8 @@ Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
 /// `trust_region_step`. Where a search ends, eight attitudes 1e-3 rad around are tried, so it also
 /// leaves a saddle that (1) shows from one side only or not at all. The remaining moment arm is
 /// round-off, a few 1e-15 of the body's radius.
-Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start);
+Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start,
+                      const std::vector<Tank>& tanks = {});
 
 /// A point of the curve of righting arms.
 struct RightingArm {
@@ -67,10 +88,12 @@ struct RightingArm {
 /// Ry(trim)·Rx(heel), so heel is a rotation about the body's x axis and a positive trim lowers its
 /// +x end. Each search for the trim starts at the previous trim, the first at 0.
 ///
-/// GZ is the horizontal distance from B to G across the body's x axis, −y_B. The work of righting
+/// GZ is the horizontal distance from B to G across the body's x axis, −y_B, G that of body and
+/// water in its tanks. The work of righting
 /// the body is weight times ∫ GZ cos(trim) dheel.
 std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
-                                       const std::vector<double>& heels);
+                                       const std::vector<double>& heels,
+                                       const std::vector<Tank>& tanks = {});
 
 /// Roll, pitch and yaw of R = Rz(yaw)·Ry(pitch)·Rx(roll) [rad], pitch within ±π/2.
 Eigen::Vector3d euler_angles(const Eigen::Quaterniond& orientation);

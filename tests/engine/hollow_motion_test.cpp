@@ -26,7 +26,7 @@ BodySpec open_box() {
   box.mesh_B = hydro::translated(support::open_box(), {0, 0, -0.5});
   box.mass = 400;
   box.inertia_B = Vector3d(60, 160, 170).asDiagonal();
-  box.flooding = true;
+  box.interior = engine::Interior::flooding;
   box.collision = CollisionShape::none;
   box.coefficients = without_drag();
   return box;

@@ -1,0 +1,134 @@
+#include "app/assembly/build_interior.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/interior.h"
+#include "hydro/interior/places.h"
+
+namespace assembly {
+namespace {
+
+/// An opening may be this far from both sides of its wall, over the body's longest side.
+constexpr double kFarFromWall = 0.05;
+
+engine::Interior model_of(scene::Interior interior) {
+  switch (interior) {
+    case scene::Interior::flooding:
+      return engine::Interior::flooding;
+    case scene::Interior::dry:
+      return engine::Interior::dry;
+    case scene::Interior::wet:
+      break;
+  }
+  return engine::Interior::wet;
+}
+
+Eigen::Matrix3d orientation_of(const engine::BodySpec& spec) {
+  return spec.initial.orientation.toRotationMatrix();
+}
+
+/// The volume of the water in a pocket, or a fault.
+std::optional<double> volume_in(const hydro::Interior& interior, int pocket,
+                                const scene::InteriorWater& water, const Eigen::Vector3d& com_M,
+                                const engine::BodySpec& spec, const std::string& path,
+                                BuildLog& log) {
+  const double capacity = interior.division.pockets[pocket].capacity;
+  const Eigen::Matrix3d R_WB = orientation_of(spec);
+  double volume = water.volume.value_or(0);
+  if (water.level) {
+    const double above_com = *water.level - R_WB.row(2).dot(com_M);
+    volume = hydro::water_up_to(interior.pockets[pocket], R_WB, above_com).volume;
+  }
+  if (volume > 0 && volume <= capacity * (1 + 1e-9)) return volume;
+  const char* key = water.level ? ".level" : ".volume";
+  log.faults.add(log.scene.places, path + key,
+                 volume > 0 ? fmt::format("gives {:.6g} m^3 of water to a pocket that holds {:.6g} "
+                                          "m^3 at the start",
+                                          volume, capacity)
+                            : std::string("is below the pocket: there would be no water"));
+  return std::nullopt;
+}
+
+void add_opening(const scene::Opening& opening, const hydro::Interior* interior,
+                 const Eigen::Vector3d& com_M, const std::string& path, engine::BodySpec& spec,
+                 BuildLog& log) {
+  const Eigen::Vector3d at_B = opening.at - com_M;
+  const hydro::WallFaces wall = hydro::wall_at(spec.mesh_B, at_B);
+  const double size = hydro::bounding_box(spec.mesh_B).sizes().maxCoeff();
+  if (!(wall.distance <= kFarFromWall * size))
+    return log.faults.add(log.scene.places, path + ".at",
+                          fmt::format("is {:.3g} m from the far side of the nearest wall, expected "
+                                      "a point in or near a wall",
+                                      wall.distance));
+  const auto space = [&](int face) {
+    return interior ? interior->division.pocket_of_face[face] : hydro::kSea;
+  };
+  if (space(wall.face[0]) == space(wall.face[1]))
+    return log.faults.add(log.scene.places, path + ".at",
+                          "has the same water on both sides of the wall there, expected a wall of "
+                          "a hollow");
+  spec.openings.push_back({.at_B = at_B, .area = opening.area, .discharge = opening.discharge});
+}
+
+}  // namespace
+
+void build_interior(const scene::Body& body, engine::BodySpec& spec) {
+  if (!spec.wet || hydro::is_convex(spec.mesh_B)) return;
+  spec.interior = model_of(body.interior);
+  if (spec.interior == engine::Interior::wet) return;
+  const hydro::Pockets found = hydro::find_pockets(spec.mesh_B, orientation_of(spec).row(2));
+  if (!found.pockets.empty()) spec.closed_mesh_B = hydro::with_closed_mouths(spec.mesh_B, found);
+}
+
+void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
+                   const std::string& key_path, engine::BodySpec& spec, BuildLog& log) {
+  if (body.interior_water.empty() && body.openings.empty()) return;
+  const Eigen::Vector3d up_B = orientation_of(spec).row(2);
+  const auto interior = spec.interior == engine::Interior::flooding
+                            ? hydro::make_interior(spec.mesh_B, up_B)
+                            : nullptr;
+  for (std::size_t i = 0; i < body.interior_water.size(); ++i) {
+    const std::string path = fmt::format("{}.interior_water[{}]", key_path, i);
+    const scene::InteriorWater& water = body.interior_water[i];
+    const Eigen::Vector3d at_B = water.at - com_M;
+    const int pocket =
+        interior ? hydro::pocket_under(spec.mesh_B, interior->division, at_B, up_B) : hydro::kSea;
+    if (pocket == hydro::kSea) {
+      log.faults.add(log.scene.places, path + ".at",
+                     interior ? "is in no hollow that holds water at the start"
+                              : "the body has no hollow that holds water at the start");
+      continue;
+    }
+    if (const auto volume = volume_in(*interior, pocket, water, com_M, spec, path, log))
+      spec.interior_water.push_back({.at_B = at_B, .volume = *volume});
+  }
+  for (std::size_t i = 0; i < body.openings.size(); ++i)
+    add_opening(body.openings[i], interior.get(), com_M,
+                fmt::format("{}.openings[{}]", key_path, i), spec, log);
+}
+
+double mass_afloat(const engine::BodySpec& spec, double density) {
+  double mass = spec.mass;
+  for (const engine::WaterAtStart& water : spec.interior_water) mass += density * water.volume;
+  return mass;
+}
+
+std::vector<hydro::Tank> tanks_of(const engine::BodySpec& spec) {
+  std::vector<hydro::Tank> tanks;
+  if (spec.interior_water.empty()) return tanks;
+  const Eigen::Vector3d up_B = orientation_of(spec).row(2);
+  const auto interior = hydro::make_interior(spec.mesh_B, up_B);
+  if (!interior) return tanks;
+  for (const engine::WaterAtStart& water : spec.interior_water) {
+    const int pocket = hydro::pocket_under(spec.mesh_B, interior->division, water.at_B, up_B);
+    if (pocket != hydro::kSea)
+      tanks.push_back({.hull = interior->pockets[pocket], .volume = water.volume});
+  }
+  return tanks;
+}
+
+}  // namespace assembly

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/assembly/build_shape.h"
+#include "engine/spec.h"
+#include "hydro/statics/equilibrium.h"
+
+namespace assembly {
+
+/// Sets the interior of a body whose mesh and orientation at the start are there: how it is filled,
+/// and the mesh that the sea outside sees. Costs nothing but a test for a convex body.
+void build_interior(const scene::Body& body, engine::BodySpec& spec);
+
+/// Puts water and openings into a body in its pose at time 0. Faults go to the log: water where
+/// there is no pocket or more than it holds, an opening far from a wall or with the sea on both
+/// sides.
+/// @param com_M   Centre of mass in the mesh frame.
+void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
+                   const std::string& key_path, engine::BodySpec& spec, BuildLog& log);
+
+/// Mass of a body and of the water in it at the start [kg]. @param density   Of the water.
+double mass_afloat(const engine::BodySpec& spec, double density);
+
+/// The water in a body as tanks, for its equilibrium. Water that is given by its level has the
+/// volume that it has in the attitude of `spec`.
+std::vector<hydro::Tank> tanks_of(const engine::BodySpec& spec);
+
+}  // namespace assembly
