@@ -57,6 +57,8 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("work_diffraction", forces.works.diffraction);
   put_load({"radiation", forces.radiation}, put);
   put("work_radiation", forces.works.radiation);
+  put_load({"interior", forces.water.interior}, put);
+  put("work_interior", forces.works.interior);
   return row;
 }
 

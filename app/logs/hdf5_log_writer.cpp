@@ -95,12 +95,10 @@ void Hdf5Log::find_structure(std::size_t kept) {
   started_ = true;
 }
 
-void Hdf5Log::add(double time, const std::vector<hydro::BodyState>& states,
-                  const std::vector<engine::BodyForces>& forces,
-                  const std::vector<ProbeReading>& probes) {
+void Hdf5Log::add(const LogEntry& entry) {
   try {
     if (!started_) make_structure();
-    wait(time, states, forces, probes);
+    wait(entry);
     if ((written_ + times_.waiting.size()) % chunk_ == 0) write_waiting();
   } catch (const OutputError&) {
     ended_ = true;
@@ -108,23 +106,21 @@ void Hdf5Log::add(double time, const std::vector<hydro::BodyState>& states,
   }
 }
 
-void Hdf5Log::wait(double time, const std::vector<hydro::BodyState>& states,
-                   const std::vector<engine::BodyForces>& forces,
-                   const std::vector<ProbeReading>& probes) {
+void Hdf5Log::wait(const LogEntry& entry) {
   const auto distribute = [](auto next, std::vector<Series>& all) {
     for (Series& series : all) {
       series.waiting.insert(series.waiting.end(), next, next + series.columns);
       next += series.columns;
     }
   };
-  times_.waiting.push_back(time);
-  for (std::size_t body = 0; body < states.size(); ++body) {
-    const StateRow state = row_of(states[body]);
+  times_.waiting.push_back(entry.time);
+  for (std::size_t body = 0; body < entry.states.size(); ++body) {
+    const StateRow state = row_of(entry.states[body]);
     std::vector<double> row(state.begin(), state.end());
-    if (subject_.forces) std::ranges::copy(force_row(forces[body]), std::back_inserter(row));
+    if (subject_.forces) std::ranges::copy(force_row(entry.forces[body]), std::back_inserter(row));
     distribute(row.begin(), series_);
   }
-  for (const ProbeReading& reading : probes) distribute(reading.begin(), probes_);
+  for (const ProbeReading& reading : entry.probes) distribute(reading.begin(), probes_);
 }
 
 /// Writes the times last, so that the file has all data of every time in it.

@@ -25,9 +25,7 @@ class Hdf5Log : public Log {
   /// Writes the buffered rows if possible.
   ~Hdf5Log() override;
 
-  void add(double time, const std::vector<hydro::BodyState>& states,
-           const std::vector<engine::BodyForces>& forces,
-           const std::vector<ProbeReading>& probes) override;
+  void add(const LogEntry& entry) override;
   LogPosition save() override;
   void finish() override;
 
@@ -41,8 +39,7 @@ class Hdf5Log : public Log {
 
   void make_structure();
   void find_structure(std::size_t kept);
-  void wait(double time, const std::vector<hydro::BodyState>& states,
-            const std::vector<engine::BodyForces>& forces, const std::vector<ProbeReading>& probes);
+  void wait(const LogEntry& entry);
   void write_waiting();
   void flush();
 

@@ -6,6 +6,7 @@
 
 #include "app/logs/probes.h"
 #include "engine/body_forces.h"
+#include "engine/interior_water.h"
 #include "hydro/spatial.h"
 
 /// @file
@@ -17,6 +18,7 @@ namespace app {
 struct LogSubject {
   std::vector<std::string> bodies;  ///< Names of the bodies.
   bool forces = false;              ///< Forces are logged.
+  bool interiors = false;           ///< The water in pockets is logged.
   std::vector<std::string> probes;  ///< Names of the probes.
   std::string scene;                ///< The scene's file.
   std::string title;
@@ -28,6 +30,16 @@ struct LogPosition {
   std::uint64_t trajectory_bytes = 0;  ///< Length of trajectory.csv.
   std::uint64_t forces_bytes = 0;      ///< Length of forces.csv.
   std::uint64_t probes_bytes = 0;      ///< Length of probes.csv.
+  std::uint64_t interior_bytes = 0;    ///< Length of interior.csv.
+};
+
+/// What is logged of an instant.
+struct LogEntry {
+  double time = 0;                                      ///< [s]
+  const std::vector<hydro::BodyState>& states;          ///< Of every body.
+  const std::vector<engine::BodyForces>& forces;        ///< On every body; empty if not logged.
+  const std::vector<ProbeReading>& probes;              ///< Of all probes.
+  const std::vector<engine::InteriorState>& interiors;  ///< Of every body; empty if not logged.
 };
 
 /// Receives rows during a run, all from one thread.
@@ -35,13 +47,9 @@ class Log {
  public:
   virtual ~Log() = default;
 
-  /// Adds a row per body and per probe, in the order of the names.
-  /// @param forces   Forces on every body; empty if they are not logged.
-  /// @param probes   Readings of all probes.
+  /// Adds a row per body, per probe and per pocket, in the order of the names.
   /// @throws OutputError if the log cannot be written, usually because the disk is full
-  virtual void add(double time, const std::vector<hydro::BodyState>& states,
-                   const std::vector<engine::BodyForces>& forces,
-                   const std::vector<ProbeReading>& probes) = 0;
+  virtual void add(const LogEntry& entry) = 0;
 
   /// Saves all rows so far, even if the program is killed later.
   /// @throws OutputError

@@ -37,14 +37,16 @@ void refuse_row(const std::filesystem::path& file, int line, const std::string& 
 }
 
 LogRow read_log_row(std::string_view text, const std::filesystem::path& file, int line,
-                    std::span<double> numbers) {
+                    std::span<double> numbers, LogField field) {
   const std::vector<std::string_view> fields = split(text);
   const std::size_t expected = numbers.size() + 2;
   if (fields.size() != expected)
     refuse_row(file, line, fmt::format("found {} fields, expected {}", fields.size(), expected));
   const double time = number_in_log(fields[0], file, line);
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    numbers[i] = number_in_log(fields[i + 2], file, line);
+    numbers[i] = field == LogField::may_be_empty && fields[i + 2].empty()
+                     ? std::nan("")
+                     : number_in_log(fields[i + 2], file, line);
   return {time, fields[1]};
 }
 

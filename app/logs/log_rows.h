@@ -23,11 +23,14 @@ struct LogRow {
 [[noreturn]] void refuse_row(const std::filesystem::path& file, int line,
                              const std::string& message);
 
+/// What a field after the name may be: an empty one is read as NaN.
+enum class LogField { number, may_be_empty };
+
 /// Reads a row.
 /// @param numbers   Filled with the numbers after the name.
 /// @throws InputError unless the row has as many numbers, all finite.
 LogRow read_log_row(std::string_view text, const std::filesystem::path& file, int line,
-                    std::span<double> numbers);
+                    std::span<double> numbers, LogField field = LogField::number);
 
 /// Calls `read` with each row of a log and its line number. A last line without an end is dropped.
 /// @param kind   Kind of log that a fault names: `a trajectory`.

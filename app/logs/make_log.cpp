@@ -1,9 +1,11 @@
 #include "app/logs/make_log.h"
 
 #include <optional>
+#include <utility>
 
 #include "app/logs/force_csv.h"
 #include "app/logs/hdf5_log_writer.h"
+#include "app/logs/interior_csv.h"
 #include "app/logs/probe_csv.h"
 #include "app/logs/run_files.h"
 #include "app/logs/trajectory_csv.h"
@@ -26,13 +28,11 @@ class CsvLog : public Log {
                       kept(resumed, &LogPosition::probes_bytes));
   }
 
-  void add(double time, const std::vector<hydro::BodyState>& states,
-           const std::vector<engine::BodyForces>& forces,
-           const std::vector<ProbeReading>& probes) override {
+  void add(const LogEntry& entry) override {
     ++rows_;
-    states_.add(time, states);
-    if (forces_) forces_->add(time, forces);
-    if (probes_) probes_->add(time, probes);
+    states_.add(entry.time, entry.states);
+    if (forces_) forces_->add(entry.time, entry.forces);
+    if (probes_) probes_->add(entry.time, entry.probes);
   }
 
   LogPosition save() override {
@@ -56,6 +56,42 @@ class CsvLog : public Log {
   std::optional<ProbeWriter> probes_;
 };
 
+/// A log with the water in pockets, which is CSV beside a log of either format.
+class LogWithInteriors : public Log {
+ public:
+  LogWithInteriors(std::unique_ptr<Log> rest, const LogSubject& subject,
+                   const std::filesystem::path& folder, const std::optional<LogPosition>& resumed)
+      : rest_(std::move(rest)),
+        interiors_(folder / kInteriorLog, subject.bodies,
+                   resumed ? std::optional(resumed->interior_bytes) : std::nullopt) {}
+
+  void add(const LogEntry& entry) override {
+    rest_->add(entry);
+    interiors_.add(entry.time, entry.interiors);
+  }
+
+  LogPosition save() override {
+    LogPosition position = rest_->save();
+    position.interior_bytes = interiors_.save();
+    return position;
+  }
+
+  void finish() override { rest_->finish(); }
+
+ private:
+  std::unique_ptr<Log> rest_;
+  InteriorWriter interiors_;
+};
+
+std::unique_ptr<Log> log_of_motion(LogFormat format, const LogSubject& subject,
+                                   const std::filesystem::path& folder,
+                                   const std::optional<LogPosition>& resumed) {
+  if (format == LogFormat::csv) return std::make_unique<CsvLog>(subject, folder, resumed);
+  return std::make_unique<Hdf5Log>(
+      subject, folder / kHdf5Log,
+      resumed ? std::optional<std::size_t>(resumed->rows) : std::nullopt);
+}
+
 }  // namespace
 
 std::unique_ptr<Log> make_log(LogFormat format, const LogSubject& subject,
@@ -66,10 +102,10 @@ std::unique_ptr<Log> make_log(LogFormat format, const LogSubject& subject,
   if (!csv) std::filesystem::remove(folder / kTrajectoryLog);
   if (!csv || !subject.forces) std::filesystem::remove(folder / kForceLog);
   if (!csv || subject.probes.empty()) std::filesystem::remove(folder / kProbeLog);
-  if (csv) return std::make_unique<CsvLog>(subject, folder, resumed);
-  return std::make_unique<Hdf5Log>(
-      subject, folder / kHdf5Log,
-      resumed ? std::optional<std::size_t>(resumed->rows) : std::nullopt);
+  if (!subject.interiors) std::filesystem::remove(folder / kInteriorLog);
+  std::unique_ptr<Log> log = log_of_motion(format, subject, folder, resumed);
+  if (!subject.interiors) return log;
+  return std::make_unique<LogWithInteriors>(std::move(log), subject, folder, resumed);
 }
 
 }  // namespace app

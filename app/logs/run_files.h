@@ -9,6 +9,7 @@ namespace app {
 inline constexpr const char* kTrajectoryLog = "trajectory.csv";
 inline constexpr const char* kForceLog = "forces.csv";
 inline constexpr const char* kProbeLog = "probes.csv";
+inline constexpr const char* kInteriorLog = "interior.csv";
 inline constexpr const char* kHdf5Log = "run.h5";
 inline constexpr const char* kSummaryFile = "summary.json";
 /// Checkpoint of a run with --checkpoint, and its states to be drawn; both are removed when it

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 3;
+constexpr int kFormat = 4;
 
 Json to_json(const Checkpoint& c) {
   return {{"checkpoint", kFormat},
@@ -37,6 +37,7 @@ Json to_json(const Checkpoint& c) {
           {"trajectory_bytes", c.log.trajectory_bytes},
           {"forces_bytes", c.log.forces_bytes},
           {"probes_bytes", c.log.probes_bytes},
+          {"interior_bytes", c.log.interior_bytes},
           {"shots", c.shots},
           {"warnings", c.warnings}};
 }
@@ -90,6 +91,11 @@ std::string digest_of(const engine::SimulationSpec& spec) {
     digest.add(body.initial.position);
     digest.add(body.initial.orientation.coeffs());
     if (body.radiation) add(body.radiation->data(), digest);
+    for (const engine::Opening& opening : body.openings) {
+      digest.add(opening.at_B);
+      digest.add(opening.area * opening.discharge);
+    }
+    for (const engine::WaterAtStart& water : body.interior_water) digest.add(water.volume);
   }
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);
@@ -131,7 +137,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
             .log = {.rows = head.at("rows").get<std::uint64_t>(),
                     .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
                     .forces_bytes = head.at("forces_bytes").get<std::uint64_t>(),
-                    .probes_bytes = head.at("probes_bytes").get<std::uint64_t>()},
+                    .probes_bytes = head.at("probes_bytes").get<std::uint64_t>(),
+                    .interior_bytes = head.at("interior_bytes").get<std::uint64_t>()},
             .shots = head.at("shots").get<long>(),
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .state = engine::SimulationState::from_bytes(bytes)};

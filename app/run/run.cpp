@@ -46,11 +46,19 @@ std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
   return names;
 }
 
+/// True if a body may have pockets.
+bool may_be_hollow(const engine::SimulationSpec& spec) {
+  return spec.sea && std::any_of(spec.bodies.begin(), spec.bodies.end(), [](const auto& body) {
+           return body.interior == engine::Interior::flooding;
+         });
+}
+
 LogSubject log_subject(const scene::Scene& scene, const assembly::BuiltScene& built) {
   std::vector<std::string> probes;
   for (const scene::Probe& probe : scene.probes) probes.push_back(probe.name);
   return {.bodies = body_names(built.spec),
           .forces = scene.log_forces,
+          .interiors = may_be_hollow(built.spec),
           .probes = std::move(probes),
           .scene = scene.file.string(),
           .title = scene.title};
@@ -239,9 +247,16 @@ class Run {
   void log(double time) {
     std::vector<engine::BodyForces> forces;
     if (scene_.log_forces) forces = simulation_.forces();
+    std::vector<engine::InteriorState> interiors;
+    if (may_be_hollow(built_.spec)) interiors = simulation_.interiors();
     logging_.put([this, time, states = simulation_.states(), forces = std::move(forces),
-                  probes = probes_.read(time, simulation_.states())] {
-      log_->add(time, states, forces, probes);
+                  probes = probes_.read(time, simulation_.states()),
+                  interiors = std::move(interiors)] {
+      log_->add({.time = time,
+                 .states = states,
+                 .forces = forces,
+                 .probes = probes,
+                 .interiors = interiors});
     });
   }
 
