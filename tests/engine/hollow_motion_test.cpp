@@ -1,7 +1,10 @@
 #include <numbers>
 
+#include "engine/energy.h"
 #include "engine/flooding.h"
 #include "engine/moving_body.h"
+#include "engine/pocket_search.h"
+#include "engine/state_data.h"
 #include "hydro/interior/interior.h"
 #include "hydro/loads/loads.h"
 #include "tests/engine/prelude.h"
@@ -153,6 +156,177 @@ TEST(Flooding, AHoleSinksAFloatingHull) {
   EXPECT_TRUE(simulation.interiors()[0].pockets[0].flooded);
   for (int i = 0; i < 600; ++i) simulation.step();
   EXPECT_LT(simulation.states()[0].position.z(), -2);
+}
+
+/// The open box with drag, tilted, in still water, with some water in it.
+SimulationSpec rocking_box(double water) {
+  BodySpec box = open_box();
+  box.coefficients = hydro::for_mesh({}, box.mesh_B, 1e-6);
+  box.initial.orientation = Eigen::AngleAxisd(0.3, Vector3d(1, 0.4, 0).normalized());
+  box.initial.angular_velocity = {0.5, 0.2, 0};
+  if (water > 0) box.interior_water = {{.at_B = {0, 0, -0.3}, .volume = water}};
+  return in_still_water(box, 0.3);
+}
+
+TEST(Flooding, WhatIsInsideIsWhatCameIn) {
+  BodySpec box = holed_box();
+  box.mesh_B = hydro::translated(support::divided_box(0.4), {0, 0, -0.5});
+  box.openings = {{.at_B = {-0.5, 0, -0.475}, .area = 0.02}};
+  box.interior_water = {{.at_B = {-0.5, 0, 0}, .volume = 0.05}};
+  box.inertia_B *= 5;
+  Simulation simulation(in_still_water(box, 0.25));
+  for (int i = 0; i < 3000; ++i) {
+    simulation.step();
+    double inside = -0.05, come = 0;
+    const engine::InteriorState state = simulation.interiors()[0];
+    for (const engine::PocketState& pocket : state.pockets) {
+      inside += pocket.volume;
+      come += pocket.inflow;
+    }
+    ASSERT_NEAR(inside, come, 1e-13) << "at " << simulation.time();
+  }
+  // The second compartment is filled over the wall.
+  const engine::InteriorState state = simulation.interiors()[0];
+  for (const engine::PocketState& pocket : state.pockets) EXPECT_GT(pocket.volume, 0.2);
+}
+
+TEST(Flooding, CompartmentsThatMeetAboveTheirWallHaveOneLevel) {
+  BodySpec box = open_box();
+  box.mesh_B = hydro::translated(support::divided_box(0.4), {0, 0, -0.5});
+  box.interior_water = {{.at_B = {-0.5, 0, 0}, .volume = 0.7}};
+  box.locked = {true, true, true, true, true, true};
+  box.locked[5] = false;
+  Simulation simulation(in_still_water(box, -3));
+  for (int i = 0; i < 600; ++i) simulation.step();
+  const auto pockets = simulation.interiors()[0].pockets;
+  ASSERT_EQ(pockets.size(), 2u);
+  EXPECT_NEAR(pockets[0].level, pockets[1].level, 1e-9);
+  EXPECT_NEAR(pockets[0].volume + pockets[1].volume, 0.7, 1e-14);
+  // Both together fill the floor's area but for the wall: 1.85 × 0.9 m up to 0.4 m, then 1.9 × 0.9.
+  EXPECT_NEAR(pockets[0].level, 3 + 0.4 + (0.7 - 1.85 * 0.9 * 0.35) / (1.9 * 0.9), 1e-6);
+}
+
+TEST(Flooding, StillWaterGivesNoEnergy) {
+  for (const double water : {0.0, 0.1, 0.5, 1.2}) {
+    const SimulationSpec spec = rocking_box(water);
+    Simulation simulation(spec);
+    const std::vector<engine::Body> bodies = engine::make_bodies(spec);
+    const auto energy = [&] {
+      const engine::SimulationState state = simulation.state();
+      const engine::Motion& motion = state.data().bodies[0].motion;
+      return engine::kinetic_energy(bodies[0], motion, Vector3d::Zero()) +
+             engine::potential_energy(bodies[0], motion);
+    };
+    const double start = energy();
+    double lowest = start, highest_gain = 0;
+    for (int i = 0; i < 1800; ++i) {
+      simulation.step();
+      lowest = std::min(lowest, energy());
+      highest_gain = std::max(highest_gain, energy() - lowest);
+    }
+    EXPECT_LT(highest_gain, 1e-3 * 400 * kGravity) << water;
+  }
+}
+
+TEST(Flooding, AContinuedRunHasTheSameBytes) {
+  SimulationSpec spec = rocking_box(0.4);
+  spec.bodies[0].openings = {{.at_B = {0, 0, -0.475}, .area = 0.05}};
+  spec.bodies[0].initial.angular_velocity = {3, 1, 0};
+  Simulation whole(spec);
+  for (int i = 0; i < 100; ++i) whole.step();
+  const std::string saved = whole.state().to_bytes();
+  for (int i = 0; i < 400; ++i) whole.step();
+  Simulation other(spec);
+  other.restore(engine::SimulationState::from_bytes(saved));
+  EXPECT_EQ(other.state().to_bytes(), saved);
+  for (int i = 0; i < 400; ++i) other.step();
+  EXPECT_EQ(other.state().to_bytes(), whole.state().to_bytes());
+}
+
+TEST(Flooding, AFloodedPocketPartsFullToItsSpillHeight) {
+  // The box hangs on a lock of all but its height, is pushed under, and lifted out.
+  BodySpec box = open_box();
+  box.locked = {true, true, false, true, true, true};
+  Simulation simulation(in_still_water(box, 0.2));
+  const auto push = [&](double force, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      simulation.apply(
+          0, {.force = {0, 0, force - 2000 * simulation.states()[0].linear_velocity.z()}});
+      simulation.step();
+    }
+    return simulation.interiors()[0].pockets[0];
+  };
+  EXPECT_TRUE(push(-18000, 600).flooded);
+  const engine::PocketState lifted = push(26000, 1200);
+  EXPECT_FALSE(lifted.flooded);
+  EXPECT_NEAR(lifted.volume, lifted.capacity, 1e-3 * lifted.capacity);
+  EXPECT_GT(lifted.level, 0);
+}
+
+TEST(Flooding, ATippedBucketScoopsAndKeepsWhatItHolds) {
+  BodySpec box = open_box();
+  box.coefficients = hydro::for_mesh({}, box.mesh_B, 1e-6);
+  Simulation simulation(in_still_water(box, 0.2));
+  for (int i = 0; i < 240; ++i) {
+    simulation.apply(0, {.moment = {3000, 0, 0}});
+    simulation.step();
+  }
+  EXPECT_GT(simulation.interiors()[0].pockets[0].volume, 0.05);
+}
+
+double lowest_sill(const hydro::TriMesh& mesh_B, const engine::HeldWater& held,
+                   const BodyState& state) {
+  double lowest = HUGE_VAL;
+  if (!held.interior) return lowest;
+  for (const hydro::SillEdge& edge : held.interior->division.sills)
+    for (const int v : {edge.from, edge.to})
+      lowest = std::min(lowest, (state.position + state.orientation * mesh_B.vertices.col(v)).z());
+  return lowest;
+}
+
+TEST(PocketSearch, AKeptDivisionGivesTheLoadsOfANewSearch) {
+  support::Random random(11);
+  const std::vector<hydro::TriMesh> meshes = {
+      hydro::translated(support::open_box(), {0, 0, -0.5}),
+      hydro::translated(support::divided_box(0.7), {0, 0, -0.5}),
+      hydro::translated(support::closed_box(), {0, 0, -0.5})};
+  int kept = 0;
+  for (const hydro::TriMesh& mesh : meshes) {
+    BodySpec box = open_box();
+    box.mesh_B = mesh;
+    const SimulationSpec spec = in_still_water(box, 0.2);
+    std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
+    engine::MovingBody& moving = bodies[0];
+    for (int i = 0; i < 3400; ++i) {
+      BodyState state;
+      // Some attitudes near the last one, as in a motion, and some anywhere.
+      state.orientation =
+          i % 2 == 0 ? random.rotation()
+                     : Quaterniond(Eigen::AngleAxisd(random.uniform(0, 0.3), Vector3d::UnitX())) *
+                           moving.motion.state.orientation;
+      state.position.z() = random.uniform(-0.3, 1.2);
+      moving.motion.state = state;
+      const auto before = moving.motion.held;
+      moving.motion.held = engine::divided_for(moving.body, state, 0, before);
+      const bool same = before->interior == moving.motion.held->interior;
+      kept += same;
+      // Both start dry and only a sea below the sills is compared.
+      engine::Motion fresh{
+          .state = state,
+          .held = engine::dry_pockets(moving.body, state.orientation.toRotationMatrix().row(2))};
+      engine::Motion dry = fresh;
+      auto emptied = std::make_shared<engine::HeldWater>(*moving.motion.held);
+      for (engine::PocketContent& content : emptied->pockets) content = {};
+      dry.held = emptied;
+      if (lowest_sill(mesh, *fresh.held, state) < 0 || lowest_sill(mesh, *dry.held, state) < 0)
+        continue;
+      const hydro::Loads a = engine::water_loads(moving.body, dry, state, 0);
+      const hydro::Loads b = engine::water_loads(moving.body, fresh, state, 0);
+      EXPECT_LT((a.total().force - b.total().force).norm(), 1e-12 * 2000 * kGravity) << i;
+      EXPECT_LT((a.total().moment - b.total().moment).norm(), 1e-12 * 2000 * kGravity) << i;
+    }
+  }
+  EXPECT_GT(kept, 5000);
 }
 
 }  // namespace
