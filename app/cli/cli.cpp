@@ -254,6 +254,10 @@ void add_hydrostatics(CLI::App& program, Arguments& a) {
       ->type_name("X,Y,Z")
       ->delimiter(',')
       ->expected(3);
+  command
+      ->add_option("--water", o.water,
+                   "Water in the hollows of the upright mesh, shared by their volume [m^3] [none]")
+      ->type_name("M3");
   command->add_option("--heel", a.heels, "Heel angles of the righting arms [deg]")
       ->type_name("FIRST:LAST:STEP")
       ->capture_default_str();

@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/assembly/build.h"
+#include "app/assembly/build_interior.h"
 #include "app/assembly/build_start.h"
 #include "app/assembly/mesh_io.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/terminal_reporter.h"
+#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/interior.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -47,6 +51,48 @@ void check_mesh_options(const HydrostaticsOptions& o) {
   check_positive(o.draught, "--draught", "m");
   check_positive(o.density, "--density", "kg/m^3");
   refuse_if(o.center_of_mass && !o.center_of_mass->allFinite(), "--com", "expected finite numbers");
+  check_positive(o.water, "--water", "m^3");
+}
+
+/// The vertices of the sills to the sea.
+std::vector<Eigen::Vector3d> sill_points(const hydro::TriMesh& mesh_B,
+                                         const hydro::Pockets& division) {
+  std::set<int> vertices;
+  for (const hydro::SillEdge& edge : division.sills)
+    if (edge.other == hydro::kSea) vertices.insert({edge.from, edge.to});
+  std::vector<Eigen::Vector3d> points;
+  for (const int v : vertices) points.emplace_back(mesh_B.vertices.col(v));
+  return points;
+}
+
+/// Closes the mouths of an upright mesh, and puts water into its pockets, to equal parts.
+void make_hollow(const std::optional<double>& water, FloatingBody& body) {
+  const auto interior = hydro::is_convex(body.mesh_B)
+                            ? nullptr
+                            : hydro::make_interior(body.mesh_B, Eigen::Vector3d::UnitZ());
+  refuse_if(water && !interior, "--water", "the upright mesh has no hollow that holds water");
+  if (!interior) return;
+  double capacity = 0;
+  for (const hydro::Pocket& pocket : interior->division.pockets) capacity += pocket.capacity;
+  if (water && *water >= capacity)
+    throw scene::InputError("--water", fmt::format("found {:g}, expected less than the {:g} m^3 "
+                                                   "that the upright mesh holds",
+                                                   *water, capacity));
+  body.flooding_points_B = sill_points(body.mesh_B, interior->division);
+  for (std::size_t i = 0; water && i < interior->pockets.size(); ++i)
+    body.tanks.push_back({.hull = interior->pockets[i],
+                          .volume = *water * interior->division.pockets[i].capacity / capacity});
+  body.mesh_B = hydro::with_closed_mouths(body.mesh_B, interior->division);
+}
+
+/// The sills of a scene's body in its attitude at the start, and its openings.
+std::vector<Eigen::Vector3d> flooding_points(const engine::BodySpec& spec) {
+  if (spec.interior != engine::Interior::flooding || !spec.closed_mesh_B) return {};
+  const Eigen::Vector3d up_B = spec.initial.orientation.toRotationMatrix().row(2);
+  std::vector<Eigen::Vector3d> points =
+      sill_points(spec.mesh_B, hydro::find_pockets(spec.mesh_B, up_B));
+  for (const engine::Opening& opening : spec.openings) points.push_back(opening.at_B);
+  return points;
 }
 
 FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
@@ -57,6 +103,7 @@ FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
                     .com_M = o.center_of_mass.value_or(hydro::solid_properties(mesh).centroid),
                     .density = o.density.value_or(1000)};
   body.mesh_B = hydro::translated(mesh, -body.com_M);
+  make_hollow(o.water, body);
   body.mass = o.mass ? *o.mass : mass_at_draught(body.mesh_B, *o.draught, body.density);
   return body;
 }
@@ -67,6 +114,7 @@ void check_scene_options(const HydrostaticsOptions& o) {
   refuse_if(o.draught.has_value(), "--draught", message);
   refuse_if(o.density.has_value(), "--density", message);
   refuse_if(o.center_of_mass.has_value(), "--com", message);
+  refuse_if(o.water.has_value(), "--water", "is for a mesh; a scene has interior_water");
 }
 
 std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
@@ -85,7 +133,9 @@ std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
     const engine::BodySpec& spec = built.spec.bodies[i];
     if (!spec.coefficients.buoyancy) continue;
     bodies.push_back({.name = spec.name,
-                      .mesh_B = spec.mesh_B,
+                      .mesh_B = engine::outside_B(spec),
+                      .tanks = assembly::tanks_of(spec),
+                      .flooding_points_B = flooding_points(spec),
                       .com_M = built.centers_of_mass[i],
                       .mass = spec.mass,
                       .density = scene.water->density,
@@ -96,10 +146,10 @@ std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   return bodies;
 }
 
-FloatingState state_of(const hydro::TriMesh& mesh_B, double displaced,
-                       const Eigen::Quaterniond& orientation) {
-  FloatingState state{hydro::afloat(mesh_B, displaced, hydro::with_heading(orientation, 0))};
-  state.stability = hydro::stability(mesh_B, state.flotation);
+FloatingState state_of(const FloatingBody& body, const Eigen::Quaterniond& orientation) {
+  FloatingState state{hydro::afloat(body.mesh_B, body.displaced(),
+                                    hydro::with_heading(orientation, 0), body.tanks)};
+  state.stability = hydro::stability(body.mesh_B, state.flotation);
   return state;
 }
 
@@ -116,6 +166,12 @@ void check_that_one_floats(const std::vector<FloatingReport>& reports,
 
 }  // namespace
 
+double FloatingBody::water_inside() const {
+  double sum = 0;
+  for (const hydro::Tank& tank : tanks) sum += tank.volume;
+  return sum;
+}
+
 std::vector<FloatingBody> floating_bodies(const HydrostaticsOptions& options) {
   if (scene::is_scene_file(options.file)) return bodies_of_scene(options);
   return {body_of_mesh(options)};
@@ -123,14 +179,17 @@ std::vector<FloatingBody> floating_bodies(const HydrostaticsOptions& options) {
 
 FloatingReport floating_report(const FloatingBody& body, const std::vector<double>& heels) {
   FloatingReport report{.body = body, .volume = hydro::solid_properties(body.mesh_B).volume};
-  report.not_afloat = assembly::why_not_afloat(body.mass, report.volume, body.density);
+  report.not_afloat =
+      assembly::why_not_afloat(body.density * body.displaced(), report.volume, body.density);
   if (!report.not_afloat.empty()) return report;
-  const double displaced = body.mass / body.density;
-  const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, displaced, body.start);
-  report.start = state_of(body.mesh_B, displaced, body.start);
-  report.rest = state_of(body.mesh_B, displaced, rest.orientation);
+  const hydro::Flotation rest =
+      hydro::equilibrium(body.mesh_B, body.displaced(), body.start, body.tanks);
+  report.start = state_of(body, body.start);
+  report.rest = state_of(body, rest.orientation);
   report.orientation = hydro::with_heading(rest.orientation, hydro::euler_angles(body.start)[2]);
-  report.righting_arms = hydro::righting_arms(body.mesh_B, displaced, heels);
+  report.righting_arms = hydro::righting_arms(body.mesh_B, body.displaced(), heels, body.tanks);
+  report.intact = hydro::intact_stability(
+      report.intact_body(), report.rest.flotation.effective_metacentric_heights()(0, 0));
   return report;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/scene/reader.h"
 #include "hydro/statics/equilibrium.h"
+#include "hydro/statics/intact_stability.h"
 
 /// @file
 /// Floating of free single bodies at rest in still water: computation and output of `plimsoll
@@ -22,6 +23,7 @@ struct HydrostaticsOptions {
   std::optional<double> draught;                  ///< [m]
   std::optional<double> density;                  ///< Density of the water [kg/m^3]; none: 1000.
   std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
+  std::optional<double> water;                    ///< In the pockets of a mesh [m^3]; none: dry.
   std::vector<scene::Override> overrides;         ///< Overrides of a scene.
   std::vector<double> heels;                      ///< Heels of the curve [rad].
   bool json = false;
@@ -35,12 +37,18 @@ int hydrostatics(const HydrostaticsOptions& options);
 /// A body and its water.
 struct FloatingBody {
   std::string name;
-  hydro::TriMesh mesh_B;  ///< Closed; origin at the centre of mass.
+  hydro::TriMesh mesh_B;  ///< Closed, mouths of pockets by lids; origin at the centre of mass.
+  std::vector<hydro::Tank> tanks;                  ///< The water in its pockets.
+  std::vector<Eigen::Vector3d> flooding_points_B;  ///< Sills of its pockets, and openings.
   Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
   double mass = 0;                                            ///< [kg]
   double density = 1000;                                      ///< Density of the water [kg/m^3].
   double gravity = 9.80665;                                   ///< [m/s^2]
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();  ///< R_WB before settling.
+
+  double water_inside() const;  ///< [m^3]
+  /// Displacement of its mass and of the water inside [m^3].
+  double displaced() const { return mass / density + water_inside(); }
 };
 
 /// A body afloat at one attitude. Everything is turned about the vertical so that the horizontal
@@ -58,6 +66,14 @@ struct FloatingReport {
   FloatingState rest;      ///< State at the resulting equilibrium.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB at rest, heading kept.
   std::vector<hydro::RightingArm> righting_arms;
+  hydro::IntactStability intact;
+
+  hydro::IntactBody intact_body() const {
+    return {.mesh_B = body.mesh_B,
+            .volume = body.displaced(),
+            .tanks = body.tanks,
+            .flooding_points_B = body.flooding_points_B};
+  }
 };
 
 /// Returns the bodies that the options name. @throws InputError

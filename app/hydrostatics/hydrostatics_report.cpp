@@ -36,7 +36,7 @@ void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
   const hydro::Hydrostatics& h = f.hydrostatics;
   const double keel = -f.draught - f.height;  // height of the lowest point, in G
   const double size = f.draught;
-  const Eigen::Matrix2d gm = hydro::metacentric_heights(h);
+  const Eigen::Matrix2d gm = f.effective_metacentric_heights();
   const Eigen::Vector2d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(gm, Eigen::EigenvaluesOnly).eigenvalues();
   const Eigen::Matrix2d& second = h.waterplane.second_moment;
@@ -45,9 +45,18 @@ void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
   all.push_back({"second_moment_longitudinal", "m^4", {second(0, 0)}, largest});
   all.push_back({"second_moment_product", "m^4", {second(0, 1)}, largest});
   all.push_back({"kb", "m", {h.centre_of_buoyancy.z() - keel}, size});
-  all.push_back({"kg", "m", {-keel}, size});
+  double kg = -keel, free_surface = 0;
+  for (const hydro::Hydrostatics& tank : f.tanks) {
+    kg += tank.volume / h.volume * tank.centre_of_buoyancy.z();
+    free_surface += tank.waterplane.second_moment(1, 1) / h.volume;
+  }
+  all.push_back({"kg", "m", {kg}, size});
   all.push_back({"bm_t", "m", {second(1, 1) / h.volume}, size});
   all.push_back({"bm_l", "m", {second(0, 0) / h.volume}, size});
+  if (!f.tanks.empty()) {
+    all.push_back({"gm_solid_t", "m", {gm(0, 0) + free_surface}, size});
+    all.push_back({"free_surface_loss_t", "m", {free_surface}, size});
+  }
   all.push_back({"gm_t", "m", {gm(0, 0)}, size});
   all.push_back({"gm_l", "m", {gm(1, 1)}, size});
   all.push_back({"gm_least", "m", {principal[0]}, size});
@@ -58,8 +67,11 @@ void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
 /// pitch.
 void add_stiffness(const FloatingBody& body, const hydro::Flotation& f,
                    std::vector<Quantity>& all) {
-  const Eigen::Matrix3d c =
-      body.density * body.gravity * hydro::restoring_stiffness(f.hydrostatics);
+  Eigen::Matrix3d c = hydro::restoring_stiffness(f.hydrostatics);
+  c.bottomRightCorner<2, 2>() +=
+      f.hydrostatics.volume *
+      (f.effective_metacentric_heights() - hydro::metacentric_heights(f.hydrostatics));
+  c *= body.density * body.gravity;
   const char* const units[] = {"N/m", "N", "N m"};
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
@@ -93,11 +105,24 @@ Json report_json(const FloatingReport& report) {
   json["start"] = state_json(report, report.start, report.body.start);
   json["rest"] = state_json(report, report.rest, report.orientation);
   json["gz"] = Json::array();
-  for (const hydro::RightingArm& arm : report.righting_arms)
-    json["gz"].push_back({{"heel_deg", arm.heel / kDegree},
-                          {"trim_deg", arm.trim / kDegree},
-                          {"draught", arm.draught},
-                          {"gz", arm.lever}});
+  for (const hydro::RightingArm& arm : report.righting_arms) {
+    Json row{{"heel_deg", arm.heel / kDegree},
+             {"trim_deg", arm.trim / kDegree},
+             {"draught", arm.draught},
+             {"gz", arm.lever}};
+    if (const auto freeboard = hydro::flooding_freeboard(report.intact_body(), arm))
+      row["flooding_freeboard"] = *freeboard;
+    json["gz"].push_back(row);
+  }
+  json["downflooding_deg"] = Json();
+  if (report.intact.downflooding) json["downflooding_deg"] = *report.intact.downflooding / kDegree;
+  json["imo_criteria"] = Json::array();
+  for (const hydro::Criterion& c : report.intact.criteria)
+    json["imo_criteria"].push_back({{"name", c.name},
+                                    {"value", c.value},
+                                    {"least", c.least},
+                                    {"unit", c.unit},
+                                    {"met", c.met()}});
   return json;
 }
 
@@ -116,7 +141,17 @@ void write_curve(const FloatingReport& report, std::string& csv) {
     csv += fmt::format("{}gz,{},{},m\n", head, heel, arm.lever);
     csv += fmt::format("{}trim_deg,{},{},deg\n", head, heel, arm.trim / kDegree);
     csv += fmt::format("{}draught,{},{},m\n", head, heel, arm.draught);
+    if (const auto freeboard = hydro::flooding_freeboard(report.intact_body(), arm))
+      csv += fmt::format("{}flooding_freeboard,{},{},m\n", head, heel, *freeboard);
   }
+}
+
+void write_criteria(const FloatingReport& report, std::string& csv) {
+  if (report.intact.downflooding)
+    csv += fmt::format("{},imo,downflooding_deg,,{},deg\n", report.body.name,
+                       *report.intact.downflooding / kDegree);
+  for (const hydro::Criterion& c : report.intact.criteria)
+    csv += fmt::format("{},imo,{},,{},{}\n", report.body.name, c.name, c.value, c.unit);
 }
 
 std::string shown(double value, double scale) {
@@ -142,12 +177,30 @@ void write_lines(const std::vector<std::vector<Quantity>>& columns, std::string&
 
 void write_curve_table(const FloatingReport& report, std::string& table) {
   if (report.righting_arms.empty()) return;
-  table += fmt::format("\n  {:>10}{:>14}{:>12}{:>12}\n", "heel [deg]", "GZ [m]", "trim [deg]",
-                       "draught [m]");
-  for (const hydro::RightingArm& arm : report.righting_arms)
-    table += fmt::format("  {:>10}{:>14}{:>12}{:>12}\n", shown(arm.heel / kDegree, 1),
+  const bool may_flood = !report.body.flooding_points_B.empty();
+  table += fmt::format("\n  {:>10}{:>14}{:>12}{:>12}{}\n", "heel [deg]", "GZ [m]", "trim [deg]",
+                       "draught [m]", may_flood ? "  to flooding [m]" : "");
+  for (const hydro::RightingArm& arm : report.righting_arms) {
+    table += fmt::format("  {:>10}{:>14}{:>12}{:>12}", shown(arm.heel / kDegree, 1),
                          shown(arm.lever, arm.draught), shown(arm.trim / kDegree, 1),
                          shown(arm.draught, 1));
+    if (const auto freeboard = hydro::flooding_freeboard(report.intact_body(), arm))
+      table += *freeboard > 0 ? fmt::format("{:>17}", shown(*freeboard, 1))
+                              : fmt::format("{:>17}", "floods");
+    table += '\n';
+  }
+  if (!may_flood) return;
+  table += report.intact.downflooding ? fmt::format("  downflooding at a heel of {} deg\n",
+                                                    shown(*report.intact.downflooding / kDegree, 1))
+                                      : std::string("  no downflooding up to a heel of 60 deg\n");
+}
+
+void write_criteria_table(const FloatingReport& report, std::string& table) {
+  table += fmt::format("\n  {:<42}{:>10}  {:>12}\n", "IMO intact stability (2008 IS Code, A 2.2)",
+                       "", "required");
+  for (const hydro::Criterion& c : report.intact.criteria)
+    table += fmt::format("  {:<42}{:>10.4g}  {:>12}  {:<6}{}\n", c.name, c.value,
+                         fmt::format(">= {:g}", c.least), c.unit, c.met() ? "" : "NOT MET");
 }
 
 void write_table(const FloatingReport& report, std::string& table) {
@@ -163,6 +216,7 @@ void write_table(const FloatingReport& report, std::string& table) {
                state_quantities(report.body, report.rest, report.orientation)},
               table);
   write_curve_table(report, table);
+  write_criteria_table(report, table);
 }
 
 /// Explanation of the names in the table.
@@ -172,7 +226,8 @@ const char* const kLegend =
     "t about the\nhorizontal axis along the mesh's x axis, l about the one across. c33…c55: "
     "restoring stiffness in heave,\nroll and pitch about the centre of mass, those axes. GZ: "
     "rights "
-    "a positive heel if positive.\n";
+    "a positive heel if positive. Hollows count as closed by lids: volume and water_inside are\n"
+    "those of the outside and of the water in them.\n";
 
 }  // namespace
 
@@ -184,7 +239,8 @@ std::vector<Quantity> body_quantities(const FloatingReport& report) {
           {"volume", "m^3", {report.volume}, 0},
           {"water_density", "kg/m^3", {body.density}},
           {"gravity", "m/s^2", {body.gravity}},
-          {"reserve_buoyancy", "1", {1 - body.mass / (body.density * report.volume)}}};
+          {"reserve_buoyancy", "1", {1 - body.displaced() / report.volume}},
+          {"water_inside", "m^3", {body.water_inside()}}};
 }
 
 std::vector<Quantity> state_quantities(const FloatingBody& body, const FloatingState& state,
@@ -238,6 +294,7 @@ std::string floating_csv(const std::vector<FloatingReport>& reports) {
     write_rows(name, "start", state_quantities(report.body, report.start, report.body.start), csv);
     write_rows(name, "rest", state_quantities(report.body, report.rest, report.orientation), csv);
     write_curve(report, csv);
+    write_criteria(report, csv);
   }
   return csv;
 }

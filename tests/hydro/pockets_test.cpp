@@ -11,7 +11,6 @@
 namespace {
 
 using hydro::find_pockets;
-using hydro::kSea;
 using hydro::Pockets;
 
 const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
@@ -29,7 +28,7 @@ TEST(Pockets, AnOpenBoxHoldsItsInnerVolumeUpToItsRim) {
   EXPECT_NEAR(found.pockets[0].capacity, 1.9 * 0.9 * 0.95, 1e-14);
   EXPECT_EQ(found.pockets[0].faces.size(), 10u);
   EXPECT_EQ(found.sills.size(), 4u);
-  for (const hydro::SillEdge& sill : found.sills) EXPECT_EQ(sill.other, kSea);
+  for (const hydro::SillEdge& sill : found.sills) EXPECT_EQ(sill.other, hydro::kSea);
 }
 
 TEST(Pockets, ATiltedBoxHoldsAPrism) {
@@ -57,7 +56,7 @@ TEST(Pockets, AWallBelowTheRimDividesThem) {
   double to_sea = HUGE_VAL, between = HUGE_VAL;
   const hydro::TriMesh mesh = support::divided_box(0.6);
   for (const hydro::SillEdge& sill : found.sills) {
-    double& lowest = sill.other == kSea ? to_sea : between;
+    double& lowest = sill.other == hydro::kSea ? to_sea : between;
     lowest = std::min({lowest, mesh.vertices(2, sill.from), mesh.vertices(2, sill.to)});
   }
   EXPECT_EQ(to_sea, 1);
