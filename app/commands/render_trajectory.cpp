@@ -10,9 +10,12 @@
 #include "app/base/interrupt.h"
 #include "app/base/progress.h"
 #include "app/base/thread_count.h"
+#include "app/logs/interior_csv.h"
 #include "app/logs/output_folder.h"
 #include "app/logs/read_log.h"
+#include "app/logs/run_files.h"
 #include "app/logs/trajectory_match.h"
+#include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
@@ -22,13 +25,22 @@ namespace app {
 namespace {
 
 /// Selects the logged states that a run of the scene would have drawn.
-ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows, const scene::Scene& scene,
+ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows,
+                          const InteriorLog& interiors, const scene::Scene& scene,
                           const engine::SimulationSpec& spec, const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
   ShotSelector shots(scene.render->every, end, video.pictures_a_second());
-  for (std::size_t i = 0; i < rows; ++i) shots.add(times[i], states_at(trajectory, spec, i));
+  for (std::size_t i = 0; i < rows; ++i)
+    shots.add(times[i], states_at(trajectory, spec, i),
+              [&] { return drawn_interiors(interiors, spec, times[i]); });
   return shots;
+}
+
+/// The log of the water inside beside a trajectory; empty if there is none.
+InteriorLog interiors_beside(const std::filesystem::path& trajectory) {
+  const std::filesystem::path file = trajectory.parent_path() / kInteriorLog;
+  return std::filesystem::exists(file) ? read_interior_csv(file) : InteriorLog();
 }
 
 void say_what_was_drawn(const PictureReport& report, const ShotSpool& shots,
@@ -53,8 +65,8 @@ int render_trajectory(const RenderOptions& options) {
   const std::filesystem::path file = trajectory_of(options.trajectory);
   const Trajectory trajectory = read_trajectory(file);
   check_same_bodies(trajectory, built.spec, file);
-  const ShotSelector list =
-      choose_shots(trajectory, common_rows(trajectory, file), scene, built.spec, options.video);
+  const ShotSelector list = choose_shots(trajectory, common_rows(trajectory, file),
+                                         interiors_beside(file), scene, built.spec, options.video);
   const ShotSpool& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;

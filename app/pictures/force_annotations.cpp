@@ -67,7 +67,8 @@ std::string force_text(double newtons) {
 ForceAnnotations::ForceAnnotations(const scene::Render& look, const engine::SimulationSpec& spec)
     : look_(look), spec_(spec) {
   if (!look.show.forces) return;
-  for (const engine::BodySpec& body : spec.bodies) hulls_.push_back(hydro::make_hull(body.mesh_B));
+  for (const engine::BodySpec& body : spec.bodies)
+    hulls_.push_back(hydro::make_hull(engine::outside_B(body)));
 }
 
 void ForceAnnotations::include(const Shot& shot) {
@@ -103,9 +104,10 @@ void ForceAnnotations::add_forces(std::size_t body, const Shot& shot, double sca
   for (const NamedForce& force :
        forces_on(spec_.bodies[body], hulls_[body], spec_, state, shot.time)) {
     if (force.wrench.force.norm() < kShortest * largest_) continue;
-    const auto centre = force.name == kBuoyancy ? centre_of_buoyancy(spec_.bodies[body].mesh_B,
-                                                                     state, *spec_.sea, shot.time)
-                                                : std::nullopt;
+    const auto centre = force.name == kBuoyancy
+                            ? centre_of_buoyancy(engine::outside_B(spec_.bodies[body]), state,
+                                                 *spec_.sea, shot.time)
+                            : std::nullopt;
     const Vector3d from = centre ? *centre : state.position + point_on_line(force.wrench);
     notes.arrows.push_back({from, from + scale * force.wrench.force, force.color});
   }
@@ -116,7 +118,8 @@ void ForceAnnotations::add_centres(std::size_t body, const Shot& shot,
   const hydro::BodyState& state = shot.states[body];
   notes.marks.push_back({state.position, "G", {30, 30, 35}});
   if (!spec_.sea) return;
-  const auto centre = centre_of_buoyancy(spec_.bodies[body].mesh_B, state, *spec_.sea, shot.time);
+  const auto centre =
+      centre_of_buoyancy(engine::outside_B(spec_.bodies[body]), state, *spec_.sea, shot.time);
   if (centre) notes.marks.push_back({*centre, "B", {20, 90, 200}, true});
 }
 

@@ -12,6 +12,7 @@
 #include "app/base/program_files.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/force_annotations.h"
+#include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pressure_range.h"
 #include "app/render/annotation.h"
@@ -89,7 +90,7 @@ class Drawing {
       finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,
                      of_video = shot.video, file, view = renderer_.view(), grid = renderer_.grid(),
                      notes = notes_.of(shot, render::picture_size(renderer_.view())),
-                     image = renderer_.draw(shot.states, shot.time)]() mutable {
+                     image = renderer_.draw(shot.states, shot.time, shot.interiors)]() mutable {
         render::annotate(image, view, notes);
         if (is_frame) sheet.add(image, time);
         render::add_legend(image, view, notes);
@@ -148,9 +149,12 @@ render::SceneDescription picture_of(const scene::Scene& scene, const engine::Sim
                                    .bold_waterline = look.show.waterline,
                                    .wireframe = look.show.wireframe};
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-    picture.bodies.push_back({.mesh_B = spec.bodies[i].mesh_B,
-                              .color = scene.bodies[i].color,
-                              .coefficients = spec.bodies[i].coefficients});
+    picture.bodies.push_back(
+        {.mesh_B = spec.bodies[i].mesh_B,
+         .color = scene.bodies[i].color,
+         .coefficients = spec.bodies[i].coefficients,
+         .hollows = hollows_of(spec.bodies[i]),
+         .up_B = spec.bodies[i].initial.orientation.conjugate() * Eigen::Vector3d::UnitZ()});
   if (const auto* plane = std::get_if<engine::PlaneGround>(&spec.ground))
     picture.ground_z = plane->z;
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))

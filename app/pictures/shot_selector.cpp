@@ -4,10 +4,12 @@
 
 namespace app {
 
-void ShotSelector::add(double time, const std::vector<hydro::BodyState>& states) {
+void ShotSelector::add(double time, const std::vector<hydro::BodyState>& states,
+                       const FindInteriors& interiors) {
   const bool frame = frames_.due(time);
-  const bool video = fps_ > 0 && add_video_shots(time, states);
-  if (frame || video) shots_.add({time, states, frame, video});
+  const bool video = fps_ > 0 && add_video_shots(time, states, interiors);
+  if (frame || video)
+    shots_.add({time, states, frame, video, interiors ? interiors() : render::Interiors()});
   if (fps_ == 0) return;
   last_time_ = time;
   last_ = states;
@@ -26,7 +28,8 @@ void ShotSelector::resume(double time, const std::vector<hydro::BodyState>& stat
 
 /// Adds the shots of the video that are due before `time` [s]. @return true if one is due at
 /// `time`.
-bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodyState>& states) {
+bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodyState>& states,
+                                   const FindInteriors& interiors) {
   for (;; ++next_) {
     const double due = static_cast<double>(next_) / fps_;
     if (due > time + slack() || !is_frame_time(due, end_)) return false;
@@ -34,17 +37,20 @@ bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodySta
       ++next_;
       return true;
     }
-    if (!last_.empty() || states.empty()) add_between(due, time, states);
+    if (last_.empty() && !states.empty()) continue;
+    Shot shot = between_states(due, time, states);
+    if (interiors) shot.interiors = interiors();
+    shots_.add(shot);
   }
 }
 
-void ShotSelector::add_between(double due, double time,
-                               const std::vector<hydro::BodyState>& states) {
+Shot ShotSelector::between_states(double due, double time,
+                                  const std::vector<hydro::BodyState>& states) const {
   Shot shot{.time = due, .states = {}, .frame = false, .video = true};
   const double interval = time - last_time_;
   for (std::size_t i = 0; i < states.size(); ++i)
     shot.states.push_back(between(last_[i], states[i], interval, (due - last_time_) / interval));
-  shots_.add(shot);
+  return shot;
 }
 
 }  // namespace app

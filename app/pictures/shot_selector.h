@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -25,8 +26,13 @@ class ShotSelector {
   /// Flushes the shots to the disk. @throws OutputError
   void save() { shots_.save(); }
 
-  /// Takes the run's next state; times must increase. @throws OutputError
-  void add(double time, const std::vector<hydro::BodyState>& states);
+  /// Finds the water in the bodies' hollows, if it is drawn.
+  using FindInteriors = std::function<render::Interiors()>;
+
+  /// Takes the run's next state; times must increase. Pictures between two states have the water of
+  /// the later one. @throws OutputError
+  void add(double time, const std::vector<hydro::BodyState>& states,
+           const FindInteriors& interiors = {});
 
   /// Returns the shots in the order of time.
   const ShotSpool& shots() const { return shots_; }
@@ -34,8 +40,9 @@ class ShotSelector {
  private:
   /// Tolerance for the rounding of step·count at times of the video [s].
   double slack() const { return 1e-6 / fps_; }
-  bool add_video_shots(double time, const std::vector<hydro::BodyState>& states);
-  void add_between(double due, double time, const std::vector<hydro::BodyState>& states);
+  bool add_video_shots(double time, const std::vector<hydro::BodyState>& states,
+                       const FindInteriors& interiors);
+  Shot between_states(double due, double time, const std::vector<hydro::BodyState>& states) const;
 
   FrameSchedule frames_;
   double end_;

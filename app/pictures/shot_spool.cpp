@@ -22,9 +22,46 @@ constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
   throw OutputError(fmt::format("{} the states to be drawn: {}", what, std::strerror(errno)));
 }
 
-/// Returns the count of numbers in a shot: the time, the flags for frames and video, and the
-/// states.
-std::size_t numbers_in(std::size_t bodies) { return 3 + bodies * kStateSize; }
+/// Numbers at the start of a shot: the time, the flags for frames and video, the number of waters.
+constexpr std::size_t kHeadSize = 4;
+
+/// Numbers of the water in a pocket: the body, a point, the level, and whether it is flooded.
+constexpr std::size_t kWaterSize = 6;
+
+using Numbers = std::vector<double>;
+
+std::size_t count_waters(const render::Interiors& interiors) {
+  std::size_t waters = 0;
+  for (const auto& pockets : interiors) waters += pockets.size();
+  return waters;
+}
+
+Numbers numbers_of(const Shot& shot) {
+  Numbers numbers = {shot.time, shot.frame ? 1.0 : 0.0, shot.video ? 1.0 : 0.0,
+                     static_cast<double>(count_waters(shot.interiors))};
+  for (const hydro::BodyState& state : shot.states) {
+    const StateRow row = row_of(state);
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  }
+  for (std::size_t i = 0; i < shot.interiors.size(); ++i)
+    for (const render::PocketLook& water : shot.interiors[i])
+      numbers.insert(numbers.end(), {static_cast<double>(i), water.at_W.x(), water.at_W.y(),
+                                     water.at_W.z(), water.level, water.flooded ? 1.0 : 0.0});
+  return numbers;
+}
+
+/// Fills in what follows the head of a shot.
+void read_rest(const double* next, std::size_t bodies, std::size_t waters, Shot& shot) {
+  for (std::size_t i = 0; i < bodies; ++i, next += kStateSize) {
+    StateRow row;
+    std::copy_n(next, kStateSize, row.begin());
+    shot.states.push_back(state_of(row));
+  }
+  if (waters > 0) shot.interiors.resize(bodies);
+  for (std::size_t i = 0; i < waters; ++i, next += kWaterSize)
+    shot.interiors[static_cast<std::size_t>(next[0])].push_back(
+        {.at_W = {next[1], next[2], next[3]}, .level = next[4], .flooded = next[5] != 0});
+}
 
 }  // namespace
 
@@ -32,16 +69,37 @@ ShotSpool::ShotSpool(const std::filesystem::path& file, std::size_t kept, std::s
     : file_(std::fopen(file.c_str(), kept > 0 ? "r+b" : "w+b")), bodies_(bodies) {
   if (!file_)
     throw scene::InputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
-  const std::size_t bytes = kept * numbers_in(bodies) * sizeof(double);
-  if (std::filesystem::file_size(file) < bytes)
-    throw scene::InputError(file, "is shorter than when its checkpoint was written");
-  std::filesystem::resize_file(file, bytes);
-  for (size_ = 0; size_ < kept;) {
-    ++size_;
-    const Shot shot = at(size_ - 1);
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  const auto refuse_short = [&](long needed) {
+    if (size < static_cast<std::uintmax_t>(needed))
+      throw scene::InputError(file, "is shorter than when its checkpoint was written");
+  };
+  while (size_ < kept) {
+    refuse_short(places_.back() + static_cast<long>(kHeadSize * sizeof(double)));
+    places_.push_back(end_of(size_));
+    refuse_short(places_.back());
+    const Shot shot = at(size_++);
     frames_ += shot.frame;
     of_video_ += shot.video;
   }
+  std::filesystem::resize_file(file, static_cast<std::uintmax_t>(places_.back()));
+}
+
+/// Reads numbers of the file. @throws OutputError
+std::vector<double> ShotSpool::read(long place, std::size_t count) const {
+  std::vector<double> numbers(count);
+  if (std::fseek(file_.get(), place, SEEK_SET) != 0 ||
+      std::fread(numbers.data(), sizeof(double), count, file_.get()) != count)
+    refuse("cannot read");
+  return numbers;
+}
+
+/// Place of the end of a shot, by its head.
+long ShotSpool::end_of(std::size_t number) const {
+  const Numbers head = read(places_[number], kHeadSize);
+  const std::size_t numbers =
+      kHeadSize + bodies_ * kStateSize + static_cast<std::size_t>(head[3]) * kWaterSize;
+  return places_[number] + static_cast<long>(numbers * sizeof(double));
 }
 
 void ShotSpool::save() {
@@ -55,33 +113,24 @@ void ShotSpool::add(const Shot& shot) {
     bodies_ = shot.states.size();
   }
   assert(shot.states.size() == bodies_);
-  std::vector<double> numbers = {shot.time, shot.frame ? 1.0 : 0.0, shot.video ? 1.0 : 0.0};
-  for (const hydro::BodyState& state : shot.states) {
-    const StateRow row = row_of(state);
-    numbers.insert(numbers.end(), row.begin(), row.end());
-  }
+  const Numbers numbers = numbers_of(shot);
   if (std::fseek(file_.get(), 0, SEEK_END) != 0 ||
       std::fwrite(numbers.data(), sizeof(double), numbers.size(), file_.get()) != numbers.size() ||
       std::fflush(file_.get()) != 0)
     refuse("cannot keep");
+  places_.push_back(places_.back() + static_cast<long>(numbers.size() * sizeof(double)));
   ++size_;
   frames_ += shot.frame;
   of_video_ += shot.video;
 }
 
 Shot ShotSpool::at(std::size_t number) const {
-  assert(number < size_);
-  std::vector<double> numbers(numbers_in(bodies_));
-  const auto place = static_cast<long>(number * numbers.size() * sizeof(double));
-  if (std::fseek(file_.get(), place, SEEK_SET) != 0 ||
-      std::fread(numbers.data(), sizeof(double), numbers.size(), file_.get()) != numbers.size())
-    refuse("cannot read");
+  assert(number + 1 < places_.size());
+  const auto count =
+      static_cast<std::size_t>(places_[number + 1] - places_[number]) / sizeof(double);
+  const Numbers numbers = read(places_[number], count);
   Shot shot{.time = numbers[0], .states = {}, .frame = numbers[1] != 0, .video = numbers[2] != 0};
-  for (std::size_t i = 0; i < bodies_; ++i) {
-    StateRow row;
-    std::copy_n(&numbers[numbers_in(i)], kStateSize, row.begin());
-    shot.states.push_back(state_of(row));
-  }
+  read_rest(&numbers[kHeadSize], bodies_, static_cast<std::size_t>(numbers[3]), shot);
   return shot;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/render/interior_look.h"
 #include "hydro/spatial.h"
 
 namespace app {
@@ -13,8 +14,9 @@ namespace app {
 struct Shot {
   double time = 0;  ///< [s]
   std::vector<hydro::BodyState> states;
-  bool frame = true;   ///< True: the shot is drawn for `frames/` and the sheet.
-  bool video = false;  ///< True: the shot is drawn for the video.
+  bool frame = true;                 ///< True: the shot is drawn for `frames/` and the sheet.
+  bool video = false;                ///< True: the shot is drawn for the video.
+  render::Interiors interiors = {};  ///< The water in the bodies' hollows; empty: they are dry.
 
   bool operator==(const Shot&) const = default;
 };
@@ -45,8 +47,12 @@ class ShotSpool {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  std::vector<double> read(long place, std::size_t count) const;
+  long end_of(std::size_t number) const;
+
   std::unique_ptr<std::FILE, Close> file_;  ///< None before the first shot.
   std::size_t bodies_ = 0;
+  std::vector<long> places_ = {0};  ///< Of the shots in the file, and its end [bytes].
   std::size_t size_ = 0, frames_ = 0, of_video_ = 0;
 };
 

@@ -35,6 +35,7 @@ constexpr double kFiner = 0.5;
 
 /// A body on the graphics device.
 struct DrawnBody {
+  hydro::TriMesh mesh_B;  ///< What the skin was made of.
   ShadedMesh skin_B;
   GlMesh mesh;
   std::optional<GlMesh> edges;
@@ -49,14 +50,14 @@ double round_length(double length) {
 }
 
 DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double longest_edge) {
-  ShadedMesh skin = make_shaded_mesh(std::isfinite(longest_edge)
-                                         ? subdivided(look.mesh_B, longest_edge, kMostFaces)
-                                         : look.mesh_B);
+  hydro::TriMesh mesh_B =
+      std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces) : look.mesh_B;
+  ShadedMesh skin = make_shaded_mesh(mesh_B);
   GlMesh mesh(gl, skin.triangles);
   mesh.set(0, skin.vertices.cast<float>());
   mesh.set(1, skin.normals.cast<float>());
   mesh.set(3, openness(look.mesh_B, skin));
-  return {std::move(skin), std::move(mesh), std::nullopt};
+  return {std::move(mesh_B), std::move(skin), std::move(mesh), std::nullopt};
 }
 
 GlMesh make_edges(const GlFunctions& gl, const hydro::TriMesh& mesh_B) {
@@ -106,7 +107,7 @@ struct Renderer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  Image draw(const std::vector<hydro::BodyState>& states, double time);
+  Image draw(const std::vector<hydro::BodyState>& states, double time, const Interiors& interiors);
   void look(const Camera& camera);
   void resize(int width, int height);
 
@@ -118,9 +119,12 @@ struct Renderer::Impl {
   double line_unit() const { return std::max(1.0, picture_.height / 720.0); }
   void draw_sky(double time) const;
   void draw_ground(double time) const;
+  void find_interiors(const std::vector<hydro::BodyState>& states, const Interiors& interiors);
   void draw_bodies(const std::vector<hydro::BodyState>& states, double time);
   void draw_body(std::size_t index, const hydro::BodyState& state, double time,
                  const hydro::AiryWaves& waves);
+  void draw_level(const Triangles& triangles_W, double nearer) const;
+  void draw_hollows(double time) const;
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
   void draw_water(double time);
 
@@ -133,7 +137,8 @@ struct Renderer::Impl {
   GlMesh nothing_;  ///< Vertices that a shader places by their indices.
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
-  double bodies_edge_ = 0;  ///< Longest edge of the bodies' meshes [m].
+  std::vector<std::optional<InteriorLook>> interiors_;  ///< Of this picture; none without pockets.
+  double bodies_edge_ = 0;                              ///< Longest edge of the bodies' meshes [m].
   std::vector<GlMesh> grounds_;
   std::optional<WaterSurface> surface_;
   std::optional<GlMesh> surface_mesh_;
@@ -250,7 +255,8 @@ void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state,
     const hydro::Sea& sea = *picture_.sea;
     const Eigen::Matrix3Xd points_W =
         (R_WB * body.skin_B.vertices).eval().colwise() + state.position;
-    const VertexWater water = vertex_water(sea, waves, points_W, time);
+    VertexWater water = vertex_water(sea, waves, points_W, time);
+    if (interiors_[index]) interiors_[index]->set_water(body.skin_B, sea, water);
     Eigen::MatrixXf heights(2, points_W.cols());
     heights << water.depths.cast<float>(), water.heads.cast<float>();
     body.mesh.set(2, heights);
@@ -286,6 +292,46 @@ void Renderer::Impl::draw_edges(const std::vector<hydro::BodyState>& states, dou
   gl_.Disable(GL_BLEND);
 }
 
+/// The pockets of each body that may have some.
+void Renderer::Impl::find_interiors(const std::vector<hydro::BodyState>& states,
+                                    const Interiors& interiors) {
+  interiors_ = std::vector<std::optional<InteriorLook>>(states.size());
+  for (std::size_t i = 0; picture_.sea && i < states.size(); ++i) {
+    const BodyAppearance& look = picture_.bodies[i];
+    if (look.hollows == Hollows::none) continue;
+    const Vector3d up_B = look.hollows == Hollows::dry
+                              ? look.up_B
+                              : Vector3d(states[i].orientation.toRotationMatrix().row(2));
+    static const std::vector<PocketLook> kDry;
+    interiors_[i].emplace(bodies_[i].mesh_B, up_B, states[i],
+                          i < interiors.size() ? interiors[i] : kDry);
+    if (!interiors_[i]->has_pockets()) interiors_[i].reset();
+  }
+}
+
+/// Draws level triangles, moved toward the eye by a part of their distance.
+void Renderer::Impl::draw_level(const Triangles& triangles_W, double nearer) const {
+  if (triangles_W.cols() == 0) return;
+  Eigen::Matrix3Xi corners(3, triangles_W.cols() / 3);
+  for (Index i = 0; i < triangles_W.cols(); ++i) corners(i % 3, i / 3) = static_cast<int>(i);
+  GlMesh mesh(gl_, corners);
+  mesh.set(0, ((1 - nearer) * (triangles_W.colwise() - view_.eye_W)).cast<float>());
+  mesh.set(1, Eigen::Matrix2Xf::Zero(2, triangles_W.cols()));
+  mesh.draw();
+}
+
+/// Draws the water in hollows, and puts lids of depth alone over those that the sea does not fill,
+/// so that its surface does not appear there.
+void Renderer::Impl::draw_hollows(double time) const {
+  constexpr double kNearer = 2e-3;
+  for (const auto& interior : interiors_)
+    if (interior) draw_level(interior->surfaces(), 0);
+  gl_.BlendFunc(GL_ZERO, GL_ONE);
+  for (const auto& interior : interiors_)
+    if (interior) draw_level(interior->openings(*picture_.sea, time), kNearer);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 void Renderer::Impl::draw_water(double time) {
   const Eigen::MatrixXf vertices = surface_->vertices(time);
   surface_mesh_->set(0, vertices.topRows<3>().eval());
@@ -299,6 +345,7 @@ void Renderer::Impl::draw_water(double time) {
   gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, canvas_->depth_copy());
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  draw_hollows(time);
   // Depth is written and cells are drawn from near to far, so that near waves hide those behind
   // them.
   surface_mesh_->draw();
@@ -320,9 +367,11 @@ void Renderer::Impl::draw_bodies(const std::vector<hydro::BodyState>& states, do
   for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time, waves);
 }
 
-Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time) {
+Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time,
+                           const Interiors& interiors) {
   assert(states.size() == bodies_.size());
   context_.make_current();
+  find_interiors(states, interiors);
   canvas_->begin();
   draw_sky(time);
   draw_ground(time);
@@ -354,8 +403,9 @@ void Renderer::resize(int width, int height) { impl_->resize(width, height); }
 
 void Renderer::show_pressures(const PressureScale& scale) { impl_->picture_.pressure = scale; }
 
-Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time) {
-  return impl_->draw(states, time);
+Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time,
+                     const Interiors& interiors) {
+  return impl_->draw(states, time, interiors);
 }
 
 }  // namespace render

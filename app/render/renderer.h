@@ -9,6 +9,7 @@
 
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
+#include "app/render/interior_look.h"
 #include "app/render/view.h"
 #include "hydro/loads/coefficients.h"
 #include "hydro/mesh/mesh.h"
@@ -35,6 +36,8 @@ struct BodyAppearance {
   hydro::TriMesh mesh_B;
   Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< Colour of the dry surface, RGB 0 … 1.
   hydro::Coefficients coefficients;         ///< Coefficients of the dynamic pressure.
+  Hollows hollows = Hollows::none;
+  Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  ///< The vertical for `Hollows::dry`.
 };
 
 /// Settings of a sequence; the bodies' states and the time are given for each picture.
@@ -84,8 +87,10 @@ class Renderer {
 
   /// Draws a picture without text. `add_overlay` (overlay.h) adds time and pressure scale;
   /// `ContactSheet` (sheet.h) takes the picture without them.
-  /// @param states   States in the order of `SceneDescription::bodies`.
-  Image draw(const std::vector<hydro::BodyState>& states, double time);
+  /// @param states      States in the order of `SceneDescription::bodies`.
+  /// @param interiors   The water in their hollows, in the same order; empty: they are dry.
+  Image draw(const std::vector<hydro::BodyState>& states, double time,
+             const Interiors& interiors = {});
 
  private:
   struct Impl;

@@ -24,6 +24,7 @@
 #include "app/logs/make_log.h"
 #include "app/logs/output_folder.h"
 #include "app/logs/run_files.h"
+#include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/shot_selector.h"
@@ -240,7 +241,9 @@ class Run {
       log(time);
       summary_.wall_log += clock.seconds();
     }
-    if (wants_pictures()) shots_.add(time, simulation_.states());
+    if (wants_pictures())
+      shots_.add(time, simulation_.states(),
+                 [this] { return drawn_interiors(simulation_.interiors()); });
   }
 
   /// Queues a row per body and per probe for the log.

@@ -13,8 +13,9 @@ void read_interior(MapReader& map, Body& body) {
   map.blocks("interior_water", body.interior_water);
   map.blocks("openings", body.openings);
   if (body.interior == Interior::flooding) return;
-  for (const char* key : {"interior_water", "openings"})
-    if (map.has(key)) map.fault(key, "needs interior: flooding, by which water is kept inside");
+  const std::string needed = "needs interior: flooding, with which hollows take up water";
+  if (!body.interior_water.empty()) map.fault("interior_water", needed);
+  if (!body.openings.empty()) map.fault("openings", needed);
 }
 
 void read(MapReader& map, InteriorWater& water) {

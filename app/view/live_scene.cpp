@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/base/program_files.h"
+#include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
 #include "app/render/overlay.h"
 
@@ -65,7 +66,11 @@ long LiveScene::advance(long steps, double longest) {
   return taken;
 }
 
-Shot LiveScene::now() const { return {.time = simulation_.time(), .states = simulation_.states()}; }
+Shot LiveScene::now() const {
+  return {.time = simulation_.time(),
+          .states = simulation_.states(),
+          .interiors = drawn_interiors(simulation_.interiors())};
+}
 
 void LiveScene::grow_scale(const Shot& now) {
   if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return;
@@ -96,7 +101,7 @@ render::Image LiveScene::picture(const render::Camera& camera, int width, int he
   make_ready(shot, camera, width, height);
   const render::View& view = renderer_->view();
   const render::Annotations notes = notes_.of(shot, render::picture_size(view));
-  render::Image image = renderer_->draw(shot.states, shot.time);
+  render::Image image = renderer_->draw(shot.states, shot.time, shot.interiors);
   render::annotate(image, view, notes);
   render::add_legend(image, view, notes);
   std::vector<std::string> more;
