@@ -46,10 +46,10 @@ std::optional<double> volume_in(const hydro::Interior& interior, int pocket,
   if (volume > 0 && volume <= capacity * (1 + 1e-9)) return volume;
   const char* key = water.level ? ".level" : ".volume";
   log.faults.add(log.scene.places, path + key,
-                 volume > 0 ? fmt::format("gives {:.6g} m^3 of water to a pocket that holds {:.6g} "
+                 volume > 0 ? fmt::format("gives {:.6g} m^3 of water to a hollow that holds {:.6g} "
                                           "m^3 at the start",
                                           volume, capacity)
-                            : std::string("is below the pocket: there would be no water"));
+                            : std::string("is below the hollow: there would be no water"));
   return std::nullopt;
 }
 

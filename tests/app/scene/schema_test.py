@@ -39,6 +39,8 @@ UNSEEN = [
     r"found a table", r"of a table is horizontal", r"expected a greater depth",
     r"one for each depth",
     r"at least the lowest frequency", r"which is below the bottom", r"needs water, and the scene",
+    r"needs interior: flooding", r"hollow that holds", r"is below the hollow", r"the far side of",
+    r"the same water on both sides",
 ]
 
 
