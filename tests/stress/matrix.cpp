@@ -18,6 +18,8 @@ std::vector<RunName> bases() {
            "shape=needle density=0.5 size=10 speed=30 spin=10",
            "shape=ball density=8 size=0.001 speed=300 step=1/15",
            "shape=teapot density=0.5 size=1 speed=1 water=steep",
+           "shape=tub density=0.3 size=1 speed=1 pose=flat start=half water=steep",
+           "shape=tank density=0.3 size=1 speed=10 spin=3",
            "shape=ball density=0.1 start=deep speed=0 with=pinned",
            "shape=cube density=2 speed=0 pose=flat start=half with=floor",
            "shape=cube density=2 speed=0 pose=flat start=half with=stack",

@@ -32,7 +32,7 @@ const Dimension& dimension_named(const std::string& name) {
 
 const std::vector<Dimension>& dimensions() {
   static const std::vector<Dimension> all = {
-      {Key::shape, "shape", {"cube", "ball", "shell", "plate", "needle", "teapot"}},
+      {Key::shape, "shape", {"cube", "ball", "shell", "plate", "needle", "tub", "tank", "teapot"}},
       {Key::density,
        "density",
        {"0.5", "1e-6", "0.001", "0.01", "0.1", "0.99", "1", "1.01", "2", "8", "20"}},

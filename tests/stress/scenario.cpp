@@ -64,6 +64,8 @@ double height(const RunName& run, double size, double reach_down) {
 engine::BodySpec make_body(const RunName& run, const Shape& shape, double size,
                            const hydro::Sea& sea) {
   engine::BodySpec body{.name = "body", .mesh_B = shape.mesh_B};
+  body.interior = engine::Interior::flooding;
+  body.closed_mesh_B = shape.closed_mesh_B;
   body.mass = run.number(Key::density) * kWater * shape.volume;
   body.inertia_B = body.mass * shape.inertia;
   body.coefficients = hydro::for_mesh(coefficients(run[Key::coefs]), body.mesh_B, kViscosity);

@@ -12,11 +12,13 @@
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/airy_waves.h"
+#include "hydro/interior/closed_mouths.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
 #include "hydro/radiation/diffraction_load.h"
 #include "hydro/radiation/radiation_solve.h"
 #include "tests/stress/run_name.h"
+#include "tests/support/hollows.h"
 
 namespace stress {
 namespace {
@@ -59,6 +61,8 @@ hydro::TriMesh raw_mesh(const std::string& name) {
   if (name == "ball" || name == "shell") return hydro::make_icosphere(0.5, 2);
   if (name == "plate") return hydro::make_box({1, 1, 0.01});
   if (name == "needle") return hydro::make_box({1, 0.01, 0.01});
+  if (name == "tub") return support::open_box();
+  if (name == "tank") return support::divided_box(0.6);
   if (name == "teapot") return stored_mesh("teapot_1k");
   if (name == "teapot80k") return quartered(stored_mesh("teapot_20k"));
   throw std::invalid_argument(fmt::format("'{}' is no shape", name));
@@ -70,6 +74,11 @@ hydro::TriMesh unit_mesh(const std::string& name) {
   const Eigen::Vector3d center = hydro::solid_properties(mesh).centroid;
   return hydro::scaled(hydro::translated(mesh, -center),
                        1 / hydro::bounding_box(mesh).sizes().maxCoeff());
+}
+
+/// Returns the mesh with the mouths of its pockets closed, as it is upright.
+hydro::TriMesh outside(const hydro::TriMesh& mesh) {
+  return hydro::with_closed_mouths(mesh, hydro::find_pockets(mesh, Eigen::Vector3d::UnitZ()));
 }
 
 /// Returns the solution for a mesh `size` times as large: φ scales with size, and with its square
@@ -85,11 +94,11 @@ hydro::AddedMassSolution scaled_solution(hydro::AddedMassSolution solution, doub
 
 std::shared_ptr<const hydro::AddedMassModel> deep(const std::string& shape, double size,
                                                   const engine::BodySpec& body) {
-  const hydro::TriMesh unit = unit_mesh(shape);
+  const hydro::TriMesh unit = outside(unit_mesh(shape));
   assembly::AddedMassStore store(assembly::cache_folder());
   auto stored = store.find(unit, kSolver);
   if (!stored) stored = store.keep(unit, kSolver, hydro::solve_added_mass(unit, kSolver));
-  return std::make_shared<hydro::WettedAddedMass>(body.mesh_B,
+  return std::make_shared<hydro::WettedAddedMass>(outside_B(body),
                                                   scaled_solution(*stored->solution, size));
 }
 
@@ -97,14 +106,14 @@ std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body
                                                     const hydro::Sea& sea) {
   // As for the added mass: accurate enough to stress the mechanics.
   const hydro::RadiationData data =
-      hydro::solve_radiation(body.mesh_B, {}, {.gravity = sea.gravity}, {.patches = 80}).data;
+      hydro::solve_radiation(outside_B(body), {}, {.gravity = sea.gravity}, {.patches = 80}).data;
   hydro::FloatingBody::Diffraction diffraction;
   if (hydro::has_airy_waves(sea))
     diffraction = [load = std::make_shared<hydro::DiffractionLoad>(data)](
                       const hydro::BodyState& state, const hydro::Sea& water, double time) {
       return load->at(state, water, time);
     };
-  return std::make_shared<hydro::FloatingBody>(body.mesh_B, data, std::move(diffraction));
+  return std::make_shared<hydro::FloatingBody>(outside_B(body), data, std::move(diffraction));
 }
 
 std::shared_ptr<const hydro::AddedMassModel> given(double ratio, const engine::BodySpec& body) {
@@ -114,7 +123,7 @@ std::shared_ptr<const hydro::AddedMassModel> given(double ratio, const engine::B
       moments.z() / 4;
   hydro::Matrix6d A = (ratio * diagonal).asDiagonal();
   A(0, 4) = A(4, 0) = 0.3 * std::sqrt(A(0, 0) * A(4, 4));
-  return std::make_shared<hydro::ConstantAddedMass>(body.mesh_B, A);
+  return std::make_shared<hydro::ConstantAddedMass>(outside_B(body), A);
 }
 
 }  // namespace
@@ -124,7 +133,8 @@ Shape make_shape(const std::string& name, double size) {
   const hydro::SolidProperties solid = hydro::solid_properties(shape.mesh_B);
   // A thin shell has 2/3 m r², a solid ball 2/5 m r².
   const double hollow = name == "shell" ? 5.0 / 3 : 1;
-  shape.volume = solid.volume;
+  shape.closed_mesh_B = outside(shape.mesh_B);
+  shape.volume = hydro::solid_properties(shape.closed_mesh_B).volume;
   shape.inertia = hollow / solid.volume * solid.inertia;
   return shape;
 }

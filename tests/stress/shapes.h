@@ -12,13 +12,15 @@ namespace stress {
 
 /// Surface and mass properties of a body with its centre of mass in the origin.
 struct Shape {
-  hydro::TriMesh mesh_B;  ///< Mesh whose largest extent is the size [m].
-  double volume = 0;      ///< [m^3]
+  hydro::TriMesh mesh_B;         ///< Mesh whose largest extent is the size [m].
+  hydro::TriMesh closed_mesh_B;  ///< The same with the mouths of its pockets closed.
+  double volume = 0;             ///< Of the closed mesh [m^3].
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< For a mass of 1 kg [m^2].
 };
 
 /// cube: 12 triangles; ball: an icosphere of 320 triangles; shell: a hollow ball; plate: 1 × 1 ×
-/// 0.01; needle: 1 × 0.01 × 0.01; teapot: 1,240 triangles; teapot80k: 79,656 triangles.
+/// 0.01; needle: 1 × 0.01 × 0.01; tub: a box that is open at the top; tank: the same, divided by a
+/// wall; teapot: 1,240 triangles; teapot80k: 79,656 triangles.
 /// @throws std::invalid_argument for another name.
 Shape make_shape(const std::string& name, double size);
 

@@ -20,7 +20,7 @@ std::vector<engine::Motion> motions_of(const engine::Simulation& simulation,
   std::vector<engine::Motion> motions;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     motions.push_back(state.data().bodies[i].motion);
-    motions.back().added_B = engine::added_mass(bodies[i], motions.back().state, 0);
+    motions.back().added_B = engine::added_mass(bodies[i], motions.back(), 0);
   }
   return motions;
 }
