@@ -113,12 +113,15 @@ inline constexpr double kFrequencyKept = 0.9;
 
 // ── Water in pockets (held_water.h, pocket_search.h) ────────────────────────────────────────────
 
-/// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 4°.
+/// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 8°.
 /// Smaller: pockets are searched for more often.
-inline constexpr double kKnownAttitude = 0.9976;
+inline constexpr double kKnownAttitude = 0.9903;
 /// Difference of spill heights over the radius, and of volumes over that of the box, up to which
 /// pockets are kept [-]. Smaller: hulls with rounded rims are divided anew more often.
 inline constexpr double kKeptSpill = 1e-3;
+/// Change of the water's mass in a substep, over the inertia, after which accelerations so far tell
+/// nothing of the next ones [-].
+inline constexpr double kMassJump = 0.01;
 /// Cosine of the turn after which the water's mass has another place in the body [-].
 inline constexpr double kKeptMassTurn = 0.5;
 

@@ -22,6 +22,7 @@ struct Stream {
   double rate = 0;           ///< Into the first one [m^3/s].
   double sea_level = 0;      ///< Mean over its length, if the second one is the sea.
   double lowest = HUGE_VAL;  ///< Of its sill or opening.
+  bool submerged = true;     ///< All of the sill is below the second one's level.
   double length = 0;         ///< Of the sill under water [m].
 };
 
@@ -58,6 +59,7 @@ class Flooding {
   double head(int space, const Eigen::Vector3d& r) const;
   double equalising(int from, int to, const Stream& stream) const;
   bool exchange(int first, int second, const Stream& stream, double h);
+  bool is_full(int pocket) const;
   void set_volume(int pocket, double volume);
   void flood(int pocket);
   void part();
@@ -92,6 +94,7 @@ void Flooding::add_edge(const hydro::SillEdge& edge, Stream& stream) const {
     second[i] = level(edge.other, end[i]) - end[i].z();
     head[i] = std::max(first[i], second[i]);
     stream.lowest = std::min(stream.lowest, end[i].z());
+    stream.submerged = stream.submerged && second[i] > 0;
   }
   if (std::max(head[0], head[1]) <= 0) return;
   // The part of the edge under water.
@@ -126,9 +129,11 @@ void Flooding::run_over(Sill from, Sill to, double h) {
     turned.rate = -stream.rate;
     turned.sea_level = sea_level(vertex(from->from));
     if (exchange(second, kSea, turned, h)) flood(second);
-  } else if (exchange(first, second, stream, h) && is_sea(second) &&
-             stream.sea_level > stream.lowest) {
-    flood(first);
+  } else {
+    const bool equal = exchange(first, second, stream, h);
+    if (is_sea(second) && stream.sea_level > stream.lowest &&
+        (equal || (stream.submerged && is_full(first))))
+      flood(first);
   }
 }
 
@@ -185,6 +190,11 @@ bool Flooding::exchange(int first, int second, const Stream& stream, double h) {
     if (!is_sea(second)) set_volume(second, held_.pockets[second].volume - change);
   }
   return volume >= whole;
+}
+
+/// True if a pocket holds what it does up to its spill height.
+bool Flooding::is_full(int pocket) const {
+  return held_.pockets[pocket].volume >= volume_up_to(pocket, spill_of({pocket}));
 }
 
 /// Gives a pocket another volume of water, and its mass another place if some has come in.
@@ -259,16 +269,6 @@ void Flooding::run(double h) {
   for (std::size_t i = 0; i < held_.openings.size(); ++i) run_through(i, h);
 }
 
-/// Height in W of the lowest sill.
-double lowest_sill(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
-  const Eigen::RowVector3d up_B = state.orientation.toRotationMatrix().row(2);
-  double lowest = HUGE_VAL;
-  for (const hydro::SillEdge& edge : held.interior->division.sills)
-    lowest = std::min({lowest, up_B.dot(body.spec->mesh_B.vertices.col(edge.from)),
-                       up_B.dot(body.spec->mesh_B.vertices.col(edge.to))});
-  return state.position.z() + lowest;
-}
-
 /// True if water may run.
 bool may_run(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
   if (!held.interior) return false;
@@ -320,8 +320,13 @@ void let_water_run(const Body& body, double time, double h, Motion& motion) {
   const Matrix6d change = motion.held->inertia_B - before->inertia_B;
   if (!body.has_added_mass || change.isZero(0)) return;
   const std::optional<Matrix6d> rate = motion.added_rate_B;
+  const double jump = std::abs(change(0, 0)) / (body.rigid_B + motion.added()).diagonal()[0];
   motion = share_momentum(body, motion, motion.added() + change);
-  motion.added_rate_B = rate;
+  // Accelerations of another mass tell nothing of the next one.
+  if (jump > kMassJump)
+    motion.accelerations.clear();
+  else
+    motion.added_rate_B = rate;
 }
 
 }  // namespace engine

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine/body.h"
+#include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/places.h"
 #include "hydro/statics/buoyancy_energy.h"
 
@@ -55,6 +56,11 @@ void fill(const Body& body, const Eigen::Matrix3d& R_WB, HeldWater& held) {
   held.inertia_B = water_inertia(held.pockets, body.environment.sea->density);
 }
 
+bool has_all_pockets(const Body& body, const HeldWater& held) {
+  return held.interior &&
+         hydro::is_convex(hydro::with_closed_mouths(body.spec->mesh_B, held.interior->division));
+}
+
 void find_sides(const Body& body, HeldWater& held) {
   held.openings.clear();
   if (!held.interior) return;
@@ -83,6 +89,7 @@ std::shared_ptr<HeldWater> dry_pockets(const Body& body, const Eigen::Vector3d& 
   if (held->interior) held->pockets.resize(held->interior->pockets.size());
   for (PocketContent& pocket : held->pockets) pocket.id = held->next_id++;
   find_sides(body, *held);
+  held->has_all = has_all_pockets(body, *held);
   return held;
 }
 

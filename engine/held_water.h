@@ -49,6 +49,8 @@ struct HeldWater {
   std::vector<std::array<int, 2>> openings;  ///< The pockets, or hydro::kSea, beside each opening.
   Matrix6d inertia_B = Matrix6d::Zero();     ///< W
   int next_id = 0;
+  /// Without its pockets, their mouths closed, the body is convex: it has no others.
+  bool has_all = false;
 
   bool holds() const;
 };

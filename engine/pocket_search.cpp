@@ -118,7 +118,23 @@ bool is_all_sea(const Body& body, const hydro::BodyState& state, const HeldWater
                      [](const PocketContent& p) { return p.flooded; });
 }
 
+/// True if no water can get to where a division would differ.
+bool is_sheltered(const Body& body, const hydro::BodyState& state, const HeldWater& held) {
+  return held.has_all && !held.holds() &&
+         lowest_sill(body, held, state) >= body.environment.highest;
+}
+
 }  // namespace
+
+double lowest_sill(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
+  const Eigen::RowVector3d up_B = state.orientation.toRotationMatrix().row(2);
+  double lowest = HUGE_VAL;
+  if (!held.interior) return lowest;
+  for (const hydro::SillEdge& edge : held.interior->division.sills)
+    lowest = std::min({lowest, up_B.dot(body.spec->mesh_B.vertices.col(edge.from)),
+                       up_B.dot(body.spec->mesh_B.vertices.col(edge.to))});
+  return state.position.z() + lowest;
+}
 
 std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& state,
                                              double time,
@@ -127,7 +143,7 @@ std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::Body
   const Eigen::Vector3d up_B = R_WB.row(2);
   const auto near = [&](const Eigen::Vector3d& known) { return known.dot(up_B) > kKnownAttitude; };
   if (std::any_of(held->known_up_B.rbegin(), held->known_up_B.rend(), near) ||
-      is_all_sea(body, state, *held))
+      is_all_sea(body, state, *held) || is_sheltered(body, state, *held))
     return held;
   const hydro::Pockets found = hydro::find_pockets(body.spec->mesh_B, up_B);
   const bool right =

@@ -119,7 +119,7 @@ void visit(auto& a, PocketContent& p) {
 /// The interior follows from the rest (`completed`).
 void visit(auto& a, HeldWater& water) {
   visit_all(a, water.found_up_B, water.known_up_B, water.pockets, water.openings, water.inertia_B,
-            water.next_id);
+            water.next_id, water.has_all);
 }
 void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
   std::optional<HeldWater> water;

@@ -91,10 +91,24 @@ Triangles InteriorLook::surfaces() const {
   return surfaces.triangles();
 }
 
+/// True if a pocket has a mouth, and all of it is above the sea.
+bool InteriorLook::stands_out(int pocket, const hydro::Sea& sea, double time) const {
+  bool has_mouth = false;
+  for (const hydro::SillEdge& edge : division_.sills) {
+    if (edge.pocket != pocket && edge.other != pocket) continue;
+    has_mouth = true;
+    for (const int v : {edge.from, edge.to}) {
+      const Vector3d p = points_W_.col(v);
+      if (hydro::surface_height(sea, p.x(), p.y(), time) > p.z()) return false;
+    }
+  }
+  return has_mouth;
+}
+
 Triangles InteriorLook::openings(const hydro::Sea& sea, double time) const {
   Collector openings;
   for (std::size_t i = 0; i < water_.size(); ++i) {
-    if (water_[i] && water_[i]->flooded) continue;
+    if ((water_[i] && water_[i]->flooded) || !stands_out(static_cast<int>(i), sea, time)) continue;
     for (const int f : division_.pockets[i].faces) {
       const hydro::Panel panel = panel_of(mesh_B_, points_W_, f);
       Vector3d depth;

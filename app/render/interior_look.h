@@ -58,6 +58,8 @@ class InteriorLook {
   Triangles openings(const hydro::Sea& sea, double time) const;
 
  private:
+  bool stands_out(int pocket, const hydro::Sea& sea, double time) const;
+
   const hydro::TriMesh& mesh_B_;
   hydro::BodyState state_;
   Eigen::Matrix3Xd points_W_;  ///< The vertices.

@@ -170,7 +170,12 @@ int Sweep::lowest_visited(int vertex) const {
 /// One more corner of the face is below: the face's column takes its next form.
 void Sweep::advance_face(int face, int part) {
   std::array<int, 3> v = {mesh_.faces(0, face), mesh_.faces(1, face), mesh_.faces(2, face)};
-  std::sort(v.begin(), v.end(), [this](int a, int b) { return place_[a] < place_[b]; });
+  const auto order = [this](int& a, int& b) {
+    if (place_[b] < place_[a]) std::swap(a, b);
+  };
+  order(v[0], v[1]);
+  order(v[1], v[2]);
+  order(v[0], v[1]);
   const std::array<double, 3> x = {x_[v[0]], x_[v[1]], x_[v[2]]};
   Cubic& below = parts_[part].below;
   const double level_face = kLevelFace * range_;
