@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -15,6 +16,7 @@
 #include "app/base/terminal_reporter.h"
 #include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/interior.h"
+#include "hydro/interior/places.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -85,13 +87,22 @@ void make_hollow(const std::optional<double>& water, FloatingBody& body) {
   body.mesh_B = hydro::with_closed_mouths(body.mesh_B, interior->division);
 }
 
-/// The sills of a scene's body in its attitude at the start, and its openings.
+/// True if an opening leads into the sea.
+bool leads_outside(const engine::BodySpec& spec, const hydro::Pockets& division,
+                   const engine::Opening& opening) {
+  const std::array<int, 2> faces = hydro::wall_at(spec.mesh_B, opening.at_B).face;
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](int face) { return division.pocket_of_face[face] == hydro::kSea; });
+}
+
+/// The sills of a scene's body in its attitude at the start, and its openings to the sea.
 std::vector<Eigen::Vector3d> flooding_points(const engine::BodySpec& spec) {
   if (spec.interior != engine::Interior::flooding || !spec.closed_mesh_B) return {};
   const Eigen::Vector3d up_B = spec.initial.orientation.toRotationMatrix().row(2);
-  std::vector<Eigen::Vector3d> points =
-      sill_points(spec.mesh_B, hydro::find_pockets(spec.mesh_B, up_B));
-  for (const engine::Opening& opening : spec.openings) points.push_back(opening.at_B);
+  const hydro::Pockets division = hydro::find_pockets(spec.mesh_B, up_B);
+  std::vector<Eigen::Vector3d> points = sill_points(spec.mesh_B, division);
+  for (const engine::Opening& opening : spec.openings)
+    if (leads_outside(spec, division, opening)) points.push_back(opening.at_B);
   return points;
 }
 

@@ -226,8 +226,12 @@ const char* const kLegend =
     "t about the\nhorizontal axis along the mesh's x axis, l about the one across. c33…c55: "
     "restoring stiffness in heave,\nroll and pitch about the centre of mass, those axes. GZ: "
     "rights "
-    "a positive heel if positive. Hollows count as closed by lids: volume and water_inside are\n"
-    "those of the outside and of the water in them.\n";
+    "a positive heel if positive. Hollows count as\nclosed by lids: volume and water_inside are "
+    "those "
+    "of the outside and of the water in them. kg is that of body\nand water; gm_solid_t is without "
+    "and gm_t with the loss by the water's free surface. 'to flooding' is the height of\nthe "
+    "lowest "
+    "sill or opening to the sea over the water.\n";
 
 }  // namespace
 

@@ -9,17 +9,17 @@ namespace scene {
 
 namespace {
 
-using Type = Joint::Type;
+using JointType = Joint::Type;
 
-const ChoiceRule<Type> kTypes = {{{"ball", Type::ball},
-                                  {"hinge", Type::hinge},
-                                  {"slider", Type::slider},
-                                  {"fixed", Type::fixed},
-                                  {"universal", Type::universal}}};
+const ChoiceRule<JointType> kTypes = {{{"ball", JointType::ball},
+                                       {"hinge", JointType::hinge},
+                                       {"slider", JointType::slider},
+                                       {"fixed", JointType::fixed},
+                                       {"universal", JointType::universal}}};
 
 /// True if a joint of this type has the optional key.
-bool needs_anchor(Type type) { return type != Type::slider && type != Type::fixed; }
-bool has_axis(Type type) { return type != Type::ball && type != Type::fixed; }
+bool needs_anchor(JointType type) { return type != JointType::slider && type != JointType::fixed; }
+bool has_axis(JointType type) { return type != JointType::ball && type != JointType::fixed; }
 
 /// Notes the conditions that `check_keys` checks.
 void note_keys(MapReader& map) {
@@ -27,7 +27,7 @@ void note_keys(MapReader& map) {
     std::vector<std::string> needed, refused;
     if (needs_anchor(type)) needed.push_back("anchor");
     (has_axis(type) ? needed : refused).push_back("axis");
-    if (type != Type::universal) refused.push_back("axis2");
+    if (type != JointType::universal) refused.push_back("axis2");
     map.note_condition("type", word, needed, refused);
   }
 }
@@ -81,11 +81,11 @@ void check_type_has(MapReader& map, const char* type, const char* key, bool need
   if (!allowed && map.has(key)) map.fault(key, fmt::format("not used by a {} joint", type));
 }
 
-void check_keys(MapReader& map, Type type) {
-  const std::string name = Field<ChoiceRule<Type>, Type>::text(kTypes, type);
+void check_keys(MapReader& map, JointType type) {
+  const std::string name = Field<ChoiceRule<JointType>, JointType>::text(kTypes, type);
   check_type_has(map, name.c_str(), "anchor", needs_anchor(type), true);
   check_type_has(map, name.c_str(), "axis", has_axis(type), has_axis(type));
-  check_type_has(map, name.c_str(), "axis2", false, type == Type::universal);
+  check_type_has(map, name.c_str(), "axis2", false, type == JointType::universal);
 }
 
 }  // namespace

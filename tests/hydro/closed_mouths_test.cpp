@@ -60,8 +60,9 @@ TEST(ClosedMouths, AnLShapedMouthIsClosedWithinItsOutline) {
   for (Eigen::Index f = 0; f < outside.face_count(); ++f) {
     const Eigen::Vector3d n = hydro::area_vector(outside, f);
     if (std::abs(outside.vertices(2, outside.faces(0, f)) - 1) < 1e-12 &&
-        n.head<2>().norm() < 1e-12)
+        n.head<2>().norm() < 1e-12) {
       EXPECT_GT(n.z(), 0);
+    }
   }
 }
 

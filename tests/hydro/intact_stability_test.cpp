@@ -47,19 +47,21 @@ TEST(Tanks, AWaterSurfaceInsideTakesFromTheMetacentricHeight) {
 }
 
 TEST(Tanks, ABoxWithWaterLollsToWhereItsLeverVanishes) {
-  const HollowBox box(0.5);
-  const double displaced = 0.742;
+  const double kg = 0.35, displaced = 0.742;
+  const HollowBox box(kg);
   const auto tanks = box.with_water(0.342);
   const hydro::Flotation rest =
       hydro::equilibrium(box.outside_B, displaced, Eigen::Quaterniond::Identity(), tanks);
-  // GZ = sin φ (GM + ½ (BM − i/V) tan² φ), while no edge comes out.
-  const double gm = -0.0841200, bm = (2.0 / 12 - 1.9 * std::pow(0.9, 3) / 12) / displaced;
-  const double loll = std::atan(std::sqrt(-2 * gm / bm));
-  if (loll < std::atan(0.742)) {
-    EXPECT_NEAR(std::abs(hydro::euler_angles(rest.orientation)[0]), loll, 1e-5);
-  }
+  // Both surfaces are wall-sided up to this angle: GZ = sin φ (GM + ½ (BM − i/V) tan² φ).
+  const double bm = 2.0 / 12 / displaced, loss = 1.9 * std::pow(0.9, 3) / 12 / displaced;
+  const double gm = displaced / 4 + bm - loss - (400 * kg + 342 * 0.15) / 742;
+  const double loll = std::atan(std::sqrt(-2 * gm / (bm - loss)));
+  ASSERT_LT(0.45 * std::tan(loll), 0.2);
+  EXPECT_GT(loll, 0.25);
+  // The moment arm vanishes to 1e-15 m and changes by 2 |GM| a radian there.
+  EXPECT_NEAR(std::abs(hydro::euler_angles(rest.orientation)[0]), loll, 1e-11);
   EXPECT_LT(rest.gradient().norm(), 1e-12);
-  EXPECT_NE(hydro::stability(box.outside_B, rest), hydro::Stability::unstable);
+  EXPECT_EQ(hydro::stability(box.outside_B, rest), hydro::Stability::stable);
 }
 
 TEST(IntactStability, AreasOfAWallSidedBoxHaveTheirClosedForm) {

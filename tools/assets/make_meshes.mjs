@@ -8,13 +8,16 @@ import {fileURLToPath} from 'node:url';
 import {write_obj} from './mesh_file.mjs';
 import {ReferenceSurface} from './reference_surface.mjs';
 import {remeshed} from './remesh.mjs';
-import {extruded, half, revolved, teapot, triangles, wigley} from './solids.mjs';
+import {compartmented, extruded, half, revolved, rowing_boat, teapot, triangles, wigley} from './solids.mjs';
 
 const folder = fileURLToPath(new URL('../../scenes/meshes/', import.meta.url));
 const kDecimals = 6;  // micrometres
 
 // Outline of the barge from the side (x, z): flat bottom, both ends raked.
 const barge_side = [[-7, 0], [7, 0], [10, 1.8], [10, 3], [-10, 3], [-10, 1.8]];
+
+// The same of the small barge with rooms below its deck.
+const pontoon_side = [[-5, 0], [5, 0], [6, 0.9], [6, 1.5], [-6, 1.5], [-6, 0.9]];
 
 // Profiles (radius, height), counter-clockwise, the axis on the left.
 const spar_profile =
@@ -53,6 +56,12 @@ const assets = {
     sizing: {error: 0.012, shortest: 0.12, longest: 0.36, stretch: 1.6, gradation: 0.35},
   },
   bucket: {solid: () => revolved(bucket_profile), mirror: [0, 1], sizing: even(0.057)},
+  rowing_boat: {solid: rowing_boat, mirror: [1], sizing: even(0.185)},
+  compartment_barge: {
+    solid: () => compartmented(pontoon_side, 4, 0.15, [-3, 0, 3]),
+    mirror: [0, 1],
+    sizing: even(0.75),
+  },
 };
 
 /** Edges of one length everywhere. */

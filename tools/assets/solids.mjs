@@ -8,7 +8,7 @@ import {add, scale, sub, unit} from './vectors.mjs';
 
 const module = await load_manifold();
 module.setup();
-const {Manifold, Mesh} = module;
+const {CrossSection, Manifold, Mesh} = module;
 
 const newell = JSON.parse(
     fs.readFileSync(fileURLToPath(new URL('newell_teapot.json', import.meta.url)), 'utf8'));
@@ -212,6 +212,76 @@ export function revolved(profile) {
  */
 export function extruded(section, breadth) {
   const whole = Manifold.extrude([section], breadth, 0, 0, [1, 1], true).rotate([90, 0, 0]);
+  return {whole, ridges: []};
+}
+
+/**
+ * The solid of `extruded` with closed rooms side by side along x. Walls are `wall` thick; the
+ * bulkheads between the rooms have their middles at the given x.
+ */
+export function compartmented(section, breadth, wall, bulkheads) {
+  const hull = extruded(section, breadth).whole;
+  const inner = new CrossSection([section]).offset(-wall, 'Miter').toPolygons()[0];
+  const hollow = extruded(inner, breadth - 2 * wall).whole;
+  const walls = bulkheads.map(
+      (x) => Manifold.cube([wall, 2 * breadth, 1000], true).translate([x, 0, 0]));
+  return {whole: hull.subtract(hollow.subtract(Manifold.union(walls))), ridges: []};
+}
+
+// A rowing boat's breadth along its length, as a part of the greatest one: `u` is 0 at the transom
+// and 1 at the stem.
+const kTransom = 0.72, kWidest = 0.45;
+const fullness = (u) => (u < kWidest ? 1 - (1 - kTransom) * (1 - u / kWidest) ** 2 :
+                                       1 - ((u - kWidest) / (1 - kWidest)) ** 2);
+
+/**
+ * The solid between a flat bottom and the sheer, with flared sides. `bottom` and `sheer` have the x
+ * of their ends, the greatest half breadth, the least height and the height of the stem above it;
+ * `rise` carries the sides on above the sheer, as a part of their height.
+ */
+function flared({bottom, sheer, rise}) {
+  const stations = 64, lowest = 0.4;
+  const at = ({ends: [aft, fore], half_breadth, height, spring}, u, side) =>
+      [aft + (fore - aft) * u, side * half_breadth * fullness(u),
+       height + spring * ((u - lowest) / (1 - lowest)) ** 2];
+  const positions = [], index = new Map();
+  const vertex = (i, row, side) => {
+    const u = i / stations, key = `${i} ${row} ${i === stations ? 0 : side}`;
+    if (index.has(key)) return index.get(key);
+    const low = at(bottom, u, side), high = at(sheer, u, side);
+    const point = row === 0 ? low : add(low, scale(1 + rise, sub(high, low)));
+    index.set(key, positions.push(point) - 1);
+    return index.get(key);
+  };
+  const faces = quad(vertex(0, 0, 1), vertex(0, 0, -1), vertex(0, 1, -1), vertex(0, 1, 1)).map(
+      ([a, b, c]) => [a, c, b]);
+  const ring = [[0, 1], [0, -1], [1, -1], [1, 1]];
+  for (let i = 0; i < stations; ++i) {
+    ring.forEach(([row, side], k) => {
+      const [next_row, next_side] = ring[(k + 1) % 4];
+      faces.push(...quad(
+          vertex(i, row, side), vertex(i, next_row, next_side), vertex(i + 1, next_row, next_side),
+          vertex(i + 1, row, side)));
+    });
+  }
+  return solid(positions, faces.map(([a, b, c]) => [a, c, b]));
+}
+
+/** An open rowing boat of 4 m with a thwart; the bottom is at z = 0 amidships. */
+export function rowing_boat() {
+  const wall = 0.04;
+  const hull = flared({
+    bottom: {ends: [-1.85, 1.7], half_breadth: 0.46, height: 0, spring: 0.1},
+    sheer: {ends: [-2, 2], half_breadth: 0.74, height: 0.5, spring: 0.2},
+    rise: 0,
+  });
+  const hollow = flared({
+    bottom: {ends: [-1.81, 1.55], half_breadth: 0.42, height: wall, spring: 0.1},
+    sheer: {ends: [-1.96, 1.86], half_breadth: 0.7, height: 0.5, spring: 0.2},
+    rise: 0.5,
+  });
+  const thwart = Manifold.cube([0.26, 2, wall], true).translate([-0.2, 0, 0.28]);
+  const whole = Manifold.union([hull.subtract(hollow), Manifold.intersection([thwart, hull])]);
   return {whole, ridges: []};
 }
 
