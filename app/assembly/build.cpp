@@ -314,6 +314,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
     built.warnings.push_back(std::move(warning));
   for (std::string& warning : radiation_warnings(spec, radiation))
     built.warnings.push_back(std::move(warning));
+  for (std::string& warning : interior_warnings(spec)) built.warnings.push_back(std::move(warning));
   for (std::string& note : database_notes(spec, radiation)) built.notes.push_back(std::move(note));
   for (RadiationChoice& choice : radiation)
     built.radiation.push_back({.choice = std::move(choice)});

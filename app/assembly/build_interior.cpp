@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -109,6 +110,28 @@ void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
   for (std::size_t i = 0; i < body.openings.size(); ++i)
     add_opening(body.openings[i], interior.get(), com_M,
                 fmt::format("{}.openings[{}]", key_path, i), spec, log);
+}
+
+std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec) {
+  std::vector<std::string> warnings;
+  for (const engine::BodySpec& body : spec.bodies) {
+    if (!spec.sea || body.interior != engine::Interior::flooding || !body.closed_mesh_B) continue;
+    const Eigen::Vector3d up_B = orientation_of(body).row(2);
+    double deepest = 0;
+    for (const hydro::SillEdge& edge : hydro::find_pockets(body.mesh_B, up_B).sills) {
+      if (edge.other != hydro::kSea) continue;
+      for (const int v : {edge.from, edge.to}) {
+        const Eigen::Vector3d p =
+            body.initial.position + body.initial.orientation * body.mesh_B.vertices.col(v);
+        deepest = std::max(deepest, hydro::surface_height(*spec.sea, p.x(), p.y(), 0) - p.z());
+      }
+    }
+    if (deepest > 0)
+      warnings.push_back(fmt::format(
+          "body '{}' starts with the rim of a hollow {:.3g} m under water: it fills at once",
+          body.name, deepest));
+  }
+  return warnings;
 }
 
 double mass_afloat(const engine::BodySpec& spec, double density) {

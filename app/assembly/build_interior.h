@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/assembly/build_shape.h"
 #include "engine/spec.h"
 #include "hydro/statics/equilibrium.h"
@@ -16,6 +19,9 @@ void build_interior(const scene::Body& body, engine::BodySpec& spec);
 /// @param com_M   Centre of mass in the mesh frame.
 void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
                    const std::string& key_path, engine::BodySpec& spec, BuildLog& log);
+
+/// Warns of bodies whose hollows have a rim under water at the start, through which they fill.
+std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec);
 
 /// Mass of a body and of the water in it at the start [kg]. @param density   Of the water.
 double mass_afloat(const engine::BodySpec& spec, double density);

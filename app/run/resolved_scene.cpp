@@ -15,6 +15,7 @@
 #include "app/base/table.h"
 #include "app/run/summary.h"
 #include "engine/locks.h"
+#include "hydro/interior/pockets.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh.h"
 
@@ -84,6 +85,7 @@ struct BodyKind {
   Cells body;        ///< Triangles, size, volume, mass, start.
   Cells added_mass;  ///< Source and diagonal; empty without added mass.
   Cells radiation;   ///< Source and size; empty without radiation.
+  Cells hollows;     ///< Number, volume, rim and water; empty without pockets.
   std::vector<std::string> names;
   Spread draught;    ///< Depth of the lowest point below the still water [m].
   Spread freeboard;  ///< Height of the highest point above it [m].
@@ -127,10 +129,30 @@ Cells radiation_row(const assembly::RadiationReport& report) {
           number_text(100 * memory.rms_error.maxCoeff(), 2)};
 }
 
+/// Describes the pockets of a body at its start.
+Cells hollow_row(const engine::BodySpec& body, double level) {
+  if (body.interior == engine::Interior::wet || !body.closed_mesh_B) return {};
+  const Eigen::Vector3d up_B = body.initial.orientation.toRotationMatrix().row(2);
+  const hydro::Pockets found = hydro::find_pockets(body.mesh_B, up_B);
+  double capacity = 0, rim = std::numeric_limits<double>::infinity(), water = 0;
+  for (const hydro::Pocket& pocket : found.pockets) capacity += pocket.capacity;
+  for (const hydro::SillEdge& edge : found.sills)
+    for (const int v : {edge.from, edge.to})
+      if (edge.other == hydro::kSea)
+        rim = std::min(rim, body.initial.position.z() + up_B.dot(body.mesh_B.vertices.col(v)));
+  for (const engine::WaterAtStart& inside : body.interior_water) water += inside.volume;
+  return {body.interior == engine::Interior::dry ? "stay dry" : "may flood",
+          std::to_string(found.pockets.size()),
+          number_text(capacity, 4),
+          std::isfinite(rim) ? number_text(rim - level, 3) : "closed",
+          number_text(water, 4),
+          std::to_string(body.openings.size())};
+}
+
 /// Returns the kinds of bodies, the most frequent first.
 std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltScene& built) {
   std::vector<BodyKind> kinds;
-  std::map<std::array<Cells, 3>, std::size_t> known;
+  std::map<std::array<Cells, 4>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
@@ -138,10 +160,15 @@ std::vector<BodyKind> kinds_of(const scene::Scene& scene, const assembly::BuiltS
     const Cells added_mass =
         has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
     const Cells radiation = radiation_row(built.radiation[i]);
+    const Cells hollows = hollow_row(body, level);
     const auto [place, is_new] =
-        known.emplace(std::array{row, added_mass, radiation}, kinds.size());
+        known.emplace(std::array{row, added_mass, radiation, hollows}, kinds.size());
     if (is_new)
-      kinds.push_back({.body = row, .added_mass = added_mass, .radiation = radiation, .names = {}});
+      kinds.push_back({.body = row,
+                       .added_mass = added_mass,
+                       .radiation = radiation,
+                       .hollows = hollows,
+                       .names = {}});
     BodyKind& kind = kinds[place->second];
     kind.names.push_back(body.name);
     const Spread height = height_of(body);
@@ -319,6 +346,18 @@ std::vector<Cells> radiation_table(std::span<const BodyKind> kinds) {
   return rows;
 }
 
+/// Returns the rows of the kinds that are hollow.
+std::vector<Cells> hollow_table(std::span<const BodyKind> kinds) {
+  std::vector<Cells> rows = {
+      {"hollows", "", "number", "volume m^3", "rim above water m", "water m^3", "openings"}};
+  for (const BodyKind& kind : kinds) {
+    if (kind.hollows.empty()) continue;
+    rows.push_back({kind.title()});
+    append_cells(rows.back(), kind.hollows);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<std::string> resolved_scene(const scene::Scene& scene,
@@ -331,6 +370,8 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
   if (!shown.empty())
     append_cells(lines, aligned_lines(body_table(shown, scene.water.has_value())));
   if (kinds.size() > shown.size()) lines.push_back(rest_of(kinds));
+  const std::vector<Cells> hollows = hollow_table(shown);
+  if (hollows.size() > 1) append_cells(lines, aligned_lines(hollows));
   const std::vector<Cells> added_mass = added_mass_table(shown);
   if (added_mass.size() > 1) append_cells(lines, aligned_lines(added_mass));
   const std::vector<Cells> radiation = radiation_table(shown);
