@@ -124,6 +124,8 @@ LoggedRun read_run(const fs::path& folder, const fs::path& scene) {
   if (!forces.empty()) run.forces = read_forces(forces);
   if (run.forces) check_forces(forces, run);
   keep_common_rows(run);
+  const fs::path interiors = folder / kInteriorLog;
+  if (fs::exists(interiors)) run.interiors = read_interior_csv(interiors);
   return run;
 }
 

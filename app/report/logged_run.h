@@ -6,6 +6,7 @@
 
 #include "app/assembly/built_scene.h"
 #include "app/logs/force_log.h"
+#include "app/logs/interior_csv.h"
 #include "app/logs/trajectory.h"
 #include "app/scene/scene.h"
 
@@ -21,6 +22,7 @@ struct LoggedRun {
   Trajectory trajectory;
   std::size_t rows = 0;            ///< Rows per body that all logs have for all bodies.
   std::optional<ForceLog> forces;  ///< None if forces were not logged.
+  InteriorLog interiors;           ///< Of bodies with hollows.
 };
 
 /// @param scene   Present path of the scene; empty: the path at the time of the run.

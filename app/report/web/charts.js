@@ -6,6 +6,7 @@ const LOADS = [
   ["pressure_drag", "pressure drag", "--c3"], ["viscous_drag", "viscous drag", "--c4"],
   ["lift", "lift", "--c5"], ["wave_inertia", "wave inertia", "--c9"], ["wind", "wind", "--c10"],
   ["diffraction", "diffraction", "--c11"], ["radiation", "radiation", "--c12"],
+  ["interior", "water inside", "--c13"],
   ["added_mass", "added mass", "--c7"],
   ["applied", "applied", "--c6"], ["constraint", "constraint", "--c8"]];
 const AXES = ["--c1", "--c2", "--c3"];
@@ -83,9 +84,20 @@ const energyOfMotion = (run, body, c) => {
     {label: "sum", color: "--ink", dash: [4, 3], values: sum([kinetic, potential])}]}];
 };
 
+// The water in each hollow of a body that had some.
+const hollows = (columns, count) => {
+  const lines = (quantity) => Array.from({length: count}, (_, i) => i)
+    .filter((i) => varies(columns[`hollow_volume_${i}`]))
+    .map((i) => ({label: `hollow ${i}`, color: `--c${1 + i}`, values: columns[`hollow_${quantity}_${i}`]}));
+  return [{title: "Volume", unit: "m³", lines: lines("volume")}, {title: "Level", unit: "m", lines: lines("level")}]
+    .filter((chart) => chart.lines.length > 0);
+};
+
 export const chartsOf = (run, body, columns) => {
   const {thinned, forces: logged} = run.series;
   const groups = [{title: "Motion of the centre of mass", charts: motion(columns)}];
+  const inside = hollows(columns, run.series.hollows);
+  if (inside.length > 0) groups.push({title: "Water inside", charts: inside});
   if (logged) {
     groups.push({title: "Loads, about the centre of mass", charts: forces(columns, thinned)});
     groups.push({title: "Energy and its budget", charts: energyBooks(columns, thinned)});
