@@ -17,14 +17,63 @@ namespace {
 // ODE counts the contacts of one pair in 16 bits.
 constexpr std::size_t kMostPoints = 0xffff;
 constexpr std::size_t kUsualPoints = 256;
+constexpr double kGridShift = 3.1e-5;  // [m]; the cells of ODE's grid of contacts are of 1e-4 m
+constexpr int kMostGridShifts = 8;
+
+std::size_t find_overlaps(dxGeom* first, dxGeom* second, std::vector<dContactGeom>& points) {
+  return static_cast<std::size_t>(dCollide(first, second, static_cast<int>(points.size()),
+                                           points.data(), sizeof(dContactGeom)));
+}
+
+void shift(dxGeom* geom, const Eigen::Vector3d& by) {
+  const Eigen::Vector3d place = vector_from_ode(dGeomGetPosition(geom)) + by;
+  dGeomSetPosition(geom, place.x(), place.y(), place.z());
+}
+
+/// Overlaps found with both geometries shifted.
+std::size_t find_shifted(dxGeom* first, dxGeom* second, const Eigen::Vector3d& by,
+                         std::vector<dContactGeom>& points) {
+  const Eigen::Vector3d there[] = {vector_from_ode(dGeomGetPosition(first)),
+                                   vector_from_ode(dGeomGetPosition(second))};
+  const auto restore = [&] {
+    dGeomSetPosition(first, there[0].x(), there[0].y(), there[0].z());
+    dGeomSetPosition(second, there[1].x(), there[1].y(), there[1].z());
+  };
+  shift(first, by);
+  shift(second, by);
+  std::size_t found = 0;
+  try {
+    found = find_overlaps(first, second, points);
+  } catch (const OdeFault&) {
+    restore();
+    throw;
+  }
+  restore();
+  for (std::size_t i = 0; i < found; ++i)
+    for (int k = 0; k < 3; ++k) points[i].pos[k] -= by[k];
+  return found;
+}
+
+/// Overlaps of two geometries, as many as there is room for. ODE merges points of meshes that lie
+/// close together by the cells of a grid, and fails where many are in one cell; elsewhere on the
+/// grid it does not.
+std::size_t find_robustly(dxGeom* first, dxGeom* second, std::vector<dContactGeom>& points) {
+  for (int trial = 0;; ++trial) {
+    try {
+      if (trial == 0) return find_overlaps(first, second, points);
+      return find_shifted(first, second, trial * kGridShift * Eigen::Vector3d(1, 1.3, 1.7), points);
+    } catch (const OdeFault&) {
+      if (trial == kMostGridShifts) throw;
+    }
+  }
+}
 
 /// All overlaps of two geometries.
 std::vector<dContactGeom> overlaps(dxGeom* first, dxGeom* second) {
   std::vector<dContactGeom> points;
   for (std::size_t most = kUsualPoints;; most = std::min(8 * most, kMostPoints)) {
     points.resize(most);
-    const auto found = static_cast<std::size_t>(
-        dCollide(first, second, static_cast<int>(most), points.data(), sizeof(dContactGeom)));
+    const std::size_t found = find_robustly(first, second, points);
     if (found == most && most < kMostPoints) continue;
     points.resize(found);
     return points;
