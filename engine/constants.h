@@ -119,6 +119,11 @@ inline constexpr double kKnownAttitude = 0.9903;
 /// Difference of spill heights over the radius, and of volumes over that of the box, up to which
 /// pockets are kept [-]. Smaller: hulls with rounded rims are divided anew more often.
 inline constexpr double kKeptSpill = 1e-3;
+/// Difference of the levels on the sides of a sill, over the depth of the sea above it, up to which
+/// a full pocket is part of the sea [-].
+inline constexpr double kJoinedHead = 0.25;
+/// Water of a pocket that runs out, over its capacity, that is none [-].
+inline constexpr double kLastWater = 1e-12;
 /// Change of the water's mass in a substep, over the inertia, after which accelerations so far tell
 /// nothing of the next ones [-].
 inline constexpr double kMassJump = 0.01;

@@ -58,8 +58,8 @@ class Flooding {
   void run_through(std::size_t opening, double h);
   double head(int space, const Eigen::Vector3d& r) const;
   double equalising(int from, int to, const Stream& stream) const;
-  bool exchange(int first, int second, const Stream& stream, double h);
-  bool is_full(int pocket) const;
+  void exchange(int first, int second, const Stream& stream, double h);
+  bool is_joined(int pocket, const Stream& stream) const;
   void set_volume(int pocket, double volume);
   void flood(int pocket);
   void part();
@@ -128,12 +128,11 @@ void Flooding::run_over(Sill from, Sill to, double h) {
     Stream turned = stream;
     turned.rate = -stream.rate;
     turned.sea_level = sea_level(vertex(from->from));
-    if (exchange(second, kSea, turned, h)) flood(second);
+    exchange(second, kSea, turned, h);
+    if (is_joined(second, turned)) flood(second);
   } else {
-    const bool equal = exchange(first, second, stream, h);
-    if (is_sea(second) && stream.sea_level > stream.lowest &&
-        (equal || (stream.submerged && is_full(first))))
-      flood(first);
+    exchange(first, second, stream, h);
+    if (is_sea(second) && is_joined(first, stream)) flood(first);
   }
 }
 
@@ -178,9 +177,8 @@ double Flooding::equalising(int from, int to, const Stream& stream) const {
   return std::min(lacking, spare);
 }
 
-/// Lets a stream run into the first space, a pocket, for a time h. @return true if the levels are
-/// equal then
-bool Flooding::exchange(int first, int second, const Stream& stream, double h) {
+/// Lets a stream run into the first space, a pocket, for a time h.
+void Flooding::exchange(int first, int second, const Stream& stream, double h) {
   const bool in = stream.rate > 0;
   const double whole = equalising(in ? second : first, in ? first : second, stream);
   const double volume = limited_flow(std::abs(stream.rate) * h, whole);
@@ -189,18 +187,23 @@ bool Flooding::exchange(int first, int second, const Stream& stream, double h) {
     set_volume(first, held_.pockets[first].volume + change);
     if (!is_sea(second)) set_volume(second, held_.pockets[second].volume - change);
   }
-  return volume >= whole;
 }
 
-/// True if a pocket holds what it does up to its spill height.
-bool Flooding::is_full(int pocket) const {
-  return held_.pockets[pocket].volume >= volume_up_to(pocket, spill_of({pocket}));
+/// True if the sea above a sill and the water in a full pocket behind it are one.
+bool Flooding::is_joined(int pocket, const Stream& stream) const {
+  const double over = stream.sea_level - stream.lowest;
+  const double level = held_.pockets[pocket].surface.level;
+  const bool near = std::abs(stream.sea_level - level) <= kJoinedHead * over;
+  return over > 0 && (stream.submerged || near) &&
+         held_.pockets[pocket].volume >= volume_up_to(pocket, spill_of({pocket}));
 }
 
 /// Gives a pocket another volume of water, and its mass another place if some has come in.
 void Flooding::set_volume(int pocket, double volume) {
   PocketContent& content = held_.pockets[pocket];
   const double before = content.volume;
+  // What runs out ever slower ends at nothing.
+  if (volume < before && volume <= kLastWater * division_.pockets[pocket].capacity) volume = 0;
   content.inflow += volume - before;
   content.volume = volume;
   if (!(volume > 0)) return;
@@ -212,9 +215,14 @@ void Flooding::set_volume(int pocket, double volume) {
   if (before == 0) content.up_B = R_WB_.row(2);
 }
 
+/// Makes a pocket part of the sea. It carries the most water that it has held, and would hold up to
+/// its spill height since.
 void Flooding::flood(int pocket) {
-  set_volume(pocket, division_.pockets[pocket].capacity);
-  held_.pockets[pocket].flooded = true;
+  PocketContent& content = held_.pockets[pocket];
+  content.flooded = true;
+  content.surface.level = spill_of({pocket});
+  const double whole = volume_up_to(pocket, content.surface.level);
+  if (whole > content.volume) set_volume(pocket, whole);
 }
 
 /// The height above which a group of pockets overflows into others.
@@ -259,6 +267,8 @@ void Flooding::part() {
 
 void Flooding::run(double h) {
   part();
+  for (std::size_t i = 0; i < held_.pockets.size(); ++i)
+    if (held_.pockets[i].flooded) flood(static_cast<int>(i));
   for (Sill from = division_.sills.begin(); from != division_.sills.end();) {
     const Sill to = std::find_if(from, division_.sills.end(), [&](const hydro::SillEdge& edge) {
       return edge.pocket != from->pocket || edge.other != from->other;
@@ -322,11 +332,14 @@ void let_water_run(const Body& body, double time, double h, Motion& motion) {
   const std::optional<Matrix6d> rate = motion.added_rate_B;
   const double jump = std::abs(change(0, 0)) / (body.rigid_B + motion.added()).diagonal()[0];
   motion = share_momentum(body, motion, motion.added() + change);
-  // Accelerations of another mass tell nothing of the next one.
-  if (jump > kMassJump)
-    motion.accelerations.clear();
-  else
+  if (jump <= kMassJump) {
     motion.added_rate_B = rate;
+    return;
+  }
+  // Accelerations and reactions of another mass tell nothing of the next ones.
+  motion.accelerations.clear();
+  motion.reaction_B.setZero();
+  motion.load_acceleration_W.reset();
 }
 
 }  // namespace engine

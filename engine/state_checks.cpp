@@ -39,6 +39,7 @@ std::vector<NamedLoad> by_name(const BodyLoads& loads) {
                              {"wave inertia", to_vector6(water.wave_inertia)},
                              {"diffraction", to_vector6(water.diffraction)},
                              {"wind", to_vector6(water.wind)},
+                             {"water inside", to_vector6(water.interior)},
                              {"weight", to_vector6(loads.weight)}});
   return named;
 }

@@ -88,6 +88,8 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
                      const LevelGuess& guess) {
   const Span span = span_of(pocket, R_WB);
   if (!(volume > 0)) return {.level = span.lowest};
+  // A pocket that has been turned over holds less, at no level what it did.
+  const double ceiling = 2 * span.highest - span.lowest;
   double low = span.lowest, high = HUGE_VAL, area = guess.area;
   WaterInside at = water_up_to(pocket, R_WB, std::clamp(guess.level, low, span.highest));
   for (int i = 0; i < kMostTrials && std::abs(at.volume - volume) > kVolumeError * volume; ++i) {
@@ -95,6 +97,7 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
     double next = at.level + (volume - at.volume) / area;
     if (!(next > low && next < high))
       next = high < HUGE_VAL ? (low + high) / 2 : at.level + span.highest - span.lowest;
+    next = std::min(next, ceiling);
     if (next == low || next == high) break;  // No number lies between.
     const WaterInside there = water_up_to(pocket, R_WB, next);
     const double gain = there.volume - at.volume;
