@@ -132,7 +132,7 @@ TEST_F(ProgramProbe, HasTheKeysThatScriptsRelyOn) {
   for (const auto& [key, value] : all["bodies"]["box"].items()) keys.push_back(key);
   EXPECT_THAT(keys, ElementsAre("com", "mass", "inertia", "displaced_volume", "wetted_area",
                                 "buoyancy", "pressure_drag", "viscous_drag", "lift", "wave_inertia",
-                                "diffraction", "wind", "added_mass"));
+                                "diffraction", "wind", "interior", "pockets", "added_mass"));
 }
 
 // A cube of 1 m sunk by half and moving down at 2 m/s: closed forms, to the rounding of sums over

@@ -173,7 +173,7 @@ TEST_F(ProgramVideoMade, ThatAreInterruptedPlayWhatWasDrawn) {
 TEST_F(ProgramVideoMade, ThatFillTheDiskLeaveNothingAndSayWhy) {
   here.write("drop.mp4", "an earlier one");
   const Outcome outcome = here.shell(
-      "trap '' XFSZ; ulimit -f 128; exec $PLIMSOLL run box.yaml --out o --video drop.mp4 --set "
+      "trap '' XFSZ; ulimit -f 192; exec $PLIMSOLL run box.yaml --out o --video drop.mp4 --set "
       "render='{size: [160, 120], every: 9}' --set duration=20 --set log.every=1 --set "
       "water.surface='{waves: [{amplitude: 0.3, wavelength: 3}]}'");
   EXPECT_EQ(outcome.code, 2);

@@ -73,6 +73,9 @@ std::string every_key() {
          "    calibrate: {drag: [1, 2, 3]}\n"
          "    collision: sphere\n"
          "    lock: [x, yaw]\n"
+         "    interior: flooding\n"
+         "    interior_water: [{at: [1, 2, 3], volume: 4}, {at: [5, 6, 7], level: 8}]\n"
+         "    openings: [{at: [1, 2, 3], area: 0.25, discharge: 0.5}]\n"
          "    forces:\n"
          "      - {force: [1, 2, 3], torque: [4, 5, 6], frame: body, at: [7, 8, 9], start: 1,"
          " end: 2, sine: {frequency_hz: 0.5, phase_deg: 90}}\n"
@@ -562,7 +565,9 @@ TEST(SceneKeys, TheExamplesOfTheReferencePageAreRight) {
   const std::regex block("```yaml\n([^`]*)```");
   int examples = 0;
   for (std::sregex_iterator it(page.begin(), page.end(), block), end; it != end; ++it) {
-    const std::string example = (*it)[1];
+    const std::string example =
+        std::regex_replace((*it)[1].str(), std::regex("file: meshes/"),
+                           "file: " + std::string(PLIMSOLL_SOURCE_DIR) + "/scenes/meshes/");
     const std::string head = example.starts_with("plimsoll") ? "" : "plimsoll: 1\nduration: 1\n";
     EXPECT_EQ(support::faults_of(head + example), std::vector<std::string>{}) << example;
     ++examples;
