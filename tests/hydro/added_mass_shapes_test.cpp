@@ -16,6 +16,7 @@
 #include "hydro/mesh/primitives.h"
 #include "hydro/mesh/weld.h"
 #include "tests/support/meshes.h"
+#include "tests/support/stored_mesh.h"
 #include "tests/support/tolerance.h"
 
 /// @file
@@ -99,29 +100,6 @@ TriMesh dodecahedron() {
   return mesh;
 }
 
-/// A mesh file of triangles.
-TriMesh file_mesh(const std::string& name) {
-  std::ifstream file(std::string(PLIMSOLL_SOURCE_DIR) + "/scenes/meshes/" + name);
-  std::vector<double> coordinates;
-  std::vector<int> corners;
-  for (std::string line, kind; std::getline(file, line);) {
-    std::istringstream words(line);
-    if (!(words >> kind) || (kind != "v" && kind != "f")) continue;
-    for (int i = 0; i < 3; ++i) {
-      std::string word;
-      words >> word;
-      if (kind == "v") coordinates.push_back(std::stod(word));
-      if (kind == "f") corners.push_back(std::stoi(word) - 1);
-    }
-  }
-  TriMesh mesh;
-  mesh.vertices = Eigen::Map<Eigen::Matrix3Xd>(coordinates.data(), 3,
-                                               static_cast<Eigen::Index>(coordinates.size() / 3));
-  mesh.faces = Eigen::Map<Eigen::Matrix3Xi>(corners.data(), 3,
-                                            static_cast<Eigen::Index>(corners.size() / 3));
-  return hydro::welded(mesh, 1e-9);
-}
-
 std::vector<Shape> shapes() {
   support::Random random(71);
   const TriMesh cube = hydro::make_box({1, 1, 1});
@@ -143,9 +121,9 @@ std::vector<Shape> shapes() {
       {"L-shaped prism", prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1)},
       {"two cubes", support::united(cube, hydro::translated(cube, {1.5, 0.3, 0}))},
       {"star", support::random_star(random, 1)},
-      {"bucket", file_mesh("bucket.obj")},
-      {"barge", file_mesh("barge.obj")},
-      {"teapot", file_mesh("teapot_1k.obj")},
+      {"bucket", support::stored_mesh("bucket.obj")},
+      {"barge", support::stored_mesh("barge.obj")},
+      {"teapot", support::stored_mesh("teapot_1k.obj")},
   };
   for (Shape& shape : all)
     shape.mesh = hydro::translated(shape.mesh, -hydro::solid_properties(shape.mesh).centroid);

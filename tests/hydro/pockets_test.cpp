@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "hydro/mesh/primitives.h"
 #include "tests/support/hollows.h"
+#include "tests/support/stored_mesh.h"
 
 namespace {
 
@@ -38,6 +40,23 @@ TEST(Pockets, ATiltedBoxHoldsAPrism) {
   ASSERT_EQ(found.pockets.size(), 1u);
   EXPECT_NEAR(found.pockets[0].capacity, 0.9 * 1.9 * (0.95 - 1.9 * slope / 2), 1e-13);
   EXPECT_NEAR(found.pockets[0].spill, std::cos(angle) - 0.95 * std::sin(angle), 1e-14);
+}
+
+// Volumes below planes at the lowest point of the rim, by an independent sum over the prisms of the
+// inner triangles, to their last digit.
+TEST(Pockets, OfABucketIsOneAtAnyTilt) {
+  const hydro::TriMesh bucket = hydro::scaled(support::stored_mesh("bucket.obj"), 3);
+  const std::array<std::array<double, 3>, 5> tilt_spill_capacity = {{{0, 1.800, 2.574},
+                                                                     {20, 1.414, 2.011},
+                                                                     {45, 0.700, 1.200},
+                                                                     {60, 0.199, 0.560},
+                                                                     {80, -0.485, 0.018}}};
+  for (const auto& [tilt, spill, capacity] : tilt_spill_capacity) {
+    const Pockets found = find_pockets(bucket, tilted(degrees(tilt)));
+    ASSERT_EQ(found.pockets.size(), 1u) << tilt;
+    EXPECT_NEAR(found.pockets[0].spill, spill, 6e-4) << tilt;
+    EXPECT_NEAR(found.pockets[0].capacity, capacity, 6e-4) << tilt;
+  }
 }
 
 TEST(Pockets, ABoxUpsideDownHasNone) {
