@@ -7,6 +7,7 @@ namespace bench {
 
 void register_hydro();
 void register_step();
+void register_hollow();
 void register_added_mass();
 void register_wetted_added_mass();
 void register_mesh();

@@ -6,6 +6,7 @@
 int main(int argc, char** argv) {
   bench::register_hydro();
   bench::register_step();
+  bench::register_hollow();
   bench::register_added_mass();
   bench::register_wetted_added_mass();
   bench::register_mesh();

@@ -233,6 +233,10 @@ kOthers = {"BM_AddedMass": "added mass of a sphere of {} triangles, solved once"
                                  "immersed, in a wave",
            "BM_WaveLoad": "load of the wave on that added mass, with the added mass",
            "BM_LoadsBeside": "all loads on that sphere in the same state",
+           "BM_HollowHull": "step of an open hull of {} triangles that rolls in still water, dry inside",
+           "BM_LiddedHull": "the same under a lid",
+           "BM_HollowHullInWave": "step of the open hull in a wave",
+           "BM_LiddedHullInWave": "the same under a lid, in a wave",
            "BM_MeshLoad": "mesh file of {} triangles, read, welded and checked",
            "BM_Frame": "picture of a teapot of {} triangles half in water, software rasteriser, "
                        "all processors",
