@@ -119,6 +119,7 @@ inline constexpr double kKnownAttitude = 0.9903;
 /// Difference of spill heights over the radius, and of volumes over that of the box, up to which
 /// pockets are kept [-]. Smaller: hulls with rounded rims are divided anew more often.
 inline constexpr double kKeptSpill = 1e-3;
+inline constexpr double kKeptVolume = 5e-4;  ///< The same of volumes, over that of the box [-].
 /// Difference of the levels on the sides of a sill, over the depth of the sea above it, up to which
 /// a full pocket is part of the sea [-].
 inline constexpr double kJoinedHead = 0.25;

@@ -194,8 +194,10 @@ bool Flooding::is_joined(int pocket, const Stream& stream) const {
   const double over = stream.sea_level - stream.lowest;
   const double level = held_.pockets[pocket].surface.level;
   const bool near = std::abs(stream.sea_level - level) <= kJoinedHead * over;
-  return over > 0 && (stream.submerged || near) &&
-         held_.pockets[pocket].volume >= volume_up_to(pocket, spill_of({pocket}));
+  const double whole = volume_up_to(pocket, spill_of({pocket}));
+  // A pocket whose mouth looks down holds nothing.
+  const bool turned = whole <= kLastWater * division_.pockets[pocket].capacity;
+  return over > 0 && (stream.submerged || near || turned) && held_.pockets[pocket].volume >= whole;
 }
 
 /// Gives a pocket another volume of water, and its mass another place if some has come in.

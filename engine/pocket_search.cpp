@@ -49,7 +49,7 @@ bool agree(const Body& body, const hydro::Interior& interior, const hydro::Pocke
   const hydro::TriMesh& mesh_B = body.spec->mesh_B;
   const Eigen::Vector3d up_B = R_WB.row(2);
   const std::vector<double> spill = spill_heights(mesh_B, interior.division, up_B);
-  const double error = kKeptSpill * body.box_B.volume();
+  const double error = kKeptVolume * body.box_B.volume();
   std::vector<double> capacity(spill.size());
   for (std::size_t i = 0; i < spill.size(); ++i)
     capacity[i] = std::isfinite(spill[i])
@@ -65,14 +65,30 @@ bool agree(const Body& body, const hydro::Interior& interior, const hydro::Pocke
   return std::all_of(capacity.begin(), capacity.end(), [&](double c) { return c <= error; });
 }
 
-/// Gives the pockets of a new division the water of the old one.
+/// Height of the sea above the centre of mass, over a vertex.
+double sea_level(const Body& body, const hydro::BodyState& state, double time, int vertex) {
+  const Eigen::Vector3d p = state.position + state.orientation.toRotationMatrix() *
+                                                 body.spec->mesh_B.vertices.col(vertex);
+  return hydro::surface_height(*body.environment.sea, p.x(), p.y(), time) - state.position.z();
+}
+
+/// Gives the pockets of a new division the water of the old one, and that of the sea where they
+/// reach beyond it.
 void take_over(const Body& body, const hydro::BodyState& state, double time, const HeldWater& old,
                HeldWater& held) {
   const hydro::TriMesh& mesh_B = body.spec->mesh_B;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Eigen::Vector3d up_B = R_WB.row(2);
   held.next_id = old.next_id;
-  std::vector<bool> known(held.pockets.size(), false);
+  const std::size_t count = held.pockets.size();
+  std::vector<double> sea(count), from_sea(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const hydro::Pocket& pocket = held.interior->division.pockets[i];
+    sea[i] = sea_level(body, state, time, pocket.lowest);
+    if (sea[i] > pocket.floor)
+      from_sea[i] = hydro::water_up_to(held.interior->pockets[i], R_WB, sea[i]).volume;
+  }
+  std::vector<bool> known(count, false);
   for (std::size_t i = 0; i < old.pockets.size(); ++i) {
     const int face = lowest_face(mesh_B, old.interior->division.pockets[i], up_B);
     const int to = held.interior ? held.interior->division.pocket_of_face[face] : kSea;
@@ -83,19 +99,19 @@ void take_over(const Body& body, const hydro::BodyState& state, double time, con
     content.volume += old.pockets[i].volume;
     content.inflow += old.pockets[i].inflow;
     content.flooded = content.flooded || old.pockets[i].flooded;
+    from_sea[to] -= hydro::water_up_to(old.interior->pockets[i], R_WB, sea[to]).volume;
   }
-  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     PocketContent& content = held.pockets[i];
     const hydro::Pocket& pocket = held.interior->division.pockets[i];
     const hydro::Hull& hull = held.interior->pockets[i];
     if (!known[i]) {
       content.id = held.next_id++;
-      const Eigen::Vector3d p = state.position + R_WB * mesh_B.vertices.col(pocket.lowest);
-      const double sea =
-          hydro::surface_height(*body.environment.sea, p.x(), p.y(), time) - state.position.z();
-      content.flooded = sea > pocket.spill;
-      if (sea > pocket.floor) content.volume = hydro::water_up_to(hull, R_WB, sea).volume;
-      content.inflow = content.volume;
+      content.flooded = sea[i] > pocket.spill;
+    }
+    if (from_sea[i] > kKeptSpill * pocket.capacity) {
+      content.volume += from_sea[i];
+      content.inflow += from_sea[i];
     }
     if (content.flooded) {
       content.inflow += pocket.capacity - content.volume;

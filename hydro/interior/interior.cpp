@@ -106,6 +106,8 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
     if (gain != 0) area = gain / (next - at.level);
     at = there;
   }
+  // What a pocket cannot hold runs out and presses on nothing.
+  if (at.level >= ceiling) return {.level = span.lowest};
   at.area = area;
   return at;
 }

@@ -15,7 +15,7 @@ namespace hydro {
 namespace {
 
 /// A pocket that holds less than this part of the box around the mesh counts as the outside.
-constexpr double kLeastPocket = 1e-4;
+constexpr double kLeastPocket = 1e-3;
 
 /// A pocket that holds less than this part of another one, where they meet, is a part of it.
 constexpr double kLeastPart = 0.02;
