@@ -10,6 +10,7 @@
 #include "engine/counts.h"
 #include "engine/interior_water.h"
 #include "engine/pull.h"
+#include "engine/rig_readings.h"
 #include "engine/simulation_state.h"
 #include "engine/spec.h"
 
@@ -65,6 +66,8 @@ class Simulation {
   std::vector<BodyForces> forces() const;
   /// The pockets of each body and their water, in the present state.
   std::vector<InteriorState> interiors() const;
+  /// Lines, joints, machines and set points in the present state.
+  RigReadings rig() const;
   const Timings& timings() const;
   Skips skips() const;
   std::vector<Counts> counts() const;  ///< Per body.
@@ -75,6 +78,13 @@ class Simulation {
   /// @throws std::invalid_argument for a load that is not finite, or an unknown body.
   void apply(BodyId body, const hydro::Wrench& wrench, Frame frame = Frame::world,
              const Eigen::Vector3d& at_B = Eigen::Vector3d::Zero());
+
+  /// Sets a set point from now on, in the unit of its name, until this is called again; a control
+  /// of the scene that drives it no longer does. @throws std::invalid_argument for an unknown name
+  /// or a value that is not finite.
+  void set(const std::string& set_point, double value);
+  /// Gives the set point back to the scene's control, or to its initial value.
+  void release(const std::string& set_point);
 
   /// Pulls the body by one of its points in all steps to come; none lets it go. A body has at most
   /// one pull, at a rate of at most kFastestPull a step; one that cannot move stays.

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/rig_spec.h"
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/loads/loads.h"
 #include "hydro/radiation/floating_body.h"
@@ -17,12 +18,6 @@
 /// The constant description of a simulation, complete and already checked. SI units.
 
 namespace engine {
-
-/// Index of a body in `SimulationSpec::bodies`.
-using BodyId = int;
-
-/// Stands for the world where a body is expected (joints).
-inline constexpr BodyId kWorld = -1;
 
 /// The shape by which a body touches other bodies and the ground.
 enum class CollisionShape {
@@ -47,7 +42,8 @@ struct AppliedLoad {
     double frequency = 0;  ///< [Hz]
     double phase = 0;      ///< [rad]
   };
-  std::optional<Sine> sine;  ///< Multiplies the load by sin(2π·frequency·t + phase).
+  std::optional<Sine> sine;          ///< Multiplies the load by sin(2π·frequency·t + phase).
+  std::optional<SetPointId> factor;  ///< Multiplies the load by this set point.
 };
 
 /// A hole through which water runs between the two spaces on its sides: the sea or pockets.
@@ -109,6 +105,7 @@ struct JointSpec {
   /// Unit, at time 0; hinge, slider, universal.
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d axis2_W = Eigen::Vector3d::UnitX();  ///< Unit, normal to axis_W; universal.
+  JointDrive drive = {};                               ///< Of a hinge or slider.
 };
 
 /// The sea floor or shore: a horizontal plane or a mesh in W, whose faces look up.
@@ -140,8 +137,13 @@ struct SimulationSpec {
   Ground ground;
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
-  int threads = 1;           ///< At most this many; results do not depend on it.
-  bool record_work = false;  ///< Keep impulses and works, for Simulation::forces.
+  std::vector<LineSpec> lines;  ///< Springs, then ropes, then moorings.
+  std::vector<PropellerSpec> propellers;
+  std::vector<FoilSpec> foils;
+  std::vector<SetPointSpec> set_points;
+  std::vector<ControlSpec> controls;  ///< Each set point is in at most one.
+  int threads = 1;                    ///< At most this many; results do not depend on it.
+  bool record_work = false;           ///< Keep impulses and works, for Simulation::forces.
 };
 
 }  // namespace engine

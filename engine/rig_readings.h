@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "hydro/spatial.h"
+
+/// @file
+/// What lines, joints and machines do at an instant, for logs, pictures and controllers. SI units.
+
+namespace engine {
+
+/// A line at an instant.
+struct LineReading {
+  double tension = 0;   ///< At the first end; negative for a spring that pushes [N].
+  double distance = 0;  ///< Of its ends [m].
+  double length = 0;    ///< Unstretched [m].
+  bool taut = false;    ///< It pulls or pushes.
+  bool broken = false;
+  Eigen::Vector3d first_W = Eigen::Vector3d::Zero();   ///< Place of its first end [m].
+  Eigen::Vector3d second_W = Eigen::Vector3d::Zero();  ///< Place of its second end [m].
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the first body [N].
+  double resting = 0;                                  ///< Length of a mooring on the bottom [m].
+};
+
+/// A joint at an instant. Forces and moments are means over the last step.
+struct JointReading {
+  double coordinate = 0;                               ///< q of a hinge [rad] or slider [m].
+  double speed = 0;                                    ///< q' [rad/s, m/s].
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the second body, by the first [N].
+  Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< The same, about the anchor [N m].
+  double effort = 0;  ///< Of limits, motor, spring, damper and friction along q [N m, N].
+};
+
+/// A propeller at an instant.
+struct PropellerReading {
+  double speed = 0;    ///< [1/s]
+  double azimuth = 0;  ///< [rad]
+  double turn = 0;     ///< Angle that the shaft has turned through since the start [rad].
+  double thrust = 0;   ///< Along its axis, on the body [N].
+  double torque = 0;   ///< That the screw takes from its shaft [N m].
+  double advance = 0;  ///< J [-]; 0 at rest.
+  double wetted = 0;   ///< Share of the disc in the water [-].
+};
+
+/// A foil at an instant.
+struct FoilReading {
+  double angle = 0;                                   ///< [rad]
+  double attack = 0;                                  ///< Angle of attack [rad].
+  double speed = 0;                                   ///< Of the flow across its span [m/s].
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< [N]
+};
+
+/// All of a simulation, in the order of the specification.
+struct RigReadings {
+  std::vector<LineReading> lines;
+  std::vector<JointReading> joints;
+  std::vector<PropellerReading> propellers;
+  std::vector<FoilReading> foils;
+  std::vector<double> set_points;  ///< In the units of their names.
+};
+
+}  // namespace engine
