@@ -153,6 +153,10 @@ inline constexpr double kStiffLine = 0.5;
 /// [rad].
 inline constexpr double kResolvedLine = 0.7;
 inline constexpr double kUnresolvedLine = 2;
+/// Tension found, over that for which a line is held sideways, after which it is held for more [-].
+inline constexpr double kHeldTension = 1.5;
+/// Solutions of an island for that in a substep.
+inline constexpr int kMostHeldSolves = 4;
 /// Compliance of a stop or motor, times the mass that it holds, over a substep [-].
 inline constexpr double kRowCompliance = 1e-9;
 

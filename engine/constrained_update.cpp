@@ -30,7 +30,7 @@ Eigen::Matrix3d symmetric(const Eigen::Matrix3d& m) { return (m + m.transpose())
 /// M_o: `factor` times the nearest that ODE can take.
 void choose_solver_mass(const SubstepBody& c, Row& row, double factor) {
   const Eigen::Matrix3d& R_WB = c.midpoint.R_WB;
-  const bool own = !c.body().has_added_mass && !row.implicit;
+  const bool own = !c.body().has_added_mass && !row.implicit && !c.midpoint.rig_inertia;
   const Matrix6d S_B = own ? c.body().rigid_B : rotate_tensor(R_WB.transpose(), row.S);
   const Eigen::Matrix3d translation = S_B.topLeftCorner<3, 3>();
   const double mean = own ? c.body().spec->mass : std::cbrt(hydro::eigenvalues(translation).prod());

@@ -36,6 +36,8 @@ struct ForceRow {
   double most = std::numeric_limits<double>::infinity();  ///< Else |λ| is at most this.
   bool of_line = true;    ///< It is that of a line, or of a joint's drive.
   std::size_t owner = 0;  ///< Index of the line or joint.
+  double held = 0;        ///< Tension that (E25) holds the ends of a line sideways for [N].
+  double sideways = 0;    ///< (hω)² of that motion per tension, for the lighter end [1/N].
   double sign = 1;        ///< Of the drive of a joint: that of λ along q.
   double force = 0;       ///< λ, found by the solver [N, N m].
 };
@@ -56,6 +58,9 @@ struct RowTerms {
   double compliance = 0;
 };
 RowTerms row_terms(const RowLaw& law, double h);
+
+/// Weight a of (E22) for an oscillation that goes through `phase` [rad] in a substep.
+double spring_weight(double phase);
 
 /// Those of a rigid stop or motor: J u⁺ = `rate` but for a compliance that round-off needs.
 RowTerms rigid_terms(double rate, double mobility, double h);

@@ -174,7 +174,10 @@ void Rig::begin_step(const std::vector<hydro::BodyState>& states, double time, d
   const auto measured = [&](const Measurement& of) { return measure(of, states, time, h); };
   step_start_ = time;
   set_points_->begin_step(time, h, measured);
-  for (LineState& line : lines_) line.impulse = 0;
+  for (LineState& line : lines_) {
+    line.tension = line.impulse / h;
+    line.impulse = 0;
+  }
   for (JointState& joint : joints_) joint = {};
 }
 

@@ -28,6 +28,15 @@
 /// 3. As a row of the constraint solver (force_row.h): ropes and springs between moving bodies that
 ///    are stiff, and all of a drive that holds or stops.
 ///
+/// A taut row also holds its ends sideways. Where that is stiff, as for a light body between heavy
+/// ones, the body has more inertia in this substep,
+///
+///     h² a T/l  and, about its centre of mass,  h² a T (r²/l + max(0, n·r)),                (E25)
+///
+/// T the larger of the tensions in the last step and in the last solution, n the direction of its
+/// pull at r, and a that of (E22). It is the same in all directions, so that S keeps the form that
+/// the solver knows.
+///
 /// Stiff means that the sum of h² k + 2 h c over all that acts so on a body exceeds kStiffLine of
 /// the mass that they move, in the most mobile direction.
 
@@ -41,7 +50,8 @@ struct SubstepBody;
 struct LineState {
   double length = 0;  ///< L at the end of the last step [m].
   bool broken = false;
-  double impulse = 0;                              ///< Of its row in the last step [N s].
+  double impulse = 0;  ///< Of its row in the last step, or so far in this one [N s].
+  double tension = 0;  ///< Of its row: the mean over the step before that [N].
   Eigen::Vector2d pull = Eigen::Vector2d::Zero();  ///< (H, V) of a mooring, found last [N].
 };
 
@@ -81,8 +91,12 @@ class Rig {
   /// Sets the loads and the implicit terms of lines and drives of an island whose bodies are
   /// halfway. @param time   Halfway [s].
   void find_loads(const StepContext& context, Island& island, double time, double h);
-  /// Sets the rows of the island, whose midpoints are made.
+  /// Sets the rows of the island, whose midpoints are made, and the inertia of the midpoints by
+  /// (E24) and (E25); rows that the island has already tell the tensions of the last solution.
   void find_rows(const StepContext& context, Island& island, double time, double h);
+  /// False if the tensions that were found are so much larger than those of (E25) that rows are to
+  /// be set and solved again.
+  static bool is_held(const Island& island);
   /// Sets the places of the joints whose reactions the solver has found.
   void find_reactions(const StepContext& context, Island& island) const;
   /// What the solver has found in accepted substeps of a group, as impulses.
@@ -118,6 +132,10 @@ class Rig {
 
  private:
   struct End;  ///< An end of a line in a substep.
+  struct LineHold {
+    Eigen::Vector3d pull_W;  ///< Direction of the pull at the end.
+    double distance;         ///< [m]
+  };
   /// What acts on a body, each of it listed with the first body that can move.
   struct Parts {
     std::vector<std::size_t> lines;     ///< Loads between moving bodies.
@@ -160,8 +178,11 @@ class Rig {
                 double h);
   void add_lines_to_world(const StepContext& context, Island& island, SubstepBody& body,
                           double time, double h);
-  void add_line_row(const StepContext& context, Island& island, std::size_t line, double time,
-                    double h);
+  void add_line_row(const StepContext& context, Island& island, std::size_t line, double found,
+                    double time, double h);
+  double sideways_phase(BodyId body, const Eigen::Vector3d& r, double T, double l, double lever,
+                        double h) const;
+  void hold_sideways(const ForceRow& row, const End& end, const LineHold& hold, double h) const;
   void add_drive_load(const StepContext& context, Island& island, std::size_t joint, double time);
   void add_drive_rows(const StepContext& context, Island& island, std::size_t joint, double time,
                       double h);

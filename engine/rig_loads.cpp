@@ -119,7 +119,7 @@ void Rig::add_lines_to_world(const StepContext& context, Island& island, Substep
   hydro::Wrench load;
   if (add_all(true, load, nullptr) > kStiffLine) {
     load = {};
-    b.rig_inertia = Matrix6d::Zero();
+    b.rig_inertia = Matrix6d::Zero();  // before rows add theirs
     add_all(false, load, &*b.rig_inertia);
   }
   b.moving->rig_load += load;
@@ -147,6 +147,24 @@ void Rig::add_drive_load(const StepContext& context, Island& island, std::size_t
   }
 }
 
+void Rig::hold_sideways(const ForceRow& row, const End& end, const LineHold& hold, double h) const {
+  if (!end.body || !(row.held > 0)) return;
+  const double lever = std::max(0.0, hold.pull_W.dot(end.r_W));
+  const double square = sideways_phase(end.body->id, end.r_W, row.held, hold.distance, lever, h);
+  if (square < kStiffLine) return;
+  const double weight = h * h * spring_weight(std::sqrt(square)) * row.held;
+  Matrix6d& more = *end.body->midpoint.rig_inertia;
+  more.diagonal().head<3>().array() += weight / hold.distance;
+  more.diagonal().tail<3>().array() += weight * (end.r_W.squaredNorm() / hold.distance + lever);
+}
+
+/// (hω)² of the motion across a line of length l under the tension T.
+double Rig::sideways_phase(BodyId body, const Vector3d& r, double T, double l, double lever,
+                           double h) const {
+  const double turning = mobility(body, Vector3d::UnitX()) - 1 / spec_->bodies[body].mass;
+  return h * h * T * (mobility(body, r) / l + lever * turning);
+}
+
 void Rig::find_loads(const StepContext& context, Island& island, double time, double h) {
   for (SubstepBody* b : island.bodies) {
     b->moving->rig_load = {};
@@ -161,8 +179,8 @@ void Rig::find_loads(const StepContext& context, Island& island, double time, do
   }
 }
 
-void Rig::add_line_row(const StepContext& context, Island& island, std::size_t index, double time,
-                       double h) {
+void Rig::add_line_row(const StepContext& context, Island& island, std::size_t index, double found,
+                       double time, double h) {
   if (lines_[index].broken) return;
   const LineSpec& line = spec_->lines[index];
   const End first = end_of(context, island, line.first, h, false);
@@ -192,6 +210,14 @@ void Rig::add_line_row(const StepContext& context, Island& island, std::size_t i
                 h);
   row.target = terms.target;
   row.compliance = terms.compliance;
+  row.held = std::max(lines_[index].tension, found);
+  for (const auto& [end, sign] : {std::pair(&first, -1.0), std::pair(&second, 1.0)}) {
+    hold_sideways(row, *end, {.pull_W = sign * row.direction_W, .distance = distance}, h);
+    if (end->body)
+      row.sideways = std::max(
+          row.sideways, sideways_phase(end->body->id, end->r_W, 1, distance,
+                                       std::max(0.0, sign * row.direction_W.dot(end->r_W)), h));
+  }
   island.rows.push_back(row);
 }
 
@@ -237,13 +263,33 @@ void Rig::find_reactions(const StepContext& context, Island& island) const {
 }
 
 void Rig::find_rows(const StepContext& context, Island& island, double time, double h) {
+  const std::vector<ForceRow> before = std::move(island.rows);
   island.rows.clear();
+  const auto found = [&](std::size_t line) {
+    const auto row = std::ranges::find_if(
+        before, [line](const ForceRow& r) { return r.of_line && r.owner == line; });
+    return row == before.end() ? 0.0 : row->force;
+  };
+  for (SubstepBody* b : island.bodies) {
+    b->midpoint.rig_inertia = b->rig_inertia;
+    if (constrains_[b->id] && !b->rig_inertia) b->midpoint.rig_inertia = Matrix6d::Zero();
+  }
   for (SubstepBody* b : island.bodies) {
     if (!constrains_[b->id]) continue;
-    for (const std::size_t line : parts_[b->id].rows) add_line_row(context, island, line, time, h);
+    for (const std::size_t line : parts_[b->id].rows)
+      add_line_row(context, island, line, found(line), time, h);
     for (const std::size_t joint : parts_[b->id].drives)
       add_drive_rows(context, island, joint, time, h);
   }
+  for (SubstepBody* b : island.bodies)
+    if (b->midpoint.rig_inertia && b->midpoint.rig_inertia->isZero(0))
+      b->midpoint.rig_inertia.reset();
+}
+
+bool Rig::is_held(const Island& island) {
+  return std::ranges::all_of(island.rows, [](const ForceRow& row) {
+    return row.force <= kHeldTension * row.held || row.force * row.sideways < kStiffLine;
+  });
 }
 
 void Rig::add(const Island& island, double h, Record& record) {

@@ -151,7 +151,9 @@ void visit(auto& a, StepValue& v) { visit_all(a, v.start, v.middle, v.end); }
 void visit(auto& a, SetPointState& s) {
   visit_all(a, s.value, s.outside, s.integral, s.measured, s.beyond);
 }
-void visit(auto& a, LineState& l) { visit_all(a, l.length, l.broken, l.impulse, l.pull); }
+void visit(auto& a, LineState& l) {
+  visit_all(a, l.length, l.broken, l.impulse, l.tension, l.pull);
+}
 void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort); }
 void visit(auto& a, RigState& rig) {
   visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points);

@@ -155,6 +155,16 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
   let_water_run(b.body(), time, h, b.end);
 }
 
+/// Solves an island with its rows, again where they turn out to pull much harder.
+void solve_constrained(const StepContext& context, Island& island, double time, double h) {
+  for (int i = 0; i < kMostHeldSolves; ++i) {
+    context.rig.find_rows(context, island, time, h);
+    constrained_update(context, island, time, h);
+    if (Rig::is_held(island)) break;
+  }
+  context.rig.find_reactions(context, island);
+}
+
 }  // namespace
 
 void drift_halfway(SubstepBody& b, double time, double h) {
@@ -184,9 +194,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
       b->midpoint.rig_inertia = b->rig_inertia;
     }
     if (constrained) {
-      context.rig.find_rows(context, island, time + h / 2, h);
-      constrained_update(context, island, time + h / 2, h);
-      context.rig.find_reactions(context, island);
+      solve_constrained(context, island, time + h / 2, h);
     } else {
       for (SubstepBody* b : island.bodies)
         b->update = pass == 1
