@@ -10,6 +10,7 @@ void register_step();
 void register_hollow();
 void register_added_mass();
 void register_wetted_added_mass();
+void register_machines();
 void register_mesh();
 void register_frame();
 void register_run();
