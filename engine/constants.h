@@ -163,7 +163,8 @@ inline constexpr int kMostImpacts = 4;              ///< Impacts in a step that 
 inline constexpr int kMostOnsetLooks = 4;           ///< Collisions to find the onset of an impact.
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
 inline constexpr double kImpactGain = 1e-9;
-/// Substeps of a step that end where bodies would pass through each other. Later ones pass.
+/// Substeps of a step, per body of a group, that end where bodies would pass through each other.
+/// Later ones pass.
 inline constexpr int kMostPassings = 16;
 /// Parts of a substep's motion in which a passing is looked for. More: bodies that skim a rough
 /// ground for metres in a step cost more, and fewer of their contacts are missed.

@@ -66,13 +66,14 @@ std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching)
 std::vector<Impacts::Onset> Impacts::onsets(double h, bool resolved) {
   std::vector<Onset> found;
   bool passes = false;
+  const int most = kMostPassings * static_cast<int>(group_->bodies.size());
   for (const Pair& pair : group_->near) {
     const Speed speed = meeting_speed(pair);
     if (!(speed.linear > slow_)) continue;
     const double reach = context_->world.reach(pair);
     std::optional<double> time;
     if (resolved) time = onset(pair, h);
-    if (speed.linear * h > reach && passings_ < kMostPassings) {
+    if (speed.linear * h > reach && passings_ < most) {
       const auto met = passing(pair, h, speed, reach);
       // An onset that is this late was found on the other side, or is that of another touch.
       if (met && !(time && *time <= *met + reach / speed.linear)) {

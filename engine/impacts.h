@@ -23,7 +23,7 @@
 /// Bodies that would pass through each other in the substep (passing.h) end it at their onset, too,
 /// and where kFirstAfterImpact τ would still take them through, the next one is shorter, so that
 /// they are found in contact with less than half the thinner body's thickness. They do in heaps as
-/// elsewhere, and at most kMostPassings times in a step.
+/// elsewhere, and at most kMostPassings times in a step per body of the group.
 ///
 /// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
 /// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps
