@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "engine/constants.h"
 #include "engine/spatial_vector.h"
@@ -104,6 +106,11 @@ Eigen::AlignedBox3d box_around(dxGeom* geom) {
   return {Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5])};
 }
 
+struct DestroyGeom {
+  void operator()(dxGeom* geom) const { dGeomDestroy(geom); }
+};
+using BoxHandle = std::unique_ptr<dxGeom, DestroyGeom>;
+
 bool is_sphere(dxGeom* geom) { return dGeomGetClass(geom) == dSphereClass; }
 bool is_mesh(dxGeom* geom) { return dGeomGetClass(geom) == dTriMeshClass; }
 
@@ -151,6 +158,29 @@ std::vector<double> World::closing_times(
     if (speed > slow) times.push_back(point.depth / speed);
   }
   return times;
+}
+
+bool World::meets(BodyId body, const hydro::BodyState& place, const OrientedBox& box) {
+  const std::lock_guard lock(*mutex_);
+  const Stopwatch stopwatch(collision_seconds_);
+  open_ode();
+  if (body != kWorld) set_state(body, place);
+  const BoxHandle probe(dCreateBox(nullptr, box.sizes.x(), box.sizes.y(), box.sizes.z()));
+  dGeomSetPosition(probe.get(), box.center_W.x(), box.center_W.y(), box.center_W.z());
+  dGeomSetRotation(probe.get(), to_ode(box.axes_W).data());
+  dContactGeom point;
+  return dCollide(geom_of(body), probe.get(), 1, &point, sizeof point) > 0;
+}
+
+bool World::is_ball(BodyId body) const { return body != kWorld && is_sphere(geom_of(body)); }
+
+double World::reach(const Pair& pair) const {
+  if (pair.first == kWorld && dGeomGetClass(ground_) == dPlaneClass)
+    return std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyId id : {pair.first, pair.second})
+    if (id != kWorld) least = std::min(least, bodies_[id].shape_B.sizes().minCoeff());
+  return least / 2;
 }
 
 std::vector<Pair> World::touchable(
@@ -203,35 +233,65 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
       mass = std::max(mass, bodies_[id].inertia.mass);
       fall = std::max(fall, bodies_[id].inertia.fall);
     }
+    const Surface surface = surfaces_.between(pair);
     for (const ContactPoint& point : points) {
-      ContactStiffness stiffness = contact_stiffness(
-          unit_ * mass, points.size(), step, weights(pair, point, points.size(), mass, step));
-      stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
-      stiffness.speed *= -point.normal_W.dot(approach(pair, point.position_W, 0));
-      contacts.points.push_back({.pair = pair,
-                                 .point = point,
-                                 .stiffness = stiffness,
-                                 .sliding_W = approach(pair, point.position_W, step)});
+      const double closing = -point.normal_W.dot(approach(pair, point.position_W, 0));
+      Contact contact{.pair = pair,
+                      .point = point,
+                      .stiffness = {},
+                      .friction = surface.friction,
+                      .restitution = surface.restitution,
+                      .sliding_W = approach(pair, point.position_W, step)};
+      contact.rebounds = rebounds(contact, points.size(), mass, closing, step);
+      ContactStiffness& stiffness = contact.stiffness;
+      if (contact.rebounds) {
+        stiffness =
+            rebound_stiffness(unit_ * mass, points.size(), step, surface.restitution * closing);
+      } else {
+        stiffness = contact_stiffness(unit_ * mass, points.size(), step,
+                                      weights(pair, point, points.size(), mass, step));
+        stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
+        stiffness.speed *= closing;
+      }
+      contacts.points.push_back(std::move(contact));
     }
   }
   return contacts;
 }
 
+bool World::rebounds(const Contact& contact, std::size_t points, double mass, double closing,
+                     double step) const {
+  if (closing <= impact_speed(gravity_)) return false;
+  if (contact.restitution > 0) return true;
+  const double sink = kSink * std::max(step, kShortestContact) * closing;
+  const double half = reach(contact.pair);
+  if (sink <= half) return false;
+  const double share =
+      lightness(contact.pair, contact.point, mass).value_or(1) / static_cast<double>(points);
+  return sink > half * std::max(1.0, share);
+}
+
 ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::size_t points,
                               double mass, double step) const {
   if (step >= kShortestContact) return {};
+  const std::optional<double> light = lightness(pair, point, mass);
+  return light ? halfway_weights(points, step, *light) : ContactWeights{};
+}
+
+std::optional<double> World::lightness(const Pair& pair, const ContactPoint& point,
+                                       double mass) const {
   double lightness = 0;
   for (const BodyId id : {pair.first, pair.second}) {
     if (!handle_of(id)) continue;
     const std::optional<Matrix6d>& inertia_B = bodies_[id].inertia.matrix_B;
-    if (!inertia_B) return {};
+    if (!inertia_B) return std::nullopt;
     const hydro::BodyState now = state(id);
     const Vector6d push =
         rotate(now.orientation.conjugate().toRotationMatrix(),
                to_vector6(point.normal_W, (point.position_W - now.position).cross(point.normal_W)));
     lightness += mass * push.dot(hydro::Cholesky6(*inertia_B).solve(push));
   }
-  return halfway_weights(points, step, lightness);
+  return lightness;
 }
 
 Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d& point_W,

@@ -162,7 +162,7 @@ inline constexpr double kRowCompliance = 1e-9;
 
 // ── Contacts (contacts.h) and impacts (impacts.h) ───────────────────────────────────────────────
 
-inline constexpr double kFriction = 0.5;           ///< Coulomb's µ of every pair [-].
+inline constexpr double kFriction = 0.5;           ///< Coulomb's µ where none is given [-].
 inline constexpr double kShortestContact = 0.01;   ///< Least time τ of a contact's spring [s].
 inline constexpr double kLeastGravity = 1;         ///< In (E13) and (E15) [m/s^2].
 inline constexpr std::size_t kContactsOfPair = 8;  ///< Points kept where a mesh touches.
@@ -177,6 +177,20 @@ inline constexpr double kImpactBegun = 1.0 / 8;
 inline constexpr std::size_t kMostImpactPairs = 4;  ///< Larger heaps take whole steps.
 inline constexpr int kMostImpacts = 4;              ///< Impacts in a step that end a substep.
 inline constexpr int kMostOnsetLooks = 4;           ///< Collisions to find the onset of an impact.
+/// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
+inline constexpr double kImpactGain = 1e-9;
+/// Substeps of a step, per body of a group, that end where bodies would pass through each other.
+/// Later ones pass.
+inline constexpr int kMostPassings = 16;
+/// Parts of a substep's motion in which a passing is looked for. More: bodies that skim a rough
+/// ground for metres in a step cost more, and fewer of their contacts are missed.
+inline constexpr int kMostPassingLooks = 512;
+/// Motion between two places in which bodies are collided to find a passing, and the error of its
+/// onset, over half the thinner body's thickness [-]. Beyond 1 a body may pass between two places.
+inline constexpr double kPassingLook = 0.5;
+inline constexpr double kPassingError = 1.0 / 32;
+/// Sink of a spring and damper at their critical damping, over v τ [-]: 1/e.
+inline constexpr double kSink = 0.3679;
 /// Reach of trusted contact points, in steps of the relative motion [-].
 inline constexpr double kReachInSteps = 3;
 /// Margin of broad-phase boxes, over their longest side [-]. Larger: fewer searches, more pairs.

@@ -7,6 +7,7 @@
 
 #include "engine/anderson.h"
 #include "engine/constants.h"
+#include "engine/restitution.h"
 #include "hydro/decompositions.h"
 
 namespace engine {
@@ -74,12 +75,7 @@ struct Solver {
 };
 
 /// An answer of the solver to the reactions r: the changes of velocity, and R.
-struct Answer {
-  std::vector<Vector6d> changes;
-  std::vector<Vector6d> reactions;
-  std::vector<double> row_forces;
-  std::vector<JointReaction> joints;
-};
+using Answer = ImpactAnswer;
 
 Answer ask(const Solver& solver, std::vector<Row>& rows, const std::vector<Vector6d>& r,
            double step) {
@@ -221,6 +217,20 @@ Answer solve(const Solver& solver, const Island& island, std::vector<Row>& rows,
   return iteration.answer;
 }
 
+/// The answer, less what restitution would give of energy (E33).
+Answer without_gain(const Solver& solver, const Island& island, std::vector<Row>& rows,
+                    const Answer& answer, double step, int& solves) {
+  if (!restores(solver.contacts)) return answer;
+  std::vector<Vector6d> before;
+  for (const Row& row : rows)
+    before.push_back(velocity(row.solver.state, Eigen::Vector3d::Zero()) + row.jump);
+  if (!gains(answer, before, step)) return answer;
+  const std::vector<Contact> plain = without_restitution(solver.contacts);
+  const Answer stopped =
+      solve({.world = solver.world, .contacts = plain, .rows = solver.rows}, island, rows, step, solves);
+  return without_gain(stopped, answer, before, step);
+}
+
 /// True if the changes agree with those that the loads were linearised about.
 bool has_converged(const Island& island, const std::vector<Row>& rows, const Answer& answer) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -244,7 +254,8 @@ void constrained_update(const StepContext& context, Island& island, double time,
     std::vector<Row> rows(bodies.size());
     parallel_for_rethrow(context.parallel_for, bodies.size(),
                          [&](std::size_t k) { rows[k] = make_row(*bodies[k], time, h); });
-    const Answer answer = solve(solver, island, rows, h, solves);
+    const Answer answer =
+        without_gain(solver, island, rows, solve(solver, island, rows, h, solves), h, solves);
     const bool done = has_converged(island, rows, answer);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       SubstepBody& c = *bodies[k];

@@ -100,6 +100,13 @@ ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
           .slip = kSlip * step * share};
 }
 
+double impact_speed(double gravity) { return kShortestContact * std::max(gravity, kLeastGravity); }
+
+ContactStiffness rebound_stiffness(double mass, std::size_t points, double step, double rebound) {
+  const double slip = kSlip * step * static_cast<double>(points) / mass;
+  return {.erp = 0, .cfm = slip, .speed = rebound, .slip = slip};
+}
+
 double limited_erp(double erp, double depth, double gravity, double step) {
   return std::min(erp, step * std::sqrt(2 * std::max(gravity, kLeastGravity) / depth));
 }

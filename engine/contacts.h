@@ -37,14 +37,25 @@
 /// lighter mass a body would sink deep into a lighter one; with the heavier one the contact of the
 /// light body is overdamped, with the same ERP.
 ///
-/// Friction is Coulomb's with kFriction for every pair, in a pyramid whose first edge lies along
-/// the sliding without it; so a body slides down the steepest way above atan kFriction, whatever
+/// Friction is Coulomb's with the µ of the pair (contact_surfaces.h), in a pyramid whose first edge
+/// lies along the sliding without it; so a body slides down the steepest way above atan µ, whatever
 /// the heading of the slope. Its rows are regularised by
 ///
 ///     slip = kSlip h n / m,                                                              (E14)
 ///
 /// by which a body on a slope creeps with less than kSlip g h [m/s], and which keeps the equations
 /// of many points solvable.
+///
+/// A point rebounds, in place of the spring and damper, where it closes faster than (E15) and the
+/// pair has a restitution e > 0, or where spring and damper would stop the bodies only beyond half
+/// the thickness of the thinner one, kSink v τ, on their way through each other. Then
+///
+///     v⁺ = −e v⁻,    CFM = kSlip h n / m,                                                (E30)
+///
+/// Newton's law of restitution, regularised as friction is. In a substep that begins at the onset,
+/// the positions at its two ends differ by the work of the weight over what v⁻ and v⁺ travel, so
+/// with e = 1 a bounce keeps the energy for any h. Several impacts at once and friction may gain
+/// energy under Newton's law; restitution.h takes that back.
 
 namespace engine {
 
@@ -92,11 +103,18 @@ ContactWeights halfway_weights(std::size_t points, double step, double lightness
 struct ContactStiffness {
   double erp = 0;    ///< [-]
   double cfm = 0;    ///< [m/(N s)]
-  double speed = 0;  ///< For v⁻ = −1 [-].
+  double speed = 0;  ///< For v⁻ = −1 [-]; of (E30) [m/s].
   double slip = 0;   ///< [m/(N s)]
 };
 ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
                                    const ContactWeights& weights = {});
+
+/// Speed of (E15), above which touching is an impact [m/s].
+double impact_speed(double gravity);
+
+/// (E30) for one point.
+/// @param rebound   The speed e v⁻ at which it parts [m/s].
+ContactStiffness rebound_stiffness(double mass, std::size_t points, double step, double rebound);
 
 /// The ERP of (E11), bounded so that the speed ERP·depth/h does not exceed (E13).
 double limited_erp(double erp, double depth, double gravity, double step);

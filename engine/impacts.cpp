@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/constants.h"
+#include "engine/passing.h"
 
 namespace engine {
 namespace {
@@ -27,7 +28,7 @@ Impacts::Impacts(const StepContext& context, const Group& group, const std::vect
       first_(kFirstAfterImpact * std::min(step, kShortestContact)),
       begun_(kImpactBegun * first_),
       step_(step),
-      slow_(kShortestContact * std::max(context.gravity, kLeastGravity)) {
+      slow_(impact_speed(context.gravity)) {
   std::set_intersection(group.near.begin(), group.near.end(), touching.begin(), touching.end(),
                         std::back_inserter(touching_));
 }
@@ -40,23 +41,52 @@ double Impacts::longest_substep() const {
 }
 
 std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching) {
-  if (touching.size() > kMostImpactPairs || count_ == kMostImpacts) return std::nullopt;
-  std::vector<std::pair<double, Pair>> onsets;
+  const bool resolved = touching.size() <= kMostImpactPairs && count_ < kMostImpacts;
+  const std::vector<Onset> found = onsets(h, resolved);
+  if (found.empty()) return std::nullopt;
+  if (resolved) ++count_;
+  const double start =
+      std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+        return a.time < b.time;
+      })->time;
+  double first = first_;
+  for (const Onset& onset : found) {
+    if (onset.time > start + begun_) continue;
+    will_touch_.push_back(onset.pair);
+    first = std::min(first, onset.first);
+    for (const BodyId id : {onset.pair.first, onset.pair.second}) {
+      if (!can_move(context_->bodies, id)) continue;
+      double& longest = body(id).motion.longest_after_impact;
+      longest = std::min(longest, onset.first);
+    }
+  }
+  return start > kImpactBegun * first ? start : std::min(h, first);
+}
+
+std::vector<Impacts::Onset> Impacts::onsets(double h, bool resolved) {
+  std::vector<Onset> found;
+  bool passes = false;
+  const int most = kMostPassings * static_cast<int>(group_->bodies.size());
   for (const Pair& pair : group_->near) {
-    if (!may_meet_fast(pair)) continue;
-    const auto time = onset(pair, h);
-    if (time) onsets.emplace_back(*time, pair);
+    const Speed speed = meeting_speed(pair);
+    if (!(speed.linear > slow_)) continue;
+    const double reach = context_->world.reach(pair);
+    std::optional<double> time;
+    if (resolved) time = onset(pair, h);
+    if (speed.linear * h > reach && passings_ < most) {
+      const auto met = passing(pair, h, speed, reach);
+      // An onset that is this late was found on the other side, or is that of another touch.
+      if (met && !(time && *time <= *met + reach / speed.linear)) {
+        time = met;
+        passes = true;
+      }
+    }
+    if (time)
+      found.push_back(
+          {.time = *time, .first = std::min(first_, reach / speed.linear), .pair = pair});
   }
-  if (onsets.empty()) return std::nullopt;
-  ++count_;
-  const double first = std::min_element(onsets.begin(), onsets.end())->first;
-  for (const auto& [time, pair] : onsets) {
-    if (time > first + begun_) continue;
-    will_touch_.push_back(pair);
-    for (const BodyId id : {pair.first, pair.second})
-      if (can_move(context_->bodies, id)) body(id).motion.longest_after_impact = first_;
-  }
-  return first > begun_ ? first : std::min(h, first_);
+  passings_ += passes;
+  return found;
 }
 
 void Impacts::accept(const std::vector<Pair>& touching) {
@@ -70,16 +100,35 @@ void Impacts::accept(const std::vector<Pair>& touching) {
   }
 }
 
-bool Impacts::may_meet_fast(const Pair& pair) const {
+Impacts::Speed Impacts::meeting_speed(const Pair& pair) const {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  double turning = 0;
+  double turning = 0, angular = 0;
   for (const BodyId id : {pair.first, pair.second}) {
     if (!can_move(context_->bodies, id)) continue;
     const hydro::BodyState& state = body(id).motion.state;
     velocity = state.linear_velocity - velocity;
     turning += body(id).body.radius * state.angular_velocity.norm();
+    angular += state.angular_velocity.norm();
   }
-  return velocity.norm() + turning > slow_;
+  return {.linear = velocity.norm() + turning, .angular = angular};
+}
+
+std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& speed,
+                                       double reach) const {
+  const auto state = [this](BodyId id, double time) {
+    if (can_move(context_->bodies, id)) return expected_state(body(id), time);
+    return id == kWorld ? hydro::BodyState{} : context_->world.state(id);
+  };
+  const auto time = first_contact(context_->world, {.pair = pair,
+                                                    .h = h,
+                                                    .speed = speed.linear,
+                                                    .turning = speed.angular,
+                                                    .reach = reach,
+                                                    .slow = slow_,
+                                                    .state = state});
+  const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
+  if (met && time == 0.0) return std::nullopt;  // their contact stops them
+  return time;
 }
 
 std::optional<double> Impacts::onset(const Pair& pair, double time) const {

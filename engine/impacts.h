@@ -20,6 +20,11 @@
 /// shorter step, and each further one grows by kImpactGrowth up to a step: some dozen substeps of
 /// the group per impact, whatever the step.
 ///
+/// Bodies that would pass through each other in the substep (passing.h) end it at their onset, too,
+/// and where kFirstAfterImpact τ would still take them through, the next one is shorter, so that
+/// they are found in contact with less than half the thinner body's thickness. They do in heaps as
+/// elsewhere, and at most kMostPassings times in a step per body of the group.
+///
 /// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
 /// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps
 /// in a step of a group: bodies that rattle cannot stall it.
@@ -46,7 +51,7 @@ class Impacts {
 
   /// Limit of the next substep, of length h, by an impact in it [s]: the time at which a pair
   /// begins to touch or, if that is now, the first length after an impact. None: there is no
-  /// impact.
+  /// impact, and no passing.
   /// @param touching   Pairs that touch halfway through the substep, ascending.
   std::optional<double> next(double h, const std::vector<Pair>& touching);
 
@@ -58,16 +63,32 @@ class Impacts {
 
  private:
   MovingBody& body(BodyId id) const { return context_->bodies[id]; }
-  bool may_meet_fast(const Pair& pair) const;
+  /// The next time at which a pair begins to touch.
+  struct Onset {
+    double time = 0;   ///< From the start of the substep [s].
+    double first = 0;  ///< Length of the substep that follows [s].
+    Pair pair;
+  };
+
+  /// Bounds of the relative speed of two points of a pair [m/s], and of its turning [rad/s].
+  struct Speed {
+    double linear = 0;
+    double angular = 0;
+  };
+  Speed meeting_speed(const Pair& pair) const;
+  std::vector<Onset> onsets(double h, bool resolved);
   std::optional<double> onset(const Pair& pair, double time) const;
+  /// The onset of a pair that would pass in the substep. @param reach   World::reach [m]
+  std::optional<double> passing(const Pair& pair, double h, const Speed& speed, double reach) const;
 
   const StepContext* context_;
   const Group* group_;
   double first_;  ///< Length of the first substep after an impact [s].
-  double begun_;  ///< Onset that counts as the start of the substep [s].
+  double begun_;  ///< Onset that counts as the start of the substep, unless that is shorter [s].
   double step_;
   double slow_;                   ///< Speed of (E15) [m/s].
   int count_ = 0;                 ///< Impacts in this step.
+  int passings_ = 0;              ///< Passings in this step.
   std::vector<Pair> touching_;    ///< Ascending.
   std::vector<Pair> will_touch_;  ///< At the end of the next substep, or at its start.
 };

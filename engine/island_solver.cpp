@@ -19,7 +19,7 @@ dContact to_ode_contact(const Contact& contact) {
   ode.geom.depth = point.depth;
   ode.surface.mode = dContactSoftERP | dContactSoftCFM | dContactMotionN | dContactSlip1 |
                      dContactSlip2 | dContactApprox1;
-  ode.surface.mu = kFriction;
+  ode.surface.mu = contact.friction;
   ode.surface.soft_erp = contact.stiffness.erp;
   ode.surface.soft_cfm = contact.stiffness.cfm;
   ode.surface.motionN = contact.stiffness.speed;

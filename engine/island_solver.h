@@ -38,6 +38,9 @@ struct Contact {
   Pair pair;
   ContactPoint point;
   ContactStiffness stiffness;
+  double friction = kFriction;                          ///< Coulomb's µ [-].
+  double restitution = 0;                               ///< [-]
+  bool rebounds = false;                                ///< (E30) holds.
   Eigen::Vector3d sliding_W = Eigen::Vector3d::Zero();  ///< Relative velocity without it [m/s].
 };
 

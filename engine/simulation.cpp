@@ -36,6 +36,7 @@ World make_world(const SimulationSpec& spec) {
   if (!(spec.step > 0 && std::isfinite(spec.step)))
     throw std::invalid_argument(fmt::format("the step is {} s, not positive", spec.step));
   World world(spec.gravity);
+  world.set_surfaces(ContactSurfaces(spec));
   const bool meets = has_a_pair(spec);
   for (const BodySpec& body : spec.bodies) world.add_body(body, meets);
   // Joints take some of the world's compliance when they are made, so this comes before them.

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/constants.h"
 #include "engine/rig_spec.h"
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/loads/loads.h"
@@ -86,7 +87,9 @@ struct BodySpec {
   /// The mesh with the pockets of the start closed by lids; none without pockets.
   std::optional<hydro::TriMesh> closed_mesh_B;
   CollisionShape collision = CollisionShape::mesh;
-  DofMask locked = {};  ///< They keep their initial value; all six make the body immovable.
+  double friction = kFriction;  ///< Coulomb's µ of its surface [-], >= 0 (contact_surfaces.h).
+  double restitution = 0;       ///< Of its surface [-], 0 … 1.
+  DofMask locked = {};          ///< They keep their initial value; all six make the body immovable.
   std::vector<AppliedLoad> loads;
 };
 
@@ -117,6 +120,14 @@ struct MeshGround {
 };
 using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 
+/// What contacts of one pair of bodies have in place of the values that follow from the bodies'.
+struct ContactSpec {
+  BodyId first = kWorld;  ///< kWorld is the ground.
+  BodyId second = kWorld;
+  std::optional<double> friction;     ///< Coulomb's µ [-], >= 0.
+  std::optional<double> restitution;  ///< [-], 0 … 1.
+};
+
 /// The time integration.
 struct Integrator {
   enum class Method {
@@ -135,6 +146,8 @@ struct SimulationSpec {
   double gravity = 9.80665;       ///< Along −z [m/s^2].
   std::optional<hydro::Sea> sea;  ///< None: a dry scene.
   Ground ground;
+  double ground_friction = kFriction;  ///< Coulomb's µ of the ground [-], >= 0.
+  double ground_restitution = 0;       ///< Of the ground [-], 0 … 1.
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
   std::vector<LineSpec> lines;  ///< Springs, then ropes, then moorings.
@@ -142,6 +155,7 @@ struct SimulationSpec {
   std::vector<FoilSpec> foils;
   std::vector<SetPointSpec> set_points;
   std::vector<ControlSpec> controls;  ///< Each set point is in at most one.
+  std::vector<ContactSpec> contacts;  ///< Each pair at most once.
   int threads = 1;                    ///< At most this many; results do not depend on it.
   bool record_work = false;           ///< Keep impulses and works, for Simulation::forces.
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/broad_phase.h"
+#include "engine/contact_surfaces.h"
 #include "engine/contacts.h"
 #include "engine/island_solver.h"
 #include "engine/joint_reaction.h"
@@ -13,6 +14,13 @@
 #include "engine/spec.h"
 
 namespace engine {
+
+/// A box in W.
+struct OrientedBox {
+  Eigen::Vector3d center_W = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes_W = Eigen::Matrix3d::Identity();  ///< A rotation; its columns are the axes.
+  Eigen::Vector3d sizes = Eigen::Vector3d::Zero();       ///< Lengths along the axes [m].
+};
 
 /// Bodies, joints and ground in ODE. Owns all of ODE's objects; a body is an index.
 ///
@@ -32,6 +40,8 @@ class World {
   void add_joint(const JointSpec& spec);
   /// @throws std::invalid_argument if it lies out of bounds.
   void add_ground(const Ground& ground);
+  /// Friction and restitution of the contacts; by default those of default surfaces.
+  void set_surfaces(ContactSurfaces surfaces) { surfaces_ = std::move(surfaces); }
   /// From now on bodies move only by set_state: there is no gravity and no motion of their own.
   void only_constrain();
 
@@ -78,7 +88,9 @@ class World {
   /// close faster than `slow` [m/s].
   std::vector<double> closing_times(const std::vector<std::pair<BodyId, hydro::BodyState>>& places,
                                     const Pair& pair, double slow);
-  /// Wall time of the last two functions so far [s].
+  /// True if the surface of a body in a place, or that of the ground, meets a box.
+  bool meets(BodyId body, const hydro::BodyState& place, const OrientedBox& box);
+  /// Wall time of the last three functions so far [s].
   double collision_seconds() const { return collision_seconds_; }
 
   /// What joints and rows do to the bodies of an island.
@@ -101,6 +113,11 @@ class World {
   const Eigen::AlignedBox3d& shape_box(BodyId body) const;
   /// Box around the ground, in W; empty without ground.
   Eigen::AlignedBox3d ground_box() const;
+  /// True if the shape is a sphere; false for kWorld.
+  bool is_ball(BodyId body) const;
+  /// Half the thickness of the thinner of two bodies [m]: that of the box around its shape, and of
+  /// a ground mesh none, as it is a sheet. Infinite above plane ground, which nothing can pass.
+  double reach(const Pair& pair) const;
 
  private:
   struct Body {
@@ -142,6 +159,12 @@ class World {
   /// Weights of one of so many points, whose contact has this mass.
   ContactWeights weights(const Pair& pair, const ContactPoint& point, std::size_t points,
                          double mass, double step) const;
+  /// m/µ of a point, whose contact has the mass m (E12); none without the bodies' inertia.
+  std::optional<double> lightness(const Pair& pair, const ContactPoint& point, double mass) const;
+  /// True if (E30) holds at one of so many points, whose contact has this mass.
+  /// @param closing   Speed at which it closes [m/s].
+  bool rebounds(const Contact& contact, std::size_t points, double mass, double closing,
+                double step) const;
 
   // Members are destroyed in the opposite order: contacts before the world, shapes before meshes.
   double gravity_;
@@ -162,6 +185,7 @@ class World {
   std::vector<Joint> reacting_;  ///< Joints of which one body at least can move.
   std::size_t joint_count_ = 0;
   dxGeom* ground_ = nullptr;
+  ContactSurfaces surfaces_;
 };
 
 }  // namespace engine

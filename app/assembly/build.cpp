@@ -191,6 +191,8 @@ engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog
   engine::BodySpec spec{.name = body.name,
                         .wet = feels_water(body, log.scene),
                         .collision = collision_shape(body),
+                        .friction = body.friction,
+                        .restitution = body.restitution,
                         .locked = body.locked};
   hydro::TriMesh mesh = shape_mesh(body.shape, path, log);
   const Soundness needed = needs_solid(body, spec.wet) ? Soundness::closed : Soundness::surface;
@@ -279,6 +281,13 @@ engine::JointSpec build_joint(const scene::Scene& scene, const scene::Joint& joi
   return spec;
 }
 
+engine::ContactSpec build_contact(const scene::Scene& scene, const scene::Contact& contact) {
+  return {.first = body_id(scene, contact.bodies[0]),
+          .second = body_id(scene, contact.bodies[1]),
+          .friction = contact.friction,
+          .restitution = contact.restitution};
+}
+
 }  // namespace
 
 BuiltScene build_without_added_mass(const scene::Scene& scene) {
@@ -295,6 +304,8 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   if (spec.sea) spec.sea->air = scene.air;
   spec.ground = build_ground(scene.ground, log);
   check_ground(spec.ground, log);
+  spec.ground_friction = scene.ground_friction;
+  spec.ground_restitution = scene.ground_restitution;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
     CenteredMesh centered;
@@ -303,6 +314,8 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
     built.solids.push_back(std::move(centered));
   }
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
+  for (const scene::Contact& contact : scene.contacts)
+    spec.contacts.push_back(build_contact(scene, contact));
   log.faults.throw_if_any();
   std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
   read_databases(scene, spec, radiation, log.faults);

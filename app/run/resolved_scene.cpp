@@ -13,6 +13,7 @@
 #include "app/assembly/build_radiation.h"
 #include "app/base/console.h"
 #include "app/base/table.h"
+#include "app/run/contact_text.h"
 #include "app/run/summary.h"
 #include "engine/locks.h"
 #include "hydro/interior/pockets.h"
@@ -380,6 +381,8 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
     lines.push_back(fmt::format(
         "  assumed: {}", fmt::join(assembly::assumptions({.depth = built.spec.sea->depth}), ", ")));
   }
+  const std::string surfaces = contact_text(built.spec);
+  if (!surfaces.empty()) lines.push_back("  contacts: " + surfaces);
   const std::vector<std::string> omitted = omission_texts(built, skips, no_pictures);
   if (!omitted.empty())
     lines.push_back(fmt::format("  not computed: {}", fmt::join(omitted, "; ")));

@@ -132,6 +132,8 @@ struct Body {
   Hydro hydro;  ///< The scene's defaults, overridden by the body's own keys.
   std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;
+  double friction = 0.5;  ///< Coulomb's µ [-].
+  double restitution = 0;
   std::array<bool, 6> locked = {};
   std::vector<AppliedLoad> forces;
   Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< RGB, 0 … 1.

@@ -57,6 +57,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"hydro", "Coefficients of the loads for all bodies."},
     {"bodies", "The rigid bodies."},
     {"joints", "Joints between two bodies, or between a body and the world."},
+    {"contacts", "Friction and restitution of single pairs of bodies."},
     {"log", "Options of the log."},
     {"render",
      "Options of the pictures. Without this block none is drawn, and no graphics library is "
@@ -170,6 +171,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"ground.mesh",
      "A sea floor or shore as a mesh in the world frame, with its faces upward. The keys are "
      "those of `bodies[].mesh`."},
+    {"ground.friction", "Coefficient of friction, as `bodies[].friction`."},
+    {"ground.restitution", "Coefficient of restitution, as `bodies[].restitution`."},
     {"hydro.preset",
      "Set of coefficients, which the other keys override. `fitted` is fitted to the tabulated "
      "drag of blunt and slender bodies (`hydro/README.md`). `thesis` is the set of the 2014 "
@@ -333,6 +336,13 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Shape of the body in contacts with other bodies and the ground. The default is `box` for a "
      "box, `sphere` for a sphere or icosphere, and `mesh` otherwise. A body with `none` passes "
      "through everything."},
+    {"bodies[].friction",
+     "Coulomb's coefficient of friction of the surface. That of a pair is the geometric mean of "
+     "both, unless `contacts` gives it."},
+    {"bodies[].restitution",
+     "Coefficient of restitution of the surface: bodies that meet faster than 0.1 m/s part with "
+     "this share of that speed. That of a pair is the larger of both, unless `contacts` gives "
+     "it."},
     {"bodies[].lock", "Degrees of freedom that are locked at their initial values, in world axes."},
     {"bodies[].forces", "Loads in addition to those of water and gravity."},
     {"bodies[].forces[].force", "Force."},
@@ -364,6 +374,15 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"joints[].axis2",
      "Second axis of a universal joint, perpendicular to `axis`. The default is some "
      "perpendicular direction."},
+    {"contacts[].bodies",
+     "The two bodies, which no joint connects; `world` stands for the ground. Each pair may be "
+     "given once."},
+    {"contacts[].friction",
+     "Coefficient of friction of the pair. Without this key it follows from those of the bodies. "
+     "At least one of `friction` and `restitution` is required."},
+    {"contacts[].restitution",
+     "Coefficient of restitution of the pair. Without this key it follows from those of the "
+     "bodies."},
     {"log.every", "Time between logged states. With 0 or without this key every step is logged."},
     {"log.probes", "Probes, which are read for `probes.csv` with every row of the trajectory."},
     {"log.probes[].name",

@@ -30,6 +30,18 @@ void read(MapReader& map, LogBlock& log) {
   map.blocks("probes", log.probes);
 }
 
+/// The ground and its surface.
+struct GroundBlock {
+  Ground ground;
+  double friction = Scene().ground_friction;
+  double restitution = Scene().ground_restitution;
+};
+
+void read(MapReader& map, GroundBlock& block) {
+  read(map, block.ground);
+  read_surface(map, block.friction, block.restitution);
+}
+
 /// Adds a fault for each name that is used twice. `list` is the path of the list.
 void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> first_uses;
@@ -49,14 +61,17 @@ std::vector<std::string> names_of(const std::vector<T>& named) {
   return names;
 }
 
-void check_joint_bodies(MapReader& map, const Scene& scene) {
+/// Adds a fault for each name of a body that there is not. `list` is the path of the list.
+template <class T>
+void check_bodies_of(MapReader& map, const Scene& scene, const std::string& list,
+                     const std::vector<T>& pairs) {
   std::vector<std::string> known = names_of(scene.bodies);
   known.push_back("world");
-  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
-      const std::string& name = scene.joints[i].bodies[k];
+      const std::string& name = pairs[i].bodies[k];
       if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) continue;
-      map.fault(fmt::format("joints[{}].bodies[{}]", i, k),
+      map.fault(fmt::format("{}[{}].bodies[{}]", list, i, k),
                 fmt::format("there is no body named {}{}", name, app::did_you_mean(name, known)));
     }
   }
@@ -191,11 +206,16 @@ void read(MapReader& map, Scene& scene) {
   map.block("water", scene.water);
   map.block("air", scene.air);
   map.note_condition("air", "", {"water"}, {});
-  map.block("ground", scene.ground);
+  GroundBlock ground;
+  map.block("ground", ground);
+  scene.ground = std::move(ground.ground);
+  scene.ground_friction = ground.friction;
+  scene.ground_restitution = ground.restitution;
   Body prototype;
   map.block("hydro", prototype.hydro);
   map.blocks("bodies", scene.bodies, prototype);
   map.blocks("joints", scene.joints);
+  map.blocks("contacts", scene.contacts);
   LogBlock log;
   map.block("log", log);
   scene.log_every = log.every;
@@ -206,7 +226,9 @@ void read(MapReader& map, Scene& scene) {
   name_nameless_joints(scene.joints);
   check_unique(map, "bodies", names_of(scene.bodies));
   check_unique(map, "joints", names_of(scene.joints));
-  check_joint_bodies(map, scene);
+  check_bodies_of(map, scene, "joints", scene.joints);
+  check_bodies_of(map, scene, "contacts", scene.contacts);
+  check_contacts(map, scene);
   check_unique(map, "log.probes", names_of(scene.probes));
   check_probes(map, scene);
   check_followed_bodies(map, scene);

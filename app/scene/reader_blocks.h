@@ -41,6 +41,14 @@ void read_interior(MapReader& map, Body& body);
 void read(MapReader& map, InteriorWater& water);
 void read(MapReader& map, Opening& opening);
 void read(MapReader& map, Joint& joint);
+/// Reads `bodies`: the names of two bodies, or of a body and `world`.
+void read_pair(MapReader& map, std::array<std::string, 2>& bodies);
+
+/// Reads `friction` and `restitution` of a surface.
+void read_surface(MapReader& map, double& friction, double& restitution);
+void read(MapReader& map, Contact& contact);
+/// Checks that contacts are given for pairs that can touch, once for each.
+void check_contacts(MapReader& map, const Scene& scene);
 
 void read(MapReader& map, Render& render);
 void read(MapReader& map, Camera& camera);

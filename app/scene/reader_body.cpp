@@ -176,6 +176,7 @@ void read(MapReader& map, Body& body) {
   map.block("hydro", body.hydro);
   read_calibration(map, body);
   map.optional("collision", body.collision, kCollisions);
+  read_surface(map, body.friction, body.restitution);
   read_locks(map, body.locked);
   map.blocks("forces", body.forces);
   map.optional("color", body.color, between(0, 1));

@@ -32,23 +32,6 @@ void note_keys(MapReader& map) {
   }
 }
 
-void read_bodies(MapReader& map, std::array<std::string, 2>& bodies) {
-  const std::string expected = "a list of two names of bodies, one may be world";
-  const auto value =
-      map.find("bodies", expected, "required", {list_shape({.kind = ValueShape::Kind::text}, 2)});
-  if (!value) return;
-  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != bodies.size()) {
-    value->refuse(expected);
-    return;
-  }
-  bool all = true;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    all = Field<TextRule, std::string>::read(value->item(i), {"the name of a body"}, bodies[i]) &&
-          all;
-  if (all && bodies[0] == bodies[1])
-    value->fault(fmt::format("found {} twice, expected two different bodies", bodies[0]));
-}
-
 /// Reads a direction and gives it unit length.
 void read_direction(MapReader& map, const std::string& key, std::optional<Eigen::Vector3d>& axis) {
   if (!map.optional(key, axis, number())) return;
@@ -90,10 +73,27 @@ void check_keys(MapReader& map, JointType type) {
 
 }  // namespace
 
+void read_pair(MapReader& map, std::array<std::string, 2>& bodies) {
+  const std::string expected = "a list of two names of bodies, one may be world";
+  const auto value =
+      map.find("bodies", expected, "required", {list_shape({.kind = ValueShape::Kind::text}, 2)});
+  if (!value) return;
+  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != bodies.size()) {
+    value->refuse(expected);
+    return;
+  }
+  bool all = true;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    all = Field<TextRule, std::string>::read(value->item(i), {"the name of a body"}, bodies[i]) &&
+          all;
+  if (all && bodies[0] == bodies[1])
+    value->fault(fmt::format("found {} twice, expected two different bodies", bodies[0]));
+}
+
 void read(MapReader& map, Joint& joint) {
   map.optional("name", joint.name, TextRule{"a text, unique among the joints"});
   const bool typed = map.required("type", joint.type, kTypes);
-  read_bodies(map, joint.bodies);
+  read_pair(map, joint.bodies);
   map.optional("anchor", joint.anchor, number("m"));
   read_direction(map, "axis", joint.axis);
   read_direction(map, "axis2", joint.axis2);

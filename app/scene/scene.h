@@ -37,6 +37,13 @@ struct Joint {
   std::optional<Eigen::Vector3d> axis2;   ///< Unit, normal to `axis`; may be given for universal.
 };
 
+/// Friction and restitution of one pair; what is not given follows from the bodies.
+struct Contact {
+  std::array<std::string, 2> bodies;  ///< Names; `world` stands for the ground.
+  std::optional<double> friction;     ///< Coulomb's µ [-].
+  std::optional<double> restitution;
+};
+
 struct Integrator {
   enum class Method { split, ode };
   Method method = Method::split;
@@ -54,8 +61,11 @@ struct Scene {
   std::optional<Water> water;
   std::optional<hydro::Air> air;
   Ground ground;
+  double ground_friction = 0.5;  ///< Coulomb's µ [-].
+  double ground_restitution = 0;
   std::vector<Body> bodies;
   std::vector<Joint> joints;
+  std::vector<Contact> contacts;
   std::optional<double> log_every;  ///< [s]; none: every step.
   bool log_forces = false;
   std::vector<Probe> probes;

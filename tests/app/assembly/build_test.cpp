@@ -316,6 +316,32 @@ TEST(Assemble, JointsNameTheirBodiesByIndexAndHaveUnitAxes) {
   EXPECT_LT((joints[1].axis_W - Vector3d(0.6, 0.8, 0)).norm(), tolerance(1e-15));
 }
 
+TEST(Assemble, ContactsNameTheirBodiesByIndexAndTheGroundAsTheWorld) {
+  const engine::SimulationSpec spec =
+      assembled(
+          "plimsoll: 1\nduration: 1\nground: {z: -1, friction: 0.2, restitution: 0.3}\n"
+          "bodies:\n"
+          "  - {name: a, box: {size: [1, 1, 1]}, density: 500, friction: 0, restitution: 1}\n"
+          "  - {name: b, box: {size: [1, 1, 1]}, density: 500, position: [2, 0, 0]}\n"
+          "contacts:\n"
+          "  - {bodies: [b, a], friction: 0.6}\n"
+          "  - {bodies: [world, b], restitution: 0.7}\n")
+          .spec;
+  EXPECT_EQ(spec.ground_friction, 0.2);
+  EXPECT_EQ(spec.ground_restitution, 0.3);
+  EXPECT_EQ(spec.bodies[0].friction, 0);
+  EXPECT_EQ(spec.bodies[0].restitution, 1);
+  EXPECT_EQ(spec.bodies[1].friction, engine::BodySpec().friction);
+  ASSERT_EQ(spec.contacts.size(), 2U);
+  EXPECT_EQ(spec.contacts[0].first, 1);
+  EXPECT_EQ(spec.contacts[0].second, 0);
+  EXPECT_EQ(spec.contacts[0].friction, 0.6);
+  EXPECT_EQ(spec.contacts[0].restitution, std::nullopt);
+  EXPECT_EQ(spec.contacts[1].first, engine::kWorld);
+  EXPECT_EQ(spec.contacts[1].second, 1);
+  EXPECT_EQ(spec.contacts[1].restitution, 0.7);
+}
+
 TEST(Assemble, WaterLeavesABodyWithoutLoadsAlone) {
   const std::string off = ", hydro: {buoyancy: false, pressure_drag: 0, lift: 0, viscous_drag: 0}";
   const std::string box = "box: {size: [1, 1, 1]}, density: 500";

@@ -127,6 +127,19 @@ TEST(RunReport, OfADrySceneHasNoDraught) {
             "(--no-render)");
 }
 
+TEST(RunReport, TellsFrictionAndRestitutionThatAreNotTheUsual) {
+  const std::string scene = kHead +
+                            "ground: {z: 0, friction: 0.8}\n"
+                            "bodies:\n"
+                            "  - {name: a, box: {size: [1, 1, 1]}, mass: 1, restitution: 0.25}\n"
+                            "  - {name: b, box: {size: [1, 1, 1]}, mass: 1, position: [3, 0, 0]}\n";
+  const std::string told = "contacts: a: restitution 0.25; ground: friction 0.8";
+  EXPECT_THAT(told_of(scene), testing::Contains(testing::EndsWith(told)));
+  EXPECT_THAT(told_of(scene + "contacts: [{bodies: [b, world], friction: 0.1}]\n"),
+              testing::Contains(testing::EndsWith(told + "; b and ground: friction 0.1")));
+  EXPECT_THAT(told_of(support::kSmallScene), Not(testing::Contains(HasSubstr("contacts"))));
+}
+
 TEST(RunReport, OfAThousandBodiesIsADozenLines) {
   std::string scene = kHead + "water: {}\nhydro: {added_mass: none}\nbodies:\n";
   for (int i = 0; i < 1000; ++i)

@@ -44,7 +44,7 @@ std::string every_key() {
          "    ramp: 12.5\n"
          "air: {density: 1.5, wind: {speed: 8, heading_deg: 90, height: 12, profile: power,"
          " exponent: 0.2}}\n"
-         "ground: {z: -10}\n"
+         "ground: {z: -10, friction: 0.25, restitution: 0.125}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
          " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3, radiation: none,"
          " added_mass: {model: deep, tolerance: 2e-3}}\n"
@@ -72,6 +72,8 @@ std::string every_key() {
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
          "    collision: sphere\n"
+         "    friction: 0.75\n"
+         "    restitution: 0.5\n"
          "    lock: [x, yaw]\n"
          "    interior: flooding\n"
          "    interior_water: [{at: [1, 2, 3], volume: 4}, {at: [5, 6, 7], level: 8}]\n"
@@ -93,6 +95,9 @@ std::string every_key() {
          "  - {name: j, type: universal, bodies: [a, b], anchor: [1, 2, 3], axis: [0, 2, 0],"
          " axis2: [3, 0, 0]}\n"
          "  - {type: slider, bodies: [c, world], axis: [1, 0, 0]}\n"
+         "contacts:\n"
+         "  - {bodies: [a, world], friction: 0}\n"
+         "  - {bodies: [d, a], friction: 2, restitution: 1}\n"
          "log: {every: 0.5, forces: true, probes: [{name: g, wave: [1, 2], depth: 3},\n"
          "      {name: p, body: b, at: [4, 5, 6]}]}\n"
          "render:\n"
@@ -444,6 +449,23 @@ TEST(SceneKeys, JointsAreRead) {
   EXPECT_EQ(joints[1].name, "joint1");
   EXPECT_EQ(joints[1].bodies[1], "world");
   EXPECT_EQ(joints[1].axis2, std::nullopt);
+}
+
+TEST(SceneKeys, FrictionAndRestitutionAreRead) {
+  const scene::Scene scene = read_scene_text(every_key());
+  EXPECT_EQ(scene.ground_friction, 0.25);
+  EXPECT_EQ(scene.ground_restitution, 0.125);
+  EXPECT_EQ(scene.bodies[0].friction, 0.75);
+  EXPECT_EQ(scene.bodies[0].restitution, 0.5);
+  EXPECT_EQ(scene.bodies[1].friction, 0.5);
+  EXPECT_EQ(scene.bodies[1].restitution, 0);
+  ASSERT_EQ(scene.contacts.size(), 2);
+  EXPECT_EQ(scene.contacts[0].bodies, (std::array<std::string, 2>{"a", "world"}));
+  EXPECT_EQ(scene.contacts[0].friction, 0);
+  EXPECT_EQ(scene.contacts[0].restitution, std::nullopt);
+  EXPECT_EQ(scene.contacts[1].bodies, (std::array<std::string, 2>{"d", "a"}));
+  EXPECT_EQ(scene.contacts[1].friction, 2);
+  EXPECT_EQ(scene.contacts[1].restitution, 1);
 }
 
 TEST(SceneKeys, RenderIsRead) {

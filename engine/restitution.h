@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/contacts.h"
+#include "engine/island_solver.h"
+#include "engine/joint_reaction.h"
+#include "engine/spatial_vector.h"
+
+/// @file
+/// Keeps Newton's law of restitution (E30) from giving energy.
+///
+/// One frictionless impact at a time loses (1 − e²) of what its normal motion has. Several at once
+/// with different e, or one with friction, whose impulses turn the body into each other's way, may
+/// gain. Let 0 and 1 denote the answers to an island's update without restitution, e = 0, and with
+/// it. Every R = (1 − s) R₀ + s R₁ pushes, is within its limit of friction, and lets nothing
+/// approach; s = 1 is Newton's law. The work of the reactions over the substep,
+///
+///     W(s) = ½ h R·(u⁻ + u⁺),                                                            (E33)
+///
+/// u⁻ and u⁺ the velocities before and after the update, is the change of energy by them, and
+/// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)).
+
+namespace engine {
+
+/// An answer to (E7): changes of velocity and reactions R of the bodies of an island, in W.
+struct ImpactAnswer {
+  std::vector<Vector6d> changes;
+  std::vector<Vector6d> reactions;
+  std::vector<double> row_forces;     ///< λ of the rows, a part of the reactions.
+  std::vector<JointReaction> joints;  ///< The same of joints.
+};
+
+/// True if contacts leave an approaching body with a speed of its own.
+bool restores(const std::vector<Contact>& contacts);
+
+/// The contacts with e = 0 in (E30).
+std::vector<Contact> without_restitution(std::vector<Contact> contacts);
+
+/// (E33) over a substep of length h [J].
+/// @param before   Velocities of the bodies before the update, in W.
+double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h);
+
+/// True if W of an answer is more than round-off.
+bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h);
+
+/// The answer at the largest s that gains nothing.
+ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
+                          const std::vector<Vector6d>& before, double h);
+
+}  // namespace engine
