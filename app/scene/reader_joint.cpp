@@ -32,33 +32,21 @@ void note_keys(MapReader& map) {
   }
 }
 
-void read_bodies(MapReader& map, std::array<std::string, 2>& bodies) {
-  const std::string expected = "a list of two names of bodies, one may be world";
-  const auto value =
-      map.find("bodies", expected, "required", {list_shape({.kind = ValueShape::Kind::text}, 2)});
-  if (!value) return;
-  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != bodies.size()) {
-    value->refuse(expected);
-    return;
-  }
-  bool all = true;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    all = Field<TextRule, std::string>::read(value->item(i), {"the name of a body"}, bodies[i]) &&
-          all;
-  if (all && bodies[0] == bodies[1])
-    value->fault(fmt::format("found {} twice, expected two different bodies", bodies[0]));
+const char* const kZeroDirection = "found a zero vector, expected a direction";
+
+Eigen::Vector3d unit_vector(const Eigen::Vector3d& v) {
+  return (v / v.cwiseAbs().maxCoeff()).normalized();
 }
 
-/// Reads a direction and gives it unit length.
+/// Reads a direction that may be absent.
 void read_direction(MapReader& map, const std::string& key, std::optional<Eigen::Vector3d>& axis) {
   if (!map.optional(key, axis, number())) return;
   if (axis->isZero(0)) {
-    map.fault(key, "found a zero vector, expected a direction");
+    map.fault(key, kZeroDirection);
     axis.reset();
     return;
   }
-  *axis /= axis->cwiseAbs().maxCoeff();
-  axis->normalize();
+  axis = unit_vector(*axis);
 }
 
 /// Largest deviation from a right angle between the axes of a universal joint [rad]; it covers
@@ -90,16 +78,45 @@ void check_keys(MapReader& map, JointType type) {
 
 }  // namespace
 
+void read_two_bodies(MapReader& map, std::array<std::string, 2>& bodies) {
+  const std::string expected = "a list of two names of bodies, one may be world";
+  const auto value =
+      map.find("bodies", expected, "required", {list_shape({.kind = ValueShape::Kind::text}, 2)});
+  if (!value) return;
+  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != bodies.size()) {
+    value->refuse(expected);
+    return;
+  }
+  bool all = true;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    all = Field<TextRule, std::string>::read(value->item(i), {"the name of a body"}, bodies[i]) &&
+          all;
+  if (all && bodies[0] == bodies[1])
+    value->fault(fmt::format("found {} twice, expected two different bodies", bodies[0]));
+}
+
+bool read_direction(MapReader& map, const std::string& key, Eigen::Vector3d& axis) {
+  Eigen::Vector3d given = axis;
+  if (!map.optional(key, given, number())) return false;
+  if (given.isZero(0)) {
+    map.fault(key, kZeroDirection);
+    return false;
+  }
+  axis = unit_vector(given);
+  return true;
+}
+
 void read(MapReader& map, Joint& joint) {
   map.optional("name", joint.name, TextRule{"a text, unique among the joints"});
   const bool typed = map.required("type", joint.type, kTypes);
-  read_bodies(map, joint.bodies);
+  read_two_bodies(map, joint.bodies);
   map.optional("anchor", joint.anchor, number("m"));
   read_direction(map, "axis", joint.axis);
   read_direction(map, "axis2", joint.axis2);
   note_keys(map);
   if (joint.axis && joint.axis2) square_axes(map, *joint.axis, *joint.axis2);
   if (typed) check_keys(map, joint.type);
+  read_drive(map, typed ? std::optional(joint.type) : std::nullopt, joint.drive);
 }
 
 }  // namespace scene

@@ -187,7 +187,8 @@ std::string key_tables() {
   const KeyCatalogue catalogue = key_catalogue();
   std::string text;
   for (const char* table :
-       {"scene", "water", "air", "ground", "hydro", "bodies", "joints", "log", "render"}) {
+       {"scene", "water", "air", "ground", "hydro", "bodies", "joints", "springs", "ropes",
+        "moorings", "propellers", "rudders", "sails", "controls", "log", "render"}) {
     text += fmt::format(
         "<!-- keys of {}: begin -->\n"
         "| key | value | default | meaning |\n| --- | --- | --- | --- |\n",
