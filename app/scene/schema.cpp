@@ -188,7 +188,7 @@ std::string key_tables() {
   std::string text;
   for (const char* table :
        {"scene", "water", "air", "ground", "hydro", "bodies", "joints", "springs", "ropes",
-        "moorings", "propellers", "rudders", "sails", "controls", "log", "render"}) {
+        "moorings", "propellers", "rudders", "controls", "log", "render"}) {
     text += fmt::format(
         "<!-- keys of {}: begin -->\n"
         "| key | value | default | meaning |\n| --- | --- | --- | --- |\n",
