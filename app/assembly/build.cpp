@@ -13,6 +13,7 @@
 #include "app/assembly/build_added_mass.h"
 #include "app/assembly/build_interior.h"
 #include "app/assembly/build_radiation.h"
+#include "app/assembly/build_rig.h"
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
@@ -317,6 +318,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   for (const scene::Contact& contact : scene.contacts)
     spec.contacts.push_back(build_contact(scene, contact));
   log.faults.throw_if_any();
+  build_rig(built, log);
   std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
   read_databases(scene, spec, radiation, log.faults);
   log.faults.throw_if_any();
@@ -328,6 +330,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   for (std::string& warning : radiation_warnings(spec, radiation))
     built.warnings.push_back(std::move(warning));
   for (std::string& warning : interior_warnings(spec)) built.warnings.push_back(std::move(warning));
+  for (std::string& warning : rig_warnings(spec)) built.warnings.push_back(std::move(warning));
   for (std::string& note : database_notes(spec, radiation)) built.notes.push_back(std::move(note));
   for (RadiationChoice& choice : radiation)
     built.radiation.push_back({.choice = std::move(choice)});

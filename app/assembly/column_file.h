@@ -23,7 +23,7 @@ struct ColumnFile {
 
 /// Reads a table. Fields are separated by commas, semicolons or white space; empty lines and text
 /// after a # are skipped.
-/// @param known   Names that columns may have.
+/// @param known   Names that columns may have; none: any.
 /// @param usage   Description of the columns for faults: `expected the columns …`.
 /// @throws InputError if the file cannot be read, has a name that is unknown or given twice, or a
 ///     row without as many finite numbers as there are names (with line and column).

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/rig.h"
 #include "app/scene/shape.h"
 #include "hydro/loads/coefficients.h"
 #include "hydro/loads/loads.h"
@@ -36,6 +37,9 @@ struct AppliedLoad {
     double phase = 0;      ///< [rad]
   };
   std::optional<Sine> sine;
+  std::optional<double> factor;        ///< Set point that multiplies the load.
+  std::optional<std::string> formula;  ///< In the time; multiplies the load.
+  std::optional<CommandFile> file;     ///< Table that multiplies the load.
 };
 
 /// Origin of a body's added mass.

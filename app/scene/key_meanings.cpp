@@ -1,4 +1,5 @@
-#include <algorithm>
+#include "app/scene/key_meanings.h"
+
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -12,11 +13,6 @@
 
 namespace scene {
 namespace {
-
-struct Meaning {
-  std::string_view path;
-  std::string_view text;  ///< Markdown.
-};
 
 constexpr auto kMeanings = std::to_array<Meaning>({
     {"plimsoll", "Version of the scene format."},
@@ -58,6 +54,13 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"bodies", "The rigid bodies."},
     {"joints", "Joints between two bodies, or between a body and the world."},
     {"contacts", "Friction and restitution of single pairs of bodies."},
+    {"springs", "Springs with dampers between two points."},
+    {"ropes", "Ropes and winches between two points. They only pull."},
+    {"moorings", "Mooring lines between a body and an anchor: quasi-static elastic catenaries."},
+    {"propellers", "Propellers and thrusters. They need `water`."},
+    {"rudders", "Rudders, fins and keels: foils in the water. They need `water`."},
+    {"sails", "Sails: foils in the wind. They need `air`."},
+    {"controls", "What drives set points in the course of time."},
     {"log", "Options of the log."},
     {"render",
      "Options of the pictures. Without this block none is drawn, and no graphics library is "
@@ -344,36 +347,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "this share of that speed. That of a pair is the larger of both, unless `contacts` gives "
      "it."},
     {"bodies[].lock", "Degrees of freedom that are locked at their initial values, in world axes."},
-    {"bodies[].forces", "Loads in addition to those of water and gravity."},
-    {"bodies[].forces[].force", "Force."},
-    {"bodies[].forces[].torque", "Torque."},
-    {"bodies[].forces[].frame",
-     "Axes of `force` and `torque`. With `body` they turn with the body."},
-    {"bodies[].forces[].at",
-     "Point at which the force acts, in the mesh frame. The default is the centre of mass."},
-    {"bodies[].forces[].start", "Time at which the load begins."},
-    {"bodies[].forces[].end",
-     "Time at which the load ends, not before `start`. Without this key it does not end."},
-    {"bodies[].forces[].sine",
-     "Modulation: the load is multiplied by sin(2π·frequency·t + phase)."},
-    {"bodies[].forces[].sine.frequency_hz", "Frequency."},
-    {"bodies[].forces[].sine.phase_deg", "Phase at time 0."},
     {"bodies[].color", "Red, green and blue of the dry surface."},
-    {"joints[].name", "Name of the joint. The default is `joint` and its index, counted from 0."},
-    {"joints[].type",
-     "Type of the joint. A ball joint leaves all rotations free, a hinge the rotation about one "
-     "axis, a slider the translation along one axis, a fixed joint nothing, and a universal "
-     "joint the rotations about two axes."},
-    {"joints[].bodies", "The two bodies that the joint connects."},
-    {"joints[].anchor",
-     "A point of the joint in the world at time 0. Required for ball, hinge and universal "
-     "joints; it has no effect on a slider or fixed joint."},
-    {"joints[].axis",
-     "Direction in the world at time 0. Required for hinge, slider and universal joints, not "
-     "allowed for the others."},
-    {"joints[].axis2",
-     "Second axis of a universal joint, perpendicular to `axis`. The default is some "
-     "perpendicular direction."},
     {"contacts[].bodies",
      "The two bodies, which no joint connects; `world` stands for the ground. Each pair may be "
      "given once."},
@@ -444,6 +418,7 @@ constexpr auto kCopies = std::to_array<std::pair<std::string_view, std::string_v
     {{"bodies[].hydro.", "hydro."},
      {"ground.heightfield.", "water.surface.heightfield."},
      {"ground.mesh.", "bodies[].mesh."},
+     {"sails[].", "rudders[]."},
      {"render.cameras.NAME.", "render.camera."}});
 
 }  // namespace
@@ -457,15 +432,16 @@ std::string described_path(const std::string& path) {
 std::vector<std::string> described_paths() {
   std::vector<std::string> paths;
   for (const Meaning& meaning : kMeanings) paths.emplace_back(meaning.path);
+  for (const Meaning& meaning : rig_meanings()) paths.emplace_back(meaning.path);
   return paths;
 }
 
 std::string key_meaning(const std::string& path) {
   const std::string original = described_path(path);
-  const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
-                                  [&](const Meaning& meaning) { return meaning.path == original; });
-  if (found == kMeanings.end()) throw std::out_of_range(path + " has no meaning");
-  return std::string(found->text);
+  for (const std::span<const Meaning> some : {std::span<const Meaning>(kMeanings), rig_meanings()})
+    for (const Meaning& meaning : some)
+      if (meaning.path == original) return std::string(meaning.text);
+  throw std::out_of_range(path + " has no meaning");
 }
 
 }  // namespace scene

@@ -42,18 +42,6 @@ void read(MapReader& map, GroundBlock& block) {
   read_surface(map, block.friction, block.restitution);
 }
 
-/// Adds a fault for each name that is used twice. `list` is the path of the list.
-void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
-  std::map<std::string, std::size_t> first_uses;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [first, is_new] = first_uses.emplace(names[i], i);
-    if (is_new || names[i].empty()) continue;
-    map.fault(fmt::format("{}[{}].name", list, i),
-              fmt::format("found {}, which is the name of {}[{}]; expected another", names[i], list,
-                          first->second));
-  }
-}
-
 template <class T>
 std::vector<std::string> names_of(const std::vector<T>& named) {
   std::vector<std::string> names;
@@ -182,6 +170,17 @@ YamlNode read_tree(const std::string& text, const std::filesystem::path& file,
 
 }  // namespace
 
+void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
+  std::map<std::string, std::size_t> first_uses;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto [first, is_new] = first_uses.emplace(names[i], i);
+    if (is_new || names[i].empty()) continue;
+    map.fault(fmt::format("{}[{}].name", list, i),
+              fmt::format("found {}, which is the name of {}[{}]; expected another", names[i], list,
+                          first->second));
+  }
+}
+
 void read(MapReader& map, Integrator& integrator) {
   using Method = Integrator::Method;
   map.optional("method", integrator.method,
@@ -216,6 +215,13 @@ void read(MapReader& map, Scene& scene) {
   map.blocks("bodies", scene.bodies, prototype);
   map.blocks("joints", scene.joints);
   map.blocks("contacts", scene.contacts);
+  map.blocks("springs", scene.springs);
+  map.blocks("ropes", scene.ropes);
+  map.blocks("moorings", scene.moorings);
+  map.blocks("propellers", scene.propellers);
+  map.blocks("rudders", scene.rudders);
+  map.blocks("sails", scene.sails);
+  map.blocks("controls", scene.controls);
   LogBlock log;
   map.block("log", log);
   scene.log_every = log.every;
@@ -235,6 +241,7 @@ void read(MapReader& map, Scene& scene) {
   check_starts(map, scene);
   check_waves(map, scene);
   check_air(map, scene);
+  check_rig(map, scene);
 }
 
 bool is_scene_file(const std::filesystem::path& file) {

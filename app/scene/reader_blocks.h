@@ -49,6 +49,35 @@ void read_surface(MapReader& map, double& friction, double& restitution);
 void read(MapReader& map, Contact& contact);
 /// Checks that contacts are given for pairs that can touch, once for each.
 void check_contacts(MapReader& map, const Scene& scene);
+/// Reads a direction and gives it unit length; without the key it keeps its value. @return true if
+/// it is present and valid
+bool read_direction(MapReader& map, const std::string& key, Eigen::Vector3d& axis);
+/// Reads what acts along the coordinate of a joint. @param type   None: it is not known.
+void read_drive(MapReader& map, std::optional<Joint::Type> type, JointDrive& drive);
+
+/// Reads the name of a line or machine. @param list   Key of the list that it stands in.
+void read_rig_name(MapReader& map, std::string& name, const std::string& list);
+void read(MapReader& map, Spring& spring);
+void read(MapReader& map, Rope& rope);
+void read(MapReader& map, Mooring& mooring);
+void read(MapReader& map, Propeller& propeller);
+void read(MapReader& map, hydro::WageningenB& screw);
+void read(MapReader& map, hydro::OpenWaterTable& table);
+void read(MapReader& map, hydro::FourQuadrantTable& table);
+void read(MapReader& map, Rudder& rudder);
+void read(MapReader& map, Sail& sail);
+void read(MapReader& map, hydro::Foil::Table& table);
+void read(MapReader& map, Control& control);
+void read(MapReader& map, PidControl& pid);
+void read(MapReader& map, RelayControl& relay);
+/// Reads `file`, `column` and `interpolation` into `file`. @return true if there is a file
+bool read_command_file(MapReader& map, CommandFile& file);
+/// Reads a formula in the time; a number is one, too. @return true if it is present and valid
+bool read_formula(MapReader& map, const std::string& key, std::string& formula, bool required);
+/// Checks what lines, machines and controls need from other blocks.
+void check_rig(MapReader& map, const Scene& scene);
+/// Adds a fault for each name that is used twice. `list` is the path of the list.
+void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names);
 
 void read(MapReader& map, Render& render);
 void read(MapReader& map, Camera& camera);

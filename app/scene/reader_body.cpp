@@ -202,6 +202,15 @@ void read(MapReader& map, AppliedLoad& load) {
     map.fault("end", fmt::format("found {:g}, expected a time from start ({:g}) on [s]", load.end,
                                  load.start));
   map.block("sine", load.sine);
+  map.optional("factor", load.factor, number());
+  std::string formula;
+  if (read_formula(map, "formula", formula, false)) load.formula = formula;
+  CommandFile file;
+  if (read_command_file(map, file)) load.file = file;
+  map.at_most_one_of({"sine", "formula", "file"});
+  map.at_most_one_of({"factor", "formula", "file"});
+  map.note_condition("formula", "", {}, {"sine", "factor", "file"});
+  map.note_condition("file", "", {}, {"sine", "factor"});
 }
 
 void read(MapReader& map, AppliedLoad::Sine& sine) {

@@ -32,16 +32,21 @@ void note_keys(MapReader& map) {
   }
 }
 
-/// Reads a direction and gives it unit length.
+const char* const kZeroDirection = "found a zero vector, expected a direction";
+
+Eigen::Vector3d unit_vector(const Eigen::Vector3d& v) {
+  return (v / v.cwiseAbs().maxCoeff()).normalized();
+}
+
+/// Reads a direction that may be absent.
 void read_direction(MapReader& map, const std::string& key, std::optional<Eigen::Vector3d>& axis) {
   if (!map.optional(key, axis, number())) return;
   if (axis->isZero(0)) {
-    map.fault(key, "found a zero vector, expected a direction");
+    map.fault(key, kZeroDirection);
     axis.reset();
     return;
   }
-  *axis /= axis->cwiseAbs().maxCoeff();
-  axis->normalize();
+  axis = unit_vector(*axis);
 }
 
 /// Largest deviation from a right angle between the axes of a universal joint [rad]; it covers
@@ -90,6 +95,17 @@ void read_pair(MapReader& map, std::array<std::string, 2>& bodies) {
     value->fault(fmt::format("found {} twice, expected two different bodies", bodies[0]));
 }
 
+bool read_direction(MapReader& map, const std::string& key, Eigen::Vector3d& axis) {
+  Eigen::Vector3d given = axis;
+  if (!map.optional(key, given, number())) return false;
+  if (given.isZero(0)) {
+    map.fault(key, kZeroDirection);
+    return false;
+  }
+  axis = unit_vector(given);
+  return true;
+}
+
 void read(MapReader& map, Joint& joint) {
   map.optional("name", joint.name, TextRule{"a text, unique among the joints"});
   const bool typed = map.required("type", joint.type, kTypes);
@@ -100,6 +116,7 @@ void read(MapReader& map, Joint& joint) {
   note_keys(map);
   if (joint.axis && joint.axis2) square_axes(map, *joint.axis, *joint.axis2);
   if (typed) check_keys(map, joint.type);
+  read_drive(map, typed ? std::optional(joint.type) : std::nullopt, joint.drive);
 }
 
 }  // namespace scene

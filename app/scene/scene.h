@@ -12,6 +12,7 @@
 #include "app/scene/diagnostics.h"
 #include "app/scene/probe.h"
 #include "app/scene/render.h"
+#include "app/scene/rig.h"
 #include "app/scene/water.h"
 #include "hydro/air.h"
 
@@ -35,6 +36,7 @@ struct Joint {
   std::optional<Eigen::Vector3d> anchor;  ///< In W at time 0; ball, hinge, universal have one.
   std::optional<Eigen::Vector3d> axis;    ///< Unit, in W; hinge, slider and universal have one.
   std::optional<Eigen::Vector3d> axis2;   ///< Unit, normal to `axis`; may be given for universal.
+  JointDrive drive;                       ///< Of a hinge or slider.
 };
 
 /// Friction and restitution of one pair; what is not given follows from the bodies.
@@ -66,6 +68,13 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
+  std::vector<Spring> springs;
+  std::vector<Rope> ropes;
+  std::vector<Mooring> moorings;
+  std::vector<Propeller> propellers;
+  std::vector<Rudder> rudders;
+  std::vector<Sail> sails;
+  std::vector<Control> controls;
   std::optional<double> log_every;  ///< [s]; none: every step.
   bool log_forces = false;
   std::vector<Probe> probes;

@@ -186,8 +186,9 @@ std::string json_schema() {
 std::string key_tables() {
   const KeyCatalogue catalogue = key_catalogue();
   std::string text;
-  for (const char* table : {"scene", "water", "air", "ground", "hydro", "bodies", "joints",
-                            "contacts", "log", "render"}) {
+  for (const char* table :
+       {"scene", "water", "air", "ground", "hydro", "bodies", "joints", "contacts", "springs",
+        "ropes", "moorings", "propellers", "rudders", "controls", "log", "render"}) {
     text += fmt::format(
         "<!-- keys of {}: begin -->\n"
         "| key | value | default | meaning |\n| --- | --- | --- | --- |\n",

@@ -59,7 +59,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Pictures need them; they are loaded by name.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
 # What a project that uses the libraries builds with.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libassimp-dev, libeigen3-dev, libfmt-dev, libhwy-dev, libode-dev, \
-libpng-dev, libtbb-dev, libyaml-cpp-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libassimp-dev, libeigen3-dev, libfmt-dev, libhwy-dev, libmuparser-dev, \
+libode-dev, libpng-dev, libtbb-dev, libyaml-cpp-dev")
 set(CPACK_STRIP_FILES ON)
 include(CPack)

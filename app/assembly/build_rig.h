@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/assembly/build_shape.h"
+#include "app/assembly/built_scene.h"
+
+/// @file
+/// Builds the lines, drives of joints, machines, set points and controls of a scene.
+
+namespace assembly {
+
+/// Gives the specification the scene's set points, in the order of `scene::set_points`; its lines,
+/// springs before ropes before moorings; its machines, rudders before sails; and its controls,
+/// those of loads after those of the block `controls`. Its bodies and joints must be there.
+///
+/// Faults go to the log, at their keys: a command file that cannot be read, a machine outside the
+/// validity of its model, a mooring whose anchor is out of reach or whose fairlead lies below it,
+/// a line that breaks at the start.
+void build_rig(BuiltScene& built, BuildLog& log);
+
+/// Place of an attachment point at the start [m].
+Eigen::Vector3d place_at_start(const engine::SimulationSpec& spec,
+                               const engine::AttachmentPoint& point);
+
+/// Tension of a line at the start [N]; negative for a spring that pushes.
+double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSpec& line);
+
+/// Returns what the author of a scene should look at: ropes and moorings that are shorter than
+/// their span at the start, and propellers that reach out of the water. Each is one line, which
+/// begins with the key.
+std::vector<std::string> rig_warnings(const engine::SimulationSpec& spec);
+
+}  // namespace assembly

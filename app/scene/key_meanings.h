@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace scene {
+
+/// The meaning of a key.
+struct Meaning {
+  std::string_view path;
+  std::string_view text;  ///< Markdown.
+};
+
+/// Meanings of the keys of joints, lines, machines, controls and applied loads.
+std::span<const Meaning> rig_meanings();
+
+}  // namespace scene

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include "app/scene/reader_blocks.h"
+
+namespace scene {
+
+namespace {
+
+/// Reads `points`: a list of two points.
+void read_points(MapReader& map, std::array<Eigen::Vector3d, 2>& points) {
+  const NumberRule rule = number("m");
+  const std::string expected = "a list of 2 points, each a list of 3 numbers [m]";
+  const auto value =
+      map.find("points", expected, "required", {list_shape(shape(rule, false, 3), points.size())});
+  if (!value) return;
+  if (!value->node.is(YamlNode::Kind::list) || value->node.items.size() != points.size()) {
+    value->refuse(expected);
+    return;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    read_numbers(value->item(i), rule, {points[i].data(), 3});
+}
+
+/// Reads the keys that springs and ropes share.
+void read_tether(MapReader& map, Tether& tether, const char* among) {
+  read_rig_name(map, tether.name, among);
+  read_pair(map, tether.bodies);
+  read_points(map, tether.points);
+  map.optional("length", tether.length, not_negative("m"));
+  map.required("stiffness", tether.stiffness, positive("N/m"));
+  map.optional("damping", tether.damping, not_negative("N s/m"));
+  map.optional("breaks_at", tether.breaks_at, positive("N"));
+}
+
+/// The block `drag` of a mooring.
+struct LineDrag {
+  double diameter = 0;
+  double coefficient = 1.2;
+};
+
+void read(MapReader& map, LineDrag& drag) {
+  map.required("diameter", drag.diameter, positive("m"));
+  map.optional("coefficient", drag.coefficient, not_negative());
+}
+
+}  // namespace
+
+void read(MapReader& map, Spring& spring) { read_tether(map, spring, "springs"); }
+
+void read(MapReader& map, Rope& rope) {
+  read_tether(map, rope, "ropes");
+  map.optional("rate", rope.rate, number("m/s"));
+  map.optional("shortest", rope.shortest, not_negative("m"));
+  if (rope.length && rope.shortest > *rope.length)
+    map.fault("shortest", fmt::format("found {:g}, expected at most the length of {:g} m",
+                                      rope.shortest, *rope.length));
+}
+
+void read(MapReader& map, Mooring& mooring) {
+  read_rig_name(map, mooring.name, "moorings");
+  map.required("body", mooring.body, TextRule{"the name of a body"});
+  map.required("fairlead", mooring.fairlead, number("m"));
+  map.required("anchor", mooring.anchor, number("m"));
+  map.required("length", mooring.length, positive("m"));
+  map.required("weight", mooring.weight, not_negative("N/m"));
+  map.required("stiffness", mooring.stiffness, positive("N"));
+  map.optional("friction", mooring.friction, not_negative());
+  map.optional("bottom", mooring.on_bottom, TruthRule{});
+  LineDrag drag;
+  map.block("drag", drag);
+  mooring.drag_diameter = drag.diameter;
+  mooring.drag_coefficient = drag.coefficient;
+  map.optional("breaks_at", mooring.breaks_at, positive("N"));
+  if (map.has("friction") && !mooring.on_bottom)
+    map.fault("friction", "is only used with bottom: true, where the line lies on the bottom");
+}
+
+}  // namespace scene

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hydro/machines/foil.h"
+#include "hydro/machines/propeller.h"
+
+/// @file
+/// Springs, ropes, moorings, drives of joints, machines and controls of a scene. SI units; angles
+/// are in radians but for what is said to be in the units of a name.
+
+namespace scene {
+
+/// A spring or rope between two points.
+struct Tether {
+  std::string name;
+  std::array<std::string, 2> bodies;  ///< Names; `world` stands for the world.
+  /// In the mesh frame of each body, in W for the world [m].
+  std::array<Eigen::Vector3d, 2> points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::optional<double> length;  ///< Unstretched; none: the distance of the points at time 0 [m].
+  double stiffness = 0;          ///< [N/m]
+  double damping = 0;            ///< [N s/m]
+  double breaks_at = std::numeric_limits<double>::infinity();  ///< Tension [N].
+};
+
+/// It pulls and pushes.
+struct Spring : Tether {};
+
+/// It only pulls.
+struct Rope : Tether {
+  double rate = 0;      ///< Speed at which its winch pays out [m/s].
+  double shortest = 0;  ///< Least length that its winch hauls in to [m].
+};
+
+/// A catenary from a body to an anchor.
+struct Mooring {
+  std::string name;
+  std::string body;
+  Eigen::Vector3d fairlead = Eigen::Vector3d::Zero();  ///< In the mesh frame [m].
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();    ///< In W [m].
+  double length = 0;                                   ///< Unstretched [m].
+  double weight = 0;                                   ///< In water, per length [N/m].
+  double stiffness = 0;                                ///< E A [N].
+  double friction = 0;                                 ///< Coefficient of the bottom [-].
+  bool on_bottom = true;  ///< The anchor lies on a bottom that carries the line.
+  double breaks_at = std::numeric_limits<double>::infinity();  ///< Tension [N].
+  double drag_diameter = 0;                                    ///< [m]; 0: it has no drag.
+  double drag_coefficient = 1.2;                               ///< [-]
+};
+
+/// Motor of a hinge or slider.
+struct JointMotor {
+  enum class Mode { speed, position, effort };
+  Mode mode = Mode::speed;
+  double value = 0;  ///< [rad/s, m/s], [rad, m] or [N m, N], by mode.
+  double most = std::numeric_limits<double>::infinity();  ///< Largest effort [N m, N].
+  double rate = 5;  ///< Of `position`: an error decays in the time 1/rate [1/s].
+};
+
+/// What acts along the coordinate of a hinge [rad] or slider [m], which is 0 at the start.
+struct JointDrive {
+  std::optional<std::array<double, 2>> limits;
+  std::optional<JointMotor> motor;
+  double stiffness = 0;  ///< [N m/rad, N/m]
+  double rest = 0;
+  double damping = 0;   ///< [N m s/rad, N s/m]
+  double friction = 0;  ///< [N m, N]
+};
+
+/// A propeller or thruster.
+struct Propeller {
+  std::string name;
+  std::string body;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();      ///< In the mesh frame [m].
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();   ///< Unit, in the mesh frame.
+  Eigen::Vector3d pivot = Eigen::Vector3d::UnitZ();  ///< Unit, in the mesh frame.
+  hydro::Propeller screw;
+  double inertia = 0;  ///< [kg m^2]
+  bool right_handed = true;
+  double speed = 0;    ///< [1/s]
+  double azimuth = 0;  ///< [rad]
+};
+
+/// A rudder or sail.
+struct Foil {
+  std::string name;
+  std::string body;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();           ///< In the mesh frame [m].
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();        ///< Along the span; unit.
+  Eigen::Vector3d chord_axis = Eigen::Vector3d::UnitX();  ///< Unit, normal to `axis`.
+  hydro::Foil foil;
+  double angle = 0;  ///< [rad]
+};
+
+struct Rudder : Foil {
+  std::optional<std::string> behind;  ///< Name of the propeller in whose race it is.
+};
+
+struct Sail : Foil {};
+
+enum class Interpolation { linear, step };
+
+/// A column of a table over time.
+struct CommandFile {
+  std::filesystem::path file;
+  std::string column;  ///< Empty: the first beside the time.
+  Interpolation interpolation = Interpolation::linear;
+};
+
+/// A controller. All its numbers are in the units of the names.
+struct PidControl {
+  std::string of;      ///< `tug.heading_deg`
+  std::string target;  ///< A formula in the time.
+  double kp = 0, ki = 0, kd = 0;
+  std::optional<std::array<double, 2>> limits;
+};
+
+/// A switch with hysteresis, in the units of the names.
+struct RelayControl {
+  std::string of;
+  double low = 0, high = 0;
+  std::array<double, 2> values = {};
+};
+
+/// What drives a set point.
+struct Control {
+  std::string set;  ///< `propellers[main].speed_rps`
+  /// A file, a formula in the time, a controller or a switch.
+  std::variant<CommandFile, std::string, PidControl, RelayControl> source;
+  double start = 0;                                       ///< [s]
+  double rate = std::numeric_limits<double>::infinity();  ///< [unit of the set point/s]
+};
+
+}  // namespace scene
