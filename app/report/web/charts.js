@@ -1,5 +1,6 @@
 // Which plots a run has, and of which lines.
 import {QUANTITIES} from "./quantities.js";
+import {courseOf, rigOf} from "./rig.js";
 
 const LOADS = [
   ["weight", "weight", "--c2"], ["buoyancy", "buoyancy", "--c1"],
@@ -95,7 +96,9 @@ const hollows = (columns, count) => {
 
 export const chartsOf = (run, body, columns) => {
   const {thinned, forces: logged} = run.series;
-  const groups = [{title: "Motion of the centre of mass", charts: motion(columns)}];
+  const groups = [...courseOf(run, body, columns),
+                  {title: "Motion of the centre of mass", charts: motion(columns)},
+                  ...rigOf(run, body)];
   const inside = hollows(columns, run.series.hollows);
   if (inside.length > 0) groups.push({title: "Water inside", charts: inside});
   if (logged) {

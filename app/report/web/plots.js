@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import {rowAt} from "./data.js";
 import {largestOf, spreadOf} from "./extent.js";
 import {decimalsOf, element, fixed, number} from "./format.js";
+import {Track} from "./track.js";
 
 const HEIGHT = 190;    // px
 const FEW_LINES = 3;   // whose legend fits in one line
@@ -44,7 +45,7 @@ const span = (_plot, from, to) => from === to ? [from - 0.5, to + 0.5] : [from, 
 
 // A chart: {title, unit, lines: [{label, color, values, dash, width}]}, and where it has them
 // `prefixed`: a unit that takes prefixes, `log`: a logarithmic scale, `fromZero`: one from 0,
-// `moments`: [{time, text}] that a line marks.
+// `moments`: [{time, text}] that a line marks. A chart with a `track` is no plot over time (track.js).
 export class Plots {
   // @param plotsOf   of a body: {times, groups: [{title, charts, bad}]}
   constructor(plotsOf, clock, host) {
@@ -54,6 +55,7 @@ export class Plots {
     this.zoom = null;     // [from, to], null: the whole run
     this.hidden = new Set();  // labels of lines that are switched off
     this.cards = [];
+    this.tracks = [];
     this.onZoom = () => {};
     this.sync = uPlot.sync("time");
     this.watcher = new IntersectionObserver((entries) => {
@@ -75,6 +77,7 @@ export class Plots {
   show(body) {
     for (const card of this.cards) { card.plot?.destroy(); this.watcher.unobserve(card.node); }
     this.cards = [];
+    this.tracks = [];
     this.host.replaceChildren();
     const {times, groups} = this.plotsOf(body);
     this.times = times;
@@ -82,8 +85,14 @@ export class Plots {
       const grid = element("div", {className: "charts"});
       const title = element("summary", {textContent: group.title, className: group.bad ? "bad" : ""});
       this.host.append(element("details", {open: true, className: "group"}, title, grid));
-      for (const chart of group.charts) this.addCard(chart, grid);
+      for (const chart of group.charts) if (chart.track) this.addTrack(chart, grid); else this.addCard(chart, grid);
     }
+  }
+
+  addTrack(chart, grid) {
+    const track = new Track(chart, this.clock);
+    this.tracks.push(track);
+    grid.append(track.node);
   }
 
   addCard(chart, grid) {
@@ -184,6 +193,7 @@ export class Plots {
   }
 
   markAll() {
+    for (const track of this.tracks) track.mark();
     for (const card of this.cards) if (card.inSight && card.plot) this.mark(card);
   }
 
@@ -207,6 +217,7 @@ export class Plots {
   widthOf(card) { return Math.max(card.node.clientWidth - 16, 160); }
 
   fit() {
+    for (const track of this.tracks) track.fit();
     for (const card of this.cards)
       if (card.plot && card.plot.width !== this.widthOf(card)) {
         card.plot.setSize({width: this.widthOf(card), height: HEIGHT});
