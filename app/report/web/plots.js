@@ -45,7 +45,8 @@ const span = (_plot, from, to) => from === to ? [from - 0.5, to + 0.5] : [from, 
 
 // A chart: {title, unit, lines: [{label, color, values, dash, width}]}, and where it has them
 // `prefixed`: a unit that takes prefixes, `log`: a logarithmic scale, `fromZero`: one from 0,
-// `moments`: [{time, text}] that a line marks. A chart with a `track` is no plot over time (track.js).
+// `moments`: [{time, text}] that a line marks, `note`: a text behind the title, `wide`: the whole
+// row. A chart with a `track` is no plot over time (track.js).
 export class Plots {
   // @param plotsOf   of a body: {times, groups: [{title, charts, bad}]}
   constructor(plotsOf, clock, host) {
@@ -98,8 +99,10 @@ export class Plots {
   addCard(chart, grid) {
     const [factor, unit] = scaleOf(chart);
     const when = element("span");
-    const node = element("figure", {className: chart.lines.length > FEW_LINES ? "chart many" : "chart"},
-      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when));
+    const many = chart.lines.length > FEW_LINES ? " many" : "";
+    const node = element("figure", {className: `chart${many}${chart.wide ? " wide" : ""}`},
+      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when,
+                ...(chart.note ? [element("i", {textContent: ` · ${chart.note}`})] : [])));
     const decimals = decimalsOf((spreadOf(chart) || largestOf(chart)) / factor);
     const card = {chart, decimals, node, when, inSight: false};
     card.data = [this.times,

@@ -1,5 +1,8 @@
 // Plots of lines, joints, machines and controls, and of the course of a body that a machine drives.
 
+import {number} from "./format.js";
+import {isLong} from "./track.js";
+
 const COLORS = 13;  // --c1 … --c13 of style.css
 const POSE_NUMBERS = 7;  // x, y, z, qx, qy, qz, qw
 const colorOf = (i) => `--c${1 + i % COLORS}`;
@@ -20,13 +23,14 @@ const drawn = (charts) => charts.filter((chart) => chart.lines.length > 0);
 const lineCharts = (lines) => {
   const moments = lines.filter((line) => line.broken_at !== null)
     .map((line) => ({time: line.broken_at, text: `${line.name} breaks`}));
+  const note = moments.map(({time, text}) => `${text} at ${number(time)} s`).join(", ");
   const unstretched = lines.filter((line) => varies(line.columns.length) || lines.length === 1)
     .map((line) => ({...line, label: `${line.label}, unstretched`}));
   return drawn([
-    {title: "Tension", unit: "N", prefixed: true, moments, lines: linesOf(lines, "tension")},
+    {title: "Tension", unit: "N", prefixed: true, moments, note, lines: linesOf(lines, "tension")},
     {title: "Distance of the ends", unit: "m", moments,
      lines: [...linesOf(lines, "distance"), ...linesOf(unstretched, "length", {dash: [4, 3]})]},
-    {title: "Length on the bottom", unit: "m", moments, lines: linesOf(lines, "resting")}]);
+    {title: "Length on the bottom", unit: "m", lines: linesOf(lines, "resting")}]);
 };
 
 const jointCharts = (joints) => {
@@ -109,8 +113,9 @@ export const courseOf = (run, body, columns) => {
   if (screws.length + fins.length === 0) return [];
   const steering = [...fins, ...screws.filter((screw) => isUsed(screw.columns.angle))]
     .map((thing, i) => ({...thing, color: colorOf(1 + i)}));
-  const heading = {title: steering.length > 0 ? "Heading, and what steers" : "Heading", unit: "°",
+  const track = trackOf(run, body), wide = isLong(track);
+  const heading = {wide, title: steering.length > 0 ? "Heading, and what steers" : "Heading", unit: "°",
                    lines: [{label: "heading", color: "--c1", width: 2.5, values: columns.yaw},
                            ...linesOf(steering, "angle")]};
-  return [{title: "Course", charts: [{title: "Track", track: trackOf(run, body)}, heading]}];
+  return [{title: "Course", charts: [{title: "Track", wide, track}, heading]}];
 };

@@ -3,7 +3,9 @@ import {rowAt} from "./data.js";
 import {element, number} from "./format.js";
 
 const HEIGHT = 222;                                     // px
+const LONG_HEIGHT = 160;                                // px
 const MARGIN = {left: 54, right: 16, top: 10, bottom: 24};  // px
+const LONG = 3;        // times as long as wide: a long way
 const MARKS = 8;       // about so many marks of the time
 const AXIS_GAP = 64;   // px between two numbers of an axis, at least
 const LABEL_GAP = 22;  // px between two labels of marks, at least
@@ -28,10 +30,12 @@ const multiples = (step, from, to) => {
   return all;
 };
 
+const extent = (values) =>
+  values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
+
 // Maps metres to pixels of a plot of this size, x and y alike, with the way in its middle.
 export const fitted = (x, y, width, height) => {
-  const box = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
-  const [x0, x1] = box(x), [y0, y1] = box(y);
+  const [x0, x1] = extent(x), [y0, y1] = extent(y);
   const scale = Math.min(width / Math.max(x1 - x0, 1e-6), height / Math.max(y1 - y0, 1e-6), 200) * 0.92;
   const middle = [(x0 + x1) / 2, (y0 + y1) / 2];
   return {
@@ -42,19 +46,27 @@ export const fitted = (x, y, width, height) => {
             [middle[1] - height / 2 / scale, middle[1] + height / 2 / scale]]};
 };
 
+// A way along x is best drawn as wide as the page has room.
+export const isLong = ({x, y}) => {
+  const [x0, x1] = extent(x), [y0, y1] = extent(y);
+  return x1 - x0 > LONG * (y1 - y0);
+};
+
 export class Track {
-  constructor({title, track}, clock) {
+  constructor({title, track, wide}, clock) {
     this.track = track;
     this.times = track.times;
     this.clock = clock;
     this.when = element("span");
-    this.picture = svg("svg", {height: HEIGHT});
-    this.node = element("figure", {className: "chart track"},
+    this.height = wide ? LONG_HEIGHT : HEIGHT;
+    this.picture = svg("svg", {height: this.height});
+    this.node = element("figure", {className: wide ? "chart track wide" : "chart track"},
       element("figcaption", {}, element("b", {textContent: title}), " y over x [m]", this.when), this.picture);
     this.picture.addEventListener("mousemove", (event) => {
       if (this.clock.playing || !this.map) return;
       const box = this.picture.getBoundingClientRect();
-      this.clock.seek(this.times[this.nearest(event.clientX - box.left - MARGIN.left, event.clientY - box.top - MARGIN.top)]);
+      const row = this.nearest(event.clientX - box.left - MARGIN.left, event.clientY - box.top - MARGIN.top);
+      this.clock.seek(this.times[row]);
     });
     requestAnimationFrame(() => this.fit());
   }
@@ -69,7 +81,7 @@ export class Track {
 
   draw() {
     const {x, y} = this.track;
-    const width = this.width - MARGIN.left - MARGIN.right, height = HEIGHT - MARGIN.top - MARGIN.bottom;
+    const width = this.width - MARGIN.left - MARGIN.right, height = this.height - MARGIN.top - MARGIN.bottom;
     this.map = fitted(x, y, width, height);
     const plot = svg("g", {transform: `translate(${MARGIN.left} ${MARGIN.top})`});
     this.drawAxes(plot, width, height);
@@ -145,7 +157,8 @@ export class Track {
   mark() {
     if (!this.map) return;
     const {time} = this.clock;
-    const [x, y, heading] = [this.track.x, this.track.y, this.track.heading].map((values) => this.valueAt(values, time));
+    const [x, y, heading] = [this.track.x, this.track.y, this.track.heading]
+      .map((values) => this.valueAt(values, time));
     this.ship.setAttribute("transform",
       `translate(${this.map.x(x)} ${this.map.y(y)}) rotate(${-heading})`);
     this.when.textContent = `x ${number(x, 4)}, y ${number(y, 4)}, heading ${number(heading, 3)}°`;
