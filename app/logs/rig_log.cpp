@@ -177,6 +177,11 @@ std::string log_name(const engine::FoilSpec& foil) {
 RigLog::RigLog(const engine::SimulationSpec& spec, bool joints)
     : spec_(spec), joints_(joints && !spec.joints.empty()) {}
 
+bool RigLog::empty() const {
+  return spec_.lines.empty() && !joints_ && spec_.propellers.empty() && spec_.foils.empty() &&
+         spec_.controls.empty();
+}
+
 std::vector<LogTable> RigLog::tables() const {
   std::vector<LogTable> tables;
   if (!spec_.lines.empty()) tables.push_back({lines_layout(), names_of(spec_.lines)});

@@ -46,6 +46,8 @@ class RigLog {
   /// @param joints   Joints are logged.
   RigLog(const engine::SimulationSpec& spec, bool joints);
 
+  bool empty() const;  ///< There are no tables.
+
   /// The tables that have rows; none of what the simulation does not have.
   std::vector<LogTable> tables() const;
 

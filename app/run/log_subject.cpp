@@ -14,11 +14,6 @@ bool may_be_hollow(const engine::SimulationSpec& spec) {
          });
 }
 
-bool has_rig(const engine::SimulationSpec& spec) {
-  return !spec.lines.empty() || !spec.joints.empty() || !spec.propellers.empty() ||
-         !spec.foils.empty() || !spec.controls.empty();
-}
-
 LogSubject log_subject(const scene::Scene& scene, const assembly::BuiltScene& built) {
   std::vector<std::string> bodies;
   for (const engine::BodySpec& body : built.spec.bodies) bodies.push_back(body.name);

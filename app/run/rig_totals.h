@@ -12,6 +12,11 @@ namespace app {
 /// What a run has seen of its lines and propellers at all of its steps, not only at logged times.
 class RigTotals {
  public:
+  /// True if the simulation has something to sum up.
+  static bool sums_up(const engine::SimulationSpec& spec) {
+    return !spec.lines.empty() || !spec.propellers.empty();
+  }
+
   /// Adds the readings after a step, or those of the start.
   void add(double time, const engine::RigReadings& readings);
 

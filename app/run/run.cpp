@@ -218,12 +218,11 @@ class Run {
   /// Logs the state and stores it for a picture, if either is due.
   void keep() {
     const double time = simulation_.time();
+    const bool logs = log_due_.due(time), sums_up = RigTotals::sums_up(built_.spec);
     engine::RigReadings rig;
-    if (has_rig(built_.spec)) {
-      rig = simulation_.rig();
-      summary_.rig.add(time, rig);
-    }
-    if (log_due_.due(time)) {
+    if (sums_up || (logs && !rig_.empty())) rig = simulation_.rig();
+    if (sums_up) summary_.rig.add(time, rig);
+    if (logs) {
       const WallClock clock;
       log(time, rig);
       summary_.wall_log += clock.seconds();

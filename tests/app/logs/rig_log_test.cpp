@@ -101,7 +101,10 @@ class RigLog : public testing::Test {
 TEST_F(RigLog, HasTheTablesThatTheSimulationHasRowsFor) {
   EXPECT_EQ(app::RigLog(spec, true).tables().size(), 4u);
   EXPECT_EQ(app::RigLog(spec, false).tables().size(), 3u);
-  EXPECT_TRUE(app::RigLog({}, true).tables().empty());
+  const engine::SimulationSpec nothing;
+  EXPECT_TRUE(app::RigLog(nothing, true).empty());
+  EXPECT_TRUE(app::RigLog(nothing, true).tables().empty());
+  EXPECT_FALSE(app::RigLog(spec, false).empty());
   const std::vector<app::LogTable> tables = app::RigLog(spec, true).tables();
   EXPECT_THAT(tables[0].names, ElementsAre("ropes[tow]", "moorings[bow]"));
   EXPECT_THAT(tables[1].names, ElementsAre("crank", "ring"));
