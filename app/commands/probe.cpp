@@ -10,6 +10,8 @@
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
 #include "app/base/terminal_reporter.h"
+#include "app/logs/rig_log.h"
+#include "engine/simulation.h"
 #include "hydro/interior/interior.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -95,6 +97,28 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"added_mass", added_mass}};
 }
 
+/// Adds the first rows of the tables, by names and then by columns; a field that is empty in a log
+/// has no key.
+void add_tables(const engine::SimulationSpec& spec, Json& json) {
+  const RigLog log(spec, true);
+  const std::vector<LogTable> tables = log.tables();
+  if (tables.empty()) return;
+  const engine::Simulation simulation(spec);
+  const auto numbers = log.numbers(simulation.rig(), simulation.states());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    Json& things = json[std::filesystem::path(tables[i].layout.file).stem().string()];
+    auto number = numbers[i].begin();
+    for (const std::string& name : tables[i].names) {
+      things[name] = Json::object();
+      for (const TableSeries& series : tables[i].layout.series)
+        for (const std::string& column : series.columns) {
+          if (!std::isnan(*number)) things[name][column] = *number;
+          ++number;
+        }
+    }
+  }
+}
+
 }  // namespace
 
 int probe(const std::filesystem::path& file, const std::vector<scene::Override>& overrides) {
@@ -106,7 +130,9 @@ int probe(const std::filesystem::path& file, const std::vector<scene::Override>&
   Json bodies = Json::object();
   for (const engine::BodySpec& body : built.spec.bodies)
     bodies[body.name] = probe_body(body, built.spec.sea);
-  fmt::print("{}\n", Json{{"bodies", bodies}}.dump(2));
+  Json json = {{"bodies", bodies}};
+  add_tables(built.spec, json);
+  fmt::print("{}\n", json.dump(2));
   return kDone;
 }
 

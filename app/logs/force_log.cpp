@@ -59,6 +59,10 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("work_radiation", forces.works.radiation);
   put_load({"interior", forces.water.interior}, put);
   put("work_interior", forces.works.interior);
+  put_load({"lines", forces.lines}, put);
+  put("work_lines", forces.works.lines);
+  put_load({"machines", forces.machines}, put);
+  put("work_machines", forces.works.machines);
   return row;
 }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 #include "app/assembly/build.h"
 #include "app/logs/hdf5_log_reader.h"
 #include "app/logs/read_log.h"
+#include "app/logs/rig_log.h"
 #include "app/logs/run_files.h"
 #include "app/logs/trajectory_match.h"
 #include "app/run/run_source.h"
@@ -94,17 +96,57 @@ void check_forces(const fs::path& file, LoggedRun& run) {
   }
 }
 
+/// Refuses a table without rows of a name, or with other times than the trajectory, and counts the
+/// rows that both have.
+void check_table(const fs::path& file, const LogTable& expected, const TableRows& table,
+                 const std::vector<double>& times, std::size_t& rows) {
+  for (const std::string& name : expected.names) {
+    const auto found = table.tracks.find(name);
+    if (found == table.tracks.end())
+      throw scene::InputError(
+          file, fmt::format("has no rows of {} {}, which the scene has", table.layout.key, name));
+    const std::vector<double>& own = found->second.times;
+    rows = std::min(rows, own.size());
+    for (std::size_t i = 0; i < rows; ++i)
+      if (own[i] != times[i])
+        throw scene::InputError(
+            file, fmt::format("row {} of {} {} has the time {} s and that of the trajectory {} s; "
+                              "expected both of one run",
+                              i + 1, table.layout.key, name, own[i], times[i]));
+  }
+}
+
+/// Reads the tables of a run and checks that they have a row of each of its things at the times of
+/// `times`; `rows` becomes the number of rows that all of them have.
+/// @param trajectory   Its file (read_log.h).
+std::vector<TableRows> read_rig(const fs::path& trajectory, const engine::SimulationSpec& spec,
+                                const std::vector<double>& times, std::size_t& rows) {
+  std::vector<TableRows> tables;
+  for (const LogTable& expected : RigLog(spec, true).tables()) {
+    auto table = read_table(trajectory, expected.layout);
+    if (!table) continue;
+    const bool own_file = !is_hdf5(trajectory);
+    const fs::path file = own_file ? trajectory.parent_path() / expected.layout.file : trajectory;
+    check_table(file, expected, *table, times, rows);
+    tables.push_back(std::move(*table));
+  }
+  return tables;
+}
+
 /// Removes the rows that a killed run wrote for some bodies or logs only.
 void keep_common_rows(LoggedRun& run) {
   for (auto& [name, track] : run.trajectory.tracks) {
     track.times.resize(run.rows);
     track.states.resize(run.rows);
   }
-  if (!run.forces) return;
-  for (auto& [name, track] : *run.forces) {
-    track.times.resize(run.rows);
-    for (std::vector<double>& column : track.columns) column.resize(run.rows);
-  }
+  const auto shorten = [&](auto& tracks) {
+    for (auto& [name, track] : tracks) {
+      track.times.resize(run.rows);
+      for (std::vector<double>& column : track.columns) column.resize(run.rows);
+    }
+  };
+  if (run.forces) shorten(*run.forces);
+  for (TableRows& table : run.tables) shorten(table.tracks);
 }
 
 }  // namespace
@@ -123,6 +165,9 @@ LoggedRun read_run(const fs::path& folder, const fs::path& scene) {
   const fs::path forces = forces_beside(log);
   if (!forces.empty()) run.forces = read_forces(forces);
   if (run.forces) check_forces(forces, run);
+  if (!run.trajectory.tracks.empty())
+    run.tables =
+        read_rig(log, run.built.spec, run.trajectory.tracks.begin()->second.times, run.rows);
   keep_common_rows(run);
   const fs::path interiors = folder / kInteriorLog;
   if (fs::exists(interiors)) run.interiors = read_interior_csv(interiors);

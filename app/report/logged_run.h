@@ -7,6 +7,7 @@
 #include "app/assembly/built_scene.h"
 #include "app/logs/force_log.h"
 #include "app/logs/interior_csv.h"
+#include "app/logs/table_log.h"
 #include "app/logs/trajectory.h"
 #include "app/scene/scene.h"
 
@@ -23,6 +24,7 @@ struct LoggedRun {
   std::size_t rows = 0;            ///< Rows per body that all logs have for all bodies.
   std::optional<ForceLog> forces;  ///< None if forces were not logged.
   InteriorLog interiors;           ///< Of bodies with hollows.
+  std::vector<TableRows> tables;   ///< Of what the run has of lines, joints, machines, controls.
 };
 
 /// @param scene   Present path of the scene; empty: the path at the time of the run.

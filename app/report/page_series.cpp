@@ -9,6 +9,7 @@
 #include "app/pages/packing.h"
 #include "app/pages/thinning.h"
 #include "app/report/page_data.h"
+#include "app/report/page_rig.h"
 
 namespace app {
 namespace {
@@ -100,6 +101,7 @@ Json page_series(const LoggedRun& run, const PageLimits& limits) {
   std::size_t varying = 1;
   for (const scene::Body& body : run.scene.bodies)
     each_column(run, body.name, [&](const std::vector<double>& c) { varying += varies(c); });
+  varying += rig_columns(run);
   const Thinning thinning(run.rows, std::max(kLeastRows, limits.series / varying));
   std::vector<std::string> names = motion_columns();
   const std::vector<std::string> hollows = hollow_columns(run);
@@ -121,7 +123,8 @@ Json page_series(const LoggedRun& run, const PageLimits& limits) {
           {"hollows", hollows.size() / 2},
           {"thinned", thinning.thins()},
           {"times", packed<double>(thinning.times(times))},
-          {"bodies", tracks}};
+          {"bodies", tracks},
+          {"rig", page_rig(run, thinning)}};
 }
 
 }  // namespace app

@@ -23,10 +23,12 @@ set(web_sources
   quantities.js
   replay.js
   report.js
+  rig.js
   sea.js
   strip.js
   style.css
-  surface.js)
+  surface.js
+  track.js)
 list(TRANSFORM web_sources PREPEND ${web}/)
 set(pages ${PROJECT_BINARY_DIR}/report)
 add_custom_command(OUTPUT ${pages}/page.html ${pages}/comparison.html

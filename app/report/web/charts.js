@@ -1,12 +1,13 @@
 // Which plots a run has, and of which lines.
 import {QUANTITIES} from "./quantities.js";
+import {courseOf, rigOf} from "./rig.js";
 
 const LOADS = [
   ["weight", "weight", "--c2"], ["buoyancy", "buoyancy", "--c1"],
   ["pressure_drag", "pressure drag", "--c3"], ["viscous_drag", "viscous drag", "--c4"],
   ["lift", "lift", "--c5"], ["wave_inertia", "wave inertia", "--c9"], ["wind", "wind", "--c10"],
   ["diffraction", "diffraction", "--c11"], ["radiation", "radiation", "--c12"],
-  ["interior", "water inside", "--c13"],
+  ["interior", "water inside", "--c13"], ["lines", "lines", "--c14"], ["machines", "machines", "--c15"],
   ["added_mass", "added mass", "--c7"],
   ["applied", "applied", "--c6"], ["constraint", "constraint", "--c8"]];
 const AXES = ["--c1", "--c2", "--c3"];
@@ -95,7 +96,9 @@ const hollows = (columns, count) => {
 
 export const chartsOf = (run, body, columns) => {
   const {thinned, forces: logged} = run.series;
-  const groups = [{title: "Motion of the centre of mass", charts: motion(columns)}];
+  const groups = [...courseOf(run, body, columns),
+                  {title: "Motion of the centre of mass", charts: motion(columns)},
+                  ...rigOf(run, body)];
   const inside = hollows(columns, run.series.hollows);
   if (inside.length > 0) groups.push({title: "Water inside", charts: inside});
   if (logged) {

@@ -16,6 +16,10 @@ export const readRun = () => {
   run.poses.times = doubles(run.poses.times);
   run.poses.tracks = run.poses.bodies.map(floats);
   run.series.times = doubles(run.series.times);
+  for (const things of Object.values(run.series.rig))
+    for (const thing of things)
+      for (const [name, packed] of Object.entries(thing.columns))
+        thing.columns[name] = column(packed, run.series.times.length);
   if (run.water?.components) run.water.components = doubles(run.water.components);
   if (run.water?.heights) run.water.heights = floats(run.water.heights);
   return run;

@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import {rowAt} from "./data.js";
 import {largestOf, spreadOf} from "./extent.js";
 import {decimalsOf, element, fixed, number} from "./format.js";
+import {Track} from "./track.js";
 
 const HEIGHT = 190;    // px
 const FEW_LINES = 3;   // whose legend fits in one line
@@ -44,7 +45,8 @@ const span = (_plot, from, to) => from === to ? [from - 0.5, to + 0.5] : [from, 
 
 // A chart: {title, unit, lines: [{label, color, values, dash, width}]}, and where it has them
 // `prefixed`: a unit that takes prefixes, `log`: a logarithmic scale, `fromZero`: one from 0,
-// `moments`: [{time, text}] that a line marks.
+// `moments`: [{time, text}] that a line marks, `note`: a text behind the title, `wide`: the whole
+// row. A chart with a `track` is no plot over time (track.js).
 export class Plots {
   // @param plotsOf   of a body: {times, groups: [{title, charts, bad}]}
   constructor(plotsOf, clock, host) {
@@ -54,6 +56,7 @@ export class Plots {
     this.zoom = null;     // [from, to], null: the whole run
     this.hidden = new Set();  // labels of lines that are switched off
     this.cards = [];
+    this.tracks = [];
     this.onZoom = () => {};
     this.sync = uPlot.sync("time");
     this.watcher = new IntersectionObserver((entries) => {
@@ -75,6 +78,7 @@ export class Plots {
   show(body) {
     for (const card of this.cards) { card.plot?.destroy(); this.watcher.unobserve(card.node); }
     this.cards = [];
+    this.tracks = [];
     this.host.replaceChildren();
     const {times, groups} = this.plotsOf(body);
     this.times = times;
@@ -82,15 +86,23 @@ export class Plots {
       const grid = element("div", {className: "charts"});
       const title = element("summary", {textContent: group.title, className: group.bad ? "bad" : ""});
       this.host.append(element("details", {open: true, className: "group"}, title, grid));
-      for (const chart of group.charts) this.addCard(chart, grid);
+      for (const chart of group.charts) if (chart.track) this.addTrack(chart, grid); else this.addCard(chart, grid);
     }
+  }
+
+  addTrack(chart, grid) {
+    const track = new Track(chart, this.clock);
+    this.tracks.push(track);
+    grid.append(track.node);
   }
 
   addCard(chart, grid) {
     const [factor, unit] = scaleOf(chart);
     const when = element("span");
-    const node = element("figure", {className: chart.lines.length > FEW_LINES ? "chart many" : "chart"},
-      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when));
+    const many = chart.lines.length > FEW_LINES ? " many" : "";
+    const node = element("figure", {className: `chart${many}${chart.wide ? " wide" : ""}`},
+      element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when,
+                ...(chart.note ? [element("i", {textContent: ` · ${chart.note}`})] : [])));
     const decimals = decimalsOf((spreadOf(chart) || largestOf(chart)) / factor);
     const card = {chart, decimals, node, when, inSight: false};
     card.data = [this.times,
@@ -184,6 +196,7 @@ export class Plots {
   }
 
   markAll() {
+    for (const track of this.tracks) track.mark();
     for (const card of this.cards) if (card.inSight && card.plot) this.mark(card);
   }
 
@@ -207,6 +220,7 @@ export class Plots {
   widthOf(card) { return Math.max(card.node.clientWidth - 16, 160); }
 
   fit() {
+    for (const track of this.tracks) track.fit();
     for (const card of this.cards)
       if (card.plot && card.plot.width !== this.widthOf(card)) {
         card.plot.setSize({width: this.widthOf(card), height: HEIGHT});

@@ -31,6 +31,9 @@ bodies:
   - {name: a/b %é, box: {size: [1, 1, 1]}, density: 500, position: [0, 0, 1],
      angular_velocity: [1, 2, 3]}
   - {name: ., sphere: {radius: 0.5}, density: 700, position: [4, 0, 1]}
+joints:
+  - {name: k é, type: hinge, bodies: [., world], anchor: [4, 0, 2], axis: [0, 1, 0]}
+  - {name: b, type: ball, bodies: [a/b %é, world], anchor: [0, 0, 2]}
 """
 
 
@@ -73,24 +76,25 @@ class Hdf5(unittest.TestCase):
         self.assertEqual(len(times), 301)  # more than two chunks
         self.assertEqual(self.run_file["time"][:].tobytes(), times[:, 0].tobytes())
         for name, dataset in self.run_file.items():
-            if name in ("time", "body") or name.startswith("probe"):
+            if name in ("time", "body") or name.startswith(("probe", "joint")):
                 continue
             for i, column in enumerate(dataset.attrs.get("columns", [name])):
                 numbers = dataset[:, :, i] if dataset.ndim == 3 else dataset[:]
                 self.assertEqual(numbers.tobytes(), expected.pop(column).tobytes(), column)
         self.assertEqual(expected, {})
 
-    def test_probes_are_those_of_the_csv_file(self):
-        expected, probes = table(self.folder / "csv" / "probes.csv", "probe")
-        self.assertEqual(list(self.run_file["probe"].asstr()), probes)
-        expected.pop("time")
-        for name, dataset in self.run_file.items():
-            if not name.startswith("probe_"):
-                continue
-            for i, column in enumerate(dataset.attrs.get("columns", ["elevation"])):
-                numbers = dataset[:, :, i] if dataset.ndim == 3 else dataset[:]
-                np.testing.assert_array_equal(numbers, expected.pop(column), column)
-        self.assertEqual(expected, {})
+    def test_other_tables_are_those_of_the_csv_files(self):
+        for kind in "probe", "joint":
+            expected, names = table(self.folder / "csv" / f"{kind}s.csv", kind)
+            self.assertEqual(list(self.run_file[kind].asstr()), names)
+            expected.pop("time")
+            for name, dataset in self.run_file.items():
+                if not name.startswith(kind + "_"):
+                    continue
+                for i, column in enumerate(dataset.attrs.get("columns", [name[len(kind) + 1:]])):
+                    numbers = dataset[:, :, i] if dataset.ndim == 3 else dataset[:]
+                    np.testing.assert_array_equal(numbers, expected.pop(column), column)
+            self.assertEqual(expected, {})
 
     def test_says_what_it_is_of(self):
         self.assertEqual(self.run_file.attrs["title"], "A raft's ü")
@@ -100,7 +104,7 @@ class Hdf5(unittest.TestCase):
         self.assertEqual(list(self.run_file["orientation"].attrs["columns"]),
                          ["qw", "qx", "qy", "qz"])
         for dataset in self.run_file.values():
-            self.assertTrue(dataset.name in ("/body", "/probe") or "units" in dataset.attrs)
+            self.assertTrue(dataset.name in ("/body", "/probe", "/joint") or "units" in dataset.attrs)
 
 
 if __name__ == "__main__":
