@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// Describes a dataset of numbers of `bodies` bodies or probes.
+/// Describes a dataset of numbers of `bodies` bodies or names.
 Hdf5Series series_of(std::string name, std::string units, std::vector<std::string> columns,
                      std::size_t bodies) {
   if (columns.size() == 1) return {std::move(name), std::move(units), {}, {bodies}};
@@ -48,11 +48,11 @@ std::vector<Hdf5Series> force_series(std::size_t bodies) {
   return all;
 }
 
-std::vector<Hdf5Series> probe_series(std::size_t probes) {
-  return {series_of("probe_elevation", "m", {"elevation"}, probes),
-          series_of("probe_position", "m", {"x", "y", "z"}, probes),
-          series_of("probe_velocity", "m/s", {"vx", "vy", "vz"}, probes),
-          series_of("probe_acceleration", "m/s^2", {"ax", "ay", "az"}, probes)};
+std::vector<Hdf5Series> table_series(const TableLayout& layout, std::size_t names) {
+  std::vector<Hdf5Series> all;
+  for (const TableSeries& series : layout.series)
+    all.push_back(series_of(layout.key + "_" + series.name, series.units, series.columns, names));
+  return all;
 }
 
 std::size_t width_of(const Hdf5Series& series) {

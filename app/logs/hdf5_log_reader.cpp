@@ -27,7 +27,7 @@ struct OpenLog {
 
   std::vector<double> numbers(const Hdf5Series& series) const {
     std::vector<double> all = reader.numbers(series.name, series.shape);
-    const std::size_t count = times.size() * bodies.size() * width_of(series);
+    const std::size_t count = times.size() * series.shape.front() * width_of(series);
     if (all.size() < count)
       throw scene::InputError(
           file, fmt::format("{} has fewer rows than time, {}", series.name, times.size()));
@@ -105,6 +105,24 @@ std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file) {
   for (const std::string& name : log.bodies) forces[name].times = log.times;
   for (const Hdf5Series& series : all) add_columns(log, series, forces);
   return forces;
+}
+
+std::optional<TableRows> read_hdf5_table(const std::filesystem::path& file,
+                                         const TableLayout& layout) {
+  const OpenLog log(file);
+  if (log.times.empty() || !log.reader.has(layout.key)) return std::nullopt;
+  TableRows table{.layout = layout, .names = log.reader.texts(layout.key), .tracks = {}};
+  for (const std::string& name : table.names) table.tracks[name].times = log.times;
+  for (const Hdf5Series& series : table_series(layout, table.names.size())) {
+    const std::size_t width = width_of(series);
+    const std::size_t row = table.names.size() * width;
+    const std::vector<double> numbers = log.numbers(series);
+    for (std::size_t i = 0; i < row; ++i) {
+      std::vector<double>& column = table.tracks[table.names[i / width]].columns.emplace_back();
+      for (std::size_t t = 0; t < log.times.size(); ++t) column.push_back(numbers[t * row + i]);
+    }
+  }
+  return table;
 }
 
 }  // namespace app

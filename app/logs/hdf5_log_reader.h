@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/logs/force_log.h"
+#include "app/logs/table_log.h"
 #include "app/logs/trajectory.h"
 
 /// @file
@@ -20,5 +21,10 @@ Trajectory read_hdf5_trajectory(const std::filesystem::path& file);
 /// Reads the forces in a log, with one row per time; none if they were not logged. @throws
 /// InputError
 std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file);
+
+/// Reads a table in a log, with one row per time; none if the log does not have it.
+/// @throws InputError
+std::optional<TableRows> read_hdf5_table(const std::filesystem::path& file,
+                                         const TableLayout& layout);
 
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -34,19 +35,12 @@ std::vector<Hdf5Series> series_of_bodies(const LogSubject& subject) {
   return all;
 }
 
-/// Returns all series of the probes; none without probes.
-std::vector<Hdf5Series> series_of_probes(const LogSubject& subject) {
-  if (subject.probes.empty()) return {};
-  return probe_series(subject.probes.size());
-}
-
 std::size_t chunk_rows(const LogSubject& subject) {
   std::size_t numbers = 0;
   for (const Hdf5Series& series : series_of_bodies(subject)) numbers += width_of(series);
-  const std::size_t row =
-      sizeof(double) * (numbers * std::max<std::size_t>(1, subject.bodies.size()) +
-                        kProbeColumns * subject.probes.size());
-  return std::clamp(kMostWaiting / row, kFewestRows, kMostRows);
+  numbers *= std::max<std::size_t>(1, subject.bodies.size());
+  for (const LogTable& table : subject.tables) numbers += table.layout.width() * table.names.size();
+  return std::clamp(kMostWaiting / (sizeof(double) * numbers), kFewestRows, kMostRows);
 }
 
 }  // namespace
@@ -67,6 +61,19 @@ Hdf5Log::~Hdf5Log() {
   }
 }
 
+/// @param number_of   Finds or adds a series in the file.
+void Hdf5Log::list_series(const AddSeries& number_of) {
+  const auto entry = [&](const Hdf5Series& series) {
+    return Series{.number = number_of(series), .columns = width_of(series), .waiting = {}};
+  };
+  for (const Hdf5Series& series : series_of_bodies(subject_)) series_.push_back(entry(series));
+  for (const LogTable& table : subject_.tables) {
+    tables_.emplace_back();
+    for (const Hdf5Series& series : table_series(table.layout, table.names.size()))
+      tables_.back().push_back(entry(series));
+  }
+}
+
 /// Is called with the first row, so that a full disk is an error of the log.
 void Hdf5Log::make_structure() {
   const std::array<std::size_t, 2> chunk = {chunk_, kChunkBodies};
@@ -76,21 +83,15 @@ void Hdf5Log::make_structure() {
                         {"title", subject_.title}});
   times_.number = file_.add_series({"time", "s", {}, {}}, chunk);
   file_.add_texts("body", subject_.bodies);
-  for (const Hdf5Series& series : series_of_bodies(subject_))
-    series_.push_back({.number = file_.add_series(series, chunk), .columns = width_of(series)});
-  if (!subject_.probes.empty()) file_.add_texts("probe", subject_.probes);
-  for (const Hdf5Series& series : series_of_probes(subject_))
-    probes_.push_back({.number = file_.add_series(series, chunk), .columns = width_of(series)});
+  for (const LogTable& table : subject_.tables) file_.add_texts(table.layout.key, table.names);
+  list_series([&](const Hdf5Series& series) { return file_.add_series(series, chunk); });
   file_.flush();
   started_ = true;
 }
 
 void Hdf5Log::find_structure(std::size_t kept) {
   times_.number = file_.find_series({"time", "s", {}, {}}, kept);
-  for (const Hdf5Series& series : series_of_bodies(subject_))
-    series_.push_back({.number = file_.find_series(series, kept), .columns = width_of(series)});
-  for (const Hdf5Series& series : series_of_probes(subject_))
-    probes_.push_back({.number = file_.find_series(series, kept), .columns = width_of(series)});
+  list_series([&](const Hdf5Series& series) { return file_.find_series(series, kept); });
   written_ = kept;
   started_ = true;
 }
@@ -109,9 +110,11 @@ void Hdf5Log::add(const LogEntry& entry) {
 void Hdf5Log::wait(const LogEntry& entry) {
   const auto distribute = [](auto next, std::vector<Series>& all) {
     for (Series& series : all) {
-      series.waiting.insert(series.waiting.end(), next, next + series.columns);
-      next += series.columns;
+      const auto end = next + static_cast<std::ptrdiff_t>(series.columns);
+      series.waiting.insert(series.waiting.end(), next, end);
+      next = end;
     }
+    return next;
   };
   times_.waiting.push_back(entry.time);
   for (std::size_t body = 0; body < entry.states.size(); ++body) {
@@ -120,7 +123,9 @@ void Hdf5Log::wait(const LogEntry& entry) {
     if (subject_.forces) std::ranges::copy(force_row(entry.forces[body]), std::back_inserter(row));
     distribute(row.begin(), series_);
   }
-  for (const ProbeReading& reading : entry.probes) distribute(reading.begin(), probes_);
+  for (std::size_t i = 0; i < tables_.size(); ++i)
+    for (auto next = entry.tables[i].begin(); next != entry.tables[i].end();)
+      next = distribute(next, tables_[i]);
 }
 
 /// Writes the times last, so that the file has all data of every time in it.
@@ -132,11 +137,12 @@ void Hdf5Log::write_waiting() {
   if (times_.waiting.empty()) return;
   std::size_t numbers = times_.waiting.size();
   for (const Series& series : series_) numbers += series.waiting.size();
-  for (const Series& series : probes_) numbers += series.waiting.size();
+  for (const std::vector<Series>& table : tables_)
+    for (const Series& series : table) numbers += series.waiting.size();
   written_ += times_.waiting.size();
   file_.reserve(sizeof(double) * numbers);
   std::ranges::for_each(series_, write);
-  std::ranges::for_each(probes_, write);
+  for (std::vector<Series>& table : tables_) std::ranges::for_each(table, write);
   write(times_);
   if (std::chrono::steady_clock::now() - flushed_ > kBetweenFlushes) flush();
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,10 +34,12 @@ class Hdf5Log : public Log {
   /// A dataset and its buffered rows.
   struct Series {
     std::size_t number = 0;   ///< Number in the file.
-    std::size_t columns = 1;  ///< Numbers per body or probe.
+    std::size_t columns = 1;  ///< Numbers per body or name.
     std::vector<double> waiting;
   };
+  using AddSeries = std::function<std::size_t(const Hdf5Series&)>;
 
+  void list_series(const AddSeries& number_of);
   void make_structure();
   void find_structure(std::size_t kept);
   void wait(const LogEntry& entry);
@@ -51,8 +54,8 @@ class Hdf5Log : public Log {
   std::chrono::steady_clock::time_point flushed_;
   bool ended_ = false;  ///< The file is closed or has failed; no more writes.
   Series times_;
-  std::vector<Series> series_;  ///< Series of the bodies.
-  std::vector<Series> probes_;
+  std::vector<Series> series_;               ///< Series of the bodies.
+  std::vector<std::vector<Series>> tables_;  ///< Series of each table.
 };
 
 }  // namespace app

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "app/logs/probes.h"
+#include "app/logs/table_log.h"
 #include "engine/body_forces.h"
 #include "engine/interior_water.h"
 #include "hydro/spatial.h"
 
 /// @file
-/// The log of a run: its motion, and the forces and readings of probes if the scene asks for them.
+/// The log of a run: its motion, the forces if the scene asks for them, and tables of what else it
+/// has: probes, lines, joints, machines, controls.
 
 namespace app {
 
@@ -19,7 +20,7 @@ struct LogSubject {
   std::vector<std::string> bodies;  ///< Names of the bodies.
   bool forces = false;              ///< Forces are logged.
   bool interiors = false;           ///< The water in pockets is logged.
-  std::vector<std::string> probes;  ///< Names of the probes.
+  std::vector<LogTable> tables;     ///< Each has at least one name.
   std::string scene;                ///< The scene's file.
   std::string title;
 };
@@ -29,8 +30,8 @@ struct LogPosition {
   std::uint64_t rows = 0;              ///< Number of logged times.
   std::uint64_t trajectory_bytes = 0;  ///< Length of trajectory.csv.
   std::uint64_t forces_bytes = 0;      ///< Length of forces.csv.
-  std::uint64_t probes_bytes = 0;      ///< Length of probes.csv.
   std::uint64_t interior_bytes = 0;    ///< Length of interior.csv.
+  std::vector<std::uint64_t> tables_bytes = {};  ///< Lengths of the tables' files.
 };
 
 /// What is logged of an instant.
@@ -38,8 +39,8 @@ struct LogEntry {
   double time = 0;                                      ///< [s]
   const std::vector<hydro::BodyState>& states;          ///< Of every body.
   const std::vector<engine::BodyForces>& forces;        ///< On every body; empty if not logged.
-  const std::vector<ProbeReading>& probes;              ///< Of all probes.
   const std::vector<engine::InteriorState>& interiors;  ///< Of every body; empty if not logged.
+  const std::vector<std::vector<double>>& tables;       ///< The numbers of each table.
 };
 
 /// Receives rows during a run, all from one thread.
@@ -47,7 +48,7 @@ class Log {
  public:
   virtual ~Log() = default;
 
-  /// Adds a row per body, per probe and per pocket, in the order of the names.
+  /// Adds a row per body, per pocket and per name of a table, in the order of the names.
   /// @throws OutputError if the log cannot be written, usually because the disk is full
   virtual void add(const LogEntry& entry) = 0;
 

@@ -1,13 +1,15 @@
 #include "app/logs/make_log.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "app/logs/force_csv.h"
 #include "app/logs/hdf5_log_writer.h"
 #include "app/logs/interior_csv.h"
-#include "app/logs/probe_csv.h"
+#include "app/logs/rig_log.h"
 #include "app/logs/run_files.h"
+#include "app/logs/table_log.h"
 #include "app/logs/trajectory_csv.h"
 
 namespace app {
@@ -23,23 +25,24 @@ class CsvLog : public Log {
     if (subject.forces)
       forces_.emplace(folder / kForceLog, subject.bodies,
                       kept(resumed, &LogPosition::forces_bytes));
-    if (!subject.probes.empty())
-      probes_.emplace(folder / kProbeLog, subject.probes,
-                      kept(resumed, &LogPosition::probes_bytes));
+    for (std::size_t i = 0; i < subject.tables.size(); ++i)
+      tables_.emplace_back(folder, subject.tables[i],
+                           resumed ? std::optional(resumed->tables_bytes.at(i)) : std::nullopt);
   }
 
   void add(const LogEntry& entry) override {
     ++rows_;
     states_.add(entry.time, entry.states);
     if (forces_) forces_->add(entry.time, entry.forces);
-    if (probes_) probes_->add(entry.time, entry.probes);
+    for (std::size_t i = 0; i < tables_.size(); ++i) tables_[i].add(entry.time, entry.tables[i]);
   }
 
   LogPosition save() override {
-    return {.rows = rows_,
-            .trajectory_bytes = states_.save(),
-            .forces_bytes = forces_ ? forces_->save() : 0,
-            .probes_bytes = probes_ ? probes_->save() : 0};
+    LogPosition position{.rows = rows_,
+                         .trajectory_bytes = states_.save(),
+                         .forces_bytes = forces_ ? forces_->save() : 0};
+    for (TableWriter& table : tables_) position.tables_bytes.push_back(table.save());
+    return position;
   }
 
   void finish() override {}
@@ -53,7 +56,7 @@ class CsvLog : public Log {
   std::uint64_t rows_;
   TrajectoryWriter states_;
   std::optional<ForceWriter> forces_;
-  std::optional<ProbeWriter> probes_;
+  std::vector<TableWriter> tables_;
 };
 
 /// A log with the water in pockets, which is CSV beside a log of either format.
@@ -83,6 +86,11 @@ class LogWithInteriors : public Log {
   InteriorWriter interiors_;
 };
 
+bool has_table(const LogSubject& subject, const std::string& file) {
+  return std::ranges::any_of(
+      subject.tables, [&](const LogTable& table) { return table.layout.file == file; });
+}
+
 std::unique_ptr<Log> log_of_motion(LogFormat format, const LogSubject& subject,
                                    const std::filesystem::path& folder,
                                    const std::optional<LogPosition>& resumed) {
@@ -101,7 +109,8 @@ std::unique_ptr<Log> make_log(LogFormat format, const LogSubject& subject,
   if (csv) std::filesystem::remove(folder / kHdf5Log);
   if (!csv) std::filesystem::remove(folder / kTrajectoryLog);
   if (!csv || !subject.forces) std::filesystem::remove(folder / kForceLog);
-  if (!csv || subject.probes.empty()) std::filesystem::remove(folder / kProbeLog);
+  for (const TableLayout& table : all_table_layouts())
+    if (!csv || !has_table(subject, table.file)) std::filesystem::remove(folder / table.file);
   if (!subject.interiors) std::filesystem::remove(folder / kInteriorLog);
   std::unique_ptr<Log> log = log_of_motion(format, subject, folder, resumed);
   if (!subject.interiors) return log;

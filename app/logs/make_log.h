@@ -9,7 +9,7 @@
 namespace app {
 
 enum class LogFormat {
-  csv,  ///< trajectory.csv, forces.csv, probes.csv; a row is in the file once it is added.
+  csv,  ///< trajectory.csv, forces.csv and tables; a row is in the file once it is added.
   hdf5  ///< run.h5; a large log is smaller and faster to read.
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/logs/table_log.h"
 #include "app/scene/probe.h"
 #include "engine/spec.h"
 
@@ -28,12 +29,11 @@
 
 namespace app {
 
-constexpr std::size_t kProbeColumns = 10;
-inline constexpr std::array<const char*, kProbeColumns> kProbeColumnNames = {
-    "elevation", "x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az"};
+/// Returns the layout of `probes.csv`.
+TableLayout probes_layout();
 
-/// Numbers of one probe at one time, in the order of kProbeColumnNames; NaN: not measured.
-using ProbeReading = std::array<double, kProbeColumns>;
+/// Numbers of one probe at one time, in the order of the columns; NaN: not measured.
+using ProbeReading = std::array<double, 10>;
 
 /// The probes of a run.
 class Probes {

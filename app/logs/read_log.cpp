@@ -24,4 +24,12 @@ std::optional<ForceLog> read_forces(const std::filesystem::path& file) {
   return is_hdf5(file) ? read_hdf5_forces(file) : read_force_csv(file);
 }
 
+std::optional<TableRows> read_table(const std::filesystem::path& trajectory,
+                                    const TableLayout& layout) {
+  if (is_hdf5(trajectory)) return read_hdf5_table(trajectory, layout);
+  const std::filesystem::path file = trajectory.parent_path() / layout.file;
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  return read_table_csv(file, layout);
+}
+
 }  // namespace app

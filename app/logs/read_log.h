@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/logs/force_log.h"
+#include "app/logs/table_log.h"
 #include "app/logs/trajectory.h"
 
 /// @file
@@ -20,5 +21,10 @@ Trajectory read_trajectory(const std::filesystem::path& file);
 /// Reads the forces in a log; an HDF5 log may have none.
 /// @throws InputError with the line or row at fault.
 std::optional<ForceLog> read_forces(const std::filesystem::path& file);
+
+/// Reads a table of a run: its file beside the trajectory, or its datasets in an HDF5 log; none if
+/// the run has no such table. @throws InputError with the line or row at fault.
+std::optional<TableRows> read_table(const std::filesystem::path& trajectory,
+                                    const TableLayout& layout);
 
 }  // namespace app

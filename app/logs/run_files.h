@@ -2,13 +2,13 @@
 
 /// @file
 /// File names in the folder of a run, including those that a sweep adds. The names of frames,
-/// sheets and videos, which depend on the camera, are in app/pictures/picture_files.h.
+/// sheets and videos, which depend on the camera, are in app/pictures/picture_files.h, those of
+/// tables in app/logs/rig_log.h.
 
 namespace app {
 
 inline constexpr const char* kTrajectoryLog = "trajectory.csv";
 inline constexpr const char* kForceLog = "forces.csv";
-inline constexpr const char* kProbeLog = "probes.csv";
 inline constexpr const char* kInteriorLog = "interior.csv";
 inline constexpr const char* kHdf5Log = "run.h5";
 inline constexpr const char* kSummaryFile = "summary.json";

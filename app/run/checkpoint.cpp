@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 4;
+constexpr int kFormat = 5;
 
 Json to_json(const Checkpoint& c) {
   return {{"checkpoint", kFormat},
@@ -36,8 +36,8 @@ Json to_json(const Checkpoint& c) {
           {"rows", c.log.rows},
           {"trajectory_bytes", c.log.trajectory_bytes},
           {"forces_bytes", c.log.forces_bytes},
-          {"probes_bytes", c.log.probes_bytes},
           {"interior_bytes", c.log.interior_bytes},
+          {"tables_bytes", c.log.tables_bytes},
           {"shots", c.shots},
           {"warnings", c.warnings}};
 }
@@ -137,8 +137,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
             .log = {.rows = head.at("rows").get<std::uint64_t>(),
                     .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
                     .forces_bytes = head.at("forces_bytes").get<std::uint64_t>(),
-                    .probes_bytes = head.at("probes_bytes").get<std::uint64_t>(),
-                    .interior_bytes = head.at("interior_bytes").get<std::uint64_t>()},
+                    .interior_bytes = head.at("interior_bytes").get<std::uint64_t>(),
+                    .tables_bytes =
+                        head.at("tables_bytes").get<std::vector<std::uint64_t>>()},
             .shots = head.at("shots").get<long>(),
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .state = engine::SimulationState::from_bytes(bytes)};

@@ -1,0 +1,209 @@
+#include "app/logs/rig_log.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "app/logs/probes.h"
+
+namespace app {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// The numbers of a table at a time, row after row.
+class Numbers {
+ public:
+  Numbers& add(std::initializer_list<double> more) {
+    for (const double number : more) all_.push_back(number == 0 ? 0 : number);  // no -0
+    return *this;
+  }
+  Numbers& add(const Eigen::Vector3d& v) { return add({v.x(), v.y(), v.z()}); }
+  std::vector<double> take() { return std::move(all_); }
+
+ private:
+  std::vector<double> all_;
+};
+
+bool has_coordinate(const engine::JointSpec& joint) {
+  return joint.type == engine::JointSpec::Type::hinge ||
+         joint.type == engine::JointSpec::Type::slider;
+}
+
+std::vector<double> lines_of(const engine::SimulationSpec& spec,
+                             const engine::RigReadings& readings) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < spec.lines.size(); ++i) {
+    const engine::LineReading& r = readings.lines[i];
+    const bool mooring = spec.lines[i].kind == engine::LineSpec::Kind::mooring;
+    numbers.add({r.tension, r.distance, r.length, r.taut ? 1.0 : 0.0, r.broken ? 1.0 : 0.0})
+        .add(r.first_W)
+        .add(r.second_W)
+        .add(r.force_W)
+        .add({mooring ? r.resting : kNone});
+  }
+  return numbers.take();
+}
+
+std::vector<double> joints_of(const engine::SimulationSpec& spec,
+                              const engine::RigReadings& readings) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < spec.joints.size(); ++i) {
+    const engine::JointReading& r = readings.joints[i];
+    const bool moves = has_coordinate(spec.joints[i]);
+    numbers.add({moves ? r.coordinate : kNone, moves ? r.speed : kNone})
+        .add(r.force_W)
+        .add(r.moment_W)
+        .add({moves ? r.effort : kNone});
+  }
+  return numbers.take();
+}
+
+/// The thrust of a propeller on its body, in W.
+Eigen::Vector3d thrust_W(const engine::PropellerSpec& propeller,
+                         const engine::PropellerReading& reading, const hydro::BodyState& body) {
+  const Eigen::Vector3d axis_B =
+      Eigen::AngleAxisd(reading.azimuth, propeller.pivot_B) * propeller.axis_B;
+  return reading.thrust * (body.orientation * axis_B);
+}
+
+std::vector<double> machines_of(const engine::SimulationSpec& spec,
+                                const engine::RigReadings& readings,
+                                const std::vector<hydro::BodyState>& states) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < spec.propellers.size(); ++i) {
+    const engine::PropellerReading& r = readings.propellers[i];
+    const auto body = static_cast<std::size_t>(spec.propellers[i].body);
+    numbers
+        .add({r.speed, r.azimuth / kDegree, r.thrust, r.torque, r.advance, r.wetted, kNone, kNone})
+        .add(thrust_W(spec.propellers[i], r, states[body]));
+  }
+  for (const engine::FoilReading& r : readings.foils)
+    numbers
+        .add({kNone, r.angle / kDegree, kNone, kNone, kNone, kNone, r.attack / kDegree, r.speed})
+        .add(r.force_W);
+  return numbers.take();
+}
+
+std::vector<double> controls_of(const engine::SimulationSpec& spec,
+                                const engine::RigReadings& readings) {
+  Numbers numbers;
+  for (const engine::ControlSpec& control : spec.controls)
+    numbers.add({readings.set_points[static_cast<std::size_t>(control.set)]});
+  return numbers.take();
+}
+
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(log_name(thing));
+  return names;
+}
+
+}  // namespace
+
+TableLayout lines_layout() {
+  return {"lines.csv",
+          "a log of lines",
+          "line",
+          {{"tension", "N", {"tension"}},
+           {"distance", "m", {"distance"}},
+           {"length", "m", {"length"}},
+           {"taut", "1", {"taut"}},
+           {"broken", "1", {"broken"}},
+           {"first_end", "m", {"x1", "y1", "z1"}},
+           {"second_end", "m", {"x2", "y2", "z2"}},
+           {"force", "N", {"fx", "fy", "fz"}},
+           {"resting", "m", {"resting"}}}};
+}
+
+TableLayout joints_layout() {
+  return {"joints.csv",
+          "a log of joints",
+          "joint",
+          {{"coordinate", "rad or m", {"coordinate"}},
+           {"speed", "rad/s or m/s", {"speed"}},
+           {"force", "N", {"fx", "fy", "fz"}},
+           {"torque", "N m", {"tx", "ty", "tz"}},
+           {"effort", "N m or N", {"effort"}}}};
+}
+
+TableLayout machines_layout() {
+  return {"machines.csv",
+          "a log of machines",
+          "machine",
+          {{"setting", "1/s", {"setting"}},
+           {"angle_deg", "deg", {"angle_deg"}},
+           {"thrust", "N", {"thrust"}},
+           {"torque", "N m", {"torque"}},
+           {"advance", "1", {"advance"}},
+           {"wetted", "1", {"wetted"}},
+           {"attack_deg", "deg", {"attack_deg"}},
+           {"flow", "m/s", {"flow"}},
+           {"force", "N", {"fx", "fy", "fz"}}}};
+}
+
+TableLayout controls_layout() {
+  return {"controls.csv",
+          "a log of controls",
+          "set_point",
+          {{"value", "that of the set point", {"value"}}}};
+}
+
+std::vector<TableLayout> all_table_layouts() {
+  return {probes_layout(), lines_layout(), joints_layout(), machines_layout(), controls_layout()};
+}
+
+std::string log_name(const engine::LineSpec& line) {
+  const char* kind = line.kind == engine::LineSpec::Kind::spring ? "springs"
+                     : line.kind == engine::LineSpec::Kind::rope ? "ropes"
+                                                                 : "moorings";
+  return fmt::format("{}[{}]", kind, line.name);
+}
+
+std::string log_name(const engine::PropellerSpec& propeller) {
+  return fmt::format("propellers[{}]", propeller.name);
+}
+
+std::string log_name(const engine::FoilSpec& foil) {
+  const bool water = foil.fluid == engine::FoilSpec::Fluid::water;
+  return fmt::format("{}[{}]", water ? "rudders" : "sails", foil.name);
+}
+
+RigLog::RigLog(const engine::SimulationSpec& spec, bool joints)
+    : spec_(spec), joints_(joints && !spec.joints.empty()) {}
+
+std::vector<LogTable> RigLog::tables() const {
+  std::vector<LogTable> tables;
+  if (!spec_.lines.empty()) tables.push_back({lines_layout(), names_of(spec_.lines)});
+  if (joints_) {
+    tables.push_back({joints_layout(), {}});
+    for (const engine::JointSpec& joint : spec_.joints) tables.back().names.push_back(joint.name);
+  }
+  std::vector<std::string> machines = names_of(spec_.propellers);
+  for (std::string& foil : names_of(spec_.foils)) machines.push_back(std::move(foil));
+  if (!machines.empty()) tables.push_back({machines_layout(), std::move(machines)});
+  if (spec_.controls.empty()) return tables;
+  tables.push_back({controls_layout(), {}});
+  for (const engine::ControlSpec& control : spec_.controls)
+    tables.back().names.push_back(spec_.set_points[static_cast<std::size_t>(control.set)].name);
+  return tables;
+}
+
+std::vector<std::vector<double>> RigLog::numbers(
+    const engine::RigReadings& readings, const std::vector<hydro::BodyState>& states) const {
+  std::vector<std::vector<double>> all;
+  if (!spec_.lines.empty()) all.push_back(lines_of(spec_, readings));
+  if (joints_) all.push_back(joints_of(spec_, readings));
+  if (!spec_.propellers.empty() || !spec_.foils.empty())
+    all.push_back(machines_of(spec_, readings, states));
+  if (!spec_.controls.empty()) all.push_back(controls_of(spec_, readings));
+  return all;
+}
+
+}  // namespace app

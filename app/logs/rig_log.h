@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/logs/table_log.h"
+#include "engine/rig_readings.h"
+#include "engine/spec.h"
+
+/// @file
+/// The tables of lines, joints, machines and controls (table_log.h), in the units of their columns:
+/// angles in degrees where a column ends in `_deg`, otherwise SI. Forces and moments are in W.
+///
+/// - `lines.csv`: the springs, ropes and moorings. `x1` … `z2` are the places of the ends, `fx` …
+///   `fz` is the force on the first body; `taut` and `broken` are 1 or 0; `resting` is the length on
+///   the bottom, which only moorings have.
+/// - `joints.csv`: `fx` … `tz` is the load on the second body, about the anchor; `coordinate`,
+///   `speed` and `effort` are those of hinges and sliders.
+/// - `machines.csv`: propellers, and the foils in the water (rudders) and in the air (sails). A
+///   propeller has its turns per second as `setting`, its azimuth as `angle_deg`, `thrust`, `torque`, `advance` and `wetted`; a
+///   foil has `angle_deg`, `attack_deg` and `flow`. `fx` … `fz` is the force on the body.
+/// - `controls.csv`: the `value` of each set point that a control drives, in the unit of its name.
+
+namespace app {
+
+TableLayout lines_layout();
+TableLayout joints_layout();
+TableLayout machines_layout();
+TableLayout controls_layout();
+
+/// The layouts of all tables that plimsoll writes, these and that of the probes.
+std::vector<TableLayout> all_table_layouts();
+
+/// Names in logs: `springs[NAME]`, `ropes[NAME]`, `moorings[NAME]`.
+std::string log_name(const engine::LineSpec& line);
+/// `propellers[NAME]`
+std::string log_name(const engine::PropellerSpec& propeller);
+/// `rudders[NAME]` in the water, `sails[NAME]` in the air.
+std::string log_name(const engine::FoilSpec& foil);
+
+/// The tables of a simulation.
+class RigLog {
+ public:
+  /// @param spec     It must outlive this.
+  /// @param joints   Joints are logged.
+  RigLog(const engine::SimulationSpec& spec, bool joints);
+
+  /// The tables that have rows; none of what the simulation does not have.
+  std::vector<LogTable> tables() const;
+
+  /// The numbers of those tables at a time.
+  /// @param states   Of the bodies at the time of the readings.
+  std::vector<std::vector<double>> numbers(const engine::RigReadings& readings,
+                                           const std::vector<hydro::BodyState>& states) const;
+
+ private:
+  const engine::SimulationSpec& spec_;
+  bool joints_;
+};
+
+}  // namespace app
