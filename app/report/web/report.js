@@ -70,6 +70,7 @@ const makeViews = (run, replay) => {
     at("picture").hidden = !picture;
     at("replay").style.visibility = picture ? "hidden" : "";
     at("hint").hidden = at("label").hidden = picture;
+    for (const scale of document.querySelectorAll("#tension")) scale.hidden = picture;
     for (const other of tabs) other.classList.toggle("on", other === tab);
   };
   const addTab = (text, title, action) => {
