@@ -27,10 +27,10 @@ struct LogSubject {
 
 /// The length of a log, up to which a resumed run keeps it.
 struct LogPosition {
-  std::uint64_t rows = 0;              ///< Number of logged times.
-  std::uint64_t trajectory_bytes = 0;  ///< Length of trajectory.csv.
-  std::uint64_t forces_bytes = 0;      ///< Length of forces.csv.
-  std::uint64_t interior_bytes = 0;    ///< Length of interior.csv.
+  std::uint64_t rows = 0;                        ///< Number of logged times.
+  std::uint64_t trajectory_bytes = 0;            ///< Length of trajectory.csv.
+  std::uint64_t forces_bytes = 0;                ///< Length of forces.csv.
+  std::uint64_t interior_bytes = 0;              ///< Length of interior.csv.
   std::vector<std::uint64_t> tables_bytes = {};  ///< Lengths of the tables' files.
 };
 

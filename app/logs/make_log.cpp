@@ -87,8 +87,8 @@ class LogWithInteriors : public Log {
 };
 
 bool has_table(const LogSubject& subject, const std::string& file) {
-  return std::ranges::any_of(
-      subject.tables, [&](const LogTable& table) { return table.layout.file == file; });
+  return std::ranges::any_of(subject.tables,
+                             [&](const LogTable& table) { return table.layout.file == file; });
 }
 
 std::unique_ptr<Log> log_of_motion(LogFormat format, const LogSubject& subject,

@@ -84,8 +84,7 @@ std::vector<double> machines_of(const engine::SimulationSpec& spec,
         .add(thrust_W(spec.propellers[i], r, states[body]));
   }
   for (const engine::FoilReading& r : readings.foils)
-    numbers
-        .add({kNone, r.angle / kDegree, kNone, kNone, kNone, kNone, r.attack / kDegree, r.speed})
+    numbers.add({kNone, r.angle / kDegree, kNone, kNone, kNone, kNone, r.attack / kDegree, r.speed})
         .add(r.force_W);
   return numbers.take();
 }

@@ -12,13 +12,14 @@
 /// angles in degrees where a column ends in `_deg`, otherwise SI. Forces and moments are in W.
 ///
 /// - `lines.csv`: the springs, ropes and moorings. `x1` … `z2` are the places of the ends, `fx` …
-///   `fz` is the force on the first body; `taut` and `broken` are 1 or 0; `resting` is the length on
-///   the bottom, which only moorings have.
+///   `fz` is the force on the first body; `taut` and `broken` are 1 or 0; `resting` is the length
+///   on the bottom, which only moorings have.
 /// - `joints.csv`: `fx` … `tz` is the load on the second body, about the anchor; `coordinate`,
 ///   `speed` and `effort` are those of hinges and sliders.
 /// - `machines.csv`: propellers, and the foils in the water (rudders) and in the air (sails). A
-///   propeller has its turns per second as `setting`, its azimuth as `angle_deg`, `thrust`, `torque`, `advance` and `wetted`; a
-///   foil has `angle_deg`, `attack_deg` and `flow`. `fx` … `fz` is the force on the body.
+///   propeller has its turns per second as `setting`, its azimuth as `angle_deg`, `thrust`,
+///   `torque`, `advance` and `wetted`; a foil has `angle_deg`, `attack_deg` and `flow`. `fx` … `fz`
+///   is the force on the body.
 /// - `controls.csv`: the `value` of each set point that a control drives, in the unit of its name.
 
 namespace app {

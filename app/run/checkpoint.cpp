@@ -39,7 +39,8 @@ Json to_json(const Checkpoint& c) {
           {"interior_bytes", c.log.interior_bytes},
           {"tables_bytes", c.log.tables_bytes},
           {"shots", c.shots},
-          {"warnings", c.warnings}};
+          {"warnings", c.warnings},
+          {"rig", c.rig.state()}};
 }
 
 CheckpointChoices choices_from(const Json& head) {
@@ -47,6 +48,12 @@ CheckpointChoices choices_from(const Json& head) {
           .format = head.at("format") == "csv" ? LogFormat::csv : LogFormat::hdf5,
           .render = head.at("render").get<bool>(),
           .video = {.file = head.at("video").get<std::string>(), .fps = head.at("fps").get<int>()}};
+}
+
+RigTotals rig_from(const Json& state) {
+  RigTotals rig;
+  rig.restore(state);
+  return rig;
 }
 
 /// Collects bytes and numbers for a digest.
@@ -138,10 +145,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
                     .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
                     .forces_bytes = head.at("forces_bytes").get<std::uint64_t>(),
                     .interior_bytes = head.at("interior_bytes").get<std::uint64_t>(),
-                    .tables_bytes =
-                        head.at("tables_bytes").get<std::vector<std::uint64_t>>()},
+                    .tables_bytes = head.at("tables_bytes").get<std::vector<std::uint64_t>>()},
             .shots = head.at("shots").get<long>(),
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
+            .rig = rig_from(head.at("rig")),
             .state = engine::SimulationState::from_bytes(bytes)};
   } catch (const std::exception& error) {
     throw scene::InputError(file, fmt::format("cannot be resumed: {}", error.what()));

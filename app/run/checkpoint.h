@@ -9,6 +9,7 @@
 #include "app/logs/make_log.h"
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video.h"
+#include "app/run/rig_totals.h"
 #include "app/run/run_source.h"
 #include "engine/simulation_state.h"
 #include "engine/spec.h"
@@ -33,6 +34,7 @@ struct Checkpoint {
   LogPosition log;                    ///< Rows of the run up to the checkpoint.
   long shots = 0;                     ///< Number of states to be drawn up to the checkpoint.
   std::vector<std::string> warnings;  ///< Warnings of the run up to the checkpoint.
+  RigTotals rig;                      ///< Of the steps up to the checkpoint.
   engine::SimulationState state;
 };
 

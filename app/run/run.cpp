@@ -23,6 +23,8 @@
 #include "app/logs/hdf5_file.h"
 #include "app/logs/make_log.h"
 #include "app/logs/output_folder.h"
+#include "app/logs/probes.h"
+#include "app/logs/rig_log.h"
 #include "app/logs/run_files.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
@@ -30,6 +32,7 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
+#include "app/run/log_subject.h"
 #include "app/run/radiation_warning.h"
 #include "app/run/resolved_scene.h"
 #include "app/run/run_source.h"
@@ -40,30 +43,6 @@
 
 namespace app {
 namespace {
-
-std::vector<std::string> body_names(const engine::SimulationSpec& spec) {
-  std::vector<std::string> names;
-  for (const engine::BodySpec& body : spec.bodies) names.push_back(body.name);
-  return names;
-}
-
-/// True if a body may have pockets.
-bool may_be_hollow(const engine::SimulationSpec& spec) {
-  return spec.sea && std::any_of(spec.bodies.begin(), spec.bodies.end(), [](const auto& body) {
-           return body.interior == engine::Interior::flooding;
-         });
-}
-
-LogSubject log_subject(const scene::Scene& scene, const assembly::BuiltScene& built) {
-  std::vector<std::string> probes;
-  for (const scene::Probe& probe : scene.probes) probes.push_back(probe.name);
-  return {.bodies = body_names(built.spec),
-          .forces = scene.log_forces,
-          .interiors = may_be_hollow(built.spec),
-          .probes = std::move(probes),
-          .scene = scene.file.string(),
-          .title = scene.title};
-}
 
 /// Returns the largest number of times that may wait to be logged. A row with its forces takes less
 /// than a kilobyte, so they need at most a megabyte unless there are very many bodies.
@@ -89,6 +68,7 @@ class Run {
                       last ? std::optional(last->log) : std::nullopt)),
         log_due_(scene.log_every.value_or(0)),
         probes_(scene.probes, built.spec, built.centers_of_mass),
+        rig_(built.spec, scene.log_forces),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()),
         logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {
@@ -126,6 +106,7 @@ class Run {
     shots_.resume(time, simulation_.states(), drawn_rig(simulation_.rig()), std::move(store));
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
+    summary_.rig = last.rig;
   }
 
   void introduce() const {
@@ -206,6 +187,7 @@ class Run {
                                       .log = position,
                                       .shots = static_cast<long>(shots_.shots().size()),
                                       .warnings = summary_.warnings,
+                                      .rig = summary_.rig,
                                       .state = simulation_.state()});
     since_checkpoint_ = WallClock();
   }
@@ -236,9 +218,14 @@ class Run {
   /// Logs the state and stores it for a picture, if either is due.
   void keep() {
     const double time = simulation_.time();
+    engine::RigReadings rig;
+    if (has_rig(built_.spec)) {
+      rig = simulation_.rig();
+      summary_.rig.add(time, rig);
+    }
     if (log_due_.due(time)) {
       const WallClock clock;
-      log(time);
+      log(time, rig);
       summary_.wall_log += clock.seconds();
     }
     if (wants_pictures())
@@ -247,20 +234,30 @@ class Run {
           [this] { return drawn_rig(simulation_.rig()); });
   }
 
-  /// Queues a row per body and per probe for the log.
-  void log(double time) {
+  /// Returns the numbers of all tables, in the order of log_subject.
+  std::vector<std::vector<double>> table_numbers(double time,
+                                                 const engine::RigReadings& rig) const {
+    std::vector<std::vector<double>> tables = rig_.numbers(rig, simulation_.states());
+    if (scene_.probes.empty()) return tables;
+    tables.emplace_back();
+    for (const ProbeReading& reading : probes_.read(time, simulation_.states()))
+      tables.back().insert(tables.back().end(), reading.begin(), reading.end());
+    return tables;
+  }
+
+  /// Queues the rows of a time for the log.
+  void log(double time, const engine::RigReadings& rig) {
     std::vector<engine::BodyForces> forces;
     if (scene_.log_forces) forces = simulation_.forces();
     std::vector<engine::InteriorState> interiors;
     if (may_be_hollow(built_.spec)) interiors = simulation_.interiors();
     logging_.put([this, time, states = simulation_.states(), forces = std::move(forces),
-                  probes = probes_.read(time, simulation_.states()),
-                  interiors = std::move(interiors)] {
+                  interiors = std::move(interiors), tables = table_numbers(time, rig)] {
       log_->add({.time = time,
                  .states = states,
                  .forces = forces,
-                 .probes = probes,
-                 .interiors = interiors});
+                 .interiors = interiors,
+                 .tables = tables});
     });
   }
 
@@ -344,6 +341,7 @@ class Run {
   std::unique_ptr<Log> log_;
   Schedule log_due_;
   Probes probes_;
+  RigLog rig_;
   ShotSelector shots_;
   Background logging_;  ///< Declared last because it uses the log.
 };

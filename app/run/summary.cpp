@@ -162,8 +162,13 @@ Json to_json(const RunSummary& s) {
        {"skipped",
         {{"collision", s.skips.collision},
          {"water", s.skips.water},
+         {"lines", spec.lines.empty()},
+         {"machines", spec.propellers.empty() && spec.foils.empty()},
+         {"controls", spec.controls.empty()},
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}},
        {"bodies", bodies}});
+  if (!spec.lines.empty()) json["lines"] = s.rig.lines(spec);
+  if (!spec.propellers.empty()) json["machines"] = s.rig.machines(spec);
   if (s.built.irregular_sea) json["irregular_sea"] = to_json(*s.built.irregular_sea);
   if (s.pictures) json["pictures"] = to_json(*s.pictures);
   json["source"] = to_json(run_source(s.scene, s.overrides));

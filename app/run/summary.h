@@ -6,6 +6,7 @@
 
 #include "app/assembly/built_scene.h"
 #include "app/pictures/pictures.h"
+#include "app/run/rig_totals.h"
 #include "app/scene/reader.h"
 #include "engine/simulation.h"
 
@@ -23,6 +24,7 @@ struct RunSummary {
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
+  RigTotals rig;                       ///< Of lines and machines.
   std::vector<std::string> warnings;   ///< Those of the scene, then those of the run.
   double wall = 0;                     ///< Total, including the added mass [s].
   double wall_log = 0;                 ///< [s]
