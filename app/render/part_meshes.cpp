@@ -100,7 +100,7 @@ hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& 
   const Index count = kept.cols();
   if (count < 2) return {};
   Eigen::Matrix3Xd rings(3, count * kTubeSides);
-  Vector3d side, before;
+  Vector3d side = Vector3d::Zero(), before = Vector3d::Zero();
   for (Index i = 0; i < count; ++i) {
     const Vector3d in = (kept.col(i) - kept.col(std::max<Index>(i - 1, 0))).head<3>();
     const Vector3d out = (kept.col(std::min(i + 1, count - 1)) - kept.col(i)).head<3>();
