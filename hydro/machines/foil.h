@@ -37,11 +37,12 @@ struct Foil {
   enum class Law { soding, fujii, whicker_fehlner, table };
 
   /// Coefficients over the angle of attack, linear between the rows. A table that starts at 0 is
-  /// that of a symmetric foil. Beyond its ends (2) follows within 0.2 rad.
+  /// that of a symmetric foil. Beyond its ends (2) follows within 0.2 rad: at ±π it has no jump if
+  /// it ends that much before, or has equal values there.
   struct Table {
-    std::vector<double> angle;  ///< α, increasing within [-π, π], two rows or more [rad].
-    std::vector<double> lift;   ///< C_L [-]
-    std::vector<double> drag;   ///< C_D, >= 0 [-]
+    std::vector<double> angle = {};  ///< α, increasing within [-π, π], two rows or more [rad].
+    std::vector<double> lift = {};   ///< C_L [-]
+    std::vector<double> drag = {};   ///< C_D, >= 0 [-]
   };
 
   Law law = Law::whicker_fehlner;

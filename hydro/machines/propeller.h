@@ -21,16 +21,16 @@
 ///
 ///     C_Q* cos β ≥ 0.35 C_T* sin β                                                           (2)
 ///
-/// K_T(J) and K_Q(J) give C* = 8 cos²β K(0.7π tan β)/(0.49π³) while they hold: from their smallest
-/// J to that of zero thrust, J_0. Beyond both ends, up to |β| = π/2, C* turns with the weight 3s² −
-/// 2s³ from its tangent to that of blades at rest, flat plates that face the flow at the angle φ,
-/// tan φ = J_0/(0.7π), with the normal force 1.2 A_E/A_0 sin(φ − β):
+/// K_T(J) and K_Q(J) give C* = 8 cos²β K(0.7π tan β)/(0.49π³) while they hold: from J = 0, or the
+/// first row of a table, to the J_0 of zero thrust, or the last row if that is beyond. On either
+/// side, up to |β| = π/2, C* turns with the weight 3s² − 2s³ from its tangent to that of blades as
+/// flat plates at the angle φ, tan φ = J_0/(0.7π), with the normal force 1.2 A_E/A_0 sin(φ − β):
 ///
 ///     C_T* = 1.2 (A_E/A_0) sin(φ − β) cos φ,    C_Q* = 0.35 C_T* tan φ                       (3)
 ///
 /// which opposes the flow through a stopped screw. Where the tangent would break (2), C_Q* is
 /// raised to fulfil it. A screw that turns astern has −C*(β ± π) times r + (1 − r) sin²β, with r
-/// the `reverse` of the screw. Both quadrants with n and V_a of unlike signs are estimates, ±30 %.
+/// the `reverse` of the screw. So only the first quadrant is measured; the others are estimates.
 ///
 /// Sign     Axis, thrust and V_a are positive ahead; n is positive as the screw drives ahead.
 /// Validity No cavitation, no cross flow, no history: the flow is that of steady motion.
@@ -43,8 +43,8 @@ namespace hydro {
 
 /// Measured characteristics, linear between the rows.
 ///
-/// J increases from a first value <= 0, and K_T falls in the last interval: if it does not reach
-/// zero there, both curves go on along that interval's line until it does.
+/// J increases from a first value <= 0, at which the screw thrusts. If K_T does not come down to
+/// zero, the last interval's lines go on until it does; so it must fall there.
 struct OpenWaterTable {
   std::vector<double> advance_ratio;       ///< J [-]
   std::vector<double> thrust_coefficient;  ///< K_T [-]
@@ -63,7 +63,7 @@ using PropellerModel = std::variant<WageningenB, OpenWaterTable, FourQuadrantTab
 
 /// A screw and how it works behind its hull.
 struct Propeller {
-  PropellerModel model;
+  PropellerModel model = {};
   double diameter = 1;   ///< D, > 0 [m].
   double wake = 0;       ///< Wake fraction w, below 1: V_a = (1 − w) V [-].
   double deduction = 0;  ///< Thrust deduction t, below 1: what acts on the body is (1 − t) T [-].
@@ -120,19 +120,18 @@ class PropellerCurves {
   void prepare(const WageningenB& screw);
   void prepare(const OpenWaterTable& table);
   void prepare(const FourQuadrantTable& table);
-  void finish_first_quadrant(double area_ratio);
+  void prepare_ends(double zero_thrust, double area_ratio);
   const Piece& piece_at(double advance_ratio) const;
   End end_at(double advance_ratio) const;
   QuadrantCoefficients ahead(double beta) const;
   QuadrantCoefficients beyond(const End& end, double border, double beta) const;
-  QuadrantCoefficients tabulated(double beta) const;
 
-  double diameter_, wake_, deduction_, rotative_efficiency_, reverse_;
-  std::vector<Piece> pieces_;    ///< Of K_T and K_Q; empty if the table of four quadrants is used.
-  double first_ = 0, last_ = 0;  ///< Range of J in which K_T and K_Q hold.
+  Propeller propeller_;
+  std::vector<Piece> pieces_;  ///< Of K_T and K_Q; none for a table of four quadrants.
+  double last_ = 0;  ///< The largest J at which K_T and K_Q hold; pieces_ starts at the least.
   End lower_, upper_;
-  double plate_ = 0;  ///< 1.2 A_E/A_0.
-  FourQuadrantTable table_;
+  double pitch_angle_ = 0;  ///< φ [rad].
+  double plate_ = 0;        ///< 1.2 A_E/A_0 [-].
 };
 
 /// Share of a screw's disc below a level surface [0 to 1].

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 /// @file
 /// Open-water characteristics of the Wageningen B-series of screws.
 ///
@@ -27,6 +29,15 @@ struct OpenWater {
   double thrust_coefficient = 0;  ///< K_T [-]
   double torque_coefficient = 0;  ///< K_Q [-]
 };
+
+/// The polynomials of one screw in J: the coefficients of J^0 … J^3.
+struct OpenWaterCubics {
+  std::array<double, 4> thrust = {};  ///< Of K_T.
+  std::array<double, 4> torque = {};  ///< Of K_Q.
+};
+
+/// @throws std::invalid_argument  if the screw is outside the series.
+OpenWaterCubics open_water_cubics(const WageningenB& screw);
 
 /// Equation (1).
 ///
