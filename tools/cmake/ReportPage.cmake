@@ -16,6 +16,7 @@ set(web_sources
   extent.js
   facts.js
   format.js
+  line_shapes.js
   package-lock.json
   package.json
   page.html
@@ -23,6 +24,7 @@ set(web_sources
   quantities.js
   replay.js
   report.js
+  rigging.js
   sea.js
   strip.js
   style.css
