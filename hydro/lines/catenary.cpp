@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
+
+#include "hydro/require.h"
 
 // Lengths are in units of L and forces in units of wL: (1) and (2) then know the compliance e =
 // wL/EA and the friction C_B alone, and the tensions h and v.
@@ -31,13 +31,13 @@ constexpr double kLeastLogH = -92;
 constexpr double kLastStep = 1e-8;
 
 /// Residuals that are smaller, in units of the lengths, are round-off if they fall no further.
-constexpr double kRoundOff = 1e-13;
+constexpr double kLengthRoundOff = 1e-13;
 
-constexpr int kMostSteps = 60;
-constexpr int kMostHalvings = 10;
+constexpr int kMostCatenarySteps = 60;
+constexpr int kMostStepHalvings = 10;
 
 /// A line in units of its own.
-struct Line {
+struct OwnLine {
   double e = 0, friction = 0;
   bool bottom = false;
 };
@@ -80,7 +80,7 @@ Hanging hang(double h, double low, double part) {
 }
 
 /// x and z of (1) or (2), and their derivatives to h and v.
-struct Span {
+struct SpanOfLine {
   double x = 0, z = 0;
   double x_h = 0, x_v = 0, z_h = 0, z_v = 0, determinant = 0;
 
@@ -89,11 +89,11 @@ struct Span {
 };
 
 /// m of (2).
-double pulled_length(const Line& line, double h, double resting) {
+double pulled_length(const OwnLine& line, double h, double resting) {
   return line.friction * resting <= h ? resting : h / line.friction;
 }
 
-Span span_of(const Line& line, double h, double v) {
+SpanOfLine span_of(const OwnLine& line, double h, double v) {
   const double resting = line.bottom ? std::max(0.0, 1 - v) : 0;
   const double part = 1 - resting;
   const double low = resting > 0 ? 0 : v - 1;
@@ -103,7 +103,7 @@ Span span_of(const Line& line, double h, double v) {
   const double up = line.e * part;
   const double drag = line.friction * line.e * m;
   const double bend = std::max(0.0, hanging.ell - hanging.sine);
-  Span out;
+  SpanOfLine out;
   out.x = resting + line.e * (h - 0.5 * line.friction * m) * m + h * (hanging.ell + up);
   out.z = hanging.rise + 0.5 * up * (v + low);
   out.x_h = bend + along;
@@ -115,7 +115,7 @@ Span span_of(const Line& line, double h, double v) {
 }
 
 /// The inverse of the derivatives, made symmetric and kept positive semi-definite.
-Matrix2d stiffness_of(const Span& span) {
+Matrix2d stiffness_of(const SpanOfLine& span) {
   const double most = std::sqrt(span.x_h) * std::sqrt(span.z_v);
   const double coupling = std::clamp(-0.5 * (span.x_v + span.z_h), -most, most);
   Matrix2d k;
@@ -124,7 +124,7 @@ Matrix2d stiffness_of(const Span& span) {
 }
 
 /// (h, v) of a line that touches nothing: a parabola, or its chord's stretch.
-Vector2d suspended_start(const Line& line, const Vector2d& wanted) {
+Vector2d suspended_start(const OwnLine& line, const Vector2d& wanted) {
   const double x = wanted[0], z = wanted[1];
   const double chord = std::hypot(x, z);
   const double sagging = std::cbrt(1 / (24 * line.e));
@@ -139,7 +139,7 @@ Vector2d suspended_start(const Line& line, const Vector2d& wanted) {
 }
 
 /// (h, v) of a line that does not stretch, or of one that lies on the bottom.
-Vector2d resting_start(const Line& line, const Vector2d& wanted) {
+Vector2d resting_start(const OwnLine& line, const Vector2d& wanted) {
   const double x = wanted[0], z = wanted[1];
   const double spare = 1 - x;
   double h = 0, v = 0;
@@ -156,7 +156,7 @@ Vector2d resting_start(const Line& line, const Vector2d& wanted) {
   return start;
 }
 
-bool is_usable(const Line& line, const Vector2d& hv) {
+bool is_usable(const OwnLine& line, const Vector2d& hv) {
   return std::isfinite(hv[0]) && std::isfinite(hv[1]) && hv[0] > std::exp(kLeastLogH) &&
          (!line.bottom || hv[1] > 0);
 }
@@ -164,13 +164,13 @@ bool is_usable(const Line& line, const Vector2d& hv) {
 /// An estimate of (log h, v) and its span.
 struct Estimate {
   double log_h = 0, v = 0;
-  Span span;
+  SpanOfLine span;
   double error = 0;
 
   double h() const { return std::exp(log_h); }
 };
 
-Estimate estimate_at(const Line& line, const Vector2d& wanted, double log_h, double v) {
+Estimate estimate_at(const OwnLine& line, const Vector2d& wanted, double log_h, double v) {
   Estimate out{std::max(log_h, kLeastLogH), v, {}, 0};
   out.span = span_of(line, out.h(), v);
   out.error = out.span.error(wanted);
@@ -178,8 +178,8 @@ Estimate estimate_at(const Line& line, const Vector2d& wanted, double log_h, dou
 }
 
 /// Newton's step in (log h, v), not above a factor e² in h, nor to a v without sense.
-Vector2d newton_step(const Line& line, const Vector2d& wanted, const Estimate& at) {
-  const Span& s = at.span;
+Vector2d newton_step(const OwnLine& line, const Vector2d& wanted, const Estimate& at) {
+  const SpanOfLine& s = at.span;
   const double dx = wanted[0] - s.x;
   const double dz = wanted[1] - s.z;
   Vector2d step = Vector2d(s.z_v * dx - s.x_v * dz, s.x_h * dz - s.z_h * dx) / s.determinant;
@@ -192,9 +192,9 @@ Vector2d newton_step(const Line& line, const Vector2d& wanted, const Estimate& a
 /// Newton's method with shorter steps where the error would grow.
 ///
 /// @return  Whether it converged; `at` is the best estimate.
-bool newton(const Line& line, const Vector2d& wanted, Estimate& at) {
-  const double round_off = kRoundOff * (1 + wanted.cwiseAbs().sum());
-  for (int i = 0; i < kMostSteps; ++i) {
+bool newton(const OwnLine& line, const Vector2d& wanted, Estimate& at) {
+  const double round_off = kLengthRoundOff * (1 + wanted.cwiseAbs().sum());
+  for (int i = 0; i < kMostCatenarySteps; ++i) {
     Vector2d step = newton_step(line, wanted, at);
     if (!step.allFinite()) return false;
     const bool last = std::abs(step[0]) < kLastStep && std::abs(step[1]) < kLastStep * at.v;
@@ -203,7 +203,7 @@ bool newton(const Line& line, const Vector2d& wanted, Estimate& at) {
       if (!(next.error < at.error)) return true;
     } else {
       for (int j = 0; !(next.error < at.error); ++j) {
-        if (j == kMostHalvings) return false;
+        if (j == kMostStepHalvings) return false;
         step *= 0.5;
         next = estimate_at(line, wanted, at.log_h + step[0], at.v + step[1]);
       }
@@ -226,7 +226,7 @@ double bisect(double low, double high, Function&& function) {
 }
 
 /// v that belongs to h and z.
-double vertical_at(const Line& line, double h, double z) {
+double vertical_at(const OwnLine& line, double h, double z) {
   const auto miss = [&](double v) { return span_of(line, h, v).z - z; };
   double high = 1, low = line.bottom ? 0 : -1;
   while (miss(high) < 0 && high < 1e200) high *= 4;
@@ -235,7 +235,7 @@ double vertical_at(const Line& line, double h, double z) {
 }
 
 /// One bisection within another; slow, and sure.
-Estimate bisected(const Line& line, const Vector2d& wanted) {
+Estimate bisected(const OwnLine& line, const Vector2d& wanted) {
   const auto miss = [&](double log_h) {
     const double h = std::exp(log_h);
     return span_of(line, h, vertical_at(line, h, wanted[1])).x - wanted[0];
@@ -247,7 +247,7 @@ Estimate bisected(const Line& line, const Vector2d& wanted) {
 }
 
 /// The solution in units of the line.
-CatenarySolution solved(const Line& line, double h, double v, const Matrix2d& stiffness,
+CatenarySolution solved(const OwnLine& line, double h, double v, const Matrix2d& stiffness,
                         Form form) {
   CatenarySolution out;
   out.horizontal = h;
@@ -263,13 +263,13 @@ CatenarySolution solved(const Line& line, double h, double v, const Matrix2d& st
 Matrix2d diagonal(double xx, double zz) { return Vector2d(xx, zz).asDiagonal(); }
 
 /// Hanging straight down onto the bottom, with the length `hung` in the water.
-CatenarySolution slack(const Line& line, double hung) {
+CatenarySolution slack(const OwnLine& line, double hung) {
   const double zz = hung > 0 ? 1 / (1 + line.e * hung) : 0;
   return solved(line, 0, hung, diagonal(0, zz), Form::slack);
 }
 
 /// All of it on the bottom, z = 0, and longer than 1.
-CatenarySolution lying(const Line& line, double x) {
+CatenarySolution lying(const OwnLine& line, double x) {
   const double pull = (x - 1) / line.e;
   const double root = std::sqrt(2 * line.friction * pull);
   const double h = root < line.friction ? root : pull + 0.5 * line.friction;
@@ -278,7 +278,7 @@ CatenarySolution lying(const Line& line, double x) {
 }
 
 /// Ends above each other: a loop, or a vertical bar.
-CatenarySolution vertical(const Line& line, double x, double z) {
+CatenarySolution vertical(const OwnLine& line, double x, double z) {
   const double loop = 1 + 0.5 * line.e;  // of the straight line under its own weight
   if (std::abs(z) <= loop)
     return solved(line, 0, 0.5 + 0.5 * z / loop, diagonal(0, 0.5 / loop), Form::suspended);
@@ -288,7 +288,7 @@ CatenarySolution vertical(const Line& line, double x, double z) {
   return solved(line, xx * x, v, diagonal(xx, 1 / line.e), Form::taut);
 }
 
-CatenarySolution general(const Line& line, const Vector2d& wanted,
+CatenarySolution general(const OwnLine& line, const Vector2d& wanted,
                          const std::optional<Vector2d>& start) {
   const bool warm = start && is_usable(line, *start);
   Vector2d from = warm          ? *start
@@ -305,7 +305,7 @@ CatenarySolution general(const Line& line, const Vector2d& wanted,
 }
 
 /// Any case of a line with weight, in units of its own.
-CatenarySolution in_own_units(const Line& line, double x, double z,
+CatenarySolution in_own_units(const OwnLine& line, double x, double z,
                               const std::optional<Vector2d>& start) {
   if (line.bottom) {
     if (z == 0) return x <= 1 ? slack(line, 0) : lying(line, x);
@@ -336,25 +336,22 @@ bool is_weightless(const CatenaryLine& line) {
   return line.weight * line.length < kWeightless * line.stiffness;
 }
 
-void require(bool met, const char* name, double value, const char* expected) {
-  if (met) return;
-  throw std::invalid_argument(std::string(name) + " of a mooring line is " + std::to_string(value) +
-                              ", expected " + expected);
-}
-
 void check(const CatenaryLine& line, double x, double z) {
   const double most = std::numeric_limits<double>::max();
-  require(line.length > 0 && line.length <= most, "length", line.length, "a positive number");
-  require(line.weight >= 0 && line.weight <= most, "weight", line.weight, "0 or more");
-  require(line.stiffness > 0 && line.stiffness <= most, "stiffness", line.stiffness,
+  require(line.length > 0 && line.length <= most, "length of a mooring line", line.length,
           "a positive number");
-  require(line.friction >= 0 && line.friction <= most, "friction", line.friction, "0 or more");
-  require(x >= 0 && x <= most, "horizontal span", x, "0 or more");
-  require(std::abs(z) <= most, "height", z, "a finite number");
+  require(line.weight >= 0 && line.weight <= most, "weight of a mooring line", line.weight,
+          "0 or more");
+  require(line.stiffness > 0 && line.stiffness <= most, "stiffness of a mooring line",
+          line.stiffness, "a positive number");
+  require(line.friction >= 0 && line.friction <= most, "friction of a mooring line", line.friction,
+          "0 or more");
+  require(x >= 0 && x <= most, "horizontal span of a mooring line", x, "0 or more");
+  require(std::abs(z) <= most, "height of a mooring line", z, "a finite number");
 }
 
 /// Position, in units of the line, at the unstretched distance s from the anchor.
-Vector2d point_at(const Line& line, const CatenarySolution& own, double x, double s) {
+Vector2d point_at(const OwnLine& line, const CatenarySolution& own, double x, double s) {
   const double rests = own.resting;
   const double on_bottom = std::min(s, rests);
   Vector2d p(0, 0);
@@ -383,7 +380,7 @@ CatenarySolution solve_catenary(const CatenaryLine& line, double x, double z, bo
   if (bottom) z = std::max(z, 0.0);
   if (is_weightless(line)) return weightless(line, x, z);
   const double unit = line.weight * line.length;
-  const Line own{unit / line.stiffness, line.friction, bottom};
+  const OwnLine own{unit / line.stiffness, line.friction, bottom};
   std::optional<Vector2d> own_start;
   if (start) own_start = *start / unit;
   CatenarySolution out = in_own_units(own, x / line.length, z / line.length, own_start);
@@ -401,7 +398,7 @@ std::vector<Vector2d> catenary_shape(const CatenaryLine& line, const CatenarySol
   assert(count >= 2);
   std::vector<Vector2d> points(count, Vector2d(0, 0));
   const double unit = line.weight * line.length;
-  const Line own{unit / line.stiffness, line.friction, solution.resting > 0};
+  const OwnLine own{unit / line.stiffness, line.friction, solution.resting > 0};
   CatenarySolution scaled = solution;
   scaled.horizontal /= unit;
   scaled.vertical /= unit;

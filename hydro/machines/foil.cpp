@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
-#include <string>
+
+#include "hydro/require.h"
 
 namespace hydro {
 namespace {
 
 /// Normal force coefficient of a plate across the flow, of moderate aspect ratio.
-constexpr double kPlate = 1.2;
+constexpr double kStalledNormalForce = 1.2;
 
 /// Range of angles over which the flow separates [rad].
 constexpr double kSeparating = 0.2;
@@ -37,7 +37,7 @@ FoilCoefficients mixed(const FoilCoefficients& a, const FoilCoefficients& b, dou
 /// (2), for any angle.
 FoilCoefficients separated(const Foil& foil, double angle) {
   const double s = std::sin(angle);
-  const double normal = kPlate * (4 + M_PI) * s / (4 + M_PI * std::abs(s));
+  const double normal = kStalledNormalForce * (4 + M_PI) * s / (4 + M_PI * std::abs(s));
   return {normal * std::cos(angle), foil.drag_zero + normal * s};
 }
 
@@ -72,26 +72,22 @@ FoilCoefficients of_law(const Foil& foil, double angle) {
                smooth_step((incidence - foil.stall) / kSeparating));
 }
 
-void require(bool met, const char* what, double value, const char* expected) {
-  if (met) return;
-  throw std::invalid_argument(std::string(what) + " of a foil is " + std::to_string(value) +
-                              ", expected " + expected);
-}
+bool within(double value, double least, double most) { return value >= least && value <= most; }
 
-bool in(double value, double least, double most) { return value >= least && value <= most; }
-
-void check_table(const Foil::Table& table) {
+void check_foil_table(const Foil::Table& table) {
   const std::size_t rows = table.angle.size();
-  require(rows >= 2, "number of table rows", static_cast<double>(rows), "2 or more");
+  require(rows >= 2, "number of table rows of a foil", static_cast<double>(rows), "2 or more");
   for (const std::vector<double>* column : {&table.lift, &table.drag})
-    require(column->size() == rows, "length of a table column", static_cast<double>(column->size()),
-            "that of the first column");
+    require(column->size() == rows, "length of a table column of a foil",
+            static_cast<double>(column->size()), "that of the first column");
   for (std::size_t i = 0; i < rows; ++i) {
-    require(in(table.angle[i], -M_PI, M_PI), "table angle", table.angle[i], "one in -pi to pi");
-    require(std::isfinite(table.lift[i]), "lift coefficient", table.lift[i], "a finite number");
-    require(in(table.drag[i], 0, std::numeric_limits<double>::max()), "drag coefficient",
-            table.drag[i], "0 or more");
-    require(i == 0 || table.angle[i] > table.angle[i - 1], "table angle", table.angle[i],
+    require(within(table.angle[i], -M_PI, M_PI), "table angle of a foil", table.angle[i],
+            "one in -pi to pi");
+    require(std::isfinite(table.lift[i]), "lift coefficient of a foil", table.lift[i],
+            "a finite number");
+    require(within(table.drag[i], 0, std::numeric_limits<double>::max()),
+            "drag coefficient of a foil", table.drag[i], "0 or more");
+    require(i == 0 || table.angle[i] > table.angle[i - 1], "table angle of a foil", table.angle[i],
             "more than in the row before");
   }
 }
@@ -101,12 +97,14 @@ void check_table(const Foil::Table& table) {
 void check_foil(const Foil& foil) {
   const double most = std::numeric_limits<double>::max();
   const double least = std::numeric_limits<double>::min();
-  require(in(foil.span, least, most), "span", foil.span, "a positive number");
-  require(in(foil.chord, least, most), "chord", foil.chord, "a positive number");
-  require(in(foil.aspect_ratio, 0, most), "aspect ratio", foil.aspect_ratio, "0 or more");
-  require(in(foil.drag_zero, 0, most), "drag coefficient", foil.drag_zero, "0 or more");
-  require(in(foil.stall, 0, 1.3), "stall angle", foil.stall, "0 to 1.3 rad");
-  if (foil.law == Foil::Law::table) check_table(foil.table);
+  require(within(foil.span, least, most), "span of a foil", foil.span, "a positive number");
+  require(within(foil.chord, least, most), "chord of a foil", foil.chord, "a positive number");
+  require(within(foil.aspect_ratio, 0, most), "aspect ratio of a foil", foil.aspect_ratio,
+          "0 or more");
+  require(within(foil.drag_zero, 0, most), "drag coefficient of a foil", foil.drag_zero,
+          "0 or more");
+  require(within(foil.stall, 0, 1.3), "stall angle of a foil", foil.stall, "0 to 1.3 rad");
+  if (foil.law == Foil::Law::table) check_foil_table(foil.table);
 }
 
 double lift_slope(const Foil& foil) {

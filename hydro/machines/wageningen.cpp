@@ -3,20 +3,20 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <stdexcept>
-#include <string>
+
+#include "hydro/require.h"
 
 namespace hydro {
 namespace {
 
 /// c J^s (P/D)^t (A_E/A_0)^u Z^v
-struct Term {
+struct ScrewTerm {
   double c;
   int s, t, u, v;
 };
 
 /// [OO75], table 5.
-constexpr std::array<Term, 39> kThrust = {{
+constexpr std::array<ScrewTerm, 39> kThrustTerms = {{
     {0.00880496, 0, 0, 0, 0},   {-0.204554, 1, 0, 0, 0},    {0.166351, 0, 1, 0, 0},
     {0.158114, 0, 2, 0, 0},     {-0.147581, 2, 0, 1, 0},    {-0.481497, 1, 1, 1, 0},
     {0.415437, 0, 2, 1, 0},     {0.0144043, 0, 0, 0, 1},    {-0.0530054, 2, 0, 0, 1},
@@ -33,7 +33,7 @@ constexpr std::array<Term, 39> kThrust = {{
 }};
 
 /// [OO75], table 5.
-constexpr std::array<Term, 47> kTorque = {{
+constexpr std::array<ScrewTerm, 47> kTorqueTerms = {{
     {0.00379368, 0, 0, 0, 0},  {0.00886523, 2, 0, 0, 0},    {-0.032241, 1, 1, 0, 0},
     {0.00344778, 0, 2, 0, 0},  {-0.0408811, 0, 1, 1, 0},    {-0.108009, 1, 1, 1, 0},
     {-0.0885381, 2, 1, 1, 0},  {0.188561, 0, 2, 1, 0},      {-0.00370871, 1, 0, 0, 1},
@@ -53,28 +53,27 @@ constexpr std::array<Term, 47> kTorque = {{
 }};
 
 /// The coefficients of J^0 … J^3.
-std::array<double, 4> cubic(std::span<const Term> terms, const WageningenB& screw) {
+std::array<double, 4> cubic_of(std::span<const ScrewTerm> terms, const WageningenB& screw) {
   std::array<double, 4> out = {};
-  for (const Term& term : terms)
+  for (const ScrewTerm& term : terms)
     out[term.s] += term.c * std::pow(screw.pitch_ratio, term.t) *
                    std::pow(screw.area_ratio, term.u) * std::pow(screw.blades, term.v);
   return out;
 }
 
-void require(double value, double least, double most, const char* name) {
-  if (value >= least && value <= most) return;
-  throw std::invalid_argument(std::string(name) + " of a Wageningen B screw is " +
-                              std::to_string(value) + ", expected " + std::to_string(least) +
-                              " to " + std::to_string(most));
-}
-
 }  // namespace
 
 OpenWaterCubics open_water_cubics(const WageningenB& screw) {
-  require(screw.blades, 2, 7, "number of blades");
-  require(screw.area_ratio, 0.3, 1.05, "area ratio");
-  require(screw.pitch_ratio, 0.5, 1.4, "pitch ratio");
-  return {cubic(kThrust, screw), cubic(kTorque, screw)};
+  const auto within = [](double value, double least, double most) {
+    return value >= least && value <= most;
+  };
+  require(within(screw.blades, 2, 7), "number of blades of a Wageningen B screw", screw.blades,
+          "2 to 7");
+  require(within(screw.area_ratio, 0.3, 1.05), "area ratio of a Wageningen B screw",
+          screw.area_ratio, "0.3 to 1.05");
+  require(within(screw.pitch_ratio, 0.5, 1.4), "pitch ratio of a Wageningen B screw",
+          screw.pitch_ratio, "0.5 to 1.4");
+  return {cubic_of(kThrustTerms, screw), cubic_of(kTorqueTerms, screw)};
 }
 
 OpenWater open_water(const WageningenB& screw, double advance_ratio) {

@@ -38,7 +38,7 @@ Vector2d textbook(const CatenaryLine& line, const CatenarySolution& s, bool bott
   return Vector2d(static_cast<double>(x), static_cast<double>(z));
 }
 
-struct Case {
+struct LineCase {
   CatenaryLine line;
   double x = 0, z = 0;
   bool bottom = false;
@@ -50,8 +50,8 @@ struct Case {
 };
 
 /// Lines of every form: chains and ropes, up to 40 % longer or shorter than their chord.
-Case random_case(support::Random& random) {
-  Case c;
+LineCase random_case(support::Random& random) {
+  LineCase c;
   const auto power = [&](double low, double high) {
     return std::pow(10, random.uniform(low, high));
   };
@@ -70,7 +70,7 @@ Case random_case(support::Random& random) {
 TEST(Catenary, AgreesWithMoorPy) {
   // MoorPy iterates to 1e-6, and its tests state what it gets: tensions to 6e-7 of the exact ones.
   constexpr double kTheirs = 1e-6;
-  const auto expect = [](const Case& c, double anchor_h, double anchor_v, double h, double v) {
+  const auto expect = [](const LineCase& c, double anchor_h, double anchor_v, double h, double v) {
     const CatenarySolution s = c.solve();
     EXPECT_NEAR(s.horizontal, h, support::tolerance(kTheirs) * h);
     EXPECT_NEAR(s.vertical, v, support::tolerance(kTheirs) * v);
@@ -79,7 +79,7 @@ TEST(Catenary, AgreesWithMoorPy) {
   };
   CatenaryLine line{500, 800, 7.51e12, 0};
   expect({line, 400, 200, true}, 96643.428, 0, 96643.428, 237751.755);
-  EXPECT_NEAR((Case{line, 400, 200, true}.solve().resting), 202.810306, 2e-5);
+  EXPECT_NEAR((LineCase{line, 400, 200, true}.solve().resting), 202.810306, 2e-5);
   line.friction = 0.1;
   expect({line, 400, 200, true}, 80418.604, 0, 96643.429, 237751.756);
   line.friction = 5;
@@ -89,7 +89,7 @@ TEST(Catenary, AgreesWithMoorPy) {
 }
 
 TEST(Catenary, NearlyTautAgreesWithMoorPyWithinTheDigitsOfItsEnds) {
-  const Case c{{130.36140, 34.91, 7e8}, 119.32374, 52.49669};
+  const LineCase c{{130.36140, 34.91, 7e8}, 119.32374, 52.49669};
   // Ends and length are given to 5e-6 m, which the stretch of the line multiplies by its stiffness.
   const double digits = 1e-5 * c.line.stiffness / c.line.length;
   EXPECT_NEAR(c.solve().horizontal, 72694.1, digits);
@@ -100,7 +100,7 @@ TEST(Catenary, FulfilsTheTextbookEquations) {
   support::Random random(1);
   int on_bottom = 0, taut = 0;
   for (int i = 0; i < 10000; ++i) {
-    const Case c = random_case(random);
+    const LineCase c = random_case(random);
     const CatenarySolution s = c.solve();
     if (s.form == Form::slack) continue;
     on_bottom += s.form == Form::on_bottom;
@@ -116,7 +116,7 @@ TEST(Catenary, FulfilsTheTextbookEquations) {
 TEST(Catenary, DoesNotDependOnItsStart) {
   support::Random random(2);
   for (int i = 0; i < 10000; ++i) {
-    const Case c = random_case(random);
+    const LineCase c = random_case(random);
     const CatenarySolution cold = c.solve();
     const double factor = std::pow(10, random.uniform(-3, 3));
     const Vector2d start(cold.horizontal * factor, cold.vertical * random.uniform(-2, 2));
@@ -126,7 +126,7 @@ TEST(Catenary, DoesNotDependOnItsStart) {
     const double round_off = 1e-15 * c.line.length * cold.stiffness.norm();
     ASSERT_LT(change.norm(), support::tolerance(1e-12) * cold.tension() + 10 * round_off);
   }
-  const Case c{{500, 800, 7.51e8, 0.1}, 400, 200, true};
+  const LineCase c{{500, 800, 7.51e8, 0.1}, 400, 200, true};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Vector2d& useless : {Vector2d(0, 0), Vector2d(-1, 5), Vector2d(nan, 1)})
     EXPECT_EQ(solve_catenary(c.line, c.x, c.z, true, useless).horizontal, c.solve().horizontal);
@@ -136,7 +136,7 @@ TEST(Catenary, StiffnessIsTheDerivativeOfTheTensions) {
   support::Random random(3);
   int checked = 0;
   for (int i = 0; i < 3000; ++i) {
-    Case c = random_case(random);
+    LineCase c = random_case(random);
     c.line.friction = 0;
     const CatenarySolution s = c.solve();
     const double d = 1e-5 * c.line.length;
@@ -240,7 +240,7 @@ TEST(Catenary, DoesNoWorkOnAClosedPath) {
 TEST(Catenary, ShapeHasTheLengthAndTheEndsOfTheLine) {
   support::Random random(5);
   for (int i = 0; i < 300; ++i) {
-    Case c = random_case(random);
+    LineCase c = random_case(random);
     c.line.stiffness *= 1e9;
     if (std::hypot(c.x, c.z) > 0.98 * c.line.length) continue;
     const CatenarySolution s = c.solve();
@@ -260,7 +260,7 @@ TEST(Catenary, ShapeHasTheLengthAndTheEndsOfTheLine) {
 TEST(Catenary, ShapeEndsWhereTheLineIsPulledAlsoIfItStretches) {
   support::Random random(6);
   for (int i = 0; i < 1000; ++i) {
-    const Case c = random_case(random);
+    const LineCase c = random_case(random);
     const CatenarySolution s = c.solve();
     const std::vector<Vector2d> points = hydro::catenary_shape(c.line, s, c.x, c.z, 1001);
     const double tension = std::max(s.tension(), std::hypot(s.horizontal, s.anchor_vertical));

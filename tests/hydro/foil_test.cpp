@@ -20,20 +20,19 @@ using hydro::foil_force;
 using hydro::FoilCoefficients;
 using hydro::Race;
 
-constexpr double kDegree = M_PI / 180;
-constexpr double kRounding = 1e-13;
+constexpr double kFoilRounding = 1e-13;
 
 Foil foil_of(Foil::Law law) { return {.law = law, .span = 3, .chord = 1.5}; }
 
 /// A symmetric table, to 40°.
-Foil tabulated() {
+Foil tabulated_foil() {
   Foil foil = foil_of(Foil::Law::table);
   foil.table = {{0, 0.2, 0.4, 0.7}, {0, 0.6, 1.0, 0.8}, {0.01, 0.05, 0.2, 0.6}};
   return foil;
 }
 
 /// A cambered one, from −10° to 20°.
-Foil cambered() {
+Foil cambered_foil() {
   Foil foil = foil_of(Foil::Law::table);
   foil.table = {{-0.17, 0, 0.35}, {-0.3, 0.2, 1.2}, {0.03, 0.01, 0.1}};
   return foil;
@@ -41,15 +40,15 @@ Foil cambered() {
 
 std::vector<Foil> all_foils() {
   return {foil_of(Foil::Law::soding), foil_of(Foil::Law::fujii),
-          foil_of(Foil::Law::whicker_fehlner), tabulated(), cambered()};
+          foil_of(Foil::Law::whicker_fehlner), tabulated_foil(), cambered_foil()};
 }
 
 TEST(Foil, HasTheLiftSlopesOfTheLaws) {
   EXPECT_NEAR(hydro::lift_slope(foil_of(Foil::Law::soding)), 2.356, 5e-4);
   EXPECT_NEAR(hydro::lift_slope(foil_of(Foil::Law::fujii)), 2.885, 5e-4);
   EXPECT_NEAR(hydro::lift_slope(foil_of(Foil::Law::whicker_fehlner)), 2.444, 5e-4);
-  EXPECT_NEAR(hydro::lift_slope(tabulated()), 3, 1e-6);
-  EXPECT_NEAR(hydro::lift_slope(cambered()), 0.5 * (0.5 / 0.17 + 1 / 0.35), 1e-6);
+  EXPECT_NEAR(hydro::lift_slope(tabulated_foil()), 3, 1e-6);
+  EXPECT_NEAR(hydro::lift_slope(cambered_foil()), 0.5 * (0.5 / 0.17 + 1 / 0.35), 1e-6);
   for (const Foil& foil : all_foils()) {
     const double d = 1e-4;
     const double slope =
@@ -61,21 +60,21 @@ TEST(Foil, HasTheLiftSlopesOfTheLaws) {
 TEST(Foil, TakesTheEffectiveAspectRatioThatIsGiven) {
   Foil wide = foil_of(Foil::Law::fujii);
   wide.aspect_ratio = 4;
-  EXPECT_NEAR(hydro::lift_slope(wide), 6.13 * 4 / 6.25, kRounding);
+  EXPECT_NEAR(hydro::lift_slope(wide), 6.13 * 4 / 6.25, kFoilRounding);
 }
 
 TEST(Foil, LiftsAndDragsAtTenDegreesAsSodingSays) {
-  const FoilCoefficients c = foil_coefficients(foil_of(Foil::Law::soding), 10 * kDegree);
+  const FoilCoefficients c = foil_coefficients(foil_of(Foil::Law::soding), M_PI / 18);
   EXPECT_NEAR(c.lift, 0.409, 5e-4);
-  EXPECT_NEAR(c.drag, 0.01 + 1.1 * c.lift * c.lift / (2 * M_PI), kRounding);
+  EXPECT_NEAR(c.drag, 0.01 + 1.1 * c.lift * c.lift / (2 * M_PI), kFoilRounding);
 }
 
 TEST(Foil, AcrossTheFlowIsAPlate) {
   for (const Foil& foil : all_foils()) {
     for (const double angle : {-M_PI / 2, M_PI / 2}) {
       const FoilCoefficients c = foil_coefficients(foil, angle);
-      EXPECT_NEAR(c.lift, 0, kRounding);
-      EXPECT_NEAR(c.drag, 1.2 + 0.01, kRounding);
+      EXPECT_NEAR(c.lift, 0, kFoilRounding);
+      EXPECT_NEAR(c.drag, 1.2 + 0.01, kFoilRounding);
     }
   }
 }
@@ -86,12 +85,12 @@ TEST(Foil, IsSymmetricAndIsTheSameFromBehind) {
     for (double angle = 0; angle < M_PI; angle += 0.01) {
       const FoilCoefficients c = foil_coefficients(foil, angle);
       const FoilCoefficients mirrored = foil_coefficients(foil, -angle);
-      EXPECT_NEAR(mirrored.lift, -c.lift, kRounding);
-      EXPECT_NEAR(mirrored.drag, c.drag, kRounding);
+      EXPECT_NEAR(mirrored.lift, -c.lift, kFoilRounding);
+      EXPECT_NEAR(mirrored.drag, c.drag, kFoilRounding);
       if (foil.law == Foil::Law::table) continue;
       const FoilCoefficients behind = foil_coefficients(foil, M_PI - angle);
-      EXPECT_NEAR(behind.lift, -c.lift, kRounding);
-      EXPECT_NEAR(behind.drag, c.drag, kRounding);
+      EXPECT_NEAR(behind.lift, -c.lift, kFoilRounding);
+      EXPECT_NEAR(behind.drag, c.drag, kFoilRounding);
     }
   }
 }
@@ -117,19 +116,20 @@ TEST(Foil, HasContinuousCoefficientsAtEveryAngle) {
 TEST(Foil, LosesLiftBeyondItsStall) {
   const Foil foil = foil_of(Foil::Law::whicker_fehlner);
   const double before = foil_coefficients(foil, foil.stall).lift;
-  EXPECT_NEAR(before, hydro::lift_slope(foil) * std::sin(foil.stall), kRounding);
+  EXPECT_NEAR(before, hydro::lift_slope(foil) * std::sin(foil.stall), kFoilRounding);
   const double plate = foil_coefficients(foil, foil.stall + 0.3).lift;
   const double s = std::sin(foil.stall + 0.3);
-  EXPECT_NEAR(plate, 1.2 * (4 + M_PI) * s / (4 + M_PI * s) * std::cos(foil.stall + 0.3), kRounding);
+  EXPECT_NEAR(plate, 1.2 * (4 + M_PI) * s / (4 + M_PI * s) * std::cos(foil.stall + 0.3),
+              kFoilRounding);
   EXPECT_LT(plate, before);
 }
 
 TEST(Foil, FollowsItsTable) {
-  EXPECT_NEAR(foil_coefficients(tabulated(), 0.3).lift, 0.8, kRounding);
-  EXPECT_NEAR(foil_coefficients(tabulated(), -0.3).lift, -0.8, kRounding);
-  EXPECT_NEAR(foil_coefficients(tabulated(), -0.3).drag, 0.125, kRounding);
-  EXPECT_NEAR(foil_coefficients(cambered(), -0.085).lift, -0.05, kRounding);
-  EXPECT_NEAR(foil_coefficients(cambered(), 0.35).lift, 1.2, kRounding);
+  EXPECT_NEAR(foil_coefficients(tabulated_foil(), 0.3).lift, 0.8, kFoilRounding);
+  EXPECT_NEAR(foil_coefficients(tabulated_foil(), -0.3).lift, -0.8, kFoilRounding);
+  EXPECT_NEAR(foil_coefficients(tabulated_foil(), -0.3).drag, 0.125, kFoilRounding);
+  EXPECT_NEAR(foil_coefficients(cambered_foil(), -0.085).lift, -0.05, kFoilRounding);
+  EXPECT_NEAR(foil_coefficients(cambered_foil(), 0.35).lift, 1.2, kFoilRounding);
 }
 
 TEST(Foil, NeverDoesWork) {
@@ -203,8 +203,8 @@ TEST(PropellerRace, IsThatOfMomentumTheoryInTheDiscAndFarBehind) {
   const double far = std::sqrt(4 + 2 * thrust / (density * M_PI));
   const double disc = 0.5 * (inflow + far);
   const Race at_disc = hydro::propeller_race(inflow, thrust, diameter, 0, density);
-  EXPECT_NEAR(at_disc.speed, disc, kRounding);
-  EXPECT_NEAR(at_disc.diameter, diameter, kRounding);
+  EXPECT_NEAR(at_disc.speed, disc, kFoilRounding);
+  EXPECT_NEAR(at_disc.diameter, diameter, kFoilRounding);
   const Race behind = hydro::propeller_race(inflow, thrust, diameter, 1e12, density);
   EXPECT_NEAR(behind.speed, far, 1e-10);
   EXPECT_NEAR(behind.diameter, diameter * std::sqrt(disc / far), 1e-10);
@@ -221,7 +221,8 @@ TEST(PropellerRace, KeepsItsVolumeFlowAtEveryDistance) {
   }
   const double share = 0.5 + 0.5 / (1 + 0.15 * 1.5 / 1.0);
   const double far = std::sqrt(4 + 2e4 / (1000 * M_PI * 1.5 * 1.5 / 4));
-  EXPECT_NEAR(hydro::propeller_race(2, 1e4, 1.5, 1, 1000).speed, 2 + share * (far - 2), kRounding);
+  EXPECT_NEAR(hydro::propeller_race(2, 1e4, 1.5, 1, 1000).speed, 2 + share * (far - 2),
+              kFoilRounding);
 }
 
 TEST(PropellerRace, IsTheUndisturbedFlowWithoutThrustAndHasNoJump) {

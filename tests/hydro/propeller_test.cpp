@@ -25,7 +25,7 @@ using hydro::PropellerModel;
 using hydro::QuadrantCoefficients;
 using hydro::WageningenB;
 
-constexpr double kRounding = 1e-13;
+constexpr double kPropellerRounding = 1e-13;
 
 /// K_T and K_Q of B4-70, as a table that ends before the thrust is zero.
 OpenWaterTable coarse_table() {
@@ -86,8 +86,8 @@ TEST(Propeller, PullsAtTheBollardAsTheSeriesSays) {
   EXPECT_NEAR(load.thrust, 67120, support::tolerance(5));
   EXPECT_NEAR(load.torque, 19940, support::tolerance(5));
   const PropellerLoad astern = curves.load(-3, 0, 1025, 1);
-  EXPECT_NEAR(astern.thrust, -0.7 * load.thrust, kRounding * load.thrust);
-  EXPECT_NEAR(astern.torque, -0.7 * load.torque, kRounding * load.torque);
+  EXPECT_NEAR(astern.thrust, -0.7 * load.thrust, kPropellerRounding * load.thrust);
+  EXPECT_NEAR(astern.torque, -0.7 * load.torque, kPropellerRounding * load.torque);
 }
 
 TEST(Propeller, HasTheThrustAndTorqueOfOpenWaterInTheFirstQuadrant) {
@@ -99,10 +99,11 @@ TEST(Propeller, HasTheThrustAndTorqueOfOpenWaterInTheFirstQuadrant) {
       const double n = 2.3;
       const PropellerLoad load = curves.load(n, j * n * 1.7, 1000, 1);
       const double scale = 1000 * n * n * std::pow(1.7, 4);
-      EXPECT_NEAR(load.thrust, scale * k.thrust_coefficient, support::tolerance(kRounding) * scale);
+      EXPECT_NEAR(load.thrust, scale * k.thrust_coefficient,
+                  support::tolerance(kPropellerRounding) * scale);
       EXPECT_NEAR(load.torque, scale * 1.7 * k.torque_coefficient,
-                  support::tolerance(kRounding) * scale);
-      EXPECT_NEAR(load.advance_ratio, j, kRounding);
+                  support::tolerance(kPropellerRounding) * scale);
+      EXPECT_NEAR(load.advance_ratio, j, kPropellerRounding);
     }
   }
 }
@@ -112,35 +113,35 @@ TEST(Propeller, FollowsATableAndGoesOnToZeroThrust) {
   const PropellerCurves curves({.model = table});
   for (std::size_t i = 0; i < table.advance_ratio.size(); ++i) {
     const PropellerLoad load = curves.load(1, table.advance_ratio[i], 1, 1);
-    EXPECT_NEAR(load.thrust, table.thrust_coefficient[i], kRounding);
-    EXPECT_NEAR(load.torque, table.torque_coefficient[i], kRounding);
+    EXPECT_NEAR(load.thrust, table.thrust_coefficient[i], kPropellerRounding);
+    EXPECT_NEAR(load.torque, table.torque_coefficient[i], kPropellerRounding);
   }
   const double middle = 0.5 * (table.thrust_coefficient[3] + table.thrust_coefficient[4]);
-  EXPECT_NEAR(curves.load(1, 0.35, 1, 1).thrust, middle, kRounding);
+  EXPECT_NEAR(curves.load(1, 0.35, 1, 1).thrust, middle, kPropellerRounding);
   const double slope = 10 * (table.thrust_coefficient[9] - table.thrust_coefficient[8]);
   EXPECT_NEAR(curves.load(1, 0.93, 1, 1).thrust, table.thrust_coefficient[9] + 0.03 * slope,
-              kRounding);
+              kPropellerRounding);
 }
 
 TEST(Propeller, UsesTheRowsOfATableOnBothSidesOfTheFirstQuadrant) {
   const OpenWaterTable table{{-0.4, 0, 0.8, 1.2}, {0.5, 0.4, 0, -0.3}, {0.07, 0.05, 0.01, -0.02}};
   const PropellerCurves curves({.model = table});
-  EXPECT_NEAR(curves.load(1, -0.3, 1, 1).thrust, 0.475, kRounding);
-  EXPECT_NEAR(curves.load(1, 1.1, 1, 1).thrust, -0.225, kRounding);
-  EXPECT_NEAR(curves.load(1, 1.1, 1, 1).torque, -0.0125, kRounding);
+  EXPECT_NEAR(curves.load(1, -0.3, 1, 1).thrust, 0.475, kPropellerRounding);
+  EXPECT_NEAR(curves.load(1, 1.1, 1, 1).thrust, -0.225, kPropellerRounding);
+  EXPECT_NEAR(curves.load(1, 1.1, 1, 1).torque, -0.0125, kPropellerRounding);
 }
 
 TEST(Propeller, HasTheRowsOfATableOfFourQuadrantsAndRepeatsAfterATurn) {
   const FourQuadrantTable table = four_quadrants();
   const PropellerCurves curves({.model = table});
   for (std::size_t i = 0; i < table.beta.size(); ++i) {
-    EXPECT_NEAR(curves.coefficients(table.beta[i]).thrust, table.thrust[i], kRounding);
-    EXPECT_NEAR(curves.coefficients(table.beta[i]).torque, table.torque[i], kRounding);
+    EXPECT_NEAR(curves.coefficients(table.beta[i]).thrust, table.thrust[i], kPropellerRounding);
+    EXPECT_NEAR(curves.coefficients(table.beta[i]).torque, table.torque[i], kPropellerRounding);
   }
-  EXPECT_NEAR(curves.coefficients(0.25).thrust, 0.12, kRounding);
+  EXPECT_NEAR(curves.coefficients(0.25).thrust, 0.12, kPropellerRounding);
   const double turn = (M_PI - 3) / (2 * M_PI - 5.5);
   for (const double beta : {-M_PI, M_PI})
-    EXPECT_NEAR(curves.coefficients(beta).thrust, -0.2 + 0.3 * turn, kRounding);
+    EXPECT_NEAR(curves.coefficients(beta).thrust, -0.2 + 0.3 * turn, kPropellerRounding);
 }
 
 TEST(Propeller, HasContinuousCurvesOverTheWholeCircle) {
@@ -200,7 +201,7 @@ TEST(Propeller, BehindAHullTakesWakeDeductionAndRotativeEfficiency) {
                                 .rotative_efficiency = 1.05});
   const PropellerLoad a = open.load(2, 3, 1025, 1);
   const PropellerLoad b = behind.load(2, 4, 1025, 0.5);
-  EXPECT_NEAR(b.inflow, 3, kRounding);
+  EXPECT_NEAR(b.inflow, 3, kPropellerRounding);
   EXPECT_NEAR(b.open_thrust, 0.5 * a.thrust, 1e-9);
   EXPECT_NEAR(b.thrust, 0.45 * a.thrust, 1e-9);
   EXPECT_NEAR(b.torque, 0.5 * a.torque / 1.05, 1e-9);
