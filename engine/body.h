@@ -45,6 +45,8 @@ struct Body {
   bool movable = true;          ///< At least one degree of freedom is not locked.
   bool locked = false;          ///< At least one degree of freedom is locked.
   bool jointed = false;         ///< At least one joint holds it.
+  bool rigged = false;          ///< Lines, drives or machines act on it.
+  bool driven_by_rows = false;  ///< The constraint solver finds a part of what they do.
   std::optional<ReducedJoint> reduced_joint;
 
   /// Velocity of the water without its waves; in a current that changes with depth, of its surface.

@@ -33,6 +33,8 @@ struct Works {
   double radiation = 0;  ///< By the memory of the waves that the body has made.
   double wind = 0;
   double interior = 0;  ///< By the water in its pockets.
+  double lines = 0;     ///< By springs, ropes, moorings and drives of joints.
+  double machines = 0;  ///< By propellers and foils.
   double added_mass = 0;
   double applied = 0;     ///< By the forces of the scene and of the program.
   double weight = 0;      ///< Of the body's own mass.
@@ -41,7 +43,7 @@ struct Works {
 
   double sum() const {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
-           wind + interior + added_mass + applied + weight + constraint + brake;
+           wind + interior + lines + machines + added_mass + applied + weight + constraint + brake;
   }
 };
 
@@ -51,6 +53,10 @@ struct BodyForces {
   hydro::Wrench applied;
   hydro::Wrench weight;
   hydro::Wrench radiation;  ///< Of the memory of the waves that the body has made.
+  /// Of springs, ropes, moorings and drives of joints; the part of those that the constraint solver
+  /// finds is the mean over the last step.
+  hydro::Wrench lines;
+  hydro::Wrench machines;  ///< Of propellers and foils.
   // These two are means over the last step, zero before the first one, since impacts change the
   // velocity at once; the limiter's impulse is in neither. The constraint of a body that cannot
   // move balances the other forces.

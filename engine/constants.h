@@ -144,6 +144,18 @@ inline constexpr std::size_t kAndersonDepth = 12;  ///< Differences that Anderso
 inline constexpr int kMostIdleSolves = 12;         ///< Without progress, before M_o changes.
 inline constexpr double kProgress = 0.8;           ///< Of the least error; progress is below.
 
+// ── Lines and drives (rig.h, force_row.h) ───────────────────────────────────────────────────────
+
+/// h² k + 2 h c over the mass, above which a line or drive is taken implicitly [-]. Explicit is
+/// stable below 4.
+inline constexpr double kStiffLine = 0.5;
+/// Phase per substep up to which a row follows an oscillation, and from which on it takes it away
+/// [rad].
+inline constexpr double kResolvedLine = 0.7;
+inline constexpr double kUnresolvedLine = 2;
+/// Compliance of a stop or motor, times the mass that it holds, over a substep [-].
+inline constexpr double kRowCompliance = 1e-9;
+
 // ── Contacts (contacts.h) and impacts (impacts.h) ───────────────────────────────────────────────
 
 inline constexpr double kFriction = 0.5;           ///< Coulomb's µ of every pair [-].
@@ -177,8 +189,10 @@ inline constexpr double kJointErp = 0.8;
 inline constexpr double kComplianceOfLightest = 1e-12;
 inline constexpr double kComplianceOfHeaviest = 1e-6;
 inline constexpr std::size_t kMostDirectContacts = 32;  ///< Points of an exact solution.
-inline constexpr int kHeapIterations = 50;              ///< Iterations for more points.
-inline constexpr int kFallbackIterations = 200;         ///< Where the exact solver gives up.
+/// The same where rows act, for which iterations are too far off.
+inline constexpr std::size_t kMostDirectWithRows = 128;
+inline constexpr int kHeapIterations = 50;        ///< Iterations for more points.
+inline constexpr int kFallbackIterations = 200;   ///< Where the exact solver gives up.
 inline constexpr double kLeastSolverMass = 1e-6;  ///< Below it masses are scaled for ODE [kg].
 
 // ── Input (state_checks.h, body_check.h, pull.h) ────────────────────────────────────────────────

@@ -70,12 +70,15 @@ double contraction_factor(const Row& row) {
 struct Solver {
   World& world;
   const std::vector<Contact>& contacts;
+  const std::vector<ForceRow>& rows;
 };
 
 /// An answer of the solver to the reactions r: the changes of velocity, and R.
 struct Answer {
   std::vector<Vector6d> changes;
   std::vector<Vector6d> reactions;
+  std::vector<double> row_forces;
+  std::vector<JointReaction> joints;
 };
 
 Answer ask(const Solver& solver, std::vector<Row>& rows, const std::vector<Vector6d>& r,
@@ -89,9 +92,10 @@ Answer ask(const Solver& solver, std::vector<Row>& rows, const std::vector<Vecto
     row.solver.load = to_wrench(loads.back());
     bodies.push_back(row.solver);
   }
-  const std::vector<hydro::Twist> after =
-      solver.world.constrained_velocities(bodies, solver.contacts, step);
-  Answer answer;
+  World::ConstrainedMotion motion =
+      solver.world.constrained_motion(bodies, solver.contacts, solver.rows, step);
+  const std::vector<hydro::Twist>& after = motion.velocities;
+  Answer answer{.row_forces = std::move(motion.forces), .joints = std::move(motion.reactions)};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const hydro::BodyState& before = rows[i].solver.state;
     const Vector6d change = to_vector6(after[i].linear - before.linear_velocity,
@@ -233,7 +237,7 @@ bool has_converged(const Island& island, const std::vector<Row>& rows, const Ans
 }  // namespace
 
 void constrained_update(const StepContext& context, Island& island, double time, double h) {
-  const Solver solver{.world = context.world, .contacts = island.contacts};
+  const Solver solver{.world = context.world, .contacts = island.contacts, .rows = island.rows};
   const std::vector<SubstepBody*>& bodies = island.bodies;
   int solves = 0;
   for (int i = 0; i < kMostLinearisations && solves < kMostSolvesInAll; ++i) {
@@ -251,6 +255,9 @@ void constrained_update(const StepContext& context, Island& island, double time,
       c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
       c.load_acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();
     }
+    for (std::size_t k = 0; k < island.rows.size(); ++k)
+      island.rows[k].force = answer.row_forces[k];
+    island.reactions = answer.joints;
     if (done) break;
   }
   for (SubstepBody* c : bodies) c->predicted = c->update.change;

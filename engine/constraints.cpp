@@ -12,7 +12,7 @@ namespace engine {
 namespace {
 
 /// Makes a joint between bodies that are in place; null stands for the world.
-void create_joint(dxWorld* world, const JointSpec& spec, dxBody* first, dxBody* second) {
+dxJoint* create_joint(dxWorld* world, const JointSpec& spec, dxBody* first, dxBody* second) {
   const Eigen::Vector3d& p = spec.anchor_W;
   const Eigen::Vector3d& e = spec.axis_W;
   const Eigen::Vector3d& e2 = spec.axis2_W;
@@ -21,22 +21,33 @@ void create_joint(dxWorld* world, const JointSpec& spec, dxBody* first, dxBody* 
     return joint;
   };
   switch (spec.type) {
-    case JointSpec::Type::ball:
-      return dJointSetBallAnchor(attached(dJointCreateBall(world, nullptr)), p.x(), p.y(), p.z());
+    case JointSpec::Type::ball: {
+      dxJoint* ball = attached(dJointCreateBall(world, nullptr));
+      dJointSetBallAnchor(ball, p.x(), p.y(), p.z());
+      return ball;
+    }
     case JointSpec::Type::hinge: {
       dxJoint* hinge = attached(dJointCreateHinge(world, nullptr));
       dJointSetHingeAnchor(hinge, p.x(), p.y(), p.z());
-      return dJointSetHingeAxis(hinge, e.x(), e.y(), e.z());
+      dJointSetHingeAxis(hinge, e.x(), e.y(), e.z());
+      return hinge;
     }
-    case JointSpec::Type::slider:
-      return dJointSetSliderAxis(attached(dJointCreateSlider(world, nullptr)), e.x(), e.y(), e.z());
-    case JointSpec::Type::fixed:
-      return dJointSetFixed(attached(dJointCreateFixed(world, nullptr)));
+    case JointSpec::Type::slider: {
+      dxJoint* slider = attached(dJointCreateSlider(world, nullptr));
+      dJointSetSliderAxis(slider, e.x(), e.y(), e.z());
+      return slider;
+    }
+    case JointSpec::Type::fixed: {
+      dxJoint* fixed = attached(dJointCreateFixed(world, nullptr));
+      dJointSetFixed(fixed);
+      return fixed;
+    }
     case JointSpec::Type::universal: {
       dxJoint* universal = attached(dJointCreateUniversal(world, nullptr));
       dJointSetUniversalAnchor(universal, p.x(), p.y(), p.z());
       dJointSetUniversalAxis1(universal, e.x(), e.y(), e.z());
-      return dJointSetUniversalAxis2(universal, e2.x(), e2.y(), e2.z());
+      dJointSetUniversalAxis2(universal, e2.x(), e2.y(), e2.z());
+      return universal;
     }
   }
   throw std::invalid_argument("a joint of no known type");
@@ -45,6 +56,7 @@ void create_joint(dxWorld* world, const JointSpec& spec, dxBody* first, dxBody* 
 }  // namespace
 
 void World::add_joint(const JointSpec& spec) {
+  const std::size_t index = joint_count_++;
   const auto known = [this](BodyId id) {
     return id == kWorld || (id >= 0 && id < static_cast<BodyId>(bodies_.size()));
   };
@@ -60,7 +72,21 @@ void World::add_joint(const JointSpec& spec) {
   joints_.push_back(pair);
   for (const BodyId id : {spec.first, spec.second})
     if (id != kWorld) bodies_[id].constrained = true;
-  create_joint(world_.get(), spec, handle_of(spec.first), handle_of(spec.second));
+  dxJoint* joint = create_joint(world_.get(), spec, handle_of(spec.first), handle_of(spec.second));
+  static_assert(sizeof(OdeFeedback) == sizeof(dJointFeedback), "ODE writes into it");
+  reacting_.push_back({index, spec.first, spec.second, std::make_unique<OdeFeedback>()});
+  dJointSetFeedback(joint, reinterpret_cast<dJointFeedback*>(reacting_.back().feedback.get()));
+}
+
+JointReaction World::reaction_of(const Joint& joint) const {
+  // ODE's first body is the one that moves if the other does not. The force on the second one is
+  // opposite to that on the first.
+  const bool on_first = handle_of(joint.first) != nullptr;
+  const double sign = (on_first ? -1 : 1) / unit_;
+  return {.joint = joint.index,
+          .force_W = sign * vector_from_ode(joint.feedback->f1),
+          .moment_W = sign * vector_from_ode(joint.feedback->t1),
+          .about_W = state(on_first ? joint.first : joint.second).position};
 }
 
 void World::only_constrain() {
@@ -76,24 +102,30 @@ void World::only_constrain() {
   }
 }
 
-std::vector<hydro::Twist> World::constrained_velocities(const std::vector<SolverBody>& bodies,
-                                                        const std::vector<Contact>& contacts,
-                                                        double step) {
+World::ConstrainedMotion World::constrained_motion(const std::vector<SolverBody>& bodies,
+                                                   const std::vector<Contact>& contacts,
+                                                   const std::vector<ForceRow>& rows, double step) {
   const auto is_constrained = [this](const SolverBody& b) {
     return bodies_.at(b.body).constrained;
   };
-  const IslandProblem problem{.bodies = bodies, .contacts = contacts, .step = step, .unit = unit_};
+  const IslandProblem problem{
+      .bodies = bodies, .contacts = contacts, .rows = rows, .step = step, .unit = unit_};
   if (std::none_of(bodies.begin(), bodies.end(), is_constrained))
-    return island_solver_->velocities(problem);
+    return {island_solver_->velocities(problem), {}};
   // Joints and locks are in the world of all bodies, which solves one island at a time.
   const std::lock_guard lock(*mutex_);
   open_ode();
   std::vector<dxBody*> handles;
   for (const SolverBody& b : bodies) handles.push_back(handle_of(b.body));
-  std::vector<hydro::Twist> velocities =
-      solve(world_.get(), contact_joints_.get(), handles, problem, true);
+  ConstrainedMotion motion{solve(world_.get(), contact_joints_.get(), handles, problem, true), {}};
   for (const SolverBody& b : bodies) set_state(b.body, b.state);
-  return velocities;
+  const auto is_here = [&](BodyId id) {
+    return std::ranges::any_of(bodies, [id](const SolverBody& b) { return b.body == id; });
+  };
+  for (const Joint& joint : reacting_)
+    if (is_here(joint.first) || is_here(joint.second))
+      motion.reactions.push_back(reaction_of(joint));
+  return motion;
 }
 
 }  // namespace engine

@@ -18,18 +18,20 @@ double least_energy_scale(const Body& body) {
   return 1e-9 * body.environment.gravity * (body.spec->mass + water) * radius;
 }
 
-/// True if lift or applied loads may add to the energy: no earlier energy then bounds it.
+/// True if lift, machines, lines or applied loads may add to the energy: no earlier energy then
+/// bounds it.
 bool is_driven(const MovingBody& moving) {
   return moving.body.spec->coefficients.lift != 0 || !moving.body.spec->loads.empty() ||
-         !moving.inputs.loads.empty() || moving.inputs.pull;
+         !moving.inputs.loads.empty() || moving.inputs.pull || moving.body.rigged;
 }
 
-/// Largest work that the last lift and applied loads may have done between two states a time h [s]
-/// apart; 0 if they took energy [J].
+/// Largest work that the last lift, machines, lines and applied loads may have done between two
+/// states a time h [s] apart; 0 if they took energy [J].
 double work_done(const MovingBody& moving, const hydro::BodyState& before,
                  const hydro::BodyState& after, double h) {
   const Eigen::Vector3d current = moving.body.current();
-  hydro::Wrench load = moving.cache.loads.water.lift;
+  hydro::Wrench load =
+      moving.cache.loads.water.lift + moving.cache.loads.lines + moving.cache.loads.machines;
   for (const hydro::Wrench& applied : moving.cache.loads.applied) load += applied;
   const Vector6d F = to_vector6(load);
   return h * std::max({0.0, F.dot(velocity(before, current)), F.dot(velocity(after, current))});
@@ -90,7 +92,7 @@ void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, doubl
     kinetic_ += kinetic_energy(b->body(), b->end, b->body().current());
     remembered += memory_energy(b->body(), b->end);
     driven = driven || is_driven(*b->moving);
-    work += work_done(*b->moving, start.state, b->end.state, h);
+    work += work_done(*b->moving, start.state, b->end.state, h) + std::max(0.0, b->row_work);
   }
   next_.extend(before, potential_before);
   if (driven) next_.lowest = before + work;
@@ -106,7 +108,7 @@ void EnergyLimiter::judge_joints(const std::vector<SubstepBody*>& members) {
   for (const SubstepBody* b : members) {
     start += kinetic_energy(b->body(), b->moving->motion, still);
     end += kinetic_energy(b->body(), b->end, still);
-    gain += b->reaction_work;
+    gain += b->reaction_work - b->row_work;
   }
   // Drag may take at once what joints add; what loads take later they take of the gain, too.
   if (gain > 0) gain = std::min(gain, std::max(0.0, end - start));

@@ -73,6 +73,8 @@ void GroupStepper::advance(double time, double length) {
     advance_within_tolerance(time, length);
   else
     advance_in_substeps(time, length, false);
+  context_.rig.accept(record_);
+  record_ = {};
 }
 
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
@@ -147,6 +149,7 @@ void GroupStepper::accept(double time, double h) {
     if (member(judged.members.front()->id).island) judged.limiter->clamp(judged.members);
   for (Member& m : members_)
     if (m.island) m.moving->motion = m.end;
+  for (const Island& island : islands_) Rig::add(island, h, record_);
   if (is_alone_) return;
   parallel_for_rethrow(context_.parallel_for, members_.size(), [&](std::size_t i) {
     if (!members_[i].island) (*alone_)[members_[i].id].advance(time, h);
@@ -155,7 +158,11 @@ void GroupStepper::accept(double time, double h) {
 }
 
 GroupStepper::Snapshot GroupStepper::snapshot() const {
-  Snapshot snapshot{.motions = {}, .ranges = {}, .impacts = impacts_};
+  Snapshot snapshot{.motions = {},
+                    .ranges = {},
+                    .impacts = impacts_,
+                    .rows = record_.rows.size(),
+                    .reactions = record_.reactions.size()};
   for (const Member& m : members_) snapshot.motions.push_back(m.moving->motion);
   for (const Judged& judged : judged_) snapshot.ranges.push_back(judged.limiter->range());
   return snapshot;
@@ -166,6 +173,8 @@ void GroupStepper::restore(const Snapshot& snapshot) {
     members_[i].moving->motion = snapshot.motions[i];
   for (std::size_t i = 0; i < judged_.size(); ++i) judged_[i].limiter->restore(snapshot.ranges[i]);
   impacts_ = snapshot.impacts;
+  record_.rows.resize(snapshot.rows);
+  record_.reactions.resize(snapshot.reactions);
 }
 
 double GroupStepper::next_length(double time, double rest, bool starting) {
@@ -218,10 +227,13 @@ void GroupStepper::find_islands() {
   for (const std::vector<BodyId>& connected : connected_components(group_.bodies, pairs)) {
     const Member& first = member(connected.front());
     if (connected.size() == 1 && first.body().reduced_joint && !first.touching) continue;
-    Island island;
+    Island island{.constrained = false};
     for (const BodyId id : connected) {
-      member(id).island = islands_.size();
-      island.bodies.push_back(&member(id));
+      Member& m = member(id);
+      m.island = islands_.size();
+      island.bodies.push_back(&m);
+      const bool jointed = m.body().jointed && !m.body().reduced_joint;
+      island.constrained = island.constrained || m.touching || jointed || m.body().driven_by_rows;
     }
     islands_.push_back(std::move(island));
   }

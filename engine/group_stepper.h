@@ -49,6 +49,7 @@ class GroupStepper {
     std::vector<Motion> motions;
     std::vector<EnergyRange> ranges;
     Impacts impacts;
+    std::size_t rows, reactions;  ///< Of the record.
   };
 
   Member& member(BodyId id);
@@ -80,6 +81,7 @@ class GroupStepper {
   std::vector<Member> members_;
   std::vector<Judged> judged_;
   std::vector<Island> islands_;  ///< Of the present substep.
+  Rig::Record record_;           ///< Of the substeps since advance() was called.
 };
 
 }  // namespace engine

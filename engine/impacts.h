@@ -26,11 +26,12 @@
 
 namespace engine {
 
-/// Bodies that joints connect or that may touch each other in a step.
+/// Bodies that joints or lines connect or that may touch each other in a step.
 struct Group {
   std::vector<BodyId> bodies;  ///< Ascending; all can move.
-  std::vector<Pair> joints;    ///< Of these bodies, with each other or with what cannot move.
-  std::vector<Pair> near;      ///< Pairs that may touch; ascending.
+  /// Joints and couplings by lines of these bodies, with each other or with what cannot move.
+  std::vector<Pair> joints;
+  std::vector<Pair> near;  ///< Pairs that may touch; ascending.
 };
 
 class Impacts {

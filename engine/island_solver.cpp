@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "engine/constants.h"
+#include "engine/row_joints.h"
 
 namespace engine {
 namespace {
@@ -88,9 +89,9 @@ bool step_or_fall_back(dxWorld* world, const std::function<void()>& restart, dou
   return true;
 }
 
-std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
-                                const std::vector<dxBody*>& handles, const IslandProblem& problem,
-                                bool exact) {
+IslandSolution solve(dxWorld* world, dxJointGroup* contact_joints,
+                     const std::vector<dxBody*>& handles, const IslandProblem& problem,
+                     bool exact) {
   const std::vector<SolverBody>& bodies = problem.bodies;
   const auto prepare_all = [&] {
     for (std::size_t i = 0; i < bodies.size(); ++i) prepare(handles[i], bodies[i], problem.unit);
@@ -105,18 +106,21 @@ std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
   for (const Contact& contact : problem.contacts)
     add_contact(world, contact_joints, contact, handle_of(contact.pair.first),
                 handle_of(contact.pair.second));
+  RowJoints rows(world, contact_joints, problem.unit, problem.step);
+  for (const ForceRow& row : problem.rows)
+    rows.add(row, handle_of(row.first), handle_of(row.second));
   if (exact)
     step_or_fall_back(world, prepare_all, problem.step);
   else
     step_by_iteration(world, kHeapIterations, problem.step);
+  IslandSolution solution{.velocities = {}, .forces = rows.forces()};
   dJointGroupEmpty(contact_joints);
-  std::vector<hydro::Twist> velocities;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    velocities.push_back({vector_from_ode(dBodyGetLinearVel(handles[i])),
-                          vector_from_ode(dBodyGetAngularVel(handles[i]))});
+    solution.velocities.push_back({vector_from_ode(dBodyGetLinearVel(handles[i])),
+                                   vector_from_ode(dBodyGetAngularVel(handles[i]))});
     dBodyDisable(handles[i]);
   }
-  return velocities;
+  return solution;
 }
 
 /// A world with a number of bodies, all disabled between two calls.
@@ -159,12 +163,12 @@ void IslandSolver::give_back(std::unique_ptr<PooledWorld> world) {
 IslandSolver::IslandSolver() = default;
 IslandSolver::~IslandSolver() = default;
 
-std::vector<hydro::Twist> IslandSolver::velocities(const IslandProblem& problem) {
+IslandSolution IslandSolver::velocities(const IslandProblem& problem) {
   open_ode();
   std::unique_ptr<PooledWorld> pooled = take(problem.bodies.size());
-  std::vector<hydro::Twist> result =
-      solve(pooled->world.get(), pooled->contact_joints.get(), pooled->bodies, problem,
-            problem.contacts.size() <= kMostDirectContacts);
+  const std::size_t most = problem.rows.empty() ? kMostDirectContacts : kMostDirectWithRows;
+  IslandSolution result = solve(pooled->world.get(), pooled->contact_joints.get(), pooled->bodies,
+                                problem, problem.contacts.size() <= most);
   give_back(std::move(pooled));
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "engine/broad_phase.h"
 #include "engine/contacts.h"
+#include "engine/force_row.h"
 #include "engine/ode_handles.h"
 #include "engine/spec.h"
 #include "hydro/spatial.h"
@@ -62,18 +63,24 @@ bool step_or_fall_back(dxWorld* world, const std::function<void()>& restart, dou
 struct IslandProblem {
   const std::vector<SolverBody>& bodies;  ///< Ascending.
   const std::vector<Contact>& contacts;
+  const std::vector<ForceRow>& rows;
   double step;      ///< Length of the substep [s].
   double unit = 1;  ///< Factor of masses, moments and loads in ODE.
 };
 
-/// The velocities in W that the bodies have after the substep under their loads and constraints.
+/// The answer of the constraint solver.
+struct IslandSolution {
+  std::vector<hydro::Twist> velocities;  ///< Of the bodies after the substep, in W.
+  std::vector<double> forces;            ///< λ of the rows.
+};
+
+/// The motion of the bodies after the substep under their loads and constraints.
 /// They are enabled for that in the ODE world, where their states are undefined afterwards.
 /// @param handles   Of the bodies.
 /// @param exact     False: the iterative solver is used, as for heaps.
 /// @throws OdeFault
-std::vector<hydro::Twist> solve(dxWorld* world, dxJointGroup* contact_joints,
-                                const std::vector<dxBody*>& handles, const IslandProblem& problem,
-                                bool exact);
+IslandSolution solve(dxWorld* world, dxJointGroup* contact_joints,
+                     const std::vector<dxBody*>& handles, const IslandProblem& problem, bool exact);
 
 class IslandSolver {
  public:
@@ -82,7 +89,7 @@ class IslandSolver {
 
   /// Solves an island without joints and locks. Several threads may call this at once.
   /// @throws OdeFault
-  std::vector<hydro::Twist> velocities(const IslandProblem& problem);
+  IslandSolution velocities(const IslandProblem& problem);
 
  private:
   struct PooledWorld;

@@ -9,7 +9,8 @@ namespace engine {
 namespace {
 
 /// The load at a time: moment about the centre of mass, in W.
-hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, double time) {
+hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, double time,
+                     const SetPoints* set_points) {
   // A multiple of the step differs from the time as written by round-off.
   const double later = time + 1e-12 * std::abs(time);
   if (later < load.start || later >= load.end) return {};
@@ -17,6 +18,7 @@ hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, dou
   const Eigen::Vector3d force = load.in_body_frame ? R_WB * load.force : load.force;
   const Eigen::Vector3d torque = load.in_body_frame ? R_WB * load.torque : load.torque;
   const hydro::Wrench whole{.force = force, .moment = torque + (R_WB * load.at_B).cross(force)};
+  if (load.factor) return set_points->value(*load.factor, time) * whole;
   if (!load.sine) return whole;
   return std::sin(2 * std::numbers::pi * load.sine->frequency * time + load.sine->phase) * whole;
 }
@@ -27,8 +29,9 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
                                          double time) {
   std::vector<hydro::Wrench> loads;
   for (const AppliedLoad& load : moving.body.spec->loads)
-    loads.push_back(wrench(load, state, time));
-  for (const AppliedLoad& load : moving.inputs.loads) loads.push_back(wrench(load, state, time));
+    loads.push_back(wrench(load, state, time, moving.set_points));
+  for (const AppliedLoad& load : moving.inputs.loads)
+    loads.push_back(wrench(load, state, time, moving.set_points));
   if (moving.inputs.pull) {
     const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
     loads.push_back(
@@ -59,6 +62,8 @@ hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, doub
   BodyLoads& loads = cache.loads;
   loads.applied = applied_loads(moving, state, time);
   loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
+  loads.lines = moving.rig_load;
+  if (moving.machines) loads.machines = moving.machines->load(moving.id, state, time);
   const bool meets_water = moving.body.wet || moving.body.has_wave_load;
   const bool stays_dry =
       meets_water && !holds_water(moving.motion) && !may_be_wet(moving.body, state);

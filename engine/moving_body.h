@@ -7,6 +7,7 @@
 
 #include "engine/body.h"
 #include "engine/counts.h"
+#include "engine/machines.h"
 #include "engine/pull.h"
 #include "engine/state_checks.h"
 
@@ -32,9 +33,13 @@ struct LoadCache {
 };
 
 struct MovingBody {
+  BodyId id = 0;
   Body body;
   Motion motion;
   Inputs inputs;
+  hydro::Wrench rig_load = {};            ///< Of lines and drives in this substep (rig.h).
+  const Machines* machines = nullptr;     ///< Null: it has none.
+  const SetPoints* set_points = nullptr;  ///< Those that its applied loads follow.
   LoadCache cache;
   Counts counts;
 };

@@ -39,6 +39,11 @@ void open_ode();
 /// warns when its constraint solver gives up on a step, whose result is then invalid.
 std::string take_ode_warning();
 
+/// A joint's feedback, ODE's dJointFeedback: force and torque on its first and second body.
+struct OdeFeedback {
+  double f1[4], t1[4], f2[4], t2[4];
+};
+
 struct OdeDeleter {
   void operator()(dxWorld* world) const;
   void operator()(dxSpace* space) const;

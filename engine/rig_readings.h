@@ -29,6 +29,7 @@ struct JointReading {
   double speed = 0;                                    ///< q' [rad/s, m/s].
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the second body, by the first [N].
   Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< The same, about the anchor [N m].
+  Eigen::Vector3d place_W = Eigen::Vector3d::Zero();   ///< The anchor, or the second body [m].
   double effort = 0;  ///< Of limits, motor, spring, damper and friction along q [N m, N].
 };
 

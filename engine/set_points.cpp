@@ -19,8 +19,8 @@ StepValue over_step(const Signal& signal, double time, double h) {
 }
 
 bool is_angle(Measurement::Quantity quantity) {
-  using Quantity = Measurement::Quantity;
-  return quantity == Quantity::heading || quantity == Quantity::pitch || quantity == Quantity::roll;
+  return quantity == Measurement::Quantity::heading || quantity == Measurement::Quantity::pitch ||
+         quantity == Measurement::Quantity::roll;
 }
 
 /// The measured quantity, an angle as the one nearest to the last one.
@@ -102,7 +102,8 @@ void SetPoints::begin_step(double time, double h, const Measure& measure) {
     else if (!control)
       value = held(spec.initial / spec.unit);
     const double least = spec.least / spec.unit, greatest = spec.greatest / spec.unit;
-    for (double* v : {&value.start, &value.middle, &value.end}) *v = std::clamp(*v, least, greatest);
+    for (double* v : {&value.start, &value.middle, &value.end})
+      *v = std::clamp(*v, least, greatest);
     state.value = value;
   }
 }

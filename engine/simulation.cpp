@@ -11,6 +11,7 @@
 #include "engine/constants.h"
 #include "engine/locks.h"
 #include "engine/ode_step.h"
+#include "engine/rig.h"
 #include "engine/state_data.h"
 #include "engine/stopwatch.h"
 #include "hydro/parallel.h"
@@ -44,12 +45,18 @@ World make_world(const SimulationSpec& spec) {
   return world;
 }
 
-std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec) {
+std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec, const Rig& rig) {
   std::vector<MovingBody> moving;
   for (Body& body : make_bodies(spec)) {
+    const auto id = static_cast<BodyId>(moving.size());
+    body.rigged = rig.acts_on(id);
+    body.driven_by_rows = rig.constrains(id);
+    if (body.driven_by_rows) body.reduced_joint.reset();
     const hydro::BodyState initial = without_locked_motion(body.spec->locked, body.spec->initial);
     Motion motion = motion_at(body, spec, initial, 0);
-    moving.push_back({.body = std::move(body), .motion = std::move(motion)});
+    moving.push_back({.id = id, .body = std::move(body), .motion = std::move(motion)});
+    if (rig.machines().drives(id)) moving.back().machines = &rig.machines();
+    moving.back().set_points = &rig.set_points();
   }
   return moving;
 }
@@ -68,12 +75,15 @@ struct Simulation::Impl {
   SimulationState state() const;
   void restore(const SimulationState::Data& data);
 
+  RigReadings readings() const;
+  void begin_step();
   void accept_step();
   void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
 
   SimulationSpec spec;
   World world;
+  Rig rig;
   tbb::task_arena threads;
   std::vector<MovingBody> bodies;
   StepContext context;
@@ -89,9 +99,11 @@ struct Simulation::Impl {
 Simulation::Impl::Impl(SimulationSpec description)
     : spec(std::move(description)),
       world(make_world(spec)),
+      rig(spec),
       threads(std::max(1, spec.threads)),
-      bodies(make_moving_bodies(spec)),
+      bodies(make_moving_bodies(spec, rig)),
       context{.world = world,
+              .rig = rig,
               .bodies = bodies,
               .gravity = spec.gravity,
               .parallel_for =
@@ -124,19 +136,47 @@ void Simulation::Impl::book_time(double wall, double collision) {
   timings.engine += wall - collision - hydro;
 }
 
+/// Adds the reactions of reduced joints, which no solver finds, from the records of work.
+RigReadings Simulation::Impl::readings() const {
+  RigReadings readings = rig.readings(states, time(), spec.step);
+  for (std::size_t i = 0; i < spec.joints.size(); ++i) {
+    for (const BodyId id : {spec.joints[i].first, spec.joints[i].second}) {
+      if (id == kWorld || !bodies[id].body.reduced_joint || !bodies[id].motion.work) continue;
+      const double sign = id == spec.joints[i].second ? 1 : -1;
+      const Vector6d R = sign / spec.step * bodies[id].motion.work->constraint_impulse;
+      JointReading& joint = readings.joints[i];
+      const Eigen::Vector3d arm = states[id].position - joint.place_W;
+      joint.force_W = R.head<3>();
+      joint.moment_W = R.tail<3>() + arm.cross(joint.force_W);
+    }
+  }
+  return readings;
+}
+
+void Simulation::Impl::begin_step() {
+  rig.begin_step(states, time(), spec.step);
+  for (MovingBody& moving : bodies)
+    if (moving.motion.work) moving.motion.work->start_step();
+}
+
 void Simulation::Impl::accept_step() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     states[i] = bodies[i].motion.state;
     bodies[i].inputs.loads.clear();
   }
+  for (const std::size_t line : rig.end_step(states, time(), spec.step))
+    for (const BodyId body : {spec.lines[line].first.body, spec.lines[line].second.body})
+      if (body != kWorld) stepper.forget(body);
   ++steps;
 }
 
 std::vector<BodyForces> Simulation::Impl::forces() {
   if (!spec.record_work) throw std::logic_error("the simulation keeps no record of work");
   std::vector<BodyForces> forces(bodies.size());
-  context.parallel_for(bodies.size(),
-                       [&](std::size_t i) { forces[i] = forces_on(bodies[i], time(), spec.step); });
+  const std::vector<hydro::Wrench> lines = rig.loads_now(states, time());
+  context.parallel_for(bodies.size(), [&](std::size_t i) {
+    forces[i] = forces_on(bodies[i], lines[i], time(), spec.step);
+  });
   return forces;
 }
 
@@ -151,11 +191,12 @@ SimulationState Simulation::Impl::state() const {
                                                ? moving.cache.water_state
                                                : std::nullopt});
   data->stepper = stepper.state();
+  data->rig = rig.state();
   return SimulationState(std::move(data));
 }
 
 void Simulation::Impl::restore(const SimulationState::Data& data) {
-  if (data.bodies.size() != bodies.size() || !stepper.fits(data.stepper))
+  if (data.bodies.size() != bodies.size() || !stepper.fits(data.stepper) || !rig.fits(data.rig))
     throw std::invalid_argument(
         fmt::format("the state is that of another scene: it has {} bodies, the simulation {}",
                     data.bodies.size(), bodies.size()));
@@ -178,6 +219,7 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
   }
   stepper.restore(data.stepper);
   steps = data.steps;
+  rig.restore(data.rig, time(), spec.step);
   broken = false;
 }
 
@@ -214,6 +256,7 @@ std::vector<InteriorState> Simulation::interiors() const {
     interiors.push_back(interior_state(moving, time()));
   return interiors;
 }
+RigReadings Simulation::rig() const { return impl_->readings(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
 
 Skips Simulation::skips() const {
@@ -240,6 +283,18 @@ void Simulation::apply(BodyId body, const hydro::Wrench& wrench, Frame frame,
                                  .torque = wrench.moment,
                                  .in_body_frame = frame == Frame::body,
                                  .at_B = at_B});
+}
+
+void Simulation::set(const std::string& set_point, double value) {
+  const SetPointId id = impl_->rig.set_points().find(set_point);
+  if (!std::isfinite(value))
+    throw std::invalid_argument(fmt::format("the value of '{}' is not finite", set_point));
+  impl_->rig.set_points().set(id, value);
+}
+
+void Simulation::release(const std::string& set_point) {
+  SetPoints& set_points = impl_->rig.set_points();
+  set_points.set(set_points.find(set_point), std::nullopt);
 }
 
 void Simulation::pull(BodyId body, const std::optional<Pull>& pull) {
@@ -270,8 +325,7 @@ void Simulation::step() {
   if (impl.broken)
     throw SimulationError(time(), "", "the simulation has stopped on an earlier error");
   impl.broken = true;
-  for (MovingBody& moving : impl.bodies)
-    if (moving.motion.work) moving.motion.work->start_step();
+  impl.begin_step();
   const double collision_before = impl.world.collision_seconds();
   double wall = 0;
   try {

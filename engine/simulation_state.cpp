@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 4";
+constexpr std::string_view kMagic = "plimsoll state 5";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -105,7 +105,8 @@ void visit(auto& a, WorkRecord& w) {
   visit_all(a, works.buoyancy, works.pressure_drag, works.viscous_drag, works.lift,
             works.wave_inertia, works.diffraction, works.radiation, works.wind, works.interior,
             works.added_mass, works.applied, works.weight, works.constraint, works.brake,
-            w.added_energy_at_start, w.added_impulse, w.constraint_impulse);
+            w.added_energy_at_start, w.added_impulse, w.constraint_impulse, works.lines,
+            works.machines, w.row_impulse);
 }
 void visit(auto& a, Eigen::VectorXd& vector) {
   vector.resize(static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(vector.size()))));
@@ -134,7 +135,7 @@ void visit(auto& a, Motion& m) {
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
 void visit(auto& a, AppliedLoad::Sine& sine) { visit_all(a, sine.frequency, sine.phase); }
 void visit(auto& a, AppliedLoad& l) {
-  visit_all(a, l.force, l.torque, l.in_body_frame, l.at_B, l.start, l.end, l.sine);
+  visit_all(a, l.force, l.torque, l.in_body_frame, l.at_B, l.start, l.end, l.sine, l.factor);
 }
 void visit(auto& a, Counts& c) {
   visit_all(a, c.free, c.constrained, c.substeps, c.implicit, c.iterations, c.unconverged,
@@ -146,8 +147,17 @@ void visit(auto& a, BodyRecord& body) {
 void visit(auto& a, EnergyRange& r) {
   visit_all(a, r.lowest, r.highest, r.lowest_potential, r.given_by_joints);
 }
+void visit(auto& a, StepValue& v) { visit_all(a, v.start, v.middle, v.end); }
+void visit(auto& a, SetPointState& s) {
+  visit_all(a, s.value, s.outside, s.integral, s.measured, s.beyond);
+}
+void visit(auto& a, LineState& l) { visit_all(a, l.length, l.broken, l.impulse, l.pull); }
+void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort); }
+void visit(auto& a, RigState& rig) {
+  visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points);
+}
 void visit(auto& a, SimulationState::Data& data) {
-  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges);
+  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges, data.rig);
 }
 
 }  // namespace

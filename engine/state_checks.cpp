@@ -40,7 +40,9 @@ std::vector<NamedLoad> by_name(const BodyLoads& loads) {
                              {"diffraction", to_vector6(water.diffraction)},
                              {"wind", to_vector6(water.wind)},
                              {"water inside", to_vector6(water.interior)},
-                             {"weight", to_vector6(loads.weight)}});
+                             {"weight", to_vector6(loads.weight)},
+                             {"lines", to_vector6(loads.lines)},
+                             {"machines", to_vector6(loads.machines)}});
   return named;
 }
 
@@ -66,7 +68,7 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
 }
 
 hydro::Wrench BodyLoads::total() const {
-  hydro::Wrench sum = water.total() + weight;
+  hydro::Wrench sum = water.total() + weight + lines + machines;
   for (const hydro::Wrench& load : applied) sum += load;
   return sum;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/moving_body.h"
+#include "engine/rig.h"
 #include "engine/simulation_state.h"
 #include "engine/stepper.h"
 
@@ -20,6 +21,7 @@ struct SimulationState::Data {
   long steps = 0;
   std::vector<BodyRecord> bodies;
   StepperState stepper;
+  RigState rig;
 };
 
 }  // namespace engine

@@ -12,6 +12,8 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
     if (bodies[i].body.movable) movable_.push_back(static_cast<BodyId>(i));
   for (const Pair& pair : context_.world.joints())
     if (!is_reduced(pair.first) && !is_reduced(pair.second)) joints_.push_back(pair);
+  const std::vector<Pair>& lines = context_.rig.couplings();
+  joints_.insert(joints_.end(), lines.begin(), lines.end());
   limiter_of_.resize(bodies.size());
   std::vector<Pair> pairs = joints_;
   for (const BodyId id : movable_) pairs.emplace_back(kWorld, id);  // so that no body is left out
@@ -75,6 +77,7 @@ std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {
   // A body on a reduced joint is in a group only where something is near.
   for (const Pair& pair : context_.world.joints())
     if (Group* group = home_of(pair)) group->joints.push_back(pair);
+  for (const Pair& pair : context_.rig.couplings()) home_of(pair)->joints.push_back(pair);
   for (const Pair& pair : near) home_of(pair)->near.push_back(pair);
   return groups;
 }

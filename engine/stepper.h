@@ -40,7 +40,7 @@ class Stepper {
  private:
   /// Pairs that may touch in the next step, ascending.
   std::vector<Pair> near_pairs();
-  /// Groups of bodies that joints of ODE's or nearness connect.
+  /// Groups of bodies that joints of ODE's, lines or nearness connect.
   std::vector<Group> find_groups(const std::vector<Pair>& near) const;
   std::vector<EnergyLimiter*> limiters_of(const Group& group);
   /// Movable bodies that are in no group.
@@ -49,7 +49,7 @@ class Stepper {
   StepContext context_;
   double step_;
   std::vector<BodyId> movable_;  ///< Ascending.
-  std::vector<Pair> joints_;     ///< That ODE solves.
+  std::vector<Pair> joints_;     ///< That ODE solves, and couplings by lines.
   std::vector<EnergyLimiter> limiters_;
   std::vector<std::size_t> limiter_of_;  ///< Per body.
   std::vector<GroupStepper> alone_;      ///< Per body, as a group of one.

@@ -14,6 +14,8 @@ namespace {
 /// Drifts a free body to the middle of the substep, from its corrected state (E9).
 void begin_free(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
+  if (b.halfway.constrained) b.halfway.accelerations.clear();
+  b.halfway.constrained = false;
   b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
   b.correction = find_correction(b.body(), b.halfway, h);
   if (b.correction) correct(b.body(), *b.correction, 1, b.halfway);
@@ -35,8 +37,23 @@ void begin_constrained(SubstepBody& b, double h) {
                              b.halfway.accelerations.expected(h / 2));
 }
 
+/// The load of the rows of an island on a body: moment about the centre of mass, in W.
+Vector6d row_load(const Island& island, const SubstepBody& b) {
+  Vector6d load = Vector6d::Zero();
+  for (const ForceRow& row : island.rows) {
+    if (row.first != b.id && row.second != b.id) continue;
+    const Eigen::Vector3d push = (row.second == b.id ? row.force : -row.force) * row.direction_W;
+    if (row.turns)
+      load.tail<3>() += push;
+    else
+      load += to_vector6(push, (row.point_W - b.halfway.state.position).cross(push));
+  }
+  return load;
+}
+
 /// The second half of the substep, with the added mass of its end.
-void finish(SubstepBody& b, bool constrained, double h) {
+void finish(const Island& island, SubstepBody& b, double h) {
+  const bool constrained = island.constrained;
   const VelocityUpdate& update = b.update;
   const Eigen::Matrix3d R_BW = b.midpoint.R_WB.transpose();
   Motion& end = b.end = b.halfway;
@@ -55,22 +72,33 @@ void finish(SubstepBody& b, bool constrained, double h) {
   advance_memory(b.body(), b.midpoint, update.change, b.moving->cache.memory_rule, end);
   if (end.work) {
     const Vector6d reaction = rotate(b.midpoint.R_WB, b.reaction_B);
+    const Vector6d rows = row_load(island, b);
     record_update(*b.moving, b.midpoint,
                   {.change = update.change,
                    .h = h,
                    .implicit = update.implicit,
-                   .reaction = constrained ? &reaction : nullptr},
+                   .reaction = constrained ? &reaction : nullptr,
+                   .rows = island.rows.empty() ? nullptr : &rows},
                   end);
   }
   drift(b.body(), end, h / 2);
   check_state(*b.moving, end.state);
 }
 
+/// Velocity, in W, at which reactions do their work over the substep.
+Vector6d working_velocity(const SubstepBody& b) {
+  return b.midpoint.after + b.update.change / 2 + to_vector6(b.end.flow, Eigen::Vector3d::Zero());
+}
+
 /// Work of the reactions on a body over the substep [J].
 double reaction_work(const SubstepBody& b, double h) {
-  const Vector6d u =
-      b.midpoint.after + b.update.change / 2 + to_vector6(b.end.flow, Eigen::Vector3d::Zero());
-  return h * rotate(b.midpoint.R_WB, b.reaction_B).dot(u);
+  return h * rotate(b.midpoint.R_WB, b.reaction_B).dot(working_velocity(b));
+}
+
+/// Work of the rows of an island on a body over the substep [J].
+double row_work(const Island& island, const SubstepBody& b, double h) {
+  if (island.rows.empty()) return 0;
+  return h * row_load(island, b).dot(working_velocity(b));
 }
 
 /// True if the update changes the motion by much more or less than extrapolation predicts.
@@ -110,12 +138,14 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
 
 /// Counts the substep, tells whether it is to be judged, takes the correction back, and lets water
 /// run. @param time   At the end of the substep [s].
-void conclude(SubstepBody& b, bool constrained, double time, double h) {
+void conclude(const Island& island, SubstepBody& b, double time, double h) {
+  const bool constrained = island.constrained;
   Counts& counts = b.moving->counts;
   counts.implicit += b.update.implicit;
   counts.constrained += constrained;
   ++counts.substeps;
   if (constrained) b.reaction_work = reaction_work(b, h);
+  b.row_work = constrained ? row_work(island, b, h) : 0;
   b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
                          : is_abrupt(b, h);
   if (b.correction) {
@@ -140,6 +170,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
     constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);
     if (b->body().has_added_mass) b->added_B = expected_added_mass(b->body(), b->moving->motion, h);
   }
+  context.rig.find_loads(context, island, time + h / 2, h);
   // Updates are repeated until the added mass that they are taken with is that of the final pose.
   const int most = constrained ? kMostConstrainedPasses : kMostFreePasses;
   auto match = AddedMassMatch::distant;
@@ -150,20 +181,23 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
                                   projects ? mobility(b->body(), b->halfway.state) : Mobility{});
       b->midpoint.memory =
           memory_effect(b->body(), b->midpoint, time + h / 2, h, b->moving->cache.memory_rule);
+      b->midpoint.rig_inertia = b->rig_inertia;
     }
-    SubstepBody& first = *island.bodies.front();
-    if (constrained)
+    if (constrained) {
+      context.rig.find_rows(context, island, time + h / 2, h);
       constrained_update(context, island, time + h / 2, h);
-    else if (pass == 1)
-      first.update = free_update(*first.moving, first.midpoint, time + h / 2, h);
-    else
-      first.update =
-          resolve_with_inertia(*first.moving, first.midpoint, first.update, time + h / 2, h);
-    for (SubstepBody* b : island.bodies) finish(*b, constrained, h);
+      context.rig.find_reactions(context, island);
+    } else {
+      for (SubstepBody* b : island.bodies)
+        b->update = pass == 1
+                        ? free_update(*b->moving, b->midpoint, time + h / 2, h)
+                        : resolve_with_inertia(*b->moving, b->midpoint, b->update, time + h / 2, h);
+    }
+    for (SubstepBody* b : island.bodies) finish(island, *b, h);
     if (match == AddedMassMatch::near) break;
     match = match_added_mass(island, time + h, pass == most);
   }
-  for (SubstepBody* b : island.bodies) conclude(*b, constrained, time + h, h);
+  for (SubstepBody* b : island.bodies) conclude(island, *b, time + h, h);
 }
 
 }  // namespace engine

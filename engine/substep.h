@@ -4,15 +4,17 @@
 
 #include "engine/parallel_for.h"
 #include "engine/processing_correction.h"
+#include "engine/rig.h"
 #include "engine/velocity_update.h"
 #include "engine/world.h"
 
 /// @file
 /// One substep of an island: half a drift, an update of the velocities, half a drift.
 ///
-/// An island is a free body, or the bodies that joints and contacts connect in this substep. Free
-/// bodies solve S Δu = h F alone, with locks and a reduced joint as projections (E5, E6); the
-/// others solve S Δu = h (F + R) with the reactions R of joints and contacts (E7). In both, the
+/// An island is a free body, or the bodies that joints, contacts and lines connect in this substep.
+/// Bodies that loads of lines alone connect, and free ones, solve S Δu = h F each for itself, with
+/// locks and a reduced joint as projections (E5, E6); the others solve S Δu = h (F + R) with the
+/// reactions R of joints, contacts and rows (E7). In both, the
 /// added mass at the end is extrapolated, used, found, and the update repeated until it agrees.
 
 namespace engine {
@@ -20,6 +22,7 @@ namespace engine {
 /// What all substeps of a simulation have in common.
 struct StepContext {
   World& world;
+  Rig& rig;
   std::vector<MovingBody>& bodies;
   double gravity = 0;  ///< [m/s^2]
   ParallelFor parallel_for;
@@ -36,6 +39,7 @@ struct SubstepBody {
   hydro::BodyState start;  ///< State that is moved on, with its correction (E9).
   std::optional<ProcessingCorrection> correction;  ///< Of a free body.
   Motion halfway;                                  ///< After half a drift, before the update.
+  std::optional<Matrix6d> rig_inertia;             ///< What (E24) adds to S, in W.
   Matrix6d added_B = Matrix6d::Zero();             ///< A at the end that the update is taken with.
   MidpointState midpoint;                          ///< Of `halfway`.
   VelocityUpdate update;                           ///< By loads and reactions.
@@ -44,6 +48,7 @@ struct SubstepBody {
   std::optional<Eigen::Vector3d> load_acceleration_W;  ///< As that of Motion.
   Motion end;                                          ///< The result.
   double reaction_work = 0;                            ///< Work of R over the substep [J].
+  double row_work = 0;                                 ///< That of rows, a part of it [J].
   bool abrupt = false;  ///< Loads changed by much on the way: the substep is to be judged.
 
   const Body& body() const { return moving->body; }
@@ -52,7 +57,9 @@ struct SubstepBody {
 struct Island {
   std::vector<SubstepBody*> bodies;  ///< Ascending ids.
   std::vector<Contact> contacts;
-  bool constrained = true;  ///< False: one body, without joints that ODE solves and contacts.
+  std::vector<ForceRow> rows;            ///< Of lines and drives.
+  std::vector<JointReaction> reactions;  ///< Of joints.
+  bool constrained = true;  ///< False: there are no joints that ODE solves, contacts and rows.
 };
 
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.

@@ -29,21 +29,25 @@ struct UpdateContext {
   Vector6d loads(const Vector6d& relative) const {
     return to_vector6(find_loads(moving, at(relative), time));
   }
-  /// S, with what the memory of waves adds.
+  /// S, with what the memory of waves and stiff lines add.
   Matrix6d S() const {
-    const Matrix6d S = inertia_W(body, midpoint);
-    return midpoint.memory ? Matrix6d(S + midpoint.memory->inertia) : S;
+    Matrix6d S = inertia_W(body, midpoint);
+    if (midpoint.memory) S += midpoint.memory->inertia;
+    if (midpoint.rig_inertia) S += *midpoint.rig_inertia;
+    return S;
   }
+  /// True if S is more than M.
+  bool has_more_inertia() const { return body.has_added_mass || midpoint.rig_inertia; }
   /// The load F with that of the memory.
   Vector6d with_memory(const Vector6d& F) const {
     return midpoint.memory ? Vector6d(F + midpoint.memory->load) : F;
   }
   double least_mass() const {
-    return body.has_added_mass ? S().diagonal().head<3>().minCoeff() : body.spec->mass;
+    return has_more_inertia() ? S().diagonal().head<3>().minCoeff() : body.spec->mass;
   }
   /// v·S v
   double square(const Vector6d& v) const {
-    if (body.has_added_mass) return v.dot(S() * v);
+    if (has_more_inertia()) return v.dot(S() * v);
     const Eigen::Vector3d spin_B = midpoint.R_WB.transpose() * v.tail<3>();
     return body.spec->mass * v.head<3>().squaredNorm() + spin_B.dot(body.spec->inertia_B * spin_B);
   }
@@ -52,7 +56,7 @@ struct UpdateContext {
   }
   /// S⁻¹ rhs in the free velocities.
   Vector6d accelerated(const Vector6d& rhs) const {
-    if (body.has_added_mass || body.locked || body.reduced_joint) return solve(S(), rhs);
+    if (has_more_inertia() || body.locked || body.reduced_joint) return solve(S(), rhs);
     const Eigen::Matrix3d& R_WB = midpoint.R_WB;
     return to_vector6(rhs.head<3>() / body.spec->mass,
                       R_WB * (body.inverse_inertia_B * (R_WB.transpose() * rhs.tail<3>())));
@@ -218,7 +222,7 @@ VelocityUpdate repeated_update(const UpdateContext& s) {
   VelocityUpdate first{.load = s.loads(s.u)};
   first.change = s.accelerated(s.h * s.with_memory(first.load));
   first.unpredicted = true;
-  const bool in_fluid = s.water().wetted_area > 0 || s.body.feels_air;
+  const bool in_fluid = s.water().wetted_area > 0 || s.body.feels_air || s.moving.machines;
   if (!in_fluid && !s.body.reduced_joint && !s.moving.inputs.pull) return first;
   VelocityUpdate update = explicit_update(s, first.change);
   update.unpredicted = true;
@@ -266,7 +270,7 @@ VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, do
                            double h) {
   const Body& body = moving.body;
   if (!body.wet && !body.has_added_mass && !body.locked && !body.reduced_joint &&
-      !moving.inputs.pull)
+      !moving.inputs.pull && !midpoint.rig_inertia && !moving.machines)
     return {.change = dry_change(moving, midpoint, time, h)};
   const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   const AccelerationHistory& history = midpoint.motion->accelerations;

@@ -27,6 +27,8 @@
 /// body: stable and without loss for any h ω. (E5) is taken where ζ < kStiffDrag and (h ω)² <
 /// kStiffWaterplane.
 ///
+/// Lines that are stiff add ¼h² K + ½h C to S in all forms (E24, rig.h).
+///
 /// The memory of waves (wave_memory.h) takes part in both forms, and under constraints: it adds
 /// ¼h² C to S and f to F, so that it is implicit whatever the loads are.
 ///
@@ -43,6 +45,7 @@ struct MidpointState {
   Vector6d before;                     ///< u in W, relative to the water.
   Vector6d after;                      ///< u⁺ of (E4) without loads, in W, relative to the water.
   std::optional<MemoryEffect> memory;  ///< (E19)
+  std::optional<Matrix6d> rig_inertia;  ///< What (E24) adds to S, in W.
 
   Vector6d mean() const { return (before + after) / 2; }
 };

@@ -54,6 +54,8 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   add(loads.water.interior, works.interior);
   for (const hydro::Wrench& load : loads.applied) add(load, works.applied);
   add(loads.weight, works.weight);
+  add(loads.lines, works.lines);
+  add(loads.machines, works.machines);
   return sum;
 }
 
@@ -84,8 +86,20 @@ void record_update(const MovingBody& moving, const MidpointState& midpoint,
     record.works.radiation += memory.dot(w);
     rest -= memory;
   }
+  if (midpoint.rig_inertia) {
+    const Vector6d less = *midpoint.rig_inertia * update.change;
+    record.works.lines -= less.dot(w);
+    rest += less;
+  }
   if (update.reaction) {
-    const Vector6d reaction = update.h * *update.reaction;
+    Vector6d reaction = update.h * *update.reaction;
+    if (update.rows) {
+      const Vector6d rows = update.h * *update.rows;
+      record.row_impulse += rows;
+      record.works.lines += rows.dot(w);
+      rest -= rows;
+      reaction -= rows;
+    }
     record.constraint_impulse += reaction;
     record.works.constraint += reaction.dot(w);
     rest -= reaction;
@@ -157,7 +171,8 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
   record.works.constraint += rest.dot(w);
 }
 
-BodyForces forces_on(const MovingBody& moving, double time, double step) {
+BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, double time,
+                     double step) {
   const Body& body = moving.body;
   const Motion& motion = moving.motion;
   const hydro::BodyState& state = motion.state;
@@ -165,13 +180,16 @@ BodyForces forces_on(const MovingBody& moving, double time, double step) {
   BodyForces forces{.works = record.works};
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
   forces.radiation = to_wrench(memory_load(body, motion, time));
+  forces.lines = lines + to_wrench(record.row_impulse / step);
+  if (moving.machines) forces.machines = moving.machines->load(moving.id, state, time);
   forces.weight.force.z() = -body.spec->mass * body.environment.gravity;
   if (body.feels_air || holds_water(motion) || may_be_wet(body, state))
     forces.water = water_loads(body, motion, state, time);
   forces.added_mass = to_wrench(record.added_impulse / step);
   forces.constraint = to_wrench(record.constraint_impulse / step);
   if (!body.movable)
-    forces.constraint = -1.0 * (forces.weight + forces.applied + forces.water.total());
+    forces.constraint = -1.0 * (forces.weight + forces.applied + forces.water.total() +
+                                forces.lines + forces.machines);
   forces.kinetic_energy = own_kinetic_energy(body, motion);
   forces.added_kinetic_energy = added_kinetic_energy(body, motion);
   forces.potential_energy =

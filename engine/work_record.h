@@ -19,16 +19,19 @@ struct WorkRecord {
   double added_energy_at_start = 0;                ///< E_A [J]
   Vector6d added_impulse = Vector6d::Zero();       ///< In this step, in W [N s, N m s].
   Vector6d constraint_impulse = Vector6d::Zero();  ///< In this step, in W [N s, N m s].
+  Vector6d row_impulse = Vector6d::Zero();         ///< Of rows, in this step, in W [N s, N m s].
 
-  void start_step() { added_impulse = constraint_impulse = Vector6d::Zero(); }
+  void start_step() { added_impulse = constraint_impulse = row_impulse = Vector6d::Zero(); }
 };
 
 /// How an update changed the velocity.
 struct UpdateRecord {
-  Vector6d change;                     ///< Δu, in W.
-  double h = 0;                        ///< Length of the substep [s].
-  bool implicit = false;               ///< By (E6).
-  const Vector6d* reaction = nullptr;  ///< Of joints and contacts, in W; null: there are none.
+  Vector6d change;        ///< Δu, in W.
+  double h = 0;           ///< Length of the substep [s].
+  bool implicit = false;  ///< By (E6).
+  /// Of joints, contacts and rows, in W; null: there are none.
+  const Vector6d* reaction = nullptr;
+  const Vector6d* rows = nullptr;  ///< Part of it that is of rows; null: there are none.
 };
 
 // Each of these adds an event to the record of the motion `after` it, which must have one.
@@ -47,7 +50,9 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
                      Motion& after);
 
 /// The forces on a body that has a record. @param step   Length of the last step [s].
-BodyForces forces_on(const MovingBody& moving, double time, double step);
+/// @param lines   Load of lines and drives in the present state, without rows.
+BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, double time,
+                     double step);
 
 /// E_A [J]
 double added_kinetic_energy(const Body& body, const Motion& motion);

@@ -8,6 +8,7 @@
 #include "engine/broad_phase.h"
 #include "engine/contacts.h"
 #include "engine/island_solver.h"
+#include "engine/joint_reaction.h"
 #include "engine/ode_handles.h"
 #include "engine/spec.h"
 
@@ -17,8 +18,8 @@ namespace engine {
 ///
 /// Bodies are added first, then joints and ground. The world takes steps of its own: apply loads,
 /// collide, advance. After only_constrain() it solves joints and contacts alone: collide the bodies
-/// of a group, then ask for the constrained_velocities of its islands. Several threads may do so.
-/// Every call may throw OdeFault; after one out of `advance` or `constrained_velocities` the world
+/// of a group, then ask for the constrained_motion of its islands. Several threads may do so.
+/// Every call may throw OdeFault; after one out of `advance` or `constrained_motion` the world
 /// can only be destroyed.
 class World {
  public:
@@ -80,12 +81,16 @@ class World {
   /// Wall time of the last two functions so far [s].
   double collision_seconds() const { return collision_seconds_; }
 
-  /// The velocities in W that the bodies of an island have after `step` [s] under their loads,
-  /// joints, locks and these contacts. Nothing moves.
+  /// What joints and rows do to the bodies of an island.
+  struct ConstrainedMotion : IslandSolution {
+    std::vector<JointReaction> reactions;  ///< Of the joints of these bodies.
+  };
+  /// The motion that the bodies of an island have after `step` [s] under their loads, joints,
+  /// locks, these contacts and rows. Nothing moves.
   /// @param bodies   Ascending.
-  std::vector<hydro::Twist> constrained_velocities(const std::vector<SolverBody>& bodies,
-                                                   const std::vector<Contact>& contacts,
-                                                   double step);
+  ConstrainedMotion constrained_motion(const std::vector<SolverBody>& bodies,
+                                       const std::vector<Contact>& contacts,
+                                       const std::vector<ForceRow>& rows, double step);
 
   /// Pairs of bodies and kWorld that joints connect, of which one at least can move.
   const std::vector<Pair>& joints() const { return joints_; }
@@ -108,11 +113,17 @@ class World {
     hydro::Wrench load;  ///< For the next advance.
     Inertia inertia;
   };
+  struct Joint {
+    std::size_t index;  ///< In the specification.
+    BodyId first, second;
+    std::unique_ptr<OdeFeedback> feedback;
+  };
   struct CollisionMesh {
     hydro::TriMesh mesh;  ///< ODE reads these arrays for as long as it collides them.
     TriMeshDataHandle data;
   };
 
+  JointReaction reaction_of(const Joint& joint) const;
   void soften_joints(const BodySpec& spec);
   dxBody* create_body(const BodySpec& spec);
   void add_shape(Body& body, const BodySpec& spec);
@@ -148,6 +159,8 @@ class World {
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Pairs of bodies, ascending.
   std::vector<Pair> joints_;
+  std::vector<Joint> reacting_;  ///< Joints of which one body at least can move.
+  std::size_t joint_count_ = 0;
   dxGeom* ground_ = nullptr;
 };
 

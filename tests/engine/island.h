@@ -10,6 +10,7 @@ struct IslandOfAll {
   explicit IslandOfAll(engine::SimulationSpec description, bool constrained = true)
       : spec(std::move(description)),
         world(spec.gravity),
+        rig(spec),
         bodies(moving_bodies(spec)),
         members(bodies.size()) {
     for (const engine::BodySpec& body : spec.bodies) world.add_body(body);
@@ -37,9 +38,11 @@ struct IslandOfAll {
 
   engine::SimulationSpec spec;
   engine::World world;
+  engine::Rig rig;
   std::vector<engine::MovingBody> bodies;
   engine::StepContext context{
       .world = world,
+      .rig = rig,
       .bodies = bodies,
       .gravity = spec.gravity,
       .parallel_for = [](std::size_t n, const std::function<void(std::size_t)>& f) {

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/broad_phase.h"
+#include "engine/joint_drive.h"
+#include "engine/joint_reaction.h"
+#include "engine/line_pull.h"
+#include "engine/machines.h"
+#include "engine/rig_readings.h"
+#include "engine/set_points.h"
+
+/// @file
+/// The rig: lines, drives of joints, machines and set points, and how they act on bodies.
+///
+/// A line or drive acts in one of three ways, the same in every substep of a run but for the
+/// second:
+///
+/// 1. As a load of the pose halfway and of the velocities expected there. Both ends have the same
+///    force, found once.
+/// 2. Where springs and moorings from one body to what cannot move are stiff, by the implicit
+///    midpoint rule: with F of the pose halfway and of the velocity before the update,
+///
+///        (S + ¼h² K + ½h C) Δu = h F,                                                      (E24)
+///
+///    K and C their stiffness and damping.
+/// 3. As a row of the constraint solver (force_row.h): ropes and springs between moving bodies that
+///    are stiff, and all of a drive that holds or stops.
+///
+/// Stiff means that the sum of h² k + 2 h c over all that acts so on a body exceeds kStiffLine of
+/// the mass that they move, in the most mobile direction.
+
+namespace engine {
+
+struct Island;
+struct StepContext;
+struct SubstepBody;
+
+/// The changing side of a line: a part of the state of a simulation.
+struct LineState {
+  double length = 0;  ///< L at the end of the last step [m].
+  bool broken = false;
+  double impulse = 0;                              ///< Of its row in the last step [N s].
+  Eigen::Vector2d pull = Eigen::Vector2d::Zero();  ///< (H, V) of a mooring, found last [N].
+};
+
+/// The changing side of a joint.
+struct JointState {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< Impulse on the second body, W [N s].
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< The same about the anchor [N m s].
+  double effort = 0;                                 ///< Impulse along q [N m s, N s].
+};
+
+struct RigState {
+  std::vector<LineState> lines;
+  std::vector<JointState> joints;
+  std::vector<double> turns;  ///< Of the propellers' shafts since the start [rad].
+  std::vector<SetPointState> set_points;
+};
+
+class Rig {
+ public:
+  /// @param spec   It must outlive this. @throws std::invalid_argument for what makes no sense.
+  explicit Rig(const SimulationSpec& spec);
+
+  bool empty() const;
+
+  // What the stepping must know beforehand.
+
+  /// Pairs of movable bodies that lines connect, and of a body and what cannot move that a row
+  /// connects. Ascending.
+  const std::vector<Pair>& couplings() const { return couplings_; }
+  /// True if lines or drives act on the body.
+  bool acts_on(BodyId body) const { return acts_on_[body]; }
+  /// True if a row acts on the body, so that the constraint solver moves it.
+  bool constrains(BodyId body) const { return constrains_[body]; }
+
+  // During a substep.
+
+  /// Sets the loads and the implicit terms of lines and drives of an island whose bodies are
+  /// halfway. @param time   Halfway [s].
+  void find_loads(const StepContext& context, Island& island, double time, double h);
+  /// Sets the rows of the island, whose midpoints are made.
+  void find_rows(const StepContext& context, Island& island, double time, double h);
+  /// Sets the places of the joints whose reactions the solver has found.
+  void find_reactions(const StepContext& context, Island& island) const;
+  /// What the solver has found in accepted substeps of a group, as impulses.
+  struct Record {
+    std::vector<ForceRow> rows;
+    std::vector<JointReaction> reactions;
+  };
+  /// Adds that of an island in a substep.
+  static void add(const Island& island, double h, Record& record);
+  /// Adds that of a group in a part of a step. Several threads may do so for different groups.
+  void accept(const Record& record);
+
+  // Once a step.
+
+  /// Gives set points their values, and starts the records of the step.
+  void begin_step(const std::vector<hydro::BodyState>& states, double time, double h);
+  /// @return the lines that have broken in the step
+  std::vector<std::size_t> end_step(const std::vector<hydro::BodyState>& states, double time,
+                                    double h);
+
+  /// Loads of lines and drives that are no rows, per body: moments about the centre of mass, in W.
+  std::vector<hydro::Wrench> loads_now(const std::vector<hydro::BodyState>& states,
+                                       double time) const;
+  RigReadings readings(const std::vector<hydro::BodyState>& states, double time, double h) const;
+
+  SetPoints& set_points() { return *set_points_; }
+  const SetPoints& set_points() const { return *set_points_; }
+  const Machines& machines() const { return *machines_; }
+
+  RigState state() const;
+  bool fits(const RigState& state) const;
+  void restore(const RigState& state, double time, double h);
+
+ private:
+  struct End;  ///< An end of a line in a substep.
+  /// What acts on a body, each of it listed with the first body that can move.
+  struct Parts {
+    std::vector<std::size_t> lines;     ///< Loads between moving bodies.
+    std::vector<std::size_t> to_world;  ///< Loads from what cannot move.
+    std::vector<std::size_t> rows;      ///< Lines that are rows.
+    std::vector<std::size_t> drives;    ///< Joints with a drive.
+  };
+  struct Drive {
+    JointCoordinate coordinate;
+    bool has_coordinate = false;
+    bool stiff = false;  ///< Spring and damper are rows.
+    bool rows = false;   ///< A part of it is.
+  };
+
+  bool movable(BodyId body) const;
+  BodyId first_movable(BodyId first, BodyId second) const;
+  double mobility(BodyId body, const Eigen::Vector3d& r_B) const;
+  std::vector<double> stiffness_of_bodies() const;
+  void sort_line(std::size_t line, const std::vector<double>& stiffness);
+  void sort_joint(std::size_t joint, const std::vector<double>& stiffness);
+  void couple(BodyId first, BodyId second, bool by_row);
+
+  LineLength length_at(std::size_t line, double time) const;
+  LineEnd end_now(const AttachmentPoint& point, const std::vector<hydro::BodyState>& states) const;
+  LinePull pull_now(std::size_t line, const std::vector<hydro::BodyState>& states,
+                    double time) const;
+  double tension_now(std::size_t line, const LinePull& pull, double h) const;
+  JointBodies joint_bodies(std::size_t joint, const std::vector<hydro::BodyState>& states) const;
+  double measure(const Measurement& of, const std::vector<hydro::BodyState>& states, double time,
+                 double h) const;
+  LineReading line_reading(std::size_t line, const std::vector<hydro::BodyState>& states,
+                           double time, double h) const;
+  JointReading joint_reading(std::size_t joint, const std::vector<hydro::BodyState>& states,
+                             double time, double h) const;
+
+  End end_of(const StepContext& context, Island& island, const AttachmentPoint& point, double h,
+             bool expected) const;
+  LinePull pull_of_line(std::size_t line, const End& first, const End& second, double time);
+  void add_line(const StepContext& context, Island& island, std::size_t line, double time,
+                double h);
+  void add_lines_to_world(const StepContext& context, Island& island, SubstepBody& body,
+                          double time, double h);
+  void add_line_row(const StepContext& context, Island& island, std::size_t line, double time,
+                    double h);
+  void add_drive_load(const StepContext& context, Island& island, std::size_t joint, double time);
+  void add_drive_rows(const StepContext& context, Island& island, std::size_t joint, double time,
+                      double h);
+
+  const SimulationSpec* spec_;
+  const hydro::Sea* sea_ = nullptr;
+  std::unique_ptr<SetPoints> set_points_;
+  std::unique_ptr<Machines> machines_;
+  std::vector<LineState> lines_;
+  std::vector<JointState> joints_;
+  std::vector<double> turns_;
+  std::vector<Drive> drives_;  ///< Per joint.
+  std::vector<bool> is_row_;   ///< Per line.
+  std::vector<Parts> parts_;   ///< Per body.
+  std::vector<bool> acts_on_, constrains_;
+  std::vector<Pair> couplings_;
+  double step_start_ = 0;  ///< [s]
+};
+
+}  // namespace engine

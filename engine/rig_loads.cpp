@@ -1,0 +1,276 @@
+#include <algorithm>
+
+#include "engine/constants.h"
+#include "engine/rig.h"
+#include "engine/substep.h"
+#include "hydro/decompositions.h"
+
+namespace engine {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The body of an island; null if it is not in it.
+SubstepBody* find(Island& island, BodyId id) {
+  const auto place = std::lower_bound(island.bodies.begin(), island.bodies.end(), id,
+                                      [](const SubstepBody* b, BodyId i) { return b->id < i; });
+  return place != island.bodies.end() && (*place)->id == id ? *place : nullptr;
+}
+
+/// Δu of the update that is to come, as the last substeps let expect it.
+Vector6d expected_change(const SubstepBody& b, bool constrained, double h) {
+  if (constrained) return b.predicted;
+  return h * rotate(b.halfway.state.orientation.toRotationMatrix(),
+                    b.halfway.accelerations.expected(h / 2));
+}
+
+/// Adds a force at the point r from the centre of mass.
+void add_force(hydro::Wrench& load, const Vector3d& force, const Vector3d& r) {
+  load.force += force;
+  load.moment += r.cross(force);
+}
+
+/// u·S⁻¹u for the direction of a unit force at r, or of a unit torque.
+double mobility_along(const SubstepBody* b, const ForceRow& row) {
+  if (!b) return 0;
+  const Vector3d r = row.point_W - b->halfway.state.position;
+  const Vector6d J = row.turns ? to_vector6(Vector3d::Zero(), row.direction_W)
+                               : to_vector6(row.direction_W, r.cross(row.direction_W));
+  return J.dot(hydro::Cholesky6(inertia_W(b->body(), b->midpoint)).solve(J));
+}
+
+const hydro::BodyState* state_in(const StepContext& context, Island& island, BodyId id) {
+  if (id == kWorld) return nullptr;
+  const SubstepBody* b = find(island, id);
+  return b ? &b->halfway.state : &context.bodies[id].motion.state;
+}
+
+}  // namespace
+
+struct Rig::End {
+  SubstepBody* body = nullptr;      ///< Null: it does not move.
+  Vector3d r_W = Vector3d::Zero();  ///< From the centre of mass.
+  LineEnd point;
+};
+
+Rig::End Rig::end_of(const StepContext& context, Island& island, const AttachmentPoint& point,
+                     double h, bool expected) const {
+  if (point.body == kWorld) return {.body = nullptr, .point = {.place_W = point.at}};
+  End end{.body = movable(point.body) ? find(island, point.body) : nullptr};
+  const hydro::BodyState& state = *state_in(context, island, point.body);
+  end.r_W = state.orientation * point.at;
+  end.point.velocity_W = state.linear_velocity + state.angular_velocity.cross(end.r_W);
+  if (end.body && expected) {
+    const Vector6d change = expected_change(*end.body, island.constrained, h);
+    const Vector3d moved = change.head<3>() + change.tail<3>().cross(end.r_W);
+    end.point.velocity_W += moved / 2;
+    const Vector3d shift = h / 12 * moved;
+    if (!island.constrained && shift.norm() <= kLargestShift * end.body->body().radius)
+      end.r_W += shift;
+  }
+  end.point.place_W = state.position + end.r_W;
+  return end;
+}
+
+LinePull Rig::pull_of_line(std::size_t index, const End& first, const End& second, double time) {
+  LineState& state = lines_[index];
+  const LinePull pull = pull_of(spec_->lines[index], length_at(index, time), first.point,
+                                second.point, sea_, time, state.pull);
+  if (pull.catenary) state.pull = {pull.catenary->horizontal, pull.catenary->vertical};
+  return pull;
+}
+
+void Rig::add_line(const StepContext& context, Island& island, std::size_t index, double time,
+                   double h) {
+  if (lines_[index].broken) return;
+  const LineSpec& line = spec_->lines[index];
+  const End first = end_of(context, island, line.first, h, true);
+  const End second = end_of(context, island, line.second, h, true);
+  const LinePull pull = pull_of_line(index, first, second, time);
+  if (first.body) add_force(first.body->moving->rig_load, pull.force_W, first.r_W);
+  if (second.body) add_force(second.body->moving->rig_load, -pull.force_W, second.r_W);
+}
+
+void Rig::add_lines_to_world(const StepContext& context, Island& island, SubstepBody& b,
+                             double time, double h) {
+  const std::vector<std::size_t>& lines = parts_[b.id].to_world;
+  if (lines.empty()) return;
+  // The force on the body is that on the first end, or its opposite.
+  const auto add_all = [&](bool expected, hydro::Wrench& load, Matrix6d* implicit) {
+    double stiffness = 0;
+    for (const std::size_t index : lines) {
+      if (lines_[index].broken) continue;
+      const LineSpec& line = spec_->lines[index];
+      const bool is_first = line.first.body == b.id;
+      const End first = end_of(context, island, line.first, h, expected);
+      const End second = end_of(context, island, line.second, h, expected);
+      const LinePull pull = pull_of_line(index, first, second, time);
+      const Vector3d& r = is_first ? first.r_W : second.r_W;
+      add_force(load, is_first ? pull.force_W : Vector3d(-pull.force_W), r);
+      const Eigen::Matrix3d X = h * h * pull.stiffness + 2 * h * pull.damping;
+      stiffness += X.trace() * mobility(b.id, is_first ? line.first.at : line.second.at);
+      if (!implicit) continue;
+      Eigen::Matrix<double, 3, 6> J;
+      J << Eigen::Matrix3d::Identity(), -cross_matrix(r);
+      *implicit += J.transpose() * (X / 4) * J;
+    }
+    return stiffness;
+  };
+  hydro::Wrench load;
+  if (add_all(true, load, nullptr) > kStiffLine) {
+    load = {};
+    b.rig_inertia = Matrix6d::Zero();
+    add_all(false, load, &*b.rig_inertia);
+  }
+  b.moving->rig_load += load;
+}
+
+void Rig::add_drive_load(const StepContext& context, Island& island, std::size_t index,
+                         double time) {
+  const JointSpec& joint = spec_->joints[index];
+  const Drive& drive = drives_[index];
+  const JointBodies bodies{state_in(context, island, joint.first),
+                           state_in(context, island, joint.second)};
+  const double effort = drive_load(joint.drive, *set_points_, time, drive.coordinate.value(bodies),
+                                   drive.coordinate.rate(bodies), drive.stiff);
+  if (effort == 0) return;
+  const Vector3d push = effort * drive.coordinate.axis_W(bodies);
+  const Vector3d place = drive.coordinate.place_W(bodies);
+  for (const auto& [id, sign] : {std::pair(joint.first, -1.0), std::pair(joint.second, 1.0)}) {
+    SubstepBody* b = movable(id) ? find(island, id) : nullptr;
+    if (!b) continue;
+    hydro::Wrench& load = b->moving->rig_load;
+    if (drive.coordinate.turns())
+      load.moment += sign * push;
+    else
+      add_force(load, sign * push, place - b->halfway.state.position);
+  }
+}
+
+void Rig::find_loads(const StepContext& context, Island& island, double time, double h) {
+  for (SubstepBody* b : island.bodies) {
+    b->moving->rig_load = {};
+    b->rig_inertia.reset();
+  }
+  for (SubstepBody* b : island.bodies) {
+    if (!acts_on_[b->id]) continue;
+    for (const std::size_t line : parts_[b->id].lines) add_line(context, island, line, time, h);
+    add_lines_to_world(context, island, *b, time, h);
+    for (const std::size_t joint : parts_[b->id].drives)
+      add_drive_load(context, island, joint, time);
+  }
+}
+
+void Rig::add_line_row(const StepContext& context, Island& island, std::size_t index, double time,
+                       double h) {
+  if (lines_[index].broken) return;
+  const LineSpec& line = spec_->lines[index];
+  const End first = end_of(context, island, line.first, h, false);
+  const End second = end_of(context, island, line.second, h, false);
+  const Vector3d way = first.point.place_W - second.point.place_W;
+  const double distance = way.norm();
+  const LineLength length = length_at(index, time);
+  if (distance == 0) return;
+  // The tension pulls the second body to the first: J u = −l'.
+  ForceRow row{.first = line.first.body,
+               .second = line.second.body,
+               .point_W = second.point.place_W,
+               .direction_W = way / distance,
+               .one_sided = line.kind == LineSpec::Kind::rope,
+               .owner = index};
+  const double rate = row.direction_W.dot(second.point.velocity_W - first.point.velocity_W);
+  // Beyond a slack rope's reach in the substep no row is needed.
+  const double stretch = distance - length.length;
+  if (row.one_sided && stretch <= 0) return;
+  const RowTerms terms =
+      row_terms({.stiffness = line.stiffness,
+                 .damping = line.damping,
+                 .missing = stretch,
+                 .rest_rate = -length.rate,
+                 .rate = rate,
+                 .mobility = mobility_along(first.body, row) + mobility_along(second.body, row)},
+                h);
+  row.target = terms.target;
+  row.compliance = terms.compliance;
+  island.rows.push_back(row);
+}
+
+void Rig::add_drive_rows(const StepContext& context, Island& island, std::size_t index, double time,
+                         double h) {
+  const JointSpec& joint = spec_->joints[index];
+  const Drive& drive = drives_[index];
+  if (!drive.rows) return;
+  const JointBodies bodies{state_in(context, island, joint.first),
+                           state_in(context, island, joint.second)};
+  const Vector3d axis = drive.coordinate.axis_W(bodies);
+  const Vector3d place = drive.coordinate.place_W(bodies);
+  const auto inverse_inertia = [&](BodyId id) {
+    const SubstepBody* b = movable(id) ? find(island, id) : nullptr;
+    if (!b) return 0.0;
+    const Vector3d r = place - b->halfway.state.position;
+    const Vector6d N = drive.coordinate.turns() ? to_vector6(axis.cross(-r), axis)
+                                                : to_vector6(axis, Vector3d::Zero());
+    return 1 / N.dot(inertia_W(b->body(), b->midpoint) * N);
+  };
+  const DriveState state{
+      .q = drive.coordinate.value(bodies),
+      .rate = drive.coordinate.rate(bodies),
+      .inertia = 1 / (inverse_inertia(joint.first) + inverse_inertia(joint.second)),
+      .stiff = drive.stiff};
+  for (ForceRow& row :
+       drive_rows(joint.drive, *set_points_, time, h, state, drive.coordinate.turns())) {
+    row.direction_W = row.sign * axis;
+    row.point_W = place;
+    row.first = joint.first;
+    row.second = joint.second;
+    row.owner = index;
+    island.rows.push_back(row);
+  }
+}
+
+void Rig::find_reactions(const StepContext& context, Island& island) const {
+  for (JointReaction& reaction : island.reactions) {
+    const JointSpec& joint = spec_->joints[reaction.joint];
+    reaction.place_W = drives_[reaction.joint].coordinate.place_W(
+        {state_in(context, island, joint.first), state_in(context, island, joint.second)});
+  }
+}
+
+void Rig::find_rows(const StepContext& context, Island& island, double time, double h) {
+  island.rows.clear();
+  for (SubstepBody* b : island.bodies) {
+    if (!constrains_[b->id]) continue;
+    for (const std::size_t line : parts_[b->id].rows) add_line_row(context, island, line, time, h);
+    for (const std::size_t joint : parts_[b->id].drives)
+      add_drive_rows(context, island, joint, time, h);
+  }
+}
+
+void Rig::add(const Island& island, double h, Record& record) {
+  for (ForceRow row : island.rows) {
+    row.force *= h;
+    record.rows.push_back(row);
+  }
+  for (JointReaction reaction : island.reactions) {
+    reaction.force_W *= h;
+    reaction.moment_W *= h;
+    record.reactions.push_back(reaction);
+  }
+}
+
+void Rig::accept(const Record& record) {
+  for (const ForceRow& row : record.rows) {
+    if (row.of_line)
+      lines_[row.owner].impulse += row.force;
+    else
+      joints_[row.owner].effort += row.sign * row.force;
+  }
+  for (const JointReaction& reaction : record.reactions) {
+    JointState& joint = joints_[reaction.joint];
+    const Vector3d arm = reaction.about_W - reaction.place_W;
+    joint.force += reaction.force_W;
+    joint.moment += reaction.moment_W + arm.cross(reaction.force_W);
+  }
+}
+
+}  // namespace engine
