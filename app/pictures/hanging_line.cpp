@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr double kNoGround = -std::numeric_limits<double>::infinity();
 
 /// Points of a catenary of each of two kinds: at equal lengths, and at equal turns of its slope,
 /// which lie close in a narrow bend.
@@ -32,10 +32,10 @@ double solve_sinh(double ratio) {
 /// z of a triangle's plane above a place inside it; −∞ outside.
 double height_on(const Vector3d& a, const Vector3d& b, const Vector3d& c, double x, double y) {
   const double area = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-  if (area == 0) return kNone;
+  if (area == 0) return kNoGround;
   const double v = ((x - a.x()) * (c - a).y() - (y - a.y()) * (c - a).x()) / area;
   const double w = ((b - a).x() * (y - a.y()) - (b - a).y() * (x - a.x())) / area;
-  if (v < 0 || w < 0 || v + w > 1) return kNone;
+  if (v < 0 || w < 0 || v + w > 1) return kNoGround;
   return a.z() + v * (b - a).z() + w * (c - a).z();
 }
 
@@ -78,7 +78,7 @@ Eigen::Matrix3Xd hanging_line(const Vector3d& from, const Vector3d& to, double l
   return points;
 }
 
-GroundHeight::GroundHeight(const engine::Ground& ground) : ground_(ground), highest_(kNone) {
+GroundHeight::GroundHeight(const engine::Ground& ground) : ground_(ground), highest_(kNoGround) {
   if (const auto* plane = std::get_if<engine::PlaneGround>(&ground)) highest_ = plane->z;
   if (const auto* mesh = std::get_if<engine::MeshGround>(&ground))
     highest_ = mesh->mesh_W.vertices.row(2).maxCoeff();
@@ -87,7 +87,7 @@ GroundHeight::GroundHeight(const engine::Ground& ground) : ground_(ground), high
 double GroundHeight::at(double x, double y) const {
   const auto* mesh = std::get_if<engine::MeshGround>(&ground_);
   if (!mesh) return highest_;
-  double height = kNone;
+  double height = kNoGround;
   for (Eigen::Index f = 0; f < mesh->mesh_W.face_count(); ++f) {
     const auto corner = [&](int i) -> Vector3d {
       return mesh->mesh_W.vertices.col(mesh->mesh_W.faces(i, f));

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
+constexpr double kOneDegree = M_PI / 180;
 
 /// Rows of one name, and the one that counts at a time.
 class Rows {
@@ -73,12 +73,12 @@ DrawnRig RigHistory::at(double time, const std::vector<hydro::BodyState>& states
     const Rows rows(machines_, log_name(spec_.propellers[i]));
     if (const auto row = rows.row_at(time))
       rig.propellers[i] = {.turn = turns_[i][*row],
-                           .azimuth = rows.number("angle_deg", *row) * kDegree};
+                           .azimuth = rows.number("angle_deg", *row) * kOneDegree};
   }
   for (std::size_t i = 0; i < spec_.foils.size(); ++i) {
     const Rows rows(machines_, log_name(spec_.foils[i]));
     if (const auto row = rows.row_at(time))
-      rig.foil_angles[i] = rows.number("angle_deg", *row) * kDegree;
+      rig.foil_angles[i] = rows.number("angle_deg", *row) * kOneDegree;
   }
   return rig;
 }

@@ -26,7 +26,7 @@ using Mesh = std::shared_ptr<const hydro::TriMesh>;
 
 Mesh shared(hydro::TriMesh mesh) { return std::make_shared<const hydro::TriMesh>(std::move(mesh)); }
 
-double size_of(const engine::BodySpec& body) {
+double extent_of(const engine::BodySpec& body) {
   return hydro::bounding_box(body.mesh_B).diagonal().norm();
 }
 
@@ -35,12 +35,12 @@ double least_size(const engine::SimulationSpec& spec, engine::BodyId a, engine::
   double size = std::numeric_limits<double>::infinity();
   for (const engine::BodyId body : {a, b})
     if (body != engine::kWorld)
-      size = std::min(size, size_of(spec.bodies[static_cast<std::size_t>(body)]));
+      size = std::min(size, extent_of(spec.bodies[static_cast<std::size_t>(body)]));
   return std::isfinite(size) && size > 0 ? size : 1;
 }
 
 /// The frame at `at` with x and z along two unit vectors that are normal to each other.
-Isometry3d frame(const Vector3d& at, const Vector3d& x, const Vector3d& z) {
+Isometry3d axes_at(const Vector3d& at, const Vector3d& x, const Vector3d& z) {
   Isometry3d pose = Isometry3d::Identity();
   pose.linear() << x, z.cross(x), z;
   pose.translation() = at;
@@ -48,14 +48,14 @@ Isometry3d frame(const Vector3d& at, const Vector3d& x, const Vector3d& z) {
 }
 
 /// The same with x alone given, or z.
-Isometry3d frame_of_x(const Vector3d& at, const Vector3d& x) {
-  return frame(at, x, x.unitOrthogonal());
+Isometry3d x_axis_at(const Vector3d& at, const Vector3d& x) {
+  return axes_at(at, x, x.unitOrthogonal());
 }
-Isometry3d frame_of_z(const Vector3d& at, const Vector3d& z) {
-  return frame(at, z.unitOrthogonal(), z);
+Isometry3d z_axis_at(const Vector3d& at, const Vector3d& z) {
+  return axes_at(at, z.unitOrthogonal(), z);
 }
 
-render::ScrewShape shape_of(const engine::PropellerSpec& propeller) {
+render::ScrewShape screw_of(const engine::PropellerSpec& propeller) {
   render::ScrewShape shape = {.diameter = propeller.screw.diameter,
                               .right_handed = propeller.right_handed};
   if (const auto* series = std::get_if<hydro::WageningenB>(&propeller.screw.model)) {
@@ -74,8 +74,8 @@ void add_machines(const engine::SimulationSpec& spec, std::vector<RigPart>& part
     parts.push_back({.kind = RigPart::Kind::propeller,
                      .index = i,
                      .body = p.body,
-                     .mesh_P = shared(render::screw_mesh(shape_of(p))),
-                     .X_BP = frame_of_x(p.at_B, p.axis_B),
+                     .mesh_P = shared(render::screw_mesh(screw_of(p))),
+                     .X_BP = x_axis_at(p.at_B, p.axis_B),
                      .color = kBronze});
   }
   for (std::size_t i = 0; i < spec.foils.size(); ++i) {
@@ -86,7 +86,7 @@ void add_machines(const engine::SimulationSpec& spec, std::vector<RigPart>& part
          .index = i,
          .body = f.body,
          .mesh_P = shared(render::wing_mesh(f.foil.span, f.foil.chord, sail ? 0.03 : 0.15)),
-         .X_BP = frame(f.at_B, f.chord_B, f.span_B),
+         .X_BP = axes_at(f.at_B, f.chord_B, f.span_B),
          .color = sail ? kSail : kRudder});
   }
 }
@@ -109,7 +109,7 @@ RigPart end_in_world(const engine::SimulationSpec& spec, const LineSpec& line,
   toward.z() = 0;
   toward = toward.norm() > 0 ? Vector3d(toward.normalized()) : Vector3d::UnitX();
   part.mesh_P = shared(render::anchor_mesh(std::min(0.25 * size, 0.05 * line.length)));
-  part.X_BP = frame(end.at, toward, Vector3d::UnitZ());
+  part.X_BP = axes_at(end.at, toward, Vector3d::UnitZ());
   return part;
 }
 
@@ -169,8 +169,8 @@ void add_joint(const engine::SimulationSpec& spec, const JointSpec& joint,
       at_W = spec.bodies[static_cast<std::size_t>(moving)].initial.position;
   }
   RigPart part = {.body = joint.first, .mesh_P = shared(*mesh), .color = kSteel};
-  part.X_BP = joint.type == JointSpec::Type::universal ? frame(at_W, joint.axis2_W, joint.axis_W)
-                                                       : frame_of_z(at_W, joint.axis_W);
+  part.X_BP = joint.type == JointSpec::Type::universal ? axes_at(at_W, joint.axis2_W, joint.axis_W)
+                                                       : z_axis_at(at_W, joint.axis_W);
   if (joint.type == JointSpec::Type::ball) part.X_BP = Isometry3d(Eigen::Translation3d(at_W));
   if (part.body != engine::kWorld)
     part.X_BP =

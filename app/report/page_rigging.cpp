@@ -121,7 +121,7 @@ Json page_line(const engine::SimulationSpec& spec, std::size_t index, const Inst
 }
 
 /// The turns of a part about its place, the last one first.
-Json turns_of(const engine::SimulationSpec& spec, const RigPart& part, const Instants& instants) {
+Json page_turns(const engine::SimulationSpec& spec, const RigPart& part, const Instants& instants) {
   Json turns = Json::array();
   const auto add = [&](const Vector3d& axis, const std::vector<double>& angles) {
     turns.push_back({{"axis", numbers(axis)}, {"angle", packed_column(angles)}});
@@ -151,7 +151,7 @@ Json page_part(const engine::SimulationSpec& spec, const RigPart& part, const In
       {"body", part.body},
       {"at", numbers(part.body == engine::kWorld ? Vector3d(at - origin) : at)},
       {"color", numbers(part.color)},
-      {"turns", turns_of(spec, part, instants)},
+      {"turns", page_turns(spec, part, instants)},
       {"mesh",
        {{"vertices", packed<float>({vertices.data(), static_cast<std::size_t>(vertices.size())})},
         {"triangles",

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using render::Image;
 using render::Rgb;
 
-const Vector3d kRed = {0.9, 0.05, 0.05};
+const Vector3d kPaint = {0.9, 0.05, 0.05};
 
 /// Looks along +y from 10 m away at a region 3 m high and 4 m wide; nothing is there.
 render::SceneDescription empty_picture() {
@@ -36,7 +36,7 @@ Image draw(const render::SceneDescription& picture, const render::Rigging& riggi
 render::Tube straight(const Vector3d& from, const Vector3d& to, double radius) {
   Eigen::Matrix3Xd points(3, 2);
   points << from, to;
-  return {.points_W = points, .radius = radius, .color = kRed};
+  return {.points_W = points, .radius = radius, .color = kPaint};
 }
 
 bool is_red(Rgb c) { return c.r > 1.6 * c.g && c.r > 1.6 * c.b; }
@@ -119,7 +119,7 @@ TEST(Rigging, HasNoColoursOfPressure) {
   const auto box = std::make_shared<const hydro::TriMesh>(hydro::make_box({1, 1, 1}));
   Eigen::Isometry3d pose(Eigen::Translation3d(0, 0, -0.8));
   const render::Rigging rigging = {.tubes = {},
-                                   .parts = {{.mesh_P = box, .X_WP = pose, .color = kRed}}};
+                                   .parts = {{.mesh_P = box, .X_WP = pose, .color = kPaint}}};
   render::SceneDescription picture = empty_picture();
   const Image dry = draw(picture, rigging);
   picture.sea = hydro::Sea{};
@@ -133,7 +133,7 @@ TEST(Rigging, TurnsAPartWithItsPose) {
     Eigen::Isometry3d pose(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
     return red_in_row(
         draw(empty_picture(),
-             {.tubes = {}, .parts = {{.mesh_P = plate, .X_WP = pose, .color = kRed}}}),
+             {.tubes = {}, .parts = {{.mesh_P = plate, .X_WP = pose, .color = kPaint}}}),
         120);
   };
   // The chord of 1 m spans 80 pixels across the view, and half of that at 60 degrees.

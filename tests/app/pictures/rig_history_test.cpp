@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using engine::LineSpec;
 
-const double kRoundOff = support::tolerance(1e-12);
+const double kLogRoundOff = support::tolerance(1e-12);
 
 /// One body with a rope to the world, a propeller and a rudder, and two logged times.
 class LoggedRig : public testing::Test {
@@ -93,9 +93,9 @@ TEST_F(LoggedRig, IsAsItsLogsSay) {
   EXPECT_EQ(second.lines[0], (app::DrawnLine{.tension = 101, .length = 5, .broken = true}));
   EXPECT_EQ(first.propellers[0].turn, 0);
   // The shaft makes 1.5 turns a second on average over half a second.
-  EXPECT_NEAR(second.propellers[0].turn, 1.5 * M_PI, kRoundOff);
-  EXPECT_NEAR(second.propellers[0].azimuth, 0.1, kRoundOff);
-  EXPECT_NEAR(second.foil_angles[0], 0.2, kRoundOff);
+  EXPECT_NEAR(second.propellers[0].turn, 1.5 * M_PI, kLogRoundOff);
+  EXPECT_NEAR(second.propellers[0].azimuth, 0.1, kLogRoundOff);
+  EXPECT_NEAR(second.foil_angles[0], 0.2, kLogRoundOff);
 }
 
 TEST_F(LoggedRig, IsInTheReport) {

@@ -21,7 +21,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using engine::LineSpec;
 
-const double kRoundOff = support::tolerance(1e-12);
+const double kPoseRoundOff = support::tolerance(1e-12);
 
 /// Two boxes of 1 m in arbitrary poses, with what a test adds.
 engine::SimulationSpec two_boxes() {
@@ -80,7 +80,7 @@ TEST(RigPictures, LetASlackRopeHangBelowItsChordAndLieOnTheGround) {
   EXPECT_LT(hanging.row(2).minCoeff(), lower - 3);
   spec.ground = engine::PlaneGround{lower - 1};
   const render::Tube tube = only_tube(spec, shot);
-  EXPECT_NEAR(tube.points_W.row(2).minCoeff(), lower - 1 + tube.radius, kRoundOff);
+  EXPECT_NEAR(tube.points_W.row(2).minCoeff(), lower - 1 + tube.radius, kPoseRoundOff);
 }
 
 TEST(RigPictures, DrawAMooringFromItsFairleadToItsAnchorOnTheBottom) {
@@ -111,7 +111,7 @@ TEST(RigPictures, DrawASpringAsACoilThatStretches) {
   const Matrix3Xd after = only_tube(spec, shot).points_W;
   EXPECT_EQ(before.cols(), after.cols());
   EXPECT_NEAR((after.leftCols<1>() - after.rightCols<1>()).norm(),
-              4 * (before.leftCols<1>() - before.rightCols<1>()).norm(), kRoundOff);
+              4 * (before.leftCols<1>() - before.rightCols<1>()).norm(), kPoseRoundOff);
 }
 
 TEST(RigPictures, ShowABrokenLineHangingFromItsBodies) {
@@ -216,12 +216,12 @@ TEST(RigParts, TurnAFoilAboutItsSpan) {
     rig.foil_angles[0] = angle;
     const Isometry3d pose_B = part.turned_B(spec, rig);
     const Vector3d side = foil.span_B.cross(foil.chord_B);
-    EXPECT_LE((pose_B.translation() - foil.at_B).norm(), kRoundOff);
+    EXPECT_LE((pose_B.translation() - foil.at_B).norm(), kPoseRoundOff);
     EXPECT_LE(
         (pose_B.linear().col(0) - (std::cos(angle) * foil.chord_B + std::sin(angle) * side)).norm(),
-        kRoundOff);
-    EXPECT_LE((pose_B.linear().col(2) - foil.span_B).norm(), kRoundOff);
-    EXPECT_NEAR(pose_B.linear().determinant(), 1, kRoundOff);
+        kPoseRoundOff);
+    EXPECT_LE((pose_B.linear().col(2) - foil.span_B).norm(), kPoseRoundOff);
+    EXPECT_NEAR(pose_B.linear().determinant(), 1, kPoseRoundOff);
   }
 }
 
@@ -234,12 +234,13 @@ TEST(RigParts, TurnAPropellerByItsShaftAndThenByItsAzimuth) {
     rig.propellers[0] = {.turn = 0.3, .azimuth = 0};
     const RigPart part = part_of(spec, RigPart::Kind::propeller);
     const Isometry3d turned = part.turned_B(spec, rig);
-    EXPECT_LE((turned.linear().col(0) - p.axis_B).norm(), kRoundOff);
+    EXPECT_LE((turned.linear().col(0) - p.axis_B).norm(), kPoseRoundOff);
     const Vector3d before = part.X_BP.linear().col(2), after = turned.linear().col(2);
-    EXPECT_NEAR(before.cross(after).dot(p.axis_B), std::sin(right_handed ? 0.3 : -0.3), kRoundOff);
+    EXPECT_NEAR(before.cross(after).dot(p.axis_B), std::sin(right_handed ? 0.3 : -0.3),
+                kPoseRoundOff);
     rig.propellers[0].azimuth = M_PI / 2;
     EXPECT_LE((part.turned_B(spec, rig).linear().col(0) - p.pivot_B.cross(p.axis_B)).norm(),
-              kRoundOff);
+              kPoseRoundOff);
   }
 }
 
@@ -255,7 +256,7 @@ TEST(RigParts, HaveAnAnchorThatPointsAtItsFairlead) {
   const Vector3d shank = parts[0].X_BP.linear().col(0);
   Vector3d toward = app::place_of(line.first, shot_of(spec).states) - line.second.at;
   toward.z() = 0;
-  EXPECT_NEAR(shank.dot(toward.normalized()), 1, kRoundOff);
+  EXPECT_NEAR(shank.dot(toward.normalized()), 1, kPoseRoundOff);
 }
 
 TEST(RigParts, HaveJointsOnRequestThatMoveWithTheirFirstBody) {
@@ -278,9 +279,9 @@ TEST(RigParts, HaveJointsOnRequestThatMoveWithTheirFirstBody) {
     const Isometry3d X_WP = X_WB * part.turned_B(spec, {});
     const bool slides = &part == &parts[2];
     const Vector3d at = slides ? spec.bodies[1].initial.position : Vector3d(1, 2, 3);
-    EXPECT_LE((X_WP.translation() - at).norm(), kRoundOff);
+    EXPECT_LE((X_WP.translation() - at).norm(), kPoseRoundOff);
     if (&part == &parts[0]) continue;
-    EXPECT_LE((X_WP.linear().col(2) - Vector3d(1, 2, 2) / 3).norm(), kRoundOff);
+    EXPECT_LE((X_WP.linear().col(2) - Vector3d(1, 2, 2) / 3).norm(), kPoseRoundOff);
   }
 }
 
@@ -295,7 +296,7 @@ TEST(DrawnRig, AtRestHasWhatTheSpecificationSays) {
   EXPECT_NEAR(rig.lines[0].tension, 1e4 * (distance - 0.5), support::tolerance(1e-8));
   EXPECT_EQ(rig.lines[1].tension, 0);
   EXPECT_EQ(rig.lines[1].length, 50);
-  EXPECT_NEAR(rig.propellers[0].turn, 12 * M_PI, kRoundOff * 100);
+  EXPECT_NEAR(rig.propellers[0].turn, 12 * M_PI, kPoseRoundOff * 100);
   EXPECT_EQ(rig.foil_angles[0], 0);
 }
 
