@@ -17,6 +17,7 @@
 #include "app/logs/trajectory_match.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
+#include "app/pictures/rig_history.h"
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/scene/diagnostics.h"
@@ -26,14 +27,18 @@ namespace {
 
 /// Selects the logged states that a run of the scene would have drawn.
 ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows,
-                          const InteriorLog& interiors, const scene::Scene& scene,
-                          const engine::SimulationSpec& spec, const VideoOptions& video) {
+                          const InteriorLog& interiors, const RigHistory& rig,
+                          const scene::Scene& scene, const engine::SimulationSpec& spec,
+                          const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   const double end = std::max(scene.duration, times[rows - 1]);
   ShotSelector shots(scene.render->every, end, video.pictures_a_second());
-  for (std::size_t i = 0; i < rows; ++i)
-    shots.add(times[i], states_at(trajectory, spec, i),
-              [&] { return drawn_interiors(interiors, spec, times[i]); });
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::vector<hydro::BodyState> states = states_at(trajectory, spec, i);
+    shots.add(
+        times[i], states, [&] { return drawn_interiors(interiors, spec, times[i]); },
+        [&] { return rig.at(times[i], states); });
+  }
   return shots;
 }
 
@@ -65,8 +70,9 @@ int render_trajectory(const RenderOptions& options) {
   const std::filesystem::path file = trajectory_of(options.trajectory);
   const Trajectory trajectory = read_trajectory(file);
   check_same_bodies(trajectory, built.spec, file);
-  const ShotSelector list = choose_shots(trajectory, common_rows(trajectory, file),
-                                         interiors_beside(file), scene, built.spec, options.video);
+  const ShotSelector list =
+      choose_shots(trajectory, common_rows(trajectory, file), interiors_beside(file),
+                   RigHistory(built.spec, file), scene, built.spec, options.video);
   const ShotSpool& shots = list.shots();
   const OutputFolder folder(options.out);
   const InterruptGuard interrupt;

@@ -56,13 +56,13 @@ double round_down(double value) {
   return power;
 }
 
+}  // namespace
+
 std::string force_text(double newtons) {
   if (newtons >= 1e6) return fmt::format("{:g} MN", newtons / 1e6);
   if (newtons >= 1e3) return fmt::format("{:g} kN", newtons / 1e3);
   return fmt::format("{:g} N", newtons);
 }
-
-}  // namespace
 
 ForceAnnotations::ForceAnnotations(const scene::Render& look, const engine::SimulationSpec& spec)
     : look_(look), spec_(spec) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/pictures/shot_spool.h"
@@ -39,6 +40,9 @@ class ForceAnnotations {
   std::vector<render::LegendLine> legend_;  ///< Lines of the forces that occur.
   double largest_ = 0;                      ///< Largest force [N].
 };
+
+/// Returns a force with its unit: `120 kN`.
+std::string force_text(double newtons);
 
 /// Returns the centroid of the submerged volume of a closed mesh [m, W]; none if the mesh is dry.
 /// In waves the depth of a point is measured from the surface above it.

@@ -15,6 +15,7 @@
 #include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pressure_range.h"
+#include "app/pictures/rigging.h"
 #include "app/render/annotation.h"
 #include "app/render/overlay.h"
 #include "app/render/png.h"
@@ -43,10 +44,11 @@ class Drawing {
         cameras_(cameras_of(look_)),
         scale_(pressure_scale(look_, spec_, shots)),
         renderer_(first_picture(scene), program_files("shaders")),
-        notes_(look_, spec_) {
+        notes_(look_, spec_),
+        rig_(spec_, look_.show.joints) {
     if (spec_.sea) shown_scale_ = scale_;
-    if (look_.show.forces)
-      for (std::size_t i = 0; i < shots.size(); ++i) notes_.include(shots.at(i));
+    if (look_.show.forces || rig_.has_lines())
+      for (std::size_t i = 0; i < shots.size(); ++i) include(shots.at(i));
   }
 
   PictureReport draw() {
@@ -60,6 +62,17 @@ class Drawing {
   }
 
  private:
+  void include(const Shot& shot) {
+    notes_.include(shot);
+    rig_.include(shot);
+  }
+
+  render::Annotations notes_of(const Shot& shot) const {
+    render::Annotations notes = notes_.of(shot, render::picture_size(renderer_.view()));
+    rig_.explain(notes);
+    return notes;
+  }
+
   render::SceneDescription first_picture(const scene::Scene& scene) const {
     render::SceneDescription first = picture_of(scene, spec_, scale_);
     if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), spec_, shots_.at(0));
@@ -87,17 +100,18 @@ class Drawing {
       renderer_.look(camera_at(camera, spec_, shot));
       const fs::path file =
           shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
-      finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,
-                     of_video = shot.video, file, view = renderer_.view(), grid = renderer_.grid(),
-                     notes = notes_.of(shot, render::picture_size(renderer_.view())),
-                     image = renderer_.draw(shot.states, shot.time, shot.interiors)]() mutable {
-        render::annotate(image, view, notes);
-        if (is_frame) sheet.add(image, time);
-        render::add_legend(image, view, notes);
-        render::add_overlay(image, shown_scale_, time, grid);
-        if (is_frame) render::write_png(image, file);
-        if (of_video) video->add(image);
-      });
+      finishing.put(
+          [this, &sheet, &video, time = shot.time, is_frame = shot.frame, of_video = shot.video,
+           file, view = renderer_.view(), grid = renderer_.grid(), notes = notes_of(shot),
+           image =
+               renderer_.draw(shot.states, shot.time, shot.interiors, rig_.of(shot))]() mutable {
+            render::annotate(image, view, notes);
+            if (is_frame) sheet.add(image, time);
+            render::add_legend(image, view, notes);
+            render::add_overlay(image, shown_scale_, time, grid);
+            if (is_frame) render::write_png(image, file);
+            if (of_video) video->add(image);
+          });
       report_.frames += shot.frame;
       if (shot.video) ++report_.videos.back().pictures;
       const int all = static_cast<int>(shots_.size() * cameras_.size());
@@ -133,6 +147,7 @@ class Drawing {
   std::optional<render::PressureScale> shown_scale_;  ///< None without water.
   render::Renderer renderer_;
   ForceAnnotations notes_;
+  RigPictures rig_;
   PictureReport report_;
   int drawn_ = 0;
 };

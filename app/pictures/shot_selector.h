@@ -22,17 +22,20 @@ class ShotSelector {
   /// Stores the shots in `shots`, to be called before the first state.
   void keep_in(ShotSpool shots) { shots_ = std::move(shots); }
   /// Continues after a run's state at `time` with the shots stored until then.
-  void resume(double time, const std::vector<hydro::BodyState>& states, ShotSpool shots);
+  void resume(double time, const std::vector<hydro::BodyState>& states, DrawnRig rig,
+              ShotSpool shots);
   /// Flushes the shots to the disk. @throws OutputError
   void save() { shots_.save(); }
 
   /// Finds the water in the bodies' hollows, if it is drawn.
   using FindInteriors = std::function<render::Interiors()>;
+  /// Finds what lines and machines do, if there are any.
+  using FindRig = std::function<DrawnRig()>;
 
   /// Takes the run's next state; times must increase. Pictures between two states have the water of
   /// the later one. @throws OutputError
   void add(double time, const std::vector<hydro::BodyState>& states,
-           const FindInteriors& interiors = {});
+           const FindInteriors& interiors = {}, const FindRig& rig = {});
 
   /// Returns the shots in the order of time.
   const ShotSpool& shots() const { return shots_; }
@@ -41,8 +44,9 @@ class ShotSelector {
   /// Tolerance for the rounding of step·count at times of the video [s].
   double slack() const { return 1e-6 / fps_; }
   bool add_video_shots(double time, const std::vector<hydro::BodyState>& states,
-                       const FindInteriors& interiors);
-  Shot between_states(double due, double time, const std::vector<hydro::BodyState>& states) const;
+                       const DrawnRig& rig, const FindInteriors& interiors);
+  Shot between_states(double due, double time, const std::vector<hydro::BodyState>& states,
+                      const DrawnRig& rig) const;
 
   FrameSchedule frames_;
   double end_;
@@ -50,6 +54,7 @@ class ShotSelector {
   long next_ = 0;  ///< Number of the video's next picture.
   double last_time_ = 0;
   std::vector<hydro::BodyState> last_;  ///< States at `last_time_`, for a video only.
+  DrawnRig last_rig_;                   ///< The same of lines and machines.
   ShotSpool shots_;
 };
 

@@ -22,11 +22,18 @@ constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
   throw OutputError(fmt::format("{} the states to be drawn: {}", what, std::strerror(errno)));
 }
 
-/// Numbers at the start of a shot: the time, the flags for frames and video, the number of waters.
-constexpr std::size_t kHeadSize = 4;
+/// Numbers at the start of a shot: the time, the flags for frames and video, the numbers of waters,
+/// lines, propellers and foils.
+constexpr std::size_t kHeadSize = 7;
 
 /// Numbers of the water in a pocket: the body, a point, the level, and whether it is flooded.
 constexpr std::size_t kWaterSize = 6;
+
+/// Numbers of a line: tension, length, and whether it is broken.
+constexpr std::size_t kLineSize = 3;
+
+/// Numbers of a propeller: turn and azimuth.
+constexpr std::size_t kPropellerSize = 2;
 
 using Numbers = std::vector<double>;
 
@@ -37,8 +44,13 @@ std::size_t count_waters(const render::Interiors& interiors) {
 }
 
 Numbers numbers_of(const Shot& shot) {
-  Numbers numbers = {shot.time, shot.frame ? 1.0 : 0.0, shot.video ? 1.0 : 0.0,
-                     static_cast<double>(count_waters(shot.interiors))};
+  Numbers numbers = {shot.time,
+                     shot.frame ? 1.0 : 0.0,
+                     shot.video ? 1.0 : 0.0,
+                     static_cast<double>(count_waters(shot.interiors)),
+                     static_cast<double>(shot.rig.lines.size()),
+                     static_cast<double>(shot.rig.propellers.size()),
+                     static_cast<double>(shot.rig.foil_angles.size())};
   for (const hydro::BodyState& state : shot.states) {
     const StateRow row = row_of(state);
     numbers.insert(numbers.end(), row.begin(), row.end());
@@ -47,11 +59,28 @@ Numbers numbers_of(const Shot& shot) {
     for (const render::PocketLook& water : shot.interiors[i])
       numbers.insert(numbers.end(), {static_cast<double>(i), water.at_W.x(), water.at_W.y(),
                                      water.at_W.z(), water.level, water.flooded ? 1.0 : 0.0});
+  for (const DrawnLine& line : shot.rig.lines)
+    numbers.insert(numbers.end(), {line.tension, line.length, line.broken ? 1.0 : 0.0});
+  for (const DrawnPropeller& propeller : shot.rig.propellers)
+    numbers.insert(numbers.end(), {propeller.turn, propeller.azimuth});
+  numbers.insert(numbers.end(), shot.rig.foil_angles.begin(), shot.rig.foil_angles.end());
   return numbers;
 }
 
+std::size_t count_of(double number) { return static_cast<std::size_t>(number); }
+
+void read_rig(const double* head, const double* next, DrawnRig& rig) {
+  for (std::size_t i = 0; i < count_of(head[4]); ++i, next += kLineSize)
+    rig.lines.push_back({.tension = next[0], .length = next[1], .broken = next[2] != 0});
+  for (std::size_t i = 0; i < count_of(head[5]); ++i, next += kPropellerSize)
+    rig.propellers.push_back({.turn = next[0], .azimuth = next[1]});
+  rig.foil_angles.assign(next, next + count_of(head[6]));
+}
+
 /// Fills in what follows the head of a shot.
-void read_rest(const double* next, std::size_t bodies, std::size_t waters, Shot& shot) {
+void read_rest(const double* head, std::size_t bodies, Shot& shot) {
+  const double* next = head + kHeadSize;
+  const std::size_t waters = count_of(head[3]);
   for (std::size_t i = 0; i < bodies; ++i, next += kStateSize) {
     StateRow row;
     std::copy_n(next, kStateSize, row.begin());
@@ -61,6 +90,7 @@ void read_rest(const double* next, std::size_t bodies, std::size_t waters, Shot&
   for (std::size_t i = 0; i < waters; ++i, next += kWaterSize)
     shot.interiors[static_cast<std::size_t>(next[0])].push_back(
         {.at_W = {next[1], next[2], next[3]}, .level = next[4], .flooded = next[5] != 0});
+  read_rig(head, next, shot.rig);
 }
 
 }  // namespace
@@ -97,8 +127,9 @@ std::vector<double> ShotSpool::read(long place, std::size_t count) const {
 /// Place of the end of a shot, by its head.
 long ShotSpool::end_of(std::size_t number) const {
   const Numbers head = read(places_[number], kHeadSize);
-  const std::size_t numbers =
-      kHeadSize + bodies_ * kStateSize + static_cast<std::size_t>(head[3]) * kWaterSize;
+  const std::size_t numbers = kHeadSize + bodies_ * kStateSize + count_of(head[3]) * kWaterSize +
+                              count_of(head[4]) * kLineSize + count_of(head[5]) * kPropellerSize +
+                              count_of(head[6]);
   return places_[number] + static_cast<long>(numbers * sizeof(double));
 }
 
@@ -130,7 +161,7 @@ Shot ShotSpool::at(std::size_t number) const {
       static_cast<std::size_t>(places_[number + 1] - places_[number]) / sizeof(double);
   const Numbers numbers = read(places_[number], count);
   Shot shot{.time = numbers[0], .states = {}, .frame = numbers[1] != 0, .video = numbers[2] != 0};
-  read_rest(&numbers[kHeadSize], bodies_, static_cast<std::size_t>(numbers[3]), shot);
+  read_rest(numbers.data(), bodies_, shot);
   return shot;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/pictures/drawn_rig.h"
 #include "app/render/interior_look.h"
 #include "hydro/spatial.h"
 
@@ -17,6 +18,7 @@ struct Shot {
   bool frame = true;                 ///< True: the shot is drawn for `frames/` and the sheet.
   bool video = false;                ///< True: the shot is drawn for the video.
   render::Interiors interiors = {};  ///< The water in the bodies' hollows; empty: they are dry.
+  DrawnRig rig = {};                 ///< Lines and machines.
 
   bool operator==(const Shot&) const = default;
 };

@@ -72,6 +72,23 @@ void draw_arrow(Image& image, const Vector2d& from, const Vector2d& to, double s
   fill_shape(image, low, high, color, 1, distance);
 }
 
+/// Width of the bar of a ramp in the legend over the text size.
+constexpr double kRampWidth = 4;
+
+/// Draws a bar of the ramp's colours with its name; (left, y) is the middle of its left end.
+void draw_ramp(Image& image, const LegendRamp& ramp, double left, double y, double size,
+               const Font& font) {
+  const double width = std::round(kRampWidth * size), height = std::round(0.5 * size);
+  left = std::round(left);
+  const double top = std::round(y - height / 2);
+  fill(image, {left - 1, top - 1, width + 2, height + 2, 2}, kInk, 0.75);
+  for (int i = 0; i < static_cast<int>(width); ++i) {
+    const double place = (i + 0.5) / width * static_cast<double>(ramp.colors.size());
+    fill(image, {left + i, top, 1, height, 0}, ramp.colors[static_cast<std::size_t>(place)]);
+  }
+  font.write(image, ramp.name, left + width + 0.6 * size, y + font.cap_height() / 2);
+}
+
 void draw_mark(Image& image, const Vector2d& at, const Mark& mark, double size, const Font& font) {
   const double radius = 0.32 * size;
   const Vector2d reach = Vector2d::Constant(radius + 2);
@@ -126,15 +143,17 @@ void annotate(Image& image, const View& view, const Annotations& notes) {
 
 void add_legend(Image& image, const View& view, const Annotations& notes) {
   const int size = text_size_on(image);
-  if (notes.legend.empty() || size == 0) return;
+  if ((notes.legend.empty() && !notes.ramp) || size == 0) return;
   const Font font(size);
   const double arrow = notes.scale_length * image.height / (2 * view.half_height * view.distance);
   const bool scaled = !notes.scale_name.empty();
   double width = scaled ? arrow + 0.7 * size + font.width(notes.scale_name) : 0;
   for (const LegendLine& line : notes.legend)
     width = std::max(width, 1.7 * size + font.width(line.name));
+  if (notes.ramp) width = std::max(width, (kRampWidth + 0.6) * size + font.width(notes.ramp->name));
   const double step = 1.5 * size;
-  const double rows = static_cast<double>(notes.legend.size()) + (scaled ? 1.2 : 0);
+  const double rows =
+      static_cast<double>(notes.legend.size()) + (notes.ramp ? 1 : 0) + (scaled ? 1.2 : 0);
   const Panel panel = {0.8 * size, image.height - (rows * step + 1.8 * size), width + 1.2 * size,
                        rows * step + size, 0.3 * size};
   fill(image, panel, kPaper, kPaperWeight);
@@ -143,6 +162,10 @@ void add_legend(Image& image, const View& view, const Annotations& notes) {
   for (const LegendLine& line : notes.legend) {
     draw_line(image, {left + 0.1 * size, y}, {left + 1.1 * size, y}, 0.35 * size, line.color);
     font.write(image, line.name, left + 1.7 * size, y + font.cap_height() / 2);
+    y += step;
+  }
+  if (notes.ramp) {
+    draw_ramp(image, *notes.ramp, left, y, size, font);
     y += step;
   }
   if (!scaled) return;

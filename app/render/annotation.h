@@ -33,12 +33,19 @@ struct LegendLine {
   Rgb color;
 };
 
+/// A line of the legend with a range of colours, from left to right.
+struct LegendRamp {
+  std::string name;
+  std::vector<Rgb> colors;
+};
+
 struct Annotations {
   std::vector<Arrow> arrows;
   std::vector<Mark> marks;
   std::vector<LegendLine> legend;
   double scale_length = 0;  ///< Length of the legend's arrow at the point looked at [m].
   std::string scale_name;   ///< Label of that arrow.
+  std::optional<LegendRamp> ramp;
 };
 
 /// Returns the position of a point in a picture [px from the upper left corner]; none for a point

@@ -8,6 +8,7 @@
 #include "app/render/framebuffer.h"
 #include "app/render/gl_mesh.h"
 #include "app/render/gl_program.h"
+#include "app/render/gl_rigging.h"
 #include "app/render/occlusion.h"
 #include "app/render/shaded_mesh.h"
 #include "app/render/vertex_water.h"
@@ -24,6 +25,9 @@ using Eigen::Vector3d;
 /// Deviation of waves from a straight edge that needs no finer triangles, at the point looked at
 /// [px].
 constexpr double kSagPixels = 0.3;
+
+/// Least radius of a drawn line [px].
+constexpr double kThinnest = 1.3;
 
 /// Largest number of triangles that a body is split into for waves, which bounds the work of a
 /// picture.
@@ -107,7 +111,8 @@ struct Renderer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  Image draw(const std::vector<hydro::BodyState>& states, double time, const Interiors& interiors);
+  Image draw(const std::vector<hydro::BodyState>& states, double time, const Interiors& interiors,
+             const Rigging& rigging);
   void look(const Camera& camera);
   void resize(int width, int height);
 
@@ -126,6 +131,7 @@ struct Renderer::Impl {
   void draw_level(const Triangles& triangles_W, double nearer) const;
   void draw_hollows(double time) const;
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
+  void draw_rigging(const Rigging& rigging, double time);
   void draw_water(double time);
 
   SceneDescription picture_;
@@ -139,6 +145,7 @@ struct Renderer::Impl {
   std::vector<DrawnBody> bodies_;
   std::vector<std::optional<InteriorLook>> interiors_;  ///< Of this picture; none without pockets.
   double bodies_edge_ = 0;                              ///< Longest edge of the bodies' meshes [m].
+  GlRigging rigging_{gl_};
   std::vector<GlMesh> grounds_;
   std::optional<WaterSurface> surface_;
   std::optional<GlMesh> surface_mesh_;
@@ -367,8 +374,15 @@ void Renderer::Impl::draw_bodies(const std::vector<hydro::BodyState>& states, do
   for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time, waves);
 }
 
+void Renderer::Impl::draw_rigging(const Rigging& rigging, double time) {
+  set_view(body_, time);
+  body_.set("u_sea", 0);
+  const double pixel = 2 * view_.half_height / picture_.height;
+  rigging_.draw(body_, view_, kThinnest * line_unit() * pixel, rigging);
+}
+
 Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time,
-                           const Interiors& interiors) {
+                           const Interiors& interiors, const Rigging& rigging) {
   assert(states.size() == bodies_.size());
   context_.make_current();
   find_interiors(states, interiors);
@@ -377,6 +391,7 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   draw_ground(time);
   draw_bodies(states, time);
   if (picture_.wireframe) draw_edges(states, time);
+  if (!rigging.empty()) draw_rigging(rigging, time);
   if (surface_) draw_water(time);
   return canvas_->read();
 }
@@ -404,8 +419,8 @@ void Renderer::resize(int width, int height) { impl_->resize(width, height); }
 void Renderer::show_pressures(const PressureScale& scale) { impl_->picture_.pressure = scale; }
 
 Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time,
-                     const Interiors& interiors) {
-  return impl_->draw(states, time, interiors);
+                     const Interiors& interiors, const Rigging& rigging) {
+  return impl_->draw(states, time, interiors, rigging);
 }
 
 }  // namespace render

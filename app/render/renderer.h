@@ -10,6 +10,7 @@
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
 #include "app/render/interior_look.h"
+#include "app/render/rigging.h"
 #include "app/render/view.h"
 #include "hydro/loads/coefficients.h"
 #include "hydro/mesh/mesh.h"
@@ -89,8 +90,9 @@ class Renderer {
   /// `ContactSheet` (sheet.h) takes the picture without them.
   /// @param states      States in the order of `SceneDescription::bodies`.
   /// @param interiors   The water in their hollows, in the same order; empty: they are dry.
+  /// @param rigging     Lines and parts beside the bodies.
   Image draw(const std::vector<hydro::BodyState>& states, double time,
-             const Interiors& interiors = {});
+             const Interiors& interiors = {}, const Rigging& rigging = {});
 
  private:
   struct Impl;

@@ -48,6 +48,7 @@ Json page_data(const LoggedRun& run, const PageLimits& limits) {
       {"ground", page_ground(run.built.spec.ground, limits)},
       {"camera", page_camera(run.scene)},
       {"poses", page_poses(run, origin, limits)},
+      {"rigging", page_rigging(run, origin, limits)},
       {"series", page_series(run, limits)},
       {"frames", page_frames(run, limits)}};
 }

@@ -18,6 +18,7 @@ struct PageLimits {
   std::size_t series = 1'500'000;  ///< Numbers in the varying plotted columns of all bodies.
   Eigen::Index faces = 100'000;    ///< Triangles of all meshes.
   Eigen::Index heights = 500'000;  ///< Heights of a height field.
+  std::size_t rigging = 500'000;   ///< Numbers of lines and machines over time.
   std::size_t frames = 4'000'000;  ///< Bytes of all pictures.
 };
 
@@ -33,6 +34,10 @@ nlohmann::ordered_json page_ground(const engine::Ground& ground, const PageLimit
 /// Returns the poses for the replay, relative to `origin` [m, W].
 nlohmann::ordered_json page_poses(const LoggedRun& run, const Eigen::Vector3d& origin,
                                   const PageLimits& limits);
+
+/// Returns lines, anchors and machines for the replay; null if there are none.
+nlohmann::ordered_json page_rigging(const LoggedRun& run, const Eigen::Vector3d& origin,
+                                    const PageLimits& limits);
 
 /// Returns the columns for the plots.
 nlohmann::ordered_json page_series(const LoggedRun& run, const PageLimits& limits);

@@ -103,7 +103,7 @@ class Run {
     simulation_.restore(last.state);
     const double time = simulation_.time();
     log_due_.due(time);
-    shots_.resume(time, simulation_.states(), std::move(store));
+    shots_.resume(time, simulation_.states(), drawn_rig(simulation_.rig()), std::move(store));
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
     summary_.rig = last.rig;
@@ -228,8 +228,9 @@ class Run {
       summary_.wall_log += clock.seconds();
     }
     if (wants_pictures())
-      shots_.add(time, simulation_.states(),
-                 [this] { return drawn_interiors(simulation_.interiors()); });
+      shots_.add(
+          time, simulation_.states(), [this] { return drawn_interiors(simulation_.interiors()); },
+          [this] { return drawn_rig(simulation_.rig()); });
   }
 
   /// Returns the numbers of all tables, in the order of log_subject.

@@ -399,7 +399,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"render.show",
      "What is drawn in addition to the bodies. `forces` are arrows of weight, buoyancy, drag and "
      "lift with one scale for the whole sequence; `centres` are the centres of mass G and "
-     "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes."},
+     "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes; `joints` "
+     "are pins of hinges, balls, and bars along which sliders move."},
     {"render.pressure", "Colour scale of the pressure on the wet surface."},
     {"render.pressure.shows",
      "Pressure that is shown. `hydrostatic` is ρ g h; under linear waves it is the pressure that "

@@ -51,7 +51,8 @@ void read(MapReader& map, PressureBlock& pressure) {
 const std::vector<std::pair<std::string, bool Show::*>> kShown = {{"forces", &Show::forces},
                                                                   {"centres", &Show::centres},
                                                                   {"waterline", &Show::waterline},
-                                                                  {"wireframe", &Show::wireframe}};
+                                                                  {"wireframe", &Show::wireframe},
+                                                                  {"joints", &Show::joints}};
 
 void read_shown(MapReader& map, Show& show) {
   std::vector<std::string> words;

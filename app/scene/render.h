@@ -30,6 +30,7 @@ struct Show {
   bool centres = false;
   bool waterline = false;
   bool wireframe = false;
+  bool joints = false;
 };
 
 /// The colour scales, by the names of their keys (app/render/color_scale.h).

@@ -41,6 +41,7 @@ LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& buil
       spec_(built.spec),
       simulation_(built.spec),
       notes_(*scene.render, built.spec),
+      rig_(built.spec, scene.render->show.joints),
       scale_(pressure_scale(*scene.render, range_)) {}
 
 void LiveScene::restart() {
@@ -69,7 +70,8 @@ long LiveScene::advance(long steps, double longest) {
 Shot LiveScene::now() const {
   return {.time = simulation_.time(),
           .states = simulation_.states(),
-          .interiors = drawn_interiors(simulation_.interiors())};
+          .interiors = drawn_interiors(simulation_.interiors()),
+          .rig = drawn_rig(simulation_.rig())};
 }
 
 void LiveScene::grow_scale(const Shot& now) {
@@ -83,6 +85,7 @@ void LiveScene::grow_scale(const Shot& now) {
 void LiveScene::make_ready(const Shot& now, const render::Camera& camera, int width, int height) {
   grow_scale(now);
   notes_.include(now);
+  rig_.include(now);
   if (!renderer_) {
     render::SceneDescription look = picture_of(scene_, spec_, scale_);
     look.width = width;
@@ -100,8 +103,9 @@ render::Image LiveScene::picture(const render::Camera& camera, int width, int he
   const Shot shot = now();
   make_ready(shot, camera, width, height);
   const render::View& view = renderer_->view();
-  const render::Annotations notes = notes_.of(shot, render::picture_size(view));
-  render::Image image = renderer_->draw(shot.states, shot.time, shot.interiors);
+  render::Annotations notes = notes_.of(shot, render::picture_size(view));
+  rig_.explain(notes);
+  render::Image image = renderer_->draw(shot.states, shot.time, shot.interiors, rig_.of(shot));
   render::annotate(image, view, notes);
   render::add_legend(image, view, notes);
   std::vector<std::string> more;

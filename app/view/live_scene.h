@@ -6,6 +6,7 @@
 #include "app/assembly/built_scene.h"
 #include "app/pictures/force_annotations.h"
 #include "app/pictures/pressure_range.h"
+#include "app/pictures/rigging.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
 #include "app/view/controls.h"
@@ -35,7 +36,8 @@ class LiveScene {
   long advance(long steps, double longest);
 
   /// Draws a picture with all the annotations that the scene asks for, and a note below the time
-  /// unless it is empty. Automatic scales grow with the largest pressures and forces so far.
+  /// unless it is empty. Automatic scales grow with the largest pressures, forces and tensions so
+  /// far.
   /// @throws render::Error
   render::Image picture(const render::Camera& camera, int width, int height,
                         const std::string& note);
@@ -50,6 +52,7 @@ class LiveScene {
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
+  RigPictures rig_;
   PressureRange range_;  ///< Range of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< Made for the first picture.

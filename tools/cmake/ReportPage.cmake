@@ -16,6 +16,7 @@ set(web_sources
   extent.js
   facts.js
   format.js
+  line_shapes.js
   package-lock.json
   package.json
   page.html
@@ -24,6 +25,7 @@ set(web_sources
   replay.js
   report.js
   rig.js
+  rigging.js
   sea.js
   strip.js
   style.css

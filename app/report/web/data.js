@@ -11,6 +11,24 @@ export const floats = (base64) => new Float32Array(bytes(base64));
 export const doubles = (base64) => new Float64Array(bytes(base64));
 export const integers = (base64) => new Uint32Array(bytes(base64));
 
+// A column of numbers (packing.h).
+export const column = (packed, count) => {
+  if (typeof packed === "number") return new Float64Array(count).fill(packed);
+  return Float64Array.from(floats(packed.data), (difference) => packed.base + difference);
+};
+
+const unpackRigging = (rigging) => {
+  rigging.times = doubles(rigging.times);
+  const count = rigging.times.length;
+  for (const line of rigging.lines) {
+    line.tension = column(line.tension, count);
+    line.broken = column(line.broken, count);
+    if (line.shape) line.shape = floats(line.shape);
+  }
+  for (const part of rigging.parts)
+    for (const turn of part.turns) turn.angle = column(turn.angle, count);
+};
+
 export const readRun = () => {
   const run = JSON.parse(document.getElementById("data").textContent);
   run.poses.times = doubles(run.poses.times);
@@ -22,13 +40,8 @@ export const readRun = () => {
         thing.columns[name] = column(packed, run.series.times.length);
   if (run.water?.components) run.water.components = doubles(run.water.components);
   if (run.water?.heights) run.water.heights = floats(run.water.heights);
+  if (run.rigging) unpackRigging(run.rigging);
   return run;
-};
-
-// A column of numbers (packing.h).
-export const column = (packed, count) => {
-  if (typeof packed === "number") return new Float64Array(count).fill(packed);
-  return Float64Array.from(floats(packed.data), (difference) => packed.base + difference);
 };
 
 // The plotted columns of one body by their names.

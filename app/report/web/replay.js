@@ -3,6 +3,7 @@ import * as THREE from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {toCreasedNormals} from "three/addons/utils/BufferGeometryUtils.js";
 import {floats, integers, rowAt} from "./data.js";
+import {Rigging} from "./rigging.js";
 import {Surface} from "./surface.js";
 
 const CREASE = 40 * Math.PI / 180;  // edges that turn by more stay sharp, as in the pictures
@@ -36,6 +37,10 @@ export class Replay {
     this.scene = new THREE.Scene();
     this.addLights();
     this.addBodies();
+    if (run.rigging) {
+      this.rigging = new Rigging(run.rigging, (...where) => this.pose(...where), geometryOf);
+      this.scene.add(this.rigging.group);
+    }
     this.measure();
     this.addGround(look);
     if (run.water) {
@@ -284,6 +289,7 @@ export class Replay {
       mesh.instanceMatrix.needsUpdate = true;
       mesh.boundingSphere = null;  // found anew when a click asks for it
     }
+    this.rigging?.update(time);
     this.carryCamera(this.axes.position);
     const shown = this.drifts ? middle : this.first.middle;
     for (const surface of [this.water, this.ground])

@@ -70,6 +70,7 @@ const makeViews = (run, replay) => {
     at("picture").hidden = !picture;
     at("replay").style.visibility = picture ? "hidden" : "";
     at("hint").hidden = at("label").hidden = picture;
+    for (const scale of document.querySelectorAll("#tension")) scale.hidden = picture;
     for (const other of tabs) other.classList.toggle("on", other === tab);
   };
   const addTab = (text, title, action) => {
@@ -99,8 +100,22 @@ const makeToggles = (replay) => {
   };
   toggle("follow", replay.following, (on) => replay.follow(on));
   if (replay.water) toggle("water", true, (on) => { replay.water.group.visible = on; replay.wake(); });
+  if (replay.rigging)
+    toggle("rigging", true, (on) => { replay.rigging.group.visible = on; replay.wake(); });
   toggle("path", true, (on) => { replay.path.visible = on; replay.wake(); });
   toggle("axes", true, (on) => { replay.axes.visible = on; replay.wake(); });
+};
+
+// The scale of the tensions of lines, beside the replay.
+const makeTensionScale = ({tensions, lines}) => {
+  if (lines.length === 0 || tensions.top === 0) return;
+  const {pushes, push, colors, top} = tensions;
+  const css = (color) => `rgb(${color.map((c) => Math.round(255 * c)).join()})`;
+  const bar = element("i"), zero = pushes ? 50 : 0;
+  const stops = colors.map((color, i) => `${css(color)} ${zero + (100 - zero) * i / (colors.length - 1)}%`);
+  bar.style.background = `linear-gradient(to right, ${(pushes ? [`${css(push)} 0%`] : []).concat(stops).join()})`;
+  const text = `tension ${pushes ? `−${grouped(top)}` : 0} … ${grouped(top)} N`;
+  at("view").append(element("div", {id: "tension"}, bar, text));
 };
 
 // The body whose plots are shown. @return the function that selects one.
@@ -136,6 +151,7 @@ makeTransport(clock);
 if (run.frames) new Strip(run.frames, clock, at("strip"), at("picture"));
 makeViews(run, replay);
 if (replay) makeToggles(replay);
+if (replay && run.rigging) makeTensionScale(run.rigging);
 const select = makeChooser(run, new Plots(plotsOf(run), clock, at("charts")), replay);
 if (replay) replay.onSelect = select;
 showDetails(run, at("details"), select);

@@ -66,6 +66,28 @@ TEST(ShotSelector, FindsStatesBetweenSteps) {
     EXPECT_NEAR(shot.states[0].position.z(), falling(shot.time).position.z(), kCubicRoundOff);
 }
 
+/// One propeller that turns by 1 rad/s.
+app::DrawnRig turning(double time) {
+  return {.lines = {}, .propellers = {{.turn = time, .azimuth = 0}}, .foil_angles = {}};
+}
+
+TEST(ShotSelector, FindsTheRigBetweenStepsAndAfterAPause) {
+  ShotSelector whole(1, 3, 25), first(1, 3, 25), second(1, 3, 25);
+  for (int i = 0; i <= 10; ++i) {
+    const double time = 0.3 * i;
+    const auto rig = [&] { return turning(time); };
+    whole.add(time, {falling(time)}, {}, rig);
+    (i <= 4 ? first : second).add(time, {falling(time)}, {}, rig);
+    if (i != 4) continue;
+    app::ShotSpool kept;
+    for (const Shot& shot : all_of(first.shots())) kept.add(shot);
+    second.resume(time, {falling(time)}, turning(time), std::move(kept));
+  }
+  for (const Shot& shot : all_of(whole.shots()))
+    EXPECT_NEAR(shot.rig.propellers.at(0).turn, shot.time, kCubicRoundOff);
+  EXPECT_EQ(all_of(second.shots()), all_of(whole.shots()));
+}
+
 TEST(ShotSelector, DrawsOnceWhatIsAFrameAndOfTheVideo) {
   const std::vector<Shot> shots = shots_of(ShotSelector(0.5, 2, 4), 0.25, 8);
   EXPECT_EQ(shots.size(), 8u);
@@ -105,6 +127,13 @@ TEST(ShotSpool, GivesBackWhatWasAddedInAnyOrder) {
                      .states = {random.state(3, 4), random.state(1e3, 9)},
                      .frame = i % 3 == 0,
                      .video = i % 2 == 0});
+    Shot& shot = shots.back();
+    for (int k = 0; k < i % 3; ++k) {
+      shot.rig.lines.push_back({.tension = random.uniform(0, 9), .length = 2, .broken = k == 1});
+      shot.rig.propellers.push_back({.turn = random.uniform(0, 9), .azimuth = 1});
+      shot.rig.foil_angles.push_back(random.uniform(-1, 1));
+      shot.interiors = {{{.at_W = {1, 2, 3}, .level = 4, .flooded = true}}, {}};
+    }
     store.add(shots.back());
     EXPECT_EQ(store.at(0), shots[0]);
   }

@@ -106,7 +106,7 @@ std::string every_key() {
          "  camera: {from: [1, 2, 3], to: [4, 5, 6], fov_deg: 90, follow: b,"
          " orbit: -12}\n"
          "  sheet: {columns: 5}\n"
-         "  show: [wireframe, forces]\n"
+         "  show: [wireframe, forces, joints]\n"
          "  pressure: {shows: dynamic, colors: coolwarm, min: -100, max: 5e3}\n";
 }
 
@@ -483,7 +483,7 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_EQ(render->pressure_max, 5e3);
   EXPECT_EQ(render->shows, scene::ShownPressure::dynamic);
   EXPECT_EQ(render->colors, scene::Colors::coolwarm);
-  EXPECT_TRUE(render->show.forces && render->show.wireframe);
+  EXPECT_TRUE(render->show.forces && render->show.wireframe && render->show.joints);
   EXPECT_FALSE(render->show.centres || render->show.waterline);
 }
 

@@ -12,6 +12,7 @@
 #include "app/pictures/cameras.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/pressure_range.h"
+#include "app/pictures/rigging.h"
 #include "app/scene/reader.h"
 
 namespace golden {
@@ -37,8 +38,10 @@ app::Shot shot_of(const KeptPicture& picture, const engine::SimulationSpec& spec
   const auto found = std::find(times.begin(), times.end(), picture.time);
   if (found == times.end())
     throw std::invalid_argument(fmt::format("{} has no row of {} s", file.string(), picture.time));
-  return {picture.time,
-          app::states_at(trajectory, spec, static_cast<std::size_t>(found - times.begin()))};
+  app::Shot shot = {picture.time, app::states_at(trajectory, spec,
+                                                 static_cast<std::size_t>(found - times.begin()))};
+  shot.rig = app::rig_at_rest(spec, shot.states, shot.time);
+  return shot;
 }
 
 }  // namespace
@@ -63,8 +66,10 @@ render::Image draw(const KeptPicture& picture) {
   render::SceneDescription bare =
       app::picture_of(scene, built.spec, app::pressure_scale(look, range));
   bare.camera = app::camera_at(app::cameras_of(look).front(), built.spec, shot);
+  app::RigPictures rig(built.spec, look.show.joints);
+  rig.include(shot);
   return render::Renderer(std::move(bare), app::program_files("shaders"))
-      .draw(shot.states, shot.time);
+      .draw(shot.states, shot.time, {}, rig.of(shot));
 }
 
 }  // namespace golden

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/logs/table_log.h"
+#include "app/pictures/drawn_rig.h"
+#include "engine/spec.h"
+
+namespace app {
+
+/// Lines and machines over the time of a logged run. What was not logged is as at rest.
+class RigHistory {
+ public:
+  /// Reads the logs of lines and machines of a run.
+  /// @param spec   It must outlive the object.
+  /// @throws InputError with the line or row at fault.
+  RigHistory(const engine::SimulationSpec& spec, const std::filesystem::path& trajectory);
+
+  /// Returns the rig as it was logged last at or before a time.
+  DrawnRig at(double time, const std::vector<hydro::BodyState>& states) const;
+
+ private:
+  const engine::SimulationSpec& spec_;
+  std::optional<TableRows> lines_, machines_;
+  /// Per propeller the angle that its shaft has turned through until each row [rad]: the integral
+  /// of its speed by the trapezoidal rule.
+  std::vector<std::vector<double>> turns_;
+};
+
+}  // namespace app
