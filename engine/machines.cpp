@@ -116,7 +116,7 @@ FoilReading Machines::foil(std::size_t index, const hydro::BodyState& state, dou
   const Vector3d r_W = state.orientation * spec.at_B;
   const Vector3d p_W = state.position + r_W;
   const Vector3d span = state.orientation * spec.span_B;
-  const Vector3d chord = state.orientation * turned(spec.chord_B, reading.angle, spec.span_B);
+  const Vector3d chord = state.orientation * turned(spec.chord_B, -reading.angle, spec.span_B);
   const double surface = water.surface(p_W);
   const double below = part_below(p_W.z(), std::abs(span.z()) * spec.foil.span, surface);
   const bool sail = spec.fluid == FoilSpec::Fluid::air;

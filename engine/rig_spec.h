@@ -121,7 +121,8 @@ struct FoilSpec {
   Fluid fluid = Fluid::water;
   BodyId body = 0;
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();     ///< Where its force acts [m].
-  Eigen::Vector3d span_B = Eigen::Vector3d::UnitZ();  ///< Unit; the angle turns about it.
+  /// Unit; a positive angle turns the chord about its opposite: clockwise as seen from its tip.
+  Eigen::Vector3d span_B = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d chord_B =
       Eigen::Vector3d::UnitX();  ///< Unit; from the trailing to the leading edge.
   hydro::Foil foil;

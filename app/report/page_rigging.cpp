@@ -137,7 +137,7 @@ Json page_turns(const engine::SimulationSpec& spec, const RigPart& part, const I
         }));
   }
   if (part.kind == RigPart::Kind::foil)
-    add(spec.foils[part.index].span_B,
+    add(-spec.foils[part.index].span_B,
         over_time(instants, [&](const DrawnRig& rig) { return rig.foil_angles[part.index]; }));
   return turns;
 }
