@@ -11,6 +11,7 @@ void register_hollow();
 void register_added_mass();
 void register_wetted_added_mass();
 void register_machines();
+void register_rigs();
 void register_mesh();
 void register_frame();
 void register_run();

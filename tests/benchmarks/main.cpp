@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   bench::register_added_mass();
   bench::register_wetted_added_mass();
   bench::register_machines();
+  bench::register_rigs();
   bench::register_mesh();
   bench::register_frame();
   bench::register_run();

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hydro/mesh/primitives.h"
+#include "tests/stress/rigging.h"
 
 namespace stress {
 namespace {
@@ -107,6 +108,11 @@ void add_stack(const BodySpec& body, double top_factor, Scenario& scenario) {
 double lowest(const BodySpec& body) { return box_W(body).min().z(); }
 
 void arrange(const std::string& with, const BodySpec& body, Scenario& scenario) {
+  if (is_rigged(with)) {
+    const bool two = with == "rope" || with == "spring";
+    arrange(two ? "two" : with == "driven" ? "hinged" : "free", body, scenario);
+    return rig(with, scenario);
+  }
   const Vector3d level_axis(0.6, 0.8, 0);
   if (with == "pinned") return tie_to_world(Joint::ball, level_axis, body, scenario);
   if (with == "hinged") return tie_to_world(Joint::hinge, level_axis, body, scenario);
@@ -116,7 +122,7 @@ void arrange(const std::string& with, const BodySpec& body, Scenario& scenario) 
   if (with == "stack") return add_stack(body, 1, scenario);
   if (with == "overload") return add_stack(body, 100, scenario);
   const Vector3d aside = 1.5 * scenario.size * Vector3d::UnitX();
-  add_copies(body, with == "fixed" ? 2 : 1, aside, scenario);
+  add_copies(body, with == "fixed" || with == "two" ? 2 : 1, aside, scenario);
   if (with == "fixed")
     join(Joint::fixed, 0, 1, body.initial.position + aside / 2, Vector3d::UnitZ(), scenario);
   else if (with == "locked")
@@ -125,7 +131,7 @@ void arrange(const std::string& with, const BodySpec& body, Scenario& scenario) 
     scenario.spec.ground = engine::PlaneGround{floor_height(body)};
   else if (with == "terrain")
     scenario.spec.ground = hills(floor_height(body), scenario.size);
-  else if (with != "free")
+  else if (with != "free" && with != "two")
     throw std::invalid_argument(fmt::format("'{}' is nothing that a body can be with", with));
 }
 

@@ -17,7 +17,8 @@ double lowest(const engine::BodySpec& body);
 /// chain: three copies hang from the world by ball joints; fixed: two copies with a fixed joint;
 /// floor, terrain: ground half the body's height below the water, or under the body if that starts
 /// deep; wall: a force as large as its weight pushes the body against a vertical face; stack: three
-/// copies on the floor; overload: a stack whose uppermost body has a hundred times the mass.
+/// copies on the floor; overload: a stack whose uppermost body has a hundred times the mass; two:
+/// two copies side by side; the others are those of rigging.h.
 /// @throws std::invalid_argument for an unknown name.
 void arrange(const std::string& with, const engine::BodySpec& body, Scenario& scenario);
 

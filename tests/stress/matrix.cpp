@@ -4,10 +4,13 @@
 #include <random>
 #include <utility>
 
+#include "tests/stress/rigging.h"
+
 namespace stress {
 namespace {
 
 constexpr std::size_t kHypercubeRuns = 1650;
+constexpr std::size_t kRiggedRuns = 400;
 
 std::vector<RunName> bases() {
   std::vector<RunName> runs;
@@ -42,10 +45,13 @@ std::vector<RunName> one_at_a_time() {
 }
 
 /// Returns runs in random combinations, in which every value of a parameter occurs equally often.
-std::vector<RunName> hypercube() {
-  std::mt19937 random(20140601);
-  std::vector<RunName> runs(kHypercubeRuns);
-  for (const Dimension& dimension : dimensions()) {
+/// @param with   Values of `with`.
+std::vector<RunName> hypercube_with(std::size_t count, unsigned seed,
+                                    const std::vector<std::string>& with) {
+  std::mt19937 random(seed);
+  std::vector<RunName> runs(count);
+  for (Dimension dimension : dimensions()) {
+    if (dimension.key == Key::with) dimension.values = with;
     std::vector<std::size_t> order(runs.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     // The result of std::shuffle depends on the standard library.
@@ -56,6 +62,15 @@ std::vector<RunName> hypercube() {
   for (RunName& run : runs) run = run.with(Key::steps, "100");
   return runs;
 }
+
+std::vector<RunName> hypercube() {
+  std::vector<std::string> with;
+  for (const std::string& value : dimensions()[static_cast<std::size_t>(Key::with)].values)
+    if (!is_rigged(value)) with.push_back(value);
+  return hypercube_with(kHypercubeRuns, 20140601, with);
+}
+
+std::vector<RunName> with_rigs() { return hypercube_with(kRiggedRuns, 20261124, rigged()); }
 
 /// Returns runs of a minute in the water with A/m far below and above one.
 std::vector<RunName> heavy_water() {
@@ -92,7 +107,7 @@ using Part = std::vector<RunName> (*)();
 
 /// Parts of the matrix and their strides: one of so many runs is in the subset.
 constexpr std::pair<Part, std::size_t> kParts[] = {
-    {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 6}, {great_teapots, 6}};
+    {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 6}, {great_teapots, 6}, {with_rigs, 17}};
 
 std::vector<RunName> every_once(std::vector<std::size_t> strides) {
   std::vector<RunName> runs;
@@ -106,7 +121,7 @@ std::vector<RunName> every_once(std::vector<std::size_t> strides) {
 
 }  // namespace
 
-std::vector<RunName> whole_matrix() { return every_once({1, 1, 1, 1}); }
+std::vector<RunName> whole_matrix() { return every_once({1, 1, 1, 1, 1}); }
 
 std::vector<RunName> subset() {
   std::vector<std::size_t> strides;

@@ -51,7 +51,7 @@ const std::vector<Dimension>& dimensions() {
       {Key::with,
        "with",
        {"free", "locked", "pinned", "hinged", "slider", "chain", "fixed", "floor", "terrain",
-        "wall", "stack", "overload"}},
+        "wall", "stack", "overload", "rope", "leash", "spring", "moored", "driven"}},
       {Key::steps, "steps", {"200"}}};
   return all;
 }

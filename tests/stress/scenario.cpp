@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tests/stress/arrangement.h"
+#include "tests/stress/rigging.h"
 #include "tests/stress/shapes.h"
 #include "tests/stress/waters.h"
 
@@ -91,7 +92,8 @@ Scenario make_scenario(const RunName& run) {
   const bool streams = !scenario.spec.sea->current.isZero(0);
   const bool freely = run[Key::with] == "free";
   scenario.passive = hydro::is_flat(*scenario.spec.sea) &&
-                     scenario.spec.bodies[0].coefficients.lift == 0 && (!streams || freely);
+                     scenario.spec.bodies[0].coefficients.lift == 0 && (!streams || freely) &&
+                     !gives_energy(run[Key::with]);
   return scenario;
 }
 

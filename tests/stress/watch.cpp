@@ -8,6 +8,7 @@
 #include "engine/energy.h"
 #include "engine/state_checks.h"
 #include "engine/state_data.h"
+#include "tests/stress/rigging.h"
 #include "tests/stress/waters.h"
 
 namespace stress {
@@ -75,6 +76,9 @@ Watch::Energy Watch::find_energy(const std::vector<engine::Motion>& motions) {
     sum.potential += engine::potential_energy(bodies_[i], motion);
   }
   sum.potential -= scenario_.push.dot(motions[0].state.position);
+  std::vector<hydro::BodyState> states;
+  for (const engine::Motion& motion : motions) states.push_back(motion.state);
+  sum.potential += stored_energy(scenario_.spec, states);
   sum.overlap = overlap_energy(motions);
   return sum;
 }

@@ -13,7 +13,8 @@
 /// Criteria by which a run fails.
 ///
 /// Let E = K + U be the energy of all bodies, K their kinetic energy with added mass and that in
-/// the memory of their waves, and U their potential energy (gravity, buoyancy, a constant push). In
+/// the memory of their waves, and U their potential energy (gravity, buoyancy, a constant push,
+/// stretched lines). In
 /// still water without lift
 ///
 ///     rise(t)  = E(t) − min E(s) − max C(s)  over s <= t,

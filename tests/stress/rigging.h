@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/stress/scenario.h"
+
+/// @file
+/// Lines and motors of the scenarios.
+
+namespace stress {
+
+/// Values of `with` that name a rig.
+const std::vector<std::string>& rigged();
+bool is_rigged(const std::string& with);
+
+/// Adds the rig to a scenario that has its bodies and joints.
+///
+/// rope: a rope of 1e4 times the weight over the size in stiffness ties two copies; leash: one of
+/// 1e7 ties a body to the world; spring: a spring of 30 between two copies; moored: a catenary from
+/// the body to an anchor below it; driven: a hinge to the world with a motor, stops and friction.
+void rig(const std::string& with, Scenario& scenario);
+
+/// True if the energy of the rig is not known, or it has a motor.
+bool gives_energy(const std::string& with);
+
+/// Energy of stretched springs and ropes [J].
+double stored_energy(const engine::SimulationSpec& spec,
+                     const std::vector<hydro::BodyState>& states);
+
+}  // namespace stress
