@@ -20,7 +20,9 @@
 /// a = b = ¼ and w = ½ are the implicit midpoint rule, of second order and without loss; a = w = 1
 /// and b = 0 take what is missing away within the substep and the next one without overshoot. The
 /// weights go from the first to the second as the substep leaves the oscillation unresolved, so no
-/// stiffness and no ratio of masses makes a line gain energy.
+/// stiffness and no ratio of masses makes a line gain energy. With a = 1 a rope that is slack by −e
+/// lets its ends part by no more than that in a substep, so it is not overstretched when it comes
+/// taut.
 
 namespace engine {
 

@@ -197,13 +197,11 @@ void Rig::add_line_row(const StepContext& context, Island& island, std::size_t i
                .one_sided = line.kind == LineSpec::Kind::rope,
                .owner = index};
   const double rate = row.direction_W.dot(second.point.velocity_W - first.point.velocity_W);
-  // Beyond a slack rope's reach in the substep no row is needed.
-  const double stretch = distance - length.length;
-  if (row.one_sided && stretch <= 0) return;
+  // A slack rope is a row, too: loads may bring it taut before the next substep.
   const RowTerms terms =
       row_terms({.stiffness = line.stiffness,
                  .damping = line.damping,
-                 .missing = stretch,
+                 .missing = distance - length.length,
                  .rest_rate = -length.rate,
                  .rate = rate,
                  .mobility = mobility_along(first.body, row) + mobility_along(second.body, row)},

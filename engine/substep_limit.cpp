@@ -47,7 +47,8 @@ double own_turning_rate(const Body& body, const Motion& motion) {
 }
 
 double turn_limit(const Body& body, const Motion& motion, double rest, double shortest) {
-  const double rate = own_turning_rate(body, motion);
+  double rate = own_turning_rate(body, motion);
+  if (body.driven_by_rows) rate = std::max(rate, motion.state.angular_velocity.norm());
   return equal_part(rest, std::max(shortest, rate > 0 ? kLargestConstrainedTurn / rate : rest));
 }
 

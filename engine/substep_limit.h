@@ -12,7 +12,8 @@ namespace engine {
 /// A wet body turns by at most kLargestWetTurn in a substep and crosses the water surface by at
 /// most kLargestCrossing of its height. A free one goes through at most kLargestSwing of a resolved
 /// oscillation; a constrained one turns by at most kLargestConstrainedTurn by its own inertia,
-/// which the constraint solver does not see. A step has at most kMostSubsteps.
+/// which the constraint solver does not see, and one that a row acts on by that much in all. A step
+/// has at most kMostSubsteps.
 ///
 /// @param rest          Rest of the step [s].
 /// @param step          The step [s].

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace stress {
@@ -15,18 +16,26 @@ double load(const Scenario& scenario) {
   return scenario.spec.bodies[0].mass * scenario.spec.gravity;
 }
 
+/// The vertex of a body that is farthest in a direction.
+Vector3d corner(const engine::BodySpec& body, const Vector3d& direction_B) {
+  Eigen::Index farthest = 0;
+  (direction_B.transpose() * body.mesh_B.vertices).maxCoeff(&farthest);
+  return body.mesh_B.vertices.col(farthest);
+}
+
 /// Place of a body's point in W.
 Vector3d place(const engine::BodySpec& body, const Vector3d& at_B) {
   return body.initial.position + body.initial.orientation * at_B;
 }
 
 void add_line(LineSpec::Kind kind, double stiffness, Scenario& scenario) {
-  const Vector3d at_B = scenario.size * Vector3d(0.2, 0.1, 0.3);
+  const Vector3d at_B = corner(scenario.spec.bodies[0], {0.5, 0.3, 0.8});
+  const Vector3d opposite_B = corner(scenario.spec.bodies[0], {-0.5, -0.3, -0.8});
   const bool between = scenario.spec.bodies.size() > 1;
-  engine::AttachmentPoint second{.body = 1, .at = -at_B};
+  engine::AttachmentPoint second{.body = 1, .at = opposite_B};
   const Vector3d end = place(scenario.spec.bodies[0], at_B);
   if (!between) second = {engine::kWorld, end + scenario.size * Vector3d(1.2, -0.5, 1)};
-  const Vector3d other = between ? place(scenario.spec.bodies[1], -at_B) : second.at;
+  const Vector3d other = between ? place(scenario.spec.bodies[1], opposite_B) : second.at;
   scenario.spec.lines.push_back({.name = "line",
                                  .kind = kind,
                                  .first = {0, at_B},
@@ -37,7 +46,7 @@ void add_line(LineSpec::Kind kind, double stiffness, Scenario& scenario) {
 
 void moor(Scenario& scenario) {
   const double size = scenario.size;
-  const Vector3d at_B = size * Vector3d(0.1, 0, -0.3);
+  const Vector3d at_B = corner(scenario.spec.bodies[0], {0.1, 0, -1});
   const Vector3d end = place(scenario.spec.bodies[0], at_B);
   const Vector3d anchor = end + size * Vector3d(4, 1, -5);
   const double length = 1.02 * (anchor - end).norm();
@@ -58,6 +67,16 @@ void drive(Scenario& scenario) {
   drive.motor = {.mode = engine::JointMotor::Mode::speed, .set_point = 0, .most = torque};
   drive.limits = {{-0.8, 1.1}};
   drive.friction = 0.1 * torque;
+}
+
+/// n·M⁻¹n of a body at a line's end [1/kg].
+double mobility_along(const Vector3d& n, const engine::AttachmentPoint& point,
+                      const engine::SimulationSpec& spec,
+                      const std::vector<hydro::BodyState>& states) {
+  if (point.body == engine::kWorld) return 0;
+  const engine::BodySpec& body = spec.bodies[point.body];
+  const Vector3d turn_B = point.at.cross(states[point.body].orientation.conjugate() * n);
+  return 1 / body.mass + turn_B.dot(body.inertia_B.inverse() * turn_B);
 }
 
 }  // namespace
@@ -90,9 +109,13 @@ double stored_energy(const engine::SimulationSpec& spec,
       if (point.body == engine::kWorld) return point.at;
       return states[point.body].position + states[point.body].orientation * point.at;
     };
-    const double stretch = (end(line.first) - end(line.second)).norm() - line.length;
+    const Vector3d way = end(line.first) - end(line.second);
+    const double stretch = way.norm() - line.length;
     if (line.kind == LineSpec::Kind::rope && stretch < 0) continue;
-    energy += line.stiffness * stretch * stretch / 2;
+    const double mobility = mobility_along(way.normalized(), line.first, spec, states) +
+                            mobility_along(way.normalized(), line.second, spec, states);
+    const double followed = 1 / (mobility * spec.step * spec.step);
+    energy += std::min(line.stiffness, followed) * stretch * stretch / 2;
   }
   return energy;
 }

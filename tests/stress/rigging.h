@@ -24,7 +24,9 @@ void rig(const std::string& with, Scenario& scenario);
 /// True if the energy of the rig is not known, or it has a motor.
 bool gives_energy(const std::string& with);
 
-/// Energy of stretched springs and ropes [J].
+/// Energy that stretched springs and ropes can give back [J]: ½ k e², but for a line that a step h
+/// does not follow ½ m (e/h)², m the mass that it moves, as such a line gives back no more than
+/// that (engine/force_row.h).
 double stored_energy(const engine::SimulationSpec& spec,
                      const std::vector<hydro::BodyState>& states);
 
