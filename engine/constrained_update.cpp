@@ -226,8 +226,8 @@ Answer without_gain(const Solver& solver, const Island& island, std::vector<Row>
     before.push_back(velocity(row.solver.state, Eigen::Vector3d::Zero()) + row.jump);
   if (!gains(answer, before, step)) return answer;
   const std::vector<Contact> plain = without_restitution(solver.contacts);
-  const Answer stopped =
-      solve({.world = solver.world, .contacts = plain, .rows = solver.rows}, island, rows, step, solves);
+  const Answer stopped = solve({.world = solver.world, .contacts = plain, .rows = solver.rows},
+                               island, rows, step, solves);
   return without_gain(stopped, answer, before, step);
 }
 

@@ -120,7 +120,7 @@ struct FoilSpec {
   std::string name;  ///< Unique among the foils.
   Fluid fluid = Fluid::water;
   BodyId body = 0;
-  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();     ///< Where its force acts [m].
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< Where its force acts [m].
   /// Unit; a positive angle turns the chord about its opposite: clockwise as seen from its tip.
   Eigen::Vector3d span_B = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d chord_B =

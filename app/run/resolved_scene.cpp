@@ -14,6 +14,7 @@
 #include "app/base/console.h"
 #include "app/base/table.h"
 #include "app/run/contact_text.h"
+#include "app/run/resolved_rig.h"
 #include "app/run/summary.h"
 #include "engine/locks.h"
 #include "hydro/interior/pockets.h"
@@ -220,6 +221,9 @@ std::string headline(const scene::Scene& scene, const assembly::BuiltScene& buil
   std::string text = fmt::format("{}: {}", scene.file.stem().string(),
                                  counted(spec.bodies.size(), "body", "bodies"));
   if (!spec.joints.empty()) text += ", " + counted(spec.joints.size(), "joint", "joints");
+  if (!spec.lines.empty()) text += ", " + counted(spec.lines.size(), "line", "lines");
+  const std::size_t machines = spec.propellers.size() + spec.foils.size();
+  if (machines > 0) text += ", " + counted(machines, "machine", "machines");
   return text + fmt::format("; {:g} s in steps of {:.4g} s; {}{}; {}", scene.duration, scene.step,
                             water_text(scene, built), wind_text(scene),
                             counted(spec.threads, "thread", "threads"));
@@ -383,6 +387,7 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
   }
   const std::string surfaces = contact_text(built.spec);
   if (!surfaces.empty()) lines.push_back("  contacts: " + surfaces);
+  append_cells(lines, resolved_rig(scene, built));
   const std::vector<std::string> omitted = omission_texts(built, skips, no_pictures);
   if (!omitted.empty())
     lines.push_back(fmt::format("  not computed: {}", fmt::join(omitted, "; ")));
