@@ -14,10 +14,10 @@ using engine::kWorld;
 using engine::Simulation;
 using engine::SimulationSpec;
 
-constexpr double kStep = 1.0 / 60;
+constexpr double kDriveStep = 1.0 / 60;
 
 /// A box of 2 m on a hinge along y through the origin, in weightless space.
-SimulationSpec hinged(double step = kStep) {
+SimulationSpec hinged(double step = kDriveStep) {
   SimulationSpec spec =
       support::dry_world({support::box_body("flap", {2, 1, 0.2}, 1000, {1, 0, 0})}, step);
   spec.gravity = 0;
@@ -48,13 +48,19 @@ TEST(JointMotor, OfSpeedAcceleratesAtItsLargestTorqueAndThenHoldsTheSpeed) {
   Simulation simulation(std::move(spec));
   for (int i = 1; i <= 300; ++i) {
     simulation.step();
-    const double t = i * kStep;
+    const double t = i * kDriveStep;
     const auto joint = simulation.rig().joints[0];
     const double reached = I * speed / torque;
     EXPECT_NEAR(joint.speed, std::min(torque * t / I, speed), 1e-3) << t;
-    if (t < reached - kStep) EXPECT_NEAR(joint.coordinate, torque * t * t / (2 * I), 1e-3) << t;
-    if (t < reached - kStep) EXPECT_NEAR(joint.effort, torque, 1e-6 * torque) << t;
-    if (t > reached + kStep) EXPECT_NEAR(joint.effort, 0, 1e-3 * torque) << t;
+    if (t < reached - kDriveStep) {
+      EXPECT_NEAR(joint.coordinate, torque * t * t / (2 * I), 1e-3) << t;
+    }
+    if (t < reached - kDriveStep) {
+      EXPECT_NEAR(joint.effort, torque, 1e-6 * torque) << t;
+    }
+    if (t > reached + kDriveStep) {
+      EXPECT_NEAR(joint.effort, 0, 1e-3 * torque) << t;
+    }
   }
 }
 
@@ -67,7 +73,7 @@ TEST(JointMotor, OfPositionComesToItsAngleWithoutOvershoot) {
   Simulation simulation(std::move(spec));
   for (int i = 1; i <= 300; ++i) {
     simulation.step();
-    const double t = i * kStep;
+    const double t = i * kDriveStep;
     const double exact = target * (1 - (1 + 4 * t) * std::exp(-4 * t));
     ASSERT_NEAR(simulation.rig().joints[0].coordinate, exact, 2e-3) << t;
     ASSERT_LT(simulation.rig().joints[0].coordinate, target + 1e-9);
@@ -120,7 +126,9 @@ TEST(JointSpring, OscillatesAtItsFrequency) {
     spec.joints[0].drive.rest = 0.1;
     Simulation simulation(std::move(spec));
     for (int i = 0; i < 240; ++i) simulation.step();
-    if (w == 2.0) EXPECT_NEAR(simulation.rig().joints[0].coordinate, 0.1 * (1 - std::cos(w)), 1e-5);
+    if (w == 2.0) {
+      EXPECT_NEAR(simulation.rig().joints[0].coordinate, 0.1 * (1 - std::cos(w)), 1e-5);
+    }
     EXPECT_LT(std::abs(simulation.rig().joints[0].coordinate - 0.1), 0.101) << w;
   }
 }
@@ -141,7 +149,7 @@ TEST(JointFriction, HoldsUntilTheTorqueExceedsIt) {
 TEST(JointMotor, OfASliderBetweenBodiesKeepsMomentumAndAngularMomentum) {
   SimulationSpec spec = support::dry_world({support::box_body("a", {1, 1, 1}, 1000, {0, 0, 0}),
                                             support::box_body("b", {1, 1, 1}, 300, {0, 2, 0.5})},
-                                           kStep);
+                                           kDriveStep);
   spec.gravity = 0;
   spec.joints = {{.name = "slide",
                   .type = JointSpec::Type::slider,
