@@ -266,9 +266,8 @@ bool World::rebounds(const Contact& contact, std::size_t points, double mass, do
   const double sink = kSink * std::max(step, kShortestContact) * closing;
   const double half = reach(contact.pair);
   if (sink <= half) return false;
-  const double share =
-      lightness(contact.pair, contact.point, mass).value_or(1) / static_cast<double>(points);
-  return sink > half * std::max(1.0, share);
+  const std::optional<double> light = lightness(contact.pair, contact.point, mass);
+  return light && sink > half * std::max(1.0, *light / static_cast<double>(points));
 }
 
 ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::size_t points,

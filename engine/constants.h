@@ -163,6 +163,10 @@ inline constexpr int kMostImpacts = 4;              ///< Impacts in a step that 
 inline constexpr int kMostOnsetLooks = 4;           ///< Collisions to find the onset of an impact.
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
 inline constexpr double kImpactGain = 1e-9;
+/// Motion of a pair in a step after which an impact may throw bodies far, over the thickness of the
+/// thinner one [-]. Smaller: groups of fast bodies are larger, and take short substeps together.
+inline constexpr double kFarImpact = 2;
+inline constexpr int kImpactRounds = 3;  ///< Bodies in a row, each thrown by the one before.
 /// Substeps of a step, per body of a group, that end where bodies would pass through each other.
 /// Later ones pass.
 inline constexpr int kMostPassings = 16;

@@ -73,13 +73,9 @@ std::vector<Impacts::Onset> Impacts::onsets(double h, bool resolved) {
     const double reach = context_->world.reach(pair);
     std::optional<double> time;
     if (resolved) time = onset(pair, h);
-    if (speed.linear * h > reach && passings_ < most) {
-      const auto met = passing(pair, h, speed, reach);
-      // An onset that is this late was found on the other side, or is that of another touch.
-      if (met && !(time && *time <= *met + reach / speed.linear)) {
-        time = met;
-        passes = true;
-      }
+    if (!time && speed.linear * h > reach && passings_ < most) {
+      time = passing(pair, h, speed, reach);
+      passes = passes || time;
     }
     if (time)
       found.push_back(
@@ -119,13 +115,13 @@ std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& 
     if (can_move(context_->bodies, id)) return expected_state(body(id), time);
     return id == kWorld ? hydro::BodyState{} : context_->world.state(id);
   };
-  const auto time = first_contact(context_->world, {.pair = pair,
-                                                    .h = h,
-                                                    .speed = speed.linear,
-                                                    .turning = speed.angular,
-                                                    .reach = reach,
-                                                    .slow = slow_,
-                                                    .state = state});
+  const auto time = unseen_contact(context_->world, {.pair = pair,
+                                                     .h = h,
+                                                     .speed = speed.linear,
+                                                     .turning = speed.angular,
+                                                     .reach = reach,
+                                                     .slow = slow_,
+                                                     .state = state});
   const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
   if (met && time == 0.0) return std::nullopt;  // their contact stops them
   return time;

@@ -95,7 +95,7 @@ double bisected(const Way& way, const Flight& flight, double t0, double t1) {
 
 }  // namespace
 
-std::optional<double> first_contact(World& world, const Flight& flight) {
+std::optional<double> unseen_contact(World& world, const Flight& flight) {
   const Way way(world, flight);
   std::vector<std::pair<double, double>> open = {{0, flight.h}};  // the earliest interval is last
   for (int looks = 0; !open.empty() && looks < kMostPassingLooks; ++looks) {
@@ -108,9 +108,11 @@ std::optional<double> first_contact(World& world, const Flight& flight) {
       open.emplace_back(t0, middle);
       continue;
     }
-    if (t0 == 0 && way.closes(0)) return 0;
     ++looks;
-    if (way.closes(t1)) return bisected(way, flight, t0, t1);
+    const bool touches = t0 == 0 && way.closes(0);
+    if (!touches && !way.closes(t1)) continue;
+    if (way.closes(flight.h / 2) || way.closes(flight.h)) return std::nullopt;  // it is seen
+    return touches ? 0 : bisected(way, flight, t0, t1);
   }
   return std::nullopt;
 }

@@ -19,8 +19,9 @@
 /// turn and for the bend of the way. Where this box meets nothing of the larger body the bodies do
 /// not touch; elsewhere the interval is halved, the earlier half first, down to a motion of
 /// kPassingLook reach. At its end the bodies are collided, and where they close, the time of first
-/// contact follows by bisection to a motion of kPassingError reach. A way past everything costs one
-/// such box, one through a wall about 40, none more than kMostPassingLooks.
+/// contact follows by bisection to a motion of kPassingError reach. Where they close halfway, too,
+/// or at the end, the contacts of this substep or of the next one stop them anyway. A way past
+/// everything costs one such box, one through a wall about 40, none more than kMostPassingLooks.
 ///
 /// Validity. A body shows its surface while it moves by its own thickness, so no passing of bodies
 /// that are thicker than the reach is missed; two hulls whose walls are far thinner than the boxes
@@ -42,7 +43,8 @@ struct Flight {
 };
 
 /// Time from the start of the substep at which the pair first touches, just before it does [s]; 0
-/// where it touches already. None: it does not touch, or the way is too long to search.
-std::optional<double> first_contact(World& world, const Flight& flight);
+/// where it touches already. None: it does not touch, or does so halfway or at the end as well, or
+/// the way is too long to search.
+std::optional<double> unseen_contact(World& world, const Flight& flight);
 
 }  // namespace engine

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/impact_boxes.h"
+
 namespace engine {
 
 Stepper::Stepper(StepContext context, double step) : context_(std::move(context)), step_(step) {
@@ -54,7 +56,7 @@ std::vector<Pair> Stepper::near_pairs() {
     boxes.push_back(swept_box(world.shape_box(static_cast<BodyId>(i)), bodies[i].motion.state,
                               context_.gravity, step_));
   boxes.push_back(world.ground_box());
-  return world.touchable(broad_phase_.find(boxes));
+  return world.touchable(with_impacts(context_, step_, boxes, broad_phase_.find(boxes)));
 }
 
 std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {
