@@ -188,7 +188,7 @@ inline constexpr int kImpactRounds = 3;  ///< Bodies in a row, each thrown by th
 inline constexpr int kMostPassings = 16;
 /// Parts of a substep's motion in which a passing is looked for. More: bodies that skim a rough
 /// ground for metres in a step cost more, and fewer of their contacts are missed.
-inline constexpr int kMostPassingLooks = 512;
+inline constexpr int kMostPassingLooks = 128;
 /// Motion between two places in which bodies are collided to find a passing, and the error of its
 /// onset, over half the thinner body's thickness [-]. Beyond 1 a body may pass between two places.
 inline constexpr double kPassingLook = 0.5;
