@@ -190,7 +190,8 @@ Isometry3d pose_of(const hydro::BodyState& state) {
 Isometry3d RigPart::turned_B(const engine::SimulationSpec& spec, const DrawnRig& rig) const {
   Eigen::Matrix3d turn_B = Eigen::Matrix3d::Identity();
   if (kind == Kind::foil)
-    turn_B = Eigen::AngleAxisd(-rig.foil_angles[index], spec.foils[index].span_B).toRotationMatrix();
+    turn_B =
+        Eigen::AngleAxisd(-rig.foil_angles[index], spec.foils[index].span_B).toRotationMatrix();
   if (kind == Kind::propeller) {
     const engine::PropellerSpec& p = spec.propellers[index];
     const DrawnPropeller& now = rig.propellers[index];

@@ -65,11 +65,10 @@ TEST(Signals, AFileGivesTheColumnThatIsAskedFor) {
   const auto file = table_file("rps, time, angle\n3, 0, 30\n5, 2, 40\n");
   EXPECT_EQ(assembly::read_signal({.file = file})->at(1), 4);
   EXPECT_EQ(assembly::read_signal({.file = file, .column = "angle"})->at(1), 35);
-  EXPECT_EQ(assembly::read_signal({.file = file,
-                                   .column = "angle",
-                                   .interpolation = Interpolation::step})
-                ->at(1),
-            30);
+  EXPECT_EQ(
+      assembly::read_signal({.file = file, .column = "angle", .interpolation = Interpolation::step})
+          ->at(1),
+      30);
 }
 
 TEST(Signals, AWrongFileIsRefusedWithItsPlace) {

@@ -50,8 +50,7 @@ TEST(Formula, KeepsNothingFromOneTimeToTheNext) {
 }
 
 TEST(Formula, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(fault_of("3*sinn(t)"),
-            "found the unknown name sinn at character 3; did you mean sin?");
+  EXPECT_EQ(fault_of("3*sinn(t)"), "found the unknown name sinn at character 3; did you mean sin?");
   EXPECT_EQ(fault_of("t = 3"),
             "found = at character 3, expected == to compare; a formula assigns nothing");
   EXPECT_EQ(fault_of("3 + \"a\""), "found \" at character 5, expected a formula in t");
@@ -67,15 +66,17 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
 
 TEST(Formula, RefusesWhateverIsNoFormula) {
   for (const std::string text :
-       {"t t", "1..2", "t ? 1", "max()", "sin t", "t := 3", "a = 1", "rnd()", "sin", "()", "1 2",
-        "t |", "!t", "_pi", "x", "\xff", "t; t", "&", ":", "2 ** 3", "sum(1, 2)", "(1, 2)"})
+       {"t t",  "1..2", "t ? 1", "max()",  "sin t",     "t := 3", "a = 1", "rnd()",
+        "sin",  "()",   "1 2",   "t |",    "!t",        "_pi",    "x",     "\xff",
+        "t; t", "&",    ":",     "2 ** 3", "sum(1, 2)", "(1, 2)"})
     EXPECT_NE(fault_of(text), "") << text;
   EXPECT_NE(fault_of(std::string(500, '(')), "");
   EXPECT_EQ(Formula(std::string(400, '(') + "t" + std::string(400, ')')).at(3), 3);
 }
 
 TEST(Formula, JumpsWhereItComparesOrRounds) {
-  for (const char* text : {"step(t)", "t > 3", "t == 1 ? 2 : 3", "floor(t)", "mod(t, 3)", "sign(t)"})
+  for (const char* text :
+       {"step(t)", "t > 3", "t == 1 ? 2 : 3", "floor(t)", "mod(t, 3)", "sign(t)"})
     EXPECT_TRUE(Formula(text).jumps()) << text;
   for (const char* text : {"sin(t)", "clamp(t, 0, 1)", "smooth(t)", "abs(t)"})
     EXPECT_FALSE(Formula(text).jumps()) << text;
