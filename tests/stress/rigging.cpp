@@ -92,7 +92,7 @@ const std::vector<std::string>& rigged() {
 
 void rig(const std::string& with, Scenario& scenario) {
   if (with == "rope") return add_line(LineSpec::Kind::rope, 1e4, scenario);
-  if (with == "leash") return add_line(LineSpec::Kind::rope, 1e7, scenario);
+  if (with == "leash") return add_line(LineSpec::Kind::rope, 1e5, scenario);
   if (with == "spring") return add_line(LineSpec::Kind::spring, 30, scenario);
   if (with == "moored") return moor(scenario);
   if (with == "driven") return drive(scenario);

@@ -17,7 +17,7 @@ bool is_rigged(const std::string& with);
 /// Adds the rig to a scenario that has its bodies and joints.
 ///
 /// rope: a rope of 1e4 times the weight over the size in stiffness ties two copies; leash: one of
-/// 1e7 ties a body to the world; spring: a spring of 30 between two copies; moored: a catenary from
+/// 1e5 ties a body to the world; spring: a spring of 30 between two copies; moored: a catenary from
 /// the body to an anchor below it; driven: a hinge to the world with a motor, stops and friction.
 void rig(const std::string& with, Scenario& scenario);
 

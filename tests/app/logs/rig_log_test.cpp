@@ -28,7 +28,10 @@ using testing::HasSubstr;
 
 class RigLog : public testing::Test {
  protected:
-  RigLog() : folder(fs::path(testing::TempDir()) / "plimsoll_rig_log") {
+  RigLog()
+      : folder(fs::path(testing::TempDir()) /
+               (std::string("plimsoll_rig_log_") +
+                testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     describe();

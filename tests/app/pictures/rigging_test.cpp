@@ -218,7 +218,7 @@ TEST(RigParts, TurnAFoilAboutItsSpan) {
     const Vector3d side = foil.span_B.cross(foil.chord_B);
     EXPECT_LE((pose_B.translation() - foil.at_B).norm(), kPoseRoundOff);
     EXPECT_LE(
-        (pose_B.linear().col(0) - (std::cos(angle) * foil.chord_B + std::sin(angle) * side)).norm(),
+        (pose_B.linear().col(0) - (std::cos(angle) * foil.chord_B - std::sin(angle) * side)).norm(),
         kPoseRoundOff);
     EXPECT_LE((pose_B.linear().col(2) - foil.span_B).norm(), kPoseRoundOff);
     EXPECT_NEAR(pose_B.linear().determinant(), 1, kPoseRoundOff);

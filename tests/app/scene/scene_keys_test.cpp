@@ -550,6 +550,65 @@ std::string key_of(std::string path) {
   return path;
 }
 
+/// Lines, machines and controls with all their keys, in three scenes.
+std::vector<std::string> rigs() {
+  const std::string line = "stiffness: 1, damping: 1, breaks_at: 9, length: 5";
+  const std::string ends = "bodies: [a, world], points: [[0, 0, 0], [0, 0, 5]]";
+  const std::string foil =
+      "body: a, at: [0, 0, 0], span: 1, chord: 1, axis: [0, 0, 1], chord_axis: [1, 0, 0],"
+      " angle_deg: 1, aspect_ratio: 2, drag: 0.1, stall_deg: 20";
+  const std::string table = "table: {angle_deg: [0, 90], lift: [0, 0], drag: [0, 1]}";
+  const std::string file = support::data_folder().string() + "/commands.csv";
+  const std::string screw =
+      "body: a, at: [0, 0, 0], axis: [1, 0, 0], diameter: 1, speed_rps: 1,"
+      " wake: 0.1, deduction: 0.1, rotative_efficiency: 1, reverse: 0.7,"
+      " hand: left, azimuth_deg: 0, pivot: [0, 0, 1], inertia: 1";
+  return {
+      "springs=[{name: s, " + ends + ", " + line + "}]",
+      "ropes=[{name: r, " + ends + ", " + line + ", rate: 0, shortest: 1}]",
+      "moorings=[{name: m, body: a, fairlead: [0, 0, 0], anchor: [9, 0, -10], length: 16,"
+      " weight: 1, stiffness: 1e5, friction: 0.1, bottom: true, breaks_at: 1e9,"
+      " drag: {diameter: 0.1, coefficient: 1}}]",
+      "propellers=[{name: p, " + screw +
+          ", model: {wageningen: {blades: 4, area_ratio: 0.7, pitch_ratio: 1}}}, {name: q, " +
+          screw +
+          ", model: {open_water: {advance: [0, 1], kt: [0.4, 0], kq: [0.05, 0.01]}}},"
+          " {name: o, " +
+          screw + ", model: {four_quadrant: {beta_deg: [-90, 90], ct: [1, -1], cq: [0.1, -0.1]}}}]",
+      "rudders=[{name: h, " + foil +
+          ", law: fujii, behind: p}, {name: g, body: a, at: [0, 0, 0],"
+          " span: 1, chord: 1, law: table, " +
+          table + "}]",
+      "sails=[{name: i, " + foil +
+          ", law: fujii}, {name: j, body: a, at: [0, 0, 0],"
+          " span: 1, chord: 1, law: table, " +
+          table + "}]",
+      "controls=[{set: \"springs[s].length\", formula: t, start: 1, rate: 2},"
+      " {set: \"ropes[r].rate\", file: " +
+          file +
+          ", column: value, interpolation: step},"
+          " {set: \"rudders[h].angle_deg\", pid: {of: a.speed, target: 1, kp: 1, ki: 1, kd: 1,"
+          " limits: [-1, 1]}},"
+          " {set: \"propellers[p].speed_rps\", relay: {of: a.x, low: 1, high: 2, values: [1, 2]}}]",
+      "bodies[0].forces=[{force: [1, 0, 0], torque: [0, 0, 1], frame: body, at: [0, 0, 0],"
+      " start: 0, end: 1, factor: 2, formula: t}, {force: [1, 0, 0], file: " +
+          file + ", column: value, interpolation: linear}]"};
+}
+
+/// Joints whose drives have all keys.
+std::string drives() {
+  const std::string all = ", stiffness: 1, damping: 1, friction: 1, ";
+  return "joints=[{type: hinge, bodies: [a, world], anchor: [0, 0, 0], axis: [1, 0, 0]" + all +
+         "limits_deg: [-1, 1], rest_deg: 0, motor: {angle_deg: 0, max_torque: 1, rate: 2}},"
+         " {type: hinge, bodies: [a, world], anchor: [0, 0, 0], axis: [1, 0, 0],"
+         " motor: {torque: 1}},"
+         " {type: slider, bodies: [a, world], axis: [1, 0, 0]" +
+         all +
+         "limits: [-1, 1], rest: 0, motor: {position: 0, max_force: 1}},"
+         " {type: slider, bodies: [a, world], axis: [1, 0, 0], motor: {speed: 1}},"
+         " {type: slider, bodies: [a, world], axis: [1, 0, 0], motor: {force: 1}}]";
+}
+
 TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
   std::set<std::string> met;
   for (const std::vector<std::string>& overrides : std::vector<std::vector<std::string>>{
@@ -567,6 +626,8 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
             " heading_deg: 1, length: 2}"},
            kCameras,
+           rigs(),
+           {drives()},
            {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
       if (!path.empty()) met.insert(key_of(path));

@@ -49,7 +49,7 @@ std::string value_for(const scene::ValueShape& shape, std::size_t entry = 0) {
       break;
   }
   std::string list;
-  for (std::size_t i = 0; i < std::max<std::size_t>(shape.count, 1); ++i)
+  for (std::size_t i = 0; i < std::max<std::size_t>({shape.count, shape.least, 1}); ++i)
     list += (list.empty() ? "[" : ", ") + value_for(shape.item.front(), i);
   return list + "]";
 }
@@ -72,11 +72,29 @@ std::vector<std::string> faults_at(const std::string& key_path, const std::strin
 
 /// What a value that is made from its shape alone cannot be right about.
 bool needs_others(const std::string& fault) {
-  for (const char* reason :
-       {"missing, ", "found a zero", "expected a symmetric matrix", "found the principal moments",
-        "there is no body named", "is only used with", "not used by", "needs water",
-        "wind is horizontal", "of a table is horizontal", "expected a greater depth",
-        "one for each depth"})
+  for (const char* reason : {"missing, ",
+                             "found a zero",
+                             "expected a symmetric matrix",
+                             "found the principal moments",
+                             "there is no body named",
+                             "is only used with",
+                             "not used by",
+                             "needs water",
+                             "wind is horizontal",
+                             "of a table is horizontal",
+                             "expected a greater depth",
+                             "one for each depth",
+                             "a list of at least 2",
+                             "the unknown name text",
+                             "no quantity named",
+                             "makes an angle of",
+                             "does not include 0",
+                             "no set point named",
+                             "no propeller named",
+                             "needs air",
+                             "a table from 0 or less",
+                             "does not fall in its last",
+                             "expected a number from -0.9 to 0.9"})
     if (fault.find(reason) != std::string::npos) return true;
   return false;
 }

@@ -42,6 +42,11 @@ UNSEEN = [
     r"needs interior: flooding", r"hollow that holds", r"is below the hollow", r"the far side of",
     r"the same water on both sides", r"which is the pair of", r"friction, restitution or both",
     r"stands for the ground", r"has collision: none", r"pass through each other",
+    r"found \w+ twice", r"\.formula: ", r"sets .* already", r"the lower limit first",
+    r"there is no quantity", r"has no quantity", r"at least low", r"no set point named",
+    r"not used by a (hinge|slider) joint", r"table from 0", r"rising values",
+    r"expected wageningen, open_water", r"at most the length", r"there is no propeller",
+    r"is a propeller of", r"needs air, and",
 ]
 
 
