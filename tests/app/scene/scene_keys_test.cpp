@@ -591,7 +591,7 @@ std::vector<std::string> rigs() {
           " limits: [-1, 1]}},"
           " {set: \"propellers[p].speed_rps\", relay: {of: a.x, low: 1, high: 2, values: [1, 2]}}]",
       "bodies[0].forces=[{force: [1, 0, 0], torque: [0, 0, 1], frame: body, at: [0, 0, 0],"
-      " start: 0, end: 1, factor: 2, formula: t}, {force: [1, 0, 0], file: " +
+      " start: 0, end: 1, formula: t}, {force: [1, 0, 0], factor: 2}, {force: [1, 0, 0], file: " +
           file + ", column: value, interpolation: linear}]"};
 }
 
