@@ -160,6 +160,8 @@ class Signal {
   virtual double at(double time) const = 0;
   /// True if the value jumps, so that a step takes the value of its start throughout.
   virtual bool jumps() const { return false; }
+  /// Bytes that are equal for signals which have the same value at every time.
+  virtual std::string identity() const = 0;
 };
 
 /// output = kp e + ki ∫e dt + kd de/dt, e = target − measured, in the units of the names; the

@@ -16,13 +16,19 @@ namespace {
 
 const char* const kCommandUsage = "expected the column time [s] and another with the values";
 
+std::string bytes_of(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+
 class FormulaSignal : public engine::Signal {
  public:
-  explicit FormulaSignal(const std::string& text) : formula_(text) {}
+  explicit FormulaSignal(const std::string& text) : text_(text), formula_(text) {}
   double at(double time) const override { return formula_.at(time); }
   bool jumps() const override { return formula_.jumps(); }
+  std::string identity() const override { return text_; }
 
  private:
+  std::string text_;
   scene::Formula formula_;
 };
 
@@ -39,6 +45,9 @@ class TableSignal : public engine::Signal {
     return std::lerp(values_[i], values_[i + 1], (time - times_[i]) / (times_[i + 1] - times_[i]));
   }
   bool jumps() const override { return steps_; }
+  std::string identity() const override {
+    return (steps_ ? "step" : "linear") + bytes_of(times_) + bytes_of(values_);
+  }
 
  private:
   std::vector<double> times_, values_;

@@ -74,6 +74,14 @@ class Digest {
   std::vector<char> bytes_;
 };
 
+/// The values of a control may come from a file, which may change.
+void add(const engine::ControlSpec& control, Digest& digest) {
+  const auto* signal = std::get_if<std::shared_ptr<const engine::Signal>>(&control.source);
+  if (signal == nullptr) return;
+  const std::string identity = (*signal)->identity();
+  digest.add(identity.data(), identity.size());
+}
+
 /// The waves of a body may come from a file, which may change.
 void add(const hydro::RadiationData& data, Digest& digest) {
   digest.add(data.infinite_added_mass);
@@ -106,6 +114,7 @@ std::string digest_of(const engine::SimulationSpec& spec) {
   }
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);
+  for (const engine::ControlSpec& control : spec.controls) add(control, digest);
   if (!spec.sea) return digest.text();
   if (const auto* field = std::get_if<hydro::HeightField>(&spec.sea->surface))
     digest.add(field->heights);

@@ -38,8 +38,8 @@ struct Checkpoint {
   engine::SimulationState state;
 };
 
-/// Returns a digest of a specification. Two specifications with the same digest give the same
-/// motion from the same state.
+/// Returns a digest of what the files that a scene names put into its specification. Two
+/// specifications of one scene with the same digest give the same motion from the same state.
 std::string digest_of(const engine::SimulationSpec& spec);
 
 /// Writes the checkpoint of a run into its folder; a failure leaves the old one unchanged. @throws

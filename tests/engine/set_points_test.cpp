@@ -21,6 +21,7 @@ class Function : public engine::Signal {
       : f_(std::move(f)), jumps_(jumps) {}
   double at(double time) const override { return f_(time); }
   bool jumps() const override { return jumps_; }
+  std::string identity() const override { return "function"; }
 
  private:
   std::function<double(double)> f_;

@@ -26,6 +26,64 @@ std::string long_scene(const std::string& more = "") {
          more;
 }
 
+/// A tug under an autopilot with a barge in tow, a moored and tethered float, a crane with a motor
+/// and a winch, a pump that switches: all that remembers something from step to step.
+std::string rigged_scene(const Workplace& place) {
+  place.write("winch.csv", "time,length\n0,6\n20,2\n40,7\n");
+  return R"(plimsoll: 1
+duration: )" +
+             std::to_string(support::repeats(40)) + R"(
+step: 0.01
+water: {density: 1025, surface: {waves: [{amplitude: 0.2, wavelength: 20}]}}
+bodies:
+  - {name: tug, box: {size: [8, 3, 2]}, mass: 24000}
+  - {name: barge, box: {size: [12, 5, 2]}, mass: 60000, position: [-24, 0, 0]}
+  - {name: float, box: {size: [2, 2, 2]}, density: 400, position: [0, 30, 0]}
+  - {name: arm, box: {size: [4, 0.3, 0.3]}, mass: 300, position: [2, -30, 8]}
+  - {name: load, box: {size: [1, 1, 1]}, mass: 700, position: [4, -30, 1.5]}
+joints:
+  - {name: shoulder, type: hinge, bodies: [arm, world], anchor: [0, -30, 8], axis: [0, 0, 1],
+     limits_deg: [-60, 60], motor: {speed: 0.2, max_torque: 4e4}, friction: 20}
+springs:
+  - {name: tether, bodies: [float, world], points: [[1, 0, 0], [6, 30, 0]], length: 4, stiffness: 2e3, damping: 300}
+ropes:
+  - {name: tow, bodies: [tug, barge], points: [[-4, 0, 1], [6, 0, 1]], length: 15, stiffness: 1e6, damping: 1e4}
+  - {name: winch, bodies: [arm, load], points: [[2, 0, 0], [0, 0, 0.5]], length: 6, stiffness: 1e6, damping: 1e4}
+moorings:
+  - {name: chain, body: float, fairlead: [0, 0, -1], anchor: [-30, 30, -20], length: 42, weight: 60, stiffness: 1e7}
+propellers:
+  - {name: main, body: tug, at: [-4, 0, -1], diameter: 1.4, speed_rps: 0,
+     model: {wageningen: {blades: 4, area_ratio: 0.7, pitch_ratio: 1}}}
+rudders:
+  - {name: rudder, body: tug, at: [-4.8, 0, -1], span: 1.4, chord: 1, behind: main}
+controls:
+  - {set: "propellers[main].speed_rps", formula: "4*smooth(t/5)",
+         rate : 1
+}
+- {
+  set : "rudders[rudder].angle_deg",
+  rate : 10,
+  pid :
+      {of : tug.heading_deg,
+       target : "25*sin(t/4)",
+       kp : 2,
+       ki : 0.1,
+       kd : 5,
+       limits : [
+         -35, 35
+       ]}
+} - {set : "ropes[winch].length", file : winch.csv} -
+{
+set:
+  "joints[shoulder].motor", relay : {
+  of:
+    "joints[shoulder].angle_deg", low : -20, high : 20, values : [ 0.2, -0.2 ]
+  }
+}
+log: {every: 0.05, forces: true}
+)";
+}
+
 /// Starts the scene with frequent checkpoints and ends it by a signal once one is written.
 Outcome stop_by(const Workplace& place, int signal, std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), {"--out", "cut", "--checkpoint", "0.01"});
@@ -54,6 +112,31 @@ TEST(ProgramCheckpoint, AKilledRunGoesOnToTheSameBytes) {
   }
   EXPECT_NE(place.read(place / "cut/summary.json").find("resumed_at_seconds"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(place / "cut/checkpoint.bin"));
+}
+
+TEST(ProgramCheckpoint, AKilledRunWithLinesMachinesAndControlsGoesOnToTheSameBytes) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", rigged_scene(place));
+  const Outcome whole = place.run({"run", scene, "--out", "whole", "--quiet", "--threads", "1"});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  ASSERT_EQ(stop_by(place, SIGKILL, {"run", scene}).code, -SIGKILL);
+  const Outcome resumed = place.run({"run", "--resume", "cut", "--threads", "2"});
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  for (const std::string table : {"trajectory.csv", "forces.csv", "lines.csv", "joints.csv",
+                                  "machines.csv", "controls.csv"}) {
+    EXPECT_GT(place.read(place / "whole" / table).size(), 10000u) << table;
+    EXPECT_EQ(place.read(place / "cut" / table), place.read(place / "whole" / table)) << table;
+  }
+}
+
+TEST(ProgramCheckpoint, AControlWhoseTableHasChangedIsToldBeforeGoingOn) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", rigged_scene(place));
+  ASSERT_EQ(stop_by(place, SIGTERM, {"run", scene}).code, 130);
+  place.write("winch.csv", "time,length\n0,6\n20,3\n");
+  const Outcome resumed = place.run({"run", "--resume", "cut"});
+  EXPECT_EQ(resumed.code, 2);
+  EXPECT_NE(resumed.err.find("has changed since the checkpoint"), std::string::npos) << resumed.err;
 }
 
 TEST(ProgramCheckpoint, AnInterruptedRunSaysHowToGoOnAndLosesNoStep) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/assembly/signals.h"
 #include "app/run/checkpoint.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/support/radiating_sphere.h"
@@ -21,6 +22,18 @@ TEST(CheckpointDigest, TellsWhetherTheWavesOfABodyHaveChanged) {
   other = data;
   other.infinite_added_mass(0, 0) *= 1 + 1e-12;
   EXPECT_NE(digest_with(data), digest_with(other));
+}
+
+std::string digest_with(std::vector<double> values, scene::Interpolation interpolation) {
+  return app::digest_of(
+      {.controls = {{.source = assembly::table_signal({0, 1}, values, interpolation)}}});
+}
+
+TEST(CheckpointDigest, TellsWhetherTheTableOfAControlHasChanged) {
+  const std::string before = digest_with({2, 3}, scene::Interpolation::linear);
+  EXPECT_EQ(digest_with({2, 3}, scene::Interpolation::linear), before);
+  EXPECT_NE(digest_with({2, 3 + 1e-12}, scene::Interpolation::linear), before);
+  EXPECT_NE(digest_with({2, 3}, scene::Interpolation::step), before);
 }
 
 }  // namespace
