@@ -22,7 +22,7 @@ void read_coefficient(MapReader& map, const std::string& key, double& coefficien
   const std::string expected = "a number >= 0, or false";
   const auto value = map.find(key, expected, number_text(coefficient), coefficient_or({}));
   if (!value) return;
-  if (value->node.is_word("false"))
+  if (value->node.is_truth(false))
     coefficient = 0;
   else
     read_number(*value, not_negative(), expected, coefficient);
@@ -40,7 +40,7 @@ void read_pressure_drag(MapReader& map, hydro::PressureDrag& drag) {
       map.find_unless_block("pressure_drag", expected, drag_text(drag), drag, coefficient_or({}));
   if (!value) return;
   double coefficient = 0;
-  if (value->node.is_word("false"))
+  if (value->node.is_truth(false))
     drag.front = drag.back = 0;
   else if (read_number(*value, not_negative(), expected, coefficient))
     drag.front = drag.back = coefficient;
@@ -70,7 +70,7 @@ void read_viscous_drag(MapReader& map, hydro::ViscousDrag& drag) {
     drag.law = Law::thesis;
   else if (value->node.is_word("ittc57"))
     drag.law = Law::ittc57;
-  else if (value->node.is_word("false"))
+  else if (value->node.is_truth(false))
     drag.law = Law::none;
   else if (read_number(*value, not_negative(), expected, coefficient))
     drag.law = Law::constant;

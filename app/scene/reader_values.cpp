@@ -201,7 +201,7 @@ bool Field<TextRule, std::string>::read(const Value& value, const TextRule& rule
 }
 
 bool Field<TruthRule, bool>::read(const Value& value, const TruthRule& rule, bool& target) {
-  if (!value.node.is_word("true") && !value.node.is_word("false"))
+  if (!value.node.is_truth(true) && !value.node.is_truth(false))
     return value.refuse(expected(rule));
   target = value.node.text == "true";
   return true;

@@ -30,8 +30,12 @@ struct YamlNode {
   std::vector<YamlEntry> entries;  ///< In file order; keys may repeat.
 
   bool is(Kind which) const { return kind == which; }
-  /// True for the unquoted scalar `word`.
-  bool is_word(const char* word) const { return is(Kind::scalar) && !quoted && text == word; }
+  /// True for the scalar `word`, in quotes or without.
+  bool is_word(const char* word) const { return is(Kind::scalar) && text == word; }
+  /// True for the unquoted scalar `true` or `false`.
+  bool is_truth(bool truth) const {
+    return is(Kind::scalar) && !quoted && text == (truth ? "true" : "false");
+  }
   /// Returns the value of the first entry with this key; null if there is none.
   const YamlNode* find(const std::string& key) const;
 };

@@ -30,9 +30,7 @@ std::string long_scene(const std::string& more = "") {
 /// and a winch, a pump that switches: all that remembers something from step to step.
 std::string rigged_scene(const Workplace& place) {
   place.write("winch.csv", "time,length\n0,6\n20,2\n40,7\n");
-  return R"(plimsoll: 1
-duration: )" +
-             std::to_string(support::repeats(40)) + R"(
+  return "plimsoll: 1\nduration: " + std::to_string(support::repeats(40)) + R"yaml(
 step: 0.01
 water: {density: 1025, surface: {waves: [{amplitude: 0.2, wavelength: 20}]}}
 bodies:
@@ -45,43 +43,30 @@ joints:
   - {name: shoulder, type: hinge, bodies: [arm, world], anchor: [0, -30, 8], axis: [0, 0, 1],
      limits_deg: [-60, 60], motor: {speed: 0.2, max_torque: 4e4}, friction: 20}
 springs:
-  - {name: tether, bodies: [float, world], points: [[1, 0, 0], [6, 30, 0]], length: 4, stiffness: 2e3, damping: 300}
+  - {name: tether, bodies: [float, world], points: [[1, 0, 0], [6, 30, 0]], length: 4,
+     stiffness: 2e3, damping: 300}
 ropes:
-  - {name: tow, bodies: [tug, barge], points: [[-4, 0, 1], [6, 0, 1]], length: 15, stiffness: 1e6, damping: 1e4}
-  - {name: winch, bodies: [arm, load], points: [[2, 0, 0], [0, 0, 0.5]], length: 6, stiffness: 1e6, damping: 1e4}
+  - {name: tow, bodies: [tug, barge], points: [[-4, 0, 1], [6, 0, 1]], length: 15, stiffness: 1e6,
+     damping: 1e4}
+  - {name: winch, bodies: [arm, load], points: [[2, 0, 0], [0, 0, 0.5]], length: 6,
+     stiffness: 1e6, damping: 1e4}
 moorings:
-  - {name: chain, body: float, fairlead: [0, 0, -1], anchor: [-30, 30, -20], length: 42, weight: 60, stiffness: 1e7}
+  - {name: chain, body: float, fairlead: [0, 0, -1], anchor: [-30, 30, -20], length: 42, weight: 60,
+     stiffness: 1e7}
 propellers:
   - {name: main, body: tug, at: [-4, 0, -1], diameter: 1.4, speed_rps: 0,
      model: {wageningen: {blades: 4, area_ratio: 0.7, pitch_ratio: 1}}}
 rudders:
   - {name: rudder, body: tug, at: [-4.8, 0, -1], span: 1.4, chord: 1, behind: main}
 controls:
-  - {set: "propellers[main].speed_rps", formula: "4*smooth(t/5)",
-         rate : 1
-}
-- {
-  set : "rudders[rudder].angle_deg",
-  rate : 10,
-  pid :
-      {of : tug.heading_deg,
-       target : "25*sin(t/4)",
-       kp : 2,
-       ki : 0.1,
-       kd : 5,
-       limits : [
-         -35, 35
-       ]}
-} - {set : "ropes[winch].length", file : winch.csv} -
-{
-set:
-  "joints[shoulder].motor", relay : {
-  of:
-    "joints[shoulder].angle_deg", low : -20, high : 20, values : [ 0.2, -0.2 ]
-  }
-}
+  - {set: "propellers[main].speed_rps", formula: 4*smooth(t/5), rate: 1}
+  - {set: "rudders[rudder].angle_deg", rate: 10,
+     pid: {of: tug.heading_deg, target: 25*sin(t/4), kp: 2, ki: 0.1, kd: 5, limits: [-35, 35]}}
+  - {set: "ropes[winch].length", file: winch.csv}
+  - {set: "joints[shoulder].motor.speed",
+     relay: {of: "joints[shoulder].angle_deg", low: -20, high: 20, values: [0.2, -0.2]}}
 log: {every: 0.05, forces: true}
-)";
+)yaml";
 }
 
 /// Starts the scene with frequent checkpoints and ends it by a signal once one is written.
