@@ -5,6 +5,7 @@
 
 #include "engine/constants.h"
 #include "engine/free_motion.h"
+#include "engine/hulls.h"
 #include "engine/locks.h"
 #include "hydro/airy_waves.h"
 #include "hydro/decompositions.h"
@@ -21,11 +22,6 @@ double relative_change(const Body& body, const Matrix6d& added_B, const Matrix6d
 
 std::optional<Matrix6d> unless_zero(const Matrix6d& matrix) {
   return matrix.isZero(0) ? std::nullopt : std::optional<Matrix6d>(matrix);
-}
-
-/// The surface of the hull. Pockets that may be flooded are a part of it.
-const hydro::TriMesh& water_mesh(const BodySpec& spec) {
-  return spec.interior == Interior::dry ? outside_B(spec) : spec.mesh_B;
 }
 
 /// The state with the projection of its momentum on the reduced joint.
@@ -88,18 +84,11 @@ Environment make_environment(const SimulationSpec& spec) {
 std::vector<Body> make_bodies(const SimulationSpec& spec) {
   const Environment environment = make_environment(spec);
   std::vector<Body> bodies;
+  Hulls hulls;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     Body body = make_dry_body(spec, environment, i);
     body.feels_air = body.wet && spec.sea->air && !body.spec->coefficients.pressure_drag.none();
-    if (body.wet) {
-      const auto same = std::find_if(bodies.begin(), bodies.end(), [&](const Body& other) {
-        return other.hull && hydro::same_mesh(other.hull->mesh_B, water_mesh(*body.spec));
-      });
-      body.hull =
-          same != bodies.end()
-              ? same->hull
-              : std::make_shared<const hydro::Hull>(hydro::make_hull(water_mesh(*body.spec)));
-    }
+    if (body.wet) body.hull = hulls.of(*body.spec);
     bodies.push_back(std::move(body));
   }
   return bodies;

@@ -72,6 +72,7 @@ struct Simulation::Impl {
 
   double time() const { return static_cast<double>(steps) * spec.step; }
   MovingBody& body(BodyId id);
+  const SetPointSpec& set_point(SetPointId id) const;
   std::vector<BodyForces> forces();
   SimulationState state() const;
   void restore(const SimulationState::Data& data);
@@ -122,6 +123,12 @@ MovingBody& Simulation::Impl::body(BodyId id) {
   if (id < 0 || id >= static_cast<BodyId>(bodies.size()))
     throw std::invalid_argument(fmt::format("there is no body {}", id));
   return bodies[id];
+}
+
+const SetPointSpec& Simulation::Impl::set_point(SetPointId id) const {
+  if (id < 0 || id >= static_cast<SetPointId>(spec.set_points.size()))
+    throw std::invalid_argument(fmt::format("there is no set point {}", id));
+  return spec.set_points[id];
 }
 
 void Simulation::Impl::book_time(double wall, double collision) {
@@ -287,15 +294,28 @@ void Simulation::apply(BodyId body, const hydro::Wrench& wrench, Frame frame,
 }
 
 void Simulation::set(const std::string& set_point, double value) {
-  const SetPointId id = impl_->rig.set_points().find(set_point);
+  set(impl_->rig.set_points().find(set_point), value);
+}
+
+void Simulation::set(SetPointId set_point, double value) {
+  const std::string& name = impl_->set_point(set_point).name;
   if (!std::isfinite(value))
-    throw std::invalid_argument(fmt::format("the value of '{}' is not finite", set_point));
-  impl_->rig.set_points().set(id, value);
+    throw std::invalid_argument(fmt::format("the value of '{}' is not finite", name));
+  impl_->rig.set_points().set(set_point, value);
 }
 
 void Simulation::release(const std::string& set_point) {
-  SetPoints& set_points = impl_->rig.set_points();
-  set_points.set(set_points.find(set_point), std::nullopt);
+  release(impl_->rig.set_points().find(set_point));
+}
+
+void Simulation::release(SetPointId set_point) {
+  impl_->set_point(set_point);
+  impl_->rig.set_points().set(set_point, std::nullopt);
+}
+
+std::optional<double> Simulation::set_value(SetPointId set_point) const {
+  impl_->set_point(set_point);
+  return impl_->rig.set_points().states()[set_point].outside;
 }
 
 void Simulation::pull(BodyId body, const std::optional<Pull>& pull) {

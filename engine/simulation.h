@@ -83,8 +83,12 @@ class Simulation {
   /// of the scene that drives it no longer does. @throws std::invalid_argument for an unknown name
   /// or a value that is not finite.
   void set(const std::string& set_point, double value);
+  void set(SetPointId set_point, double value);
   /// Gives the set point back to the scene's control, or to its initial value.
   void release(const std::string& set_point);
+  void release(SetPointId set_point);
+  /// The value that set() gave; none since it was released.
+  std::optional<double> set_value(SetPointId set_point) const;
 
   /// Pulls the body by one of its points in all steps to come; none lets it go. A body has at most
   /// one pull, at a rate of at most kFastestPull a step; one that cannot move stays.

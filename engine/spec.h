@@ -71,6 +71,9 @@ enum class Interior {
 struct BodySpec {
   std::string name;
   hydro::TriMesh mesh_B;                                    ///< Its surface for water and contacts.
+  /// What the water sees of it, shared by simulations of one body (hulls.h); null: the simulation
+  /// makes its own.
+  std::shared_ptr<const hydro::Hull> hull;
   double mass = 0;                                          ///< [kg], > 0.
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
   hydro::BodyState initial;
