@@ -9,22 +9,17 @@
 #include <utility>
 
 #include "app/assembly/build.h"
-#include "app/base/background.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/base/output_error.h"
 #include "app/base/progress.h"
-#include "app/base/schedule.h"
 #include "app/base/terminal_reporter.h"
 #include "app/base/thread_count.h"
 #include "app/base/wall_clock.h"
 #include "app/base/words.h"
 #include "app/logs/hdf5_file.h"
-#include "app/logs/make_log.h"
 #include "app/logs/output_folder.h"
-#include "app/logs/probes.h"
-#include "app/logs/rig_log.h"
 #include "app/logs/run_files.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
@@ -32,10 +27,10 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
-#include "app/run/log_subject.h"
 #include "app/run/radiation_warning.h"
 #include "app/run/resolved_scene.h"
 #include "app/run/run_source.h"
+#include "app/run/state_log.h"
 #include "app/run/summary.h"
 #include "app/run/wave_warning.h"
 #include "app/scene/diagnostics.h"
@@ -43,13 +38,6 @@
 
 namespace app {
 namespace {
-
-/// Returns the largest number of times that may wait to be logged. A row with its forces takes less
-/// than a kilobyte, so they need at most a megabyte unless there are very many bodies.
-std::size_t most_waiting(std::size_t bodies) {
-  constexpr std::size_t kRows = 1024;
-  return std::max<std::size_t>(2, kRows / std::max<std::size_t>(1, bodies));
-}
 
 /// A run: the simulation and its output.
 class Run {
@@ -64,14 +52,10 @@ class Run {
         summary_{.scene = scene, .built = built, .overrides = options.overrides},
         progress_(options.quiet),
         simulation_(built.spec),
-        log_(make_log(options.format, log_subject(scene, built), folder.path(),
-                      last ? std::optional(last->log) : std::nullopt)),
-        log_due_(scene.log_every.value_or(0)),
-        probes_(scene.probes, built.spec, built.centers_of_mass),
-        rig_(built.spec, scene.log_forces),
+        log_(scene, built, options.format, folder.path(), built.spec.threads,
+             last ? std::optional(last->log) : std::nullopt),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
-               options.video.pictures_a_second()),
-        logging_(built.spec.threads, most_waiting(built.spec.bodies.size())) {
+               options.video.pictures_a_second()) {
     summary_.warnings = built.warnings;
     ShotSpool store;
     if (options.checkpoint > 0 && wants_pictures())
@@ -102,7 +86,7 @@ class Run {
   void go_on_from(const Checkpoint& last, ShotSpool store) {
     simulation_.restore(last.state);
     const double time = simulation_.time();
-    log_due_.due(time);
+    log_.due(time);
     shots_.resume(time, simulation_.states(), drawn_rig(simulation_.rig()), std::move(store));
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
@@ -155,7 +139,7 @@ class Run {
     try {
       if (!summary_.resumed_at) keep();
       while (simulation_.steps() < steps && !interrupt_.interrupted()) {
-        probes_.before_step(simulation_.states());
+        log_.before_step(simulation_.states());
         simulation_.step();
         check_waves();
         keep();
@@ -174,9 +158,7 @@ class Run {
 
   /// Saves the rows and shots so far, then the checkpoint.
   void save_checkpoint() {
-    LogPosition position;
-    logging_.put([&] { position = log_->save(); });
-    logging_.finish();
+    const LogPosition position = log_.save();
     shots_.save();
     write_checkpoint(folder_.path(), {.source = run_source(scene_, options_.overrides),
                                       .inputs = digest_of(built_.spec),
@@ -218,13 +200,13 @@ class Run {
   /// Logs the state and stores it for a picture, if either is due.
   void keep() {
     const double time = simulation_.time();
-    const bool logs = log_due_.due(time), sums_up = RigTotals::sums_up(built_.spec);
+    const bool logs = log_.due(time), sums_up = RigTotals::sums_up(built_.spec);
     engine::RigReadings rig;
-    if (sums_up || (logs && !rig_.empty())) rig = simulation_.rig();
+    if (sums_up || (logs && log_.reads_rig())) rig = simulation_.rig();
     if (sums_up) summary_.rig.add(time, rig);
     if (logs) {
       const WallClock clock;
-      log(time, rig);
+      log_.add(simulation_, rig);
       summary_.wall_log += clock.seconds();
     }
     if (wants_pictures())
@@ -233,38 +215,10 @@ class Run {
           [this] { return drawn_rig(simulation_.rig()); });
   }
 
-  /// Returns the numbers of all tables, in the order of log_subject.
-  std::vector<std::vector<double>> table_numbers(double time,
-                                                 const engine::RigReadings& rig) const {
-    std::vector<std::vector<double>> tables = rig_.numbers(rig, simulation_.states());
-    if (scene_.probes.empty()) return tables;
-    tables.emplace_back();
-    for (const ProbeReading& reading : probes_.read(time, simulation_.states()))
-      tables.back().insert(tables.back().end(), reading.begin(), reading.end());
-    return tables;
-  }
-
-  /// Queues the rows of a time for the log.
-  void log(double time, const engine::RigReadings& rig) {
-    std::vector<engine::BodyForces> forces;
-    if (scene_.log_forces) forces = simulation_.forces();
-    std::vector<engine::InteriorState> interiors;
-    if (may_be_hollow(built_.spec)) interiors = simulation_.interiors();
-    logging_.put([this, time, states = simulation_.states(), forces = std::move(forces),
-                  interiors = std::move(interiors), tables = table_numbers(time, rig)] {
-      log_->add({.time = time,
-                 .states = states,
-                 .forces = forces,
-                 .interiors = interiors,
-                 .tables = tables});
-    });
-  }
-
   /// Waits until all rows are in the files.
   void finish_log() {
     const WallClock clock;
-    logging_.put([this] { log_->finish(); });
-    logging_.finish();
+    log_.finish();
     summary_.wall_log += clock.seconds();
   }
 
@@ -337,12 +291,8 @@ class Run {
   ProgressLine progress_;
   InterruptGuard interrupt_;
   engine::Simulation simulation_;
-  std::unique_ptr<Log> log_;
-  Schedule log_due_;
-  Probes probes_;
-  RigLog rig_;
+  StateLog log_;
   ShotSelector shots_;
-  Background logging_;  ///< Declared last because it uses the log.
 };
 
 void check_video_of_run(const RunOptions& options, const scene::Scene& scene,

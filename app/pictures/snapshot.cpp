@@ -1,0 +1,73 @@
+#include "app/pictures/snapshot.h"
+
+#include <utility>
+
+#include "app/base/program_files.h"
+#include "app/pictures/cameras.h"
+#include "app/pictures/interiors.h"
+#include "app/pictures/pictures.h"
+#include "app/pictures/pressure_range.h"
+#include "app/pictures/rigging.h"
+#include "app/render/annotation.h"
+#include "app/render/overlay.h"
+
+namespace app {
+namespace {
+
+/// Returns the scene with a render block.
+scene::Scene with_look(scene::Scene scene) {
+  if (!scene.render) scene.render.emplace();
+  return scene;
+}
+
+}  // namespace
+
+struct Snapshots::Impl {
+  Impl(const scene::Scene& given, const assembly::BuiltScene& built)
+      : scene(with_look(given)),
+        spec(built.spec),
+        renderer(picture_of(scene, spec, pressure_scale(*scene.render, range)),
+                 program_files("shaders")),
+        rig(spec, scene.render->show.joints) {}
+
+  const scene::Scene scene;
+  const engine::SimulationSpec& spec;
+  PressureRange range;
+  render::Renderer renderer;
+  RigPictures rig;
+};
+
+Snapshots::Snapshots(const scene::Scene& scene, const assembly::BuiltScene& built)
+    : impl_(std::make_unique<Impl>(scene, built)) {}
+Snapshots::~Snapshots() = default;
+Snapshots::Snapshots(Snapshots&&) noexcept = default;
+
+render::Image Snapshots::draw(const engine::Simulation& simulation, const scene::Camera& camera,
+                              const std::array<int, 2>& size) {
+  Impl& impl = *impl_;
+  const scene::Render& look = *impl.scene.render;
+  const Shot shot{.time = simulation.time(),
+                  .states = simulation.states(),
+                  .interiors = drawn_interiors(simulation.interiors()),
+                  .rig = drawn_rig(simulation.rig())};
+  impl.rig.include(shot);
+  std::optional<render::PressureScale> scale;
+  if (impl.spec.sea) {
+    const PressureRange seen = pressure_range(impl.spec, shot, look.shows);
+    impl.range.include(seen.lowest);
+    impl.range.include(seen.highest);
+    scale = pressure_scale(look, impl.range);
+    impl.renderer.show_pressures(*scale);
+  }
+  impl.renderer.resize(size[0], size[1]);
+  impl.renderer.look(camera_at(camera, impl.spec, shot));
+  render::Image image =
+      impl.renderer.draw(shot.states, shot.time, shot.interiors, impl.rig.of(shot));
+  render::Annotations notes;
+  impl.rig.explain(notes);
+  render::add_legend(image, impl.renderer.view(), notes);
+  render::add_overlay(image, scale, shot.time, impl.renderer.grid());
+  return image;
+}
+
+}  // namespace app

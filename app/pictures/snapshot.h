@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "app/assembly/built_scene.h"
+#include "app/scene/scene.h"
+#include "engine/simulation.h"
+
+namespace render {
+struct Image;
+}
+
+namespace app {
+
+/// Draws single pictures of a simulation as it goes on, with time and colour scale. Automatic
+/// scales enclose the states drawn so far. One thread uses it at a time.
+class Snapshots {
+ public:
+  /// @param scene   It may lack a render block. It and what is built from it must outlive this.
+  /// @throws render::Error without graphics
+  Snapshots(const scene::Scene& scene, const assembly::BuiltScene& built);
+  ~Snapshots();
+  Snapshots(Snapshots&&) noexcept;
+
+  /// @param size   [px] @throws render::Error if the device cannot draw this size
+  render::Image draw(const engine::Simulation& simulation, const scene::Camera& camera,
+                     const std::array<int, 2>& size);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace app
