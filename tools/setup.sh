@@ -12,6 +12,9 @@ packages=(
   fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
 )
 
+# What only Python's module needs.
+python_packages=(pybind11-dev python3-dev)
+
 # What only the report's page needs, to bundle it. A node and npm from elsewhere will do.
 report_packages=()
 command -v npm > /dev/null || report_packages+=(nodejs npm)
@@ -19,7 +22,10 @@ command -v npm > /dev/null || report_packages+=(nodejs npm)
 # What only tests need, each skipped without it: Python's to read what the program writes, a browser
 # to open the page, a screen without a monitor for the window, and what makes and measures videos.
 # Ubuntu has no package of chromium that runs by itself.
-test_packages=(ffmpeg python3-h5py python3-jsonschema python3-yaml xvfb)
+test_packages=(
+  ffmpeg mypy python3-h5py python3-jsonschema python3-matplotlib python3-pandas python3-pytest
+  python3-venv python3-yaml xvfb
+)
 if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }

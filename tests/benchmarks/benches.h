@@ -15,5 +15,6 @@ void register_rigs();
 void register_mesh();
 void register_frame();
 void register_run();
+void register_fleet();
 
 }  // namespace bench

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   bench::register_mesh();
   bench::register_frame();
   bench::register_run();
+  bench::register_fleet();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

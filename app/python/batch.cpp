@@ -1,0 +1,143 @@
+#include "app/python/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "hydro/parallel.h"
+
+namespace python {
+namespace {
+
+constexpr double kLeftToScene = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t bodies_of_first(const std::vector<engine::SimulationSpec>& specs) {
+  if (specs.empty()) throw std::invalid_argument("a batch needs at least one simulation");
+  return specs.front().bodies.size();
+}
+
+template <class Named>
+bool same_names(const std::vector<Named>& a, const std::vector<Named>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Named& x, const Named& y) { return x.name == y.name; });
+}
+
+/// Fills the part of an array that belongs to one simulation.
+void fill_part(std::vector<double>& array, std::size_t part, std::size_t parts, double value) {
+  const std::size_t length = array.size() / parts;
+  std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(part * length), length, value);
+}
+
+}  // namespace
+
+Batch::Batch(std::vector<engine::SimulationSpec> specs, int threads)
+    : motions_(specs.size(), bodies_of_first(specs)),
+      forces_(3 * specs.size() * specs.front().bodies.size()),
+      torques_(forces_.size()),
+      controls_(specs.size() * specs.front().set_points.size(), kLeftToScene),
+      errors_(specs.size()),
+      threads_(std::max(1, threads)) {
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    if (i > 0 && (!same_names(specs[i].bodies, spec().bodies) ||
+                  !same_names(specs[i].set_points, spec().set_points)))
+      throw std::invalid_argument(
+          fmt::format("simulation {} has other bodies or set points than simulation 0", i));
+    // Simulations are stepped at once, so each needs but one thread.
+    specs[i].threads = 1;
+    simulations_.emplace_back(std::move(specs[i]), motions_.rows(i));
+  }
+}
+
+void Batch::step(long count, const std::vector<std::size_t>& which) {
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    if (!std::isfinite(forces_[i]) || !std::isfinite(torques_[i]))
+      throw std::invalid_argument(
+          fmt::format("the load on body '{}' of simulation {} is not finite",
+                      spec().bodies[i / 3 % bodies()].name, i / 3 / bodies()));
+  for (std::size_t i = 0; i < controls_.size(); ++i)
+    if (std::isinf(controls_[i]))
+      throw std::invalid_argument(fmt::format("the value of '{}' of simulation {} is not finite",
+                                              spec().set_points[i % spec().set_points.size()].name,
+                                              i / spec().set_points.size()));
+  threads_.execute([&] {
+    if (which.empty())
+      hydro::parallel_for(size(), [&](std::size_t i) { take_steps(i, count); });
+    else
+      hydro::parallel_for(which.size(), [&](std::size_t i) { take_steps(which[i], count); });
+  });
+}
+
+void Batch::take_steps(std::size_t simulation, long count) {
+  if (!errors_[simulation].empty()) return;
+  HeldSimulation& one = simulations_[simulation];
+  try {
+    hand_over_inputs(simulation);
+    for (long n = 0; n < count; ++n) one.step();
+  } catch (const std::exception& error) {
+    errors_[simulation] = error.what();
+  }
+  one.show();
+}
+
+void Batch::hand_over_inputs(std::size_t simulation) {
+  HeldSimulation& one = simulations_[simulation];
+  for (std::size_t b = 0; b < bodies(); ++b) {
+    const std::size_t row = 3 * (simulation * bodies() + b);
+    using Row = Eigen::Map<const Eigen::Vector3d>;
+    const hydro::Wrench wrench{.force = Row(&forces_[row]), .moment = Row(&torques_[row])};
+    const auto body = static_cast<engine::BodyId>(b);
+    if (wrench.force.isZero(0) && wrench.moment.isZero(0))
+      one.let_go(body);
+    else
+      one.hold(body, {.wrench = wrench});
+  }
+  const std::size_t count = spec().set_points.size();
+  for (std::size_t p = 0; p < count; ++p) {
+    const double value = controls_[simulation * count + p];
+    const auto set_point = static_cast<engine::SetPointId>(p);
+    if (std::isnan(value))
+      one.release(set_point);
+    else
+      one.set(set_point, value);
+  }
+}
+
+void Batch::reset(std::size_t simulation) {
+  simulations_.at(simulation).reset();
+  fill_part(forces_, simulation, size(), 0);
+  fill_part(torques_, simulation, size(), 0);
+  fill_part(controls_, simulation, size(), kLeftToScene);
+  errors_[simulation].clear();
+}
+
+std::string Batch::save(std::size_t simulation) {
+  HeldSimulation& one = simulations_.at(simulation);
+  hand_over_inputs(simulation);
+  return one.save();
+}
+
+void Batch::load(std::size_t simulation, std::string_view bytes) {
+  HeldSimulation& one = simulations_.at(simulation);
+  one.load(bytes);
+  errors_[simulation].clear();
+  fill_part(forces_, simulation, size(), 0);
+  fill_part(torques_, simulation, size(), 0);
+  for (const auto& [body, load] : one.loads()) {
+    if (load.frame != engine::Frame::world || !load.at_B.isZero(0))
+      throw std::invalid_argument(
+          "the state holds a load that is not one at the centre of mass "
+          "in world axes: a batch has no other ones");
+    const std::size_t row = 3 * (simulation * bodies() + static_cast<std::size_t>(body));
+    std::copy_n(load.wrench.force.data(), 3, &forces_[row]);
+    std::copy_n(load.wrench.moment.data(), 3, &torques_[row]);
+  }
+  const std::size_t count = spec().set_points.size();
+  for (std::size_t p = 0; p < count; ++p)
+    controls_[simulation * count + p] =
+        one.engine().set_value(static_cast<engine::SetPointId>(p)).value_or(kLeftToScene);
+}
+
+}  // namespace python

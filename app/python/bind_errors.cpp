@@ -1,0 +1,79 @@
+#include <pybind11/stl.h>
+
+#include "app/base/output_error.h"
+#include "app/python/bindings.h"
+#include "app/render/image.h"
+#include "app/scene/diagnostics.h"
+
+namespace python {
+namespace {
+
+/// A new exception of the module, which lives as long as the program.
+PyObject* new_exception(py::module_& module, const char* name, const char* text,
+                        const py::handle& base) {
+  const std::string full = std::string("plimsoll.") + name;
+  PyObject* exception = PyErr_NewExceptionWithDoc(full.c_str(), text, base.ptr(), nullptr);
+  if (exception == nullptr) throw py::error_already_set();
+  module.add_object(name, exception);
+  return exception;
+}
+
+PyObject* scene_error = nullptr;
+PyObject* simulation_error = nullptr;
+PyObject* render_error = nullptr;
+
+void raise_scene_error(const scene::InputError& error) {
+  py::object instance = py::reinterpret_borrow<py::object>(scene_error)(error.what());
+  instance.attr("faults") = py::cast(error.faults());
+  PyErr_SetObject(scene_error, instance.ptr());
+}
+
+void raise_simulation_error(const engine::SimulationError& error) {
+  py::object instance = py::reinterpret_borrow<py::object>(simulation_error)(error.what());
+  instance.attr("time") = error.time();
+  instance.attr("body") = error.body();
+  PyErr_SetObject(simulation_error, instance.ptr());
+}
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const scene::InputError& error) {
+    raise_scene_error(error);
+  } catch (const engine::SimulationError& error) {
+    raise_simulation_error(error);
+  } catch (const render::Error& error) {
+    PyErr_SetString(render_error, error.what());
+  } catch (const app::OutputError& error) {
+    PyErr_SetString(PyExc_OSError, error.what());
+  }
+}
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+  py::class_<scene::Fault>(module, "Fault", "A single fault of a scene or another input.")
+      .def_property_readonly("file",
+                             [](const scene::Fault& fault) { return fault.place.file.string(); })
+      .def_property_readonly("line", [](const scene::Fault& fault) { return fault.place.line; })
+      .def_property_readonly("column", [](const scene::Fault& fault) { return fault.place.column; })
+      .def_readonly("path", &scene::Fault::key_path)
+      .def_readonly("text", &scene::Fault::message)
+      .def("__str__", [](const scene::Fault& fault) { return scene::to_string(fault); })
+      .def("__repr__",
+           [](const scene::Fault& fault) { return "<Fault " + scene::to_string(fault) + ">"; });
+  scene_error = new_exception(
+      module, "SceneError",
+      "A scene or another input is wrong. `faults` is the list of everything that is.",
+      py::handle(PyExc_ValueError));
+  simulation_error =
+      new_exception(module, "SimulationError",
+                    "A simulation cannot go on, at `time` [s], because of `body` (empty: no single "
+                    "one).",
+                    py::handle(PyExc_RuntimeError));
+  render_error = new_exception(module, "RenderError", "There is no graphics to draw with.",
+                               py::handle(PyExc_RuntimeError));
+  py::register_exception_translator(translate);
+}
+
+}  // namespace python

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/python/scene_source.h"
+#include "engine/simulation.h"
+
+/// @file
+/// The parts of the Python module; plimsoll/_core.pyi tells their signatures. Everything that
+/// computes releases Python's lock (the GIL) meanwhile.
+
+namespace python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_simulation(py::module_& module);
+void bind_batch(py::module_& module);
+void bind_hydro(py::module_& module);
+
+/// Returns the scene of an object of Python: a Scene, a path, or a dict.
+/// @param overrides   A dict from key paths to values, or None.
+std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::object& overrides);
+
+/// Returns values of Python as overrides.
+std::vector<scene::Override> overrides_from(const py::object& values);
+
+/// Returns the index of a body, which is named by its index or its name.
+/// @throws py::key_error, py::index_error
+engine::BodyId body_index(const engine::SimulationSpec& spec, const py::object& body);
+
+/// Returns the index of a set point by its name, or by the name of its machine, joint or rope
+/// alone where that has a single one. @throws py::key_error
+engine::SetPointId set_point_index(const engine::SimulationSpec& spec, const std::string& name);
+
+/// Returns the mutex locked, waiting without the GIL for whoever has it. It is called with the GIL.
+std::unique_lock<std::mutex> locked(std::mutex& mutex);
+
+/// Lets Python handle signals, so that Ctrl-C ends a long computation. To be called without the
+/// GIL; at most twenty times a second it takes it. @throws py::error_already_set
+class SignalCheck {
+ public:
+  void operator()();
+
+ private:
+  double last_ = 0;  ///< [s]
+};
+
+}  // namespace python

@@ -1,0 +1,103 @@
+#include "app/python/held_simulation.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace python {
+namespace {
+
+// The first bytes of a saved state, which change with its layout: the number of held loads follows,
+// then the loads, then the state of the engine.
+constexpr std::string_view kHead = "plimsoll held 1\n";
+
+/// A held load as it is saved.
+struct SavedLoad {
+  std::int64_t body, frame;
+  double numbers[9];
+};
+
+SavedLoad saved(engine::BodyId body, const HeldLoad& load) {
+  SavedLoad bytes{.body = body, .frame = static_cast<std::int64_t>(load.frame), .numbers = {}};
+  std::memcpy(bytes.numbers, load.wrench.force.data(), 3 * sizeof(double));
+  std::memcpy(bytes.numbers + 3, load.wrench.moment.data(), 3 * sizeof(double));
+  std::memcpy(bytes.numbers + 6, load.at_B.data(), 3 * sizeof(double));
+  return bytes;
+}
+
+HeldLoad restored(const SavedLoad& bytes) {
+  using Vector = Eigen::Map<const Eigen::Vector3d>;
+  return {.wrench = {.force = Vector(bytes.numbers), .moment = Vector(bytes.numbers + 3)},
+          .frame = bytes.frame == 0 ? engine::Frame::world : engine::Frame::body,
+          .at_B = Vector(bytes.numbers + 6)};
+}
+
+template <class T>
+T take(std::string_view& bytes) {
+  T value;
+  if (bytes.size() < sizeof value) throw std::invalid_argument("the state is cut off");
+  std::memcpy(&value, bytes.data(), sizeof value);
+  bytes.remove_prefix(sizeof value);
+  return value;
+}
+
+}  // namespace
+
+HeldSimulation::HeldSimulation(engine::SimulationSpec spec, const MotionRows& rows)
+    : engine_(std::move(spec)), rows_(rows) {
+  show();
+}
+
+void HeldSimulation::hold(engine::BodyId body, const HeldLoad& load) {
+  if (!load.wrench.force.allFinite() || !load.wrench.moment.allFinite() || !load.at_B.allFinite())
+    throw std::invalid_argument("the load on body '" + engine_.spec().bodies.at(body).name +
+                                "' is not finite");
+  loads_[body] = load;
+}
+
+void HeldSimulation::set_motion(engine::BodyId body, const hydro::BodyState& state) {
+  engine_.set_motion(body, state);
+  show();
+}
+
+void HeldSimulation::step() {
+  for (const auto& [body, load] : loads_) engine_.apply(body, load.wrench, load.frame, load.at_B);
+  engine_.step();
+}
+
+std::string HeldSimulation::save() const {
+  std::string bytes(kHead);
+  const auto append = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  append(static_cast<std::uint64_t>(loads_.size()));
+  for (const auto& [body, load] : loads_) append(saved(body, load));
+  return bytes + engine_.state().to_bytes();
+}
+
+void HeldSimulation::load(std::string_view bytes) {
+  if (!bytes.starts_with(kHead))
+    throw std::invalid_argument("these are not the bytes of a state of this version");
+  bytes.remove_prefix(kHead.size());
+  std::map<engine::BodyId, HeldLoad> loads;
+  const auto count = take<std::uint64_t>(bytes);
+  if (count > engine_.spec().bodies.size())
+    throw std::invalid_argument("the state is that of another scene");
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const auto load = take<SavedLoad>(bytes);
+    if (load.body < 0 || load.body >= static_cast<std::int64_t>(engine_.spec().bodies.size()))
+      throw std::invalid_argument("the state is that of another scene");
+    loads[static_cast<engine::BodyId>(load.body)] = restored(load);
+  }
+  engine_.restore(engine::SimulationState::from_bytes(bytes));
+  loads_ = std::move(loads);
+  show();
+}
+
+void HeldSimulation::reset() {
+  engine_.reset();
+  loads_.clear();
+  show();
+}
+
+}  // namespace python

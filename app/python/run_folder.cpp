@@ -1,0 +1,45 @@
+#include "app/python/run_folder.h"
+
+#include "app/logs/run_files.h"
+#include "app/run/summary.h"
+
+namespace python {
+
+RunFolder::RunFolder(const scene::Scene& scene, const assembly::BuiltScene& built,
+                     const std::vector<scene::Override>& overrides, app::LogFormat format,
+                     const std::filesystem::path& path, int threads)
+    : scene_(scene),
+      built_(built),
+      overrides_(overrides),
+      folder_(path),
+      log_(scene, built, format, folder_.path(), threads) {
+  std::filesystem::remove(folder_.path() / app::kSummaryFile);
+}
+
+void RunFolder::keep(const engine::Simulation& simulation) {
+  const bool logs = log_.due(simulation.time());
+  const bool sums_up = app::RigTotals::sums_up(simulation.spec());
+  engine::RigReadings rig;
+  if (sums_up || (logs && log_.reads_rig())) rig = simulation.rig();
+  if (sums_up) totals_.add(simulation.time(), rig);
+  if (logs) log_.add(simulation, rig);
+}
+
+void RunFolder::finish(const engine::Simulation& simulation) {
+  log_.finish();
+  app::write_summary({.scene = scene_,
+                      .built = built_,
+                      .overrides = overrides_,
+                      .steps = simulation.steps(),
+                      .simulated = simulation.time(),
+                      .timings = simulation.timings(),
+                      .skips = simulation.skips(),
+                      .counts = simulation.counts(),
+                      .rig = totals_,
+                      .warnings = built_.warnings,
+                      .wall = clock_.seconds(),
+                      .pictures_skipped = "another program stepped the simulation"},
+                     folder_.path() / app::kSummaryFile);
+}
+
+}  // namespace python
