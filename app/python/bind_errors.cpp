@@ -42,6 +42,9 @@ void translate(std::exception_ptr pointer) {
     raise_scene_error(error);
   } catch (const engine::SimulationError& error) {
     raise_simulation_error(error);
+  } catch (const py::cast_error& error) {
+    // By itself pybind11 makes a RuntimeError of an argument of another type.
+    PyErr_SetString(PyExc_TypeError, error.what());
   } catch (const render::Error& error) {
     PyErr_SetString(render_error, error.what());
   } catch (const app::OutputError& error) {

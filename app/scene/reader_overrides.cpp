@@ -46,6 +46,7 @@ Step take_step(std::string& rest, bool first) {
 
 std::vector<Step> split(std::string key_path) {
   std::vector<Step> steps;
+  if (key_path.empty()) throw Obstacle{"names no key"};
   while (!key_path.empty()) steps.push_back(take_step(key_path, steps.empty()));
   return steps;
 }

@@ -105,3 +105,9 @@ def test_a_file_that_is_missing_is_a_fault(tmp_path):
 def test_set_points_have_the_names_of_the_scene(tug):
     assert "propellers[main].speed_rps" in tug.set_points
     assert "rudders[rudder].angle_deg" in tug.set_points
+
+
+@pytest.mark.parametrize("key", ["", ".", "[", "bodies[", "bodies[7].mass"])
+def test_a_key_that_cannot_be_set_is_a_fault(key):
+    with pytest.raises(pl.SceneError):
+        pl.Scene.load(BUOY, set={key: 1})

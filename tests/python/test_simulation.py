@@ -123,6 +123,8 @@ def test_wrong_loads_are_refused(buoy):
         sim.apply("bouy", force=[1, 2, 3])
     with pytest.raises(IndexError):
         sim.apply(1, force=[1, 2, 3])
+    with pytest.raises(TypeError):
+        sim.apply(object(), force=[1, 2, 3])
 
 
 def test_set_points_are_set_and_given_back(tug):
