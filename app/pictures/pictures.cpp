@@ -92,7 +92,9 @@ class Drawing {
 
   void draw(const scene::Camera& camera) {
     std::optional<Video> video = video_of(camera);
-    render::ContactSheet sheet(shown_scale_, look_.sheet_columns);
+    render::Annotations rigging;
+    rig_.explain(rigging);
+    render::ContactSheet sheet(shown_scale_, look_.sheet_columns, rigging.ramp);
     std::size_t frames = 0;
     Background finishing(spec_.threads, kMostWaiting);
     for (std::size_t i = 0; i < shots_.size(); ++i) {

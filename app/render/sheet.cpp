@@ -20,6 +20,20 @@ std::string caption(std::size_t index, double time) {
   return fmt::format("({})  {}", static_cast<char>('a' + index), time_label(time));
 }
 
+/// Draws a scale of colours and its name in the middle of a row of the sheet.
+void write_ramp(Image& sheet, const LegendRamp& ramp, int top, const Font& font) {
+  constexpr int kBar = 192;  // [px]
+  const int thickness = kTextSize;
+  const double middle = sheet.width / 2.0;
+  const int left = static_cast<int>(middle) - kGap / 2 - kBar;
+  for (int x = 0; x < kBar; ++x)
+    for (int y = 0; y < thickness; ++y)
+      blend(sheet, left + x, top + y,
+            ramp.colors[static_cast<std::size_t>(x) * ramp.colors.size() / kBar], 1);
+  font.write(sheet, ramp.name, middle + kGap / 2.0, top + 0.5 * (thickness + font.cap_height()),
+             Align::left);
+}
+
 }  // namespace
 
 int sheet_columns(int count, double frame_aspect) {
@@ -70,7 +84,8 @@ Image ContactSheet::image() const {
   const int scale_text = std::min(kTextSize, width / 42);
   const Image legend = scale_ ? lying_scale(*scale_, width, scale_text) : Image{};
   const int pictures_height = kMargin + rows * (frame_height + kCaption + kGap);
-  Image sheet = filled_image(width, pictures_height + legend.height, {255, 255, 255});
+  const int scales_height = legend.height + (ramp_ ? kCaption : 0);
+  Image sheet = filled_image(width, pictures_height + scales_height, {255, 255, 255});
   const Font font(kTextSize);
   for (int i = 0; i < count; ++i) {
     const Frame& frame = frames_[static_cast<std::size_t>(i)];
@@ -81,6 +96,7 @@ Image ContactSheet::image() const {
                top + frame_height + 0.5 * (kCaption + font.cap_height()), Align::center);
   }
   if (scale_) paste(sheet, legend, 0, pictures_height);
+  if (ramp_) write_ramp(sheet, *ramp_, pictures_height + legend.height, font);
   return sheet;
 }
 

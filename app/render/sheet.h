@@ -1,15 +1,17 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "app/render/annotation.h"
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
 
 namespace render {
 
 /// Collects a sequence of pictures in one figure. Pictures stand side by side, lettered (a), (b),
-/// …, with their times; the shared pressure scale stands below.
+/// …, with their times; the shared scales of pressures and tensions stand below.
 ///
 /// It keeps small copies of at most 24 pictures. When more are added, every second one is dropped
 /// and from then on only every second, fourth, … is taken, so that the pictures stay evenly spaced,
@@ -22,9 +24,11 @@ class ContactSheet {
   /// @param scale     None: no scale is drawn (a dry scene).
   /// @param columns   Number of columns, at most that of pictures. None: `sheet_columns` chooses
   ///     it.
+  /// @param ramp      Further scale; none: it is not drawn.
   explicit ContactSheet(std::optional<PressureScale> scale,
-                        std::optional<int> columns = std::nullopt)
-      : scale_(scale), columns_(columns) {}
+                        std::optional<int> columns = std::nullopt,
+                        std::optional<LegendRamp> ramp = std::nullopt)
+      : scale_(scale), columns_(columns), ramp_(std::move(ramp)) {}
 
   /// Adds the next picture, drawn at `time` [s]. All pictures must have the same size.
   void add(const Image& frame, double time);
@@ -42,6 +46,7 @@ class ContactSheet {
   };
   std::optional<PressureScale> scale_;
   std::optional<int> columns_;
+  std::optional<LegendRamp> ramp_;
   std::vector<Frame> frames_;
   long seen_ = 0;
   long stride_ = 1;

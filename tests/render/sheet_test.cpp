@@ -34,6 +34,28 @@ ContactSheet sheet_of(int count, double every, std::optional<render::PressureSca
   return sheet;
 }
 
+TEST(ContactSheet, HasAFurtherScaleInARowOfItsOwn) {
+  const Rgb first = {10, 200, 30}, last = {220, 40, 50};
+  ContactSheet plain({}), with({}, {}, render::LegendRamp{"tension 0 to 8 kN", {first, last}});
+  plain.add(gray(0), 0);
+  with.add(gray(0), 0);
+  const Image without_scale = plain.image(), sheet = with.image();
+  ASSERT_EQ(sheet.width, without_scale.width);
+  ASSERT_GT(sheet.height, without_scale.height);
+  int firsts = 0, lasts = 0;
+  for (int y = without_scale.height; y < sheet.height; ++y)
+    for (int x = 0; x < sheet.width; ++x) {
+      firsts += sheet.at(x, y) == first;
+      lasts += sheet.at(x, y) == last;
+    }
+  EXPECT_GT(firsts, 1000);
+  EXPECT_EQ(firsts, lasts);
+  // Its name stands right of it.
+  EXPECT_GT(ink(sheet, sheet.width / 2 + 8, without_scale.height, sheet.width / 2 - 8,
+                sheet.height - without_scale.height),
+            100);
+}
+
 TEST(SheetColumns, AreFourForTwelvePictures) { EXPECT_EQ(render::sheet_columns(12, 4.0 / 3), 4); }
 
 TEST(SheetColumns, AreNeverMoreThanPictures) {
