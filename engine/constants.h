@@ -149,8 +149,8 @@ inline constexpr double kProgress = 0.8;           ///< Of the least error; prog
 /// h² k + 2 h c over the mass, above which a line or drive is taken implicitly [-]. Explicit is
 /// stable below 4.
 inline constexpr double kStiffLine = 0.5;
-/// Phase per substep up to which a row follows an oscillation, and from which on it takes it away
-/// [rad].
+/// Phase per step up to which a stiff line follows an oscillation, and from which on it takes it
+/// away [rad].
 inline constexpr double kResolvedLine = 0.7;
 inline constexpr double kUnresolvedLine = 2;
 /// Tension found, over that for which a line is held sideways, after which it is held for more [-].
@@ -186,9 +186,10 @@ inline constexpr int kImpactRounds = 3;  ///< Bodies in a row, each thrown by th
 /// Substeps of a step, per body of a group, that end where bodies would pass through each other.
 /// Later ones pass.
 inline constexpr int kMostPassings = 16;
-/// Parts of a substep's motion in which a passing is looked for. More: bodies that skim a rough
-/// ground for metres in a step cost more, and fewer of their contacts are missed.
-inline constexpr int kMostPassingLooks = 128;
+/// Boxes and collisions of a step, per body of a group, by which passings are looked for. More:
+/// bodies that skim a rough ground for metres in a step, or that spin thousands of times in one,
+/// cost more, and fewer of their contacts are missed.
+inline constexpr int kMostPassingLooks = 2048;
 /// Motion between two places in which bodies are collided to find a passing, and the error of its
 /// onset, over half the thinner body's thickness [-]. Beyond 1 a body may pass between two places.
 inline constexpr double kPassingLook = 0.5;

@@ -18,11 +18,13 @@ double least_energy_scale(const Body& body) {
   return 1e-9 * body.environment.gravity * (body.spec->mass + water) * radius;
 }
 
-/// True if lift, machines, lines or applied loads may add to the energy: no earlier energy then
-/// bounds it.
+/// True if lift, machines, lines that are loads, or applied loads may add to the energy: no earlier
+/// energy then bounds it.
 bool is_driven(const MovingBody& moving) {
+  const hydro::Wrench& lines = moving.cache.loads.lines;
   return moving.body.spec->coefficients.lift != 0 || !moving.body.spec->loads.empty() ||
-         !moving.inputs.loads.empty() || moving.inputs.pull || moving.body.rigged;
+         !moving.inputs.loads.empty() || moving.inputs.pull || moving.machines ||
+         !lines.force.isZero(0) || !lines.moment.isZero(0);
 }
 
 /// Largest work that the last lift, machines, lines and applied loads may have done between two
@@ -69,6 +71,9 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
     next_ = {};
     return false;
   }
+  if (std::any_of(members.begin(), members.end(), [](auto* b) { return is_driven(*b->moving); }))
+    next_.lowest = std::numeric_limits<double>::infinity();
+  for (const SubstepBody* b : members) next_.lowest += b->row_work;
   const auto suspect = [h](const SubstepBody* b) { return is_suspect(*b, h); };
   if (!halves && std::none_of(members.begin(), members.end(), suspect)) return false;
   if (in_still_water_)
@@ -79,8 +84,7 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
 }
 
 void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, double h) {
-  double before = 0, potential_before = 0, potential = 0, remembered = 0, work = 0;
-  bool driven = false;
+  double before = 0, potential_before = 0, potential = 0, remembered = 0, work = 0, rows = 0;
   kinetic_ = 0;
   for (const SubstepBody* b : members) {
     const Motion& start = b->moving->motion;
@@ -91,11 +95,12 @@ void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, doubl
     potential += potential_energy(b->body(), b->end);
     kinetic_ += kinetic_energy(b->body(), b->end, b->body().current());
     remembered += memory_energy(b->body(), b->end);
-    driven = driven || is_driven(*b->moving);
-    work += work_done(*b->moving, start.state, b->end.state, h) + std::max(0.0, b->row_work);
+    rows += b->row_work;
+    if (is_driven(*b->moving)) work += work_done(*b->moving, start.state, b->end.state, h);
   }
+  const double earlier = next_.lowest;  // the work of rows is in it
   next_.extend(before, potential_before);
-  if (driven) next_.lowest = before + work;
+  next_.lowest = std::min(earlier, before + rows) + work;
   const double energy = potential + kinetic_ + remembered;
   allowed_ = kEnergyGain * std::max(next_.highest - next_.lowest_potential, floor_);
   excess_ = energy - next_.lowest - allowed_;

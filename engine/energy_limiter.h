@@ -11,8 +11,10 @@
 /// In still water the energy of a group (energy.h) may exceed its minimum so far by 2·kEnergyGain
 /// of the largest so far. Beyond that the substep is halved and judged again; an excess that
 /// remains is removed by scaling the velocity, which joints allow since their conditions on it are
-/// linear. Between one and two times kEnergyGain the velocity is scaled without halving. Where lift
-/// or applied loads drive a body the energy is compared with that of the substep's start.
+/// linear. Between one and two times kEnergyGain the velocity is scaled without halving. The work
+/// of rows, of stiff ropes, motors and stops, is what the solver has found, and moves the minimum.
+/// Where lift, applied loads, machines or lines that are loads drive a body, the energy is compared
+/// with that of the substep's start.
 ///
 /// Water that moves or is not level may give energy, and so may wind. There only the work of joints
 /// is judged, which a joint without error does not do; taking back the error of a body that spins

@@ -17,12 +17,13 @@
 ///
 ///     J u⁺ + λ/g = r + (k e + (c (1 − w) − h k b) (r − J u⁻)) / g,    g = h k a + c w,      (E22)
 ///
-/// a = b = ¼ and w = ½ are the implicit midpoint rule, of second order and without loss; a = w = 1
-/// and b = 0 take what is missing away within the substep and the next one without overshoot. The
-/// weights go from the first to the second as the substep leaves the oscillation unresolved, so no
-/// stiffness and no ratio of masses makes a line gain energy. With a = 1 a rope that is slack by −e
-/// lets its ends part by no more than that in a substep, so it is not overstretched when it comes
-/// taut.
+/// a = b = ¼ and w = ½ are the implicit midpoint rule, of second order and without loss. With H the
+/// step, a = H/h, w = 1 and b = 0 take what is missing away at the rate e/H, without overshoot. The
+/// weights go from the first to the second as the step leaves the oscillation unresolved, so no
+/// stiffness and no ratio of masses makes a line gain energy. The rate depends on the step and not
+/// on the substep: a line that long substeps have stretched gives back no more in short ones. With
+/// a = 1 a rope that is slack by −e lets its ends part by no more than that in a substep, so it is
+/// not overstretched when it comes taut.
 
 namespace engine {
 
@@ -52,17 +53,27 @@ struct RowLaw {
   double rest_rate = 0;  ///< r
   double rate = 0;       ///< J u⁻
   double mobility = 1;   ///< J S⁻¹ Jᵀ [1/kg, 1/(kg m^2)]
+  bool one_sided = false;
 };
 
-/// Target and compliance of (E22) for a substep of length h [s].
+/// Target and compliance of (E22) for a substep of length h of a step [s].
 struct RowTerms {
   double target = 0;
   double compliance = 0;
 };
-RowTerms row_terms(const RowLaw& law, double h);
+RowTerms row_terms(const RowLaw& law, double h, double step);
 
-/// Weight a of (E22) for an oscillation that goes through `phase` [rad] in a substep.
-double spring_weight(double phase);
+/// 0 for an oscillation that is resolved where it goes through `phase` [rad], 1 where it is not.
+double unresolved(double phase);
+
+/// Weights a and b of (E22).
+struct SpringWeights {
+  double after = 0.25;   ///< a
+  double before = 0.25;  ///< b
+};
+/// @param damped    What unresolved() tells for a step.
+/// @param h         Length of the substep of the step [s].
+SpringWeights spring_weights(double damped, double h, double step);
 
 /// Those of a rigid stop or motor: J u⁺ = `rate` but for a compliance that round-off needs.
 RowTerms rigid_terms(double rate, double mobility, double h);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 
 #include "engine/constants.h"
 #include "engine/passing.h"
@@ -10,16 +11,50 @@
 namespace engine {
 namespace {
 
-/// The state after `time` [s] by drift and the extrapolated acceleration.
-hydro::BodyState expected_state(const MovingBody& moving, double time) {
-  hydro::BodyState state =
-      state_after_drift(moving.body, moving.motion, moving.body.current(), time);
+/// A state after `time` [s] of drift, with the effect of the extrapolated acceleration.
+hydro::BodyState with_acceleration(const MovingBody& moving, hydro::BodyState state, double time) {
   const Vector6d acceleration_B = moving.motion.accelerations.expected(time / 2);
   state.position += time * time / 2 * (state.orientation * acceleration_B.head<3>());
   return state;
 }
 
+/// The state after `time` [s] by drift and the extrapolated acceleration.
+hydro::BodyState expected_state(const MovingBody& moving, double time) {
+  return with_acceleration(
+      moving, state_after_drift(moving.body, moving.motion, moving.body.current(), time), time);
+}
+
 }  // namespace
+
+/// States at any times of a substep. Each follows from the nearest known one before it, so that the
+/// drift of a body that spins fast is not repeated as a whole for each of them.
+class ExpectedWays {
+ public:
+  explicit ExpectedWays(const StepContext& context) : context_(context) {}
+
+  hydro::BodyState state(BodyId id, double time) {
+    const MovingBody& moving = context_.bodies[id];
+    Way& way = ways_.try_emplace(id, Way{moving.motion, {{0, moving.motion.state}}}).first->second;
+    const auto after = way.drifted.upper_bound(time);
+    const auto& [known, state] = *std::prev(after);
+    if (known < time) {
+      way.motion.state = state;
+      const hydro::BodyState drifted =
+          state_after_drift(moving.body, way.motion, moving.body.current(), time - known);
+      return with_acceleration(moving, way.drifted.emplace_hint(after, time, drifted)->second,
+                               time);
+    }
+    return with_acceleration(moving, state, time);
+  }
+
+ private:
+  struct Way {
+    Motion motion;
+    std::map<double, hydro::BodyState> drifted;  ///< By the time from the start of the substep.
+  };
+  const StepContext& context_;
+  std::map<BodyId, Way> ways_;
+};
 
 Impacts::Impacts(const StepContext& context, const Group& group, const std::vector<Pair>& touching,
                  double step)
@@ -28,7 +63,8 @@ Impacts::Impacts(const StepContext& context, const Group& group, const std::vect
       first_(kFirstAfterImpact * std::min(step, kShortestContact)),
       begun_(kImpactBegun * first_),
       step_(step),
-      slow_(impact_speed(context.gravity)) {
+      slow_(impact_speed(context.gravity)),
+      looks_(kMostPassingLooks * static_cast<int>(group.bodies.size())) {
   std::set_intersection(group.near.begin(), group.near.end(), touching.begin(), touching.end(),
                         std::back_inserter(touching_));
 }
@@ -42,13 +78,20 @@ double Impacts::longest_substep() const {
 
 std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching) {
   const bool resolved = touching.size() <= kMostImpactPairs && count_ < kMostImpacts;
-  const std::vector<Onset> found = onsets(h, resolved);
+  ExpectedWays ways(*context_);
+  std::vector<Onset> found;
+  if (resolved) found = onsets(h);
+  const int most = kMostPassings * static_cast<int>(group_->bodies.size());
+  bool passes = passings_ < most && add_passings(h, ways, found);
   if (found.empty()) return std::nullopt;
+  // What the contacts halfway through a substep show may be missed by those of a shorter one.
+  double start = earliest(found);
+  while (passings_ < most && add_passings(start, ways, found)) {
+    start = earliest(found);
+    passes = true;
+  }
   if (resolved) ++count_;
-  const double start =
-      std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
-        return a.time < b.time;
-      })->time;
+  passings_ += passes;
   double first = first_;
   for (const Onset& onset : found) {
     if (onset.time > start + begun_) continue;
@@ -60,29 +103,46 @@ std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching)
       longest = std::min(longest, onset.first);
     }
   }
+  std::sort(will_touch_.begin(), will_touch_.end());
   return start > kImpactBegun * first ? start : std::min(h, first);
 }
 
-std::vector<Impacts::Onset> Impacts::onsets(double h, bool resolved) {
+double Impacts::earliest(const std::vector<Onset>& onsets) {
+  return std::ranges::min_element(onsets, {}, &Onset::time)->time;
+}
+
+std::vector<Impacts::Onset> Impacts::onsets(double h) const {
   std::vector<Onset> found;
-  bool passes = false;
-  const int most = kMostPassings * static_cast<int>(group_->bodies.size());
   for (const Pair& pair : group_->near) {
     const Speed speed = meeting_speed(pair);
     if (!(speed.linear > slow_)) continue;
-    const double reach = context_->world.reach(pair);
-    std::optional<double> time;
-    if (resolved) time = onset(pair, h);
-    if (!time && speed.linear * h > reach && passings_ < most) {
-      time = passing(pair, h, speed, reach);
-      passes = passes || time;
-    }
-    if (time)
-      found.push_back(
-          {.time = *time, .first = std::min(first_, reach / speed.linear), .pair = pair});
+    if (const std::optional<double> time = onset(pair, h))
+      found.push_back({.time = *time, .first = first_after(pair, speed), .pair = pair});
   }
-  passings_ += passes;
   return found;
+}
+
+bool Impacts::add_passings(double h, ExpectedWays& ways, std::vector<Onset>& found) {
+  bool adds = false;
+  for (const Pair& pair : group_->near) {
+    const Speed speed = meeting_speed(pair);
+    const double reach = context_->world.reach(pair);
+    if (!(speed.linear > slow_) || !(speed.linear * h > reach)) continue;
+    const auto known = std::ranges::find(found, pair, &Onset::pair);
+    if (known != found.end() && known->time <= h) continue;
+    const std::optional<double> time = passing(pair, h, speed, reach, ways);
+    if (!time) continue;
+    adds = true;
+    if (known != found.end())
+      known->time = *time;
+    else
+      found.push_back({.time = *time, .first = first_after(pair, speed), .pair = pair});
+  }
+  return adds;
+}
+
+double Impacts::first_after(const Pair& pair, const Speed& speed) const {
+  return std::min(first_, context_->world.reach(pair) / speed.linear);
 }
 
 void Impacts::accept(const std::vector<Pair>& touching) {
@@ -109,19 +169,21 @@ Impacts::Speed Impacts::meeting_speed(const Pair& pair) const {
   return {.linear = velocity.norm() + turning, .angular = angular};
 }
 
-std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& speed,
-                                       double reach) const {
-  const auto state = [this](BodyId id, double time) {
-    if (can_move(context_->bodies, id)) return expected_state(body(id), time);
+std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& speed, double reach,
+                                       ExpectedWays& ways) {
+  const auto state = [&](BodyId id, double time) {
+    if (can_move(context_->bodies, id)) return ways.state(id, time);
     return id == kWorld ? hydro::BodyState{} : context_->world.state(id);
   };
-  const auto time = unseen_contact(context_->world, {.pair = pair,
-                                                     .h = h,
-                                                     .speed = speed.linear,
-                                                     .turning = speed.angular,
-                                                     .reach = reach,
-                                                     .slow = slow_,
-                                                     .state = state});
+  const auto time = unseen_contact(context_->world,
+                                   {.pair = pair,
+                                    .h = h,
+                                    .speed = speed.linear,
+                                    .turning = speed.angular,
+                                    .reach = reach,
+                                    .slow = slow_,
+                                    .state = state},
+                                   looks_);
   const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
   if (met && time == 0.0) return std::nullopt;  // their contact stops them
   return time;

@@ -22,8 +22,10 @@
 ///
 /// Bodies that would pass through each other in the substep (passing.h) end it at their onset, too,
 /// and where kFirstAfterImpact τ would still take them through, the next one is shorter, so that
-/// they are found in contact with less than half the thinner body's thickness. They do in heaps as
-/// elsewhere, and at most kMostPassings times in a step per body of the group.
+/// they are found in contact with less than half the thinner body's thickness. A substep that ends
+/// so early that others would pass in it, although the whole one would have shown their contact, is
+/// searched again. They do in heaps as elsewhere, and at most kMostPassings times in a step per
+/// body of the group, which are looked for with at most kMostPassingLooks per body.
 ///
 /// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
 /// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps
@@ -38,6 +40,8 @@ struct Group {
   std::vector<Pair> joints;
   std::vector<Pair> near;  ///< Pairs that may touch; ascending.
 };
+
+class ExpectedWays;
 
 class Impacts {
  public:
@@ -76,10 +80,17 @@ class Impacts {
     double angular = 0;
   };
   Speed meeting_speed(const Pair& pair) const;
-  std::vector<Onset> onsets(double h, bool resolved);
+  static double earliest(const std::vector<Onset>& onsets);
+  /// Onsets that the overlaps at the end of a substep tell of.
+  std::vector<Onset> onsets(double h) const;
+  /// Adds the pairs that would pass in a substep, or makes their onsets earlier. @return true if it
+  /// has found some
+  bool add_passings(double h, ExpectedWays& ways, std::vector<Onset>& found);
+  double first_after(const Pair& pair, const Speed& speed) const;
   std::optional<double> onset(const Pair& pair, double time) const;
   /// The onset of a pair that would pass in the substep. @param reach   World::reach [m]
-  std::optional<double> passing(const Pair& pair, double h, const Speed& speed, double reach) const;
+  std::optional<double> passing(const Pair& pair, double h, const Speed& speed, double reach,
+                                ExpectedWays& ways);
 
   const StepContext* context_;
   const Group* group_;
@@ -89,6 +100,7 @@ class Impacts {
   double slow_;                   ///< Speed of (E15) [m/s].
   int count_ = 0;                 ///< Impacts in this step.
   int passings_ = 0;              ///< Passings in this step.
+  int looks_;                     ///< Looks for passings that are left in this step.
   std::vector<Pair> touching_;    ///< Ascending.
   std::vector<Pair> will_touch_;  ///< At the end of the next substep, or at its start.
 };

@@ -102,7 +102,7 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
                                      .missing = off(drive.rest),
                                      .rate = s.rate,
                                      .mobility = mobility},
-                                    h),
+                                    h, s.step),
                           1, turns));
   if (drive.motor && drive.motor->mode == Mode::speed) {
     rows.push_back(
@@ -117,7 +117,7 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
                                      .rest_rate = set_points.rate(drive.motor->set_point, time),
                                      .rate = s.rate,
                                      .mobility = mobility},
-                                    h),
+                                    h, s.step),
                           1, turns));
     rows.back().most = drive.motor->most;
   }
@@ -129,7 +129,7 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
   const double below = (*drive.limits)[0] - s.q, above = s.q - (*drive.limits)[1];
   for (const auto& [beyond, sign] : {std::pair(below, 1.0), std::pair(above, -1.0)}) {
     if (beyond < 0) continue;
-    rows.push_back(row_of(rigid_terms(beyond / h, mobility, h), sign, turns));
+    rows.push_back(row_of(rigid_terms(beyond / s.step, mobility, h), sign, turns));
     rows.back().one_sided = true;
   }
   return rows;

@@ -85,20 +85,22 @@ class Way {
 };
 
 /// The time before `t1`, at which the bodies close, from which on they do.
-double bisected(const Way& way, const Flight& flight, double t0, double t1) {
+double bisected(const Way& way, const Flight& flight, double t0, double t1, int& looks) {
   while (flight.speed * (t1 - t0) > kPassingError * flight.reach) {
     const double middle = (t0 + t1) / 2;
     (way.closes(middle) ? t1 : t0) = middle;
+    --looks;
   }
   return t0;
 }
 
 }  // namespace
 
-std::optional<double> unseen_contact(World& world, const Flight& flight) {
+std::optional<double> unseen_contact(World& world, const Flight& flight, int& looks) {
   const Way way(world, flight);
+  if (!way.may_touch(0, flight.h)) return std::nullopt;
   std::vector<std::pair<double, double>> open = {{0, flight.h}};  // the earliest interval is last
-  for (int looks = 0; !open.empty() && looks < kMostPassingLooks; ++looks) {
+  for (; !open.empty() && looks > 0; --looks) {
     const auto [t0, t1] = open.back();
     open.pop_back();
     if (!way.may_touch(t0, t1)) continue;
@@ -108,11 +110,12 @@ std::optional<double> unseen_contact(World& world, const Flight& flight) {
       open.emplace_back(t0, middle);
       continue;
     }
-    ++looks;
+    --looks;
     const bool touches = t0 == 0 && way.closes(0);
     if (!touches && !way.closes(t1)) continue;
-    if (way.closes(flight.h / 2) || way.closes(flight.h)) return std::nullopt;  // it is seen
-    return touches ? 0 : bisected(way, flight, t0, t1);
+    // Halfway through the next substep, if that is cut short, the contact is seen.
+    if (way.closes(flight.h + flight.reach / flight.speed / 2)) return std::nullopt;
+    return touches ? 0 : bisected(way, flight, t0, t1, looks);
   }
   return std::nullopt;
 }

@@ -19,9 +19,11 @@
 /// turn and for the bend of the way. Where this box meets nothing of the larger body the bodies do
 /// not touch; elsewhere the interval is halved, the earlier half first, down to a motion of
 /// kPassingLook reach. At its end the bodies are collided, and where they close, the time of first
-/// contact follows by bisection to a motion of kPassingError reach. Where they close halfway, too,
-/// or at the end, the contacts of this substep or of the next one stop them anyway. A way past
-/// everything costs one such box, one through a wall about 40, none more than kMostPassingLooks.
+/// contact follows by bisection to a motion of kPassingError reach. Where they still close half a
+/// reach after the end, the contacts of the next substep stop them. Those that close halfway are no
+/// exception: what they meet in the second half depends on that contact. A way past everything
+/// costs one such box, one through a wall about 40. Beyond that one, all searches of a step have
+/// kMostPassingLooks boxes and collisions per body.
 ///
 /// Validity. A body shows its surface while it moves by its own thickness, so no passing of bodies
 /// that are thicker than the reach is missed; two hulls whose walls are far thinner than the boxes
@@ -38,13 +40,16 @@ struct Flight {
   double turning = 0;  ///< Sum of both angular speeds [rad/s].
   double reach = 0;    ///< World::reach [m].
   double slow = 0;     ///< Speed up to which closing does not count [m/s].
-  /// Where a body is at a time from the start of the substep; of kWorld, the pose at the origin.
+  /// Where a body is at a time from the start of the substep; of kWorld, the pose at the origin. It
+  /// is asked for many times, some of them more than once.
   std::function<hydro::BodyState(BodyId, double)> state;
 };
 
 /// Time from the start of the substep at which the pair first touches, just before it does [s]; 0
-/// where it touches already. None: it does not touch, or does so halfway or at the end as well, or
-/// the way is too long to search.
-std::optional<double> unseen_contact(World& world, const Flight& flight);
+/// where it touches already. None: it does not touch, or does so at the end as well, or no looks
+/// are left.
+/// @param looks   Boxes and collisions that are left; those that are taken beyond the first are
+///   subtracted.
+std::optional<double> unseen_contact(World& world, const Flight& flight, int& looks);
 
 }  // namespace engine

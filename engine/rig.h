@@ -19,12 +19,13 @@
 ///
 /// 1. As a load of the pose halfway and of the velocities expected there. Both ends have the same
 ///    force, found once.
-/// 2. Where springs and moorings from one body to what cannot move are stiff, by the implicit
-///    midpoint rule: with F of the pose halfway and of the velocity before the update,
+/// 2. Where springs and moorings from one body to what cannot move are stiff, implicitly: with F of
+///    the pose halfway and of the velocity u before the update, u_r that at which the rest moves,
 ///
-///        (S + ¼h² K + ½h C) Δu = h F,                                                      (E24)
+///        (S + a h² K + w h C) Δu = h (F − (a − b) h K (u − u_r)),                          (E24)
 ///
-///    K and C their stiffness and damping.
+///    K and C their stiffness and damping, a, b and w those of (E22): the implicit midpoint rule
+///    where the step resolves the oscillation.
 /// 3. As a row of the constraint solver (force_row.h): ropes and springs between moving bodies that
 ///    are stiff, and all of a drive that holds or stops.
 ///
@@ -132,6 +133,14 @@ class Rig {
 
  private:
   struct End;  ///< An end of a line in a substep.
+  /// A line from a body to what cannot move.
+  struct Tie {
+    Eigen::Vector3d r_W;        ///< Its end, from the centre of mass.
+    Eigen::Vector3d force_W;    ///< On the body [N].
+    Eigen::Vector3d parting_W;  ///< Velocity of the end less that of the rest [m/s].
+    Eigen::Matrix3d stiffness, damping;
+    double mobility;  ///< Of the end, without water [1/kg].
+  };
   struct LineHold {
     Eigen::Vector3d pull_W;  ///< Direction of the pull at the end.
     double distance;         ///< [m]
@@ -178,6 +187,9 @@ class Rig {
                 double h);
   void add_lines_to_world(const StepContext& context, Island& island, SubstepBody& body,
                           double time, double h);
+  std::vector<Tie> ties_of(const StepContext& context, Island& island, const SubstepBody& body,
+                           double time, double h, bool expected);
+  hydro::Wrench add_stiffly(const std::vector<Tie>& ties, SubstepBody& body, double h) const;
   void add_line_row(const StepContext& context, Island& island, std::size_t line, double found,
                     double time, double h);
   double sideways_phase(BodyId body, const Eigen::Vector3d& r, double T, double l, double lever,

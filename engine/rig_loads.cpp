@@ -91,38 +91,72 @@ void Rig::add_line(const StepContext& context, Island& island, std::size_t index
   if (second.body) add_force(second.body->moving->rig_load, -pull.force_W, second.r_W);
 }
 
+std::vector<Rig::Tie> Rig::ties_of(const StepContext& context, Island& island, const SubstepBody& b,
+                                   double time, double h, bool expected) {
+  std::vector<Tie> ties;
+  for (const std::size_t index : parts_[b.id].to_world) {
+    if (lines_[index].broken) continue;
+    const LineSpec& line = spec_->lines[index];
+    const bool is_first = line.first.body == b.id;
+    const End first = end_of(context, island, line.first, h, expected);
+    const End second = end_of(context, island, line.second, h, expected);
+    const LinePull pull = pull_of_line(index, first, second, time);
+    const End& own = is_first ? first : second;
+    const End& other = is_first ? second : first;
+    const Vector3d way = other.point.place_W - own.point.place_W;
+    const Vector3d rest_moves = -length_at(index, time).rate * way.stableNormalized();
+    ties.push_back({.r_W = own.r_W,
+                    .force_W = is_first ? pull.force_W : Vector3d(-pull.force_W),
+                    .parting_W = own.point.velocity_W - rest_moves,
+                    .stiffness = pull.stiffness,
+                    .damping = pull.damping,
+                    .mobility = mobility(b.id, is_first ? line.first.at : line.second.at)});
+  }
+  return ties;
+}
+
 void Rig::add_lines_to_world(const StepContext& context, Island& island, SubstepBody& b,
                              double time, double h) {
-  const std::vector<std::size_t>& lines = parts_[b.id].to_world;
-  if (lines.empty()) return;
-  // The force on the body is that on the first end, or its opposite.
-  const auto add_all = [&](bool expected, hydro::Wrench& load, Matrix6d* implicit) {
-    double stiffness = 0;
-    for (const std::size_t index : lines) {
-      if (lines_[index].broken) continue;
-      const LineSpec& line = spec_->lines[index];
-      const bool is_first = line.first.body == b.id;
-      const End first = end_of(context, island, line.first, h, expected);
-      const End second = end_of(context, island, line.second, h, expected);
-      const LinePull pull = pull_of_line(index, first, second, time);
-      const Vector3d& r = is_first ? first.r_W : second.r_W;
-      add_force(load, is_first ? pull.force_W : Vector3d(-pull.force_W), r);
-      const Eigen::Matrix3d X = h * h * pull.stiffness + 2 * h * pull.damping;
-      stiffness += X.trace() * mobility(b.id, is_first ? line.first.at : line.second.at);
-      if (!implicit) continue;
-      Eigen::Matrix<double, 3, 6> J;
-      J << Eigen::Matrix3d::Identity(), -cross_matrix(r);
-      *implicit += J.transpose() * (X / 4) * J;
-    }
-    return stiffness;
-  };
+  if (parts_[b.id].to_world.empty()) return;
+  double stiffness = 0;
   hydro::Wrench load;
-  if (add_all(true, load, nullptr) > kStiffLine) {
-    load = {};
-    b.rig_inertia = Matrix6d::Zero();  // before rows add theirs
-    add_all(false, load, &*b.rig_inertia);
+  for (const Tie& tie : ties_of(context, island, b, time, h, true)) {
+    stiffness += (h * h * tie.stiffness + 2 * h * tie.damping).trace() * tie.mobility;
+    add_force(load, tie.force_W, tie.r_W);
   }
+  if (stiffness > kStiffLine) load = add_stiffly(ties_of(context, island, b, time, h, false), b, h);
   b.moving->rig_load += load;
+}
+
+hydro::Wrench Rig::add_stiffly(const std::vector<Tie>& ties, SubstepBody& b, double h) const {
+  const Eigen::Matrix3d R_WB = b.halfway.state.orientation.toRotationMatrix();
+  const hydro::Cholesky6 S(rotate_tensor(R_WB, b.body().rigid_B + b.added_B));
+  const double step = spec_->step;
+  double springs = 0, dampers = 0;  // sums over the directions of (1/s)², and of 1/s
+  const auto lever = [](const Tie& tie) {
+    Eigen::Matrix<double, 3, 6> J;
+    J << Eigen::Matrix3d::Identity(), -cross_matrix(tie.r_W);
+    return J;
+  };
+  for (const Tie& tie : ties) {
+    const Eigen::Matrix<double, 3, 6> J = lever(tie);
+    Eigen::Matrix3d mobility;
+    for (int i = 0; i < 3; ++i) mobility.col(i) = J * S.solve(J.row(i).transpose());
+    springs += (tie.stiffness * mobility).trace();
+    dampers += (tie.damping * mobility).trace();
+  }
+  const double damped = unresolved(std::max(step * std::sqrt(springs), step * dampers / 2));
+  const auto [after, before] = spring_weights(damped, h, step);
+  hydro::Wrench load;
+  b.rig_inertia = Matrix6d::Zero();  // before rows add theirs
+  for (const Tie& tie : ties) {
+    const Vector3d ahead = h * (after - before) * tie.stiffness * tie.parting_W;
+    add_force(load, tie.force_W - ahead, tie.r_W);
+    const Eigen::Matrix3d X =
+        h * h * after * tie.stiffness + h * (0.5 + 0.5 * damped) * tie.damping;
+    *b.rig_inertia += lever(tie).transpose() * X * lever(tie);
+  }
+  return load;
 }
 
 void Rig::add_drive_load(const StepContext& context, Island& island, std::size_t index,
@@ -152,7 +186,8 @@ void Rig::hold_sideways(const ForceRow& row, const End& end, const LineHold& hol
   const double lever = std::max(0.0, hold.pull_W.dot(end.r_W));
   const double square = sideways_phase(end.body->id, end.r_W, row.held, hold.distance, lever, h);
   if (square < kStiffLine) return;
-  const double weight = h * h * spring_weight(std::sqrt(square)) * row.held;
+  const double weight =
+      h * h * spring_weights(unresolved(std::sqrt(square)), h, h).after * row.held;
   Matrix6d& more = *end.body->midpoint.rig_inertia;
   more.diagonal().head<3>().array() += weight / hold.distance;
   more.diagonal().tail<3>().array() += weight * (end.r_W.squaredNorm() / hold.distance + lever);
@@ -204,8 +239,9 @@ void Rig::add_line_row(const StepContext& context, Island& island, std::size_t i
                  .missing = distance - length.length,
                  .rest_rate = -length.rate,
                  .rate = rate,
-                 .mobility = mobility_along(first.body, row) + mobility_along(second.body, row)},
-                h);
+                 .mobility = mobility_along(first.body, row) + mobility_along(second.body, row),
+                 .one_sided = row.one_sided},
+                h, spec_->step);
   row.target = terms.target;
   row.compliance = terms.compliance;
   row.held = std::max(lines_[index].tension, found);
@@ -240,6 +276,7 @@ void Rig::add_drive_rows(const StepContext& context, Island& island, std::size_t
       .q = drive.coordinate.value(bodies),
       .rate = drive.coordinate.rate(bodies),
       .inertia = 1 / (inverse_inertia(joint.first) + inverse_inertia(joint.second)),
+      .step = spec_->step,
       .stiff = drive.stiff};
   for (ForceRow& row :
        drive_rows(joint.drive, *set_points_, time, h, state, drive.coordinate.turns())) {

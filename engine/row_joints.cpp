@@ -17,8 +17,10 @@ constexpr double kInert = 1e30;
 
 struct RowJoints::Added {
   dJointFeedback feedback{};
-  Vector3d direction_W;  ///< Of the force on ODE's first body.
-  bool turns;
+  std::size_t row = 0;
+  double sign = 1;                           ///< Of its force in λ.
+  Vector3d direction_W = Vector3d::UnitX();  ///< Of the force on ODE's first body.
+  bool turns = false;
 };
 
 RowJoints::RowJoints(dxWorld* world, dxJointGroup* group, double unit, double step)
@@ -40,7 +42,7 @@ dxJoint* RowJoints::force_joint(const ForceRow& row, const Vector3d& direction_W
   contact.surface.mode = dContactSoftERP | dContactSoftCFM | dContactFDir1 | dContactMotion1 |
                          dContactSlip1 | dContactMu2;
   contact.surface.soft_cfm = kInert;
-  contact.surface.mu = std::isfinite(row.most) ? unit_ * row.most : dInfinity;
+  contact.surface.mu = unit_ * row.most;
   contact.surface.motion1 = row.target;
   contact.surface.slip1 = row.compliance / unit_;
   return dJointCreateContact(world_, group_, &contact);
@@ -65,22 +67,36 @@ dxJoint* RowJoints::torque_joint(const ForceRow& row) const {
 }
 
 void RowJoints::add(const ForceRow& row, dxBody* first, dxBody* second) {
+  const std::size_t index = row_count_++;
+  if (row.turns || row.one_sided || std::isfinite(row.most))
+    return add_joint(row, first, second, {.row = index});
+  // A pull and a push, of which one acts.
+  for (const double sign : {1.0, -1.0}) {
+    ForceRow side = row;
+    side.direction_W *= sign;
+    side.target *= sign;
+    side.one_sided = true;
+    add_joint(side, first, second, {.row = index, .sign = sign});
+  }
+}
+
+void RowJoints::add_joint(const ForceRow& row, dxBody* first, dxBody* second, Added added) {
   // ODE's first body is the one that moves; the row pushes `second` along its direction.
-  const Vector3d direction = second ? row.direction_W : Vector3d(-row.direction_W);
+  added.direction_W = second ? row.direction_W : Vector3d(-row.direction_W);
+  added.turns = row.turns;
+  const Vector3d& direction = added.direction_W;
   dxJoint* joint = row.turns ? torque_joint(row) : force_joint(row, direction);
   dJointAttach(joint, second ? second : first, second ? first : nullptr);
   if (row.turns) dJointSetAMotorAxis(joint, 0, 0, direction.x(), direction.y(), direction.z());
-  Added& added = added_.emplace_back();
-  added.direction_W = direction;
-  added.turns = row.turns;
-  dJointSetFeedback(joint, &added.feedback);
+  added_.push_back(added);
+  dJointSetFeedback(joint, &added_.back().feedback);
 }
 
 std::vector<double> RowJoints::forces() const {
-  std::vector<double> forces;
+  std::vector<double> forces(row_count_, 0);
   for (const Added& a : added_) {
     const double* vector = a.turns ? a.feedback.t1 : a.feedback.f1;
-    forces.push_back(a.direction_W.dot(Eigen::Map<const Vector3d>(vector)) / unit_);
+    forces[a.row] += a.sign * a.direction_W.dot(Eigen::Map<const Vector3d>(vector)) / unit_;
   }
   return forces;
 }

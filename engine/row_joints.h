@@ -14,9 +14,10 @@ struct dxWorld;
 /// @file
 /// Rows of forces as joints of ODE that live for one step.
 ///
-/// A force that only pushes is the normal of a contact; one of both signs is the friction of a
-/// contact whose normal is too soft to do anything. A torque is a motor about an axis, or a stop of
-/// one.
+/// A force that only pushes is the normal of a contact; one of both signs is two such forces, or,
+/// if it is limited, the friction of a contact whose normal is too soft to do anything. ODE's
+/// friction without a limit may fail beside such a normal. A torque is a motor about an axis, or a
+/// stop of one.
 
 namespace engine {
 
@@ -35,12 +36,14 @@ class RowJoints {
 
  private:
   struct Added;
+  void add_joint(const ForceRow& row, dxBody* first, dxBody* second, Added added);
   dxJoint* force_joint(const ForceRow& row, const Eigen::Vector3d& direction_W) const;
   dxJoint* torque_joint(const ForceRow& row) const;
 
   dxWorld* world_;
   dxJointGroup* group_;
   double unit_, step_;
+  std::size_t row_count_ = 0;
   std::deque<Added> added_;  ///< ODE keeps the addresses of their feedback.
 };
 

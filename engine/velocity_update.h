@@ -27,7 +27,7 @@
 /// body: stable and without loss for any h ω. (E5) is taken where ζ < kStiffDrag and (h ω)² <
 /// kStiffWaterplane.
 ///
-/// Lines that are stiff add ¼h² K + ½h C to S in all forms (E24, rig.h).
+/// Lines that are stiff add a h² K + w h C to S in all forms (E24, rig.h).
 ///
 /// The memory of waves (wave_memory.h) takes part in both forms, and under constraints: it adds
 /// ¼h² C to S and f to F, so that it is implicit whatever the loads are.

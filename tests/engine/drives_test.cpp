@@ -105,6 +105,25 @@ TEST(JointLimits, StopAFlapThatFalls) {
   EXPECT_NEAR(simulation.rig().joints[0].speed, 0, 1e-6);
 }
 
+TEST(JointLimits, GiveNoEnergyToABodyThatHitsThem) {
+  for (const double speed : {1.0, 10.0, 100.0}) {
+    SimulationSpec spec = hinged();
+    spec.joints[0].drive.limits = {{-0.2, 0.5}};
+    spec.bodies[0].initial.angular_velocity = {0, speed, 0};
+    spec.bodies[0].initial.linear_velocity = {0, 0, -speed};
+    Simulation simulation(std::move(spec));
+    double last = speed;
+    for (int i = 0; i < 300; ++i) {
+      simulation.step();
+      const double now = std::abs(simulation.rig().joints[0].speed);
+      // What an impact has taken beyond the stop is taken back with 2e-4 of the greatest energy.
+      ASSERT_LT(now * now - last * last, 1e-3 * speed * speed) << speed << " " << i;
+      last = now;
+    }
+    EXPECT_LT(last, speed / 2) << speed;
+  }
+}
+
 TEST(JointLimits, HoldTheStaticTorqueOfTheWeight) {
   SimulationSpec spec = hinged();
   spec.gravity = support::kGravity;

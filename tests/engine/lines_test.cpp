@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/force_row.h"
 #include "hydro/lines/catenary.h"
 #include "tests/engine/rig_specs.h"
 
@@ -173,6 +174,21 @@ TEST(Rope, IsSlackWithoutForce) {
   EXPECT_NEAR(simulation.states()[0].linear_velocity.x(), -1, 1e-12);
 }
 
+/// The rate at which a stretched line is taken back depends on the step alone: what long substeps
+/// have stretched is not thrown back by short ones.
+TEST(Rope, IsTakenToItsLengthAtARateThatNoSubstepChanges) {
+  const double step = 1.0 / 60, missing = 0.01;
+  for (const double h : {step, step / 8, step / 64}) {
+    const engine::RowTerms taut = engine::row_terms(
+        {.stiffness = 1e12, .missing = missing, .mobility = 1e-3, .one_sided = true}, h, step);
+    EXPECT_NEAR(taut.target, missing / step, 1e-12) << h;
+    // A slack one lets its ends part by what it is slack by.
+    const engine::RowTerms slack = engine::row_terms(
+        {.stiffness = 1e12, .missing = -missing, .mobility = 1e-3, .one_sided = true}, h, step);
+    EXPECT_NEAR(slack.target, -missing / h, 1e-12) << h;
+  }
+}
+
 TEST(Rope, BreaksAtItsLoad) {
   SimulationSpec spec = support::dry_world({box("mass", {0, 0, -2})}, 1.0 / 60);
   const double weight = spec.bodies[0].mass * spec.gravity;
@@ -241,6 +257,31 @@ TEST(Mooring, ThatIsTautIsStableOnALightBody) {
   for (int i = 0; i < 600; ++i) {
     simulation.step();
     ASSERT_NEAR(simulation.states()[0].position.norm(), 99.01, 0.1) << i;
+  }
+}
+
+TEST(Mooring, ThatComesTautThrowsNoBodyBack) {
+  const double speed = 20;
+  for (const double stiffness : {1e8, 1e10, 1e12}) {
+    for (const double start : {90.0, 90.1, 90.2, 90.3}) {
+      SimulationSpec spec = weightless({box("float", {0, 0, start}, 30)}, 1.0 / 60);
+      LineSpec mooring{.name = "m",
+                       .kind = Kind::mooring,
+                       .first = {0, {0, 0, 0}},
+                       .second = {kWorld, {0, 0, 0}},
+                       .length = 99,
+                       .stiffness = stiffness,
+                       .weight = 0.1};
+      spec.lines = {mooring};
+      spec.bodies[0].initial.linear_velocity = {0, 0, speed};
+      Simulation simulation(std::move(spec));
+      for (int i = 0; i < 120; ++i) {
+        simulation.step();
+        // The weight of the line gives 2e-4 of the energy.
+        ASSERT_LT(simulation.states()[0].linear_velocity.norm(), (1 + 1e-3) * speed)
+            << stiffness << " " << start << " " << i;
+      }
+    }
   }
 }
 

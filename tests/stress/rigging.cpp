@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
+
+#include "engine/force_row.h"
 
 namespace stress {
 namespace {
@@ -69,14 +72,25 @@ void drive(Scenario& scenario) {
   drive.friction = 0.1 * torque;
 }
 
-/// n·M⁻¹n of a body at a line's end [1/kg].
+/// The reciprocal of the mass that a body has, with the water it moves, at a line's end [1/kg].
 double mobility_along(const Vector3d& n, const engine::AttachmentPoint& point,
-                      const engine::SimulationSpec& spec,
-                      const std::vector<hydro::BodyState>& states) {
+                      const std::vector<engine::Body>& bodies,
+                      const std::vector<engine::Motion>& motions) {
   if (point.body == engine::kWorld) return 0;
-  const engine::BodySpec& body = spec.bodies[point.body];
-  const Vector3d turn_B = point.at.cross(states[point.body].orientation.conjugate() * n);
-  return 1 / body.mass + turn_B.dot(body.inertia_B.inverse() * turn_B);
+  const engine::Motion& motion = motions[point.body];
+  const Vector3d n_B = motion.state.orientation.conjugate() * n;
+  const engine::Matrix6d S = bodies[point.body].rigid_B + motion.added();
+  const engine::Vector6d push = engine::to_vector6(n_B, point.at.cross(n_B));
+  return push.dot(S.llt().solve(push));
+}
+
+/// The greatest kinetic energy that a stretched line can turn into, over ½ k e², if its damping is
+/// this part of the critical one.
+double part_given_back(double damping) {
+  const double rest = std::sqrt(std::abs(1 - damping * damping));
+  if (rest < 1e-6) return std::exp(-2.0);
+  const double angle = damping < 1 ? std::acos(damping) : std::acosh(damping);
+  return std::exp(-2 * damping * angle / rest);
 }
 
 }  // namespace
@@ -100,22 +114,24 @@ void rig(const std::string& with, Scenario& scenario) {
 
 bool gives_energy(const std::string& with) { return with == "moored" || with == "driven"; }
 
-double stored_energy(const engine::SimulationSpec& spec,
-                     const std::vector<hydro::BodyState>& states) {
+double stored_energy(const engine::SimulationSpec& spec, const std::vector<engine::Body>& bodies,
+                     const std::vector<engine::Motion>& motions) {
   double energy = 0;
   for (const LineSpec& line : spec.lines) {
     if (line.kind == LineSpec::Kind::mooring) continue;
     const auto end = [&](const engine::AttachmentPoint& point) -> Vector3d {
       if (point.body == engine::kWorld) return point.at;
-      return states[point.body].position + states[point.body].orientation * point.at;
+      const hydro::BodyState& state = motions[point.body].state;
+      return state.position + state.orientation * point.at;
     };
     const Vector3d way = end(line.first) - end(line.second);
     const double stretch = way.norm() - line.length;
     if (line.kind == LineSpec::Kind::rope && stretch < 0) continue;
-    const double mobility = mobility_along(way.normalized(), line.first, spec, states) +
-                            mobility_along(way.normalized(), line.second, spec, states);
-    const double followed = 1 / (mobility * spec.step * spec.step);
-    energy += std::min(line.stiffness, followed) * stretch * stretch / 2;
+    const double mobility = mobility_along(way.normalized(), line.first, bodies, motions) +
+                            mobility_along(way.normalized(), line.second, bodies, motions);
+    const double phase = spec.step * std::sqrt(line.stiffness * mobility);
+    const double damping = engine::unresolved(phase) * phase / 2;
+    energy += part_given_back(damping) * line.stiffness * stretch * stretch / 2;
   }
   return energy;
 }

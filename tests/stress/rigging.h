@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/body.h"
 #include "tests/stress/scenario.h"
 
 /// @file
@@ -24,10 +25,9 @@ void rig(const std::string& with, Scenario& scenario);
 /// True if the energy of the rig is not known, or it has a motor.
 bool gives_energy(const std::string& with);
 
-/// Energy that stretched springs and ropes can give back [J]: ½ k e², but for a line that a step h
-/// does not follow ½ m (e/h)², m the mass that it moves, as such a line gives back no more than
-/// that (engine/force_row.h).
-double stored_energy(const engine::SimulationSpec& spec,
-                     const std::vector<hydro::BodyState>& states);
+/// Energy that stretched springs and ropes can give back [J]: ½ k e², but for a line that the step
+/// does not follow less, as such a line is damped (engine/force_row.h).
+double stored_energy(const engine::SimulationSpec& spec, const std::vector<engine::Body>& bodies,
+                     const std::vector<engine::Motion>& motions);
 
 }  // namespace stress

@@ -76,9 +76,7 @@ Watch::Energy Watch::find_energy(const std::vector<engine::Motion>& motions) {
     sum.potential += engine::potential_energy(bodies_[i], motion);
   }
   sum.potential -= scenario_.push.dot(motions[0].state.position);
-  std::vector<hydro::BodyState> states;
-  for (const engine::Motion& motion : motions) states.push_back(motion.state);
-  sum.potential += stored_energy(scenario_.spec, states);
+  sum.potential += stored_energy(scenario_.spec, bodies_, motions);
   sum.overlap = overlap_energy(motions);
   return sum;
 }
