@@ -217,7 +217,7 @@ void read(MapReader& map, Scene& scene) {
   map.blocks("contacts", scene.contacts);
   map.blocks("springs", scene.springs);
   map.blocks("ropes", scene.ropes);
-  map.blocks("moorings", scene.moorings);
+  map.blocks_or_block("moorings", scene.moorings, scene.moordyn);
   map.blocks("propellers", scene.propellers);
   map.blocks("rudders", scene.rudders);
   map.blocks("sails", scene.sails);
