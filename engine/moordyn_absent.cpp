@@ -34,9 +34,10 @@ const std::vector<MoorDynSpec::Line>& MoorDynSystem::lines() const {
   return none;
 }
 void MoorDynSystem::start(const std::vector<Eigen::Vector3d>&) {}
-void MoorDynSystem::step(const std::vector<Eigen::Vector3d>&, const std::vector<Eigen::Vector3d>&,
-                         double, double) {}
+void MoorDynSystem::step(const std::vector<PointMotion>&, const std::vector<PointMotion>&, double,
+                         double) {}
 std::vector<Eigen::Vector3d> MoorDynSystem::forces() const { return {}; }
+std::vector<double> MoorDynSystem::impedances() const { return {}; }
 std::vector<LineReading> MoorDynSystem::readings() const { return {}; }
 std::vector<std::uint64_t> MoorDynSystem::save() const { return {}; }
 void MoorDynSystem::load(const std::vector<std::uint64_t>&) {}

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "engine/constants.h"
 #include "engine/spec.h"
+#include "engine/substep.h"
 
 namespace engine {
 namespace {
@@ -33,9 +35,13 @@ MoorDynCoupling::MoorDynCoupling(const SimulationSpec& spec)
   for (const AttachmentPoint& point : spec_->points)
     if (point.body < 0 || point.body >= static_cast<BodyId>(spec.bodies.size()))
       throw MoorDynFault("a coupled point is on no body");
-  places_ = places(initial_states(spec));
-  system_.start(places_);
+  motions_ = motions(initial_states(spec));
+  std::vector<Vector3d> places;
+  for (const PointMotion& motion : motions_) places.push_back(motion.place);
+  system_.start(places);
   forces_ = before_ = system_.forces();
+  impedances_ = system_.impedances();
+  for (const PointMotion& motion : motions_) velocities_before_.push_back(motion.velocity);
 }
 
 bool MoorDynCoupling::acts_on(BodyId body) const {
@@ -54,46 +60,80 @@ void MoorDynCoupling::add_load(BodyId body, const hydro::BodyState& state, doubl
   }
 }
 
+void MoorDynCoupling::add_update(double time, double h, const std::vector<double>& mobility,
+                                 SubstepBody& body) const {
+  add_load(body.id, body.halfway.state, time, body.moving->rig_load);
+  double stiffness = 0;
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    if (spec_->points[i].body == body.id) stiffness += 2 * h * impedances_[i] * mobility[i];
+  if (stiffness < kStiffLine) return;
+  if (!body.rig_inertia) body.rig_inertia = Matrix6d::Zero();
+  const hydro::BodyState& state = body.halfway.state;
+  const double part = (time - step_start_) / step_;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (spec_->points[i].body != body.id) continue;
+    const Vector3d r = state.orientation * spec_->points[i].at;
+    const Vector3d& known = motions_[i].velocity;
+    const Vector3d expected = known + part * (known - velocities_before_[i]);
+    const Vector3d velocity = state.linear_velocity + state.angular_velocity.cross(r);
+    const Vector3d force = impedances_[i] * (expected - velocity);
+    body.moving->rig_load.force += force;
+    body.moving->rig_load.moment += r.cross(force);
+    Eigen::Matrix<double, 3, 6> J;
+    J << Eigen::Matrix3d::Identity(), -cross_matrix(r);
+    *body.rig_inertia += h / 2 * impedances_[i] * J.transpose() * J;
+  }
+}
+
 void MoorDynCoupling::begin_step(const std::vector<hydro::BodyState>& states, double time,
                                  double h) {
-  places_ = places(states);
+  motions_ = motions(states);
   step_start_ = time;
   step_ = h;
 }
 
 void MoorDynCoupling::follow(const std::vector<hydro::BodyState>& states) {
-  std::vector<Vector3d> to = places(states);
-  system_.step(places_, to, step_start_, step_);
+  std::vector<PointMotion> to = motions(states);
+  system_.step(motions_, to, step_start_, step_);
   before_ = std::move(forces_);
   forces_ = system_.forces();
-  places_ = std::move(to);
+  for (std::size_t i = 0; i < to.size(); ++i) velocities_before_[i] = motions_[i].velocity;
+  motions_ = std::move(to);
   step_start_ += step_;
 }
 
 MoorDynState MoorDynCoupling::state() const {
-  return {.forces = forces_, .before = before_, .system = system_.save()};
+  return {.forces = forces_,
+          .before = before_,
+          .velocities_before = velocities_before_,
+          .system = system_.save()};
 }
 
 bool MoorDynCoupling::fits(const MoorDynState& state) const {
   return state.forces.size() == forces_.size() && state.before.size() == before_.size() &&
+         state.velocities_before.size() == before_.size() &&
          state.system.size() == system_.save().size();
 }
 
 void MoorDynCoupling::restore(const MoorDynState& state, double time, double h) {
   forces_ = state.forces;
   before_ = state.before;
+  velocities_before_ = state.velocities_before;
   system_.load(state.system);
   step_start_ = time;
   step_ = h;
 }
 
-std::vector<Vector3d> MoorDynCoupling::places(const std::vector<hydro::BodyState>& states) const {
-  std::vector<Vector3d> places;
+std::vector<PointMotion> MoorDynCoupling::motions(
+    const std::vector<hydro::BodyState>& states) const {
+  std::vector<PointMotion> motions;
   for (const AttachmentPoint& point : spec_->points) {
     const hydro::BodyState& state = states[static_cast<std::size_t>(point.body)];
-    places.push_back(state.position + state.orientation * point.at);
+    const Vector3d r = state.orientation * point.at;
+    motions.push_back({.place = state.position + r,
+                       .velocity = state.linear_velocity + state.angular_velocity.cross(r)});
   }
-  return places;
+  return motions;
 }
 
 }  // namespace engine

@@ -15,20 +15,30 @@
 ///
 ///     F(t) = F_n + (t − t_n)/h (F_n − F_{n−1}),                                            (E34)
 ///
-/// which acts where the point is by then. MoorDyn then moves the points straight from where they
-/// were to where they are. Where the forces depend on the places of the points this is of second
-/// order; damping by the lines acts half a step late. It is stable while h² k/m is small against 1,
-/// with k the stiffness of the lines and m what they move.
+/// which acts where the point is by then. MoorDyn then moves the points on cubics in time from
+/// where they were to where they are. This is of second order.
+///
+/// Lines resist a sudden motion with their impedance Z = √(EA m'), EA the stiffness and m' the mass
+/// per length of each. Where 2 h Z exceeds kStiffLine of the mass that they move the update of the
+/// substep h is
+///
+///     (S + ½h Z) Δu = h (F(t) − Z (v − v(t))),                                             (E35)
+///
+/// v the velocity of the point before it and v(t) that expected by (E34), with velocities for
+/// forces: what is added is of second order, too. Without it such bodies would be thrown about. It
+/// is stable while h² k/m is small against 1, k the stiffness of the lines at rest and m that mass.
 
 namespace engine {
 
 struct SimulationSpec;
+struct SubstepBody;
 
 /// The changing side of lines of MoorDyn: a part of the state of a simulation.
 struct MoorDynState {
-  std::vector<Eigen::Vector3d> forces;  ///< F_n of each coupled point, in W [N].
-  std::vector<Eigen::Vector3d> before;  ///< F_{n−1} [N].
-  std::vector<std::uint64_t> system;    ///< That of MoorDyn.
+  std::vector<Eigen::Vector3d> forces;             ///< F_n of each coupled point, in W [N].
+  std::vector<Eigen::Vector3d> before;             ///< F_{n−1} [N].
+  std::vector<Eigen::Vector3d> velocities_before;  ///< Of the points, v_{n−1} [m/s].
+  std::vector<std::uint64_t> system;               ///< That of MoorDyn.
 };
 
 class MoorDynCoupling {
@@ -44,7 +54,12 @@ class MoorDynCoupling {
   /// mass, in W.
   void add_load(BodyId body, const hydro::BodyState& state, double time, hydro::Wrench& load) const;
 
-  /// Notes where the points are at the start of a step [s].
+  /// Adds (E35) to the load and the inertia of a body halfway in a substep of length h [s].
+  /// @param mobility   The largest reciprocal mass of each coupled point, of its body [1/kg].
+  void add_update(double time, double h, const std::vector<double>& mobility,
+                  SubstepBody& body) const;
+
+  /// Notes how the points move at the start of a step [s].
   void begin_step(const std::vector<hydro::BodyState>& states, double time, double h);
   /// Takes the lines through the step. @param states   At its end. @throws MoorDynFault
   void follow(const std::vector<hydro::BodyState>& states);
@@ -57,14 +72,16 @@ class MoorDynCoupling {
   void restore(const MoorDynState& state, double time, double h);
 
  private:
-  std::vector<Eigen::Vector3d> places(const std::vector<hydro::BodyState>& states) const;
+  std::vector<PointMotion> motions(const std::vector<hydro::BodyState>& states) const;
 
   const MoorDynSpec* spec_;
   MoorDynSystem system_;
+  std::vector<double> impedances_;                ///< Z of each point [kg/s].
   std::vector<Eigen::Vector3d> forces_, before_;  ///< F_n, F_{n−1}.
-  std::vector<Eigen::Vector3d> places_;           ///< At the start of the step, in W [m].
-  double step_start_ = 0;                         ///< t_n [s]
-  double step_ = 1;                               ///< h [s]
+  std::vector<Eigen::Vector3d> velocities_before_;
+  std::vector<PointMotion> motions_;  ///< At the start of the step.
+  double step_start_ = 0;             ///< t_n [s]
+  double step_ = 1;                   ///< h [s]
 };
 
 }  // namespace engine

@@ -24,10 +24,6 @@ namespace fs = std::filesystem;
 /// What the copy of an input file is called, without its ending.
 constexpr const char* kCopy = "plimsoll_moordyn";
 
-constexpr const char* kLostLines =
-    "the lines have lost their state; a smaller dtM or CFL among the options of their file may "
-    "keep it";
-
 // What MoorDyn's functions say of a point and of its lines.
 constexpr int kCoupledPoint = -1;
 constexpr int kEndB = 1;
@@ -38,7 +34,7 @@ std::mutex& creation() {
   return mutex;
 }
 
-/// Keeps what is written to the standard streams of C++ while it lives.
+/// Keeps what any thread writes to the standard streams of C++ while it lives.
 class Silence {
  public:
   Silence() : out_(std::cout.rdbuf(kept_.rdbuf())), err_(std::cerr.rdbuf(kept_.rdbuf())) {}
@@ -142,6 +138,13 @@ Messages messages_in(std::istream& log, const fs::path& copy, const fs::path& fi
   return messages;
 }
 
+/// Place at the part s of the time h from one motion to another.
+Vector3d on_cubic(const PointMotion& from, const PointMotion& to, double s, double h) {
+  const double a = s * s * (3 - 2 * s);
+  return (1 - a) * from.place + a * to.place +
+         h * s * (1 - s) * ((1 - s) * from.velocity - s * to.velocity);
+}
+
 std::vector<double> numbers_of(const std::vector<Vector3d>& vectors, const Vector3d& origin) {
   std::vector<double> numbers;
   for (const Vector3d& v : vectors)
@@ -156,6 +159,9 @@ std::string why_no_moordyn() { return ""; }
 std::string moordyn_version() { return PLIMSOLL_MOORDYN_VERSION; }
 
 struct MoorDynSystem::Library {
+  /// Lines at each coupled point.
+  using Attached = std::vector<std::vector<MoorDynLine>>;
+
   struct Line {
     MoorDynLine line;
     unsigned last = 0;   ///< Its node at end B.
@@ -171,6 +177,8 @@ struct MoorDynSystem::Library {
   /// What is new in MoorDyn's log.
   Messages news();
   [[noreturn]] void refuse(const std::string& what);
+  void move(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to, double time,
+            double dt);
   void give_water(double time);
 
   fs::path file;
@@ -183,6 +191,7 @@ struct MoorDynSystem::Library {
   std::vector<std::string> warnings;
   std::vector<Vector3d> coupled;
   std::vector<Vector3d> forces;
+  Attached attached;
   std::vector<Line> lines;
   std::vector<MoorDynSpec::Line> line_specs;
   bool feels_sea = false;  ///< The water that the lines feel is that of the scene.
@@ -200,6 +209,7 @@ MoorDynSystem::Library::Library(const fs::path& scene_file, const std::string& t
     find_points();
     find_lines();
   } catch (...) {
+    const std::lock_guard lock(creation());
     MoorDyn_Close(system);
     throw;
   }
@@ -214,13 +224,16 @@ MoorDynSystem::Library::~Library() {
 void MoorDynSystem::Library::create(const std::string& text) {
   copy = write_copy(file, with_options(text, own_options(surroundings)), folder.path());
   const std::lock_guard lock(creation());
-  {
+  std::string more;
+  try {
     // Before it has read its file MoorDyn cannot be told to say nothing.
     const Silence silence;
     system = MoorDyn_Create(copy.string().c_str());
+  } catch (const std::exception& error) {
+    more = std::string(" further than ") + error.what();
   }
   log.open(folder.path() / (std::string(kCopy) + ".log"));
-  if (!system) refuse("the file cannot be read");
+  if (!system) refuse("the file cannot be read" + more);
   MoorDyn_SetVerbosity(system, MOORDYN_NO_OUTPUT);
 }
 
@@ -250,14 +263,17 @@ void MoorDynSystem::Library::find_lines() {
   for (unsigned i = 1; i <= points; ++i) {
     const MoorDynPoint point = MoorDyn_GetPoint(system, i);
     int type = 0;
-    unsigned attached = 0;
+    unsigned count_attached = 0;
     MoorDyn_GetPointType(point, &type);
-    MoorDyn_GetPointNAttached(point, &attached);
-    for (unsigned k = 0; type == kCoupledPoint && k < attached; ++k) {
+    MoorDyn_GetPointNAttached(point, &count_attached);
+    if (type != kCoupledPoint) continue;
+    attached.emplace_back();
+    for (unsigned k = 0; k < count_attached; ++k) {
       MoorDynLine line = nullptr;
       int end = 0;
       MoorDyn_GetPointAttached(point, k, &line, &end);
       coupled_ends[line].insert(end);
+      attached.back().push_back(line);
     }
   }
   MoorDyn_GetNumberLines(system, &count);
@@ -283,6 +299,20 @@ void MoorDynSystem::Library::refuse(const std::string& what) {
   const std::vector<std::string> errors = news().errors;
   throw MoorDynFault("MoorDyn: " + what +
                      (errors.empty() ? "" : fmt::format(" ({})", fmt::join(errors, "; "))));
+}
+
+/// Moves the coupled points straight for a time dt.
+void MoorDynSystem::Library::move(const std::vector<Vector3d>& from,
+                                  const std::vector<Vector3d>& to, double time, double dt) {
+  const std::vector<double> x = numbers_of(from, origin), end = numbers_of(to, origin);
+  std::vector<double> velocity(x.size()), f(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) velocity[i] = (end[i] - x[i]) / dt;
+  if (MoorDyn_Step(system, x.data(), velocity.data(), f.data(), &time, &dt) != MOORDYN_SUCCESS ||
+      !std::ranges::all_of(f, [](double number) { return std::isfinite(number); }))
+    refuse(
+        "the lines have lost their state; a smaller dtM or CFL among the options of their file "
+        "may keep it");
+  for (std::size_t i = 0; i < from.size(); ++i) forces[i] = Vector3d(&f[3 * i]);
 }
 
 /// Tells the lines how the water moves at a time.
@@ -331,22 +361,50 @@ void MoorDynSystem::start(const std::vector<Vector3d>& places) {
   for (std::size_t i = 0; i < places.size(); ++i) lib.forces[i] = Vector3d(&f[3 * i]);
 }
 
-void MoorDynSystem::step(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to,
+void MoorDynSystem::step(const std::vector<PointMotion>& from, const std::vector<PointMotion>& to,
                          double time, double h) {
   Library& lib = *library_;
   if (lib.feels_sea) lib.give_water(time);
-  const std::vector<double> x = numbers_of(from, lib.origin), end = numbers_of(to, lib.origin);
-  std::vector<double> velocity(x.size()), f(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) velocity[i] = (end[i] - x[i]) / h;
-  double t = time, dt = h;
-  if (MoorDyn_Step(lib.system, x.data(), velocity.data(), f.data(), &t, &dt) != MOORDYN_SUCCESS)
-    lib.refuse(kLostLines);
-  if (!std::ranges::all_of(f, [](double number) { return std::isfinite(number); }))
-    lib.refuse(kLostLines);
-  for (std::size_t i = 0; i < from.size(); ++i) lib.forces[i] = Vector3d(&f[3 * i]);
+  // MoorDyn moves points at constant velocities in each call, so each of its own steps has a call.
+  double own = h;
+  MoorDyn_GetDt(lib.system, &own);
+  const int parts = static_cast<int>(std::ceil(h / std::min(own, h) - 1e-6));
+  const double dt = h / parts;
+  std::vector<Vector3d> now, next;
+  for (const PointMotion& motion : from) now.push_back(motion.place);
+  for (int part = 1; part <= parts; ++part) {
+    const double s = static_cast<double>(part) / parts;
+    next.clear();
+    for (std::size_t i = 0; i < from.size(); ++i)
+      next.push_back(part == parts ? to[i].place : on_cubic(from[i], to[i], s, h));
+    lib.move(now, next, time + (part - 1) * dt, dt);
+    now = next;
+  }
 }
 
 std::vector<Vector3d> MoorDynSystem::forces() const { return library_->forces; }
+
+std::vector<double> MoorDynSystem::impedances() const {
+  std::vector<double> impedances;
+  for (const std::vector<MoorDynLine>& lines : library_->attached) {
+    double sum = 0;
+    for (const MoorDynLine line : lines) {
+      int constant = 0;
+      unsigned segments = 1;
+      double stiffness = 0, length = 0, mass[3][3] = {};
+      MoorDyn_IsLineConstantEA(line, &constant);
+      if (!constant) continue;
+      MoorDyn_GetLineConstantEA(line, &stiffness);
+      MoorDyn_GetLineN(line, &segments);
+      MoorDyn_GetLineUnstretchedLength(line, &length);
+      MoorDyn_GetLineNodeM(line, segments / 2, mass);
+      const double mean_mass = (mass[0][0] + mass[1][1] + mass[2][2]) / 3;
+      sum += std::sqrt(std::max(0.0, stiffness * mean_mass * segments / length));
+    }
+    impedances.push_back(sum);
+  }
+  return impedances;
+}
 
 std::vector<LineReading> MoorDynSystem::readings() const {
   std::vector<LineReading> readings;

@@ -38,6 +38,12 @@ struct MoorDynSurroundings {
       nullptr;  ///< Null: the file gives water and bottom, its z are those of W.
 };
 
+/// A coupled point at an instant, in W.
+struct PointMotion {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
+};
+
 /// A system of MoorDyn. Of its file count all but a few options: gravity is that of the
 /// surroundings, density and a finite depth are those of their sea, and MoorDyn writes no files.
 /// With `1 WaveKin` the lines feel the waves and the current of the sea; otherwise what the file
@@ -68,14 +74,16 @@ class MoorDynSystem {
 
   // After start().
 
-  /// Moves the coupled points at constant velocities from a time on [s].
-  /// @param from, to   Their places in W at both ends of the time h [m].
-  /// @throws MoorDynFault
-  void step(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,
-            double time, double h);
+  /// Moves the coupled points from a time on [s], smoothly: on cubics in time that have these
+  /// motions at both ends of the time h [s]. @throws MoorDynFault
+  void step(const std::vector<PointMotion>& from, const std::vector<PointMotion>& to, double time,
+            double h);
 
   /// Forces on what the coupled points are fixed to, in W [N].
   std::vector<Eigen::Vector3d> forces() const;
+  /// Of each coupled point the sum of √(EA m') over its lines, m' with the water that moves with
+  /// them [kg/s]: a force per speed. Lines of a stiffness that is not constant count nothing.
+  std::vector<double> impedances() const;
   /// The lines in the order of the file. The first end is end B, or end A where only that is at a
   /// coupled point; the tension and the force are those that it exerts on its point.
   std::vector<LineReading> readings() const;
