@@ -37,7 +37,7 @@ void MoorDynSystem::start(const std::vector<Eigen::Vector3d>&) {}
 void MoorDynSystem::step(const std::vector<PointMotion>&, const std::vector<PointMotion>&, double,
                          double) {}
 std::vector<Eigen::Vector3d> MoorDynSystem::forces() const { return {}; }
-std::vector<double> MoorDynSystem::impedances() const { return {}; }
+std::vector<EndHold> MoorDynSystem::holds() const { return {}; }
 std::vector<LineReading> MoorDynSystem::readings() const { return {}; }
 std::vector<std::uint64_t> MoorDynSystem::save() const { return {}; }
 void MoorDynSystem::load(const std::vector<std::uint64_t>&) {}

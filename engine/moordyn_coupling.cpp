@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/constants.h"
+#include "engine/locks.h"
 #include "engine/spec.h"
 #include "engine/substep.h"
 
@@ -22,7 +23,8 @@ std::vector<hydro::BodyState> initial_states(const SimulationSpec& spec) {
 }  // namespace
 
 MoorDynCoupling::MoorDynCoupling(const SimulationSpec& spec)
-    : spec_(&*spec.moordyn),
+    : simulation_(&spec),
+      spec_(&*spec.moordyn),
       system_(spec_->file, spec_->text,
               {.gravity = spec.gravity, .sea = spec.sea ? &*spec.sea : nullptr}),
       step_(spec.step) {
@@ -40,8 +42,9 @@ MoorDynCoupling::MoorDynCoupling(const SimulationSpec& spec)
   for (const PointMotion& motion : motions_) places.push_back(motion.place);
   system_.start(places);
   forces_ = before_ = system_.forces();
-  impedances_ = system_.impedances();
-  for (const PointMotion& motion : motions_) velocities_before_.push_back(motion.velocity);
+  holds_ = system_.holds();
+  motions_before_ = motions_;
+  for (PointMotion& motion : motions_before_) motion.place -= step_ * motion.velocity;
 }
 
 bool MoorDynCoupling::acts_on(BodyId body) const {
@@ -60,28 +63,43 @@ void MoorDynCoupling::add_load(BodyId body, const hydro::BodyState& state, doubl
   }
 }
 
-void MoorDynCoupling::add_update(double time, double h, const std::vector<double>& mobility,
-                                 SubstepBody& body) const {
+Vector3d MoorDynCoupling::direction(std::size_t point) const {
+  const double size = forces_[point].norm();
+  return size > 0 ? Vector3d(forces_[point] / size) : Vector3d(Vector3d::Zero());
+}
+
+void MoorDynCoupling::add_update(double time, double h, SubstepBody& body) const {
   add_load(body.id, body.halfway.state, time, body.moving->rig_load);
-  double stiffness = 0;
-  for (std::size_t i = 0; i < forces_.size(); ++i)
-    if (spec_->points[i].body == body.id) stiffness += 2 * h * impedances_[i] * mobility[i];
-  if (stiffness < kStiffLine) return;
-  if (!body.rig_inertia) body.rig_inertia = Matrix6d::Zero();
   const hydro::BodyState& state = body.halfway.state;
-  const double part = (time - step_start_) / step_;
+  const BodySpec& spec = simulation_->bodies[static_cast<std::size_t>(body.id)];
+  if (immovable(spec.locked)) return;
+  // What each point moves by along its line, and its share of h² K + 2 h C over the mass.
+  std::vector<std::pair<std::size_t, Vector6d>> held;
+  double stiffness = 0;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (spec_->points[i].body != body.id) continue;
-    const Vector3d r = state.orientation * spec_->points[i].at;
-    const Vector3d& known = motions_[i].velocity;
-    const Vector3d expected = known + part * (known - velocities_before_[i]);
+    const Vector3d n = direction(i), arm = (state.orientation * spec_->points[i].at).cross(n);
+    const Vector3d arm_B = state.orientation.conjugate() * arm;
+    const double mobility =
+        n.squaredNorm() / spec.mass + arm_B.dot(spec.inertia_B.ldlt().solve(arm_B));
+    stiffness += (h * h * holds_[i].stiffness + 2 * h * holds_[i].damping) * mobility;
+    held.emplace_back(i, to_vector6(n, arm));
+  }
+  if (stiffness < kHeavyLine) return;
+  if (!body.rig_inertia) body.rig_inertia = Matrix6d::Zero();
+  const double part = (time - step_start_) / step_;
+  const auto expected = [part](const Vector3d& now, const Vector3d& before) -> Vector3d {
+    return now + part * (now - before);
+  };
+  for (const auto& [i, J] : held) {
+    const Vector3d n = J.head<3>(), r = state.orientation * spec_->points[i].at;
     const Vector3d velocity = state.linear_velocity + state.angular_velocity.cross(r);
-    const Vector3d force = impedances_[i] * (expected - velocity);
-    body.moving->rig_load.force += force;
-    body.moving->rig_load.moment += r.cross(force);
-    Eigen::Matrix<double, 3, 6> J;
-    J << Eigen::Matrix3d::Identity(), -cross_matrix(r);
-    *body.rig_inertia += h / 2 * impedances_[i] * J.transpose() * J;
+    const PointMotion &now = motions_[i], &before = motions_before_[i];
+    const auto& [K, C] = holds_[i];
+    const double push = K * n.dot(expected(now.place, before.place) - state.position - r) +
+                        C * n.dot(expected(now.velocity, before.velocity) - velocity);
+    body.moving->rig_load += to_wrench(push * J);
+    *body.rig_inertia += (h * h / 4 * K + h / 2 * C) * J * J.transpose();
   }
 }
 
@@ -97,20 +115,23 @@ void MoorDynCoupling::follow(const std::vector<hydro::BodyState>& states) {
   system_.step(motions_, to, step_start_, step_);
   before_ = std::move(forces_);
   forces_ = system_.forces();
-  for (std::size_t i = 0; i < to.size(); ++i) velocities_before_[i] = motions_[i].velocity;
+  motions_before_ = std::move(motions_);
   motions_ = std::move(to);
   step_start_ += step_;
 }
 
 MoorDynState MoorDynCoupling::state() const {
-  return {.forces = forces_,
-          .before = before_,
-          .velocities_before = velocities_before_,
-          .system = system_.save()};
+  MoorDynState state{.forces = forces_, .before = before_, .system = system_.save()};
+  for (const PointMotion& motion : motions_before_) {
+    state.places_before.push_back(motion.place);
+    state.velocities_before.push_back(motion.velocity);
+  }
+  return state;
 }
 
 bool MoorDynCoupling::fits(const MoorDynState& state) const {
   return state.forces.size() == forces_.size() && state.before.size() == before_.size() &&
+         state.places_before.size() == before_.size() &&
          state.velocities_before.size() == before_.size() &&
          state.system.size() == system_.save().size();
 }
@@ -118,7 +139,8 @@ bool MoorDynCoupling::fits(const MoorDynState& state) const {
 void MoorDynCoupling::restore(const MoorDynState& state, double time, double h) {
   forces_ = state.forces;
   before_ = state.before;
-  velocities_before_ = state.velocities_before;
+  for (std::size_t i = 0; i < motions_before_.size(); ++i)
+    motions_before_[i] = {.place = state.places_before[i], .velocity = state.velocities_before[i]};
   system_.load(state.system);
   step_start_ = time;
   step_ = h;

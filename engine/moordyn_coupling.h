@@ -18,15 +18,15 @@
 /// which acts where the point is by then. MoorDyn then moves the points on cubics in time from
 /// where they were to where they are. This is of second order.
 ///
-/// Lines resist a sudden motion with their impedance Z = √(EA m'), EA the stiffness and m' the mass
-/// per length of each. Where 2 h Z exceeds kStiffLine of the mass that they move the update of the
-/// substep h is
+/// Where h² K + 2 h C exceeds kHeavyLine of the mass that a body has along the force the update of
+/// the substep h is, along that direction,
 ///
-///     (S + ½h Z) Δu = h (F(t) − Z (v − v(t))),                                             (E35)
+///     (S + ¼h² K + ½h C) Δu = h (F(t) − K (x − x(t)) − C (v − v(t))),                      (E35)
 ///
-/// v the velocity of the point before it and v(t) that expected by (E34), with velocities for
-/// forces: what is added is of second order, too. Without it such bodies would be thrown about. It
-/// is stable while h² k/m is small against 1, k the stiffness of the lines at rest and m that mass.
+/// x the place of the point halfway and v its velocity before the update, x(t) and v(t) those that
+/// are expected as F(t) is, by (E34). K = Σ EA/l, l the length of a segment, and C = Σ 2 √(EA m'),
+/// m' the mass per length, are at least what lines do against a sudden motion (EndHold), so that
+/// light bodies are not thrown about. This is of second order, too.
 
 namespace engine {
 
@@ -37,7 +37,8 @@ struct SubstepBody;
 struct MoorDynState {
   std::vector<Eigen::Vector3d> forces;             ///< F_n of each coupled point, in W [N].
   std::vector<Eigen::Vector3d> before;             ///< F_{n−1} [N].
-  std::vector<Eigen::Vector3d> velocities_before;  ///< Of the points, v_{n−1} [m/s].
+  std::vector<Eigen::Vector3d> places_before;      ///< Of the points, x_{n−1} in W [m].
+  std::vector<Eigen::Vector3d> velocities_before;  ///< v_{n−1} [m/s].
   std::vector<std::uint64_t> system;               ///< That of MoorDyn.
 };
 
@@ -54,10 +55,9 @@ class MoorDynCoupling {
   /// mass, in W.
   void add_load(BodyId body, const hydro::BodyState& state, double time, hydro::Wrench& load) const;
 
-  /// Adds (E35) to the load and the inertia of a body halfway in a substep of length h [s].
-  /// @param mobility   The largest reciprocal mass of each coupled point, of its body [1/kg].
-  void add_update(double time, double h, const std::vector<double>& mobility,
-                  SubstepBody& body) const;
+  /// Adds (E34), or (E35), to the load and the inertia of a body halfway in a substep of length h
+  /// [s].
+  void add_update(double time, double h, SubstepBody& body) const;
 
   /// Notes how the points move at the start of a step [s].
   void begin_step(const std::vector<hydro::BodyState>& states, double time, double h);
@@ -72,16 +72,19 @@ class MoorDynCoupling {
   void restore(const MoorDynState& state, double time, double h);
 
  private:
+  /// Direction of F_n; 0 without a force.
+  Eigen::Vector3d direction(std::size_t point) const;
   std::vector<PointMotion> motions(const std::vector<hydro::BodyState>& states) const;
 
+  const SimulationSpec* simulation_;
   const MoorDynSpec* spec_;
   MoorDynSystem system_;
-  std::vector<double> impedances_;                ///< Z of each point [kg/s].
+  std::vector<EndHold> holds_;                    ///< Of each point.
   std::vector<Eigen::Vector3d> forces_, before_;  ///< F_n, F_{n−1}.
-  std::vector<Eigen::Vector3d> velocities_before_;
-  std::vector<PointMotion> motions_;  ///< At the start of the step.
-  double step_start_ = 0;             ///< t_n [s]
-  double step_ = 1;                   ///< h [s]
+  std::vector<PointMotion> motions_before_;       ///< At the start of the step before.
+  std::vector<PointMotion> motions_;              ///< At the start of the step.
+  double step_start_ = 0;                         ///< t_n [s]
+  double step_ = 1;                               ///< h [s]
 };
 
 }  // namespace engine

@@ -384,26 +384,26 @@ void MoorDynSystem::step(const std::vector<PointMotion>& from, const std::vector
 
 std::vector<Vector3d> MoorDynSystem::forces() const { return library_->forces; }
 
-std::vector<double> MoorDynSystem::impedances() const {
-  std::vector<double> impedances;
+std::vector<EndHold> MoorDynSystem::holds() const {
+  std::vector<EndHold> holds;
   for (const std::vector<MoorDynLine>& lines : library_->attached) {
-    double sum = 0;
+    EndHold& hold = holds.emplace_back();
     for (const MoorDynLine line : lines) {
-      int constant = 0;
       unsigned segments = 1;
       double stiffness = 0, length = 0, mass[3][3] = {};
-      MoorDyn_IsLineConstantEA(line, &constant);
-      if (!constant) continue;
+      // MoorDyn_IsLineConstantEA says the opposite in some versions, so it is not asked: a line of
+      // another law has no EA of use, as a rule 0.
       MoorDyn_GetLineConstantEA(line, &stiffness);
       MoorDyn_GetLineN(line, &segments);
       MoorDyn_GetLineUnstretchedLength(line, &length);
       MoorDyn_GetLineNodeM(line, segments / 2, mass);
-      const double mean_mass = (mass[0][0] + mass[1][1] + mass[2][2]) / 3;
-      sum += std::sqrt(std::max(0.0, stiffness * mean_mass * segments / length));
+      const double segment = length / segments;
+      const double of_node = (mass[0][0] + mass[1][1] + mass[2][2]) / 3;
+      hold.stiffness += stiffness / segment;
+      hold.damping += 2 * std::sqrt(std::max(0.0, stiffness * of_node / segment));
     }
-    impedances.push_back(sum);
   }
-  return impedances;
+  return holds;
 }
 
 std::vector<LineReading> MoorDynSystem::readings() const {

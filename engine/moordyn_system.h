@@ -44,6 +44,12 @@ struct PointMotion {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
 };
 
+/// How lines hold an end against a sudden motion: no less than they do.
+struct EndHold {
+  double stiffness = 0;  ///< Sum of EA/l, l the length of a segment [N/m].
+  double damping = 0;    ///< Sum of 2 √(EA m'), m' the mass per length, water included [kg/s].
+};
+
 /// A system of MoorDyn. Of its file count all but a few options: gravity is that of the
 /// surroundings, density and a finite depth are those of their sea, and MoorDyn writes no files.
 /// With `1 WaveKin` the lines feel the waves and the current of the sea; otherwise what the file
@@ -81,9 +87,8 @@ class MoorDynSystem {
 
   /// Forces on what the coupled points are fixed to, in W [N].
   std::vector<Eigen::Vector3d> forces() const;
-  /// Of each coupled point the sum of √(EA m') over its lines, m' with the water that moves with
-  /// them [kg/s]: a force per speed. Lines of a stiffness that is not constant count nothing.
-  std::vector<double> impedances() const;
+  /// How each coupled point is held against a sudden motion.
+  std::vector<EndHold> holds() const;
   /// The lines in the order of the file. The first end is end B, or end A where only that is at a
   /// coupled point; the tension and the force are those that it exerts on its point.
   std::vector<LineReading> readings() const;

@@ -60,11 +60,7 @@ Rig::Rig(const SimulationSpec& spec)
   for (std::size_t i = 0; i < spec.joints.size(); ++i) sort_joint(i, stiffness);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     if (machines_->drives(static_cast<BodyId>(i))) acts_on_[i] = true;
-  if (spec.moordyn) {
-    moordyn_ = std::make_unique<MoorDynCoupling>(spec);
-    for (const AttachmentPoint& point : spec.moordyn->points)
-      moordyn_mobility_.push_back(mobility(point.body, point.at));
-  }
+  if (spec.moordyn) moordyn_ = std::make_unique<MoorDynCoupling>(spec);
   for (std::size_t i = 0; moordyn_ && i < spec.bodies.size(); ++i)
     if (moordyn_->acts_on(static_cast<BodyId>(i))) acts_on_[i] = true;
   std::sort(couplings_.begin(), couplings_.end());

@@ -200,7 +200,6 @@ class Rig {
   std::unique_ptr<SetPoints> set_points_;
   std::unique_ptr<Machines> machines_;
   std::unique_ptr<MoorDynCoupling> moordyn_;  ///< Null without lines of MoorDyn.
-  std::vector<double> moordyn_mobility_;      ///< Of its coupled points [1/kg].
   std::vector<LineState> lines_;
   std::vector<JointState> joints_;
   std::vector<double> turns_;

@@ -156,7 +156,7 @@ void visit(auto& a, LineState& l) {
 }
 void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort); }
 void visit(auto& a, MoorDynState& m) {
-  visit_all(a, m.forces, m.before, m.velocities_before, m.system);
+  visit_all(a, m.forces, m.before, m.places_before, m.velocities_before, m.system);
 }
 void visit(auto& a, RigState& rig) {
   visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.moordyn);
