@@ -149,6 +149,8 @@ inline constexpr double kProgress = 0.8;           ///< Of the least error; prog
 /// h² k + 2 h c over the mass, above which a line or drive is taken implicitly [-]. Explicit is
 /// stable below 4.
 inline constexpr double kStiffLine = 0.5;
+/// The same for lines of MoorDyn, which react a step late.
+inline constexpr double kHeavyLine = 2;
 /// Phase per step up to which a stiff line follows an oscillation, and from which on it takes it
 /// away [rad].
 inline constexpr double kResolvedLine = 0.7;

@@ -31,7 +31,8 @@ void check_points(const SimulationSpec& spec) {
                       "be negative",
                       line.name, line.length, line.stiffness, line.damping));
   }
-  const bool rigged = !spec.lines.empty() || !spec.propellers.empty() || !spec.foils.empty();
+  const bool rigged =
+      !spec.lines.empty() || spec.moordyn || !spec.propellers.empty() || !spec.foils.empty();
   if (rigged && spec.integrator.method == Integrator::Method::ode)
     throw std::invalid_argument("the method ode knows no lines and machines");
 }
@@ -59,13 +60,16 @@ Rig::Rig(const SimulationSpec& spec)
   for (std::size_t i = 0; i < spec.joints.size(); ++i) sort_joint(i, stiffness);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     if (machines_->drives(static_cast<BodyId>(i))) acts_on_[i] = true;
+  if (spec.moordyn) moordyn_ = std::make_unique<MoorDynCoupling>(spec);
+  for (std::size_t i = 0; moordyn_ && i < spec.bodies.size(); ++i)
+    if (moordyn_->acts_on(static_cast<BodyId>(i))) acts_on_[i] = true;
   std::sort(couplings_.begin(), couplings_.end());
   couplings_.erase(std::unique(couplings_.begin(), couplings_.end()), couplings_.end());
 }
 
 bool Rig::empty() const {
-  return spec_->lines.empty() && spec_->set_points.empty() && spec_->propellers.empty() &&
-         spec_->foils.empty() && spec_->joints.empty();
+  return spec_->lines.empty() && !spec_->moordyn && spec_->set_points.empty() &&
+         spec_->propellers.empty() && spec_->foils.empty() && spec_->joints.empty();
 }
 
 bool Rig::movable(BodyId body) const {
@@ -179,6 +183,11 @@ void Rig::begin_step(const std::vector<hydro::BodyState>& states, double time, d
     line.impulse = 0;
   }
   for (JointState& joint : joints_) joint = {};
+  if (moordyn_) moordyn_->begin_step(states, time, h);
+}
+
+void Rig::follow(const std::vector<hydro::BodyState>& states) {
+  if (moordyn_) moordyn_->follow(states);
 }
 
 std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& states, double time,
@@ -202,13 +211,18 @@ std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& stat
 }
 
 RigState Rig::state() const {
-  return {.lines = lines_, .joints = joints_, .turns = turns_, .set_points = set_points_->states()};
+  RigState state{
+      .lines = lines_, .joints = joints_, .turns = turns_, .set_points = set_points_->states()};
+  if (moordyn_) state.moordyn = moordyn_->state();
+  return state;
 }
 
 bool Rig::fits(const RigState& state) const {
   return state.lines.size() == lines_.size() && state.joints.size() == joints_.size() &&
          state.turns.size() == turns_.size() &&
-         state.set_points.size() == set_points_->states().size();
+         state.set_points.size() == set_points_->states().size() &&
+         state.moordyn.has_value() == (moordyn_ != nullptr) &&
+         (!moordyn_ || moordyn_->fits(*state.moordyn));
 }
 
 void Rig::restore(const RigState& state, double time, double h) {
@@ -217,6 +231,7 @@ void Rig::restore(const RigState& state, double time, double h) {
   turns_ = state.turns;
   set_points_->restore(state.set_points);
   set_points_->set_time(time - h, h);
+  if (moordyn_) moordyn_->restore(*state.moordyn, time, h);
   step_start_ = time;
 }
 

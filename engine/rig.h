@@ -8,6 +8,7 @@
 #include "engine/joint_reaction.h"
 #include "engine/line_pull.h"
 #include "engine/machines.h"
+#include "engine/moordyn_coupling.h"
 #include "engine/rig_readings.h"
 #include "engine/set_points.h"
 
@@ -37,6 +38,8 @@
 /// T the larger of the tensions in the last step and in the last solution, n the direction of its
 /// pull at r, and a that of (E22). It is the same in all directions, so that S keeps the form that
 /// the solver knows.
+///
+/// Lines of MoorDyn are loads of their own (moordyn_coupling.h).
 ///
 /// Stiff means that the sum of h² k + 2 h c over all that acts so on a body exceeds kStiffLine of
 /// the mass that they move, in the most mobile direction.
@@ -68,11 +71,13 @@ struct RigState {
   std::vector<JointState> joints;
   std::vector<double> turns;  ///< Of the propellers' shafts since the start [rad].
   std::vector<SetPointState> set_points;
+  std::optional<MoorDynState> moordyn;
 };
 
 class Rig {
  public:
-  /// @param spec   It must outlive this. @throws std::invalid_argument for what makes no sense.
+  /// @param spec   It must outlive this. @throws std::invalid_argument for what makes no sense,
+  ///     MoorDynFault
   explicit Rig(const SimulationSpec& spec);
 
   bool empty() const;
@@ -114,6 +119,9 @@ class Rig {
 
   /// Gives set points their values, and starts the records of the step.
   void begin_step(const std::vector<hydro::BodyState>& states, double time, double h);
+  /// Takes the lines of MoorDyn through the step. @param states   At its end.
+  /// @throws MoorDynFault
+  void follow(const std::vector<hydro::BodyState>& states);
   /// @return the lines that have broken in the step
   std::vector<std::size_t> end_step(const std::vector<hydro::BodyState>& states, double time,
                                     double h);
@@ -203,6 +211,7 @@ class Rig {
   const hydro::Sea* sea_ = nullptr;
   std::unique_ptr<SetPoints> set_points_;
   std::unique_ptr<Machines> machines_;
+  std::unique_ptr<MoorDynCoupling> moordyn_;  ///< Null without lines of MoorDyn.
   std::vector<LineState> lines_;
   std::vector<JointState> joints_;
   std::vector<double> turns_;

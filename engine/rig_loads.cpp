@@ -211,6 +211,7 @@ void Rig::find_loads(const StepContext& context, Island& island, double time, do
     add_lines_to_world(context, island, *b, time, h);
     for (const std::size_t joint : parts_[b->id].drives)
       add_drive_load(context, island, joint, time);
+    if (moordyn_) moordyn_->add_update(time, h, *b);
   }
 }
 

@@ -137,6 +137,8 @@ std::vector<hydro::Wrench> Rig::loads_now(const std::vector<hydro::BodyState>& s
     add(line.first.body, force, end_now(line.first, states).place_W);
     add(line.second.body, -force, end_now(line.second, states).place_W);
   }
+  for (std::size_t i = 0; moordyn_ && i < states.size(); ++i)
+    moordyn_->add_load(static_cast<BodyId>(i), states[i], time, loads[i]);
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     const JointSpec& joint = spec_->joints[i];
     if (!drives_[i].has_coordinate || !joint.drive.acts()) continue;
@@ -166,6 +168,7 @@ RigReadings Rig::readings(const std::vector<hydro::BodyState>& states, double ti
   }
   for (std::size_t i = 0; i < spec_->foils.size(); ++i)
     readings.foils.push_back(machines_->foil(i, states[spec_->foils[i].body], time));
+  if (moordyn_) readings.moordyn = moordyn_->readings();
   readings.set_points = set_points_->readings();
   return readings;
 }

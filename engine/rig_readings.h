@@ -55,6 +55,7 @@ struct FoilReading {
 /// All of a simulation, in the order of the specification.
 struct RigReadings {
   std::vector<LineReading> lines;
+  std::vector<LineReading> moordyn;  ///< The lines that MoorDyn computes.
   std::vector<JointReading> joints;
   std::vector<PropellerReading> propellers;
   std::vector<FoilReading> foils;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -70,6 +71,18 @@ struct LineSpec {
   bool on_bottom = true;        ///< The anchor lies on a bottom that carries the line.
   double drag_diameter = 0;     ///< Of the line for its drag [m]; 0: it has none.
   double drag_coefficient = 0;  ///< C_d [-].
+};
+
+/// Lines that MoorDyn computes (moordyn_coupling.h).
+struct MoorDynSpec {
+  struct Line {
+    int number = 0;     ///< In the file.
+    double length = 0;  ///< Unstretched [m].
+  };
+  std::filesystem::path file;
+  std::string text;                     ///< What the file holds.
+  std::vector<AttachmentPoint> points;  ///< Its coupled points on bodies, in its order.
+  std::vector<Line> lines;              ///< In its order.
 };
 
 /// Motor of a hinge or slider: the torque [N m] or force [N] on the first body relative to the

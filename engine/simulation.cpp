@@ -79,6 +79,7 @@ struct Simulation::Impl {
 
   RigReadings readings() const;
   void begin_step();
+  void move_lines();
   void accept_step();
   void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
@@ -167,6 +168,14 @@ void Simulation::Impl::begin_step() {
     if (moving.motion.work) moving.motion.work->start_step();
 }
 
+/// Takes what is coupled to the bodies once a step to the ends of their ways.
+void Simulation::Impl::move_lines() {
+  if (!spec.moordyn) return;
+  std::vector<hydro::BodyState> ends;
+  for (const MovingBody& moving : bodies) ends.push_back(moving.motion.state);
+  rig.follow(ends);
+}
+
 void Simulation::Impl::accept_step() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     states[i] = bodies[i].motion.state;
@@ -246,6 +255,8 @@ Simulation::Simulation(SimulationSpec spec) {
   try {
     impl_ = std::make_unique<Impl>(std::move(spec));
   } catch (const OdeFault& fault) {
+    throw SimulationError(0, "", fault.what());
+  } catch (const MoorDynFault& fault) {
     throw SimulationError(0, "", fault.what());
   }
 }
@@ -355,6 +366,9 @@ void Simulation::step() {
       impl.stepper.advance(time());
     else
       ode_step(impl.context, time(), impl.spec.step);
+    impl.move_lines();
+  } catch (const MoorDynFault& fault) {
+    throw SimulationError(time(), "", fault.what());
   } catch (const MotionFault& fault) {
     throw SimulationError(time(), fault.body(), fault.what());
   } catch (const OdeFault& fault) {

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 5";
+constexpr std::string_view kMagic = "plimsoll state 6";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -155,8 +155,11 @@ void visit(auto& a, LineState& l) {
   visit_all(a, l.length, l.broken, l.impulse, l.tension, l.pull);
 }
 void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort); }
+void visit(auto& a, MoorDynState& m) {
+  visit_all(a, m.forces, m.before, m.places_before, m.velocities_before, m.system);
+}
 void visit(auto& a, RigState& rig) {
-  visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points);
+  visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.moordyn);
 }
 void visit(auto& a, SimulationState::Data& data) {
   visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges, data.rig);

@@ -153,7 +153,8 @@ struct SimulationSpec {
   double ground_restitution = 0;       ///< Of the ground [-], 0 … 1.
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
-  std::vector<LineSpec> lines;  ///< Springs, then ropes, then moorings.
+  std::vector<LineSpec> lines;         ///< Springs, then ropes, then moorings.
+  std::optional<MoorDynSpec> moordyn;  ///< Lines beside those.
   std::vector<PropellerSpec> propellers;
   std::vector<FoilSpec> foils;
   std::vector<SetPointSpec> set_points;

@@ -30,6 +30,7 @@ MOST_FLOORS = 8
 FOREIGN = {
     r"ode/": ("ODE", r"engine/\w+\.cpp"),
     r"(EGL|GL|GLFW)/": ("EGL and OpenGL", r"app/(render|view)/\w+\.(h|cpp)"),
+    r"moordyn/": ("MoorDyn", r"engine/moordyn_library\.cpp"),
     r"muParser": ("muparser", r"app/scene/formula\.cpp"),
     r"pybind11/": ("pybind11", r"app/python/\w+\.(h|cpp)"),
     r"yaml-cpp/": ("yaml-cpp", r"app/scene/\w+\.(h|cpp)"),

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/assembly/build_control.h"
+#include "app/assembly/build_moordyn.h"
 #include "app/scene/rig_names.h"
 
 namespace assembly {
@@ -36,6 +37,7 @@ class RigBuilder {
     add_tethers(log_.scene.ropes, "ropes", engine::LineSpec::Kind::rope, Of::rope_length);
     add_winches();
     add_moorings();
+    build_moordyn(built_, log_);
     for (std::size_t i = 0; i < log_.scene.propellers.size(); ++i)
       add_propeller(log_.scene.propellers[i], i);
     for (std::size_t i = 0; i < log_.scene.rudders.size(); ++i)

@@ -14,7 +14,7 @@ namespace assembly {
 ///
 /// Faults go to the log, at their keys: a command file that cannot be read, a machine outside the
 /// validity of its model, a mooring whose anchor is out of reach or whose fairlead lies below it,
-/// a line that breaks at the start.
+/// a line that breaks at the start, a file that MoorDyn cannot read, or any in a build without it.
 void build_rig(BuiltScene& built, BuildLog& log);
 
 /// Place of an attachment point at the start [m].

@@ -35,18 +35,20 @@ bool has_coordinate(const engine::JointSpec& joint) {
          joint.type == engine::JointSpec::Type::slider;
 }
 
+void add_line(const engine::LineReading& r, bool rests, Numbers& numbers) {
+  numbers.add({r.tension, r.distance, r.length, r.taut ? 1.0 : 0.0, r.broken ? 1.0 : 0.0})
+      .add(r.first_W)
+      .add(r.second_W)
+      .add(r.force_W)
+      .add({rests ? r.resting : kNone});
+}
+
 std::vector<double> lines_of(const engine::SimulationSpec& spec,
                              const engine::RigReadings& readings) {
   Numbers numbers;
-  for (std::size_t i = 0; i < spec.lines.size(); ++i) {
-    const engine::LineReading& r = readings.lines[i];
-    const bool mooring = spec.lines[i].kind == engine::LineSpec::Kind::mooring;
-    numbers.add({r.tension, r.distance, r.length, r.taut ? 1.0 : 0.0, r.broken ? 1.0 : 0.0})
-        .add(r.first_W)
-        .add(r.second_W)
-        .add(r.force_W)
-        .add({mooring ? r.resting : kNone});
-  }
+  for (std::size_t i = 0; i < spec.lines.size(); ++i)
+    add_line(readings.lines[i], spec.lines[i].kind == engine::LineSpec::Kind::mooring, numbers);
+  for (const engine::LineReading& line : readings.moordyn) add_line(line, false, numbers);
   return numbers.take();
 }
 
@@ -174,17 +176,29 @@ std::string log_name(const engine::FoilSpec& foil) {
   return fmt::format("{}[{}]", water ? "rudders" : "sails", foil.name);
 }
 
+std::string log_name(const engine::MoorDynSpec::Line& line) {
+  return fmt::format("moorings[{}]", line.number);
+}
+
+std::vector<std::string> line_names(const engine::SimulationSpec& spec) {
+  std::vector<std::string> names = names_of(spec.lines);
+  if (spec.moordyn)
+    for (std::string& name : names_of(spec.moordyn->lines)) names.push_back(std::move(name));
+  return names;
+}
+
 RigLog::RigLog(const engine::SimulationSpec& spec, bool joints)
     : spec_(spec), joints_(joints && !spec.joints.empty()) {}
 
 bool RigLog::empty() const {
-  return spec_.lines.empty() && !joints_ && spec_.propellers.empty() && spec_.foils.empty() &&
+  return line_names(spec_).empty() && !joints_ && spec_.propellers.empty() && spec_.foils.empty() &&
          spec_.controls.empty();
 }
 
 std::vector<LogTable> RigLog::tables() const {
   std::vector<LogTable> tables;
-  if (!spec_.lines.empty()) tables.push_back({lines_layout(), names_of(spec_.lines)});
+  std::vector<std::string> lines = line_names(spec_);
+  if (!lines.empty()) tables.push_back({lines_layout(), std::move(lines)});
   if (joints_) {
     tables.push_back({joints_layout(), {}});
     for (const engine::JointSpec& joint : spec_.joints) tables.back().names.push_back(joint.name);
@@ -202,7 +216,7 @@ std::vector<LogTable> RigLog::tables() const {
 std::vector<std::vector<double>> RigLog::numbers(
     const engine::RigReadings& readings, const std::vector<hydro::BodyState>& states) const {
   std::vector<std::vector<double>> all;
-  if (!spec_.lines.empty()) all.push_back(lines_of(spec_, readings));
+  if (!spec_.lines.empty() || spec_.moordyn) all.push_back(lines_of(spec_, readings));
   if (joints_) all.push_back(joints_of(spec_, readings));
   if (!spec_.propellers.empty() || !spec_.foils.empty())
     all.push_back(machines_of(spec_, readings, states));

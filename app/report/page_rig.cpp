@@ -3,9 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <numbers>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "app/logs/rig_log.h"
 #include "app/pages/packing.h"
@@ -86,7 +87,7 @@ class Entries {
                 {"controls", Json::array()}};
 };
 
-Json bodies_of(std::initializer_list<engine::BodyId> ids) {
+Json bodies_of(const std::vector<engine::BodyId>& ids) {
   Json bodies = Json::array();
   for (const engine::BodyId id : ids)
     if (id != engine::kWorld) bodies.push_back(id);
@@ -111,6 +112,20 @@ void add_lines(const TableRows& table, Entries& entries) {
                 {{"name", name},
                  {"bodies", bodies_of({line.first.body, line.second.body})},
                  {"broken_at", time_broken(table, name)}},
+                columns);
+  }
+  if (!entries.spec().moordyn) return;
+  std::set<engine::BodyId> moored;
+  for (const engine::AttachmentPoint& point : entries.spec().moordyn->points)
+    moored.insert(point.body);
+  for (const engine::MoorDynSpec::Line& line : entries.spec().moordyn->lines) {
+    const std::string name = log_name(line);
+    Columns columns = entries.columns(table, name);
+    columns.add("tension", "tension").add("distance", "distance").add("length", "length");
+    entries.add("lines",
+                {{"name", name},
+                 {"bodies", bodies_of({moored.begin(), moored.end()})},
+                 {"broken_at", nullptr}},
                 columns);
   }
 }

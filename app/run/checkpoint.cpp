@@ -115,6 +115,7 @@ std::string digest_of(const engine::SimulationSpec& spec) {
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);
   for (const engine::ControlSpec& control : spec.controls) add(control, digest);
+  if (spec.moordyn) digest.add(spec.moordyn->text.data(), spec.moordyn->text.size());
   if (!spec.sea) return digest.text();
   if (const auto* field = std::get_if<hydro::HeightField>(&spec.sea->surface))
     digest.add(field->heights);

@@ -10,6 +10,7 @@
 #include "app/assembly/build_rig.h"
 #include "app/base/console.h"
 #include "app/base/table.h"
+#include "engine/moordyn_system.h"
 
 namespace app {
 namespace {
@@ -116,6 +117,11 @@ std::vector<std::string> resolved_rig(const scene::Scene& scene,
   std::vector<Cells> of_lines = {
       Cells{"line", "", "", "length m", "distance m", "stiffness N/m", "tension N"}};
   for (const engine::LineSpec& line : spec.lines) of_lines.push_back(line_row(spec, line));
+  if (spec.moordyn)
+    for (const engine::MoorDynSpec::Line& line : spec.moordyn->lines)
+      of_lines.push_back({std::to_string(line.number), "mooring",
+                          "by MoorDyn " + engine::moordyn_version(), three_digits(line.length), "",
+                          "", ""});
   add_table(std::move(of_lines), "more line", "more lines", lines);
 
   std::vector<Cells> machines = {Cells{"machine", "", "body", "size m", "speed", "angle deg"}};

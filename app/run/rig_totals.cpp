@@ -14,18 +14,20 @@ Json or_null(const std::optional<double>& number) { return number ? Json(*number
 
 }  // namespace
 
+void RigTotals::Line::add(double time, const engine::LineReading& reading) {
+  if (reading.tension > most) {
+    most = reading.tension;
+    at = time;
+  }
+  if (reading.broken && !broken) broken = time;
+}
+
 void RigTotals::add(double time, const engine::RigReadings& readings) {
   ++readings_;
-  lines_.resize(readings.lines.size());
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const engine::LineReading& reading = readings.lines[i];
-    Line& line = lines_[i];
-    if (reading.tension > line.most) {
-      line.most = reading.tension;
-      line.at = time;
-    }
-    if (reading.broken && !line.broken) line.broken = time;
-  }
+  lines_.resize(readings.lines.size() + readings.moordyn.size());
+  std::size_t next = 0;
+  for (const engine::LineReading& reading : readings.lines) lines_[next++].add(time, reading);
+  for (const engine::LineReading& reading : readings.moordyn) lines_[next++].add(time, reading);
   propellers_.resize(readings.propellers.size());
   for (std::size_t i = 0; i < propellers_.size(); ++i) {
     const engine::PropellerReading& reading = readings.propellers[i];
@@ -57,10 +59,11 @@ void RigTotals::restore(const Json& state) {
 
 Json RigTotals::lines(const engine::SimulationSpec& spec) const {
   Json all = Json::object();
+  const std::vector<std::string> names = line_names(spec);
   for (std::size_t i = 0; i < lines_.size(); ++i)
-    all[log_name(spec.lines[i])] = {{"tension_max", lines_[i].most},
-                                    {"at", lines_[i].at},
-                                    {"broken_at", or_null(lines_[i].broken)}};
+    all[names[i]] = {{"tension_max", lines_[i].most},
+                     {"at", lines_[i].at},
+                     {"broken_at", or_null(lines_[i].broken)}};
   return all;
 }
 

@@ -14,7 +14,7 @@ class RigTotals {
  public:
   /// True if the simulation has something to sum up.
   static bool sums_up(const engine::SimulationSpec& spec) {
-    return !spec.lines.empty() || !spec.propellers.empty();
+    return !spec.lines.empty() || spec.moordyn || !spec.propellers.empty();
   }
 
   /// Adds the readings after a step, or those of the start.
@@ -35,6 +35,8 @@ class RigTotals {
 
  private:
   struct Line {
+    void add(double time, const engine::LineReading& reading);
+
     double most = 0;               ///< Largest tension so far [N]; 0 for a line that never pulled.
     double at = 0;                 ///< Its time [s].
     std::optional<double> broken;  ///< Time of the first reading as a broken line [s].

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
 #include "app/run/run_source.h"
+#include "engine/moordyn_system.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/statics/equilibrium.h"
 
@@ -134,6 +136,15 @@ Json to_json(const assembly::IrregularSea& sea) {
   return json;
 }
 
+/// Says what computes the moorings; empty if there are none.
+std::string model_of_moorings(const engine::SimulationSpec& spec) {
+  if (spec.moordyn) return "moordyn " + engine::moordyn_version();
+  const bool any = std::ranges::any_of(spec.lines, [](const engine::LineSpec& line) {
+    return line.kind == engine::LineSpec::Kind::mooring;
+  });
+  return any ? "catenary" : "";
+}
+
 Json to_json(const RunSummary& s) {
   Json bodies = Json::object();
   const engine::SimulationSpec& spec = s.built.spec;
@@ -162,12 +173,14 @@ Json to_json(const RunSummary& s) {
        {"skipped",
         {{"collision", s.skips.collision},
          {"water", s.skips.water},
-         {"lines", spec.lines.empty()},
+         {"lines", spec.lines.empty() && !spec.moordyn},
          {"machines", spec.propellers.empty() && spec.foils.empty()},
          {"controls", spec.controls.empty()},
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}},
        {"bodies", bodies}});
-  if (!spec.lines.empty()) json["lines"] = s.rig.lines(spec);
+  if (!spec.lines.empty() || spec.moordyn) json["lines"] = s.rig.lines(spec);
+  if (const std::string moorings = model_of_moorings(spec); !moorings.empty())
+    json["moorings"] = moorings;
   if (!spec.propellers.empty()) json["machines"] = s.rig.machines(spec);
   if (s.built.irregular_sea) json["irregular_sea"] = to_json(*s.built.irregular_sea);
   if (s.pictures) json["pictures"] = to_json(*s.pictures);

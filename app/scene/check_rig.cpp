@@ -94,6 +94,9 @@ class RigCheck {
       check_anchor(path, scene_.moorings[i]);
       if (scene_.moorings[i].drag_diameter > 0) need_water(path + ".drag");
     }
+    if (!scene_.moordyn) return;
+    for (std::size_t i = 0; i < scene_.moordyn->bodies.size(); ++i)
+      check_body(fmt::format("moorings.bodies[{}]", i), scene_.moordyn->bodies[i]);
   }
 
   void check_anchor(const std::string& path, const Mooring& mooring) {

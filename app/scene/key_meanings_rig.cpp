@@ -136,6 +136,11 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
     {"moorings[].breaks_at",
      "Tension at the fairlead at which the line breaks for good. Without this key it does not "
      "break."},
+    {"moorings.moordyn",
+     "Input file of MoorDyn v2. It needs a build [with MoorDyn](#lines-by-moordyn)."},
+    {"moorings.bodies",
+     "The bodies that carry the coupled points of the file, one for each of them in its order, or "
+     "one for all."},
     {"propellers[].name",
      "Name of the propeller in logs and controls, unique among the propellers. It must not "
      "contain a comma, a double quote, a bracket or a line break."},

@@ -147,7 +147,7 @@ void add_unknown_keys(Reading& reading) {
 /// Refuses a file of another version, whose keys may have other meanings.
 void check_version(const YamlNode& root, Reading& reading) {
   const YamlNode* version = root.find("plimsoll");
-  if (version == nullptr || version->is_word(kVersion)) return;
+  if (version == nullptr || (version->is_word(kVersion) && !version->quoted)) return;
   reading.fault("plimsoll", fmt::format("found {}, expected {}, the only version of the scene "
                                         "format that this program reads",
                                         describe(*version), kVersion));
@@ -217,7 +217,7 @@ void read(MapReader& map, Scene& scene) {
   map.blocks("contacts", scene.contacts);
   map.blocks("springs", scene.springs);
   map.blocks("ropes", scene.ropes);
-  map.blocks("moorings", scene.moorings);
+  map.blocks_or_block("moorings", scene.moorings, scene.moordyn);
   map.blocks("propellers", scene.propellers);
   map.blocks("rudders", scene.rudders);
   map.blocks("sails", scene.sails);

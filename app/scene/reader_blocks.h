@@ -60,6 +60,7 @@ void read_rig_name(MapReader& map, std::string& name, const std::string& list);
 void read(MapReader& map, Spring& spring);
 void read(MapReader& map, Rope& rope);
 void read(MapReader& map, Mooring& mooring);
+void read(MapReader& map, MoorDyn& moordyn);
 void read(MapReader& map, Propeller& propeller);
 void read(MapReader& map, hydro::WageningenB& screw);
 void read(MapReader& map, hydro::OpenWaterTable& table);

@@ -75,4 +75,20 @@ void read(MapReader& map, Mooring& mooring) {
     map.fault("friction", "is only used with bottom: true, where the line lies on the bottom");
 }
 
+void read(MapReader& map, MoorDyn& moordyn) {
+  map.required("moordyn", moordyn.file, FileRule{});
+  const std::string expected = "a list of names of bodies";
+  ValueShape names = list_shape({.kind = ValueShape::Kind::text}, 0);
+  names.least = 1;
+  const auto value = map.find("bodies", expected, "required", {names});
+  if (!value) return;
+  if (!value->node.is(YamlNode::Kind::list) || value->node.items.empty()) {
+    value->refuse(expected);
+    return;
+  }
+  const TextRule name{"the name of a body"};
+  for (std::size_t i = 0; i < value->node.items.size(); ++i)
+    Field<TextRule, std::string>::read(value->item(i), name, moordyn.bodies.emplace_back());
+}
+
 }  // namespace scene

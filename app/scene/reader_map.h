@@ -97,10 +97,29 @@ class MapReader {
       T example = prototype;
       enter(nullptr, child_path(key) + "[]", example);
     }
-    if (!value || !is_list(*value)) return false;
-    for (std::size_t i = 0; i < value->node.items.size(); ++i)
-      enter_map(value->item(i), target.emplace_back(prototype));
-    return true;
+    return value && enter_list(*value, target, prototype);
+  }
+
+  /// Reads an optional list of blocks, or one block of another kind in its place.
+  template <class T, class Block>
+  void blocks_or_block(const std::string& key, std::vector<T>& target,
+                       std::optional<Block>& block) {
+    const std::string expected = "a list of maps or a map";
+    const auto value =
+        find(key, expected, "[]",
+             {list_shape({.kind = ValueShape::Kind::map}, 0), {.kind = ValueShape::Kind::map}});
+    if (map_ == nullptr) {
+      T example{};
+      enter(nullptr, child_path(key) + "[]", example);
+      enter(nullptr, child_path(key), block.emplace());
+      block.reset();
+    }
+    if (value && value->node.is(YamlNode::Kind::map))
+      enter(&value->node, value->path, block.emplace());
+    else if (value && value->node.is(YamlNode::Kind::list))
+      enter_list(*value, target, {});
+    else if (value)
+      value->refuse(expected);
   }
 
   /// Returns the keys of a block whose entries the user names, each once, in the order of the file.
@@ -138,6 +157,14 @@ class MapReader {
     MapReader reader(map, path, reading_);
     read(reader, target);
     reader.report_other_keys();
+  }
+
+  template <class T>
+  bool enter_list(const Value& value, std::vector<T>& target, const T& prototype) {
+    if (!is_list(value)) return false;
+    for (std::size_t i = 0; i < value.node.items.size(); ++i)
+      enter_map(value.item(i), target.emplace_back(prototype));
+    return true;
   }
 
   template <class T>

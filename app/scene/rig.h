@@ -55,6 +55,12 @@ struct Mooring {
   double drag_coefficient = 1.2;                               ///< [-]
 };
 
+/// Mooring lines that MoorDyn computes.
+struct MoorDyn {
+  std::filesystem::path file;
+  std::vector<std::string> bodies;  ///< Of each coupled point, or one of all.
+};
+
 /// Motor of a hinge or slider.
 struct JointMotor {
   enum class Mode { speed, position, effort };

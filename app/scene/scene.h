@@ -71,6 +71,7 @@ struct Scene {
   std::vector<Spring> springs;
   std::vector<Rope> ropes;
   std::vector<Mooring> moorings;
+  std::optional<MoorDyn> moordyn;  ///< In place of them.
   std::vector<Propeller> propellers;
   std::vector<Rudder> rudders;
   std::vector<Sail> sails;

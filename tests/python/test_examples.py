@@ -41,7 +41,8 @@ def test_a_heavier_ball_from_higher_dives_deeper(tmp_path):
 
 
 def test_the_autopilot_reaches_its_course(tmp_path):
-    end, target = numbers(run("autopilot", tmp_path), r"(-?[\d.]+) deg(?=,|$)")[:2]
+    text = run("autopilot", tmp_path)
+    end, target = map(float, re.search(r"end (\S+) deg, target (\S+) deg", text).groups())
     assert abs(end - target) < 5
 
 

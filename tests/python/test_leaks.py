@@ -55,7 +55,7 @@ def test_batches_and_their_errors_leave_no_memory_behind():
         except pl.SceneError:
             pass
 
-    for _ in range(50):
+    for _ in range(300):
         cycle()
     before = resident()
     for _ in range(300):

@@ -33,6 +33,7 @@ std::string rigged_scene(const Workplace& place) {
   return "plimsoll: 1\nduration: " + std::to_string(support::repeats(40)) + R"yaml(
 step: 0.01
 water: {density: 1025, surface: {waves: [{amplitude: 0.2, wavelength: 20}]}}
+hydro: {added_mass: none, radiation: none}
 bodies:
   - {name: tug, box: {size: [8, 3, 2]}, mass: 24000}
   - {name: barge, box: {size: [12, 5, 2]}, mass: 60000, position: [-24, 0, 0]}

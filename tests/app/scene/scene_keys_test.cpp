@@ -596,6 +596,17 @@ std::vector<std::string> rigs() {
           file + ", column: value, interpolation: linear}]"};
 }
 
+TEST(SceneKeys, MooringsAreAListOrAFileOfMoorDyn) {
+  const std::string file = support::data_folder().string() + "/shore.obj";
+  const scene::Scene scene =
+      read_scene_text(every_key(), {"moorings={moordyn: " + file + ", bodies: [b, a]}"});
+  EXPECT_TRUE(scene.moorings.empty());
+  ASSERT_TRUE(scene.moordyn.has_value());
+  EXPECT_EQ(scene.moordyn->file, file);
+  EXPECT_EQ(scene.moordyn->bodies, (std::vector<std::string>{"b", "a"}));
+  EXPECT_FALSE(read_scene_text(every_key(), rigs()).moordyn.has_value());
+}
+
 /// Joints whose drives have all keys.
 std::string drives() {
   const std::string all = ", stiffness: 1, damping: 1, friction: 1, ";
@@ -628,6 +639,8 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             " heading_deg: 1, length: 2}"},
            kCameras,
            rigs(),
+           {"moorings={moordyn: " + support::data_folder().string() +
+            "/shore.obj, bodies: [a, b]}"},
            {drives()},
            {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
