@@ -70,7 +70,7 @@ enum class Interior {
 /// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
 struct BodySpec {
   std::string name;
-  hydro::TriMesh mesh_B;                                    ///< Its surface for water and contacts.
+  hydro::TriMesh mesh_B;  ///< Its surface for water and contacts.
   /// What the water sees of it, shared by simulations of one body (hulls.h); null: the simulation
   /// makes its own.
   std::shared_ptr<const hydro::Hull> hull;
