@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "app/python/threads.h"
 #include "hydro/parallel.h"
 
 namespace python {
@@ -39,7 +40,7 @@ Batch::Batch(std::vector<engine::SimulationSpec> specs, int threads)
       torques_(forces_.size()),
       controls_(specs.size() * specs.front().set_points.size(), kLeftToScene),
       errors_(specs.size()),
-      threads_(std::max(1, threads)) {
+      threads_(shared_threads(threads)) {
   for (std::size_t i = 0; i < specs.size(); ++i) {
     if (i > 0 && (!same_names(specs[i].bodies, spec().bodies) ||
                   !same_names(specs[i].set_points, spec().set_points)))

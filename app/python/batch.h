@@ -60,7 +60,7 @@ class Batch {
   std::deque<HeldSimulation> simulations_;
   std::vector<double> forces_, torques_, controls_;
   std::vector<std::string> errors_;
-  tbb::task_arena threads_;
+  tbb::task_arena& threads_;
 };
 
 }  // namespace python

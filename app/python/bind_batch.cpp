@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "app/base/thread_count.h"
 #include "app/python/arrays.h"
 #include "app/python/batch.h"
 #include "app/python/bindings.h"
@@ -49,8 +48,7 @@ std::vector<engine::SimulationSpec> specs_of(const py::object& scene, std::size_
 class PyBatch {
  public:
   PyBatch(const py::object& scene, std::size_t count, int threads, const py::object& vary)
-      : batch_(std::make_shared<Batch>(specs_of(scene, count, threads, vary),
-                                       app::thread_count(threads))) {
+      : batch_(std::make_shared<Batch>(specs_of(scene, count, threads, vary), threads)) {
     // The arrays keep the batch, not this: a cycle would never be freed.
     const py::capsule owner(new std::shared_ptr<Batch>(batch_), [](void* batch) {
       delete static_cast<std::shared_ptr<Batch>*>(batch);

@@ -8,10 +8,10 @@
 #include "app/assembly/added_mass_store.h"
 #include "app/assembly/build.h"
 #include "app/assembly/mesh_io.h"
-#include "app/base/thread_count.h"
 #include "app/hydrostatics/hydrostatics.h"
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/threads.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/interior/closed_mouths.h"
@@ -20,7 +20,6 @@
 #include "hydro/mesh/primitives.h"
 #include "hydro/parallel.h"
 #include "hydro/radiation/radiation_solve.h"
-#include "tbb/task_arena.h"
 
 namespace python {
 namespace {
@@ -60,8 +59,7 @@ Eigen::Vector3d center_of(const TriMesh& mesh, const py::object& center) {
 template <class Work>
 auto computed(int threads, Work&& work) {
   const py::gil_scoped_release unlocked;
-  tbb::task_arena arena(app::thread_count(threads));
-  return arena.execute(std::forward<Work>(work));
+  return shared_threads(threads).execute(std::forward<Work>(work));
 }
 
 /// The matrix, and what is known of its error, about the centre of mass.

@@ -3,10 +3,18 @@
 #include <utility>
 
 #include "app/assembly/build.h"
-#include "app/base/thread_count.h"
+#include "app/python/threads.h"
 #include "engine/hulls.h"
 
 namespace python {
+namespace {
+
+assembly::BuiltScene built_on(int threads, const scene::Scene& scene,
+                              assembly::AddedMassStore& store) {
+  return shared_threads(threads).execute([&] { return assembly::build(scene, store); });
+}
+
+}  // namespace
 
 SceneSource::SceneSource(const std::filesystem::path& file, std::vector<scene::Override> overrides)
     : scene_(scene::read(file, overrides)), overrides_(std::move(overrides)) {}
@@ -20,7 +28,7 @@ const assembly::BuiltScene& SceneSource::built(int threads) {
   if (!built_) {
     assembly::AddedMassStore store(assembly::cache_folder());
     engine::Hulls hulls;
-    built_ = assembly::build_on_threads(app::thread_count(threads), scene_, store);
+    built_ = built_on(threads, scene_, store);
     engine::keep_hulls(built_->spec, hulls);
   }
   return *built_;
@@ -33,7 +41,7 @@ void SceneSource::build_together(const std::vector<std::shared_ptr<SceneSource>>
   for (const std::shared_ptr<SceneSource>& source : scenes) {
     const std::lock_guard lock(source->building_);
     if (source->built_) continue;
-    source->built_ = assembly::build_on_threads(app::thread_count(threads), source->scene_, store);
+    source->built_ = built_on(threads, source->scene_, store);
     engine::keep_hulls(source->built_->spec, hulls);
   }
 }
