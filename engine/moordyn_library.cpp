@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <moordyn/MoorDyn2.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "engine/moordyn_files.h"
 #include "engine/moordyn_input.h"
 #include "engine/moordyn_system.h"
 #include "hydro/airy_waves.h"
@@ -20,9 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 namespace fs = std::filesystem;
-
-/// What the copy of an input file is called, without its ending.
-constexpr const char* kCopy = "plimsoll_moordyn";
 
 // What MoorDyn's functions say of a point and of its lines.
 constexpr int kCoupledPoint = -1;
@@ -51,30 +48,6 @@ class Silence {
   std::streambuf* err_;
 };
 
-/// A folder that is removed with what is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "plimsoll_moordyn_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw MoorDynFault("no folder can be made in " + fs::temp_directory_path().string());
-    path_ = name;
-  }
-  ~TemporaryFolder() { remove(); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  void remove() {
-    std::error_code error;
-    if (!path_.empty()) fs::remove_all(path_, error);
-    path_.clear();
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// Options that take the place of those of a file.
 std::vector<MoorDynOption> own_options(const MoorDynSurroundings& surroundings) {
   std::vector<MoorDynOption> options = {
@@ -87,55 +60,6 @@ std::vector<MoorDynOption> own_options(const MoorDynSurroundings& surroundings) 
   if (std::isfinite(surroundings.sea->depth))
     options.push_back({"WtrDpth", {}, fmt::format("{}", surroundings.sea->depth)});
   return options;
-}
-
-/// Writes the file that MoorDyn reads, beside links to what lies beside the file of the scene.
-fs::path write_copy(const fs::path& file, const std::string& text, const fs::path& folder) {
-  std::error_code error;
-  const fs::path beside = fs::absolute(file, error).parent_path();
-  for (const auto& entry : fs::directory_iterator(beside, error))
-    fs::create_symlink(entry.path(), folder / entry.path().filename(), error);
-  const fs::path copy = folder / (std::string(kCopy) + ".txt");
-  fs::remove(copy, error);
-  std::ofstream stream(copy);
-  stream << text;
-  stream.close();
-  if (!stream) throw MoorDynFault(copy.string() + " cannot be written");
-  return copy;
-}
-
-/// What MoorDyn's log says, a line each.
-struct Messages {
-  std::vector<std::string> errors, warnings;
-};
-
-/// A line of MoorDyn's log without the place in its source, and with the name of the scene's file.
-std::string message_in(const std::string& line, const fs::path& copy, const fs::path& file) {
-  const std::size_t place = line.find("(): ");
-  std::string text = place == std::string::npos ? line.substr(4) : line.substr(place + 4);
-  const std::string name = copy.string();
-  if (const std::size_t at = text.find(name); at != std::string::npos)
-    text.replace(at, name.size(), file.filename().string());
-  text.erase(0, std::min(text.find_first_not_of(" \t"), text.size()));
-  if (text.starts_with("Warning: ")) text.erase(0, 9);
-  while (text.ends_with(' ') || text.ends_with('\r')) text.pop_back();
-  return text;
-}
-
-/// Reads on in a log.
-Messages messages_in(std::istream& log, const fs::path& copy, const fs::path& file) {
-  Messages messages;
-  std::string* last = nullptr;  // What MoorDyn says over several lines begins with the first.
-  for (std::string line; std::getline(log, line);) {
-    const bool error = line.starts_with("ERR ");
-    if (error || line.starts_with("WRN ")) {
-      std::vector<std::string>& list = error ? messages.errors : messages.warnings;
-      last = &list.emplace_back(message_in(line, copy, file));
-    } else if (last && !line.empty()) {
-      *last += (last->empty() ? "" : " ") + line;
-    }
-  }
-  return messages;
 }
 
 /// Place at the part s of the time h from one motion to another.
@@ -232,7 +156,7 @@ void MoorDynSystem::Library::create(const std::string& text) {
   } catch (const std::exception& error) {
     more = std::string(" further than ") + error.what();
   }
-  log.open(folder.path() / (std::string(kCopy) + ".log"));
+  log.open(log_of(copy));
   if (!system) refuse("the file cannot be read" + more);
   MoorDyn_SetVerbosity(system, MOORDYN_NO_OUTPUT);
 }

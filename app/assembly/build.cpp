@@ -225,12 +225,6 @@ engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog
   return spec;
 }
 
-engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (scene.bodies[i].name == name) return static_cast<engine::BodyId>(i);
-  return engine::kWorld;
-}
-
 /// Returns a unit vector normal to `axis`, nearest to the world axis that is the least parallel to
 /// it.
 Eigen::Vector3d some_normal(const Eigen::Vector3d& axis) {

@@ -37,7 +37,9 @@ class RigBuilder {
     add_tethers(log_.scene.ropes, "ropes", engine::LineSpec::Kind::rope, Of::rope_length);
     add_winches();
     add_moorings();
-    build_moordyn(built_, log_);
+    build_moordyn(spec_, log_, [this](const std::string& body, const Eigen::Vector3d& point) {
+      return attached(body, point);
+    });
     for (std::size_t i = 0; i < log_.scene.propellers.size(); ++i)
       add_propeller(log_.scene.propellers[i], i);
     for (std::size_t i = 0; i < log_.scene.rudders.size(); ++i)
@@ -64,15 +66,9 @@ class RigBuilder {
   }
   engine::SetPointId id(Of of, std::size_t index) const { return ids_.at({of, index, 0}); }
 
-  engine::BodyId body_named(const std::string& name) const {
-    for (std::size_t i = 0; i < spec_.bodies.size(); ++i)
-      if (spec_.bodies[i].name == name) return static_cast<engine::BodyId>(i);
-    return engine::kWorld;
-  }
-
   /// @param point   In the mesh frame, or in W for the world.
   engine::AttachmentPoint attached(const std::string& body, const Eigen::Vector3d& point) const {
-    const engine::BodyId id = body_named(body);
+    const engine::BodyId id = body_id(log_.scene, body);
     if (id == engine::kWorld) return {.body = id, .at = point};
     return {.body = id, .at = point - built_.centers_of_mass[static_cast<std::size_t>(id)]};
   }
@@ -291,6 +287,12 @@ double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSp
                                      .stiffness = line.stiffness,
                                      .friction = line.friction};
   return hydro::solve_catenary(catenary, span.head<2>().norm(), span.z(), line.on_bottom).tension();
+}
+
+engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].name == name) return static_cast<engine::BodyId>(i);
+  return engine::kWorld;
 }
 
 void build_rig(BuiltScene& built, BuildLog& log) { RigBuilder(built, log).all(); }

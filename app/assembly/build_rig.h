@@ -17,6 +17,9 @@ namespace assembly {
 /// a line that breaks at the start, a file that MoorDyn cannot read, or any in a build without it.
 void build_rig(BuiltScene& built, BuildLog& log);
 
+/// Returns the index of a body by its name; engine::kWorld for `world`.
+engine::BodyId body_id(const scene::Scene& scene, const std::string& name);
+
 /// Place of an attachment point at the start [m].
 Eigen::Vector3d place_at_start(const engine::SimulationSpec& spec,
                                const engine::AttachmentPoint& point);

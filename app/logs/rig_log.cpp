@@ -191,8 +191,8 @@ RigLog::RigLog(const engine::SimulationSpec& spec, bool joints)
     : spec_(spec), joints_(joints && !spec.joints.empty()) {}
 
 bool RigLog::empty() const {
-  return line_names(spec_).empty() && !joints_ && spec_.propellers.empty() && spec_.foils.empty() &&
-         spec_.controls.empty();
+  return spec_.lines.empty() && !spec_.moordyn && !joints_ && spec_.propellers.empty() &&
+         spec_.foils.empty() && spec_.controls.empty();
 }
 
 std::vector<LogTable> RigLog::tables() const {

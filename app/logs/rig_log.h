@@ -12,9 +12,9 @@
 /// angles in degrees where a column ends in `_deg`, otherwise SI. Forces and moments are in W.
 ///
 /// - `lines.csv`: the springs, ropes and moorings, those of MoorDyn last. `x1` … `z2` are the
-/// places of the ends, `fx` …
-///   `fz` is the force on the first body; `taut` and `broken` are 1 or 0; `resting` is the length
-///   on the bottom, which only catenaries have.
+/// places
+///   of the ends, `fx` … `fz` is the force on the first body; `taut` and `broken` are 1 or 0;
+///   `resting` is the length on the bottom, which only catenaries have.
 /// - `joints.csv`: `fx` … `tz` is the load on the second body, about the anchor; `coordinate`,
 ///   `speed` and `effort` are those of hinges and sliders.
 /// - `machines.csv`: propellers, and the foils in the water (rudders) and in the air (sails). A

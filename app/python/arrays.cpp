@@ -55,4 +55,18 @@ Eigen::Quaterniond to_rotation(const Array& array, const std::string& what) {
   return q.normalized();
 }
 
+hydro::BodyState moved(hydro::BodyState state, const py::object& position,
+                       const py::object& orientation, const py::object& velocity,
+                       const py::object& angular_velocity) {
+  const auto put = [](const py::object& given, const char* what, Eigen::Vector3d& vector) {
+    if (!given.is_none()) vector = to_vector(given.cast<Array>(), what);
+  };
+  put(position, "position", state.position);
+  if (!orientation.is_none())
+    state.orientation = to_rotation(orientation.cast<Array>(), "orientation");
+  put(velocity, "velocity", state.linear_velocity);
+  put(angular_velocity, "angular_velocity", state.angular_velocity);
+  return state;
+}
+
 }  // namespace python

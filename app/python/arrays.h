@@ -35,4 +35,9 @@ Eigen::Vector3d to_vector(const Array& array, const std::string& what);
 /// Returns the rotation of a quaternion w, x, y, z, which is normalised.
 Eigen::Quaterniond to_rotation(const Array& array, const std::string& what);
 
+/// Returns a state of motion with other values where they are not None.
+hydro::BodyState moved(hydro::BodyState state, const py::object& position,
+                       const py::object& orientation, const py::object& velocity,
+                       const py::object& angular_velocity);
+
 }  // namespace python

@@ -8,7 +8,7 @@
 #include "app/python/arrays.h"
 #include "app/python/batch.h"
 #include "app/python/bindings.h"
-#include "engine/hulls.h"
+#include "app/scene/rig_names.h"
 
 namespace python {
 namespace {
@@ -122,11 +122,7 @@ class PyBatch {
     const engine::BodyId id = body_index(batch_->spec(), body);
     HeldSimulation& one = batch_->at(index(simulation));
     const auto lock = wait();
-    hydro::BodyState state = one.engine().states()[id];
-    if (!place.is_none()) state.position = to_vector(place.cast<Array>(), "position");
-    if (!turn.is_none()) state.orientation = to_rotation(turn.cast<Array>(), "orientation");
-    if (!speed.is_none()) state.linear_velocity = to_vector(speed.cast<Array>(), "velocity");
-    if (!spin.is_none()) state.angular_velocity = to_vector(spin.cast<Array>(), "angular_velocity");
+    const hydro::BodyState state = moved(one.engine().states()[id], place, turn, speed, spin);
     one.set_motion(id, state);
   }
 
@@ -155,18 +151,6 @@ class PyBatch {
   std::mutex busy_;
 };
 
-std::vector<std::string> names_of_bodies(PyBatch& b) {
-  std::vector<std::string> names;
-  for (const engine::BodySpec& body : b.batch().spec().bodies) names.push_back(body.name);
-  return names;
-}
-
-std::vector<std::string> names_of_set_points(PyBatch& b) {
-  std::vector<std::string> names;
-  for (const engine::SetPointSpec& point : b.batch().spec().set_points) names.push_back(point.name);
-  return names;
-}
-
 }  // namespace
 
 void bind_batch(py::module_& module) {
@@ -186,9 +170,12 @@ void bind_batch(py::module_& module) {
            "Takes steps of all simulations, or of some: an index, a list, or a mask. One that "
            "fails stands still from then on; errors tells why.")
       .def("__len__", [](B& b) { return b.batch().size(); })
-      .def_property_readonly("bodies", &names_of_bodies, "Names of the bodies, in order.")
-      .def_property_readonly("set_points", &names_of_set_points,
-                             "Names of what can be set, in the order of the columns of control.")
+      .def_property_readonly(
+          "bodies", [](B& b) { return scene::names_of(b.batch().spec().bodies); },
+          "Names of the bodies, in order.")
+      .def_property_readonly(
+          "set_points", [](B& b) { return scene::names_of(b.batch().spec().set_points); },
+          "Names of what can be set, in the order of the columns of control.")
       .def_property_readonly(
           "step_length", [](B& b) { return b.batch().spec().step; }, "[s]")
       .def_readonly("time", &B::time, "(n,) [s]")

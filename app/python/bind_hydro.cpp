@@ -7,7 +7,9 @@
 
 #include "app/assembly/added_mass_store.h"
 #include "app/assembly/build.h"
+#include "app/assembly/build_added_mass.h"
 #include "app/assembly/mesh_io.h"
+#include "app/assembly/radiation_store.h"
 #include "app/hydrostatics/hydrostatics.h"
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
@@ -71,9 +73,9 @@ py::dict added_mass(const TriMesh& mesh, double density, const py::object& cente
   const hydro::AddedMassSolution solution = computed(threads, [&] {
     const TriMesh mesh_C = hydro::translated(mesh, -centroid);
     assembly::AddedMassStore store(assembly::cache_folder());
-    auto stored = store.find(mesh_C, options);
-    if (!stored) stored = store.keep(mesh_C, options, hydro::solve_added_mass(mesh_C, options));
-    return hydro::moved_origin(*stored->solution, com - centroid);
+    const assembly::StoredAddedMass stored =
+        assembly::solved_added_mass("the mesh", mesh_C, options, store, app::quiet());
+    return hydro::moved_origin(*stored.solution, com - centroid);
   });
   py::dict result;
   result["matrix"] = to_array(Eigen::MatrixXd(density * solution.matrix));
@@ -112,9 +114,15 @@ py::dict radiation(const TriMesh& mesh, const py::object& height, const py::obje
     if (!(options.frequencies[i] > (i == 0 ? 0 : options.frequencies[i - 1])))
       throw py::value_error("frequencies: expected positive, ascending numbers");
   const hydro::LinearWater water{.gravity = gravity, .depth = depth};
-  const hydro::RadiationData data = computed(threads, [&] {
-    return hydro::solve_radiation(hydro::translated(mesh, -com), pose, water, options).data;
+  const std::shared_ptr<const hydro::RadiationSolution> solution = computed(threads, [&] {
+    assembly::RadiationStore store(assembly::cache_folder());
+    const TriMesh mesh_B = hydro::translated(mesh, -com);
+    return assembly::solved_radiation(
+               "the mesh", {.mesh_B = mesh_B, .pose = pose, .water = water, .options = options},
+               store, app::quiet())
+        .solution;
   });
+  const hydro::RadiationData& data = solution->data;
   py::dict result;
   result["frequencies"] = to_array(data.frequencies);
   result["headings"] = to_array(data.headings);
@@ -185,13 +193,8 @@ py::dict loads(const TriMesh& mesh, const py::object& position, const py::object
                const py::object& center, const py::object& water, const py::object& air,
                const py::object& hydro_block, double time) {
   const Eigen::Vector3d com = center_of(solid(mesh), center);
-  hydro::BodyState state{.position = com};
-  if (!position.is_none()) state.position = to_vector(position.cast<Array>(), "position");
-  if (!orientation.is_none())
-    state.orientation = to_rotation(orientation.cast<Array>(), "orientation");
-  if (!velocity.is_none()) state.linear_velocity = to_vector(velocity.cast<Array>(), "velocity");
-  if (!angular_velocity.is_none())
-    state.angular_velocity = to_vector(angular_velocity.cast<Array>(), "angular_velocity");
+  const hydro::BodyState state =
+      moved({.position = com}, position, orientation, velocity, angular_velocity);
   const TriMesh mesh_B = hydro::translated(mesh, -com);
   const Water around = water_from(mesh_B, water, air, hydro_block);
   hydro::Loads found;

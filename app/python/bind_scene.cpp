@@ -2,10 +2,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/base/words.h"
 #include "app/python/bindings.h"
+#include "app/scene/rig_names.h"
 
 namespace python {
 namespace {
@@ -14,18 +16,6 @@ namespace {
 std::string to_yaml(const py::object& value) {
   const py::object plain = py::module_::import("plimsoll._values").attr("plain")(value);
   return py::module_::import("json").attr("dumps")(plain).cast<std::string>();
-}
-
-std::vector<std::string> body_names(const SceneSource& source) {
-  std::vector<std::string> names;
-  for (const scene::Body& body : source.scene().bodies) names.push_back(body.name);
-  return names;
-}
-
-std::vector<std::string> names_of(const std::vector<engine::SetPointSpec>& set_points) {
-  std::vector<std::string> names;
-  for (const engine::SetPointSpec& point : set_points) names.push_back(point.name);
-  return names;
 }
 
 /// Returns `main` of `propellers[main].speed_rps`.
@@ -72,11 +62,9 @@ std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::obje
 engine::BodyId body_index(const engine::SimulationSpec& spec, const py::object& body) {
   if (py::isinstance<py::str>(body)) {
     const auto name = body.cast<std::string>();
-    std::vector<std::string> names;
-    for (const engine::BodySpec& one : spec.bodies) {
-      if (one.name == name) return static_cast<engine::BodyId>(names.size());
-      names.push_back(one.name);
-    }
+    const std::vector<std::string> names = scene::names_of(spec.bodies);
+    const auto found = std::ranges::find(names, name);
+    if (found != names.end()) return static_cast<engine::BodyId>(found - names.begin());
     throw py::key_error(fmt::format("there is no body '{}'{}", name, known(name, names)));
   }
   const auto index = body.cast<py::ssize_t>();
@@ -87,7 +75,7 @@ engine::BodyId body_index(const engine::SimulationSpec& spec, const py::object& 
 }
 
 engine::SetPointId set_point_index(const engine::SimulationSpec& spec, const std::string& name) {
-  const std::vector<std::string> names = names_of(spec.set_points);
+  const std::vector<std::string> names = scene::names_of(spec.set_points);
   std::vector<std::size_t> owned;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == name) return static_cast<engine::SetPointId>(i);
@@ -141,13 +129,12 @@ void bind_scene(py::module_& module) {
           "What a run of the scene simulates [s].")
       .def_property_readonly(
           "step", [](const SceneSource& s) { return s.scene().step; }, "Length of a step [s].")
-      .def_property_readonly("bodies", &body_names, "Names of the bodies, in order.")
+      .def_property_readonly(
+          "bodies", [](const SceneSource& s) { return scene::names_of(s.scene().bodies); },
+          "Names of the bodies, in order.")
       .def_property_readonly(
           "set_points",
-          [](SceneSource& s) {
-            const py::gil_scoped_release unlocked;
-            return names_of(s.built(1).spec.set_points);
-          },
+          [](const SceneSource& s) { return scene::names_of(scene::set_points(s.scene())); },
           "Names of what can be set: `propellers[main].speed_rps`.")
       .def("__repr__", [](const SceneSource& s) {
         return fmt::format("<Scene {} of {} bodies>", s.scene().file.string(),

@@ -7,7 +7,7 @@
 
 #include "app/base/thread_count.h"
 #include "app/logs/force_log.h"
-#include "app/logs/hdf5_file.h"
+#include "app/logs/hdf5_layout.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/snapshot.h"
 #include "app/python/arrays.h"
@@ -15,6 +15,7 @@
 #include "app/python/held_simulation.h"
 #include "app/python/run_folder.h"
 #include "app/render/image.h"
+#include "app/scene/rig_names.h"
 
 namespace python {
 namespace {
@@ -94,11 +95,7 @@ class PySimulation {
                   const py::object& speed, const py::object& spin) {
     const engine::BodyId id = body_index(spec(), body);
     const auto lock = wait();
-    hydro::BodyState state = engine().states()[id];
-    if (!place.is_none()) state.position = to_vector(place.cast<Array>(), "position");
-    if (!turn.is_none()) state.orientation = to_rotation(turn.cast<Array>(), "orientation");
-    if (!speed.is_none()) state.linear_velocity = to_vector(speed.cast<Array>(), "velocity");
-    if (!spin.is_none()) state.angular_velocity = to_vector(spin.cast<Array>(), "angular_velocity");
+    const hydro::BodyState state = moved(engine().states()[id], place, turn, speed, spin);
     held_.set_motion(id, state);
   }
 
@@ -213,17 +210,14 @@ class PySimulation {
   std::unique_lock<std::mutex> wait() const { return locked(busy_); }
 
   static py::dict wrenches(const std::vector<double>& row) {
-    const std::vector<std::string> columns = app::force_columns();
     py::dict forces;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const std::string& column = columns[i];
-      if (!column.ends_with("_fx")) {
-        forces[py::str(column)] = row[i];
-        continue;
-      }
-      forces[py::str(column.substr(0, column.size() - 3))] =
-          to_array(hydro::Vector6d(Eigen::Map<const hydro::Vector6d>(&row[i])));
-      i += 5;
+    const double* number = row.data();
+    for (const app::Hdf5Series& series : app::force_series(1)) {
+      const std::size_t width = app::width_of(series);
+      forces[py::str(series.name)] =
+          width == 1 ? py::object(py::float_(*number))
+                     : py::object(to_array(std::vector<double>(number, number + width)));
+      number += width;
     }
     return forces;
   }
@@ -259,10 +253,7 @@ struct Control {
 
 void bind_control(py::module_& module) {
   const auto names = [](const Control& control) {
-    py::list list;
-    for (const engine::SetPointSpec& point : control.simulation.spec().set_points)
-      list.append(point.name);
-    return list;
+    return py::list(py::cast(scene::names_of(control.simulation.spec().set_points)));
   };
   py::class_<Control>(module, "Control",
                       "The set points of a simulation by name, in the units of their names: "
@@ -279,12 +270,6 @@ void bind_control(py::module_& module) {
       .def("__contains__",
            [names](const Control& c, const py::object& name) { return names(c).contains(name); })
       .def("keys", names);
-}
-
-std::vector<std::string> names_of_bodies(const PySimulation& s) {
-  std::vector<std::string> names;
-  for (const engine::BodySpec& body : s.spec().bodies) names.push_back(body.name);
-  return names;
 }
 
 py::array masses(const PySimulation& s) {
@@ -323,7 +308,9 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly("time", &S::time, "[s]")
       .def_property_readonly(
           "steps", [](const S& s) { return s.engine().steps(); }, "Number of steps taken.")
-      .def_property_readonly("bodies", &names_of_bodies, "Names of the bodies, in order.")
+      .def_property_readonly(
+          "bodies", [](const S& s) { return scene::names_of(s.spec().bodies); },
+          "Names of the bodies, in order.")
       .def_property_readonly("mass", &masses, "(N,) [kg]")
       .def_readonly("position", &S::position, "(N, 3): the centres of mass, in W [m].")
       .def_readonly("orientation", &S::orientation,

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/base/checked_file.h"
+
 namespace python {
 namespace {
 
@@ -67,11 +69,8 @@ void HeldSimulation::step() {
 
 std::string HeldSimulation::save() const {
   std::string bytes(kHead);
-  const auto append = [&](const auto& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
-  append(static_cast<std::uint64_t>(loads_.size()));
-  for (const auto& [body, load] : loads_) append(saved(body, load));
+  app::append(bytes, static_cast<std::uint64_t>(loads_.size()));
+  for (const auto& [body, load] : loads_) app::append(bytes, saved(body, load));
   return bytes + engine_.state().to_bytes();
 }
 

@@ -16,15 +16,6 @@ RunFolder::RunFolder(const scene::Scene& scene, const assembly::BuiltScene& buil
   std::filesystem::remove(folder_.path() / app::kSummaryFile);
 }
 
-void RunFolder::keep(const engine::Simulation& simulation) {
-  const bool logs = log_.due(simulation.time());
-  const bool sums_up = app::RigTotals::sums_up(simulation.spec());
-  engine::RigReadings rig;
-  if (sums_up || (logs && log_.reads_rig())) rig = simulation.rig();
-  if (sums_up) totals_.add(simulation.time(), rig);
-  if (logs) log_.add(simulation, rig);
-}
-
 void RunFolder::finish(const engine::Simulation& simulation) {
   log_.finish();
   app::write_summary({.scene = scene_,
@@ -38,6 +29,7 @@ void RunFolder::finish(const engine::Simulation& simulation) {
                       .rig = totals_,
                       .warnings = built_.warnings,
                       .wall = clock_.seconds(),
+                      .wall_log = log_.seconds(),
                       .pictures_skipped = "another program stepped the simulation"},
                      folder_.path() / app::kSummaryFile);
 }

@@ -21,7 +21,7 @@ class RunFolder {
             const std::filesystem::path& path, int threads);
 
   /// Logs the present state if it is due.
-  void keep(const engine::Simulation& simulation);
+  void keep(const engine::Simulation& simulation) { log_.keep(simulation, totals_); }
   void before_step(const engine::Simulation& simulation) { log_.before_step(simulation.states()); }
 
   /// Writes all rows and `summary.json`. @throws app::OutputError

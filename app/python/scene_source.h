@@ -9,6 +9,10 @@
 #include "app/assembly/built_scene.h"
 #include "app/scene/reader.h"
 
+namespace engine {
+class Hulls;
+}
+
 namespace python {
 
 /// A scene that has been read, and what is built from it once a simulation needs it.
@@ -32,6 +36,9 @@ class SceneSource {
   static void build_together(const std::vector<std::shared_ptr<SceneSource>>& scenes, int threads);
 
  private:
+  const assembly::BuiltScene& built_with(assembly::AddedMassStore& store, engine::Hulls& hulls,
+                                         int threads);
+
   scene::Scene scene_;
   std::vector<scene::Override> overrides_;
   std::mutex building_;

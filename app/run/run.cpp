@@ -86,7 +86,7 @@ class Run {
   void go_on_from(const Checkpoint& last, ShotSpool store) {
     simulation_.restore(last.state);
     const double time = simulation_.time();
-    log_.due(time);
+    log_.take_as_logged(time);
     shots_.resume(time, simulation_.states(), drawn_rig(simulation_.rig()), std::move(store));
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
@@ -129,6 +129,7 @@ class Run {
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
     summary_.counts = simulation_.counts();
+    summary_.wall_log = log_.seconds();
     return code;
   }
 
@@ -148,11 +149,11 @@ class Run {
           save_checkpoint();
       }
     } catch (const engine::SimulationError& error) {
-      finish_log();
+      log_.finish();
       return failed(kCannotGoOn, error.what());
     }
     if (options_.checkpoint > 0 && interrupt_.interrupted()) save_checkpoint();
-    finish_log();
+    log_.finish();
     return simulation_.steps() < steps ? interrupted() : kDone;
   }
 
@@ -199,27 +200,12 @@ class Run {
 
   /// Logs the state and stores it for a picture, if either is due.
   void keep() {
-    const double time = simulation_.time();
-    const bool logs = log_.due(time), sums_up = RigTotals::sums_up(built_.spec);
-    engine::RigReadings rig;
-    if (sums_up || (logs && log_.reads_rig())) rig = simulation_.rig();
-    if (sums_up) summary_.rig.add(time, rig);
-    if (logs) {
-      const WallClock clock;
-      log_.add(simulation_, rig);
-      summary_.wall_log += clock.seconds();
-    }
+    log_.keep(simulation_, summary_.rig);
     if (wants_pictures())
       shots_.add(
-          time, simulation_.states(), [this] { return drawn_interiors(simulation_.interiors()); },
+          simulation_.time(), simulation_.states(),
+          [this] { return drawn_interiors(simulation_.interiors()); },
           [this] { return drawn_rig(simulation_.rig()); });
-  }
-
-  /// Waits until all rows are in the files.
-  void finish_log() {
-    const WallClock clock;
-    log_.finish();
-    summary_.wall_log += clock.seconds();
   }
 
   void show_progress() {

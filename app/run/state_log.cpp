@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/wall_clock.h"
 #include "app/run/log_subject.h"
 
 namespace app {
@@ -29,6 +30,19 @@ StateLog::StateLog(const scene::Scene& scene, const assembly::BuiltScene& built,
       rig_(built.spec, scene.log_forces),
       logging_(threads, most_waiting(built.spec.bodies.size())) {}
 
+void StateLog::keep(const engine::Simulation& simulation, RigTotals& totals) {
+  const bool logs = due_.due(simulation.time());
+  const bool sums_up = RigTotals::sums_up(simulation.spec());
+  engine::RigReadings rig;
+  if (sums_up || (logs && !rig_.empty())) rig = simulation.rig();
+  if (sums_up) totals.add(simulation.time(), rig);
+  if (!logs) return;
+  const WallClock clock;
+  add(simulation, rig);
+  seconds_ += clock.seconds();
+}
+
+/// Queues the rows of the present state.
 void StateLog::add(const engine::Simulation& simulation, const engine::RigReadings& rig) {
   std::vector<engine::BodyForces> forces;
   if (forces_) forces = simulation.forces();
@@ -65,8 +79,10 @@ LogPosition StateLog::save() {
 }
 
 void StateLog::finish() {
+  const WallClock clock;
   logging_.put([this] { log_->finish(); });
   logging_.finish();
+  seconds_ += clock.seconds();
 }
 
 }  // namespace app

@@ -11,6 +11,7 @@
 #include "app/logs/make_log.h"
 #include "app/logs/probes.h"
 #include "app/logs/rig_log.h"
+#include "app/run/rig_totals.h"
 #include "app/scene/scene.h"
 #include "engine/simulation.h"
 
@@ -27,19 +28,15 @@ class StateLog {
            const std::filesystem::path& folder, int threads,
            const std::optional<LogPosition>& resumed = {});
 
-  /// Returns true if the scene wants a row at a time, which is taken to be logged then.
-  bool due(double time) { return due_.due(time); }
-
-  /// True if a row has readings of lines, joints, machines or controls.
-  bool reads_rig() const { return !rig_.empty(); }
+  /// Takes the state at a time as logged: a resumed run has its row.
+  void take_as_logged(double time) { due_.due(time); }
 
   /// To be called before each step: it keeps the velocities that probes compare.
   void before_step(const std::vector<hydro::BodyState>& states) { probes_.before_step(states); }
 
-  /// Queues the rows of the present state.
-  /// @param rig   Its readings; they are not looked at unless `reads_rig`.
+  /// Sums up the present state and queues its rows if the scene wants some.
   /// @throws OutputError of rows before
-  void add(const engine::Simulation& simulation, const engine::RigReadings& rig);
+  void keep(const engine::Simulation& simulation, RigTotals& totals);
 
   /// Waits until all rows are in the files and cannot be lost. @throws OutputError
   LogPosition save();
@@ -47,7 +44,10 @@ class StateLog {
   /// Writes all rows and ends the log. @throws OutputError
   void finish();
 
+  double seconds() const { return seconds_; }  ///< Wall time of the caller for rows so far.
+
  private:
+  void add(const engine::Simulation& simulation, const engine::RigReadings& rig);
   std::vector<std::vector<double>> table_numbers(const engine::Simulation& simulation,
                                                  const engine::RigReadings& rig) const;
 
@@ -56,6 +56,7 @@ class StateLog {
   const bool probed_;
   std::unique_ptr<Log> log_;
   Schedule due_;
+  double seconds_ = 0;
   Probes probes_;
   RigLog rig_;
   Background logging_;  ///< Declared last because it uses the log.

@@ -7,6 +7,7 @@
 
 #include "app/scene/reader_blocks.h"
 #include "app/scene/reader_overrides.h"
+#include "app/scene/rig_names.h"
 #include "app/scene/yaml_reader.h"
 
 namespace scene {
@@ -40,13 +41,6 @@ struct GroundBlock {
 void read(MapReader& map, GroundBlock& block) {
   read(map, block.ground);
   read_surface(map, block.friction, block.restitution);
-}
-
-template <class T>
-std::vector<std::string> names_of(const std::vector<T>& named) {
-  std::vector<std::string> names;
-  for (const T& one : named) names.push_back(one.name);
-  return names;
 }
 
 /// Adds a fault for each name of a body that there is not. `list` is the path of the list.

@@ -63,6 +63,14 @@ const T* find_named(const std::vector<T>& all, const std::string& name) {
   return nullptr;
 }
 
+/// Returns the names of entries, in order.
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& all) {
+  std::vector<std::string> names;
+  for (const T& one : all) names.push_back(one.name);
+  return names;
+}
+
 /// Returns the key that drives the motor of a joint: `angle_deg`.
 std::string motor_key(const Joint& joint);
 
