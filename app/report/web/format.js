@@ -24,6 +24,10 @@ export const fixed = (value, decimals) => {
 
 export const grouped = (count) => count.toLocaleString("en-US").replaceAll(",", "\u202f");
 
+// The factor and the letter of the prefix by which a number of this size is written shortly.
+const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
+export const prefixOf = (size) => prefixes.find(([factor]) => size >= factor) ?? [1, ""];
+
 export const at = (id) => document.getElementById(id);
 
 export const element = (tag, properties = {}, ...children) => {

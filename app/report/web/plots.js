@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 import {rowAt} from "./data.js";
 import {largestOf, spreadOf} from "./extent.js";
-import {decimalsOf, element, fixed, number} from "./format.js";
+import {decimalsOf, element, fixed, number, prefixOf} from "./format.js";
 import {Track} from "./track.js";
 
 const HEIGHT = 190;    // px
@@ -10,13 +10,10 @@ const FEW_LINES = 3;   // whose legend fits in one line
 const MOST_DOTS = 40;  // rows in sight up to which each is marked
 const FEW_DIGITS = 4;  // of values whose sizes are far apart
 
-const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]];
-
 // Of [N], [N m] and [J]: the prefix by which the largest number is written shortly.
 const scaleOf = (chart) => {
   if (!chart.prefixed) return [1, chart.unit];
-  const largest = largestOf(chart);
-  const [factor, letter] = prefixes.find(([size]) => largest >= size) ?? [1, ""];
+  const [factor, letter] = prefixOf(largestOf(chart));
   return [factor, letter + chart.unit];
 };
 

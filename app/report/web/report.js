@@ -5,7 +5,7 @@ import {addChooser, USAGE} from "./chooser.js";
 import {Clock} from "./clock.js";
 import {readRun, seriesOf} from "./data.js";
 import {showDetails, showHead} from "./facts.js";
-import {at, button, element, grouped, number} from "./format.js";
+import {at, button, element, grouped, number, prefixOf} from "./format.js";
 import {Plots} from "./plots.js";
 import {Replay} from "./replay.js";
 import {Strip} from "./strip.js";
@@ -114,7 +114,9 @@ const makeTensionScale = ({tensions, lines}) => {
   const bar = element("i"), zero = pushes ? 50 : 0;
   const stops = colors.map((color, i) => `${css(color)} ${zero + (100 - zero) * i / (colors.length - 1)}%`);
   bar.style.background = `linear-gradient(to right, ${(pushes ? [`${css(push)} 0%`] : []).concat(stops).join()})`;
-  const text = `tension ${pushes ? `−${grouped(top)}` : 0} … ${grouped(top)} N`;
+  const [factor, letter] = prefixOf(top);
+  const end = number(top / factor);
+  const text = `tension ${pushes ? `−${end}` : 0} … ${end} ${letter}N`;
   at("view").append(element("div", {id: "tension"}, bar, text));
 };
 
