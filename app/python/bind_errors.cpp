@@ -56,12 +56,17 @@ void translate(std::exception_ptr pointer) {
 
 void bind_errors(py::module_& module) {
   py::class_<scene::Fault>(module, "Fault", "A single fault of a scene or another input.")
-      .def_property_readonly("file",
-                             [](const scene::Fault& fault) { return fault.place.file.string(); })
-      .def_property_readonly("line", [](const scene::Fault& fault) { return fault.place.line; })
-      .def_property_readonly("column", [](const scene::Fault& fault) { return fault.place.column; })
-      .def_readonly("path", &scene::Fault::key_path)
-      .def_readonly("text", &scene::Fault::message)
+      .def_property_readonly(
+          "file", [](const scene::Fault& fault) { return fault.place.file.string(); },
+          "File of the fault.")
+      .def_property_readonly(
+          "line", [](const scene::Fault& fault) { return fault.place.line; },
+          "Counted from 1; 0 if there is none.")
+      .def_property_readonly(
+          "column", [](const scene::Fault& fault) { return fault.place.column; },
+          "Counted from 1; 0 if there is none.")
+      .def_readonly("path", &scene::Fault::key_path, "Path of the key: `bodies[1].mass`.")
+      .def_readonly("text", &scene::Fault::message, "What was found and what was expected.")
       .def("__str__", [](const scene::Fault& fault) { return scene::to_string(fault); })
       .def("__repr__",
            [](const scene::Fault& fault) { return "<Fault " + scene::to_string(fault) + ">"; });

@@ -215,74 +215,87 @@ py::dict loads(const TriMesh& mesh, const py::object& position, const py::object
   return result;
 }
 
+TriMesh loaded(const std::filesystem::path& file) {
+  const py::gil_scoped_release unlocked;
+  return assembly::read_solid(file, app::quiet());
+}
+
+double area(const TriMesh& mesh) {
+  double area = 0;
+  for (Eigen::Index f = 0; f < mesh.face_count(); ++f) area += hydro::area_vector(mesh, f).norm();
+  return area;
+}
+
 void bind_mesh(py::module_& module) {
-  const auto none = py::none();
   py::class_<TriMesh>(module, "Mesh",
                       "A triangle mesh. Faces are counter-clockwise seen from outside; lengths are "
                       "in metres.")
-      .def(py::init(&mesh_from), py::arg("vertices"), py::arg("faces"))
-      .def_static(
-          "load",
-          [](const std::filesystem::path& file) {
-            const py::gil_scoped_release unlocked;
-            return assembly::read_solid(file, app::quiet());
-          },
-          py::arg("file"))
+      .def(py::init(&mesh_from), py::arg("vertices"), py::arg("faces"),
+           "vertices (V, 3) [m]; faces (F, 3): indices of vertices.")
+      .def_static("load", &loaded, py::arg("file"),
+                  "Reads a mesh file that bounds a solid; one that is inward as a whole is "
+                  "reversed. Raises SceneError with what is wrong.")
       .def_static(
           "box",
           [](const Array& size, int divisions) {
             return hydro::make_box(to_vector(size, "size"), divisions);
           },
-          py::arg("size"), py::arg("divisions") = 1)
+          py::arg("size"), py::arg("divisions") = 1,
+          "size (3,) [m]; 12 divisions² triangles about the origin.")
       .def_static("sphere", &hydro::make_sphere, py::arg("radius"), py::arg("slices") = 32,
-                  py::arg("stacks") = 16)
+                  py::arg("stacks") = 16,
+                  "radius [m]; 2 slices (stacks - 1) triangles about the origin, poles on z.")
       .def_static("icosphere", &hydro::make_icosphere, py::arg("radius"),
-                  py::arg("subdivisions") = 3)
+                  py::arg("subdivisions") = 3,
+                  "radius [m]; 20 · 4^subdivisions triangles about the origin.")
       .def_static("cylinder", &hydro::make_cylinder, py::arg("radius"), py::arg("height"),
-                  py::arg("slices") = 32, py::arg("stacks") = 8)
+                  py::arg("slices") = 32, py::arg("stacks") = 8,
+                  "radius and height [m], about z and the origin.")
       .def_static(
           "ellipsoid",
           [](const Array& axes, int slices, int stacks) {
             return hydro::make_ellipsoid(to_vector(axes, "semi_axes"), slices, stacks);
           },
-          py::arg("semi_axes"), py::arg("slices") = 32, py::arg("stacks") = 16)
+          py::arg("semi_axes"), py::arg("slices") = 32, py::arg("stacks") = 16,
+          "semi_axes (3,) [m], about the origin.")
       .def_property_readonly(
           "vertices",
-          [](const TriMesh& mesh) { return to_array(Eigen::MatrixXd(mesh.vertices.transpose())); })
-      .def_property_readonly("faces",
-                             [](const TriMesh& mesh) {
-                               py::array_t<int> faces({mesh.faces.cols(), Eigen::Index{3}});
-                               std::copy_n(mesh.faces.data(), mesh.faces.size(),
-                                           faces.mutable_data());
-                               return faces;
-                             })
+          [](const TriMesh& mesh) { return to_array(Eigen::MatrixXd(mesh.vertices.transpose())); },
+          "(V, 3) [m], a copy.")
       .def_property_readonly(
-          "volume", [](const TriMesh& mesh) { return hydro::solid_properties(mesh).volume; })
-      .def_property_readonly("area",
-                             [](const TriMesh& mesh) {
-                               double area = 0;
-                               for (Eigen::Index f = 0; f < mesh.face_count(); ++f)
-                                 area += hydro::area_vector(mesh, f).norm();
-                               return area;
-                             })
+          "faces",
+          [](const TriMesh& mesh) {
+            py::array_t<int> faces({mesh.faces.cols(), Eigen::Index{3}});
+            std::copy_n(mesh.faces.data(), mesh.faces.size(), faces.mutable_data());
+            return faces;
+          },
+          "(F, 3): indices of vertices, a copy.")
+      .def_property_readonly(
+          "volume", [](const TriMesh& mesh) { return hydro::solid_properties(mesh).volume; },
+          "[m^3]")
+      .def_property_readonly("area", &area, "[m^2]")
       .def_property_readonly(
           "centroid",
-          [](const TriMesh& mesh) { return to_array(hydro::solid_properties(mesh).centroid); })
+          [](const TriMesh& mesh) { return to_array(hydro::solid_properties(mesh).centroid); },
+          "(3,): of the volume [m].")
       .def_property_readonly(
           "inertia",
           [](const TriMesh& mesh) {
             return to_array(Eigen::MatrixXd(hydro::solid_properties(mesh).inertia));
-          })
-      .def("faults", [](const TriMesh& mesh) { return hydro::describe(hydro::check_mesh(mesh)); })
+          },
+          "(3, 3): about the centroid for density 1 [m^5].")
+      .def(
+          "faults", [](const TriMesh& mesh) { return hydro::describe(hydro::check_mesh(mesh)); },
+          "Why the mesh bounds no solid, a sentence each; empty if it does.")
       .def(
           "moved",
           [](const TriMesh& mesh, const Array& by) {
             return hydro::translated(mesh, to_vector(by, "by"));
           },
-          py::arg("by"))
+          py::arg("by"), "The mesh moved by (3,) [m].")
       .def(
           "scaled", [](const TriMesh& mesh, double f) { return hydro::scaled(mesh, f); },
-          py::arg("factor"))
+          py::arg("factor"), "The mesh scaled about its origin.")
       .def("__repr__", [](const TriMesh& mesh) {
         return fmt::format("<Mesh of {} triangles on {} vertices>", mesh.face_count(),
                            mesh.vertex_count());

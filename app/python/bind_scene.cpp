@@ -119,8 +119,11 @@ void bind_scene(py::module_& module) {
                   "are relative to the working directory.\n\n"
                   "set: values that replace or add keys, {'bodies[buoy].density': 500}.\n"
                   "Raises SceneError with every fault.")
-      .def_property_readonly("file", [](const SceneSource& s) { return s.scene().file.string(); })
-      .def_property_readonly("title", [](const SceneSource& s) { return s.scene().title; })
+      .def_property_readonly(
+          "file", [](const SceneSource& s) { return s.scene().file.string(); },
+          "Its file; `<dict>` in the working directory for a dict.")
+      .def_property_readonly(
+          "title", [](const SceneSource& s) { return s.scene().title; }, "Its key `title`.")
       .def_property_readonly(
           "text", [](const SceneSource& s) { return s.scene().text; },
           "The scene as it was written, without `set`.")

@@ -269,7 +269,7 @@ void bind_control(py::module_& module) {
       .def("__iter__", [names](const Control& c) { return names(c).attr("__iter__")(); })
       .def("__contains__",
            [names](const Control& c, const py::object& name) { return names(c).contains(name); })
-      .def("keys", names);
+      .def("keys", names, "Names of all set points.");
 }
 
 py::array masses(const PySimulation& s) {
@@ -304,7 +304,7 @@ void bind_simulation(py::module_& module) {
       .def("step", &S::step, py::arg("count") = 1,
            "Takes steps. Raises SimulationError if the state or a load is no longer finite; the "
            "state before that step is kept.")
-      .def_property_readonly("scene", &S::source)
+      .def_property_readonly("scene", &S::source, "The Scene that it was made of.")
       .def_property_readonly("time", &S::time, "[s]")
       .def_property_readonly(
           "steps", [](const S& s) { return s.engine().steps(); }, "Number of steps taken.")
