@@ -206,6 +206,7 @@ void MoorDynSystem::Library::find_lines() {
     MoorDynSpec::Line spec;
     MoorDyn_GetLineN(line.line, &line.last);
     MoorDyn_GetLineID(line.line, &spec.number);
+    spec.segments = static_cast<int>(line.last);
     MoorDyn_GetLineUnstretchedLength(line.line, &spec.length);
     const std::set<int>& ends = coupled_ends[line.line];
     line.from_b = ends.contains(kEndB) || ends.empty();
@@ -334,13 +335,15 @@ std::vector<LineReading> MoorDynSystem::readings() const {
   std::vector<LineReading> readings;
   for (std::size_t i = 0; i < library_->lines.size(); ++i) {
     const Library::Line& line = library_->lines[i];
-    const unsigned first = line.from_b ? line.last : 0, second = line.from_b ? 0 : line.last;
     LineReading reading{.length = library_->line_specs[i].length};
-    MoorDyn_GetLineNodePos(line.line, first, reading.first_W.data());
-    MoorDyn_GetLineNodePos(line.line, second, reading.second_W.data());
-    MoorDyn_GetLineNodeForce(line.line, first, reading.force_W.data());
-    reading.first_W += library_->origin;
-    reading.second_W += library_->origin;
+    for (unsigned k = 0; k <= line.last; ++k) {
+      Vector3d& node = reading.nodes_W.emplace_back();
+      MoorDyn_GetLineNodePos(line.line, line.from_b ? line.last - k : k, node.data());
+      node += library_->origin;
+    }
+    MoorDyn_GetLineNodeForce(line.line, line.from_b ? line.last : 0, reading.force_W.data());
+    reading.first_W = reading.nodes_W.front();
+    reading.second_W = reading.nodes_W.back();
     reading.distance = (reading.first_W - reading.second_W).norm();
     reading.tension = reading.force_W.norm();
     reading.taut = reading.tension != 0;

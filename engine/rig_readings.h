@@ -21,6 +21,8 @@ struct LineReading {
   Eigen::Vector3d second_W = Eigen::Vector3d::Zero();  ///< Place of its second end [m].
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the first body [N].
   double resting = 0;                                  ///< Length of a mooring on the bottom [m].
+  /// Places of its nodes [m], from its first end to its second; only lines by MoorDyn have them.
+  std::vector<Eigen::Vector3d> nodes_W = {};
 };
 
 /// A joint at an instant. Forces and moments are means over the last step.

@@ -78,6 +78,7 @@ struct MoorDynSpec {
   struct Line {
     int number = 0;     ///< In the file.
     double length = 0;  ///< Unstretched [m].
+    int segments = 1;   ///< It has one node more.
   };
   std::filesystem::path file;
   std::string text;                     ///< What the file holds.

@@ -52,6 +52,13 @@ std::vector<double> lines_of(const engine::SimulationSpec& spec,
   return numbers.take();
 }
 
+std::vector<double> line_nodes_of(const engine::RigReadings& readings) {
+  Numbers numbers;
+  for (const engine::LineReading& line : readings.moordyn)
+    for (const Eigen::Vector3d& node : line.nodes_W) numbers.add(node);
+  return numbers.take();
+}
+
 std::vector<double> joints_of(const engine::SimulationSpec& spec,
                               const engine::RigReadings& readings) {
   Numbers numbers;
@@ -123,6 +130,11 @@ TableLayout lines_layout() {
            {"resting", "m", {"resting"}}}};
 }
 
+TableLayout line_nodes_layout() {
+  return {
+      "line_nodes.csv", "a log of nodes of lines", "line_node", {{"place", "m", {"x", "y", "z"}}}};
+}
+
 TableLayout joints_layout() {
   return {"joints.csv",
           "a log of joints",
@@ -157,7 +169,8 @@ TableLayout controls_layout() {
 }
 
 std::vector<TableLayout> all_table_layouts() {
-  return {probes_layout(), lines_layout(), joints_layout(), machines_layout(), controls_layout()};
+  return {probes_layout(), lines_layout(),    line_nodes_layout(),
+          joints_layout(), machines_layout(), controls_layout()};
 }
 
 std::string log_name(const engine::LineSpec& line) {
@@ -180,6 +193,10 @@ std::string log_name(const engine::MoorDynSpec::Line& line) {
   return fmt::format("moorings[{}]", line.number);
 }
 
+std::string node_name(const engine::MoorDynSpec::Line& line, int node) {
+  return fmt::format("{}.{}", log_name(line), node);
+}
+
 std::vector<std::string> line_names(const engine::SimulationSpec& spec) {
   std::vector<std::string> names = names_of(spec.lines);
   if (spec.moordyn)
@@ -199,6 +216,12 @@ std::vector<LogTable> RigLog::tables() const {
   std::vector<LogTable> tables;
   std::vector<std::string> lines = line_names(spec_);
   if (!lines.empty()) tables.push_back({lines_layout(), std::move(lines)});
+  if (spec_.moordyn) {
+    tables.push_back({line_nodes_layout(), {}});
+    for (const engine::MoorDynSpec::Line& line : spec_.moordyn->lines)
+      for (int node = 0; node <= line.segments; ++node)
+        tables.back().names.push_back(node_name(line, node));
+  }
   if (joints_) {
     tables.push_back({joints_layout(), {}});
     for (const engine::JointSpec& joint : spec_.joints) tables.back().names.push_back(joint.name);
@@ -217,6 +240,7 @@ std::vector<std::vector<double>> RigLog::numbers(
     const engine::RigReadings& readings, const std::vector<hydro::BodyState>& states) const {
   std::vector<std::vector<double>> all;
   if (!spec_.lines.empty() || spec_.moordyn) all.push_back(lines_of(spec_, readings));
+  if (spec_.moordyn) all.push_back(line_nodes_of(readings));
   if (joints_) all.push_back(joints_of(spec_, readings));
   if (!spec_.propellers.empty() || !spec_.foils.empty())
     all.push_back(machines_of(spec_, readings, states));

@@ -15,6 +15,8 @@
 /// places
 ///   of the ends, `fx` … `fz` is the force on the first body; `taut` and `broken` are 1 or 0;
 ///   `resting` is the length on the bottom, which only catenaries have.
+/// - `line_nodes.csv`: the places of the nodes of the lines of MoorDyn, of each line from its first
+///   end to its second.
 /// - `joints.csv`: `fx` … `tz` is the load on the second body, about the anchor; `coordinate`,
 ///   `speed` and `effort` are those of hinges and sliders.
 /// - `machines.csv`: propellers, and the foils in the water (rudders) and in the air (sails). A
@@ -26,6 +28,7 @@
 namespace app {
 
 TableLayout lines_layout();
+TableLayout line_nodes_layout();
 TableLayout joints_layout();
 TableLayout machines_layout();
 TableLayout controls_layout();
@@ -39,6 +42,8 @@ std::string log_name(const engine::LineSpec& line);
 std::string log_name(const engine::MoorDynSpec::Line& line);
 /// The names of all lines in the order of their table: those of MoorDyn last.
 std::vector<std::string> line_names(const engine::SimulationSpec& spec);
+/// `moorings[NUMBER].NODE`, the node counted from 0.
+std::string node_name(const engine::MoorDynSpec::Line& line, int node);
 /// `propellers[NAME]`
 std::string log_name(const engine::PropellerSpec& propeller);
 /// `rudders[NAME]` in the water, `sails[NAME]` in the air.

@@ -20,12 +20,24 @@ double tension_at_rest(const LineSpec& line, const Vector3d& first, const Vector
   return line.kind == LineSpec::Kind::rope ? std::max(tension, 0.0) : tension;
 }
 
+/// Moves a line, as it is at the end of a time, to a part of it from 0 to 1.
+/// @param start   The line at the start of that time.
+void move_back(const DrawnLine& start, double part, DrawnLine& line) {
+  line.tension = std::lerp(start.tension, line.tension, part);
+  line.length = std::lerp(start.length, line.length, part);
+  for (std::size_t i = 0; i < line.nodes_W.size(); ++i)
+    line.nodes_W[i] = start.nodes_W[i] + part * (line.nodes_W[i] - start.nodes_W[i]);
+}
+
 }  // namespace
 
 DrawnRig drawn_rig(const engine::RigReadings& readings) {
   DrawnRig rig;
   for (const engine::LineReading& line : readings.lines)
     rig.lines.push_back({.tension = line.tension, .length = line.length, .broken = line.broken});
+  for (const engine::LineReading& line : readings.moordyn)
+    rig.moordyn.push_back(
+        {.tension = line.tension, .length = line.length, .nodes_W = line.nodes_W});
   for (const engine::PropellerReading& propeller : readings.propellers)
     rig.propellers.push_back({.turn = propeller.turn, .azimuth = propeller.azimuth});
   for (const engine::FoilReading& foil : readings.foils) rig.foil_angles.push_back(foil.angle);
@@ -53,10 +65,10 @@ DrawnRig between(const DrawnRig& a, const DrawnRig& b, double part) {
   assert(a.lines.size() == b.lines.size() && a.propellers.size() == b.propellers.size() &&
          a.foil_angles.size() == b.foil_angles.size());
   DrawnRig rig = b;
-  for (std::size_t i = 0; i < b.lines.size(); ++i) {
-    rig.lines[i].tension = std::lerp(a.lines[i].tension, b.lines[i].tension, part);
-    rig.lines[i].length = std::lerp(a.lines[i].length, b.lines[i].length, part);
-  }
+  for (std::size_t i = 0; i < b.lines.size(); ++i) move_back(a.lines[i], part, rig.lines[i]);
+  if (a.moordyn.size() != b.moordyn.size()) rig.moordyn.clear();
+  for (std::size_t i = 0; i < rig.moordyn.size(); ++i)
+    move_back(a.moordyn[i], part, rig.moordyn[i]);
   for (std::size_t i = 0; i < b.propellers.size(); ++i) {
     rig.propellers[i].turn = std::lerp(a.propellers[i].turn, b.propellers[i].turn, part);
     rig.propellers[i].azimuth = std::lerp(a.propellers[i].azimuth, b.propellers[i].azimuth, part);

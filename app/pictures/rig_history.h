@@ -22,8 +22,11 @@ class RigHistory {
   DrawnRig at(double time, const std::vector<hydro::BodyState>& states) const;
 
  private:
+  /// Returns the lines by MoorDyn; none if they were not logged.
+  std::vector<DrawnLine> moordyn_at(double time) const;
+
   const engine::SimulationSpec& spec_;
-  std::optional<TableRows> lines_, machines_;
+  std::optional<TableRows> lines_, nodes_, machines_;
   /// Per propeller the angle that its shaft has turned through until each row [rad]: the integral
   /// of its speed by the trapezoidal rule.
   std::vector<std::vector<double>> turns_;

@@ -30,6 +30,9 @@ double extent_of(const engine::BodySpec& body) {
   return hydro::bounding_box(body.mesh_B).diagonal().norm();
 }
 
+/// Drawn radius of a line without a diameter, as a share of the size of the body that it holds.
+constexpr double kLineShare = 0.003;
+
 /// Size of the smaller of two bodies [m]; 1 if both are the world.
 double least_size(const engine::SimulationSpec& spec, engine::BodyId a, engine::BodyId b) {
   double size = std::numeric_limits<double>::infinity();
@@ -214,7 +217,14 @@ std::vector<RigPart> rig_parts(const engine::SimulationSpec& spec, bool joints) 
 
 double line_radius(const engine::SimulationSpec& spec, const LineSpec& line) {
   if (line.drag_diameter > 0) return line.drag_diameter / 2;
-  return 0.003 * least_size(spec, line.first.body, line.second.body);
+  return kLineShare * least_size(spec, line.first.body, line.second.body);
+}
+
+double moordyn_radius(const engine::SimulationSpec& spec) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const engine::AttachmentPoint& point : spec.moordyn->points)
+    least = std::min(least, kLineShare * least_size(spec, point.body, point.body));
+  return least;
 }
 
 double broken_length(const engine::SimulationSpec& spec, const LineSpec& line) {

@@ -39,6 +39,9 @@ std::vector<RigPart> rig_parts(const engine::SimulationSpec& spec, bool joints);
 /// to the smaller body that it holds.
 double line_radius(const engine::SimulationSpec& spec, const engine::LineSpec& line);
 
+/// The drawn radius of lines by MoorDyn [m]: in proportion to the smallest body that they hold.
+double moordyn_radius(const engine::SimulationSpec& spec);
+
 /// The length that hangs from each body of a broken line [m]: a third of it, up to a limit.
 double broken_length(const engine::SimulationSpec& spec, const engine::LineSpec& line);
 

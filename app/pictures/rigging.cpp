@@ -75,14 +75,26 @@ Eigen::Matrix3Xd shape_of(const LineSpec& line, const DrawnLine& now,
   return points;
 }
 
+Eigen::Matrix3Xd points_of(const DrawnLine& line) {
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(line.nodes_W.size()));
+  for (std::size_t i = 0; i < line.nodes_W.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) = line.nodes_W[i];
+  return points;
+}
+
 RigPictures::RigPictures(const engine::SimulationSpec& spec, bool joints)
     : spec_(spec), ground_(spec.ground), parts_(rig_parts(spec, joints)) {}
 
 void RigPictures::include(const Shot& shot) {
-  for (const DrawnLine& line : shot.rig.lines) {
-    largest_ = std::max(largest_, std::abs(line.tension));
-    pushes_ = pushes_ || line.tension < 0;
-  }
+  for (const std::vector<DrawnLine>* lines : {&shot.rig.lines, &shot.rig.moordyn})
+    for (const DrawnLine& line : *lines) {
+      largest_ = std::max(largest_, std::abs(line.tension));
+      pushes_ = pushes_ || line.tension < 0;
+    }
+}
+
+Vector3d RigPictures::color_of(const DrawnLine& line) const {
+  return tension_color(largest_ > 0 ? line.tension / scale_top() : 0);
 }
 
 double RigPictures::scale_top() const { return largest_ > 0 ? round_up(largest_) : 0; }
@@ -104,7 +116,7 @@ void RigPictures::add_line(std::size_t index, const Shot& shot, render::Rigging&
   }
   render::Tube tube = {.points_W = shape_of(line, now, shot.states, ground_, radius),
                        .radius = radius,
-                       .color = tension_color(largest_ > 0 ? now.tension / scale_top() : 0)};
+                       .color = color_of(now)};
   if (line.kind == LineSpec::Kind::spring) {
     const Coil coil = coil_of(spec_, line);
     tube.radius = 0.15 * coil.radius;
@@ -123,11 +135,14 @@ render::Rigging RigPictures::of(const Shot& shot) const {
     rigging.parts.push_back({.mesh_P = part.mesh_P, .X_WP = pose, .color = part.color});
   }
   for (std::size_t i = 0; i < spec_.lines.size(); ++i) add_line(i, shot, rigging);
+  for (const DrawnLine& line : shot.rig.moordyn)
+    rigging.tubes.push_back(
+        {.points_W = points_of(line), .radius = moordyn_radius(spec_), .color = color_of(line)});
   return rigging;
 }
 
 void RigPictures::explain(render::Annotations& notes) const {
-  if (spec_.lines.empty() || largest_ == 0) return;
+  if (largest_ == 0) return;
   constexpr int kSteps = 64;
   render::LegendRamp ramp;
   const double low = pushes_ ? -1 : 0;

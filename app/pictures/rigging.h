@@ -28,6 +28,9 @@ Eigen::Matrix3Xd shape_of(const engine::LineSpec& line, const DrawnLine& now,
                           const std::vector<hydro::BodyState>& states, const GroundHeight& ground,
                           double radius);
 
+/// Returns the nodes of a line by MoorDyn, from its first end to its second [m, W].
+Eigen::Matrix3Xd points_of(const DrawnLine& line);
+
 /// Finds the rigging of each picture of a sequence.
 class RigPictures {
  public:
@@ -35,7 +38,7 @@ class RigPictures {
   RigPictures(const engine::SimulationSpec& spec, bool joints);
 
   /// True if the colours depend on the shots that are included.
-  bool has_lines() const { return !spec_.lines.empty(); }
+  bool has_lines() const { return !spec_.lines.empty() || spec_.moordyn; }
 
   /// Extends the scale of tensions to those in a shot.
   void include(const Shot& shot);
@@ -52,6 +55,7 @@ class RigPictures {
   double scale_top() const;
 
  private:
+  Eigen::Vector3d color_of(const DrawnLine& line) const;
   void add_line(std::size_t index, const Shot& shot, render::Rigging& rigging) const;
 
   const engine::SimulationSpec& spec_;

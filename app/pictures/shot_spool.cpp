@@ -23,8 +23,8 @@ constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
 }
 
 /// Numbers at the start of a shot: the time, the flags for frames and video, the numbers of waters,
-/// lines, propellers and foils.
-constexpr std::size_t kHeadSize = 7;
+/// lines, propellers and foils, and how many numbers the lines by MoorDyn have.
+constexpr std::size_t kHeadSize = 8;
 
 /// Numbers of the water in a pocket: the body, a point, the level, and whether it is flooded.
 constexpr std::size_t kWaterSize = 6;
@@ -35,12 +35,21 @@ constexpr std::size_t kLineSize = 3;
 /// Numbers of a propeller: turn and azimuth.
 constexpr std::size_t kPropellerSize = 2;
 
+/// Numbers of a line by MoorDyn before its nodes: tension, length, and how many nodes it has.
+constexpr std::size_t kMoorDynSize = 3;
+
 using Numbers = std::vector<double>;
 
 std::size_t count_waters(const render::Interiors& interiors) {
   std::size_t waters = 0;
   for (const auto& pockets : interiors) waters += pockets.size();
   return waters;
+}
+
+std::size_t count_moordyn(const DrawnRig& rig) {
+  std::size_t numbers = 0;
+  for (const DrawnLine& line : rig.moordyn) numbers += kMoorDynSize + 3 * line.nodes_W.size();
+  return numbers;
 }
 
 Numbers numbers_of(const Shot& shot) {
@@ -50,7 +59,8 @@ Numbers numbers_of(const Shot& shot) {
                      static_cast<double>(count_waters(shot.interiors)),
                      static_cast<double>(shot.rig.lines.size()),
                      static_cast<double>(shot.rig.propellers.size()),
-                     static_cast<double>(shot.rig.foil_angles.size())};
+                     static_cast<double>(shot.rig.foil_angles.size()),
+                     static_cast<double>(count_moordyn(shot.rig))};
   for (const hydro::BodyState& state : shot.states) {
     const StateRow row = row_of(state);
     numbers.insert(numbers.end(), row.begin(), row.end());
@@ -64,6 +74,12 @@ Numbers numbers_of(const Shot& shot) {
   for (const DrawnPropeller& propeller : shot.rig.propellers)
     numbers.insert(numbers.end(), {propeller.turn, propeller.azimuth});
   numbers.insert(numbers.end(), shot.rig.foil_angles.begin(), shot.rig.foil_angles.end());
+  for (const DrawnLine& line : shot.rig.moordyn) {
+    numbers.insert(numbers.end(),
+                   {line.tension, line.length, static_cast<double>(line.nodes_W.size())});
+    for (const Eigen::Vector3d& node : line.nodes_W)
+      numbers.insert(numbers.end(), node.begin(), node.end());
+  }
   return numbers;
 }
 
@@ -75,6 +91,15 @@ void read_rig(const double* head, const double* next, DrawnRig& rig) {
   for (std::size_t i = 0; i < count_of(head[5]); ++i, next += kPropellerSize)
     rig.propellers.push_back({.turn = next[0], .azimuth = next[1]});
   rig.foil_angles.assign(next, next + count_of(head[6]));
+  next += count_of(head[6]);
+  for (const double* end = next + count_of(head[7]); next < end;) {
+    DrawnLine& line = rig.moordyn.emplace_back();
+    line.tension = next[0];
+    line.length = next[1];
+    const std::size_t nodes = count_of(next[2]);
+    next += kMoorDynSize;
+    for (std::size_t i = 0; i < nodes; ++i, next += 3) line.nodes_W.emplace_back(next);
+  }
 }
 
 /// Fills in what follows the head of a shot.
@@ -129,7 +154,7 @@ long ShotSpool::end_of(std::size_t number) const {
   const Numbers head = read(places_[number], kHeadSize);
   const std::size_t numbers = kHeadSize + bodies_ * kStateSize + count_of(head[3]) * kWaterSize +
                               count_of(head[4]) * kLineSize + count_of(head[5]) * kPropellerSize +
-                              count_of(head[6]);
+                              count_of(head[6]) + count_of(head[7]);
   return places_[number] + static_cast<long>(numbers * sizeof(double));
 }
 

@@ -32,8 +32,9 @@ struct Instants {
 
 Instants instants_of(const LoggedRun& run, const PageLimits& limits) {
   const engine::SimulationSpec& spec = run.built.spec;
+  const std::size_t lines = spec.lines.size() + (spec.moordyn ? spec.moordyn->lines.size() : 0);
   const std::size_t a_row =
-      spec.lines.size() * (3 * kShapePoints) + 2 * spec.propellers.size() + spec.foils.size() + 1;
+      lines * (3 * kShapePoints) + 2 * spec.propellers.size() + spec.foils.size() + 1;
   const RigHistory history(spec, trajectory_of(run.path));
   Instants instants;
   for (const std::size_t row :
@@ -120,6 +121,28 @@ Json page_line(const engine::SimulationSpec& spec, std::size_t index, const Inst
   return page;
 }
 
+/// The lines by MoorDyn: `path` has the places of `kShapePoints` points at each instant. None if
+/// they are not known at all instants.
+void add_moordyn(const engine::SimulationSpec& spec, const Instants& instants,
+                 const Vector3d& origin, Json& lines) {
+  if (!spec.moordyn) return;
+  for (const DrawnRig& rig : instants.rigs)
+    if (rig.moordyn.empty()) return;
+  for (std::size_t i = 0; i < spec.moordyn->lines.size(); ++i) {
+    std::vector<float> path;
+    for (const DrawnRig& rig : instants.rigs) {
+      const Eigen::Matrix3Xf even =
+          (evenly(points_of(rig.moordyn[i])).colwise() - origin).cast<float>();
+      path.insert(path.end(), even.data(), even.data() + even.size());
+    }
+    lines.push_back({{"name", std::to_string(spec.moordyn->lines[i].number)},
+                     {"path", packed<float>(path)},
+                     {"tension", packed_column(over_time(instants, [&](const DrawnRig& rig) {
+                        return rig.moordyn[i].tension;
+                      }))}});
+  }
+}
+
 /// The turns of a part about its place, the last one first.
 Json page_turns(const engine::SimulationSpec& spec, const RigPart& part, const Instants& instants) {
   Json turns = Json::array();
@@ -181,12 +204,13 @@ Json page_rigging(const LoggedRun& run, const Vector3d& origin, const PageLimits
   const engine::SimulationSpec& spec = run.built.spec;
   const bool joints = run.scene.render && run.scene.render->show.joints;
   const std::vector<RigPart> rig = rig_parts(spec, joints);
-  if (spec.lines.empty() && rig.empty()) return nullptr;
+  if (spec.lines.empty() && rig.empty() && !spec.moordyn) return nullptr;
   const Instants instants = instants_of(run, limits);
   const GroundHeight ground(spec.ground);
   Json lines = Json::array(), parts = Json::array();
   for (std::size_t i = 0; i < spec.lines.size(); ++i)
     lines.push_back(page_line(spec, i, instants, origin, ground));
+  add_moordyn(spec, instants, origin, lines);
   for (const RigPart& part : rig) parts.push_back(page_part(spec, part, instants, origin));
   return {{"times", packed<double>(instants.times)},
           {"points", kShapePoints},

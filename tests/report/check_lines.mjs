@@ -1,6 +1,6 @@
 // node check_lines.mjs: shapes and colours of lines in the replay.
 import assert from "node:assert/strict";
-import {coil, hanging, lineShape, tensionColor} from "../../app/report/web/line_shapes.js";
+import {coil, hanging, lineShape, pathShape, tensionColor} from "../../app/report/web/line_shapes.js";
 
 const near = (a, b, tolerance = 1e-6) =>
   assert.ok(Math.abs(a - b) <= tolerance, `${a} is not near ${b}`);
@@ -13,6 +13,9 @@ assert.deepEqual([...straight.slice(6, 9)], [2, 4, -2]);
 // Three points, of which the inner one lies 1 and 5 below the chord in two rows.
 const bent = lineShape([0, 0, 0], [2, 0, 0], [0, 0, -1, 0, 0, -5], 3, now);
 assert.deepEqual([...bent], [0, 0, 0, 1, 0, -2, 2, 0, 0]);
+
+// Two points that move between two rows.
+assert.deepEqual([...pathShape([0, 0, 0, 4, 0, 0, 0, 0, 8, 4, 4, 0], 2, now)], [0, 0, 2, 4, 1, 0]);
 
 // A coil keeps its ends and lies on its cylinder, also where it stands upright.
 for (const end of [[3, 4, 0], [0, 0, 5], [0, 0, 0]]) {

@@ -22,6 +22,10 @@ const unpackRigging = (rigging) => {
   const count = rigging.times.length;
   for (const line of rigging.lines) {
     line.tension = column(line.tension, count);
+    if (line.path) {
+      line.path = floats(line.path);
+      continue;
+    }
     line.broken = column(line.broken, count);
     if (line.shape) line.shape = floats(line.shape);
   }

@@ -23,6 +23,16 @@ export const lineShape = (first, second, shape, points, {row, next, part}) => {
   return line;
 };
 
+// A line through places that are known at each row, between two of them.
+export const pathShape = (path, points, {row, next, part}) => {
+  const line = new Float32Array(3 * points);
+  for (let i = 0; i < line.length; ++i) {
+    const a = path[row * line.length + i], b = path[next * line.length + i];
+    line[i] = a + part * (b - a);
+  }
+  return line;
+};
+
 // A coil spring from end to end.
 export const coil = (first, second, {radius, turns}) => {
   const whole = second.map((x, k) => x - first[k]), length = Math.hypot(...whole);

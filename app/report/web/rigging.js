@@ -4,7 +4,7 @@ import {LineMaterial} from "three/addons/lines/LineMaterial.js";
 import {LineSegments2} from "three/addons/lines/LineSegments2.js";
 import {LineSegmentsGeometry} from "three/addons/lines/LineSegmentsGeometry.js";
 import {rowAt} from "./data.js";
-import {coil, hanging, lineShape, tensionColor} from "./line_shapes.js";
+import {coil, hanging, lineShape, pathShape, tensionColor} from "./line_shapes.js";
 
 const WIDTH = 2.6;     // px of a line
 const SPRING = 1.6;    // px of a spring's wire
@@ -47,7 +47,8 @@ export class Rigging {
     this.group = new THREE.Group();
     this.lines = rigging.lines.map((line) => {
       const count = line.coil ? coil([0, 0, 0], [0, 0, 1], line.coil).length / 3 : rigging.points;
-      const made = {whole: wire(count, line.coil ? SPRING : WIDTH), rests: [wire(2, WIDTH), wire(2, WIDTH)]};
+      const made = {whole: wire(count, line.coil ? SPRING : WIDTH),
+                    rests: line.path ? [] : [wire(2, WIDTH), wire(2, WIDTH)]};
       for (const rest of made.rests) paint(rest, BROKEN);
       this.group.add(made.whole, ...made.rests);
       return made;
@@ -89,6 +90,11 @@ export class Rigging {
 
   updateLine(line, {whole, rests}, time, now) {
     const {points, tensions} = this.rigging;
+    if (line.path) {
+      place(whole, pathShape(line.path, points, now));
+      paint(whole, tensionColor(tensions, mixed(line.tension, now)));
+      return;
+    }
     const [first, second] = line.ends.map((end) => this.endOf(end, time));
     const broken = line.broken[now.part < 1 ? now.row : now.next] !== 0;
     whole.visible = !broken;

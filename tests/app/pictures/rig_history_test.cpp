@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/logs/rig_log.h"
+#include "app/pictures/rigging.h"
 #include "app/report/page_data.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/app/program/page.h"
@@ -126,6 +127,76 @@ TEST_F(LoggedRig, IsInTheReport) {
   EXPECT_NEAR(turn.at(1), -1.5 * M_PI, 1e-5);  // The propeller is left-handed.
   EXPECT_EQ(page["parts"][1]["turns"].size(), 1u);
   EXPECT_EQ(page["parts"][2]["turns"].size(), 0u);
+}
+
+/// Two times of a line of two segments by MoorDyn.
+class LoggedMoorDyn : public LoggedRig {
+ protected:
+  void SetUp() override {
+    LoggedRig::SetUp();
+    engine::SimulationSpec& spec = run_.built.spec;
+    spec.moordyn = {.points = {{.body = 0, .at = {1, 0, 0}}},
+                    .lines = {{.number = 7, .length = 9, .segments = 2}}};
+    app::RigLog log(spec, false);
+    std::vector<app::TableWriter> writers;
+    for (const app::LogTable& table : log.tables()) writers.emplace_back(folder_, table);
+    for (const int row : {0, 1}) {
+      engine::RigReadings readings;
+      readings.lines.resize(1);
+      readings.moordyn = {{.tension = 1000.0 * (row + 1),
+                           .length = 9,
+                           .nodes_W = {{1, 0, 0}, {4, 0, -3.0 - row}, {8, 0, -5}}}};
+      readings.propellers.resize(1);
+      readings.foils.resize(1);
+      readings.set_points = {0, 0, 0};
+      const auto numbers = log.numbers(readings, {hydro::BodyState{}});
+      ASSERT_EQ(numbers.size(), writers.size());
+      for (std::size_t i = 0; i < writers.size(); ++i) writers[i].add(0.5 * row, numbers[i]);
+    }
+  }
+};
+
+TEST_F(LoggedMoorDyn, HasItsNodes) {
+  const std::vector<hydro::BodyState> states(1);
+  const app::DrawnRig first = history().at(0.4, states), second = history().at(0.5, states);
+  ASSERT_EQ(first.moordyn.size(), 1u);
+  EXPECT_EQ(first.moordyn[0],
+            (app::DrawnLine{
+                .tension = 1000, .length = 9, .nodes_W = {{1, 0, 0}, {4, 0, -3}, {8, 0, -5}}}));
+  EXPECT_EQ(second.moordyn[0].nodes_W[1], Eigen::Vector3d(4, 0, -4));
+  const app::DrawnRig half = app::between(first, second, 0.5);
+  EXPECT_EQ(half.moordyn[0].nodes_W[1], Eigen::Vector3d(4, 0, -3.5));
+  EXPECT_EQ(half.moordyn[0].tension, 1500);
+  EXPECT_TRUE(
+      app::between(
+          {.lines = first.lines, .propellers = first.propellers, .foil_angles = first.foil_angles},
+          second, 0.5)
+          .moordyn.empty());
+}
+
+TEST_F(LoggedMoorDyn, IsDrawnThroughItsNodesInTheColourOfItsTension) {
+  app::RigPictures pictures(run_.built.spec, false);
+  const app::Shot shot = {.states = std::vector<hydro::BodyState>(1),
+                          .rig = history().at(0.5, std::vector<hydro::BodyState>(1))};
+  EXPECT_TRUE(pictures.has_lines());
+  pictures.include(shot);
+  const render::Rigging rigging = pictures.of(shot);
+  ASSERT_EQ(rigging.tubes.size(), 2u);  // The rope is the first.
+  EXPECT_EQ(rigging.tubes[1].points_W.cols(), 3);
+  EXPECT_EQ(rigging.tubes[1].points_W.col(1), Eigen::Vector3d(4, 0, -4));
+  EXPECT_EQ(rigging.tubes[1].color, app::tension_color(1));
+}
+
+TEST_F(LoggedMoorDyn, IsInTheReport) {
+  const nlohmann::ordered_json page = app::page_rigging(run_, Eigen::Vector3d(0, 0, -1), {});
+  ASSERT_EQ(page["lines"].size(), 2u);
+  EXPECT_EQ(page["lines"][1]["name"], "7");
+  const std::vector<float> path = support::packed_numbers<float>(page["lines"][1]["path"]);
+  const std::size_t points = page["points"].get<std::size_t>();
+  ASSERT_EQ(path.size(), 2 * 3 * points);
+  EXPECT_EQ(path[2], 1);                             // z of the first end above the origin
+  EXPECT_EQ(path[3 * points + 3 * points - 1], -4);  // that of the second end, later
+  EXPECT_EQ(page["tensions"]["top"], 2000);
 }
 
 TEST_F(LoggedRig, IsNotInTheReportOfARunThatHasNone) {

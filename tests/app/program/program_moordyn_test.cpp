@@ -97,6 +97,11 @@ TEST_F(ProgramMoorDyn, LogsItsLinesAndTellsOfThem) {
     EXPECT_GT(track.columns[lines->layout.column("tension")].back(), 1e4);
     EXPECT_EQ(track.columns[lines->layout.column("length")].back(), 95);
   }
+  const auto nodes = app::read_table(here / "o/trajectory.csv", app::line_nodes_layout());
+  ASSERT_TRUE(nodes);
+  EXPECT_EQ(nodes->names.size(), 22u);
+  const std::vector<double> heights = nodes->tracks.at("moorings[1].10").columns[2];
+  EXPECT_NEAR(heights.back(), -50, support::tolerance(0.1));  // The anchor lies on the ground.
   const nlohmann::json summary = nlohmann::json::parse(here.read("o/summary.json"));
   EXPECT_THAT(summary["moorings"].get<std::string>(), StartsWith("moordyn 2."));
   EXPECT_GT(summary["lines"]["moorings[2]"]["tension_max"], 1e4);
