@@ -2,7 +2,7 @@
 
 namespace app {
 
-/// While a guard lives, the first Ctrl-C (or SIGTERM) is only recorded; a second one ends the
+/// While a guard lives, the first Ctrl-C, SIGTERM or SIGHUP is only recorded; a second one ends the
 /// program.
 class InterruptGuard {
  public:

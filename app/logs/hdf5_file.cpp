@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -49,6 +50,20 @@ Handle text_type() {
   H5Tset_size(type, H5T_VARIABLE);
   H5Tset_cset(type, H5T_CSET_UTF8);
   return type;
+}
+
+/// Writes the file's structure from a copy of this process, which ends as a kill of this one does
+/// not end it. The structure refers to parts of itself, so that half of it is none; whoever writes
+/// the same bytes again cannot damage it. If there is no copy, nothing is written.
+void flush_in_copy(hid_t file) {
+  const pid_t copy = ::fork();
+  if (copy == 0) {
+    ::setsid();  // A kill of the whole group does not end it either.
+    H5Fflush(file, H5F_SCOPE_LOCAL);
+    ::_exit(0);
+  }
+  while (copy > 0 && ::waitpid(copy, nullptr, 0) < 0 && errno == EINTR) {
+  }
 }
 
 using Extents = std::vector<hsize_t>;
@@ -163,6 +178,9 @@ Hdf5Writer::Hdf5Writer(const fs::path& file, Mode mode) : file_(std::make_unique
   prepare_library();
   const Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
+  // A chunk that grows moves. What it leaves is what the structure on the disk refers to until the
+  // next flush, so that nothing may be written there.
+  H5Pset_file_space_strategy(properties, H5F_FSPACE_STRATEGY_AGGR, false, 1);
   file_->path = file;
   const bool replace = mode == Mode::replace;
   file_->file = Handle(replace ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties, file_access())
@@ -259,6 +277,7 @@ void Hdf5Writer::reserve(std::size_t bytes) {
 void Hdf5Writer::flush() {
   prepare_library();
   if (const int error = file_->reserve(0); error != 0) file_->fail(std::strerror(error));
+  flush_in_copy(file_->file);
   file_->check(H5Fflush(file_->file, H5F_SCOPE_LOCAL) >= 0);
 }
 

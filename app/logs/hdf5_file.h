@@ -31,7 +31,8 @@ struct Hdf5Series {
 using Hdf5Attributes = std::vector<std::pair<std::string, std::string>>;
 
 /// A file that is written during a run: first its structure, then rows. `flush` saves all earlier
-/// rows, even if the program is killed later; only a kill during a `flush` may damage the file.
+/// rows: whenever the program is killed, the file holds at least those of the last `flush` that has
+/// ended. Of a machine without power the file may be damaged.
 ///
 /// All functions but the constructor throw OutputError if the file cannot be written. The file then
 /// keeps the state of the last `flush`.
@@ -65,8 +66,9 @@ class Hdf5Writer {
   /// flushed before the function throws.
   void reserve(std::size_t bytes);
   /// Adds rows to a series.
-  /// @param numbers   Whole rows that fill a chunk, or at the end fewer: a chunk is written again
-  ///     each time a part of it is added.
+  /// @param numbers   Whole rows, of one chunk only. Those of a chunk that is not filled are
+  /// written
+  ///     again, elsewhere, with the next rows of the chunk.
   void append(std::size_t series, std::span<const double> numbers);
   void flush();
   void close();

@@ -19,7 +19,7 @@ const char* const kFormat = "1";  ///< Version of the layout.
 /// Bodies per chunk, so that one body can be read without reading all.
 constexpr std::size_t kChunkBodies = 16;
 
-/// Rows per chunk. More rows hardly make the file smaller, and a killed program loses them.
+/// Rows per chunk. More rows hardly make the file smaller.
 constexpr std::size_t kMostRows = 128;
 constexpr std::size_t kFewestRows = 16;
 constexpr std::size_t kMostWaiting = std::size_t{64} << 20;  ///< [bytes], if kFewestRows fit.
@@ -85,7 +85,7 @@ void Hdf5Log::make_structure() {
   file_.add_texts("body", subject_.bodies);
   for (const LogTable& table : subject_.tables) file_.add_texts(table.layout.key, table.names);
   list_series([&](const Hdf5Series& series) { return file_.add_series(series, chunk); });
-  file_.flush();
+  flush();
   started_ = true;
 }
 
@@ -93,6 +93,7 @@ void Hdf5Log::find_structure(std::size_t kept) {
   times_.number = file_.find_series({"time", "s", {}, {}}, kept);
   list_series([&](const Hdf5Series& series) { return file_.find_series(series, kept); });
   written_ = kept;
+  flush();  // New rows may take the place of those that are dropped.
   started_ = true;
 }
 
@@ -100,7 +101,8 @@ void Hdf5Log::add(const LogEntry& entry) {
   try {
     if (!started_) make_structure();
     wait(entry);
-    if ((written_ + times_.waiting.size()) % chunk_ == 0) write_waiting();
+    const bool fills_chunk = (written_ + times_.waiting.size()) % chunk_ == 0;
+    if (fills_chunk || is_time_to_flush()) write_waiting();
   } catch (const OutputError&) {
     ended_ = true;
     throw;
@@ -144,7 +146,11 @@ void Hdf5Log::write_waiting() {
   std::ranges::for_each(series_, write);
   for (std::vector<Series>& table : tables_) std::ranges::for_each(table, write);
   write(times_);
-  if (std::chrono::steady_clock::now() - flushed_ > kBetweenFlushes) flush();
+  if (is_time_to_flush()) flush();
+}
+
+bool Hdf5Log::is_time_to_flush() const {
+  return std::chrono::steady_clock::now() - flushed_ > kBetweenFlushes;
 }
 
 void Hdf5Log::flush() {

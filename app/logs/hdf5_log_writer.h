@@ -15,8 +15,8 @@
 
 namespace app {
 
-/// Writes run.h5. Rows are buffered until a chunk is full, and `finish` writes the rest. A killed
-/// program loses at most one chunk and the rows of the last second.
+/// Writes run.h5. Rows are buffered until a chunk is full or a second has passed, and `finish`
+/// writes the rest. A killed program loses the rows of the last second.
 class Hdf5Log : public Log {
  public:
   /// Replaces the file, or keeps its first `kept` rows.
@@ -45,6 +45,7 @@ class Hdf5Log : public Log {
   void wait(const LogEntry& entry);
   void write_waiting();
   void flush();
+  bool is_time_to_flush() const;
 
   LogSubject subject_;
   std::size_t chunk_;        ///< Rows of a chunk.
