@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
+#include <stdexcept>
 
+#include "app/base/atomic_file.h"
 #include "app/base/hdf5_library.h"
 #include "app/base/output_error.h"
 #include "app/scene/diagnostics.h"
@@ -121,7 +124,8 @@ struct Hdf5Writer::File {
     Handle dataset;
     std::vector<std::size_t> shape;  ///< Shape of a row.
     std::size_t numbers = 1;         ///< Numbers of a row.
-    hsize_t rows = 0;
+    hsize_t rows = 0;                ///< Rows that have been appended or kept.
+    hsize_t in_file = 0;             ///< No fewer than those.
   };
 
   /// Gives up all objects without closing them, because the library would write more.
@@ -168,7 +172,20 @@ struct Hdf5Writer::File {
     return 0;
   }
 
+  /// Gives the file its name, once it has a structure.
+  void name_it() {
+    if (!part) return;
+    try {
+      part->rename();
+    } catch (const std::runtime_error& error) {
+      abandon();
+      throw OutputError(error.what());
+    }
+    part.reset();
+  }
+
   fs::path path;
+  std::optional<PartFile> part;  ///< Until the file has its name.
   Handle file;
   std::vector<Series> series;  ///< Declared after the file so that they are closed before it.
   off_t reserved = 0;          ///< File size for which disk space is reserved [bytes].
@@ -182,10 +199,19 @@ Hdf5Writer::Hdf5Writer(const fs::path& file, Mode mode) : file_(std::make_unique
   // next flush, so that nothing may be written there.
   H5Pset_file_space_strategy(properties, H5F_FSPACE_STRATEGY_AGGR, false, 1);
   file_->path = file;
-  const bool replace = mode == Mode::replace;
-  file_->file = Handle(replace ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties, file_access())
-                               : H5Fopen(file.c_str(), H5F_ACC_RDWR, file_access()),
-                       H5Fclose);
+  if (mode == Mode::replace) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    try {
+      file_->part.emplace(file);
+    } catch (const std::runtime_error&) {
+      throw scene::InputError(file, "cannot be written: its folder takes no new files");
+    }
+    file_->file = Handle(
+        H5Fcreate(file_->part->name().c_str(), H5F_ACC_TRUNC, properties, file_access()), H5Fclose);
+  } else {
+    file_->file = Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, file_access()), H5Fclose);
+  }
   if (file_->file < 0)
     throw scene::InputError(file, fmt::format("cannot be written: {}", last_error()));
 }
@@ -243,10 +269,9 @@ std::size_t Hdf5Writer::find_series(const Hdf5Series& series, std::size_t rows) 
   if (H5Sget_simple_extent_ndims(space) != static_cast<int>(shape.size()) ||
       H5Sget_simple_extent_dims(space, shape.data(), nullptr) < 0 || shape[0] < rows)
     refuse("is not that of the checkpoint");
-  file_->check(H5Dset_extent(dataset, shape_of(rows, series.shape).data()) >= 0);
   std::size_t numbers = 1;
   for (const std::size_t length : series.shape) numbers *= length;
-  file_->series.push_back({std::move(dataset), series.shape, numbers, rows});
+  file_->series.push_back({std::move(dataset), series.shape, numbers, rows, shape[0]});
   return file_->series.size() - 1;
 }
 
@@ -258,7 +283,8 @@ void Hdf5Writer::append(std::size_t number, std::span<const double> numbers) {
   Extents first(count.size(), 0);
   first[0] = series.rows;
   series.rows += rows;
-  file_->check(H5Dset_extent(series.dataset, shape_of(series.rows, series.shape).data()) >= 0);
+  series.in_file = std::max(series.in_file, series.rows);
+  file_->check(H5Dset_extent(series.dataset, shape_of(series.in_file, series.shape).data()) >= 0);
   const Handle to(H5Dget_space(series.dataset), H5Sclose);
   H5Sselect_hyperslab(to, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
   file_->check(H5Dwrite(series.dataset, H5T_NATIVE_DOUBLE, space_of(count), to, H5P_DEFAULT,
@@ -279,6 +305,7 @@ void Hdf5Writer::flush() {
   if (const int error = file_->reserve(0); error != 0) file_->fail(std::strerror(error));
   flush_in_copy(file_->file);
   file_->check(H5Fflush(file_->file, H5F_SCOPE_LOCAL) >= 0);
+  file_->name_it();
 }
 
 void Hdf5Writer::close() {

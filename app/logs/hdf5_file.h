@@ -39,7 +39,7 @@ using Hdf5Attributes = std::vector<std::pair<std::string, std::string>>;
 class Hdf5Writer {
  public:
   enum class Mode {
-    replace,  ///< A new file replaces an existing one.
+    replace,  ///< A new file replaces an existing one; it has its name from the first flush on.
     extend    ///< The file exists and its series are continued.
   };
   /// @throws InputError if the file cannot be written, or cannot be extended because it is damaged.
@@ -58,7 +58,9 @@ class Hdf5Writer {
   /// @return the series' number, from 0.
   std::size_t add_series(const Hdf5Series& series, const std::array<std::size_t, 2>& chunk);
 
-  /// Finds a series of a file that is extended, keeps its first `rows` rows and drops the others.
+  /// Finds a series of a file that is extended. The rows that are appended follow its first `rows`
+  /// rows; they replace others that come after these, which remain until then. (To drop rows writes
+  /// over what the structure on the disk refers to, until the next flush.)
   /// @return the series' number. @throws InputError if it is missing or shorter.
   std::size_t find_series(const Hdf5Series& series, std::size_t rows);
 

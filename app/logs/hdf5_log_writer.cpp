@@ -93,7 +93,6 @@ void Hdf5Log::find_structure(std::size_t kept) {
   times_.number = file_.find_series({"time", "s", {}, {}}, kept);
   list_series([&](const Hdf5Series& series) { return file_.find_series(series, kept); });
   written_ = kept;
-  flush();  // New rows may take the place of those that are dropped.
   started_ = true;
 }
 

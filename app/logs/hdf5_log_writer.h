@@ -19,7 +19,8 @@ namespace app {
 /// writes the rest. A killed program loses the rows of the last second.
 class Hdf5Log : public Log {
  public:
-  /// Replaces the file, or keeps its first `kept` rows.
+  /// Replaces the file, or keeps its first `kept` rows. Those after them, which a killed run has
+  /// logged, remain until they are written again with the same numbers.
   /// @throws InputError if the file cannot be written, or the program has no HDF5
   Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,
           const std::optional<std::size_t>& kept = {});

@@ -4,12 +4,20 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <system_error>
+#include <thread>
 
 #include "app/scene/diagnostics.h"
 
 namespace app {
+namespace {
+
+/// A killed run may still be writing what it has begun (Hdf5Writer::flush).
+constexpr std::chrono::seconds kPatience(1);
+
+}  // namespace
 
 OutputFolder::OutputFolder(const std::filesystem::path& path, Use use) : path_(path) {
   std::error_code error;
@@ -19,9 +27,16 @@ OutputFolder::OutputFolder(const std::filesystem::path& path, Use use) : path_(p
   if (!lock_.is_open())
     throw scene::InputError(path_, fmt::format("cannot be opened: {}", std::strerror(errno)));
   using Lock = LockedFile::Lock;
-  if (!lock_.try_lock(use == Use::alone ? Lock::exclusive : Lock::shared))
+  const Lock lock = use == Use::alone ? Lock::exclusive : Lock::shared;
+  const auto patient_until = std::chrono::steady_clock::now() + kPatience;
+  while (!lock_.try_lock(lock)) {
+    if (std::chrono::steady_clock::now() < patient_until) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      continue;
+    }
     throw scene::InputError(path_,
                             "another run is writing to this folder; name another with --out");
+  }
 }
 
 }  // namespace app

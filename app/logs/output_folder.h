@@ -15,7 +15,8 @@ class OutputFolder {
     shared  ///< Shared with other users of this value, which keep their files apart.
   };
 
-  /// Creates and locks the folder. @throws InputError if it cannot be created or is in use.
+  /// Creates and locks the folder.
+  /// @throws InputError if it cannot be created or is in use for a second
   explicit OutputFolder(const std::filesystem::path& path, Use use = Use::alone);
 
   const std::filesystem::path& path() const { return path_; }
