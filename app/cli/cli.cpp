@@ -91,6 +91,7 @@ struct Arguments {
   std::vector<double> center_of_mass;
   std::string heels = "0:60:5";
   std::vector<std::filesystem::path> scenes;
+  bool expand = false;
   std::filesystem::path scene;
   std::vector<std::string> sets;
   std::vector<std::string> tolerances;
@@ -172,6 +173,9 @@ void add_others(CLI::App& program, Arguments& a) {
       program.add_subcommand("check", "Validate scenes and their meshes; run nothing");
   check->add_option("scenes", a.scenes, "Scene files")->type_name("FILE")->required();
   add_sets(check, a);
+  check->add_flag("--expand", a.expand,
+                  "Print the scenes without includes, variables and repeated entries, and check "
+                  "nothing else");
 
   CLI::App* probe =
       program.add_subcommand("probe", "Print the forces on every body in its initial state (JSON)");
@@ -360,7 +364,8 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("view")) return view(a.view);
   if (program.got_subcommand("sweep")) return sweep(a.sweep);
   if (program.got_subcommand("new")) return new_scene(a.scene);
-  if (program.got_subcommand("check")) return check(a.scenes, overrides);
+  if (program.got_subcommand("check"))
+    return a.expand ? print_expanded(a.scenes, overrides) : check(a.scenes, overrides);
   if (program.got_subcommand("probe")) return probe(a.scene, overrides);
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);

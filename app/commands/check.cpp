@@ -46,4 +46,12 @@ int check(const std::vector<std::filesystem::path>& scenes,
   return kDone;
 }
 
+int print_expanded(const std::vector<std::filesystem::path>& scenes,
+                   const std::vector<scene::Override>& overrides) {
+  for (const std::filesystem::path& file : scenes)
+    fmt::print("{}{}", scenes.size() > 1 ? "---\n" : "", scene::resolved_text(file, overrides));
+  flush_output();
+  return kDone;
+}
+
 }  // namespace app

@@ -12,4 +12,9 @@ namespace app {
 int check(const std::vector<std::filesystem::path>& scenes,
           const std::vector<scene::Override>& overrides);
 
+/// Prints scenes as YAML without includes, variables and repeated entries. @return the exit code
+/// @throws InputError with the faults of these
+int print_expanded(const std::vector<std::filesystem::path>& scenes,
+                   const std::vector<scene::Override>& overrides);
+
 }  // namespace app

@@ -2,6 +2,12 @@
 
 #include <fmt/format.h>
 #include <png.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
 
 namespace render {
 namespace {
@@ -29,8 +35,15 @@ void write_png(const Image& image, const std::filesystem::path& file) {
   png->format = PNG_FORMAT_RGB;
   // The fast setting takes a tenth of the time and a quarter more bytes.
   png->flags = PNG_IMAGE_FLAG_FAST;
-  if (!png_image_write_to_file(png.get(), file.c_str(), 0, image.rgb.data(), 0, nullptr))
-    throw Error(fmt::format("{}: cannot write the picture: {}", file.string(), png->message));
+  const std::string part = fmt::format("{}.part-{}", file.string(), ::getpid());
+  std::string fault;
+  if (!png_image_write_to_file(png.get(), part.c_str(), 0, image.rgb.data(), 0, nullptr))
+    fault = png->message;
+  else if (std::rename(part.c_str(), file.c_str()) != 0)
+    fault = std::strerror(errno);
+  if (fault.empty()) return;
+  std::remove(part.c_str());
+  throw Error(fmt::format("{}: cannot write the picture: {}", file.string(), fault));
 }
 
 Image read_png(const std::filesystem::path& file) {

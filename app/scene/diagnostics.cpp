@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +15,18 @@ std::string joined(const std::vector<Fault>& faults) {
   std::string text;
   for (const Fault& fault : faults) text += (text.empty() ? "" : "\n") + to_string(fault);
   return text;
+}
+
+/// `bodies[7].mass` → `bodies[].mass`
+std::string without_indices(const std::string& key_path) {
+  std::string path;
+  bool inside = false;
+  for (const char c : key_path) {
+    inside = inside && c != ']';
+    if (!inside) path += c;
+    inside = inside || c == '[';
+  }
+  return path;
 }
 
 /// Returns the path without its last part; empty for a key of the top level.
@@ -61,6 +74,13 @@ void Faults::throw_if_any() const {
   std::vector<Fault> sorted = faults_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Fault& a, const Fault& b) {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  // The copies of a repeated entry have the same faults at the same place.
+  std::set<std::tuple<std::filesystem::path, int, int, std::string, std::string>> seen;
+  std::erase_if(sorted, [&](const Fault& f) {
+    return f.place.line > 0 && !seen.emplace(f.place.file, f.place.line, f.place.column,
+                                             without_indices(f.key_path), f.message)
+                                    .second;
   });
   throw InputError(std::move(sorted));
 }

@@ -62,7 +62,7 @@ constexpr std::size_t kLongestFormula = 1000;
 
 double remainder_of(double x, double y) { return x - y * std::floor(x / y); }
 
-void define_all(mu::Parser& parser, double* time) {
+void define_all(mu::Parser& parser) {
   parser.ClearFun();
   parser.ClearConst();
   parser.ClearInfixOprt();
@@ -77,12 +77,11 @@ void define_all(mu::Parser& parser, double* time) {
   parser.DefineFun("max", [](const double* x, int n) { return *std::max_element(x, x + n); });
   parser.DefineConst("pi", std::numbers::pi);
   parser.DefineConst("e", std::numbers::e);
-  parser.DefineVar("t", time);
 }
 
-/// The names that a formula may have.
+/// The names that a formula may have besides those of its own.
 std::vector<std::string> known_names() {
-  std::vector<std::string> names = {"t", "pi", "e"};
+  std::vector<std::string> names = {"pi", "e"};
   for (const NamedFunction& f : kFunctions) names.emplace_back(f.name);
   for (const char* name : kManyArguments) names.emplace_back(name);
   return names;
@@ -141,7 +140,7 @@ void check_characters(const std::string& text) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && signs.find(c) == std::string::npos)
       refuse(
           static_cast<unsigned char>(c) < 0x80 && c > ' ' ? std::string(1, c) : "a letter or sign",
-          i, "a formula in t");
+          i, "a formula");
     if (c != '=') continue;
     const bool ends = i > 0 && std::string("<>=!").find(text[i - 1]) != std::string::npos;
     if (!ends && (i + 1 == text.size() || text[i + 1] != '='))
@@ -149,15 +148,31 @@ void check_characters(const std::string& text) {
   }
 }
 
-void check_names(const std::string& text) {
-  const std::vector<std::string> known = known_names();
+std::string expected_names(const std::vector<std::string>& own) {
+  std::vector<std::string> names(own.begin(), own.end());
+  names.insert(names.end(), {"pi", "e", "a function"});
+  return app::enumerate(names, "or");
+}
+
+/// @param own   Names that the formula has besides constants and functions.
+void check_names(const std::string& text, const std::vector<std::string>& own) {
+  std::vector<std::string> known = known_names();
+  known.insert(known.begin(), own.begin(), own.end());
   for (const Word& word : words_in(text)) {
     if (std::find(known.begin(), known.end(), word.text) != known.end()) continue;
     const std::string hint = app::did_you_mean(word.text, known);
     throw FormulaError(fmt::format("found the unknown name {} at character {}{}", word.text,
                                    word.at + 1,
-                                   hint.empty() ? ", expected t, pi, e or a function" : hint));
+                                   hint.empty() ? ", expected " + expected_names(own) : hint));
   }
+}
+
+/// The parser with all that formulas may have. @throws FormulaError
+void set_expression(mu::Parser& parser, const std::string& text) {
+  parser.SetExpr(text);
+  int values = 0;
+  parser.Eval(values);
+  if (values != 1) throw FormulaError("has several values, expected one");
 }
 
 bool may_jump(const std::string& text) {
@@ -193,7 +208,7 @@ std::string explained(const mu::Parser::exception_type& error, const std::string
       break;
   }
   const std::string token = error.GetToken();
-  return fmt::format("cannot be read {}{}, expected a formula in t", where,
+  return fmt::format("cannot be read {}{}, expected a formula", where,
                      token.empty() ? "" : ", where it has " + token.substr(0, 20));
 }
 
@@ -201,11 +216,9 @@ std::string explained(const mu::Parser::exception_type& error, const std::string
 
 struct Formula::Parser {
   explicit Parser(const std::string& text) : jumps(may_jump(text)) {
-    define_all(parser, &time);
-    parser.SetExpr(text);
-    int values = 0;
-    parser.Eval(values);
-    if (values != 1) throw FormulaError("has several values, expected one");
+    define_all(parser);
+    parser.DefineVar("t", &time);
+    set_expression(parser, text);
   }
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
@@ -217,7 +230,7 @@ struct Formula::Parser {
 
 Formula::Formula(const std::string& text) {
   check_characters(text);
-  check_names(text);
+  check_names(text, {"t"});
   try {
     parser_ = std::make_unique<Parser>(text);
   } catch (const mu::Parser::exception_type& error) {
@@ -240,9 +253,30 @@ double Formula::at(double time) const {
 
 bool Formula::jumps() const { return parser_->jumps; }
 
+double evaluated(const std::string& text, const std::map<std::string, double>& constants) {
+  check_characters(text);
+  std::vector<std::string> own;
+  for (const auto& [name, value] : constants) own.push_back(name);
+  check_names(text, own);
+  try {
+    mu::Parser parser;
+    define_all(parser);
+    for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+    set_expression(parser, text);
+    return parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw FormulaError(explained(error, text));
+  }
+}
+
+bool is_formula_name(const std::string& name) {
+  const std::vector<std::string> known = known_names();
+  return name == "t" || std::find(known.begin(), known.end(), name) != known.end();
+}
+
 std::string formula_functions() {
   std::vector<std::string> names = known_names();
-  names.erase(names.begin(), names.begin() + 3);
+  names.erase(names.begin(), names.begin() + 2);
   return app::enumerate(names, "and");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,13 @@ class Formula {
   struct Parser;
   std::unique_ptr<Parser> parser_;
 };
+
+/// Returns the value of a formula without the time, with further constants.
+/// @throws FormulaError
+double evaluated(const std::string& text, const std::map<std::string, double>& constants);
+
+/// True for names that have a meaning in formulas: `t`, the constants and the functions.
+bool is_formula_name(const std::string& name);
 
 /// Returns the functions of formulas as a text: `sin, cos, …`.
 std::string formula_functions();

@@ -17,6 +17,22 @@ namespace {
 constexpr auto kMeanings = std::to_array<Meaning>({
     {"plimsoll", "Version of the scene format."},
     {"title", "Title for reports and tools. It has no effect on the run."},
+    {"include",
+     "Scene files whose keys this scene has, too. [Keys of later "
+     "files](#files-that-a-scene-includes) "
+     "go over those of earlier ones, and those of the scene over all."},
+    {"variables", "Numbers and texts for `${…}` [in values](#variables)."},
+    {"variables.NAME", "Value of `${NAME}`; it may use variables before it."},
+    {"bodies[].repeat",
+     "Makes [copies](#repeated-entries) of the body, named `NAME_0`, `NAME_1`, …. Any map in a "
+     "list "
+     "of a scene may have this block."},
+    {"bodies[].repeat.count", "Number of copies in one place; `jitter` moves them apart."},
+    {"bodies[].repeat.grid", "Numbers of copies along x, y and z."},
+    {"bodies[].repeat.spacing", "Distances between the copies of a grid along x, y and z."},
+    {"bodies[].repeat.jitter",
+     "Largest random shift of each copy along x, y and z, either way; all shifts are as likely."},
+    {"bodies[].repeat.seed", "Seed of the shifts: equal seeds give equal shifts."},
     {"duration", "Simulated time. With 0 the run consists of the initial state."},
     {"step",
      "Time step; the default is 1/60 s. The engine divides a step into substeps where the motion "

@@ -3,16 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "app/scene/include.h"
 #include "app/scene/reader_blocks.h"
 #include "app/scene/reader_overrides.h"
+#include "app/scene/repeat.h"
 #include "app/scene/rig_names.h"
+#include "app/scene/variables.h"
 #include "app/scene/yaml_reader.h"
+#include "app/scene/yaml_text.h"
 
 namespace scene {
 
 namespace {
+
+/// Keys of the top level that begin so are places for anchors.
+const char* const kUnread = "x-";
 
 const char* const kVersion = "1";
 const char* const kVersionExpected = "1, the version of the scene format";
@@ -29,6 +37,14 @@ void read(MapReader& map, LogBlock& log) {
   if (log.every == 0.0) log.every.reset();
   map.optional("forces", log.forces, TruthRule{});
   map.blocks("probes", log.probes);
+}
+
+/// Stands for a variable in the list of keys.
+struct VariableBlock {};
+
+void read(MapReader& map, std::vector<VariableBlock>&) {
+  for (const std::string& name : map.names())
+    map.find(name, "a number or a text", "", {{.kind = ValueShape::Kind::text}});
 }
 
 /// The ground and its surface.
@@ -148,17 +164,58 @@ void check_version(const YamlNode& root, Reading& reading) {
   reading.faults.throw_if_any();
 }
 
-YamlNode read_tree(const std::string& text, const std::filesystem::path& file,
+/// Applies overrides. @return those that name what is not there yet
+std::vector<Override> apply_early(const std::vector<Override>& overrides, YamlNode& root) {
+  std::vector<Override> later;
+  for (const Override& override : overrides) {
+    YamlNode changed = root;
+    Faults faults;
+    apply_override(override, changed, faults);
+    if (faults.empty())
+      root = std::move(changed);
+    else
+      later.push_back(override);
+  }
+  return later;
+}
+
+/// Reads the text of a scene as a tree in which nothing is short: with the files that it includes
+/// and the copies of what it repeats, without variables.
+/// @throws InputError with all faults of these
+YamlNode read_tree(const std::string& text, Reading& reading,
                    const std::vector<Override>& overrides) {
+  const std::filesystem::path& file = reading.file;
   YamlNode root = parse_yaml(text, file);
   if (root.is(YamlNode::Kind::null)) throw InputError(file, "found no keys, expected a scene");
   if (!root.is(YamlNode::Kind::map))
     throw InputError({Fault{{file, root.mark.line, root.mark.column},
                             "",
                             "found " + describe(root) + ", expected a map of keys"}});
-  Faults faults;
-  for (const Override& override : overrides) apply_override(override, root, faults);
-  faults.throw_if_any();
+  const auto of_include = [](const Override& o) { return o.key_path.starts_with(kInclude); };
+  std::vector<Override> first, others;
+  std::ranges::partition_copy(overrides, std::back_inserter(first), std::back_inserter(others),
+                              of_include);
+  for (const Override& override : first) apply_override(override, root, reading.faults);
+  reading.faults.throw_if_any();
+  include_files(root, file);
+  const std::vector<Override> later = apply_early(others, root);
+  std::erase_if(root.entries, [](const YamlEntry& e) { return e.key.starts_with(kUnread); });
+  collect_places(root, "", reading);
+  Variables variables;
+  try {
+    if (const YamlNode* map = root.find("variables")) variables = read_variables(*map);
+  } catch (const VariableFault& fault) {
+    const std::string path = fault.name.empty() ? "variables" : "variables." + fault.name;
+    reading.faults.add({reading.place(fault.mark), path, fault.message});
+    reading.faults.throw_if_any();
+  }
+  std::erase_if(root.entries, [](const YamlEntry& e) { return e.key == "variables"; });
+  expand(variables, root, reading);
+  // The name of a copy, as crate_7, is known from here on.
+  for (const Override& override : later) apply_override(override, root, reading.faults);
+  add_unknown_keys(reading);
+  reading.faults.throw_if_any();
+  reading.places.clear();
   return root;
 }
 
@@ -192,6 +249,11 @@ void read(MapReader& map, Scene& scene) {
   map.find("plimsoll", kVersionExpected, "required",
            {{.kind = ValueShape::Kind::whole, .lo = 1, .hi = 1}});
   map.optional("title", scene.title, TextRule{});
+  // A tree that is read has neither of these any more; here they are listed.
+  map.find("include", "a file, or a list of files", "[]",
+           {{.kind = ValueShape::Kind::file}, list_shape({.kind = ValueShape::Kind::file}, 0)});
+  std::vector<VariableBlock> none;
+  map.block("variables", none);
   map.required("duration", scene.duration, not_negative("s"));
   map.optional("step", scene.step, positive("s"));
   map.optional("gravity", scene.gravity, not_negative("m/s^2"));
@@ -248,9 +310,9 @@ Scene read(const std::filesystem::path& file, const std::vector<Override>& overr
 
 Scene parse(std::string text, const std::filesystem::path& file,
             const std::vector<Override>& overrides) {
-  const YamlNode root = read_tree(text, file, overrides);
   Reading reading;
   reading.file = file;
+  const YamlNode root = read_tree(text, reading, overrides);
   collect_places(root, "", reading);
   check_version(root, reading);
 
@@ -265,6 +327,13 @@ Scene parse(std::string text, const std::filesystem::path& file,
   scene.text = std::move(text);
   scene.places = std::move(reading.places);
   return scene;
+}
+
+std::string resolved_text(const std::filesystem::path& file,
+                          const std::vector<Override>& overrides) {
+  Reading reading;
+  reading.file = file;
+  return yaml_text(read_tree(read_text(file), reading, overrides));
 }
 
 KeyCatalogue key_catalogue() {

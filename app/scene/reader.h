@@ -16,6 +16,12 @@ bool is_scene_file(const std::filesystem::path& file);
 /// @throws InputError with every fault, in the order of the file but those of overrides first.
 Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
+/// Returns a scene as YAML without includes, variables and repeated entries, and with the overrides
+/// put in.
+/// @throws InputError with the faults of these, others are not looked for
+std::string resolved_text(const std::filesystem::path& file,
+                          const std::vector<Override>& overrides);
+
 /// Reads and checks the text of a scene.
 /// @param file   File named in faults; paths in the scene are relative to its folder.
 Scene parse(std::string text, const std::filesystem::path& file,

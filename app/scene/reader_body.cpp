@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scene/reader_blocks.h"
+#include "app/scene/repeat.h"
 #include "hydro/decompositions.h"
 
 namespace scene {
@@ -180,6 +181,9 @@ void read(MapReader& map, Body& body) {
   read_locks(map, body.locked);
   map.blocks("forces", body.forces);
   map.optional("color", body.color, between(0, 1));
+  // Bodies that are read have been repeated; here the key is listed.
+  Repeat repeat;
+  map.block("repeat", repeat);
   check_start(map, body);
 }
 

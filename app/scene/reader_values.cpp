@@ -11,15 +11,6 @@ namespace scene {
 
 namespace {
 
-/// Cuts a text so that its fault stays one short line.
-std::string shortened(const std::string& text) {
-  constexpr std::size_t kLongest = 40;
-  std::string line;
-  for (const char c : text.substr(0, kLongest)) line += c == '\n' || c == '\r' ? ' ' : c;
-  while (!line.empty() && text.size() > kLongest && (line.back() & 0x80) != 0) line.pop_back();
-  return text.size() > kLongest ? line + "…" : line;
-}
-
 /// Parses a decimal number with an optional point and exponent. Leading zeros have no meaning.
 template <class T>
 std::errc parse(const YamlNode& node, T& target) {
@@ -71,9 +62,22 @@ bool read_list(const Value& value, std::span<T> target, const std::string& expec
 
 }  // namespace
 
-Place Reading::place(Mark mark) const {
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 40;
+  std::string line;
+  for (const char c : text.substr(0, kLongest)) line += c == '\n' || c == '\r' ? ' ' : c;
+  while (!line.empty() && text.size() > kLongest && (line.back() & 0x80) != 0) line.pop_back();
+  return text.size() > kLongest ? line + "…" : line;
+}
+
+std::optional<double> plain_number(const YamlNode& node) {
+  double number = 0;
+  return parse(node, number) == std::errc{} ? std::optional(number) : std::nullopt;
+}
+
+Place Reading::place(const Mark& mark) const {
   if (mark.line == 0) return {kOverridePlace};
-  return {file, mark.line, mark.column};
+  return {mark.file ? *mark.file : file, mark.line, mark.column};
 }
 
 void Reading::fault(const std::string& key_path, const std::string& message) {
@@ -185,6 +189,8 @@ bool read_word(const Value& value, const std::vector<std::string>& words, std::s
 std::string number_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
+
+std::string exact_text(double value) { return fmt::format("{}", value); }
 
 std::string list_text(std::span<const double> values) {
   std::string text;

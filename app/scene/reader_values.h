@@ -39,7 +39,7 @@ struct Reading {
   std::vector<UnknownKey> unknown_keys;
   KeyCatalogue catalogue;  ///< Every key that was asked for, if keys are listed.
 
-  Place place(Mark mark) const;
+  Place place(const Mark& mark) const;
   /// Adds a fault of one key, at the place of the key or of the block around it.
   void fault(const std::string& key_path, const std::string& message);
 };
@@ -55,6 +55,11 @@ struct Value {
   void fault(const std::string& message) const;
   Value item(std::size_t index) const;
 };
+
+/// Cuts a text so that its fault stays one short line.
+std::string shortened(const std::string& text);
+/// Returns a decimal number without quotes; none if the value is none.
+std::optional<double> plain_number(const YamlNode& node);
 
 /// Describes the value for a fault: `-5`, `"5"`, `a list of 3`.
 std::string describe(const YamlNode& node);
@@ -107,7 +112,10 @@ bool read_whole(const Value& value, const NumberRule& rule, const std::string& e
 bool read_numbers(const Value& value, const NumberRule& rule, std::span<double> target);
 bool read_wholes(const Value& value, const NumberRule& rule, std::span<int> target);
 bool read_word(const Value& value, const std::vector<std::string>& words, std::size_t& index);
+/// Returns a number with six digits, as documents show it.
 std::string number_text(double value);
+/// Returns a number with as many digits as it takes to read the same number back.
+std::string exact_text(double value);
 std::string list_text(std::span<const double> values);
 
 /// Applies a rule to a field of some type: `read` (false after a fault), `expected` in words,

@@ -17,6 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ShapeKind = ValueShape::Kind;
 
+/// A text with a variable, which may stand for any number, word or truth value.
+const char* const kVariable = "[$][{]";
+
 /// `bodies[].mass` → `bodies[]`; empty for a key of the top level.
 std::string block_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
@@ -50,7 +53,8 @@ Json to_json(const YamlNode& node) {
 }
 
 Json number_schema(const ValueShape& shape) {
-  Json schema = {{"type", shape.kind == ShapeKind::whole ? "integer" : "number"}};
+  Json schema = {{"type", {shape.kind == ShapeKind::whole ? "integer" : "number", "string"}},
+                 {"pattern", kVariable}};
   if (shape.lo == shape.hi) return {{"const", yaml_scalar(fmt::format("{:g}", shape.lo))}};
   const auto limit = [](double value) { return yaml_scalar(fmt::format("{:.17g}", value)); };
   if (std::isfinite(shape.lo))
@@ -76,6 +80,9 @@ class SchemaWriter {
       if (key.fallback == "required") required.push_back(key_of(key.path));
     }
     schema["properties"] = properties;
+    if (path.empty()) schema["patternProperties"] = {{"^x-", true}};
+    if (path.ends_with("[]") && !properties.contains("repeat"))
+      schema["properties"]["repeat"] = repetition();
     if (!required.empty()) schema["required"] = required;
     add_choices(path, schema);
     add_conditions(path, schema);
@@ -83,6 +90,13 @@ class SchemaWriter {
   }
 
  private:
+  /// Describes the block that any map in a list may have.
+  Json repetition() const {
+    const auto key = std::ranges::find(catalogue_.keys, "bodies[].repeat", &KeyDescription::path);
+    return {{"description", description(*key)},
+            {"allOf", {{{"$ref", "#/properties/bodies/items/properties/repeat"}}}}};
+  }
+
   /// Describes a map whose keys the user names.
   Json named_entries(const KeyDescription& entry) const {
     return {{"type", "object"},
@@ -117,9 +131,9 @@ class SchemaWriter {
       case ShapeKind::whole:
         return number_schema(shape);
       case ShapeKind::word:
-        return {{"enum", shape.words}};
+        return {{"anyOf", {{{"enum", shape.words}}, {{"type", "string"}, {"pattern", kVariable}}}}};
       case ShapeKind::truth:
-        return {{"type", "boolean"}};
+        return {{"type", {"boolean", "string"}}, {"pattern", kVariable}};
       case ShapeKind::off:
         return {{"const", false}};
       case ShapeKind::text:

@@ -39,7 +39,7 @@ struct Refusal {
   std::string message;
 };
 
-Mark to_mark(const YAML::Mark& mark) { return {mark.line + 1, mark.column + 1}; }
+Mark to_mark(const YAML::Mark& mark) { return {.line = mark.line + 1, .column = mark.column + 1}; }
 
 std::size_t count_nodes(const YamlNode& node) {
   std::size_t count = 1;
@@ -228,11 +228,14 @@ std::size_t utf8_length(const std::string& text, std::size_t i) {
 
 /// Returns the place of the first byte that is not UTF-8 text.
 std::optional<Mark> first_bad_byte(const std::string& text) {
-  Mark mark{1, 1};
+  Mark mark{.line = 1, .column = 1};
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
     if (length == 0) return mark;
-    mark = text[i] == '\n' ? Mark{mark.line + 1, 1} : Mark{mark.line, mark.column + 1};
+    if (text[i] == '\n')
+      mark = {.line = mark.line + 1, .column = 1};
+    else
+      ++mark.column;
     i += length;
   }
   return std::nullopt;
@@ -268,9 +271,17 @@ bool runs_to_the_end(std::string_view text) {
 
 /// Returns a hint at a tab, for which the library only reports an illegal map value.
 std::string tab_hint(const std::string& text, Mark mark) {
-  const std::string_view line = text_from(text, {mark.line, 1});
+  const std::string_view line = text_from(text, {.line = mark.line, .column = 1});
   const std::size_t first = line.find_first_not_of(' ');
   return first != std::string_view::npos && line[first] == '\t' ? " (tabs cannot indent)" : "";
+}
+
+/// Returns a hint at a variable in a flow list or map, where its brace opens a map.
+std::string variable_hint(const std::string& text, const std::string& message) {
+  const bool in_flow = message.find("flow") != std::string::npos;
+  return in_flow && text.find("${") != std::string::npos
+             ? " (between { } and [ ] a ${…} needs quotes)"
+             : "";
 }
 
 InputError input_error(const std::filesystem::path& file, Mark mark, const std::string& message) {
@@ -324,7 +335,8 @@ YamlNode parse_yaml(const std::string& text, const std::filesystem::path& file) 
   } catch (const YAML::Exception& error) {
     const Mark mark = to_mark(error.mark);
     throw input_error(file, mark,
-                      "not valid YAML: " + parser_message(error.msg) + tab_hint(text, mark));
+                      "not valid YAML: " + parser_message(error.msg) + tab_hint(text, mark) +
+                          variable_hint(text, error.msg));
   }
   return builder.take_root();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace scene {
 struct Mark {
   int line = 0;
   int column = 0;
+  std::shared_ptr<const std::filesystem::path> file = {};  ///< Null: that of the scene.
 };
 
 struct YamlEntry;

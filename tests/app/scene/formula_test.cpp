@@ -53,7 +53,7 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(fault_of("3*sinn(t)"), "found the unknown name sinn at character 3; did you mean sin?");
   EXPECT_EQ(fault_of("t = 3"),
             "found = at character 3, expected == to compare; a formula assigns nothing");
-  EXPECT_EQ(fault_of("3 + \"a\""), "found \" at character 5, expected a formula in t");
+  EXPECT_EQ(fault_of("3 + \"a\""), "found \" at character 5, expected a formula");
   EXPECT_THAT(fault_of("3*(t + 1"), HasSubstr("bracket without its partner"));
   EXPECT_THAT(fault_of("t + 1)"), HasSubstr("bracket without its partner at character 6"));
   EXPECT_EQ(fault_of("3*"), "ends too early, expected another term");

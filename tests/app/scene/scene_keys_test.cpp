@@ -647,6 +647,10 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
       if (!path.empty()) met.insert(key_of(path));
   std::set<std::string> listed;
   for (const scene::KeyDescription& key : scene::key_catalogue().keys) listed.insert(key.path);
+  // A scene that has been read has none of these any more.
+  std::erase_if(listed, [](const std::string& key) {
+    return key == "include" || key.starts_with("variables") || key.starts_with("bodies[].repeat");
+  });
   for (const std::string& key : listed) EXPECT_TRUE(met.contains(key)) << key;
   for (const std::string& key : met) EXPECT_TRUE(listed.contains(key)) << key;
 }

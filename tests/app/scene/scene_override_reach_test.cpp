@@ -74,6 +74,8 @@ std::vector<std::string> faults_at(const std::string& key_path, const std::strin
 bool needs_others(const std::string& fault) {
   for (const char* reason : {"missing, ",
                              "found a zero",
+                             "is no map of keys",
+                             "copies, expected at most",
                              "expected a symmetric matrix",
                              "found the principal moments",
                              "there is no body named",
