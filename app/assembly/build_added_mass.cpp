@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/assembly/memory_need.h"
+#include "app/base/machine.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
@@ -97,6 +99,21 @@ AddedMassReport add_deep(const CenteredMesh& solid, const StoredAddedMass& store
       .model = Model::deep, .matrix = density * model->whole(), .stored = stored, .surface = {}};
 }
 
+/// Warns of a solution that takes more memory than is free.
+/// @throws InputError if it cannot be found so
+void check_memory(const std::string& what, const hydro::TriMesh& mesh,
+                  const hydro::AddedMassOptions& options, app::Reporter& reporter) {
+  const auto triangles = static_cast<double>(mesh.face_count());
+  const auto verdict =
+      app::judged_need(added_mass_bytes(triangles, options), app::available_memory());
+  if (!verdict) return;
+  const std::string text = fmt::format("{} of {:.3g} triangles {}", what, triangles, verdict->text);
+  if (verdict->fault)
+    throw scene::InputError(
+        {scene::Fault{{}, "", text + "; use a coarser mesh, or another model"}});
+  reporter.warning(text);
+}
+
 }  // namespace
 
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
@@ -107,6 +124,7 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
       store.file_of(mesh, options), what, reporter,
       [&] { return store.find(mesh, options, reporter); },
       [&] {
+        check_memory(what, mesh, options, reporter);
         reporter.working_on(fmt::format("{}: solving for {} triangles, once for this mesh", what,
                                         mesh.face_count()));
         hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);
@@ -135,6 +153,8 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
       const StoredAddedMass stored = solved_added_mass(
           body.name, solid.mesh_C, {.tolerance = added_mass.tolerance}, store, reporter);
       built.added_mass[i] = add_deep(solid, stored, built.spec.sea->density, models, body);
+    } catch (const scene::InputError& error) {
+      faults.add(scene.places, fmt::format("bodies[{}].hydro.added_mass", i), error.what());
     } catch (const std::invalid_argument& error) {
       faults.add(scene.places, fmt::format("bodies[{}].hydro.added_mass", i), error.what());
     }

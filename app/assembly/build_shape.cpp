@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "app/assembly/height_io.h"
+#include "app/assembly/memory_need.h"
 #include "app/assembly/mesh_io.h"
+#include "app/base/machine.h"
 #include "hydro/mesh/primitives.h"
 
 namespace assembly {
@@ -39,6 +41,19 @@ hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
   return kept;
 }
 
+/// Adds a warning, or a fault, if a body of so many triangles takes more memory than is free. What
+/// earlier bodies take is no longer free. @return false after a fault
+bool has_memory(double triangles, const std::string& key, BuildLog& log) {
+  const auto verdict = app::judged_need(body_bytes(triangles), app::available_memory());
+  if (!verdict) return true;
+  const std::string text = fmt::format("{}: {:.3g} triangles", verdict->text, triangles);
+  if (verdict->fault)
+    log.faults.add(log.scene.places, key, text);
+  else
+    log.warnings.push_back(fmt::format("{}: {}", key, text));
+  return !verdict->fault;
+}
+
 }  // namespace
 
 std::string shape_key_path(const scene::Shape& shape, const std::string& key_path) {
@@ -48,7 +63,12 @@ std::string shape_key_path(const scene::Shape& shape, const std::string& key_pat
 
 hydro::TriMesh mesh_from_file(const scene::Mesh& mesh, const std::string& key_path, BuildLog& log) {
   try {
-    return hydro::scaled(read_mesh(mesh.file), mesh.scale);
+    auto found = log.read.find(mesh.file);
+    if (found == log.read.end())
+      found = log.read.emplace(mesh.file, read_mesh(mesh.file, log.scene.mesh_formats)).first;
+    if (!has_memory(static_cast<double>(found->second.face_count()), key_path + ".file", log))
+      return {};
+    return hydro::scaled(found->second, mesh.scale);
   } catch (const scene::InputError& error) {
     for (const scene::Fault& fault : error.faults())
       log.faults.add(log.scene.places, key_path + ".file",
@@ -60,6 +80,7 @@ hydro::TriMesh mesh_from_file(const scene::Mesh& mesh, const std::string& key_pa
 hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path, BuildLog& log) {
   const std::string key = shape_key_path(shape, key_path);
   if (const auto* mesh = std::get_if<scene::Mesh>(&shape)) return mesh_from_file(*mesh, key, log);
+  if (!has_memory(triangles_of(shape), key, log)) return {};
   try {
     return primitive(shape);
   } catch (const std::invalid_argument& error) {

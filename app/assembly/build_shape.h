@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,8 @@ struct BuildLog {
   scene::Faults faults;
   std::vector<std::string> notes;
   std::vector<std::string> warnings = {};
+  /// The meshes that were read, by file: several bodies may have the same.
+  std::map<std::filesystem::path, hydro::TriMesh> read = {};
 };
 
 /// Returns the mesh of a shape in the mesh frame [m], not yet checked. After a fault, which goes to

@@ -3,12 +3,13 @@
 #include <filesystem>
 
 #include "app/base/reporter.h"
+#include "app/scene/shape.h"
 #include "hydro/mesh/mesh.h"
 
 namespace assembly {
 
-/// Reads the triangles of a mesh file in any format that assimp reads. All parts become one mesh in
-/// the file's own frame and units, and coinciding vertices are welded.
+/// Reads the triangles of a mesh file, in a process of its own (mesh_reader_process.h). All parts
+/// become one mesh in the file's own frame and units, and coinciding vertices are welded.
 ///
 /// The file's node transformations place the parts. Polygons are cut into triangles; points, lines
 /// and unused vertices are dropped. The extension selects the format. A Collada file names its unit
@@ -17,12 +18,15 @@ namespace assembly {
 /// the largest coordinate along every axis, one step of a float there: formats that list the
 /// corners of each triangle repeat them bit for bit, and only seams that were computed twice (cos 0
 /// and cos 2π) need a tolerance. Triangles that lose a corner are dropped.
+/// @param formats   Formats besides the common ones are read on request only.
 /// @throws InputError if the file cannot be read, has no triangle or a vertex that is not finite.
-hydro::TriMesh read_mesh(const std::filesystem::path& file);
+hydro::TriMesh read_mesh(const std::filesystem::path& file,
+                         scene::MeshFormats formats = scene::MeshFormats::common);
 
 /// Reads a mesh that must be a solid; one that is inward as a whole is reversed.
 /// @param reporter   Receives a note on each change.
 /// @throws InputError as read_mesh, and with every fault that keeps the mesh from being a solid
-hydro::TriMesh read_solid(const std::filesystem::path& file, app::Reporter& reporter);
+hydro::TriMesh read_solid(const std::filesystem::path& file, app::Reporter& reporter,
+                          scene::MeshFormats formats = scene::MeshFormats::common);
 
 }  // namespace assembly

@@ -94,6 +94,7 @@ struct Arguments {
   bool expand = false;
   std::filesystem::path scene;
   std::vector<std::string> sets;
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Of `check` and `probe`.
   std::vector<std::string> tolerances;
   bool markdown = false;
   std::string shell;
@@ -106,6 +107,12 @@ CLI::Option* add_sets(CLI::App* command, Arguments& arguments) {
       ->type_name("KEY.PATH=VALUE")
       ->allow_extra_args(false)
       ->take_all();
+}
+
+CLI::Option* add_any_format(CLI::App* command, scene::MeshFormats& formats) {
+  return command->add_flag_callback(
+      "--any-format", [&formats] { formats = scene::MeshFormats::any; },
+      "Read meshes in any format, beyond .obj, .stl, .ply, .off, .gltf and .glb");
 }
 
 void add_threads(CLI::App* command, int& threads, const char* more = "") {
@@ -140,6 +147,7 @@ void add_run(CLI::App& program, Arguments& a) {
       command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]");
   out->type_name("DIR");
   CLI::Option* sets = add_sets(command, a);
+  CLI::Option* any_format = add_any_format(command, a.run.formats);
   CLI::Option* format = command->add_option_function<std::string>(
       "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
       "Format of the log: csv, or hdf5 for large runs [csv]");
@@ -155,7 +163,7 @@ void add_run(CLI::App& program, Arguments& a) {
   CLI::Option* resume = command->add_option(
       "--resume", a.run.resume, "Instead of a scene: continue the run in DIR from its checkpoint");
   resume->type_name("DIR");
-  for (CLI::Option* other : {scene, out, sets, format, video}) resume->excludes(other);
+  for (CLI::Option* other : {scene, out, sets, any_format, format, video}) resume->excludes(other);
   command->callback([scene, resume] {
     if (scene->empty() && resume->empty()) throw CLI::RequiredError("scene");
   });
@@ -176,11 +184,13 @@ void add_others(CLI::App& program, Arguments& a) {
   check->add_flag("--expand", a.expand,
                   "Print the scenes without includes, variables and repeated entries, and check "
                   "nothing else");
+  add_any_format(check, a.formats);
 
   CLI::App* probe =
       program.add_subcommand("probe", "Print the forces on every body in its initial state (JSON)");
   probe->add_option("scene", a.scene, "Scene file")->type_name("FILE")->required();
   add_sets(probe, a);
+  add_any_format(probe, a.formats);
 
   CLI::App* render = program.add_subcommand("render", "Draw pictures of a logged trajectory");
   render->add_option("trajectory", a.render.trajectory, kTrajectory)->type_name("FILE")->required();
@@ -192,6 +202,7 @@ void add_others(CLI::App& program, Arguments& a) {
       ->required();
   add_video(render, a.render.video);
   add_sets(render, a);
+  add_any_format(render, a.render.formats);
   render->add_flag("--quiet", a.render.quiet, "Print no progress and no report");
 }
 
@@ -199,6 +210,7 @@ void add_view(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("view", "Play a scene in a window, in real time");
   command->add_option("scene", a.view.scene, "Scene file")->type_name("SCENE")->required();
   add_sets(command, a);
+  add_any_format(command, a.view.formats);
   add_threads(command, a.view.threads);
   CLI::Option* snapshot =
       command->add_option("--snapshot", a.view.snapshot, "Save a picture of the window and quit")
@@ -240,6 +252,7 @@ void add_report(CLI::App& program, Arguments& a) {
       ->add_option("--scene", a.report.scene,
                    "Present place of its scene and meshes [that of the run]")
       ->type_name("SCENE");
+  add_any_format(command, a.report.formats);
 }
 
 void add_hydrostatics(CLI::App& program, Arguments& a) {
@@ -266,6 +279,7 @@ void add_hydrostatics(CLI::App& program, Arguments& a) {
       ->type_name("FIRST:LAST:STEP")
       ->capture_default_str();
   add_sets(command, a);
+  add_any_format(command, o.formats);
   command->add_flag("--json", o.json, "Print JSON");
   command->add_flag("--csv", o.csv, "Print CSV, one number per row");
 }
@@ -287,6 +301,7 @@ void add_addedmass(CLI::App& program, Arguments& a) {
           {"galerkin", hydro::AddedMassMethod::galerkin},
           {"constant", hydro::AddedMassMethod::constant}}));
   add_sets(command, a);
+  add_any_format(command, o.formats);
   command->add_flag_callback(
       "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
   command->add_flag("--json", o.json, "Print JSON");
@@ -309,6 +324,7 @@ void add_radiation(CLI::App& program, Arguments& a) {
                    "Frequencies [rad/s], ascending [sixteen, chosen for the body]")
       ->delimiter(',');
   add_sets(command, a);
+  add_any_format(command, o.formats);
   command->add_flag_callback(
       "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
   CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
@@ -365,8 +381,8 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("sweep")) return sweep(a.sweep);
   if (program.got_subcommand("new")) return new_scene(a.scene);
   if (program.got_subcommand("check"))
-    return a.expand ? print_expanded(a.scenes, overrides) : check(a.scenes, overrides);
-  if (program.got_subcommand("probe")) return probe(a.scene, overrides);
+    return a.expand ? print_expanded(a.scenes, overrides) : check(a.scenes, overrides, a.formats);
+  if (program.got_subcommand("probe")) return probe(a.scene, overrides, a.formats);
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
   if (program.got_subcommand("radiation")) return radiation(a.radiation);

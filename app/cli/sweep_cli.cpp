@@ -51,6 +51,9 @@ void add_sweep(CLI::App& program, SweepOptions& o) {
       ->required();
   add_repeated(command, "--set", o.sets, "KEY.PATH=VALUE",
                "Replace or add a key of the scene in all runs");
+  command->add_flag_callback(
+      "--any-format", [&o] { o.formats = scene::MeshFormats::any; },
+      "Read meshes in any format, beyond .obj, .stl, .ply, .off, .gltf and .glb");
   add_manner(command, o);
   CLI::Option* fresh = command->add_flag("--fresh", o.fresh, "Remove earlier results first");
   CLI::Option* slurm = command->add_flag(

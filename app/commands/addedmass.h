@@ -12,7 +12,8 @@ namespace app {
 struct AddedMassCommand {
   std::filesystem::path file;     ///< A scene if its extension is .yaml or .yml, else a mesh.
   std::optional<double> density;  ///< Density of the water [kg/m^3]; none: the scene's, or 1000.
-  std::vector<scene::Override> overrides;  ///< Overrides of a scene.
+  std::vector<scene::Override> overrides;                   ///< Overrides of a scene.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
   hydro::AddedMassOptions options;
   bool store = true;  ///< Solutions are read from the store and written to it.
   bool json = false;

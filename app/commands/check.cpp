@@ -31,11 +31,11 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
 }  // namespace
 
 int check(const std::vector<std::filesystem::path>& scenes,
-          const std::vector<scene::Override>& overrides) {
+          const std::vector<scene::Override>& overrides, scene::MeshFormats formats) {
   std::vector<scene::Fault> faults;
   for (const std::filesystem::path& file : scenes) {
     try {
-      const scene::Scene scene = scene::read(file, overrides);
+      const scene::Scene scene = scene::read(file, overrides, formats);
       describe(scene, assembly::build_without_added_mass(scene));
     } catch (const scene::InputError& error) {
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());

@@ -121,8 +121,9 @@ void add_tables(const engine::SimulationSpec& spec, Json& json) {
 
 }  // namespace
 
-int probe(const std::filesystem::path& file, const std::vector<scene::Override>& overrides) {
-  const scene::Scene scene = scene::read(file, overrides);
+int probe(const std::filesystem::path& file, const std::vector<scene::Override>& overrides,
+          scene::MeshFormats formats) {
+  const scene::Scene scene = scene::read(file, overrides, formats);
   TerminalReporter reporter(false);
   assembly::AddedMassStore store(assembly::cache_folder());
   const assembly::BuiltScene built = assembly::build(scene, store, reporter);
@@ -132,7 +133,7 @@ int probe(const std::filesystem::path& file, const std::vector<scene::Override>&
     bodies[body.name] = probe_body(body, built.spec.sea);
   Json json = {{"bodies", bodies}};
   add_tables(built.spec, json);
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
   return kDone;
 }
 

@@ -15,6 +15,7 @@
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
+#include "app/base/quoting.h"
 #include "app/base/terminal_reporter.h"
 #include "app/commands/radiation_plot.h"
 #include "app/databases/write_database.h"
@@ -65,7 +66,7 @@ Afloat body_of_mesh(const RadiationCommand& o) {
         fmt::format("found {:g}, expected a number between 0 and 1", o.relative_density));
   TerminalReporter reporter(false);
   Afloat body{.name = o.file.stem().string(), .density = o.density, .water = {.depth = o.depth}};
-  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter);
+  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats);
   const hydro::SolidProperties solid = hydro::solid_properties(mesh);
   body.mesh_B = hydro::translated(std::move(mesh), -solid.centroid);
   const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, o.relative_density * solid.volume,
@@ -81,7 +82,7 @@ Afloat body_of_mesh(const RadiationCommand& o) {
 }
 
 std::vector<Afloat> bodies_of_scene(const RadiationCommand& o) {
-  const scene::Scene scene = scene::read(o.file, o.overrides);
+  const scene::Scene scene = scene::read(o.file, o.overrides, o.formats);
   const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   std::vector<Afloat> bodies;
   for (std::size_t i = 0; i < built.radiation.size(); ++i) {
@@ -161,11 +162,11 @@ Json to_json(const Solved& solved) {
 /// One row a number: of matrices two motions, of loads a motion and a heading.
 std::string csv_of(const Solved& solved) {
   const hydro::RadiationData& data = solved.data();
+  const std::string name = csv_field(solved.body.name);
   std::string text;
   const auto add = [&](double omega, const char* what, int i, const std::string& other,
                        double value) {
-    text += fmt::format("{},{},{},{},{},{}\n", solved.body.name, omega, what, kMotions[i], other,
-                        value);
+    text += fmt::format("{},{},{},{},{},{}\n", name, omega, what, kMotions[i], other, value);
   };
   for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
     const double omega = data.frequencies[f];
@@ -303,7 +304,10 @@ int radiation(const RadiationCommand& command) {
     else
       text += command.csv ? csv_of(solved) : table_of(solved);
   }
-  fmt::print("{}", command.json ? Json{{"bodies", all}}.dump(2) + "\n" : text);
+  fmt::print("{}",
+             command.json
+                 ? Json{{"bodies", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                 : text);
   flush_output();
   return kDone;
 }

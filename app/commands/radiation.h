@@ -16,7 +16,8 @@ struct RadiationCommand {
   double relative_density = 0.5;  ///< Of a mesh's body, which is uniform, over the water's [-].
   std::vector<scene::Override> overrides;  ///< Overrides of a scene.
   std::vector<double> frequencies;         ///< [rad/s]; empty: those that a run solves for.
-  bool store = true;                       ///< Solutions are read from the store and written to it.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
+  bool store = true;  ///< Solutions are read from the store and written to it.
   bool json = false;
   bool csv = false;
   std::filesystem::path wamit;      ///< Stem of files .1, .3 and .hst; empty: none are written.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/base/quoting.h"
 #include "app/render/color_scale.h"
 
 namespace app {
@@ -58,13 +59,6 @@ std::string text_at(double x, double y, const char* anchor, const std::string& t
                     const char* more = "") {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
                      anchor, more, text);
-}
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char letter : text)
-    safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
-  return safe;
 }
 
 std::string frame(const Panel& p, const std::string& title) {
@@ -238,7 +232,7 @@ std::string radiation_svg(const std::string& body, const hydro::RadiationData& d
          text_at(kLeft, 28, "start",
                  fmt::format("{}: radiation and diffraction, {:g} kg/m³; dashed: the limit of high "
                              "frequency",
-                             escaped(body), density),
+                             xml_text(body), density),
                  " font-size=\"16\"") +
          panels + "</svg>\n";
 }

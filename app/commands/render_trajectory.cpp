@@ -20,6 +20,7 @@
 #include "app/pictures/rig_history.h"
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
+#include "app/run/run_need.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -62,11 +63,13 @@ void say_what_was_drawn(const PictureReport& report, const ShotSpool& shots,
 }  // namespace
 
 int render_trajectory(const RenderOptions& options) {
-  scene::Scene scene = scene::read(options.scene, options.overrides);
+  scene::Scene scene = scene::read(options.scene, options.overrides, options.formats);
   if (!scene.render) scene.render.emplace();
   check_video(options.video, *scene.render, options.out, thread_count(0));
   assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   built.spec.threads = thread_count(0);
+  if (const auto warning = picture_warning(scene))
+    say(fmt::format("{}: warning: {}", scene.file.string(), *warning));
   const std::filesystem::path file = trajectory_of(options.trajectory);
   const Trajectory trajectory = read_trajectory(file);
   check_same_bodies(trajectory, built.spec, file);

@@ -13,6 +13,7 @@ struct RenderOptions {
   std::filesystem::path scene;
   std::filesystem::path out;
   std::vector<scene::Override> overrides;
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
   VideoOptions video;
   bool quiet = false;
 };

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/quoting.h"
+
 namespace app {
 namespace {
 
@@ -17,23 +19,6 @@ std::string tolerance_text(const Difference& d) {
 std::string colored(const std::string& text, const Difference& d, bool color) {
   if (!color) return text;
   return fmt::format("\033[{}m{}\033[0m", !d.judged() ? 90 : d.within() ? 32 : 31, text);
-}
-
-std::string xml_text(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
 }
 
 struct JunitCases {
@@ -110,7 +95,7 @@ std::string json_of(const Comparison& comparison, const ComparedFiles& files) {
       quantity["first_beyond"] = d.within() ? ordered_json(nullptr) : ordered_json(d.first_beyond);
     }
   }
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string junit_of(const Comparison& comparison, const ComparedFiles& files) {

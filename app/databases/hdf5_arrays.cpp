@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string_view>
 
 #include "app/base/hdf5_library.h"
 #include "app/databases/open_arrays.h"
+#include "app/scene/isolated_reader.h"
 
 namespace databases {
 namespace {
@@ -14,9 +19,10 @@ using app::hdf5::prepare_library;
 /// Most entries of an array: far more than a database has, and few enough for the memory.
 constexpr hsize_t kMostEntries = hsize_t{1} << 28;
 
-class Hdf5Arrays final : public ArrayFile {
+/// An open file, in the process that reads it.
+class OpenArrays final : public ArrayFile {
  public:
-  explicit Hdf5Arrays(const std::filesystem::path& file) : ArrayFile(file) {
+  explicit OpenArrays(const std::filesystem::path& file) : ArrayFile(file) {
     prepare_library();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_file_locking(access, false, true);
@@ -118,6 +124,81 @@ class Hdf5Arrays final : public ArrayFile {
   }
 
   Handle file_;
+};
+
+void put(const app::CallOutput& output, const std::string& text) {
+  const auto length = static_cast<std::uint64_t>(text.size());
+  output({reinterpret_cast<const char*>(&length), sizeof length});
+  output({text.data(), text.size()});
+}
+
+template <class T>
+std::string bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// Writes an array for `array_in`.
+void write(const app::CallOutput& output, const Array& array) {
+  put(output, bytes_of(array.shape));
+  put(output, bytes_of(array.numbers));
+  put(output, bytes_of(std::vector<std::size_t>{array.dimensions.size()}));
+  for (const std::string& name : array.dimensions) put(output, name);
+  for (const std::string& text : array.texts) put(output, text);
+}
+
+/// Takes the next text that `put` has written.
+std::string next(std::string_view& bytes) {
+  std::uint64_t length = 0;
+  std::memcpy(&length, bytes.data(), sizeof length);
+  std::string text(bytes.substr(sizeof length, length));
+  bytes.remove_prefix(sizeof length + length);
+  return text;
+}
+
+template <class T>
+std::vector<T> next_values(std::string_view& bytes) {
+  const std::string text = next(bytes);
+  std::vector<T> values(text.size() / sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), text.data(), text.size());
+  return values;
+}
+
+Array array_in(std::string_view bytes) {
+  Array array;
+  array.shape = next_values<std::size_t>(bytes);
+  array.numbers = next_values<double>(bytes);
+  array.dimensions.resize(next_values<std::size_t>(bytes).front());
+  for (std::string& name : array.dimensions) name = next(bytes);
+  while (!bytes.empty()) array.texts.push_back(next(bytes));
+  return array;
+}
+
+/// The library can be crashed by a damaged file: each array is read in a process of its own, which
+/// opens the file anew.
+class Hdf5Arrays final : public ArrayFile {
+ public:
+  explicit Hdf5Arrays(const std::filesystem::path& file) : ArrayFile(file) {
+    ask([](const OpenArrays&, const app::CallOutput&) {});
+  }
+
+  std::optional<Array> find(const std::string& name) const override {
+    const std::string bytes = ask([&](const OpenArrays& file, const app::CallOutput& output) {
+      if (const std::optional<Array> array = file.find(name)) write(output, *array);
+    });
+    if (bytes.empty()) return std::nullopt;
+    return array_in(bytes);
+  }
+
+ private:
+  std::string ask(
+      const std::function<void(const OpenArrays&, const app::CallOutput&)>& question) const {
+    constexpr int kSeconds = 10;
+    constexpr double kBytesPerSecond = 1e6;
+    return scene::read_isolated(
+        path(), "the reader of HDF5",
+        [&](const app::CallOutput& output) { question(OpenArrays(path()), output); },
+        scene::limits_by_size(path(), kSeconds, kBytesPerSecond));
+  }
 };
 
 }  // namespace

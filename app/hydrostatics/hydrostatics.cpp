@@ -109,7 +109,7 @@ std::vector<Eigen::Vector3d> flooding_points(const engine::BodySpec& spec) {
 FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
   check_mesh_options(o);
   TerminalReporter reporter(false);
-  const hydro::TriMesh mesh = assembly::read_solid(o.file, reporter);
+  const hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats);
   FloatingBody body{.name = o.file.stem().string(),
                     .com_M = o.center_of_mass.value_or(hydro::solid_properties(mesh).centroid),
                     .density = o.density.value_or(1000)};
@@ -130,7 +130,7 @@ void check_scene_options(const HydrostaticsOptions& o) {
 
 std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   check_scene_options(o);
-  const scene::Scene scene = scene::read(o.file, o.overrides);
+  const scene::Scene scene = scene::read(o.file, o.overrides, o.formats);
   scene::Faults faults;
   if (!scene.water) faults.add(scene.places, "water", "missing, and without water nothing floats");
   if (scene.gravity == 0)

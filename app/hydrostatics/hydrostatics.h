@@ -26,6 +26,7 @@ struct HydrostaticsOptions {
   std::optional<double> water;                    ///< In the pockets of a mesh [m^3]; none: dry.
   std::vector<scene::Override> overrides;         ///< Overrides of a scene.
   std::vector<double> heels;                      ///< Heels of the curve [rad].
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
   bool json = false;
   bool csv = false;
 };

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/base/quoting.h"
 #include "app/hydrostatics/hydrostatics.h"
 
 namespace app {
@@ -137,7 +138,7 @@ void write_rows(const std::string& body, const std::string& state,
 void write_curve(const FloatingReport& report, std::string& csv) {
   for (const hydro::RightingArm& arm : report.righting_arms) {
     const double heel = arm.heel / kDegree;
-    const std::string head = report.body.name + ",gz,";
+    const std::string head = csv_field(report.body.name) + ",gz,";
     csv += fmt::format("{}gz,{},{},m\n", head, heel, arm.lever);
     csv += fmt::format("{}trim_deg,{},{},deg\n", head, heel, arm.trim / kDegree);
     csv += fmt::format("{}draught,{},{},m\n", head, heel, arm.draught);
@@ -148,10 +149,10 @@ void write_curve(const FloatingReport& report, std::string& csv) {
 
 void write_criteria(const FloatingReport& report, std::string& csv) {
   if (report.intact.downflooding)
-    csv += fmt::format("{},imo,downflooding_deg,,{},deg\n", report.body.name,
+    csv += fmt::format("{},imo,downflooding_deg,,{},deg\n", csv_field(report.body.name),
                        *report.intact.downflooding / kDegree);
   for (const hydro::Criterion& c : report.intact.criteria)
-    csv += fmt::format("{},imo,{},,{},{}\n", report.body.name, c.name, c.value, c.unit);
+    csv += fmt::format("{},imo,{},,{},{}\n", csv_field(report.body.name), c.name, c.value, c.unit);
 }
 
 std::string shown(double value, double scale) {
@@ -286,13 +287,13 @@ std::string floating_table(const std::vector<FloatingReport>& reports) {
 std::string floating_json(const std::vector<FloatingReport>& reports) {
   Json bodies = Json::object();
   for (const FloatingReport& report : reports) bodies[report.body.name] = report_json(report);
-  return Json{{"bodies", bodies}}.dump(2) + '\n';
+  return Json{{"bodies", bodies}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string floating_csv(const std::vector<FloatingReport>& reports) {
   std::string csv = "body,state,quantity,heel_deg,value,unit\n";
   for (const FloatingReport& report : reports) {
-    const std::string& name = report.body.name;
+    const std::string name = csv_field(report.body.name);
     write_rows(name, "body", body_quantities(report), csv);
     if (!report.not_afloat.empty()) continue;
     write_rows(name, "start", state_quantities(report.body, report.start, report.body.start), csv);

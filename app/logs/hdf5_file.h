@@ -80,7 +80,8 @@ class Hdf5Writer {
   std::unique_ptr<File> file_;
 };
 
-/// Reads a file of Hdf5Writer, even if its program was killed.
+/// Reads a file of Hdf5Writer, even if its program was killed. The library reads in processes of
+/// their own (app/scene/isolated_reader.h), so that a damaged file is a fault and no more.
 ///
 /// All functions throw InputError if the file is not as expected.
 class Hdf5Reader {

@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-constexpr std::string_view kHeader =
+constexpr std::string_view kInteriorHeader =
     "time,body,pocket,volume,level,capacity,spill,flooded,inflow,x,y,z";
 
 /// Numbers of a row after the body's name.
@@ -25,13 +25,24 @@ std::array<double, kNumbers> numbers_of(const engine::PocketState& p) {
       p.flooded ? 1.0 : 0.0,     p.inflow, p.centroid_W.x(), p.centroid_W.y(), p.centroid_W.z()};
 }
 
+/// Returns the id of a pocket. @throws InputError if the number is none
+int id_from(double number, const std::filesystem::path& file, int line) {
+  constexpr int kMost = 1'000'000;
+  // NaN, an empty field, fails every comparison.
+  if (!(number >= 0 && number <= kMost && number == std::floor(number)))
+    refuse_row(
+        file, line,
+        fmt::format("the pocket is {:g}, expected a whole number from 0 to {}", number, kMost));
+  return static_cast<int>(number);
+}
+
 }  // namespace
 
 InteriorWriter::InteriorWriter(std::filesystem::path file, std::vector<std::string> names,
                                const std::optional<std::uint64_t>& kept)
     : file_(std::move(file)), names_(std::move(names)) {
   if (kept.value_or(0) > 0)
-    rows_.emplace(file_, kHeader, kept);
+    rows_.emplace(file_, kInteriorHeader, kept);
   else
     std::filesystem::remove(file_);
 }
@@ -49,27 +60,28 @@ void InteriorWriter::add(double time, const std::vector<engine::InteriorState>& 
       rows.push_back('\n');
     }
   if (rows.size() == 0) return;
-  if (!rows_) rows_.emplace(file_, kHeader, std::nullopt);
+  if (!rows_) rows_.emplace(file_, kInteriorHeader, std::nullopt);
   rows_->add(rows);
 }
 
 InteriorLog read_interior_csv(const std::filesystem::path& file) {
   InteriorLog log;
   std::array<double, kNumbers> n{};
-  read_rows(file, kHeader, "a log of the water inside", [&](std::string_view text, int line) {
-    const LogRow row = read_log_row(text, file, line, n, LogField::may_be_empty);
-    std::vector<InteriorRows>& rows = log[std::string(row.body)];
-    if (rows.empty() || rows.back().time != row.time)
-      rows.push_back({.time = row.time, .pockets = {}});
-    rows.back().pockets.push_back({.id = static_cast<int>(n[0]),
-                                   .volume = n[1],
-                                   .level = n[2],
-                                   .capacity = n[3],
-                                   .spill = n[4],
-                                   .flooded = n[5] != 0,
-                                   .inflow = n[6],
-                                   .centroid = {n[7], n[8], n[9]}});
-  });
+  read_rows(file, kInteriorHeader, "a log of the water inside",
+            [&](std::string_view text, int line) {
+              const LogRow row = read_log_row(text, file, line, n, LogField::may_be_empty);
+              std::vector<InteriorRows>& rows = log[std::string(row.body)];
+              if (rows.empty() || rows.back().time != row.time)
+                rows.push_back({.time = row.time, .pockets = {}});
+              rows.back().pockets.push_back({.id = id_from(n[0], file, line),
+                                             .volume = n[1],
+                                             .level = n[2],
+                                             .capacity = n[3],
+                                             .spill = n[4],
+                                             .flooded = n[5] != 0,
+                                             .inflow = n[6],
+                                             .centroid = {n[7], n[8], n[9]}});
+            });
   return log;
 }
 

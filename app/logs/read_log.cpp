@@ -1,5 +1,9 @@
 #include "app/logs/read_log.h"
 
+#include <cstdint>
+#include <system_error>
+
+#include "app/base/machine.h"
 #include "app/logs/force_csv.h"
 #include "app/logs/hdf5_log_reader.h"
 #include "app/logs/run_files.h"
@@ -7,6 +11,22 @@
 #include "app/scene/diagnostics.h"
 
 namespace app {
+namespace {
+
+/// Refuses a log that is too large for the memory. What is read of a CSV takes 1.05 bytes per byte
+/// of the file; what is in HDF5 is compressed and passes through another process.
+void require_memory(const std::filesystem::path& file, double bytes_per_byte) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return;
+  const auto verdict = judged_need(bytes_per_byte * static_cast<double>(size), available_memory());
+  if (verdict && verdict->fault)
+    throw scene::InputError(file, "to be read it " + verdict->text + "; log.every thins a log");
+}
+
+constexpr double kOfCsv = 1, kOfHdf5 = 4;
+
+}  // namespace
 
 std::filesystem::path trajectory_of(const std::filesystem::path& given) {
   if (!std::filesystem::is_directory(given)) return given;
@@ -15,12 +35,14 @@ std::filesystem::path trajectory_of(const std::filesystem::path& given) {
 }
 
 Trajectory read_trajectory(const std::filesystem::path& file) {
+  require_memory(file, is_hdf5(file) ? kOfHdf5 : kOfCsv);
   Trajectory trajectory = is_hdf5(file) ? read_hdf5_trajectory(file) : read_trajectory_csv(file);
   if (trajectory.names.empty()) throw scene::InputError(file, "has no rows");
   return trajectory;
 }
 
 std::optional<ForceLog> read_forces(const std::filesystem::path& file) {
+  require_memory(file, is_hdf5(file) ? kOfHdf5 : kOfCsv);
   return is_hdf5(file) ? read_hdf5_forces(file) : read_force_csv(file);
 }
 

@@ -215,9 +215,9 @@ py::dict loads(const TriMesh& mesh, const py::object& position, const py::object
   return result;
 }
 
-TriMesh loaded(const std::filesystem::path& file) {
+TriMesh loaded(const std::filesystem::path& file, bool any_format) {
   const py::gil_scoped_release unlocked;
-  return assembly::read_solid(file, app::quiet());
+  return assembly::read_solid(file, app::quiet(), formats_from(any_format));
 }
 
 double area(const TriMesh& mesh) {
@@ -232,9 +232,10 @@ void bind_mesh(py::module_& module) {
                       "in metres.")
       .def(py::init(&mesh_from), py::arg("vertices"), py::arg("faces"),
            "vertices (V, 3) [m]; faces (F, 3): indices of vertices.")
-      .def_static("load", &loaded, py::arg("file"),
+      .def_static("load", &loaded, py::arg("file"), py::arg("any_format") = false,
                   "Reads a mesh file that bounds a solid; one that is inward as a whole is "
-                  "reversed. Raises SceneError with what is wrong.")
+                  "reversed. any_format: formats beyond .obj, .stl, .ply, .off, .gltf and .glb are "
+                  "read, too. Raises SceneError with what is wrong.")
       .def_static(
           "box",
           [](const Array& size, int divisions) {

@@ -41,22 +41,31 @@ std::vector<scene::Override> overrides_from(const py::object& values) {
   return overrides;
 }
 
-std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::object& overrides) {
+scene::MeshFormats formats_from(bool any_format) {
+  return any_format ? scene::MeshFormats::any : scene::MeshFormats::common;
+}
+
+std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::object& overrides,
+                                        bool any_format) {
   std::vector<scene::Override> set = overrides_from(overrides);
+  scene::MeshFormats formats = formats_from(any_format);
   if (py::isinstance<SceneSource>(source)) {
-    if (set.empty()) return source.cast<std::shared_ptr<SceneSource>>();
     const auto scene = source.cast<std::shared_ptr<SceneSource>>();
+    const scene::MeshFormats present = scene->scene().mesh_formats;
+    if (!any_format) formats = present;
+    if (set.empty() && formats == present) return scene;
     std::vector<scene::Override> all = scene->overrides();
     all.insert(all.end(), set.begin(), set.end());
-    return std::make_shared<SceneSource>(scene->scene().text, scene->scene().file, std::move(all));
+    return std::make_shared<SceneSource>(scene->scene().text, scene->scene().file, std::move(all),
+                                         formats);
   }
   if (py::isinstance<py::dict>(source)) {
     const auto file = std::filesystem::current_path() / "<dict>";
-    return std::make_shared<SceneSource>(to_yaml(source), file, std::move(set));
+    return std::make_shared<SceneSource>(to_yaml(source), file, std::move(set), formats);
   }
   const auto file = source.cast<std::filesystem::path>();
   const py::gil_scoped_release unlocked;
-  return std::make_shared<SceneSource>(file, std::move(set));
+  return std::make_shared<SceneSource>(file, std::move(set), formats);
 }
 
 engine::BodyId body_index(const engine::SimulationSpec& spec, const py::object& body) {
@@ -113,11 +122,15 @@ void bind_scene(py::module_& module) {
       module, "Scene",
       "A scene that has been read and checked. Nothing is simulated until a Simulation or a Batch "
       "is made of it.")
-      .def(py::init(&scene_from), py::arg("source"), py::arg("set") = py::none())
+      .def(py::init(&scene_from), py::arg("source"), py::arg("set") = py::none(),
+           py::arg("any_format") = false)
       .def_static("load", &scene_from, py::arg("source"), py::arg("set") = py::none(),
+                  py::arg("any_format") = false,
                   "Reads a scene: a path of a YAML file, or a dict with the same keys, whose paths "
                   "are relative to the working directory.\n\n"
                   "set: values that replace or add keys, {'bodies[buoy].density': 500}.\n"
+                  "any_format: meshes may be in any format, beyond .obj, .stl, .ply, .off, .gltf "
+                  "and .glb.\n"
                   "Raises SceneError with every fault.")
       .def_property_readonly(
           "file", [](const SceneSource& s) { return s.scene().file.string(); },

@@ -26,7 +26,12 @@ void bind_hydro(py::module_& module);
 
 /// Returns the scene of an object of Python: a Scene, a path, or a dict.
 /// @param overrides   A dict from key paths to values, or None.
-std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::object& overrides);
+/// @param any_format   True: meshes of any format are read, and not only those of the common ones.
+std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::object& overrides,
+                                        bool any_format = false);
+
+/// Returns the formats that the argument `any_format` of a function stands for.
+scene::MeshFormats formats_from(bool any_format);
 
 /// Returns values of Python as overrides.
 std::vector<scene::Override> overrides_from(const py::object& values);

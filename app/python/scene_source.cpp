@@ -8,12 +8,14 @@
 
 namespace python {
 
-SceneSource::SceneSource(const std::filesystem::path& file, std::vector<scene::Override> overrides)
-    : scene_(scene::read(file, overrides)), overrides_(std::move(overrides)) {}
+SceneSource::SceneSource(const std::filesystem::path& file, std::vector<scene::Override> overrides,
+                         scene::MeshFormats formats)
+    : scene_(scene::read(file, overrides, formats)), overrides_(std::move(overrides)) {}
 
 SceneSource::SceneSource(std::string text, const std::filesystem::path& file,
-                         std::vector<scene::Override> overrides)
-    : scene_(scene::parse(std::move(text), file, overrides)), overrides_(std::move(overrides)) {}
+                         std::vector<scene::Override> overrides, scene::MeshFormats formats)
+    : scene_(scene::parse(std::move(text), file, overrides, formats)),
+      overrides_(std::move(overrides)) {}
 
 const assembly::BuiltScene& SceneSource::built(int threads) {
   assembly::AddedMassStore store(assembly::cache_folder());

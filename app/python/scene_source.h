@@ -19,10 +19,11 @@ namespace python {
 class SceneSource {
  public:
   /// Reads a scene file. @throws scene::InputError
-  SceneSource(const std::filesystem::path& file, std::vector<scene::Override> overrides);
+  SceneSource(const std::filesystem::path& file, std::vector<scene::Override> overrides,
+              scene::MeshFormats formats);
   /// Reads a text. @param file   Named in faults; paths in the scene are relative to its folder.
   SceneSource(std::string text, const std::filesystem::path& file,
-              std::vector<scene::Override> overrides);
+              std::vector<scene::Override> overrides, scene::MeshFormats formats);
 
   const scene::Scene& scene() const { return scene_; }
   const std::vector<scene::Override>& overrides() const { return overrides_; }

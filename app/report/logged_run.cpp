@@ -19,41 +19,20 @@
 namespace app {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Returns null if there is no summary.
-Json read_summary(const fs::path& file) {
-  if (!fs::exists(file)) return nullptr;
-  std::ifstream stream(file);
-  Json summary = Json::parse(stream, nullptr, false);
-  if (!summary.is_object())
-    throw scene::InputError(file,
-                            "is no summary that plimsoll run has written: not JSON, or cut off");
-  return summary;
-}
-
-std::optional<RunSource> source_in(const Json& summary, const fs::path& file) {
-  if (!summary.is_object() || !summary.contains("source")) return std::nullopt;
-  try {
-    return source_from(summary["source"]);
-  } catch (const Json::exception&) {
-    throw scene::InputError(
-        file, "source: expected file, text and overrides, as plimsoll run writes them");
-  }
-}
-
 /// Reads the scene that was run and the meshes it names.
-void read_scene_of_run(const fs::path& moved_to, LoggedRun& run) {
+void read_scene_of_run(const fs::path& moved_to, scene::MeshFormats formats, LoggedRun& run) {
   const fs::path summary = run.path / kSummaryFile;
-  const std::optional<RunSource> source = source_in(run.summary, summary);
+  std::optional<RunSource> source = source_in(run.summary, summary);
+  if (source && formats == scene::MeshFormats::any) source->mesh_formats = formats;
   if (!source && moved_to.empty())
     throw scene::InputError(summary,
                             run.summary.is_null()
                                 ? "is missing: the run was stopped; give its scene with --scene"
                                 : "does not name its scene; give it with --scene");
   if (!source) {
-    run.scene = scene::read(moved_to);
+    run.scene = scene::read(moved_to, {}, formats);
     run.built = assembly::build_without_added_mass(run.scene);
     return;
   }
@@ -151,7 +130,7 @@ void keep_common_rows(LoggedRun& run) {
 
 }  // namespace
 
-LoggedRun read_run(const fs::path& folder, const fs::path& scene) {
+LoggedRun read_run(const fs::path& folder, const fs::path& scene, scene::MeshFormats formats) {
   if (!fs::is_directory(folder))
     throw scene::InputError(folder,
                             "there is no such folder; expected one that plimsoll run has written");
@@ -160,7 +139,7 @@ LoggedRun read_run(const fs::path& folder, const fs::path& scene) {
   run.trajectory = read_trajectory(log);
   run.rows = common_rows(run.trajectory, log);
   run.summary = read_summary(folder / kSummaryFile);
-  read_scene_of_run(scene, run);
+  read_scene_of_run(scene, formats, run);
   check_same_bodies(run.trajectory, run.built.spec, log);
   const fs::path forces = forces_beside(log);
   if (!forces.empty()) run.forces = read_forces(forces);

@@ -29,6 +29,7 @@ struct LoggedRun {
 
 /// @param scene   Present path of the scene; empty: the path at the time of the run.
 /// @throws InputError if a required file is missing or a file is damaged.
-LoggedRun read_run(const std::filesystem::path& folder, const std::filesystem::path& scene);
+LoggedRun read_run(const std::filesystem::path& folder, const std::filesystem::path& scene,
+                   scene::MeshFormats formats = scene::MeshFormats::common);
 
 }  // namespace app

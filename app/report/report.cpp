@@ -12,7 +12,7 @@ namespace app {
 
 int report(const ReportOptions& options) {
   std::string page = empty_page(kRunPage);
-  const LoggedRun run = read_run(options.folder, options.scene);
+  const LoggedRun run = read_run(options.folder, options.scene, options.formats);
   const std::string written =
       write_page(options.folder / kReportFile, std::move(page), page_data(run));
   say(fmt::format("{}, {} each of {}", written, counted(run.rows, "row", "rows"),

@@ -129,7 +129,8 @@ std::string digest_of(const engine::SimulationSpec& spec) {
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
   try {
     write_whole(folder / kCheckpointFile,
-                to_json(checkpoint).dump() + "\n" + checkpoint.state.to_bytes());
+                to_json(checkpoint).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" +
+                    checkpoint.state.to_bytes());
   } catch (const std::runtime_error& error) {
     throw OutputError(error.what());
   }

@@ -27,8 +27,10 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
+#include "app/run/log_subject.h"
 #include "app/run/radiation_warning.h"
 #include "app/run/resolved_scene.h"
+#include "app/run/run_need.h"
 #include "app/run/run_source.h"
 #include "app/run/state_log.h"
 #include "app/run/summary.h"
@@ -302,6 +304,7 @@ RunOptions resumed_options(const RunOptions& given, const Checkpoint& last) {
           .format = last.choices.format,
           .checkpoint = given.checkpoint > 0 ? given.checkpoint : last.choices.every,
           .resume = given.resume,
+          .formats = last.source.mesh_formats,
           .render = last.choices.render && given.render,
           .video = last.choices.video,
           .threads = given.threads,
@@ -313,13 +316,16 @@ int run(const RunOptions& options, const Checkpoint* last) {
   if (options.format == LogFormat::hdf5 && !no_hdf5.empty())
     throw scene::InputError("--format hdf5", no_hdf5);
   const scene::Scene scene = last ? read_again(last->source, last->source.file)
-                                  : scene::read(options.scene, options.overrides);
+                                  : scene::read(options.scene, options.overrides, options.formats);
   const std::filesystem::path out = options.out.empty() ? "out" / scene.file.stem() : options.out;
   check_video_of_run(options, scene, out);
   TerminalReporter reporter(options.quiet);
   assembly::AddedMassStore store(assembly::cache_folder());
-  const assembly::BuiltScene built =
+  assembly::BuiltScene built =
       assembly::build_on_threads(thread_count(options.threads), scene, store, reporter);
+  for (std::string& warning :
+       run_warnings(scene, log_subject(scene, built), options.format, out, options.render))
+    built.warnings.push_back(std::move(warning));
   if (last && digest_of(built.spec) != last->inputs)
     throw scene::InputError(scene.file,
                             "a mesh or another file that the scene names has changed since the "

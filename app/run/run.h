@@ -16,6 +16,7 @@ struct RunOptions {
   LogFormat format = LogFormat::csv;
   double checkpoint = 0;         ///< Wall time between two checkpoints [s]; 0: there are none.
   std::filesystem::path resume;  ///< Folder of a run to resume; empty: a new run.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
   bool render = true;
   VideoOptions video;
   int threads = 0;  ///< 0: all hardware threads.

@@ -1,5 +1,6 @@
 #include "app/run/run_source.h"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/scene/reader.h"
@@ -9,13 +10,14 @@ namespace app {
 RunSource run_source(const scene::Scene& scene, const std::vector<scene::Override>& overrides) {
   RunSource source{.file = std::filesystem::absolute(scene.file).lexically_normal(),
                    .text = scene.text,
-                   .overrides = {}};
+                   .overrides = {},
+                   .mesh_formats = scene.mesh_formats};
   for (const scene::Override& o : overrides) source.overrides.push_back(o.key_path + "=" + o.value);
   return source;
 }
 
 scene::Scene read_again(const RunSource& source, const std::filesystem::path& file) {
-  return scene::parse(source.text, file, overrides_of(source));
+  return scene::parse(source.text, file, overrides_of(source), source.mesh_formats);
 }
 
 std::vector<scene::Override> overrides_of(const RunSource& source) {
@@ -25,13 +27,39 @@ std::vector<scene::Override> overrides_of(const RunSource& source) {
 }
 
 nlohmann::ordered_json to_json(const RunSource& source) {
-  return {{"file", source.file.string()}, {"overrides", source.overrides}, {"text", source.text}};
+  nlohmann::ordered_json json = {
+      {"file", source.file.string()}, {"overrides", source.overrides}, {"text", source.text}};
+  if (source.mesh_formats == scene::MeshFormats::any) json["any_format"] = true;
+  return json;
 }
 
 RunSource source_from(const nlohmann::ordered_json& json) {
   return {.file = json.at("file").get<std::string>(),
           .text = json.at("text").get<std::string>(),
-          .overrides = json.at("overrides").get<std::vector<std::string>>()};
+          .overrides = json.at("overrides").get<std::vector<std::string>>(),
+          .mesh_formats = json.value("any_format", false) ? scene::MeshFormats::any
+                                                          : scene::MeshFormats::common};
+}
+
+nlohmann::ordered_json read_summary(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return nullptr;
+  std::ifstream stream(file);
+  nlohmann::ordered_json summary = nlohmann::ordered_json::parse(stream, nullptr, false);
+  if (!summary.is_object())
+    throw scene::InputError(file,
+                            "is no summary that plimsoll run has written: not JSON, or cut off");
+  return summary;
+}
+
+std::optional<RunSource> source_in(const nlohmann::ordered_json& summary,
+                                   const std::filesystem::path& file) {
+  if (!summary.is_object() || !summary.contains("source")) return std::nullopt;
+  try {
+    return source_from(summary["source"]);
+  } catch (const nlohmann::ordered_json::exception&) {
+    throw scene::InputError(
+        file, "source: expected file, text and overrides, as plimsoll run writes them");
+  }
 }
 
 }  // namespace app

@@ -275,7 +275,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "a double quote or a line break."},
     {"bodies[].mesh", "A closed triangle mesh from a file. Its normals point out of the solid."},
     {"bodies[].mesh.file",
-     "A mesh file in any format that assimp reads, relative to the scene file."},
+     "A mesh file, relative to the scene file: .obj, .stl, .ply, .off, .gltf or .glb, and with the "
+     "option `--any-format` any other that assimp reads."},
     {"bodies[].mesh.scale", "Factor by which the coordinates of the file are multiplied."},
     {"bodies[].box", "A box about the origin, of 12·divisions² triangles."},
     {"bodies[].box.size", "Lengths of the edges along x, y, z."},

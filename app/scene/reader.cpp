@@ -304,12 +304,13 @@ bool is_scene_file(const std::filesystem::path& file) {
   return file.extension() == ".yaml" || file.extension() == ".yml";
 }
 
-Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return parse(read_text(file), file, overrides);
+Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides,
+           MeshFormats formats) {
+  return parse(read_text(file), file, overrides, formats);
 }
 
 Scene parse(std::string text, const std::filesystem::path& file,
-            const std::vector<Override>& overrides) {
+            const std::vector<Override>& overrides, MeshFormats formats) {
   Reading reading;
   reading.file = file;
   const YamlNode root = read_tree(text, reading, overrides);
@@ -324,6 +325,7 @@ Scene parse(std::string text, const std::filesystem::path& file,
   reading.faults.throw_if_any();
 
   scene.file = file;
+  scene.mesh_formats = formats;
   scene.text = std::move(text);
   scene.places = std::move(reading.places);
   return scene;

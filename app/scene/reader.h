@@ -13,8 +13,10 @@ namespace scene {
 bool is_scene_file(const std::filesystem::path& file);
 
 /// Reads and checks a scene file.
+/// @param formats   Formats of meshes that may be read when the scene is built.
 /// @throws InputError with every fault, in the order of the file but those of overrides first.
-Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+Scene read(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
+           MeshFormats formats = MeshFormats::common);
 
 /// Returns a scene as YAML without includes, variables and repeated entries, and with the overrides
 /// put in.
@@ -25,6 +27,6 @@ std::string resolved_text(const std::filesystem::path& file,
 /// Reads and checks the text of a scene.
 /// @param file   File named in faults; paths in the scene are relative to its folder.
 Scene parse(std::string text, const std::filesystem::path& file,
-            const std::vector<Override>& overrides);
+            const std::vector<Override>& overrides, MeshFormats formats = MeshFormats::common);
 
 }  // namespace scene

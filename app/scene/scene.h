@@ -81,6 +81,9 @@ struct Scene {
   std::vector<Probe> probes;
   std::optional<Render> render;
 
+  /// The formats of its meshes that are read. No key sets this: whoever reads the scene does.
+  MeshFormats mesh_formats = MeshFormats::common;
+
   std::string text;  ///< The text of the file, without overrides.
 
   /// The place of each key's value, for faults that are found later (see Faults::add).

@@ -9,6 +9,10 @@
 
 namespace scene {
 
+/// The formats of mesh files that are read: those whose readers are tested with damaged files, or
+/// any that assimp reads.
+enum class MeshFormats { common, any };
+
 struct Mesh {
   std::filesystem::path file;  ///< Resolved against the scene's folder.
   double scale = 1;            ///< > 0.

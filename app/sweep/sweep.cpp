@@ -149,6 +149,7 @@ class Sweep {
     std::vector<std::string> words = {
         "run",         plan_.scene.string(), "--out", run_folder.path().string(),
         "--no-render", "--threads",          "1"};
+    if (plan_.formats == scene::MeshFormats::any) words.emplace_back("--any-format");
     for (const scene::Override& override : plan_.overrides_of(run))
       words.insert(words.end(), {"--set", override.key_path + '=' + override.value});
     const pid_t process = children_.start(words, run_folder.messages());
@@ -214,7 +215,7 @@ class Sweep {
 };
 
 SweepPlan plan_of(const SweepOptions& options) {
-  SweepPlan plan = {.scene = options.scene, .overrides = {}, .parameters = {}, .points = {}};
+  SweepPlan plan = {.scene = options.scene, .formats = options.formats};
   for (const std::string& set : options.sets) plan.overrides.push_back(scene::parse_override(set));
   for (const std::string& varied : options.varied) {
     plan.parameters.push_back(parse_sweep_parameter(varied));

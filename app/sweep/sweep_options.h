@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/shape.h"
+
 namespace app {
 
 /// Options of a sweep: a scene is run many times with different values.
@@ -21,6 +23,7 @@ struct SweepOptions {
   bool slurm = false;                  ///< True: write a Slurm script, run nothing.
   bool gather = false;                 ///< True: write the table of finished runs, run nothing.
   std::optional<std::size_t> only;     ///< The only run to be done, without a table.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
   bool quiet = false;
 };
 

@@ -12,6 +12,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/child_process.h"
 #include "app/base/exit_code.h"
+#include "app/base/quoting.h"
 #include "app/logs/read_log.h"
 #include "app/logs/run_files.h"
 
@@ -75,14 +76,11 @@ std::vector<BodyOutcome> read_bodies(const fs::path& trajectory) {
   return bodies;
 }
 
-/// Returns a text as a cell of a CSV file.
+/// Returns a text as a cell of a CSV file, on one line.
 std::string cell(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+  return csv_field(text);
 }
 
 std::string header_of(const std::vector<SweepParameter>& parameters,

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/base/child_process.h"
+#include "app/base/quoting.h"
 
 namespace app {
 namespace {
@@ -32,20 +33,6 @@ fi
 exec "${{sweep[@]}}" --only $((SLURM_ARRAY_TASK_ID + ${{SWEEP_FIRST:-0}}))
 )";
 
-/// Returns true if a shell takes a word literally.
-bool is_plain(const std::string& word) {
-  return !word.empty() && word.find_first_not_of(
-                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                              "0123456789_@%+:,./-") == std::string::npos;
-}
-
-std::string quoted(const std::string& word) {
-  if (is_plain(word)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
 /// Returns the command that defines the same sweep.
 std::vector<std::string> command_of(const SweepOptions& options) {
   std::vector<std::string> words = {program_path(), "sweep", options.scene.string()};
@@ -58,6 +45,7 @@ std::vector<std::string> command_of(const SweepOptions& options) {
     add("--samples", std::to_string(*options.samples));
     add("--seed", std::to_string(options.seed));
   }
+  if (options.formats == scene::MeshFormats::any) words.emplace_back("--any-format");
   add("--out", options.out.string());
   return words;
 }
@@ -66,7 +54,7 @@ std::vector<std::string> command_of(const SweepOptions& options) {
 std::string job_name(const std::filesystem::path& scene) {
   std::string name = scene.stem().string();
   for (char& c : name)
-    if (!is_plain({c})) c = '_';
+    if (shell_word({&c, 1}) != std::string(1, c)) c = '_';
   return name;
 }
 
@@ -74,17 +62,19 @@ std::string job_name(const std::filesystem::path& scene) {
 
 std::string shell_words(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + quoted(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
   return text;
 }
 
 std::string slurm_script(const SweepOptions& options, std::size_t runs) {
   std::string array = fmt::format("0-{}", runs - 1);
   if (options.jobs > 0) array += fmt::format("%{}", options.jobs);
-  const auto in_folder = [&](const char* name) { return quoted((options.out / name).string()); };
+  const auto in_folder = [&](const char* name) {
+    return shell_word((options.out / name).string());
+  };
   return fmt::format(kScript, fmt::arg("runs", runs), fmt::arg("array", array),
                      fmt::arg("name", job_name(options.scene)),
-                     fmt::arg("folder", quoted(std::filesystem::current_path().string())),
+                     fmt::arg("folder", shell_word(std::filesystem::current_path().string())),
                      fmt::arg("command", shell_words(command_of(options))),
                      fmt::arg("script", in_folder("sweep.sbatch")),
                      fmt::arg("log", in_folder("gather.txt")));

@@ -117,7 +117,8 @@ void check_assembly(const SweepPlan& plan, const std::vector<std::size_t>& candi
   AllFaults all(plan);
   for (const std::size_t run : candidates) {
     try {
-      assembly::build_without_added_mass(scene::read(plan.scene, plan.overrides_of(run)));
+      assembly::build_without_added_mass(
+          scene::read(plan.scene, plan.overrides_of(run), plan.formats));
       return;
     } catch (const scene::InputError& error) {
       all.add(error);

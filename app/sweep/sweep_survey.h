@@ -18,7 +18,8 @@ struct SweepPlan {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;
   std::vector<SweepParameter> parameters;
-  std::vector<SweepPoint> points;  ///< Values of each run.
+  std::vector<SweepPoint> points;                           ///< Values of each run.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
 
   /// Returns the overrides of one run.
   std::vector<scene::Override> overrides_of(std::size_t run) const;

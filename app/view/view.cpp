@@ -119,7 +119,7 @@ int view(const ViewOptions& options) {
     say("error: " + reason);
     return kWrongInput;
   }
-  scene::Scene scene = scene::read(options.scene, options.overrides);
+  scene::Scene scene = scene::read(options.scene, options.overrides, options.formats);
   const bool has_camera = scene.render.has_value();
   if (!has_camera) scene.render.emplace();
   Window window(title_of(scene), scene.render->size[0], scene.render->size[1]);

@@ -10,7 +10,8 @@ namespace app {
 struct ViewOptions {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;
-  int threads = 0;                 ///< Number of threads; 0: one per core.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
+  int threads = 0;                                          ///< Number of threads; 0: one per core.
   std::filesystem::path snapshot;  ///< File for the picture at `after`; empty: none.
   double after = 0;                ///< Simulated time [s].
 };

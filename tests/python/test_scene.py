@@ -73,6 +73,29 @@ def test_a_mesh_that_is_not_there_is_a_fault_of_the_scene():
         pl.Scene.load({**BUOY, "bodies": [body]})
 
 
+def test_meshes_of_other_formats_are_read_on_request(tmp_path):
+    mesh = tmp_path / "a.raw"
+    mesh.write_text("0 0 0 0 1 0 1 0 0\n0 0 0 1 0 0 0 0 1\n0 0 0 0 0 1 0 1 0\n1 0 0 0 1 0 0 0 1\n")
+    scene = {**BUOY, "bodies": [{"name": "a", "mesh": {"file": str(mesh)}, "density": 500}]}
+    with pytest.raises(pl.SceneError, match="any_format=True"):
+        pl.Simulation(pl.Scene.load(scene))
+    with pytest.raises(pl.SceneError, match="any_format=True"):
+        pl.Mesh.load(mesh)
+    volume = pl.Mesh.load(mesh, any_format=True).volume
+    read = pl.Scene.load(scene, any_format=True)
+    assert pl.Simulation(read).mass[0] == pytest.approx(500 * volume)
+    changed = pl.Scene.load(read, set={"bodies[a].density": 600})
+    assert pl.Simulation(changed).mass[0] == pytest.approx(600 * volume)
+
+
+def test_a_mesh_is_read_while_other_threads_work(tmp_path):
+    simulation = pl.Simulation(BUOY, threads=2)
+    simulation.step(10)
+    read = [pl.Mesh.load(ROOT / "scenes/meshes/barge.obj").volume for _ in range(20)]
+    assert len(set(read)) == 1
+    simulation.step(10)
+
+
 def test_paths_of_a_dict_are_relative_to_the_working_directory():
     before = os.getcwd()
     os.chdir(ROOT / "scenes")

@@ -26,11 +26,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kPictures = "render: {size: [160, 120], every: 0.2}\n";
+const std::string kSmallPictures = "render: {size: [160, 120], every: 0.2}\n";
 
 class ProgramVideo : public testing::Test {
  protected:
-  ProgramVideo() { here.write("box.yaml", falling_box("0.6", kPictures)); }
+  ProgramVideo() { here.write("box.yaml", falling_box("0.6", kSmallPictures)); }
 
   Outcome run(const std::vector<std::string>& more, const std::vector<std::string>& with = {}) {
     std::vector<std::string> words = {"run", "box.yaml", "--out", "o"};

@@ -1,4 +1,4 @@
-#include "app/assembly/ply_head.h"
+#include "app/assembly/mesh_heads.h"
 
 #include <algorithm>
 #include <fstream>
@@ -84,7 +84,7 @@ double count_lines(std::istream& in) {
 void require_whole_ply(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   const Head head = read_head(in);
-  if (!head.complete) return;
+  if (!head.complete) throw scene::InputError(file, "the file is cut short: its head has no end");
   double needed = 0;
   for (const Element& element : head.elements)
     needed += element.count * (head.text ? 1 : element.bytes);
@@ -97,6 +97,25 @@ void require_whole_ply(const std::filesystem::path& file) {
   text << "the file is cut short: its head announces " << needed
        << (head.text ? " lines" : " bytes at least") << " of data, but " << body << " follow";
   throw scene::InputError(file, text.str());
+}
+
+void require_whole_off(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  const double size = static_cast<double>(std::filesystem::file_size(file));
+  std::string line, word;
+  for (int found = 0; found < 2 && std::getline(in, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    double count = 0;
+    while (found < 2 && words >> word)
+      if (std::istringstream(word) >> count) {
+        ++found;
+        if (!(count >= 0 && count <= size))
+          throw scene::InputError(file, "the file is cut short: its head announces " + word +
+                                            " elements, but it has only " +
+                                            std::to_string(std::filesystem::file_size(file)) +
+                                            " bytes");
+      }
+  }
 }
 
 }  // namespace assembly

@@ -1,0 +1,267 @@
+#include "app/assembly/mesh_parser.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/assembly/mesh_file_access.h"
+#include "app/assembly/mesh_heads.h"
+#include "app/scene/diagnostics.h"
+
+namespace assembly {
+namespace {
+
+namespace fs = std::filesystem;
+using hydro::TriMesh;
+
+constexpr const char* kCommonFormats[] = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+
+/// Greatest depth of nodes below the root. Each level takes some hundred bytes of the stack.
+constexpr int kDeepestNode = 1000;
+
+/// Most vertices of all instances of the parts, 24 bytes each. A file of some kilobytes may place
+/// a part a billion times.
+constexpr std::size_t kMostVertices = 200'000'000;
+
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+void require_known_format(const fs::path& file, scene::MeshFormats formats,
+                          const Assimp::Importer& importer) {
+  if (is_common_mesh_format(file)) return;
+  const std::string extension = lower_extension(file);
+  if (extension.empty() || !importer.IsExtensionSupported(extension))
+    throw scene::InputError(file, fmt::format("no mesh format has the extension '{}'; known are "
+                                              ".obj, .stl, .ply, .off, .gltf, .glb, and with "
+                                              "--any-format .dae, .3ds, .fbx, .3mf and others that "
+                                              "assimp reads",
+                                              extension));
+  if (formats != scene::MeshFormats::any)
+    throw scene::InputError(
+        file, fmt::format("a mesh of the format {} is read only with the option --any-format (in "
+                          "Python any_format=True); without it .obj, .stl, .ply, .off, .gltf and "
+                          ".glb are read",
+                          extension));
+}
+
+void require_readable(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) throw scene::InputError(file, "there is no such file");
+  if (!fs::is_regular_file(file, error)) throw scene::InputError(file, "is not a file");
+  if (!std::ifstream(file)) throw scene::InputError(file, "the file cannot be opened");
+  if (fs::file_size(file, error) == 0) throw scene::InputError(file, "the file is empty");
+}
+
+/// assimp tries the readers of all formats on a file that the one of its extension refuses. Of the
+/// common formats only their own readers remain.
+void keep_common_readers(Assimp::Importer& importer) {
+  std::vector<Assimp::BaseImporter*> others;
+  for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
+    std::istringstream extensions(importer.GetImporterInfo(i)->mFileExtensions);
+    bool common = false;
+    for (std::string extension; extensions >> extension;)
+      common = common || is_common_mesh_format("a." + extension);
+    if (!common) others.push_back(importer.GetImporter(i));
+  }
+  for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
+}
+
+Eigen::Affine3d transformation(const aiMatrix4x4& m) {
+  Eigen::Affine3d X;
+  X.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2,
+      m.d3, m.d4;
+  return X;
+}
+
+/// Joins the parts of a file into one mesh.
+class Collector {
+ public:
+  Collector(const fs::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
+
+  void add(const aiNode& node, const Eigen::Affine3d& X_parent, int depth = 0) {
+    if (depth > kDeepestNode)
+      throw scene::InputError(file_,
+                              fmt::format("its nodes are nested more than {} deep", kDeepestNode));
+    const Eigen::Affine3d X = X_parent * transformation(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], X);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], X, depth + 1);
+  }
+
+  TriMesh mesh() const {
+    return {Eigen::Map<const Eigen::Matrix3Xd>(vertices_.data(), 3,
+                                               static_cast<Eigen::Index>(vertices_.size() / 3)),
+            Eigen::Map<const Eigen::Matrix3Xi>(faces_.data(), 3,
+                                               static_cast<Eigen::Index>(faces_.size() / 3))};
+  }
+
+ private:
+  void add(const aiMesh& part, const Eigen::Affine3d& X) {
+    if (vertices_.size() / 3 + part.mNumVertices > kMostVertices)
+      throw scene::InputError(
+          file_, fmt::format("its parts, with all instances, have more than {} million vertices",
+                             kMostVertices / 1'000'000));
+    const int first = static_cast<int>(vertices_.size() / 3);
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D& v = part.mVertices[i];
+      require_finite({v.x, v.y, v.z});
+      const Eigen::Vector3d p = X * Eigen::Vector3d(v.x, v.y, v.z);
+      vertices_.insert(vertices_.end(), p.begin(), p.end());
+    }
+    const bool mirrored = X.linear().determinant() < 0;
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices == 3) add_face(part, face, first, mirrored);
+    }
+  }
+
+  void require_finite(const Eigen::Vector3d& p) const {
+    if (p.allFinite()) return;
+    std::ostringstream text;
+    text << "vertex " << vertices_.size() / 3 + 1 << " in the order of reading is (" << p.x()
+         << ", " << p.y() << ", " << p.z() << "), expected finite coordinates of a float's range";
+    throw scene::InputError(file_, text.str());
+  }
+
+  /// A mirroring transformation would reverse the face.
+  void add_face(const aiMesh& part, const aiFace& face, int first, bool mirrored) {
+    for (const int corner : {0, mirrored ? 2 : 1, mirrored ? 1 : 2}) {
+      if (face.mIndices[corner] >= part.mNumVertices)
+        throw scene::InputError(file_,
+                                "a face names vertex " + std::to_string(face.mIndices[corner]) +
+                                    ", expected less than " + std::to_string(part.mNumVertices));
+      faces_.push_back(first + static_cast<int>(face.mIndices[corner]));
+    }
+  }
+
+  const fs::path& file_;
+  const aiScene& scene_;
+  std::vector<double> vertices_;
+  std::vector<int> faces_;
+};
+
+/// Refuses a face without corners, on which the triangulation of assimp 5.2 ends the process.
+void require_corners(const fs::path& file, const aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
+      if (scene.mMeshes[m]->mFaces[f].mNumIndices == 0)
+        throw scene::InputError(file, "face " + std::to_string(f + 1) + " has no vertices");
+}
+
+/// Finds `<up_axis>Y_UP</up_axis>` in a Collada file, whose reader keeps it to itself; y without
+/// it.
+char collada_up(const fs::path& file) {
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::size_t found = text.find("<up_axis>");
+  if (found == std::string::npos) return 'y';
+  const std::size_t axis = text.find_first_of("XYZ", found);
+  return axis == std::string::npos
+             ? 'y'
+             : static_cast<char>(std::tolower(static_cast<unsigned char>(text[axis])));
+}
+
+StatedFrame fbx_frame(const aiScene& scene) {
+  StatedFrame frame;
+  if (scene.mMetaData == nullptr) return frame;
+  int axis = -1;
+  if (scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis <= 2)
+    frame.up = static_cast<char>('x' + axis);
+  // The factor is that of centimetres; its type depends on the version of assimp.
+  float single = 0;
+  double factor = 0;
+  if (!scene.mMetaData->Get("UnitScaleFactor", factor) &&
+      scene.mMetaData->Get("UnitScaleFactor", single))
+    factor = single;
+  if (std::isfinite(factor) && factor > 0) frame.unit = factor / 100;
+  return frame;
+}
+
+StatedFrame stated_frame(const fs::path& file, const aiScene& scene) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".gltf" || extension == ".glb") return {.up = 'y', .unit = 1};
+  // The Collada reader converts to metres.
+  if (extension == ".dae") return {.up = collada_up(file), .unit = 1};
+  if (extension == ".fbx") return fbx_frame(scene);
+  return {};
+}
+
+/// Lets the kernel give this process memory in pages of 2 MB. The OBJ reader of assimp fills a
+/// buffer of 16 MB for any file, which as pages of 4 kB takes the kernel 11 ms.
+void ask_for_large_pages() {
+#ifdef __GLIBC__
+  constexpr std::size_t kPage = std::size_t{1} << 21, kSize = 12 * kPage;
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  void* block = std::malloc(kSize);
+  std::size_t size = kSize;
+  void* first = block;
+  if (std::align(kPage, kSize - 2 * kPage, first, size) != nullptr)
+    ::madvise(first, kSize - 2 * kPage, MADV_HUGEPAGE);
+  std::free(block);  // The next blocks lie there.
+#endif
+}
+
+/// assimp's errors may repeat bytes of the file.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return text.substr(0, 300);
+}
+
+}  // namespace
+
+bool is_common_mesh_format(const fs::path& file) {
+  return std::ranges::count(kCommonFormats, lower_extension(file)) > 0;
+}
+
+MeshFile parse_mesh(const fs::path& file, scene::MeshFormats formats) {
+  require_readable(file);
+  ask_for_large_pages();
+  // Neither this nor the scene is freed: to do so recurses through all nodes, and takes time.
+  auto& importer = *new Assimp::Importer;
+  require_known_format(file, formats, importer);
+  const std::string extension = lower_extension(file);
+  if (extension == ".ply") require_whole_ply(file);
+  if (extension == ".off") require_whole_off(file);
+  const bool common = is_common_mesh_format(file);
+  if (common) keep_common_readers(importer);
+  const bool with_others = !common || extension == ".gltf" || extension == ".glb";
+  importer.SetIOHandler(new MeshFileAccess(file, with_others));
+  // Keep the file's frame: the Collada reader would turn it to y up.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+  if (scene) {
+    require_corners(file, *scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  }
+  if (!scene)
+    throw scene::InputError(file, "not a sound mesh file: " + printable(importer.GetErrorString()));
+  Collector parts(file, *scene);
+  if (scene->mRootNode) parts.add(*scene->mRootNode, Eigen::Affine3d::Identity());
+  return {parts.mesh(), stated_frame(file, *scene)};
+}
+
+}  // namespace assembly
