@@ -25,6 +25,8 @@ struct Options {
   std::string out;
   std::string also;
   std::string program;
+  std::size_t random = 0;
+  unsigned seed = 1;
   int jobs = 2;
   bool subset = false, list = false, trace = false, fresh = false;
 };
@@ -33,6 +35,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--run", options.run, "One run, by its name; parameters left out are at default");
   app.add_flag("--trace", options.trace, "With --run: time, energy and work of every step, as CSV");
   app.add_flag("--subset", options.subset, "About 200 runs instead of all");
+  app.add_option("--random", options.random,
+                 "N random runs of free bodies in place of the matrix (--seed)");
+  app.add_option("--seed", options.seed, "Seed of --random; equal ones give equal runs [1]");
   app.add_option("--filter", options.filters,
                  "Runs whose name has this text, e.g. with=stack; several: that have all");
   app.add_option("--part", options.part, "K/N: of the runs only every N-th from the K-th (from 1)");
@@ -61,7 +66,9 @@ std::vector<RunName> listed_runs(const fs::path& file) {
 }
 
 std::vector<RunName> chosen_runs(const Options& options) {
-  std::vector<RunName> runs = options.subset ? stress::subset() : stress::whole_matrix();
+  std::vector<RunName> runs = options.random > 0 ? stress::random_runs(options.random, options.seed)
+                              : options.subset   ? stress::subset()
+                                                 : stress::whole_matrix();
   if (!options.also.empty())
     for (const RunName& run : listed_runs(options.also))
       if (std::find(runs.begin(), runs.end(), run) == runs.end()) runs.push_back(run);

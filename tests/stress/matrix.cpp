@@ -1,6 +1,9 @@
 #include "tests/stress/matrix.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <utility>
 
@@ -120,7 +123,53 @@ std::vector<RunName> every_once(std::vector<std::size_t> strides) {
   return runs;
 }
 
+/// Random values of the parameters of a run.
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+
+  /// Returns a number whose logarithm has any value with the same probability.
+  std::string number(double lo, double hi) {
+    return fmt::format("{:.4g}", lo * std::pow(hi / lo, part()));
+  }
+  /// Returns such a number, or in one of four cases 0.
+  std::string number_or_zero(double lo, double hi) { return part() < 0.25 ? "0" : number(lo, hi); }
+  const std::string& one_of(const std::vector<std::string>& values) {
+    return values[random_() % values.size()];
+  }
+  const std::string& value(Key key) {
+    return one_of(dimensions()[static_cast<std::size_t>(key)].values);
+  }
+
+ private:
+  double part() { return static_cast<double>(random_()) / 4294967296.0; }
+
+  std::mt19937 random_;  ///< Its numbers are the same everywhere, those of distributions are not.
+};
+
+RunName random_run(Dice& dice) {
+  RunName run;
+  const std::vector<std::string> shapes = {"cube",   "ball", "shell", "plate",
+                                           "needle", "tub",  "tank",  "teapot"};
+  run = run.with(Key::shape, dice.one_of(shapes));
+  run = run.with(Key::size, dice.number(1e-4, 60)).with(Key::density, dice.number(0.002, 40));
+  run = run.with(Key::speed, dice.number_or_zero(0.01, 100));
+  run = run.with(Key::spin, dice.number_or_zero(0.01, 30));
+  for (const Key key : {Key::entry, Key::pose, Key::start, Key::step, Key::added})
+    run = run.with(key, dice.value(key));
+  run = run.with(Key::water, dice.one_of({"flat", "flat", "flat", "bumps", "swell", "steep"}));
+  run = run.with(Key::coefs, dice.one_of({"default", "none", "thesis", "x100"}));
+  return run.with(Key::with, "free").with(Key::steps, "100");
+}
+
 }  // namespace
+
+std::vector<RunName> random_runs(std::size_t count, unsigned seed) {
+  Dice dice(seed);
+  std::vector<RunName> runs;
+  while (runs.size() < count) runs.push_back(random_run(dice));
+  return runs;
+}
 
 std::vector<RunName> whole_matrix() { return every_once({1, 1, 1, 1, 1}); }
 

@@ -17,4 +17,9 @@ std::vector<RunName> whole_matrix();
 /// Returns about 200 of the runs, from all parts, for every build.
 std::vector<RunName> subset();
 
+/// Returns random runs of free bodies between the values of the matrix: of 0.1 mm to 60 m, 0.002 to
+/// 40 times as dense as the water, with spins to 30 rad/s and speeds to 100 m/s, in still water and
+/// in waves, at any step. Equal seeds give equal runs.
+std::vector<RunName> random_runs(std::size_t count, unsigned seed);
+
 }  // namespace stress
