@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/base/console.h"
 #include "app/base/exit_code.h"
+#include "app/base/words.h"
 #include "app/cli/completion.h"
 #include "app/cli/sweep_cli.h"
 #include "app/commands/addedmass.h"
@@ -194,9 +196,8 @@ void add_others(CLI::App& program, Arguments& a) {
 
   CLI::App* render = program.add_subcommand("render", "Draw pictures of a logged trajectory");
   render->add_option("trajectory", a.render.trajectory, kTrajectory)->type_name("FILE")->required();
-  render->add_option("--scene", a.render.scene, "Scene of the trajectory")
-      ->type_name("SCENE")
-      ->required();
+  render->add_option("--scene", a.render.scene, "Scene of the trajectory [that of its run]")
+      ->type_name("SCENE");
   render->add_option("--out", a.render.out, "Folder for the pictures")
       ->type_name("DIR")
       ->required();
@@ -371,6 +372,22 @@ void check_command(const CLI::App& program, int argc, char** argv) {
                         CLI::ExitCodes::ExtrasError);
 }
 
+/// Says which argument a command does not have, and which option is nearest to it.
+void say_unexpected(const CLI::App& program, const CLI::ExtrasError& error) {
+  std::vector<std::string> known;
+  std::string command = "plimsoll";
+  for (const CLI::App* used : program.get_subcommands()) {
+    command += " " + used->get_name();
+    for (const CLI::Option* option : used->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  const std::string text = error.what();
+  const std::string found = text.substr(text.find_last_of(' ') + 1);
+  const std::string hint = found.starts_with("-") ? did_you_mean(found, known) : "";
+  say(hint.empty() ? text : fmt::format("{} has no option {}{}", command, found, hint));
+  say(fmt::format("Run {} --help for more information.", command));
+}
+
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
   a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides =
@@ -415,6 +432,9 @@ int command_line(int argc, char** argv) {
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    say_unexpected(program, error);
+    return kWrongInput;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kDone : kWrongInput;
   }

@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -32,10 +33,13 @@ int run_command(int argc, char** argv) {
   return code;
 }
 
-void say_faults(const scene::InputError& error) {
+/// @param command   Of the command line.
+void say_faults(const scene::InputError& error, const std::string& command) {
   const std::size_t count = error.faults().size();
+  const bool runs = command == "run" || command == "sweep" || command == "view";
   app::say(error.what());
-  app::say(fmt::format("{} problem{}, nothing was run.", count, count == 1 ? "" : "s"));
+  app::say(fmt::format("{} problem{}{}", count, count == 1 ? "" : "s",
+                       runs ? ", nothing was run." : "."));
 }
 
 }  // namespace
@@ -46,7 +50,7 @@ int main(int argc, char** argv) {
   try {
     return run_command(argc, argv);
   } catch (const scene::InputError& error) {
-    say_faults(error);
+    say_faults(error, argc > 1 ? argv[1] : "");
     return app::kWrongInput;
   } catch (const engine::SimulationError& error) {
     app::say(fmt::format("error: {}", error.what()));

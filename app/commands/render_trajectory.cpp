@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/assembly/build.h"
 #include "app/base/console.h"
@@ -21,6 +23,7 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/run_need.h"
+#include "app/run/run_source.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -60,10 +63,25 @@ void say_what_was_drawn(const PictureReport& report, const ShotSpool& shots,
   for (const std::string& line : videos_made(report)) say(line);
 }
 
+/// Reads the scene of the options, or else that of the run.
+scene::Scene scene_of(const RenderOptions& options) {
+  if (!options.scene.empty()) return scene::read(options.scene, options.overrides, options.formats);
+  const std::filesystem::path summary =
+      trajectory_of(options.trajectory).parent_path() / kSummaryFile;
+  std::optional<RunSource> source = source_in(read_summary(summary), summary);
+  if (!source)
+    throw scene::InputError(options.trajectory,
+                            "has no summary.json beside it that names the scene; name it by "
+                            "--scene");
+  for (const scene::Override& override : options.overrides)
+    source->overrides.push_back(override.key_path + "=" + override.value);
+  return read_again(*source, source->file);
+}
+
 }  // namespace
 
 int render_trajectory(const RenderOptions& options) {
-  scene::Scene scene = scene::read(options.scene, options.overrides, options.formats);
+  scene::Scene scene = scene_of(options);
   if (!scene.render) scene.render.emplace();
   check_video(options.video, *scene.render, options.out, thread_count(0));
   assembly::BuiltScene built = assembly::build_without_added_mass(scene);

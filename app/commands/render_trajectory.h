@@ -10,7 +10,7 @@ namespace app {
 
 struct RenderOptions {
   std::filesystem::path trajectory;
-  std::filesystem::path scene;
+  std::filesystem::path scene;  ///< Empty: that of the run, from its summary.
   std::filesystem::path out;
   std::vector<scene::Override> overrides;
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.

@@ -364,7 +364,25 @@ std::vector<Cells> hollow_table(std::span<const BodyKind> kinds) {
   return rows;
 }
 
+/// Returns the kinds of bodies that have a row.
+std::span<const BodyKind> shown_of(const std::vector<BodyKind>& kinds) {
+  return std::span(kinds).first(std::min(kinds.size(), kMostKinds));
+}
+
+/// Returns the table of meshes, sizes and masses.
+std::vector<std::string> size_lines(const scene::Scene& scene, const std::vector<BodyKind>& kinds) {
+  std::vector<std::string> lines;
+  if (kinds.empty()) return lines;
+  append_cells(lines, aligned_lines(body_table(shown_of(kinds), scene.water.has_value())));
+  if (kinds.size() > kMostKinds) lines.push_back(rest_of(kinds));
+  return lines;
+}
+
 }  // namespace
+
+std::vector<std::string> body_sizes(const scene::Scene& scene, const assembly::BuiltScene& built) {
+  return size_lines(scene, kinds_of(scene, built));
+}
 
 std::vector<std::string> resolved_scene(const scene::Scene& scene,
                                         const assembly::BuiltScene& built,
@@ -372,10 +390,8 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
                                         const std::string& no_pictures) {
   std::vector<std::string> lines = {headline(scene, built)};
   const std::vector<BodyKind> kinds = kinds_of(scene, built);
-  const std::span shown = std::span(kinds).first(std::min(kinds.size(), kMostKinds));
-  if (!shown.empty())
-    append_cells(lines, aligned_lines(body_table(shown, scene.water.has_value())));
-  if (kinds.size() > shown.size()) lines.push_back(rest_of(kinds));
+  append_cells(lines, size_lines(scene, kinds));
+  const std::span shown = shown_of(kinds);
   const std::vector<Cells> hollows = hollow_table(shown);
   if (hollows.size() > 1) append_cells(lines, aligned_lines(hollows));
   const std::vector<Cells> added_mass = added_mass_table(shown);

@@ -18,4 +18,7 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
                                         const assembly::BuiltScene& built,
                                         const engine::Skips& skips, const std::string& no_pictures);
 
+/// Returns the lines of that text on meshes, sizes, masses and draughts of bodies.
+std::vector<std::string> body_sizes(const scene::Scene& scene, const assembly::BuiltScene& built);
+
 }  // namespace app

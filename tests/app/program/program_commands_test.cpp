@@ -18,6 +18,7 @@ using support::lines_of;
 using support::Outcome;
 using support::tolerance;
 using support::Workplace;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -83,7 +84,9 @@ TEST_F(ProgramCheck, SaysWhatARightSceneHolds) {
   here.write("box.yaml", falling_box("1"));
   const Outcome outcome = here.run({"check", "box.yaml"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out, "box.yaml: ok: 1 body, 48 triangles, 0 joints\n");
+  EXPECT_THAT(lines_of(outcome.out),
+              ElementsAre("box.yaml: ok: 1 body, 48 triangles, 0 joints", StartsWith("  body"),
+                          AllOf(StartsWith("  box"), HasSubstr("1 x 1 x 1"), HasSubstr("500"))));
   EXPECT_FALSE(fs::exists(here / "out"));
 }
 
@@ -96,7 +99,7 @@ TEST_F(ProgramCheck, TellsAllFaultsOfAllScenes) {
   EXPECT_THAT(lines_of(outcome.err),
               ElementsAre(StartsWith("a.yaml:2:11: duration: "), StartsWith("a.yaml:3:7: step: "),
                           "c.yaml:8:7: log.evry: unknown key; did you mean every?",
-                          "none.yaml: there is no such file", "4 problems, nothing was run."));
+                          "none.yaml: there is no such file", "4 problems."));
   EXPECT_THAT(outcome.out, StartsWith("b.yaml: ok"));
 }
 
@@ -313,6 +316,20 @@ TEST_F(ProgramRender, DrawsAsUsualForASceneWithoutARenderBlock) {
   EXPECT_TRUE(fs::exists(here / "p/frames/frame_0001.png"));
 }
 
+TEST_F(ProgramRender, FindsTheSceneOfARunByItself) {
+  here.write("box.yaml", falling_box("0.4"));
+  here.run({"run", "box.yaml", "--set", "bodies[0].color=[1, 0, 0]"});
+  EXPECT_EQ(here.run({"render", "out/box", "--out", "p"}).code, 0);
+  EXPECT_EQ(here.run({"render", "out/box", "--scene", "box.yaml", "--out", "q", "--set",
+                      "bodies[0].color=[1, 0, 0]"})
+                .code,
+            0);
+  EXPECT_GT(here.read("p/frames/frame_0001.png").size(), 1000u);
+  EXPECT_EQ(here.read("p/frames/frame_0001.png"), here.read("q/frames/frame_0001.png"));
+  fs::remove(here / "out/box/summary.json");
+  EXPECT_THAT(here.run({"render", "out/box", "--out", "r"}).err, HasSubstr("name it by --scene"));
+}
+
 TEST_F(ProgramRender, RefusesTheTrajectoryOfAnotherScene) {
   here.write("box.yaml", falling_box("0.1"));
   here.run({"run", "box.yaml"});
@@ -323,7 +340,7 @@ TEST_F(ProgramRender, RefusesTheTrajectoryOfAnotherScene) {
   EXPECT_THAT(lines_of(outcome.err),
               ElementsAre("out/box/trajectory.csv: has no body other, which the scene has",
                           "out/box/trajectory.csv: has a body box, which the scene does not have",
-                          "2 problems, nothing was run."));
+                          "2 problems."));
   EXPECT_FALSE(fs::exists(here / "p"));
 }
 

@@ -69,6 +69,12 @@ TEST_F(ProgramFailures, WrongUsageIsCodeTwoAndSaysWhatIsRight) {
   EXPECT_FALSE(fs::exists(here / "out"));
 }
 
+TEST_F(ProgramFailures, AMisspeltOptionNamesTheNearest) {
+  const Outcome outcome = here.run({"run", "box.yaml", "--ouut", "o"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, StartsWith("plimsoll run has no option --ouut; did you mean --out?\n"));
+}
+
 TEST_F(ProgramFailures, HelpAndVersionAreNoFailures) {
   const Outcome help = here.run({"--help"});
   EXPECT_EQ(help.code, 0);
