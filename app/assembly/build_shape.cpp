@@ -44,6 +44,9 @@ hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
 /// Adds a warning, or a fault, if a body of so many triangles takes more memory than is free. What
 /// earlier bodies take is no longer free. @return false after a fault
 bool has_memory(double triangles, const std::string& key, BuildLog& log) {
+  // To ask the system takes longer than to build a small body, and there may be thousands of them.
+  constexpr double kSmallBody = 64e6;  // [bytes]
+  if (body_bytes(triangles) < kSmallBody) return true;
   const auto verdict = app::judged_need(body_bytes(triangles), app::available_memory());
   if (!verdict) return true;
   const std::string text = fmt::format("{}: {:.3g} triangles", verdict->text, triangles);

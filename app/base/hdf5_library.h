@@ -4,13 +4,14 @@
 #define H5_USE_110_API
 #include <hdf5.h>
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
 
 /// @file
-/// What the users of the HDF5 library share: hdf5_file.cpp of logs/ and hdf5_arrays.cpp of
-/// databases/. Only they may include it.
+/// What the users of the HDF5 library share: hdf5_file.cpp and hdf5_reader.cpp of logs/ and
+/// hdf5_arrays.cpp of databases/. Only they may include it.
 
 namespace app::hdf5 {
 
@@ -51,6 +52,26 @@ inline void prepare_library() {
   }();
   static_cast<void>(once);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// Returns properties that disable the library's own locks, which some file systems refuse.
+inline Handle access_without_locks() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access, false, true);
+  return access;
+}
+
+/// Opens a file for reading; the handle is negative if its structure is damaged.
+inline Handle open_to_read(const std::filesystem::path& file) {
+  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, access_without_locks()), H5Fclose};
+}
+
+/// Returns the type of texts of any length.
+inline Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
 }
 
 /// Returns the system's message within the library's last error, or else the library's innermost

@@ -3,24 +3,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdio>
-#include <numbers>
+#include <cstdlib>
+#include <map>
 
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/words.h"
+#include "app/cli/analysis_cli.h"
+#include "app/cli/common_options.h"
 #include "app/cli/completion.h"
 #include "app/cli/sweep_cli.h"
-#include "app/commands/addedmass.h"
 #include "app/commands/check.h"
 #include "app/commands/new_scene.h"
 #include "app/commands/probe.h"
-#include "app/commands/radiation.h"
 #include "app/commands/render_trajectory.h"
 #include "app/commands/schema_command.h"
 #include "app/compare/compare.h"
-#include "app/hydrostatics/hydrostatics.h"
 #include "app/report/report.h"
 #include "app/run/run.h"
 #include "app/scene/diagnostics.h"
@@ -60,25 +58,6 @@ LogFormat parse_format(const std::string& word) {
   throw scene::InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
 }
 
-/// Parses `0:60:5` to 0, 5 … 60 degrees, in radians.
-std::vector<double> parse_heels(const std::string& argument) {
-  double first = 0, last = 0, step = 0;
-  int end = 0;
-  const bool read = std::sscanf(argument.c_str(), "%lf:%lf:%lf%n", &first, &last, &step, &end) == 3;
-  // NaN fails every comparison.
-  const bool fits = std::abs(first) <= 180 && std::abs(last) <= 180 && step >= 0.01;
-  if (!read || argument.size() != static_cast<std::size_t>(end) || !fits || first > last)
-    throw scene::InputError("--heel",
-                            fmt::format("found {}, expected FIRST:LAST:STEP within -180 and 180 "
-                                        "degrees, FIRST <= LAST and STEP >= 0.01",
-                                        argument));
-  std::vector<double> heels;
-  const long count = std::lround(std::floor((last - first) / step + 1e-9));
-  for (long i = 0; i <= count; ++i)
-    heels.push_back((first + static_cast<double>(i) * step) * std::numbers::pi / 180);
-  return heels;
-}
-
 /// Values of the options of all commands.
 struct Arguments {
   RunOptions run;
@@ -86,12 +65,8 @@ struct Arguments {
   RenderOptions render;
   ViewOptions view;
   ReportOptions report;
-  HydrostaticsOptions hydrostatics;
-  AddedMassCommand addedmass;
-  RadiationCommand radiation;
+  AnalysisArguments analysis;
   SweepOptions sweep;
-  std::vector<double> center_of_mass;
-  std::string heels = "0:60:5";
   std::vector<std::filesystem::path> scenes;
   bool expand = false;
   std::filesystem::path scene;
@@ -101,21 +76,6 @@ struct Arguments {
   bool markdown = false;
   std::string shell;
 };
-
-CLI::Option* add_sets(CLI::App* command, Arguments& arguments) {
-  return command
-      ->add_option("--set", arguments.sets,
-                   "Replace or add a key of the scene, e.g. bodies[0].density=700")
-      ->type_name("KEY.PATH=VALUE")
-      ->allow_extra_args(false)
-      ->take_all();
-}
-
-CLI::Option* add_any_format(CLI::App* command, scene::MeshFormats& formats) {
-  return command->add_flag_callback(
-      "--any-format", [&formats] { formats = scene::MeshFormats::any; },
-      "Read meshes in any format, beyond .obj, .stl, .ply, .off, .gltf and .glb");
-}
 
 void add_threads(CLI::App* command, int& threads, const char* more = "") {
   command
@@ -148,7 +108,7 @@ void add_run(CLI::App& program, Arguments& a) {
   CLI::Option* out =
       command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]");
   out->type_name("DIR");
-  CLI::Option* sets = add_sets(command, a);
+  CLI::Option* sets = add_sets(command, a.sets);
   CLI::Option* any_format = add_any_format(command, a.run.formats);
   CLI::Option* format = command->add_option_function<std::string>(
       "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
@@ -182,7 +142,7 @@ void add_others(CLI::App& program, Arguments& a) {
   CLI::App* check =
       program.add_subcommand("check", "Validate scenes and their meshes; run nothing");
   check->add_option("scenes", a.scenes, "Scene files")->type_name("FILE")->required();
-  add_sets(check, a);
+  add_sets(check, a.sets);
   check->add_flag("--expand", a.expand,
                   "Print the scenes without includes, variables and repeated entries, and check "
                   "nothing else");
@@ -191,7 +151,7 @@ void add_others(CLI::App& program, Arguments& a) {
   CLI::App* probe =
       program.add_subcommand("probe", "Print the forces on every body in its initial state (JSON)");
   probe->add_option("scene", a.scene, "Scene file")->type_name("FILE")->required();
-  add_sets(probe, a);
+  add_sets(probe, a.sets);
   add_any_format(probe, a.formats);
 
   CLI::App* render = program.add_subcommand("render", "Draw pictures of a logged trajectory");
@@ -202,7 +162,7 @@ void add_others(CLI::App& program, Arguments& a) {
       ->type_name("DIR")
       ->required();
   add_video(render, a.render.video);
-  add_sets(render, a);
+  add_sets(render, a.sets);
   add_any_format(render, a.render.formats);
   render->add_flag("--quiet", a.render.quiet, "Print no progress and no report");
 }
@@ -210,7 +170,7 @@ void add_others(CLI::App& program, Arguments& a) {
 void add_view(CLI::App& program, Arguments& a) {
   CLI::App* command = program.add_subcommand("view", "Play a scene in a window, in real time");
   command->add_option("scene", a.view.scene, "Scene file")->type_name("SCENE")->required();
-  add_sets(command, a);
+  add_sets(command, a.sets);
   add_any_format(command, a.view.formats);
   add_threads(command, a.view.threads);
   CLI::Option* snapshot =
@@ -256,88 +216,6 @@ void add_report(CLI::App& program, Arguments& a) {
   add_any_format(command, a.report.formats);
 }
 
-void add_hydrostatics(CLI::App& program, Arguments& a) {
-  CLI::App* command = program.add_subcommand(
-      "hydrostatics",
-      "Floating position, stability and righting arms of a mesh or of a scene's bodies");
-  HydrostaticsOptions& o = a.hydrostatics;
-  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
-  command->add_option("--mass", o.mass, "Mass of a mesh [kg]")->type_name("KG");
-  command
-      ->add_option("--draught", o.draught, "Instead of the mass: draught of the upright mesh [m]")
-      ->type_name("M");
-  command->add_option("--density", o.density, "Density of the water, for a mesh [kg/m^3] [1000]")
-      ->type_name("RHO");
-  command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")
-      ->type_name("X,Y,Z")
-      ->delimiter(',')
-      ->expected(3);
-  command
-      ->add_option("--water", o.water,
-                   "Water in the hollows of the upright mesh, shared by their volume [m^3] [none]")
-      ->type_name("M3");
-  command->add_option("--heel", a.heels, "Heel angles of the righting arms [deg]")
-      ->type_name("FIRST:LAST:STEP")
-      ->capture_default_str();
-  add_sets(command, a);
-  add_any_format(command, o.formats);
-  command->add_flag("--json", o.json, "Print JSON");
-  command->add_flag("--csv", o.csv, "Print CSV, one number per row");
-}
-
-void add_addedmass(CLI::App& program, Arguments& a) {
-  CLI::App* command = program.add_subcommand(
-      "addedmass", "Added mass of a mesh or a scene's bodies, wholly submerged");
-  AddedMassCommand& o = a.addedmass;
-  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
-  command->add_option("--density", o.density,
-                      "Density of the water [kg/m^3] [that of the scene, or 1000]");
-  command->add_option("--tolerance", o.options.tolerance, "Largest estimated relative error")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--method", o.options.method,
-          "galerkin: quadratic elements on adapted panels; constant: collocation on the faces")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
-          {"galerkin", hydro::AddedMassMethod::galerkin},
-          {"constant", hydro::AddedMassMethod::constant}}));
-  add_sets(command, a);
-  add_any_format(command, o.formats);
-  command->add_flag_callback(
-      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
-  command->add_flag("--json", o.json, "Print JSON");
-}
-
-void add_radiation(CLI::App& program, Arguments& a) {
-  CLI::App* command = program.add_subcommand(
-      "radiation", "Added mass, damping and loads of waves on a floating mesh or a scene's bodies");
-  RadiationCommand& o = a.radiation;
-  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
-  command->add_option("--density", o.density, "Density of the water about a mesh [kg/m^3]")
-      ->capture_default_str();
-  command->add_option("--depth", o.depth, "Depth of the water about a mesh [m] [deep]");
-  command
-      ->add_option("--relative-density", o.relative_density,
-                   "Density of a mesh's body, which is uniform, over the water's")
-      ->capture_default_str();
-  command
-      ->add_option("--frequencies", o.frequencies,
-                   "Frequencies [rad/s], ascending [sixteen, chosen for the body]")
-      ->delimiter(',');
-  add_sets(command, a);
-  add_any_format(command, o.formats);
-  command->add_flag_callback(
-      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
-  CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
-  command->add_flag("--csv", o.csv, "Print CSV, one number per row")->excludes(json);
-  command->add_option("--wamit", o.wamit, "Write STEM.1, STEM.3 and STEM.hst as WAMIT does")
-      ->type_name("STEM");
-  command->add_option("--capytaine", o.capytaine, "Write a dataset .nc as Capytaine does")
-      ->type_name("FILE");
-  command->add_option("--plot", o.plot, "Draw added mass, damping and loads of waves as SVG")
-      ->type_name("FILE");
-}
-
 void add_schema(CLI::App& program, Arguments& a) {
   program.add_subcommand("schema", "Print the JSON Schema of scenes, for editors")
       ->add_flag("--markdown", a.markdown, "Print the tables of keys of scenes/README.md instead");
@@ -348,14 +226,6 @@ void add_completion(CLI::App& program, Arguments& a) {
       ->add_option("shell", a.shell, "bash or zsh")
       ->check(CLI::IsMember({"bash", "zsh"}))
       ->required();
-}
-
-int run_hydrostatics(Arguments& a, const std::vector<scene::Override>& overrides) {
-  const std::vector<double>& com = a.center_of_mass;
-  a.hydrostatics.overrides = overrides;
-  a.hydrostatics.heels = parse_heels(a.heels);
-  if (com.size() == 3) a.hydrostatics.center_of_mass = Eigen::Vector3d(com[0], com[1], com[2]);
-  return hydrostatics(a.hydrostatics);
 }
 
 /// Lists the commands if the first word is not a command.
@@ -390,8 +260,7 @@ void say_unexpected(const CLI::App& program, const CLI::ExtrasError& error) {
 
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
-  a.run.overrides = a.view.overrides = a.render.overrides = a.addedmass.overrides =
-      a.radiation.overrides = overrides;
+  a.run.overrides = a.view.overrides = a.render.overrides = overrides;
   a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
   if (program.got_subcommand("view")) return view(a.view);
@@ -401,12 +270,10 @@ int dispatch(const CLI::App& program, Arguments& a) {
     return a.expand ? print_expanded(a.scenes, overrides) : check(a.scenes, overrides, a.formats);
   if (program.got_subcommand("probe")) return probe(a.scene, overrides, a.formats);
   if (program.got_subcommand("compare")) return compare(a.compare);
-  if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
-  if (program.got_subcommand("radiation")) return radiation(a.radiation);
   if (program.got_subcommand("report")) return report(a.report);
   if (program.got_subcommand("completion")) return completion(program, a.shell);
   if (program.got_subcommand("schema")) return schema(a.markdown);
-  if (program.got_subcommand("hydrostatics")) return run_hydrostatics(a, overrides);
+  if (const auto code = run_analysis(program, a.analysis, overrides)) return *code;
   return render_trajectory(a.render);
 }
 
@@ -423,9 +290,7 @@ int command_line(int argc, char** argv) {
   add_view(program, arguments);
   add_compare(program, arguments);
   add_report(program, arguments);
-  add_hydrostatics(program, arguments);
-  add_addedmass(program, arguments);
-  add_radiation(program, arguments);
+  add_analyses(program, arguments.analysis, arguments.sets);
   add_sweep(program, arguments.sweep);
   add_schema(program, arguments);
   add_completion(program, arguments);

@@ -2,16 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/common_options.h"
 #include "app/sweep/sweep_parameters.h"
 
 namespace app {
 namespace {
-
-/// Adds an option that takes one value each time it is given.
-void add_repeated(CLI::App* command, const char* name, std::vector<std::string>& values,
-                  const char* type, const char* what) {
-  command->add_option(name, values, what)->type_name(type)->allow_extra_args(false)->take_all();
-}
 
 /// Adds the options for sampling and running.
 void add_manner(CLI::App* command, SweepOptions& o) {
@@ -43,17 +38,18 @@ void add_sweep(CLI::App& program, SweepOptions& o) {
                                              "Run a scene with many values of its keys; repeat the "
                                              "command to resume");
   command->add_option("scene", o.scene, "Scene file (YAML)")->type_name("FILE")->required();
-  add_repeated(command, "--vary", o.varied, "KEY.PATH=FIRST:LAST:STEP|VALUE,VALUE,...",
-               "A key of the scene and its values, e.g. bodies[0].density=200:1000:100");
-  command->get_option("--vary")->required();
+  command
+      ->add_option("--vary", o.varied,
+                   "A key of the scene and its values, e.g. bodies[0].density=200:1000:100")
+      ->type_name("KEY.PATH=FIRST:LAST:STEP|VALUE,VALUE,...")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->required();
   command->add_option("--out", o.out, "Folder for the table sweep.csv and the runs")
       ->type_name("DIR")
       ->required();
-  add_repeated(command, "--set", o.sets, "KEY.PATH=VALUE",
-               "Replace or add a key of the scene in all runs");
-  command->add_flag_callback(
-      "--any-format", [&o] { o.formats = scene::MeshFormats::any; },
-      "Read meshes in any format, beyond .obj, .stl, .ply, .off, .gltf and .glb");
+  add_sets(command, o.sets, "Replace or add a key of the scene in all runs");
+  add_any_format(command, o.formats);
   add_manner(command, o);
   CLI::Option* fresh = command->add_flag("--fresh", o.fresh, "Remove earlier results first");
   CLI::Option* slurm = command->add_flag(

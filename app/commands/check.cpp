@@ -5,7 +5,7 @@
 #include "app/assembly/build.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
-#include "app/run/resolved_scene.h"
+#include "app/run/body_tables.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -17,7 +17,7 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
   fmt::print("{}: ok: {}, {} triangles, {}\n", scene.file.string(),
              counted(built.spec.bodies.size(), "body", "bodies"), triangles,
              counted(built.spec.joints.size(), "joint", "joints"));
-  for (const std::string& line : body_sizes(scene, built)) fmt::print("{}\n", line);
+  for (const std::string& line : BodyTables(scene, built).sizes()) fmt::print("{}\n", line);
   std::vector<assembly::RadiationChoice> radiation;
   for (const assembly::RadiationReport& report : built.radiation)
     radiation.push_back(report.choice);

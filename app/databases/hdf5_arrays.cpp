@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <functional>
+#include <span>
 #include <string_view>
+#include <utility>
 
+#include "app/base/byte_records.h"
 #include "app/base/hdf5_library.h"
 #include "app/databases/open_arrays.h"
 #include "app/scene/isolated_reader.h"
@@ -24,9 +25,7 @@ class OpenArrays final : public ArrayFile {
  public:
   explicit OpenArrays(const std::filesystem::path& file) : ArrayFile(file) {
     prepare_library();
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_file_locking(access, false, true);
-    file_ = Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+    file_ = app::hdf5::open_to_read(file);
     if (file_ < 0) refuse("cannot be read: its HDF5 structure is damaged");
   }
 
@@ -126,50 +125,24 @@ class OpenArrays final : public ArrayFile {
   Handle file_;
 };
 
-void put(const app::CallOutput& output, const std::string& text) {
-  const auto length = static_cast<std::uint64_t>(text.size());
-  output({reinterpret_cast<const char*>(&length), sizeof length});
-  output({text.data(), text.size()});
-}
-
-template <class T>
-std::string bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
 /// Writes an array for `array_in`.
 void write(const app::CallOutput& output, const Array& array) {
-  put(output, bytes_of(array.shape));
-  put(output, bytes_of(array.numbers));
-  put(output, bytes_of(std::vector<std::size_t>{array.dimensions.size()}));
-  for (const std::string& name : array.dimensions) put(output, name);
-  for (const std::string& text : array.texts) put(output, text);
-}
-
-/// Takes the next text that `put` has written.
-std::string next(std::string_view& bytes) {
-  std::uint64_t length = 0;
-  std::memcpy(&length, bytes.data(), sizeof length);
-  std::string text(bytes.substr(sizeof length, length));
-  bytes.remove_prefix(sizeof length + length);
-  return text;
-}
-
-template <class T>
-std::vector<T> next_values(std::string_view& bytes) {
-  const std::string text = next(bytes);
-  std::vector<T> values(text.size() / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), text.data(), text.size());
-  return values;
+  const std::size_t dimensions = array.dimensions.size();
+  app::put_record(output, std::span(std::as_const(array.shape)));
+  app::put_record(output, std::span(std::as_const(array.numbers)));
+  app::put_record(output, std::span(&dimensions, 1));
+  for (const std::string& name : array.dimensions) app::put_record(output, name);
+  for (const std::string& text : array.texts) app::put_record(output, text);
 }
 
 Array array_in(std::string_view bytes) {
+  app::ByteRecords records(bytes);
   Array array;
-  array.shape = next_values<std::size_t>(bytes);
-  array.numbers = next_values<double>(bytes);
-  array.dimensions.resize(next_values<std::size_t>(bytes).front());
-  for (std::string& name : array.dimensions) name = next(bytes);
-  while (!bytes.empty()) array.texts.push_back(next(bytes));
+  array.shape = records.values<std::size_t>();
+  array.numbers = records.values<double>();
+  array.dimensions.resize(records.values<std::size_t>().at(0));
+  for (std::string& name : array.dimensions) name = records.bytes();
+  while (!records.at_end()) array.texts.emplace_back(records.bytes());
   return array;
 }
 
@@ -192,12 +165,8 @@ class Hdf5Arrays final : public ArrayFile {
  private:
   std::string ask(
       const std::function<void(const OpenArrays&, const app::CallOutput&)>& question) const {
-    constexpr int kSeconds = 10;
-    constexpr double kBytesPerSecond = 1e6;
-    return scene::read_isolated(
-        path(), "the reader of HDF5",
-        [&](const app::CallOutput& output) { question(OpenArrays(path()), output); },
-        scene::limits_by_size(path(), kSeconds, kBytesPerSecond));
+    return scene::read_hdf5_isolated(
+        path(), [&](const app::CallOutput& output) { question(OpenArrays(path()), output); });
   }
 };
 

@@ -1,12 +1,13 @@
 #include "app/logs/hdf5_file.h"
+#include "app/logs/hdf5_reader.h"
 #include "app/scene/diagnostics.h"
 
-/// Replaces hdf5_file.cpp in a build without the library.
+/// Replaces hdf5_file.cpp and hdf5_reader.cpp in a build without the library.
 
 namespace app {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file) {
+[[noreturn]] void refuse_file(const std::filesystem::path& file) {
   throw scene::InputError(file, why_no_hdf5());
 }
 
@@ -19,9 +20,8 @@ std::string why_no_hdf5() {
 }
 
 struct Hdf5Writer::File {};
-struct Hdf5Reader::File {};
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, Mode) { refuse(file); }
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, Mode) { refuse_file(file); }
 Hdf5Writer::~Hdf5Writer() = default;
 void Hdf5Writer::set_attributes(const Hdf5Attributes&) {}
 void Hdf5Writer::add_texts(const std::string&, const std::vector<std::string>&) {}
@@ -34,9 +34,9 @@ void Hdf5Writer::append(std::size_t, std::span<const double>) {}
 void Hdf5Writer::flush() {}
 void Hdf5Writer::close() {}
 
-Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) { refuse(file); }
-Hdf5Reader::~Hdf5Reader() = default;
-bool Hdf5Reader::has(const std::string&) const { return false; }
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& file, const std::vector<std::string>&) {
+  refuse_file(file);
+}
 std::vector<std::string> Hdf5Reader::texts(const std::string&) const { return {}; }
 std::vector<double> Hdf5Reader::numbers(const std::string&, const std::vector<std::size_t>&) const {
   return {};

@@ -8,16 +8,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <functional>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "app/base/atomic_file.h"
 #include "app/base/hdf5_library.h"
 #include "app/base/output_error.h"
 #include "app/scene/diagnostics.h"
-#include "app/scene/isolated_reader.h"
 
 namespace app {
 namespace {
@@ -26,6 +23,7 @@ namespace fs = std::filesystem;
 using hdf5::Handle;
 using hdf5::last_error;
 using hdf5::prepare_library;
+using hdf5::text_type;
 
 /// Compression level of zlib. Most of a number's digits are noise that no level compresses.
 constexpr unsigned kDeflateLevel = 1;
@@ -37,8 +35,7 @@ constexpr std::size_t kStructureRoom = std::size_t{1} << 20;
 /// locks its folder instead. The library writes the file's structure only in a flush, so that the
 /// file is complete after each.
 Handle file_access() {
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_file_locking(access, false, true);
+  Handle access = hdf5::access_without_locks();
   H5AC_cache_config_t cache;
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   H5Pget_mdc_config(access, &cache);
@@ -48,14 +45,6 @@ Handle file_access() {
   cache.decr_mode = H5C_decr__off;
   H5Pset_mdc_config(access, &cache);
   return access;
-}
-
-/// Returns the type of texts of any length.
-Handle text_type() {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
 }
 
 /// Writes the file's structure from a copy of this process, which ends as a kill of this one does
@@ -316,118 +305,6 @@ void Hdf5Writer::close() {
   file_->give_back();
   for (File::Series& series : file_->series) file_->check(series.dataset.close());
   file_->check(file_->file.close());
-}
-
-namespace {
-
-/// An open file, in the process that reads it.
-class OpenHdf5 {
- public:
-  explicit OpenHdf5(const fs::path& path) : path_(path) {
-    prepare_library();
-    file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, file_access()), H5Fclose);
-    if (file_ < 0) refuse("cannot be read: its HDF5 structure is damaged");
-  }
-
-  bool has(const std::string& name) const {
-    return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
-  }
-
-  std::vector<std::string> texts(const std::string& name) const {
-    const Handle dataset = open(name);
-    const Extents shape = shape_in(dataset);
-    const Handle own(H5Dget_type(dataset), H5Tclose);
-    std::vector<std::string> texts;
-    if (shape.size() != 1 || H5Tis_variable_str(own) <= 0)
-      refuse(fmt::format("{}: expected a list of texts", name));
-    std::vector<char*> read(shape[0], nullptr);
-    if (H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0)
-      refuse(fmt::format("{} cannot be read: it is damaged", name));
-    for (const char* text : read) texts.emplace_back(text ? text : "");
-    return texts;
-  }
-
-  std::vector<double> numbers(const std::string& name, const std::vector<std::size_t>& row) const {
-    const Handle dataset = open(name);
-    const Extents shape = shape_in(dataset);
-    if (shape.empty() || shape != shape_of(shape[0], row))
-      refuse(fmt::format("{} has the shape {}, expected a row a time and {} in it", name,
-                         fmt::join(shape, " x "), fmt::join(row, " x ")));
-    std::size_t count = 1;
-    for (const hsize_t length : shape) count *= length;
-    std::vector<double> numbers(count);
-    if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
-      refuse(fmt::format("{} cannot be read: it is damaged", name));
-    return numbers;
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& what) const { throw scene::InputError(path_, what); }
-
-  Handle open(const std::string& name) const {
-    Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (dataset < 0) refuse(fmt::format("has no dataset {}, which plimsoll run writes", name));
-    return dataset;
-  }
-  static Extents shape_in(hid_t dataset) {
-    const Handle space(H5Dget_space(dataset), H5Sclose);
-    Extents shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
-    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-    return shape;
-  }
-
-  const fs::path& path_;
-  Handle file_;
-};
-
-}  // namespace
-
-/// The library can be crashed by a damaged file. Each question is therefore asked in a process of
-/// its own, which opens the file anew; that takes some milliseconds.
-struct Hdf5Reader::File {
-  fs::path path;
-
-  std::string ask(const std::function<void(const OpenHdf5&, const CallOutput&)>& question) const {
-    constexpr int kSeconds = 10;
-    constexpr double kBytesPerSecond = 1e6;  // Compressed ones of a slow disk.
-    return scene::read_isolated(
-        path, "the reader of HDF5",
-        [&](const CallOutput& output) { question(OpenHdf5(path), output); },
-        scene::limits_by_size(path, kSeconds, kBytesPerSecond));
-  }
-};
-
-Hdf5Reader::Hdf5Reader(const fs::path& file) : file_(std::make_unique<File>(File{file})) {
-  file_->ask([](const OpenHdf5&, const CallOutput&) {});
-}
-
-Hdf5Reader::~Hdf5Reader() = default;
-
-bool Hdf5Reader::has(const std::string& name) const {
-  return file_->ask([&](const OpenHdf5& file, const CallOutput& output) {
-    if (file.has(name)) output({"y", 1});
-  }) == "y";
-}
-
-std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
-  // Texts of the library end with a zero.
-  std::istringstream bytes(file_->ask([&](const OpenHdf5& file, const CallOutput& output) {
-    for (const std::string& text : file.texts(name)) output({text.c_str(), text.size() + 1});
-  }));
-  std::vector<std::string> texts;
-  for (std::string text; std::getline(bytes, text, '\0');) texts.push_back(text);
-  return texts;
-}
-
-std::vector<double> Hdf5Reader::numbers(const std::string& name,
-                                        const std::vector<std::size_t>& row) const {
-  const std::string bytes = file_->ask([&](const OpenHdf5& file, const CallOutput& output) {
-    const std::vector<double> numbers = file.numbers(name, row);
-    output({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)});
-  });
-  std::vector<double> numbers(bytes.size() / sizeof(double));
-  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
-  return numbers;
 }
 
 }  // namespace app

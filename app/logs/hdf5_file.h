@@ -10,8 +10,8 @@
 #include <vector>
 
 /// @file
-/// HDF5 files of numbers over time. Only hdf5_file.cpp uses the library. A program built without
-/// the library has hdf5_absent.cpp instead, where both constructors throw InputError.
+/// HDF5 files of numbers over time. hdf5_file.cpp and hdf5_reader.cpp use the library. A program
+/// built without it has hdf5_absent.cpp instead, where both constructors throw InputError.
 
 namespace app {
 
@@ -68,34 +68,11 @@ class Hdf5Writer {
   /// flushed before the function throws.
   void reserve(std::size_t bytes);
   /// Adds rows to a series.
-  /// @param numbers   Whole rows, of one chunk only. Those of a chunk that is not filled are
-  /// written
+  /// @param numbers   Whole rows, of one chunk only. If they do not fill it, they are written
   ///     again, elsewhere, with the next rows of the chunk.
   void append(std::size_t series, std::span<const double> numbers);
   void flush();
   void close();
-
- private:
-  struct File;
-  std::unique_ptr<File> file_;
-};
-
-/// Reads a file of Hdf5Writer, even if its program was killed. The library reads in processes of
-/// their own (app/scene/isolated_reader.h), so that a damaged file is a fault and no more.
-///
-/// All functions throw InputError if the file is not as expected.
-class Hdf5Reader {
- public:
-  explicit Hdf5Reader(const std::filesystem::path& file);
-  ~Hdf5Reader();
-  Hdf5Reader(const Hdf5Reader&) = delete;
-  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
-
-  /// True if the file has a dataset of that name.
-  bool has(const std::string& name) const;
-  std::vector<std::string> texts(const std::string& name) const;
-  /// Returns all numbers of a series, row by row. @param shape   Expected shape of a row.
-  std::vector<double> numbers(const std::string& name, const std::vector<std::size_t>& shape) const;
 
  private:
   struct File;

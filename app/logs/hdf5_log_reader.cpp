@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/logs/hdf5_layout.h"
+#include "app/logs/hdf5_reader.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -20,9 +21,20 @@ constexpr std::string_view kMagic = "\x89HDF\r\n\x1a\n";
 
 /// An open log with its times and bodies, and its series, which have a row per time.
 struct OpenLog {
-  explicit OpenLog(const std::filesystem::path& path)
-      : file(path), reader(path), times(reader.numbers("time", {})) {
+  /// @param all    The series that will be asked for.
+  /// @param names  Of a dataset of names; none if it is empty.
+  OpenLog(const std::filesystem::path& path, const std::vector<Hdf5Series>& all,
+          const std::string& names = "")
+      : file(path), reader(path, datasets(all, names)), times(reader.numbers("time", {})) {
     if (!times.empty()) bodies = reader.texts("body");
+  }
+
+  static std::vector<std::string> datasets(const std::vector<Hdf5Series>& all,
+                                           const std::string& names) {
+    std::vector<std::string> datasets = {"time", "body"};
+    if (!names.empty()) datasets.push_back(names);
+    for (const Hdf5Series& series : all) datasets.push_back(series.name);
+    return datasets;
   }
 
   std::vector<double> numbers(const Hdf5Series& series) const {
@@ -72,7 +84,7 @@ bool is_hdf5(const std::filesystem::path& file) {
 }
 
 Trajectory read_hdf5_trajectory(const std::filesystem::path& file) {
-  const OpenLog log(file);
+  const OpenLog log(file, state_series(1));
   const std::vector<double>& times = log.times;
   if (times.empty()) return {};
   Trajectory trajectory{.names = log.bodies, .tracks = {}};
@@ -98,7 +110,7 @@ Trajectory read_hdf5_trajectory(const std::filesystem::path& file) {
 }
 
 std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file) {
-  const OpenLog log(file);
+  const OpenLog log(file, force_series(1));
   const std::vector<Hdf5Series> all = force_series(log.bodies.size());
   if (!log.reader.has(all.front().name)) return std::nullopt;
   ForceLog forces;
@@ -109,7 +121,7 @@ std::optional<ForceLog> read_hdf5_forces(const std::filesystem::path& file) {
 
 std::optional<TableRows> read_hdf5_table(const std::filesystem::path& file,
                                          const TableLayout& layout) {
-  const OpenLog log(file);
+  const OpenLog log(file, table_series(layout, 1), layout.key);
   if (log.times.empty() || !log.reader.has(layout.key)) return std::nullopt;
   TableRows table{.layout = layout, .names = log.reader.texts(layout.key), .tracks = {}};
   for (const std::string& name : table.names) table.tracks[name].times = log.times;

@@ -12,9 +12,8 @@
 /// angles in degrees where a column ends in `_deg`, otherwise SI. Forces and moments are in W.
 ///
 /// - `lines.csv`: the springs, ropes and moorings, those of MoorDyn last. `x1` … `z2` are the
-/// places
-///   of the ends, `fx` … `fz` is the force on the first body; `taut` and `broken` are 1 or 0;
-///   `resting` is the length on the bottom, which only catenaries have.
+///   places of the ends, `fx` … `fz` is the force on the first body; `taut` and `broken` are 1 or
+///   0; `resting` is the length on the bottom, which only catenaries have.
 /// - `line_nodes.csv`: the places of the nodes of the lines of MoorDyn, of each line from its first
 ///   end to its second.
 /// - `joints.csv`: `fx` … `tz` is the load on the second body, about the anchor; `coordinate`,

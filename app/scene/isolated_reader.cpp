@@ -77,6 +77,14 @@ std::string read_isolated(const std::filesystem::path& file, const std::string& 
   throw InputError(file, bytes.substr(bytes.size() - sizeof length - length, length));
 }
 
+std::string read_hdf5_isolated(const std::filesystem::path& file,
+                               const std::function<void(const app::CallOutput&)>& read) {
+  constexpr int kSeconds = 10;
+  constexpr double kBytesPerSecond = 1e6;  // Compressed ones of a slow disk.
+  return read_isolated(file, "the reader of HDF5", read,
+                       limits_by_size(file, kSeconds, kBytesPerSecond));
+}
+
 app::CallLimits limits_by_size(const std::filesystem::path& file, int seconds,
                                double bytes_per_second) {
   std::error_code error;

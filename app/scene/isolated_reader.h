@@ -20,6 +20,10 @@ std::string read_isolated(const std::filesystem::path& file, const std::string& 
                           const std::function<void(const app::CallOutput&)>& read,
                           const app::CallLimits& limits);
 
+/// Reads a file by the library of HDF5 so, in 10 s and another second per megabyte.
+std::string read_hdf5_isolated(const std::filesystem::path& file,
+                               const std::function<void(const app::CallOutput&)>& read);
+
 /// Returns limits for a file by its size: so much time, and another second per `bytes_per_second`;
 /// 4 GiB of memory and another 64 bytes per byte of the file, but no more than is free.
 app::CallLimits limits_by_size(const std::filesystem::path& file, int seconds,

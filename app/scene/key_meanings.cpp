@@ -23,16 +23,6 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "go over those of earlier ones, and those of the scene over all."},
     {"variables", "Numbers and texts for `${…}` [in values](#variables)."},
     {"variables.NAME", "Value of `${NAME}`; it may use variables before it."},
-    {"bodies[].repeat",
-     "Makes [copies](#repeated-entries) of the body, named `NAME_0`, `NAME_1`, …. Any map in a "
-     "list "
-     "of a scene may have this block."},
-    {"bodies[].repeat.count", "Number of copies in one place; `jitter` moves them apart."},
-    {"bodies[].repeat.grid", "Numbers of copies along x, y and z."},
-    {"bodies[].repeat.spacing", "Distances between the copies of a grid along x, y and z."},
-    {"bodies[].repeat.jitter",
-     "Largest random shift of each copy along x, y and z, either way; all shifts are as likely."},
-    {"bodies[].repeat.seed", "Seed of the shifts: equal seeds give equal shifts."},
     {"duration", "Simulated time. With 0 the run consists of the initial state."},
     {"step",
      "Time step; the default is 1/60 s. The engine divides a step into substeps where the motion "
@@ -194,179 +184,6 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "those of `bodies[].mesh`."},
     {"ground.friction", "Coefficient of friction, as `bodies[].friction`."},
     {"ground.restitution", "Coefficient of restitution, as `bodies[].restitution`."},
-    {"hydro.preset",
-     "Set of coefficients, which the other keys override. `fitted` is fitted to the tabulated "
-     "drag of blunt and slender bodies (`hydro/README.md`). `thesis` is the set of the 2014 "
-     "thesis: C_p = 0.6316 on both sides, `blunt: 0` and `viscous_drag: thesis`."},
-    {"hydro.buoyancy", "Hydrostatic pressure. `false` switches the load off."},
-    {"hydro.pressure_drag",
-     "Pressure drag coefficient C_p. One number holds for all panels; `false` switches the load "
-     "off."},
-    {"hydro.pressure_drag.front", "C_p where the surface moves into the water."},
-    {"hydro.pressure_drag.back", "C_p where the surface moves away from the water."},
-    {"hydro.pressure_drag.blunt",
-     "Bluntness of the mesh along an axis from which on pressure drag counts in full along it: 1 "
-     "is a flat face, 0.5 a sphere, 0.13 an ellipsoid of 4:1. Where the mesh is more slender, the "
-     "drag falls with the third power of the bluntness (`hydro/README.md`). With 0 it counts in "
-     "full everywhere; so it does with `calibrate`."},
-    {"hydro.lift", "Lift coefficient C_l. `false` switches the load off."},
-    {"hydro.viscous_drag",
-     "Friction coefficient C_v. `false` switches the load off. `thesis` depends on the local "
-     "tangential speed v: 0.1 below 1 m/s, 0.2 − 0.1·v from 1 to 2 m/s, 0 above. `ittc57` is the "
-     "friction line 0.075 / (log10 Re − 2)² with Re = v·length/viscosity; below Re = 1e4 its "
-     "value at 1e4 holds."},
-    {"hydro.wave_tolerance",
-     "Accuracy of the loads of large meshes in waves. Parts of the mesh are summed at once where "
-     "the surface above them is nearly quadratic. The key bounds the resulting error of the "
-     "force, relative to the buoyancy of the submerged body; that of the waves' pressure stays "
-     "below this part of the waves' height, too. With 0 every triangle is summed by "
-     "itself."},
-    {"hydro.length",
-     "Length in the friction line `ittc57`. The default is the longest side of the mesh's "
-     "bounding box."},
-    {"hydro.added_mass",
-     "Added mass of the body. `deep` is that of the body in unbounded fluid, of which the wetted "
-     "panels contribute their share; it is solved once per mesh and kept for later runs. A body "
-     "without loads of the water has added mass only if this key asks for it, and a body locked "
-     "in all six degrees of freedom has none. Without this key, a body with `radiation` has the "
-     "added mass of its mean pose."},
-    {"hydro.added_mass.model",
-     "Model of the added mass. `none` and `deep` are the same as the words alone. `surface` sets "
-     "the potential to 0 on the water surface, the limit of high frequency (`hydro/README.md`); "
-     "it is solved for the poses that the run meets, some tenths of a second each."},
-    {"hydro.added_mass.tolerance",
-     "Largest relative error of `deep` due to the size of the panels. The solver splits the "
-     "faces of the mesh until the error is below it or a limit on their number is reached. "
-     "`summary.json` has the error that remains."},
-    {"hydro.added_mass.matrix",
-     "The added mass matrix in body axes about the centre of mass, in the order surge, sway, "
-     "heave, roll, pitch, yaw. It holds while any part of the body is wet, whatever the water's "
-     "density. It must be symmetric and have no negative eigenvalues, both to 1e-9 of its "
-     "largest entry."},
-    {"hydro.radiation",
-     "The waves that the body makes as it moves, and those that it scatters. With `auto` both are "
-     "solved on its mesh in its mean pose, that in which it floats at rest, and kept for later "
-     "runs; a block takes them from a database that another program has written. The body's added "
-     "mass is then that of this pose in waves of high frequency, so the key excludes "
-     "`added_mass`. Without both keys it is `auto` for a body that starts afloat near its mean "
-     "pose, free and alone on open water, and otherwise `none`; `plimsoll check` tells which, and "
-     "why ([below](#radiation))."},
-    {"hydro.radiation.file",
-     "A database of added mass, damping and loads of waves, relative to the scene file: "
-     "Capytaine's "
-     "`.nc`, the `.h5` of BEMIO (WEC-Sim, HydroChrono), WAMIT's `.1` with the `.3` and `.hst` "
-     "beside "
-     "it, or Nemoh's `RadiationCoefficients.tec` with the forces beside it "
-     "([below](#databases))."},
-    {"hydro.radiation.body",
-     "The body in the file, by its name or its number. It is needed if the file has several."},
-    {"hydro.radiation.reference_point",
-     "The point of the file's motions and moments, in the file's frame, whose z points up from the "
-     "still water. The default is what the file tells, or else the frame's origin."},
-    {"hydro.radiation.center_of_mass",
-     "The body's centre of mass in the file's frame. The default is what the file tells, or else "
-     "the place over the frame's origin; the height is that of the body's mean pose."},
-    {"hydro.radiation.heading_deg",
-     "Direction of the file's x axis as the body sees it, counter-clockwise from its own x axis."},
-    {"hydro.radiation.length",
-     "The length by which WAMIT's files are without dimension (ULEN); other files have units."},
-    {"bodies[].name",
-     "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
-     "a double quote or a line break."},
-    {"bodies[].mesh", "A closed triangle mesh from a file. Its normals point out of the solid."},
-    {"bodies[].mesh.file",
-     "A mesh file, relative to the scene file: .obj, .stl, .ply, .off, .gltf or .glb, and with the "
-     "option `--any-format` any other that assimp reads."},
-    {"bodies[].mesh.scale", "Factor by which the coordinates of the file are multiplied."},
-    {"bodies[].box", "A box about the origin, of 12·divisions² triangles."},
-    {"bodies[].box.size", "Lengths of the edges along x, y, z."},
-    {"bodies[].box.divisions", "Number of parts of each edge."},
-    {"bodies[].sphere",
-     "A UV sphere with its poles on z and its vertices on the sphere, of 2·slices·(stacks − 1) "
-     "triangles."},
-    {"bodies[].sphere.radius", "Radius."},
-    {"bodies[].sphere.slices", "Number of parts around z."},
-    {"bodies[].sphere.stacks", "Number of parts from pole to pole."},
-    {"bodies[].icosphere", "A sphere of nearly equal triangles, 20·4ⁿ with n subdivisions."},
-    {"bodies[].icosphere.radius", "Radius."},
-    {"bodies[].icosphere.subdivisions", "Number of times that each triangle is split into four."},
-    {"bodies[].ellipsoid", "A UV sphere that is scaled along the axes."},
-    {"bodies[].ellipsoid.semi_axes", "Half the lengths along x, y, z."},
-    {"bodies[].ellipsoid.slices", "Number of parts around z."},
-    {"bodies[].ellipsoid.stacks", "Number of parts from pole to pole."},
-    {"bodies[].cylinder", "A closed cylinder about z, centred at the origin."},
-    {"bodies[].cylinder.radius", "Radius."},
-    {"bodies[].cylinder.height", "Length along z."},
-    {"bodies[].cylinder.slices", "Number of parts around z."},
-    {"bodies[].cylinder.stacks", "Number of parts along z."},
-    {"bodies[].density",
-     "Density, uniform over the volume of the shape. Exactly one of `density` and `mass` is "
-     "required."},
-    {"bodies[].mass", "Total mass."},
-    {"bodies[].center_of_mass",
-     "Centre of mass in the mesh frame, allowed with `mass` only. The default is the centroid of "
-     "the volume."},
-    {"bodies[].inertia",
-     "Entries `[xx, yy, zz, xy, xz, yz]` of the inertia matrix about the centre of mass in body "
-     "axes, allowed with `mass` only. The default is that of the mass spread evenly over the "
-     "volume. The matrix must be positive definite, and no principal moment may exceed the sum "
-     "of the other two."},
-    {"bodies[].position", "Position of the origin of the mesh frame in the world."},
-    {"bodies[].orientation",
-     "Rotation from body to world, given by exactly one of `euler_deg`, `quaternion` and `axis` "
-     "with `angle_deg`. The default is no rotation."},
-    {"bodies[].orientation.euler_deg", "Roll, pitch and yaw: R = Rz(yaw)·Ry(pitch)·Rx(roll)."},
-    {"bodies[].orientation.quaternion", "Quaternion w, x, y, z. It is normalised."},
-    {"bodies[].orientation.axis",
-     "Axis of the rotation, of any length, together with `angle_deg`."},
-    {"bodies[].orientation.angle_deg", "Angle of the rotation about `axis`."},
-    {"bodies[].start",
-     "Pose at time 0. `given` takes `position` and `orientation`. `equilibrium` puts the body "
-     "afloat, where it comes to rest from its `orientation` in still water at `water.level` "
-     "under weight and buoyancy alone. Then x, y and the heading of its x axis are those given, "
-     "and z, roll and pitch follow. The body must be lighter than water, and z, roll and pitch "
-     "must not be locked."},
-    {"bodies[].linear_velocity", "Velocity of the centre of mass in world axes."},
-    {"bodies[].angular_velocity", "Angular velocity in world axes."},
-    {"bodies[].interior",
-     "Water in the hollows of the body. With `flooding` they are dry until water comes over "
-     "their rims or through `openings`; it then has a level of its own in each of them. With "
-     "`dry` those that the body has at time 0 are closed by lids, and voids are dry. With `wet` "
-     "all that is below the surface is in the sea."},
-    {"bodies[].interior_water", "Water in the hollows at time 0."},
-    {"bodies[].interior_water[].at",
-     "A point in the hollow, in the mesh frame: the hollow's surface is straight below it."},
-    {"bodies[].interior_water[].volume", "Volume of the water."},
-    {"bodies[].interior_water[].level",
-     "Height of the water's surface above the origin of the mesh frame, along the world's "
-     "vertical at time 0."},
-    {"bodies[].openings",
-     "Holes through which water runs between the sea and a hollow, or between two hollows, "
-     "driven by the difference of their pressures."},
-    {"bodies[].openings[].at", "Centre of the hole, in or near the wall, in the mesh frame."},
-    {"bodies[].openings[].area", "Area of the hole."},
-    {"bodies[].openings[].discharge", "Coefficient of discharge."},
-    {"bodies[].hydro", "Coefficients of this body. They override the scene's `hydro` key by key."},
-    {"bodies[].calibrate",
-     "Scaling of the body's pressure drag to tabulated values, independent of its mesh."},
-    {"bodies[].calibrate.drag",
-     "Drag coefficients C_d of the submerged body along its x, y and z axes, each the mean of "
-     "both directions. The reference area is the area of the projection along the axis. In other "
-     "motions the three factors are averaged, weighted by the share of the surface's motion "
-     "along each axis. Viscous drag is added."},
-    {"bodies[].collision",
-     "Shape of the body in contacts with other bodies and the ground. The default is `box` for a "
-     "box, `sphere` for a sphere or icosphere, and `mesh` otherwise. A body with `none` passes "
-     "through everything."},
-    {"bodies[].friction",
-     "Coulomb's coefficient of friction of the surface. That of a pair is the geometric mean of "
-     "both, unless `contacts` gives it."},
-    {"bodies[].restitution",
-     "Coefficient of restitution of the surface: bodies that meet faster than 0.1 m/s part with "
-     "this share of that speed. That of a pair is the larger of both, unless `contacts` gives "
-     "it."},
-    {"bodies[].lock", "Degrees of freedom that are locked at their initial values, in world axes."},
-    {"bodies[].color", "Red, green and blue of the dry surface."},
     {"contacts[].bodies",
      "The two bodies, which no joint connects; `world` stands for the ground. Each pair may be "
      "given once."},
@@ -452,13 +269,15 @@ std::string described_path(const std::string& path) {
 std::vector<std::string> described_paths() {
   std::vector<std::string> paths;
   for (const Meaning& meaning : kMeanings) paths.emplace_back(meaning.path);
+  for (const Meaning& meaning : body_meanings()) paths.emplace_back(meaning.path);
   for (const Meaning& meaning : rig_meanings()) paths.emplace_back(meaning.path);
   return paths;
 }
 
 std::string key_meaning(const std::string& path) {
   const std::string original = described_path(path);
-  for (const std::span<const Meaning> some : {std::span<const Meaning>(kMeanings), rig_meanings()})
+  for (const std::span<const Meaning> some :
+       {std::span<const Meaning>(kMeanings), body_meanings(), rig_meanings()})
     for (const Meaning& meaning : some)
       if (meaning.path == original) return std::string(meaning.text);
   throw std::out_of_range(path + " has no meaning");

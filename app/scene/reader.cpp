@@ -168,13 +168,9 @@ void check_version(const YamlNode& root, Reading& reading) {
 std::vector<Override> apply_early(const std::vector<Override>& overrides, YamlNode& root) {
   std::vector<Override> later;
   for (const Override& override : overrides) {
-    YamlNode changed = root;
     Faults faults;
-    apply_override(override, changed, faults);
-    if (faults.empty())
-      root = std::move(changed);
-    else
-      later.push_back(override);
+    apply_override(override, root, faults);
+    if (!faults.empty()) later.push_back(override);
   }
   return later;
 }

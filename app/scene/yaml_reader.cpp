@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/base/utf8.h"
 #include "app/scene/diagnostics.h"
 
 namespace scene {
@@ -214,24 +215,18 @@ class TreeBuilder : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-/// Returns the length of the UTF-8 sequence at `text[i]`; 0 if it is not valid in a text.
-std::size_t utf8_length(const std::string& text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned char lead = byte(i);
-  if (lead < 0x80) return lead >= 0x20 || (lead >= '\t' && lead <= '\r') ? 1 : 0;
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
-  return length;
+/// True for a control character that no text has.
+bool is_no_letter(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 && (byte < '\t' || byte > '\r');
 }
 
 /// Returns the place of the first byte that is not UTF-8 text.
 std::optional<Mark> first_bad_byte(const std::string& text) {
   Mark mark{.line = 1, .column = 1};
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) return mark;
+    const std::size_t length = app::utf8_length(std::string_view(text).substr(i));
+    if (length == 0 || is_no_letter(text[i])) return mark;
     if (text[i] == '\n')
       mark = {.line = mark.line + 1, .column = 1};
     else

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace app {
+
+/// Returns the length of the character at the start of a text, which is not empty, by Unicode's
+/// table 3-7 [bytes]; 0 if the text does not start with one.
+std::size_t utf8_length(std::string_view text);
+
+}  // namespace app

@@ -1,0 +1,138 @@
+#include "app/cli/analysis_cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+
+#include "app/cli/common_options.h"
+#include "app/scene/diagnostics.h"
+
+namespace app {
+namespace {
+
+/// Parses `0:60:5` to 0, 5 … 60 degrees, in radians.
+std::vector<double> parse_heels(const std::string& argument) {
+  double first = 0, last = 0, step = 0;
+  int end = 0;
+  const bool read = std::sscanf(argument.c_str(), "%lf:%lf:%lf%n", &first, &last, &step, &end) == 3;
+  // NaN fails every comparison.
+  const bool fits = std::abs(first) <= 180 && std::abs(last) <= 180 && step >= 0.01;
+  if (!read || argument.size() != static_cast<std::size_t>(end) || !fits || first > last)
+    throw scene::InputError("--heel",
+                            fmt::format("found {}, expected FIRST:LAST:STEP within -180 and 180 "
+                                        "degrees, FIRST <= LAST and STEP >= 0.01",
+                                        argument));
+  std::vector<double> heels;
+  const long count = std::lround(std::floor((last - first) / step + 1e-9));
+  for (long i = 0; i <= count; ++i)
+    heels.push_back((first + static_cast<double>(i) * step) * std::numbers::pi / 180);
+  return heels;
+}
+
+void add_hydrostatics(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
+  CLI::App* command = program.add_subcommand(
+      "hydrostatics",
+      "Floating position, stability and righting arms of a mesh or of a scene's bodies");
+  HydrostaticsOptions& o = a.hydrostatics;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--mass", o.mass, "Mass of a mesh [kg]")->type_name("KG");
+  command
+      ->add_option("--draught", o.draught, "Instead of the mass: draught of the upright mesh [m]")
+      ->type_name("M");
+  command->add_option("--density", o.density, "Density of the water, for a mesh [kg/m^3] [1000]")
+      ->type_name("RHO");
+  command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->expected(3);
+  command
+      ->add_option("--water", o.water,
+                   "Water in the hollows of the upright mesh, shared by their volume [m^3] [none]")
+      ->type_name("M3");
+  command->add_option("--heel", a.heels, "Heel angles of the righting arms [deg]")
+      ->type_name("FIRST:LAST:STEP")
+      ->capture_default_str();
+  add_sets(command, sets);
+  add_any_format(command, o.formats);
+  command->add_flag("--json", o.json, "Print JSON");
+  command->add_flag("--csv", o.csv, "Print CSV, one number per row");
+}
+
+void add_addedmass(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
+  CLI::App* command = program.add_subcommand(
+      "addedmass", "Added mass of a mesh or a scene's bodies, wholly submerged");
+  AddedMassCommand& o = a.addedmass;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--density", o.density,
+                      "Density of the water [kg/m^3] [that of the scene, or 1000]");
+  command->add_option("--tolerance", o.options.tolerance, "Largest estimated relative error")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--method", o.options.method,
+          "galerkin: quadratic elements on adapted panels; constant: collocation on the faces")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
+          {"galerkin", hydro::AddedMassMethod::galerkin},
+          {"constant", hydro::AddedMassMethod::constant}}));
+  add_sets(command, sets);
+  add_any_format(command, o.formats);
+  command->add_flag_callback(
+      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
+  command->add_flag("--json", o.json, "Print JSON");
+}
+
+void add_radiation(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
+  CLI::App* command = program.add_subcommand(
+      "radiation", "Added mass, damping and loads of waves on a floating mesh or a scene's bodies");
+  RadiationCommand& o = a.radiation;
+  command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
+  command->add_option("--density", o.density, "Density of the water about a mesh [kg/m^3]")
+      ->capture_default_str();
+  command->add_option("--depth", o.depth, "Depth of the water about a mesh [m] [deep]");
+  command
+      ->add_option("--relative-density", o.relative_density,
+                   "Density of a mesh's body, which is uniform, over the water's")
+      ->capture_default_str();
+  command
+      ->add_option("--frequencies", o.frequencies,
+                   "Frequencies [rad/s], ascending [sixteen, chosen for the body]")
+      ->delimiter(',');
+  add_sets(command, sets);
+  add_any_format(command, o.formats);
+  command->add_flag_callback(
+      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
+  CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
+  command->add_flag("--csv", o.csv, "Print CSV, one number per row")->excludes(json);
+  command->add_option("--wamit", o.wamit, "Write STEM.1, STEM.3 and STEM.hst as WAMIT does")
+      ->type_name("STEM");
+  command->add_option("--capytaine", o.capytaine, "Write a dataset .nc as Capytaine does")
+      ->type_name("FILE");
+  command->add_option("--plot", o.plot, "Draw added mass, damping and loads of waves as SVG")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+void add_analyses(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
+  add_hydrostatics(program, a, sets);
+  add_addedmass(program, a, sets);
+  add_radiation(program, a, sets);
+}
+
+std::optional<int> run_analysis(const CLI::App& program, AnalysisArguments& a,
+                                const std::vector<scene::Override>& overrides) {
+  a.hydrostatics.overrides = a.addedmass.overrides = a.radiation.overrides = overrides;
+  if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
+  if (program.got_subcommand("radiation")) return radiation(a.radiation);
+  if (!program.got_subcommand("hydrostatics")) return std::nullopt;
+  const std::vector<double>& com = a.center_of_mass;
+  a.hydrostatics.heels = parse_heels(a.heels);
+  if (com.size() == 3) a.hydrostatics.center_of_mass = Eigen::Vector3d(com[0], com[1], com[2]);
+  return hydrostatics(a.hydrostatics);
+}
+
+}  // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands/addedmass.h"
+#include "app/commands/radiation.h"
+#include "app/hydrostatics/hydrostatics.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+/// Values of the options of the commands that compute something of a mesh or of bodies at rest.
+struct AnalysisArguments {
+  HydrostaticsOptions hydrostatics;
+  std::vector<double> center_of_mass;
+  std::string heels = "0:60:5";
+  AddedMassCommand addedmass;
+  RadiationCommand radiation;
+};
+
+/// Adds the commands `hydrostatics`, `addedmass` and `radiation`. @param sets   Arguments of --set.
+void add_analyses(CLI::App& program, AnalysisArguments& arguments, std::vector<std::string>& sets);
+
+/// Runs the one that was given. @return its exit code; none if another command was given
+std::optional<int> run_analysis(const CLI::App& program, AnalysisArguments& arguments,
+                                const std::vector<scene::Override>& overrides);
+
+}  // namespace app

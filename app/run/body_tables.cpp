@@ -1,0 +1,241 @@
+#include "app/run/body_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "app/base/console.h"
+#include "hydro/interior/pockets.h"
+#include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/mesh.h"
+
+namespace app {
+namespace {
+
+/// Largest number of kinds of bodies that have rows.
+constexpr std::size_t kMostKinds = 3;
+
+/// Formats a number with `digits` significant digits and all digits before the point, without an
+/// exponent unless the number is very large or small.
+std::string number_text(double value, int digits) {
+  constexpr double kLongest = 1e9;
+  const bool fits = std::abs(value) < kLongest && std::abs(value) >= std::pow(10, digits);
+  return fits ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+}
+
+/// Least and largest value of a quantity over several bodies.
+struct Spread {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void add(double value) {
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+  void add(const Spread& range) {
+    add(range.least);
+    add(range.largest);
+  }
+  std::string text() const {
+    const std::string from = number_text(least, 3), to = number_text(largest, 3);
+    return from == to ? from : from + " to " + to;
+  }
+  /// Formats a range of heights; if all are negative, as distances on the other side.
+  std::string text_or(const char* other_side) const {
+    if (largest >= 0) return text();
+    return fmt::format("{} {}", Spread{-largest, -least}.text(), other_side);
+  }
+};
+
+/// Returns the lowest and highest z of a body in its initial pose.
+Spread height_of(const engine::BodySpec& body) {
+  const Eigen::RowVector3d up = body.initial.orientation.toRotationMatrix().row(2);
+  Spread range;
+  for (const auto& vertex : body.mesh_B.vertices.colwise())
+    range.add(body.initial.position.z() + up * vertex);
+  return range;
+}
+
+std::string size_of(const hydro::TriMesh& mesh) {
+  const Eigen::Vector3d size = hydro::bounding_box(mesh).sizes();
+  return fmt::format("{} x {} x {}", number_text(size[0], 3), number_text(size[1], 3),
+                     number_text(size[2], 3));
+}
+
+/// Names the origin of a body's added mass.
+std::string source_of(const assembly::AddedMassReport& report) {
+  if (report.surface) return "surface";
+  if (report.model == scene::AddedMass::Model::automatic) return "mean pose";
+  if (!report.stored) return "given";
+  return report.stored->from_store ? "deep, from store" : "deep, solved now";
+}
+
+Cells body_row(const scene::Body& scene, const engine::BodySpec& body) {
+  const double volume = hydro::solid_properties(body.mesh_B).volume;
+  return {std::to_string(body.mesh_B.face_count()), size_of(body.mesh_B), number_text(volume, 4),
+          number_text(body.mass, 5), scene.start == scene::Start::equilibrium ? "afloat" : "given"};
+}
+
+Cells added_mass_row(const assembly::AddedMassReport& report) {
+  Cells row = {source_of(report)};
+  for (int i = 0; i < 6; ++i) row.push_back(number_text(report.matrix(i, i), 3));
+  return row;
+}
+
+Cells radiation_row(const assembly::RadiationReport& report) {
+  if (!report.model) return {};
+  const hydro::RadiationMemory& memory = report.model->memory();
+  const auto& database = report.choice.database;
+  return {database                    ? database->file.filename().string()
+          : report.stored->from_store ? "from store"
+                                      : "solved now",
+          std::to_string(report.model->data().frequencies.size()),
+          number_text(report.choice.draught, 3), std::to_string(memory.size()),
+          number_text(100 * memory.rms_error.maxCoeff(), 2)};
+}
+
+/// Describes the pockets of a body at its start.
+Cells hollow_row(const engine::BodySpec& body, double level) {
+  if (body.interior == engine::Interior::wet || !body.closed_mesh_B) return {};
+  const Eigen::Vector3d up_B = body.initial.orientation.toRotationMatrix().row(2);
+  const hydro::Pockets found = hydro::find_pockets(body.mesh_B, up_B);
+  double capacity = 0, rim = std::numeric_limits<double>::infinity(), water = 0;
+  for (const hydro::Pocket& pocket : found.pockets) capacity += pocket.capacity;
+  for (const hydro::SillEdge& edge : found.sills)
+    for (const int v : {edge.from, edge.to})
+      if (edge.other == hydro::kSea)
+        rim = std::min(rim, body.initial.position.z() + up_B.dot(body.mesh_B.vertices.col(v)));
+  for (const engine::WaterAtStart& inside : body.interior_water) water += inside.volume;
+  return {body.interior == engine::Interior::dry ? "stay dry" : "may flood",
+          std::to_string(found.pockets.size()),
+          number_text(capacity, 4),
+          std::isfinite(rim) ? number_text(rim - level, 3) : "closed",
+          number_text(water, 4),
+          std::to_string(body.openings.size())};
+}
+
+}  // namespace
+
+/// Bodies whose descriptions differ only in their positions.
+struct BodyTables::Kind {
+  Cells body;        ///< Triangles, size, volume, mass, start.
+  Cells added_mass;  ///< Source and diagonal; empty without added mass.
+  Cells radiation;   ///< Source and size; empty without radiation.
+  Cells hollows;     ///< Number, volume, rim and water; empty without pockets.
+  std::vector<std::string> names;
+  Spread draught;    ///< Depth of the lowest point below the still water [m].
+  Spread freeboard;  ///< Height of the highest point above it [m].
+  Spread triangles;
+  Spread mass;  ///< [kg]
+
+  /// Returns a body's name and the number of bodies like it.
+  std::string title() const {
+    return names.size() == 1 ? names.front()
+                             : fmt::format("{} like {}", names.size(), names.front());
+  }
+};
+
+bool has_added_mass(const assembly::BuiltScene& built, std::size_t body) {
+  return built.spec.integrator.method != engine::Integrator::Method::ode &&
+         built.added_mass[body].has_value();
+}
+
+BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& built)
+    : water_(scene.water.has_value()) {
+  std::map<std::array<Cells, 4>, std::size_t> known;
+  const double level = scene.water ? scene.water->level : 0;
+  for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
+    const engine::BodySpec& body = built.spec.bodies[i];
+    const Cells row = body_row(scene.bodies[i], body);
+    const Cells added_mass =
+        has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
+    const Cells radiation = radiation_row(built.radiation[i]);
+    const Cells hollows = hollow_row(body, level);
+    const auto [place, is_new] =
+        known.emplace(std::array{row, added_mass, radiation, hollows}, kinds_.size());
+    if (is_new)
+      kinds_.push_back({.body = row,
+                        .added_mass = added_mass,
+                        .radiation = radiation,
+                        .hollows = hollows,
+                        .names = {}});
+    Kind& kind = kinds_[place->second];
+    kind.names.push_back(body.name);
+    const Spread height = height_of(body);
+    kind.draught.add(level - height.least);
+    kind.freeboard.add(height.largest - level);
+    kind.triangles.add(static_cast<double>(body.mesh_B.face_count()));
+    kind.mass.add(body.mass);
+  }
+  std::ranges::stable_sort(kinds_, std::ranges::greater(),
+                           [](const Kind& kind) { return kind.names.size(); });
+}
+
+BodyTables::~BodyTables() = default;
+
+std::size_t BodyTables::rows() const { return std::min(kinds_.size(), kMostKinds); }
+
+/// Describes the kinds of bodies without rows.
+std::string BodyTables::rest() const {
+  std::size_t bodies = 0;
+  Spread triangles, mass;
+  for (std::size_t i = kMostKinds; i < kinds_.size(); ++i) {
+    bodies += kinds_[i].names.size();
+    triangles.add(kinds_[i].triangles);
+    mass.add(kinds_[i].mass);
+  }
+  return fmt::format("  and {} of {}: {} triangles, {} kg", counted(bodies, "body", "bodies"),
+                     counted(kinds_.size() - kMostKinds, "more kind", "more kinds"),
+                     triangles.text(), mass.text());
+}
+
+std::vector<std::string> BodyTables::sizes() const {
+  if (kinds_.empty()) return {};
+  std::vector<Cells> table = {{"body", "triangles", "size m", "volume m^3", "mass kg", "start"}};
+  if (water_) table.front().insert(table.front().end(), {"draught m", "freeboard m"});
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const Kind& kind = kinds_[i];
+    Cells& row = table.emplace_back(Cells{kind.title()});
+    row.insert(row.end(), kind.body.begin(), kind.body.end());
+    if (water_)
+      row.insert(row.end(), {kind.draught.text_or("above"), kind.freeboard.text_or("below")});
+  }
+  std::vector<std::string> lines = aligned_lines(table);
+  if (kinds_.size() > rows()) lines.push_back(rest());
+  return lines;
+}
+
+/// Returns the table of the kinds that have such a row.
+std::vector<std::string> BodyTables::lines_of(Cells head, Cells Kind::*row) const {
+  std::vector<Cells> table = {std::move(head)};
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const Cells& cells = kinds_[i].*row;
+    if (cells.empty()) continue;
+    table.push_back({kinds_[i].title()});
+    table.back().insert(table.back().end(), cells.begin(), cells.end());
+  }
+  return table.size() > 1 ? aligned_lines(table) : std::vector<std::string>();
+}
+
+std::vector<std::string> BodyTables::hollows() const {
+  return lines_of(
+      {"hollows", "", "number", "volume m^3", "rim above water m", "water m^3", "openings"},
+      &Kind::hollows);
+}
+
+std::vector<std::string> BodyTables::added_mass() const {
+  return lines_of({"added mass", "", "surge", "sway", "heave kg", "roll", "pitch", "yaw kg m^2"},
+                  &Kind::added_mass);
+}
+
+std::vector<std::string> BodyTables::radiation() const {
+  return lines_of({"radiation", "", "frequencies", "mean draught m", "oscillators", "fit error %"},
+                  &Kind::radiation);
+}
+
+}  // namespace app
