@@ -193,7 +193,9 @@ YamlNode read_tree(const std::string& text, Reading& reading,
                               of_include);
   for (const Override& override : first) apply_override(override, root, reading.faults);
   reading.faults.throw_if_any();
+  const bool includes = root.find(kInclude) != nullptr;
   include_files(root, file);
+  if (includes) reading.joined = yaml_text(root);
   const std::vector<Override> later = apply_early(others, root);
   std::erase_if(root.entries, [](const YamlEntry& e) { return e.key.starts_with(kUnread); });
   collect_places(root, "", reading);
@@ -322,7 +324,8 @@ Scene parse(std::string text, const std::filesystem::path& file,
 
   scene.file = file;
   scene.mesh_formats = formats;
-  scene.text = std::move(text);
+  // Files that are included may change or be gone when the scene is read again.
+  scene.text = reading.joined.empty() ? std::move(text) : std::move(reading.joined);
   scene.places = std::move(reading.places);
   return scene;
 }

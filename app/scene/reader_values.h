@@ -34,7 +34,8 @@ struct UnknownKey {
 /// The data that the readers of a scene's blocks share.
 struct Reading {
   std::filesystem::path file;
-  Places places;  ///< The place of every key.
+  std::string joined;  ///< The text with all files that it includes; empty if it has none.
+  Places places;       ///< The place of every key.
   Faults faults;
   std::vector<UnknownKey> unknown_keys;
   KeyCatalogue catalogue;  ///< Every key that was asked for, if keys are listed.

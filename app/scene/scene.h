@@ -84,7 +84,7 @@ struct Scene {
   /// The formats of its meshes that are read. No key sets this: whoever reads the scene does.
   MeshFormats mesh_formats = MeshFormats::common;
 
-  std::string text;  ///< The text of the file, without overrides.
+  std::string text;  ///< That of the file, with all files it includes and without overrides.
 
   /// The place of each key's value, for faults that are found later (see Faults::add).
   Places places;

@@ -238,6 +238,16 @@ TEST_F(SceneInclude, FaultsAreLocatedInTheFileTheyComeFrom) {
   EXPECT_THAT(fault("include: sub/boat.yaml\n"), HasSubstr("sub/boat.yaml:2:1: not valid YAML"));
 }
 
+TEST_F(SceneInclude, TheTextOfTheSceneNeedsNoOtherFile) {
+  write("a.yaml", "variables: {n: 4}\nwater: {density: \"${1000 + n}\"}\n");
+  const scene::Scene scene = read("include: a.yaml\ntitle: \"a: ${n}\"\n", {"variables.n=5"});
+  fs::remove(folder_ / "a.yaml");
+  const scene::Scene again =
+      scene::parse(scene.text, scene.file, {scene::parse_override("variables.n=5")});
+  EXPECT_EQ(again.water->density, 1005);
+  EXPECT_EQ(again.title, "a: 5");
+}
+
 TEST_F(SceneInclude, ItselfOrWhatIsNotThereIsRefused) {
   EXPECT_THAT(fault("include: [none.yaml]\n"),
               HasSubstr("scene.yaml:3:11: include: found none.yaml, expected a file"));
