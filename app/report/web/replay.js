@@ -244,7 +244,7 @@ export class Replay {
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
     this.frame();
-    this.wake();
+    this.draw();  // A canvas of a new size is empty, and would be shown so.
   }
 
   // Draws once before the browser shows its next picture.
