@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "app/assembly/build_added_mass.h"
 #include "app/assembly/build_interior.h"
@@ -43,7 +44,7 @@ engine::Ground build_ground(const scene::Ground& ground, BuildLog& log) {
     }
   }
   if (const auto* file = std::get_if<scene::Mesh>(&ground)) {
-    hydro::TriMesh mesh = mesh_from_file(*file, "ground.mesh", log);
+    hydro::TriMesh mesh = mesh_from_file(*file, "ground.mesh", log).first;
     if (make_sound(mesh, Soundness::surface, "ground.mesh", log))
       return engine::MeshGround{std::move(mesh)};
   }
@@ -202,6 +203,9 @@ engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog
       needed == Soundness::closed ? hydro::solid_properties(mesh) : hydro::SolidProperties{};
   const MassProperties p = mass_properties(body, solid);
   if (!mass_is_usable(p, path, log)) return spec;
+  if (needed == Soundness::closed && std::holds_alternative<scene::Mesh>(body.shape))
+    doubt(log.sources.front().file, shape_key_path(body.shape, path),
+          density_warning(p.mass, solid.volume, log.sources.front()), log);
   com_M = p.center_of_mass;
   if (needed == Soundness::closed)
     centered = {hydro::translated(mesh, -solid.centroid), com_M - solid.centroid};
@@ -306,6 +310,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
     CenteredMesh centered;
     spec.bodies.push_back(build_body(scene.bodies[i], i, log, com_M, centered));
     built.centers_of_mass.push_back(com_M);
+    built.mesh_sources.push_back(std::exchange(log.sources, {}));
     built.solids.push_back(std::move(centered));
   }
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));

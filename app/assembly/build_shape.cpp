@@ -4,7 +4,6 @@
 
 #include "app/assembly/height_io.h"
 #include "app/assembly/memory_need.h"
-#include "app/assembly/mesh_io.h"
 #include "app/base/machine.h"
 #include "hydro/mesh/primitives.h"
 
@@ -64,25 +63,35 @@ std::string shape_key_path(const scene::Shape& shape, const std::string& key_pat
   return fmt::format("{}.{}", key_path, kNames[shape.index()]);
 }
 
-hydro::TriMesh mesh_from_file(const scene::Mesh& mesh, const std::string& key_path, BuildLog& log) {
+std::pair<hydro::TriMesh, MeshSource> mesh_from_file(const scene::Mesh& mesh,
+                                                     const std::string& key_path, BuildLog& log) {
+  MeshSource source{.file = mesh.file, .frame = {}};
   try {
     auto found = log.read.find(mesh.file);
     if (found == log.read.end())
-      found = log.read.emplace(mesh.file, read_mesh(mesh.file, log.scene.mesh_formats)).first;
-    if (!has_memory(static_cast<double>(found->second.face_count()), key_path + ".file", log))
-      return {};
-    return hydro::scaled(found->second, mesh.scale);
+      found = log.read.emplace(mesh.file, read_welded(mesh.file, log.scene.mesh_formats)).first;
+    const MeshFile& read = found->second;
+    source.frame = applied_frame(read.frame, mesh);
+    if (!has_memory(static_cast<double>(read.mesh.face_count()), key_path + ".file", log))
+      return {{}, source};
+    return {in_mesh_frame(read.mesh, source.frame), source};
   } catch (const scene::InputError& error) {
     for (const scene::Fault& fault : error.faults())
       log.faults.add(log.scene.places, key_path + ".file",
                      to_string(scene::Fault{fault.place, "", fault.message}));
   }
-  return {};
+  return {{}, source};
 }
 
 hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path, BuildLog& log) {
   const std::string key = shape_key_path(shape, key_path);
-  if (const auto* mesh = std::get_if<scene::Mesh>(&shape)) return mesh_from_file(*mesh, key, log);
+  if (const auto* file = std::get_if<scene::Mesh>(&shape)) {
+    auto [mesh, source] = mesh_from_file(*file, key, log);
+    if (mesh.face_count() == 0) return {};
+    doubt(source.file, key, size_warning(mesh, source, "unit: "), log);
+    log.sources.push_back(std::move(source));
+    return mesh;
+  }
   if (!has_memory(triangles_of(shape), key, log)) return {};
   try {
     return primitive(shape);
@@ -90,6 +99,12 @@ hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path
     log.faults.add(log.scene.places, key, error.what());
     return {};
   }
+}
+
+void doubt(const std::filesystem::path& file, const std::string& key_path, const std::string& text,
+           BuildLog& log) {
+  if (!text.empty() && log.doubted.insert(file).second)
+    log.warnings.push_back(fmt::format("{}: {}", key_path, text));
 }
 
 bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_path,

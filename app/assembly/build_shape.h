@@ -2,9 +2,12 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/assembly/mesh_io.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/scene.h"
 #include "hydro/mesh/mesh_check.h"
@@ -22,7 +25,11 @@ struct BuildLog {
   std::vector<std::string> notes;
   std::vector<std::string> warnings = {};
   /// The meshes that were read, by file: several bodies may have the same.
-  std::map<std::filesystem::path, hydro::TriMesh> read = {};
+  std::map<std::filesystem::path, MeshFile> read = {};
+  /// The mesh files of the present body.
+  std::vector<MeshSource> sources = {};
+  /// The mesh files of which a warning has told.
+  std::set<std::filesystem::path> doubted = {};
 };
 
 /// Returns the mesh of a shape in the mesh frame [m], not yet checked. After a fault, which goes to
@@ -33,9 +40,16 @@ hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path
 /// Returns the path of a body's shape: `bodies[1].mesh`.
 std::string shape_key_path(const scene::Shape& shape, const std::string& key_path);
 
-/// Reads and scales a mesh file; a fault acts as in `shape_mesh`.
+/// Reads a mesh file and brings it into its mesh frame; a fault acts as in `shape_mesh`.
 /// @param key_path   Path of the block with the key `file`.
-hydro::TriMesh mesh_from_file(const scene::Mesh& mesh, const std::string& key_path, BuildLog& log);
+/// @return the mesh and its file
+std::pair<hydro::TriMesh, MeshSource> mesh_from_file(const scene::Mesh& mesh,
+                                                     const std::string& key_path, BuildLog& log);
+
+/// Adds a warning that `text` tells of the meshes of this file, unless there is one already or the
+/// text is empty.
+void doubt(const std::filesystem::path& file, const std::string& key_path, const std::string& text,
+           BuildLog& log);
 
 /// Requirements on a mesh.
 enum class Soundness {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/assembly/added_mass_store.h"
+#include "app/assembly/mesh_frame.h"
 #include "app/assembly/radiation_choice.h"
 #include "app/assembly/radiation_store.h"
 #include "app/scene/scene.h"
@@ -54,7 +55,8 @@ struct IrregularSea {
 /// A scene ready to be simulated, with its meshes and everything derived from them.
 struct BuiltScene {
   engine::SimulationSpec spec;
-  std::vector<Eigen::Vector3d> centers_of_mass;  ///< Per body, in the mesh frame [m].
+  std::vector<Eigen::Vector3d> centers_of_mass;       ///< Per body, in the mesh frame [m].
+  std::vector<std::vector<MeshSource>> mesh_sources;  ///< Per body the files of its meshes.
   /// Per body the mesh of its added mass; without vertices if its mesh is no solid.
   std::vector<CenteredMesh> solids;
   /// Per body; none for a body without added mass.

@@ -1,5 +1,7 @@
 #include "app/assembly/mesh_io.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <vector>
 
@@ -19,23 +21,43 @@ constexpr double kWeld = 0x1p-23;
 
 }  // namespace
 
-TriMesh read_mesh(const fs::path& file, scene::MeshFormats formats) {
-  const TriMesh parts = read_mesh_file(file, formats).mesh;
-  if (parts.face_count() == 0) throw scene::InputError(file, "the file holds no triangles");
-  TriMesh mesh = welded(parts, kWeld * parts.vertices.cwiseAbs().maxCoeff());
-  if (mesh.face_count() == 0)
+MeshFile read_welded(const fs::path& file, scene::MeshFormats formats) {
+  MeshFile read = read_mesh_file(file, formats);
+  if (read.mesh.face_count() == 0) throw scene::InputError(file, "the file holds no triangles");
+  read.mesh = welded(read.mesh, kWeld * read.mesh.vertices.cwiseAbs().maxCoeff());
+  if (read.mesh.face_count() == 0)
     throw scene::InputError(file, "all triangles of the file are degenerate");
-  return mesh;
+  return read;
 }
 
-TriMesh read_solid(const fs::path& file, app::Reporter& reporter, scene::MeshFormats formats) {
-  hydro::RepairedMesh repaired = hydro::repaired(read_mesh(file, formats));
+TriMesh read_mesh(const fs::path& file, scene::MeshFormats formats, const scene::MeshFrame& frame) {
+  MeshFile read = read_welded(file, formats);
+  return in_mesh_frame(std::move(read.mesh), applied_frame(read.frame, frame));
+}
+
+TriMesh read_solid(const fs::path& file, app::Reporter& reporter, scene::MeshFormats formats,
+                   const scene::MeshFrame& frame) {
+  MeshFile read = read_welded(file, formats);
+  const MeshSource source{file, applied_frame(read.frame, frame)};
+  hydro::RepairedMesh repaired = hydro::repaired(in_mesh_frame(std::move(read.mesh), source.frame));
   std::vector<scene::Fault> faults;
   for (const std::string& fault : hydro::describe(repaired.report))
     faults.push_back({{file}, "", fault});
   if (!faults.empty()) throw scene::InputError(std::move(faults));
   for (const std::string& note : repaired.notes) reporter.note(file.string() + ": note: " + note);
+  if (!source.frame.changes_nothing())
+    reporter.note(fmt::format("{}: note: {}", file.string(), description(source.frame)));
+  const std::string warning = size_warning(repaired.mesh, source, "--unit ");
+  if (!warning.empty()) reporter.warning(warning);
   return std::move(repaired.mesh);
+}
+
+void refuse_frame(const scene::MeshFrame& frame) {
+  for (const auto& [given, option] :
+       {std::pair(frame.up.has_value(), "--up"), std::pair(frame.unit.has_value(), "--unit"),
+        std::pair(frame.scale != 1, "--scale")})
+    if (given)
+      throw scene::InputError(option, "is for a mesh; the meshes of a scene have keys, see --set");
 }
 
 }  // namespace assembly

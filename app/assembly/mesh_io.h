@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/assembly/mesh_parser.h"
 #include "app/base/reporter.h"
 #include "app/scene/shape.h"
 #include "hydro/mesh/mesh.h"
@@ -9,24 +10,34 @@
 namespace assembly {
 
 /// Reads the triangles of a mesh file, in a process of its own (mesh_reader_process.h). All parts
-/// become one mesh in the file's own frame and units, and coinciding vertices are welded.
+/// become one mesh in the file's own axes and unit, and coinciding vertices are welded.
 ///
 /// The file's node transformations place the parts. Polygons are cut into triangles; points, lines
-/// and unused vertices are dropped. The extension selects the format. A Collada file names its unit
-/// and is converted to metres; no axis is turned. assimp stores coordinates as floats, with a
-/// relative precision of 6e-8. Vertices are therefore welded if they differ by at most 1.2e-7 of
-/// the largest coordinate along every axis, one step of a float there: formats that list the
-/// corners of each triangle repeat them bit for bit, and only seams that were computed twice (cos 0
-/// and cos 2π) need a tolerance. Triangles that lose a corner are dropped.
+/// and unused vertices are dropped. The extension selects the format. assimp stores coordinates as
+/// floats, with a relative precision of 6e-8. Vertices are therefore welded if they differ by at
+/// most 1.2e-7 of the largest coordinate along every axis, one step of a float there: formats that
+/// list the corners of each triangle repeat them bit for bit, and only seams that were computed
+/// twice (cos 0 and cos 2π) need a tolerance. Triangles that lose a corner are dropped.
 /// @param formats   Formats besides the common ones are read on request only.
 /// @throws InputError if the file cannot be read, has no triangle or a vertex that is not finite.
+MeshFile read_welded(const std::filesystem::path& file, scene::MeshFormats formats);
+
+/// Reads a mesh file as read_welded and brings it into its mesh frame (mesh_frame.h).
+/// @param frame   The author's word on axes and unit.
 hydro::TriMesh read_mesh(const std::filesystem::path& file,
-                         scene::MeshFormats formats = scene::MeshFormats::common);
+                         scene::MeshFormats formats = scene::MeshFormats::common,
+                         const scene::MeshFrame& frame = {});
 
 /// Reads a mesh that must be a solid; one that is inward as a whole is reversed.
-/// @param reporter   Receives a note on each change.
+/// @param reporter   Receives a note on each change, on axes and a unit other than z and m, and a
+///     warning of a size that speaks for another unit.
 /// @throws InputError as read_mesh, and with every fault that keeps the mesh from being a solid
 hydro::TriMesh read_solid(const std::filesystem::path& file, app::Reporter& reporter,
-                          scene::MeshFormats formats = scene::MeshFormats::common);
+                          scene::MeshFormats formats = scene::MeshFormats::common,
+                          const scene::MeshFrame& frame = {});
+
+/// Refuses `--up`, `--unit` and `--scale`, given beside a scene, whose meshes have keys for them.
+/// @throws InputError
+void refuse_frame(const scene::MeshFrame& frame);
 
 }  // namespace assembly

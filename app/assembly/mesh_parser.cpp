@@ -101,13 +101,16 @@ class Collector {
  public:
   Collector(const fs::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
 
-  void add(const aiNode& node, const Eigen::Affine3d& X_parent, int depth = 0) {
+  /// Adds the parts of a node and of those below. @param X   From the node to the file's frame.
+  void add(const aiNode& node, const Eigen::Affine3d& X, int depth = 0) {
     if (depth > kDeepestNode)
       throw scene::InputError(file_,
                               fmt::format("its nodes are nested more than {} deep", kDeepestNode));
-    const Eigen::Affine3d X = X_parent * transformation(node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], X);
-    for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], X, depth + 1);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      const aiNode& child = *node.mChildren[i];
+      add(child, X * transformation(child.mTransformation), depth + 1);
+    }
   }
 
   TriMesh mesh() const {
@@ -170,25 +173,38 @@ void require_corners(const fs::path& file, const aiScene& scene) {
         throw scene::InputError(file, "face " + std::to_string(f + 1) + " has no vertices");
 }
 
-/// Finds `<up_axis>Y_UP</up_axis>` in a Collada file, whose reader keeps it to itself; y without
-/// it.
-char collada_up(const fs::path& file) {
+constexpr scene::UpAxis kAxes[] = {scene::UpAxis::x, scene::UpAxis::y, scene::UpAxis::z};
+constexpr scene::UpAxis kDownAxes[] = {scene::UpAxis::minus_x, scene::UpAxis::minus_y,
+                                       scene::UpAxis::minus_z};
+
+/// Finds `<up_axis>Y_UP</up_axis>` and `<unit meter="0.01"/>` in a Collada file, whose reader keeps
+/// them to itself. Without them y is up and a unit is a metre.
+StatedFrame collada_frame(const fs::path& file) {
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  const std::size_t found = text.find("<up_axis>");
-  if (found == std::string::npos) return 'y';
-  const std::size_t axis = text.find_first_of("XYZ", found);
-  return axis == std::string::npos
-             ? 'y'
-             : static_cast<char>(std::tolower(static_cast<unsigned char>(text[axis])));
+  StatedFrame frame{.up = scene::UpAxis::y, .unit = 1};
+  const std::size_t up = text.find("<up_axis>");
+  const std::size_t axis =
+      up == std::string::npos ? std::string::npos : text.find_first_of("XYZ", up);
+  if (axis != std::string::npos) frame.up = kAxes[text[axis] - 'X'];
+  const std::size_t unit = text.find("<unit");
+  const std::size_t end = unit == std::string::npos ? unit : text.find('>', unit);
+  const std::size_t meter = end == std::string::npos ? end : text.find("meter", unit);
+  if (meter == std::string::npos || meter > end) return frame;
+  const std::size_t number = text.find_first_of("0123456789.", meter);
+  if (number == std::string::npos || number > end) return frame;
+  const double length = std::strtod(text.c_str() + number, nullptr);
+  if (std::isfinite(length) && length > 0) frame.unit = length;
+  return frame;
 }
 
 StatedFrame fbx_frame(const aiScene& scene) {
   StatedFrame frame;
   if (scene.mMetaData == nullptr) return frame;
-  int axis = -1;
+  int axis = -1, sign = 1;
+  scene.mMetaData->Get("UpAxisSign", sign);
   if (scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis <= 2)
-    frame.up = static_cast<char>('x' + axis);
+    frame.up = sign < 0 ? kDownAxes[axis] : kAxes[axis];
   // The factor is that of centimetres; its type depends on the version of assimp.
   float single = 0;
   double factor = 0;
@@ -201,11 +217,22 @@ StatedFrame fbx_frame(const aiScene& scene) {
 
 StatedFrame stated_frame(const fs::path& file, const aiScene& scene) {
   const std::string extension = lower_extension(file);
-  if (extension == ".gltf" || extension == ".glb") return {.up = 'y', .unit = 1};
-  // The Collada reader converts to metres.
-  if (extension == ".dae") return {.up = collada_up(file), .unit = 1};
+  if (extension == ".gltf" || extension == ".glb") return {.up = scene::UpAxis::y, .unit = 1};
+  if (extension == ".dae") return collada_frame(file);
   if (extension == ".fbx") return fbx_frame(scene);
   return {};
+}
+
+/// Returns the transformation from the root of the nodes to the axes and unit of the file, without
+/// what the reader of its format has done to them.
+Eigen::Affine3d root_to_file(const fs::path& file, const aiNode& root, const StatedFrame& frame) {
+  const std::string extension = lower_extension(file);
+  // The root of an FBX file has no transformation of its own. That of its reader scales and turns,
+  // or not, depending on the version of assimp, and may be singular.
+  if (extension == ".fbx") return Eigen::Affine3d::Identity();
+  const Eigen::Affine3d X = transformation(root.mTransformation);
+  // The Collada reader converts to metres.
+  return extension == ".dae" ? Eigen::Scaling(1 / frame.unit.value_or(1)) * X : X;
 }
 
 /// Lets the kernel give this process memory in pages of 2 MB. The OBJ reader of assimp fills a
@@ -259,9 +286,10 @@ MeshFile parse_mesh(const fs::path& file, scene::MeshFormats formats) {
   }
   if (!scene)
     throw scene::InputError(file, "not a sound mesh file: " + printable(importer.GetErrorString()));
+  const StatedFrame frame = stated_frame(file, *scene);
   Collector parts(file, *scene);
-  if (scene->mRootNode) parts.add(*scene->mRootNode, Eigen::Affine3d::Identity());
-  return {parts.mesh(), stated_frame(file, *scene)};
+  if (const aiNode* root = scene->mRootNode) parts.add(*root, root_to_file(file, *root, frame));
+  return {parts.mesh(), frame};
 }
 
 }  // namespace assembly

@@ -1,18 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
+#include "app/assembly/mesh_frame.h"
 #include "app/scene/shape.h"
 #include "hydro/mesh/mesh.h"
 
 namespace assembly {
-
-/// What a mesh file says of its frame.
-struct StatedFrame {
-  std::optional<char> up;      ///< The axis that points up: 'x', 'y' or 'z'.
-  std::optional<double> unit;  ///< Length of a unit of the coordinates as they are read [m].
-};
 
 /// A mesh as its file has it: vertices are repeated, nothing is turned or scaled.
 struct MeshFile {

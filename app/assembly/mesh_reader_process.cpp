@@ -13,9 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kNotStated = -1;
+
 void write(const app::CallOutput& output, const MeshFile& read) {
   const hydro::TriMesh& mesh = read.mesh;
-  const char up = read.frame.up.value_or(0);        // 0: not stated.
+  const char up = read.frame.up ? static_cast<char>(*read.frame.up) : kNotStated;
   const double unit = read.frame.unit.value_or(0);  // 0: not stated.
   app::put_record(output, std::span(&up, 1));
   app::put_record(output, std::span(&unit, 1));
@@ -36,7 +38,8 @@ void take(app::ByteRecords& records, Eigen::Matrix<T, 3, Eigen::Dynamic>& column
 MeshFile mesh_in(const std::string& bytes) {
   app::ByteRecords records(bytes);
   MeshFile read;
-  if (const char up = records.values<char>().at(0); up != 0) read.frame.up = up;
+  if (const char up = records.values<char>().at(0); up != kNotStated)
+    read.frame.up = static_cast<scene::UpAxis>(up);
   if (const double unit = records.values<double>().at(0); unit > 0) read.frame.unit = unit;
   take(records, read.mesh.vertices);
   take(records, read.mesh.faces);

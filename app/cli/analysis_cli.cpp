@@ -56,6 +56,7 @@ void add_hydrostatics(CLI::App& program, AnalysisArguments& a, std::vector<std::
   command->add_option("--heel", a.heels, "Heel angles of the righting arms [deg]")
       ->type_name("FIRST:LAST:STEP")
       ->capture_default_str();
+  add_mesh_frame(command, o.frame);
   add_sets(command, sets);
   add_any_format(command, o.formats);
   command->add_flag("--json", o.json, "Print JSON");
@@ -78,6 +79,7 @@ void add_addedmass(CLI::App& program, AnalysisArguments& a, std::vector<std::str
       ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
           {"galerkin", hydro::AddedMassMethod::galerkin},
           {"constant", hydro::AddedMassMethod::constant}}));
+  add_mesh_frame(command, o.frame);
   add_sets(command, sets);
   add_any_format(command, o.formats);
   command->add_flag_callback(
@@ -101,6 +103,7 @@ void add_radiation(CLI::App& program, AnalysisArguments& a, std::vector<std::str
       ->add_option("--frequencies", o.frequencies,
                    "Frequencies [rad/s], ascending [sixteen, chosen for the body]")
       ->delimiter(',');
+  add_mesh_frame(command, o.frame);
   add_sets(command, sets);
   add_any_format(command, o.formats);
   command->add_flag_callback(

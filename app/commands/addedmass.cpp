@@ -34,7 +34,7 @@ struct Submerged {
 Submerged body_of_mesh(const AddedMassCommand& o) {
   if (!o.overrides.empty()) throw scene::InputError("--set", "is for a scene, and this is a mesh");
   TerminalReporter reporter(false);
-  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats);
+  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats, o.frame);
   Submerged body{.name = o.file.stem().string(),
                  .com_M = hydro::solid_properties(mesh).centroid,
                  .density = o.density.value_or(1000)};
@@ -49,6 +49,7 @@ assembly::CenteredMesh centered(const hydro::TriMesh& mesh_B) {
 }
 
 std::vector<Submerged> bodies_of_scene(const AddedMassCommand& o) {
+  assembly::refuse_frame(o.frame);
   const scene::Scene scene = scene::read(o.file, o.overrides, o.formats);
   const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   for (const std::string& note : built.notes)

@@ -14,6 +14,7 @@ struct AddedMassCommand {
   std::optional<double> density;  ///< Density of the water [kg/m^3]; none: the scene's, or 1000.
   std::vector<scene::Override> overrides;                   ///< Overrides of a scene.
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
+  scene::MeshFrame frame;                                   ///< Axes and unit of a mesh.
   hydro::AddedMassOptions options;
   bool store = true;  ///< Solutions are read from the store and written to it.
   bool json = false;

@@ -66,7 +66,7 @@ Afloat body_of_mesh(const RadiationCommand& o) {
         fmt::format("found {:g}, expected a number between 0 and 1", o.relative_density));
   TerminalReporter reporter(false);
   Afloat body{.name = o.file.stem().string(), .density = o.density, .water = {.depth = o.depth}};
-  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats);
+  hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats, o.frame);
   const hydro::SolidProperties solid = hydro::solid_properties(mesh);
   body.mesh_B = hydro::translated(std::move(mesh), -solid.centroid);
   const hydro::Flotation rest = hydro::equilibrium(body.mesh_B, o.relative_density * solid.volume,
@@ -82,6 +82,7 @@ Afloat body_of_mesh(const RadiationCommand& o) {
 }
 
 std::vector<Afloat> bodies_of_scene(const RadiationCommand& o) {
+  assembly::refuse_frame(o.frame);
   const scene::Scene scene = scene::read(o.file, o.overrides, o.formats);
   const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   std::vector<Afloat> bodies;

@@ -17,6 +17,7 @@ struct RadiationCommand {
   std::vector<scene::Override> overrides;  ///< Overrides of a scene.
   std::vector<double> frequencies;         ///< [rad/s]; empty: those that a run solves for.
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
+  scene::MeshFrame frame;                                   ///< Axes and unit of a mesh.
   bool store = true;  ///< Solutions are read from the store and written to it.
   bool json = false;
   bool csv = false;

@@ -109,7 +109,7 @@ std::vector<Eigen::Vector3d> flooding_points(const engine::BodySpec& spec) {
 FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
   check_mesh_options(o);
   TerminalReporter reporter(false);
-  const hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats);
+  const hydro::TriMesh mesh = assembly::read_solid(o.file, reporter, o.formats, o.frame);
   FloatingBody body{.name = o.file.stem().string(),
                     .com_M = o.center_of_mass.value_or(hydro::solid_properties(mesh).centroid),
                     .density = o.density.value_or(1000)};
@@ -126,6 +126,7 @@ void check_scene_options(const HydrostaticsOptions& o) {
   refuse_if(o.density.has_value(), "--density", message);
   refuse_if(o.center_of_mass.has_value(), "--com", message);
   refuse_if(o.water.has_value(), "--water", "is for a mesh; a scene has interior_water");
+  assembly::refuse_frame(o.frame);
 }
 
 std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {

@@ -27,6 +27,7 @@ struct HydrostaticsOptions {
   std::vector<scene::Override> overrides;         ///< Overrides of a scene.
   std::vector<double> heels;                      ///< Heels of the curve [rad].
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
+  scene::MeshFrame frame;                                   ///< Axes and unit of a mesh.
   bool json = false;
   bool csv = false;
 };

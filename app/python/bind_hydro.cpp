@@ -215,9 +215,29 @@ py::dict loads(const TriMesh& mesh, const py::object& position, const py::object
   return result;
 }
 
-TriMesh loaded(const std::filesystem::path& file, bool any_format) {
+/// Finds a word of a scene. @throws ValueError for another word
+template <class T>
+std::optional<T> chosen(const std::optional<std::string>& word, const char* argument,
+                        const std::vector<std::pair<std::string, T>>& choices) {
+  if (!word) return std::nullopt;
+  std::string known;
+  for (const auto& [name, value] : choices) {
+    if (name == *word) return value;
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw py::value_error(std::string(argument) + ": found " + *word + ", expected one of " + known);
+}
+
+TriMesh loaded(const std::filesystem::path& file, bool any_format,
+               const std::optional<std::string>& up, const std::optional<std::string>& unit,
+               double scale) {
+  if (!(scale > 0 && std::isfinite(scale)))
+    throw py::value_error("scale: expected a positive number");
+  const scene::MeshFrame frame{.up = chosen(up, "up", scene::up_axes()),
+                               .unit = chosen(unit, "unit", scene::length_units()),
+                               .scale = scale};
   const py::gil_scoped_release unlocked;
-  return assembly::read_solid(file, app::quiet(), formats_from(any_format));
+  return assembly::read_solid(file, app::quiet(), formats_from(any_format), frame);
 }
 
 double area(const TriMesh& mesh) {
@@ -232,10 +252,13 @@ void bind_mesh(py::module_& module) {
                       "in metres.")
       .def(py::init(&mesh_from), py::arg("vertices"), py::arg("faces"),
            "vertices (V, 3) [m]; faces (F, 3): indices of vertices.")
-      .def_static("load", &loaded, py::arg("file"), py::arg("any_format") = false,
-                  "Reads a mesh file that bounds a solid; one that is inward as a whole is "
-                  "reversed. any_format: formats beyond .obj, .stl, .ply, .off, .gltf and .glb are "
-                  "read, too. Raises SceneError with what is wrong.")
+      .def_static(
+          "load", &loaded, py::arg("file"), py::arg("any_format") = false,
+          py::arg("up") = py::none(), py::arg("unit") = py::none(), py::arg("scale") = 1.0,
+          "Reads a mesh file that bounds a solid; one that is inward as a whole is "
+          "reversed. any_format: formats beyond .obj, .stl, .ply, .off, .gltf and .glb are "
+          "read, too. up (x, y, z, -x, -y, -z), unit (mm, cm, m, in, ft) and scale: as in a "
+          "scene. Raises SceneError with what is wrong.")
       .def_static(
           "box",
           [](const Array& size, int divisions) {

@@ -119,6 +119,24 @@ Cells hollow_row(const engine::BodySpec& body, double level) {
           std::to_string(body.openings.size())};
 }
 
+std::string word_of(const std::string& name, assembly::SaidBy who) {
+  return who == assembly::SaidBy::file ? name + " (file)" : name;
+}
+
+/// Describes the mesh files of a body whose axes or units are changed, one after the other.
+Cells source_cells(const std::vector<assembly::MeshSource>& sources) {
+  Cells cells;
+  for (const assembly::MeshSource& source : sources) {
+    const assembly::AppliedFrame& frame = source.frame;
+    if (frame.changes_nothing()) continue;
+    cells.insert(
+        cells.end(),
+        {source.file.filename().string(), word_of(scene::name_of(frame.up), frame.up_by),
+         word_of(scene::name_of_unit(frame.unit), frame.unit_by), number_text(frame.scale, 3)});
+  }
+  return cells;
+}
+
 }  // namespace
 
 /// Bodies whose descriptions differ only in their positions.
@@ -127,6 +145,7 @@ struct BodyTables::Kind {
   Cells added_mass;  ///< Source and diagonal; empty without added mass.
   Cells radiation;   ///< Source and size; empty without radiation.
   Cells hollows;     ///< Number, volume, rim and water; empty without pockets.
+  Cells meshes;      ///< Four cells per mesh file whose coordinates are changed.
   std::vector<std::string> names;
   Spread draught;    ///< Depth of the lowest point below the still water [m].
   Spread freeboard;  ///< Height of the highest point above it [m].
@@ -147,7 +166,7 @@ bool has_added_mass(const assembly::BuiltScene& built, std::size_t body) {
 
 BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& built)
     : water_(scene.water.has_value()) {
-  std::map<std::array<Cells, 4>, std::size_t> known;
+  std::map<std::array<Cells, 5>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
@@ -156,13 +175,15 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
         has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
     const Cells radiation = radiation_row(built.radiation[i]);
     const Cells hollows = hollow_row(body, level);
+    const Cells meshes = source_cells(built.mesh_sources[i]);
     const auto [place, is_new] =
-        known.emplace(std::array{row, added_mass, radiation, hollows}, kinds_.size());
+        known.emplace(std::array{row, added_mass, radiation, hollows, meshes}, kinds_.size());
     if (is_new)
       kinds_.push_back({.body = row,
                         .added_mass = added_mass,
                         .radiation = radiation,
                         .hollows = hollows,
+                        .meshes = meshes,
                         .names = {}});
     Kind& kind = kinds_[place->second];
     kind.names.push_back(body.name);
@@ -207,7 +228,22 @@ std::vector<std::string> BodyTables::sizes() const {
   }
   std::vector<std::string> lines = aligned_lines(table);
   if (kinds_.size() > rows()) lines.push_back(rest());
+  const std::vector<std::string> files = mesh_files();
+  lines.insert(lines.end(), files.begin(), files.end());
   return lines;
+}
+
+/// Returns the table of the mesh files whose coordinates are turned or scaled.
+std::vector<std::string> BodyTables::mesh_files() const {
+  std::vector<Cells> table = {{"mesh files", "", "up", "unit", "scale"}};
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const Cells& cells = kinds_[i].meshes;
+    for (auto cell = cells.begin(); cell != cells.end(); cell += 4) {
+      table.push_back({cell == cells.begin() ? kinds_[i].title() : ""});
+      table.back().insert(table.back().end(), cell, cell + 4);
+    }
+  }
+  return table.size() > 1 ? aligned_lines(table) : std::vector<std::string>();
 }
 
 /// Returns the table of the kinds that have such a row.

@@ -102,7 +102,16 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"bodies[].mesh.file",
      "A mesh file, relative to the scene file: .obj, .stl, .ply, .off, .gltf or .glb, and with the "
      "option `--any-format` any other that assimp reads."},
-    {"bodies[].mesh.scale", "Factor by which the coordinates of the file are multiplied."},
+    {"bodies[].mesh.up",
+     "The axis of the file that points up. The mesh is turned so that this is z of its mesh "
+     "frame: about x for y, −y and −z, so that x stays, and about y for x and −x. The default is "
+     "what the file says: y in glTF, `up_axis` in COLLADA, `UpAxis` in FBX; otherwise z."},
+    {"bodies[].mesh.unit",
+     "The unit of the file's coordinates. The default is what the file says: m in glTF, `unit` in "
+     "COLLADA, `UnitScaleFactor` in FBX; otherwise m."},
+    {"bodies[].mesh.scale",
+     "Factor by which the coordinates are multiplied besides the unit, about the origin of the "
+     "file."},
     {"bodies[].box", "A box about the origin, of 12·divisions² triangles."},
     {"bodies[].box.size", "Lengths of the edges along x, y, z."},
     {"bodies[].box.divisions", "Number of parts of each edge."},

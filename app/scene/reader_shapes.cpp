@@ -26,6 +26,8 @@ void read_shape(MapReader& map, Shape& shape) {
 
 void read(MapReader& map, Mesh& mesh) {
   map.required("file", mesh.file, FileRule{});
+  map.optional("up", mesh.up, ChoiceRule<UpAxis>{up_axes()});
+  map.optional("unit", mesh.unit, ChoiceRule<double>{length_units()});
   map.optional("scale", mesh.scale, positive());
 }
 

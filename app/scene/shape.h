@@ -2,7 +2,11 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 /// @file
 /// The shapes that a scene's bodies may have. Meshes are named, not loaded.
@@ -13,9 +17,27 @@ namespace scene {
 /// any that assimp reads.
 enum class MeshFormats { common, any };
 
-struct Mesh {
+/// The axis of a mesh file that points up.
+enum class UpAxis { x, y, z, minus_x, minus_y, minus_z };
+
+/// How the coordinates of a mesh file become those of the mesh frame, whose z points up. Without a
+/// value the file's own word holds, or else z and metres.
+struct MeshFrame {
+  std::optional<UpAxis> up;
+  std::optional<double> unit;  ///< Length of the file's unit [m].
+  double scale = 1;            ///< Factor after the unit, > 0.
+};
+
+/// The words of a scene and of the command line for axes, and those for units [m].
+const std::vector<std::pair<std::string, UpAxis>>& up_axes();
+const std::vector<std::pair<std::string, double>>& length_units();
+
+/// Names an axis, and a unit that has no word by its length: `0.3 m`.
+std::string name_of(UpAxis up);
+std::string name_of_unit(double unit);
+
+struct Mesh : MeshFrame {
   std::filesystem::path file;  ///< Resolved against the scene's folder.
-  double scale = 1;            ///< > 0.
 };
 struct Box {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m]

@@ -15,7 +15,8 @@ namespace {
 
 struct Shape {
   std::string operator()(const scene::Mesh& s) const {
-    return fmt::format("mesh {} {}", s.file.string(), s.scale);
+    return fmt::format("mesh {} {} {} {}", s.file.string(), s.scale,
+                       s.up ? scene::name_of(*s.up) : "", s.unit.value_or(0));
   }
   std::string operator()(const scene::Box& s) const {
     return fmt::format("box {} {} {} {}", s.size.x(), s.size.y(), s.size.z(), s.divisions);

@@ -88,6 +88,16 @@ def test_meshes_of_other_formats_are_read_on_request(tmp_path):
     assert pl.Simulation(changed).mass[0] == pytest.approx(600 * volume)
 
 
+def test_a_mesh_has_the_axis_and_unit_that_are_asked_for():
+    mesh = ROOT / "tests/data/meshes/hull_mm.obj"
+    hull = pl.Mesh.load(mesh, up="y", unit="mm")
+    assert hull.volume == pytest.approx(3.2 * 1.2 * 0.8)
+    assert hull.vertices[:, 2].max() == pytest.approx(0.8)
+    assert pl.Mesh.load(mesh, unit="m", scale=1e-3).volume == pytest.approx(hull.volume)
+    with pytest.raises(ValueError, match="unit: found yd, expected one of mm, cm, m, in, ft"):
+        pl.Mesh.load(mesh, unit="yd")
+
+
 def test_a_mesh_is_read_while_other_threads_work(tmp_path):
     simulation = pl.Simulation(BUOY, threads=2)
     simulation.step(10)

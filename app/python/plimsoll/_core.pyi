@@ -172,7 +172,13 @@ class Batch:
 class Mesh:
     def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike) -> None: ...
     @staticmethod
-    def load(file: _Path, any_format: bool = False) -> Mesh: ...
+    def load(
+        file: _Path,
+        any_format: bool = False,
+        up: Optional[str] = None,
+        unit: Optional[str] = None,
+        scale: float = 1.0,
+    ) -> Mesh: ...
     @staticmethod
     def box(size: npt.ArrayLike, divisions: int = 1) -> Mesh: ...
     @staticmethod

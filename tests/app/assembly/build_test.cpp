@@ -22,6 +22,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using engine::BodySpec;
 using support::tolerance;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -214,9 +215,32 @@ TEST(Assemble, MeshesThatBoundNoSolidAreRefused) {
 }
 
 TEST(Assemble, AMeshFileThatCannotBeReadIsAFaultAtItsKey) {
-  EXPECT_THAT(faults_of(wet_scene(data_mesh("truncated.stl") + ", density: 500")),
-              ElementsAre(testing::AllOf(HasSubstr("5:28: bodies[0].mesh.file: "),
-                                         HasSubstr("truncated.stl: "))));
+  EXPECT_THAT(
+      faults_of(wet_scene(data_mesh("truncated.stl") + ", density: 500")),
+      ElementsAre(AllOf(HasSubstr("5:28: bodies[0].mesh.file: "), HasSubstr("truncated.stl: "))));
+}
+
+/// A mesh of 3200 x 800 x 1200 units.
+std::string large_mesh(const std::string& keys) {
+  return fmt::format("mesh: {{file: {}/tests/data/meshes/hull_mm.obj{}}}", PLIMSOLL_SOURCE_DIR,
+                     keys);
+}
+
+TEST(Assemble, AHullInMillimetresIsAWarningWithTheRemedy) {
+  const auto warnings = [](const std::string& mesh, const std::string& mass) {
+    return assembled(wet_scene(mesh + ", " + mass + ", hydro: {radiation: none}")).warnings;
+  };
+  EXPECT_THAT(warnings(large_mesh(""), "density: 500"),
+              ElementsAre(AllOf(HasSubstr("bodies[0].mesh: hull_mm.obj is 3200 m long"),
+                                HasSubstr("with 'unit: mm' it is 3.2 m"))));
+  // The author has thought of the unit.
+  for (const char* keys : {", unit: mm", ", unit: m", ", scale: 0.5"})
+    EXPECT_THAT(warnings(large_mesh(keys), "density: 500"), IsEmpty()) << keys;
+  // A model ship of 320 mm and 10 kg is short enough for metres, but lighter than gas.
+  EXPECT_THAT(warnings(large_mesh(", unit: m, scale: 0.1"), "mass: 10"),
+              ElementsAre(HasSubstr("less than any gas has: is the file in millimetres?")));
+  EXPECT_THAT(warnings(large_mesh(", unit: mm, scale: 0.001"), "mass: 10"),
+              ElementsAre(HasSubstr("more than any metal has: is the file in metres?")));
 }
 
 TEST(Assemble, FindsTheFaultsOfAllBodies) {

@@ -213,6 +213,85 @@ TEST_F(MeshIo, NodesPlaceThePartsAndAMirroredPartStaysOutward) {
   EXPECT_NEAR(check_mesh(mesh).volume, (2 + 1) / 6.0 / 8, rounding);
 }
 
+TEST_F(MeshIo, AnAxisThatPointsUpBecomesZAndNothingIsMirrored) {
+  const TriMesh mesh = translated(hydro::make_box({1, 2, 3}), {10, 20, 30});
+  const fs::path file = write("a.obj", [&](std::ostream& out) { write_obj(out, mesh); });
+  const std::pair<scene::UpAxis, Eigen::Vector3d> cases[] = {
+      {scene::UpAxis::z, {10, 20, 30}},  {scene::UpAxis::minus_z, {10, -20, -30}},
+      {scene::UpAxis::y, {10, -30, 20}}, {scene::UpAxis::minus_y, {10, 30, -20}},
+      {scene::UpAxis::x, {-30, 20, 10}}, {scene::UpAxis::minus_x, {30, 20, -10}}};
+  for (const auto& [up, centre] : cases) {
+    const TriMesh read = assembly::read_mesh(file, scene::MeshFormats::common, {.up = up});
+    EXPECT_EQ(bounding_box(read).center(), centre) << scene::name_of(up);
+    // A mirrored box would be inward.
+    EXPECT_NEAR(check_mesh(read).volume, 6, support::tolerance(1e-12)) << scene::name_of(up);
+  }
+}
+
+TEST_F(MeshIo, UnitAndScaleMultiplyTheCoordinates) {
+  const fs::path file = write("a.obj", [](std::ostream& out) {
+    write_obj(out, hydro::make_box({1, 2, 3}));
+  });
+  for (const auto& [word, length] : scene::length_units()) {
+    const TriMesh read =
+        assembly::read_mesh(file, scene::MeshFormats::common, {.unit = length, .scale = 10});
+    EXPECT_EQ(bounding_box(read).sizes().x(), 10 * length) << word;
+  }
+}
+
+/// A tetrahedron of the edges 1, 2 and 3 along x, y and z.
+constexpr const char* kFbx = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+  FBXVersion: 7400
+}
+GlobalSettings:  {
+  Properties70:  {
+    P: "UpAxis", "int", "Integer", "", 2
+    P: "UpAxisSign", "int", "Integer", "", 1
+    P: "FrontAxis", "int", "Integer", "", 1
+    P: "FrontAxisSign", "int", "Integer", "", -1
+    P: "CoordAxis", "int", "Integer", "", 0
+    P: "CoordAxisSign", "int", "Integer", "", 1
+    P: "UnitScaleFactor", "double", "Number", "", 2.54
+  }
+}
+Objects:  {
+  Geometry: 1, "Geometry::g", "Mesh" {
+    Vertices: *12 { a: 0,0,0,1,0,0,0,2,0,0,0,3 }
+    PolygonVertexIndex: *12 { a: 0,2,-2,0,1,-4,0,3,-3,1,2,-4 }
+    GeometryVersion: 124
+  }
+  Model: 2, "Model::m", "Mesh" {
+    Version: 232
+  }
+}
+Connections:  {
+  C: "OO",2,0
+  C: "OO",1,2
+}
+)";
+
+TEST_F(MeshIo, AFileThatNamesItsAxisAndUnitIsTurnedAndScaledUnlessTheAuthorSaysElse) {
+  const auto top = [](const fs::path& file, const scene::MeshFrame& frame = {}) {
+    const TriMesh mesh = assembly::read_mesh(file, scene::MeshFormats::any, frame);
+    EXPECT_TRUE(check_mesh(mesh).sound()) << file;
+    return Eigen::Vector3d(bounding_box(mesh).max());
+  };
+  const double rounding = support::tolerance(1e-6);  // that of floats of up to 3
+  std::string y_up = kCollada;
+  y_up.replace(y_up.find("Z_UP"), 4, "Y_UP");
+  const fs::path dae = write("y.dae", y_up);
+  EXPECT_LE((top(dae) - Eigen::Vector3d(5, 0, 1)).norm(), rounding);
+  EXPECT_LE((top(dae, {.up = scene::UpAxis::z, .unit = 1}) - Eigen::Vector3d(10, 2, 1)).norm(),
+            rounding);
+  const fs::path fbx = write("z.fbx", kFbx);
+  EXPECT_LE((top(fbx) - 0.0254 * Eigen::Vector3d(1, 2, 3)).norm(), rounding);
+  EXPECT_LE((top(fbx, {.unit = 1}) - Eigen::Vector3d(1, 2, 3)).norm(), rounding);
+  std::string below = kFbx;
+  below.replace(below.find("\"\", 2") + 4, 1, "1");
+  EXPECT_LE((top(write("y.fbx", below)) - 0.0254 * Eigen::Vector3d(1, 0, 2)).norm(), rounding);
+}
+
 TEST_F(MeshIo, FilesThatHoldNoMeshAreRefusedWithTheReason) {
   EXPECT_THAT(mesh_fault(folder() / "none.obj"), HasSubstr("there is no such file"));
   EXPECT_THAT(mesh_fault(folder()), HasSubstr("is not a file"));

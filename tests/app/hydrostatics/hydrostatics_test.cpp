@@ -196,6 +196,18 @@ TEST(HydrostaticsCommand, TakesMassCentreOfMassAndHeelsOfAMesh) {
   EXPECT_NEAR(body["gz"][5]["heel_deg"], 10, kRoundOff);
 }
 
+TEST(HydrostaticsCommand, TakesAxisUnitAndScaleOfAMesh) {
+  const std::string mesh = mesh_file("tests/data/meshes/hull_mm.obj");
+  const std::string text =
+      output_of({mesh, "--mass", "1536", "--up", "y", "--unit", "mm", "--json"});
+  const json body = json::parse(text)["bodies"]["hull_mm"];
+  EXPECT_NEAR(body["volume"], 3.2 * 1.2 * 0.8, kRoundOff);
+  EXPECT_NEAR(body["rest"]["draught"], 0.4, kRoundOff);
+  const std::string below =
+      output_of({mesh, "--mass", "1536", "--up=-y", "--unit=m", "--scale=0.001", "--json"});
+  EXPECT_NEAR(json::parse(below)["bodies"]["hull_mm"]["com"][2], -0.4, kRoundOff);
+}
+
 TEST(HydrostaticsCommand, SetsKeysOfAScene) {
   const std::string file = support::write_scene(kBarge);
   const std::string text = output_of({file, "--set", "bodies[barge].mass=164000", "--csv"});
@@ -229,6 +241,9 @@ TEST(HydrostaticsCommand, RefusesWhatIsWrong) {
       {{scene, "--draught", "1"}, "--draught: is for a mesh"},
       {{scene, "--density", "1"}, "--density: is for a mesh"},
       {{scene, "--com", "1,2,3"}, "--com: is for a mesh"},
+      {{scene, "--up", "y"}, "--up: is for a mesh"},
+      {{scene, "--unit", "mm"}, "--unit: is for a mesh"},
+      {{scene, "--scale", "2"}, "--scale: is for a mesh"},
       {{scene, "--set", "gravity=0"}, "gravity: found 0"},
       {{scene, "--set", "bodies[0].mass=1e7"}, "barge: it sinks"},
       {{scene, "--set", "hydro.buoyancy=false"}, "has no body with buoyancy"},

@@ -56,6 +56,16 @@ TEST(RunReport, TellsWhatABodyIs) {
       "of raft (added_mass: none)");
 }
 
+TEST(RunReport, TellsTheAxisAndTheUnitOfAMeshFileThatIsTurnedOrScaled) {
+  const auto lines =
+      told_of(kHead + "bodies:\n  - {name: a, density: 500, mesh: {file: " + PLIMSOLL_SOURCE_DIR +
+              "/tests/data/meshes/hull_mm.obj, up: y, unit: mm}}\n");
+  ASSERT_GE(lines.size(), 5u);
+  EXPECT_EQ(lines[2], "a 12 3.2 x 1.2 x 0.8 3.072 1536 given");
+  EXPECT_EQ(lines[3], "mesh files up unit scale");
+  EXPECT_EQ(lines[4], "a hull_mm.obj y mm 1");
+}
+
 TEST(RunReport, TellsTheWavesAndTheDepth) {
   const auto water = [](const std::string& block) {
     return told_of(kHead + "water: " + block + "\n")[0];

@@ -52,7 +52,7 @@ std::string every_key() {
          "  - name: a\n"
          "    mesh: {file: " +
          folder +
-         "/shore.obj, scale: 2}\n"
+         "/shore.obj, up: -y, unit: ft, scale: 2}\n"
          "    mass: 5\n"
          "    center_of_mass: [1, 2, 3]\n"
          "    inertia: [2, 3, 4, 0.1, 0.2, 0.3]\n"
@@ -125,7 +125,8 @@ std::string picture(const std::string& block) {
 }
 
 std::string shore() {
-  return "ground={mesh: {file: " + support::data_folder().string() + "/shore.obj, scale: 3}}";
+  return "ground={mesh: {file: " + support::data_folder().string() +
+         "/shore.obj, up: y, unit: cm, scale: 3}}";
 }
 
 std::string zero_matrix() {
@@ -275,6 +276,7 @@ TEST(SceneKeys, HeightFieldsAndGroundMeshAreRead) {
   EXPECT_EQ(field.origin, Eigen::Vector2d(-1, -2));
   EXPECT_EQ(field.range, (std::array<double, 2>{-3, 4}));
   EXPECT_EQ(std::get<scene::Mesh>(scene.ground).scale, 3);
+  EXPECT_EQ(std::get<scene::Mesh>(scene.ground).unit, 0.01);
   const scene::Scene sloping = read_scene_text(every_key(), {picture("ground")});
   EXPECT_EQ(std::get<scene::HeightField>(sloping.ground).cell, 0.5);
 }
@@ -284,6 +286,8 @@ TEST(SceneKeys, ShapesAreRead) {
   const auto& mesh = std::get<scene::Mesh>(scene.bodies[0].shape);
   EXPECT_EQ(mesh.file, support::data_folder() / "shore.obj");
   EXPECT_EQ(mesh.scale, 2);
+  EXPECT_EQ(mesh.up, scene::UpAxis::minus_y);
+  EXPECT_EQ(mesh.unit, 0.3048);
   const auto& box = std::get<scene::Box>(scene.bodies[1].shape);
   EXPECT_EQ(box.size, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(box.divisions, 8);

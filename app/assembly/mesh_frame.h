@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/scene/shape.h"
+#include "hydro/mesh/mesh.h"
+
+/// @file
+/// The way of a mesh from the axes and unit of its file to its mesh frame: z up, metres.
+
+namespace assembly {
+
+/// What a mesh file says of its frame.
+struct StatedFrame {
+  std::optional<scene::UpAxis> up;  ///< The axis that points up.
+  std::optional<double> unit;       ///< Length of a unit of the coordinates [m].
+};
+
+/// Whose word an axis or a unit is.
+enum class SaidBy { nobody, file, author };
+
+/// The axis and unit that hold for a mesh, with those who said so.
+struct AppliedFrame {
+  scene::UpAxis up = scene::UpAxis::z;
+  double unit = 1;  ///< [m]
+  double scale = 1;
+  SaidBy up_by = SaidBy::nobody;
+  SaidBy unit_by = SaidBy::nobody;
+
+  /// True if the coordinates of the file are those of the mesh frame.
+  bool changes_nothing() const { return up == scene::UpAxis::z && unit * scale == 1; }
+};
+
+/// Decides between the author's word, which comes first, that of the file, and z and metres.
+AppliedFrame applied_frame(const StatedFrame& stated, const scene::MeshFrame& wanted);
+
+/// Turns and scales a mesh as its file has it.
+hydro::TriMesh in_mesh_frame(hydro::TriMesh mesh, const AppliedFrame& frame);
+
+/// A mesh file of a body.
+struct MeshSource {
+  std::filesystem::path file;
+  AppliedFrame frame;
+};
+
+/// Describes a frame in words: `y up in the file, as it says; its unit is mm`.
+std::string description(const AppliedFrame& frame);
+
+/// Warns of a mesh whose unit the author does not name if its longest side is more than 500 m, a
+/// length that no ship has: its file is likely in millimetres. @return empty for other meshes
+/// @param mesh      In the mesh frame.
+/// @param setting   Text that sets a unit: `unit: ` or `--unit `.
+std::string size_warning(const hydro::TriMesh& mesh, const MeshSource& source,
+                         const std::string& setting);
+
+/// Warns of a mean density that only a wrong unit explains: far less than that of gas, or more than
+/// four times that of the heaviest metal. @return empty for other densities
+/// @param volume   Of a body whose shape is the mesh of this file [m^3].
+std::string density_warning(double mass, double volume, const MeshSource& source);
+
+}  // namespace assembly
