@@ -41,8 +41,14 @@ void add_hydrostatics(CLI::App& program, AnalysisArguments& a, std::vector<std::
   command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
   command->add_option("--mass", o.mass, "Mass of a mesh [kg]")->type_name("KG");
   command
-      ->add_option("--draught", o.draught, "Instead of the mass: draught of the upright mesh [m]")
+      ->add_option(
+          "--draught", o.draught,
+          "Instead of the mass: draught of the upright mesh, from its lowest point or --keel [m]")
       ->type_name("M");
+  command
+      ->add_option("--keel", o.keel,
+                   "Height in the mesh frame from which a draught counts [m] [the lowest point]")
+      ->type_name("Z");
   command->add_option("--density", o.density, "Density of the water, for a mesh [kg/m^3] [1000]")
       ->type_name("RHO");
   command->add_option("--com", a.center_of_mass, "Centre of mass in the mesh frame [m] [centroid]")

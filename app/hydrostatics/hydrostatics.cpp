@@ -17,6 +17,7 @@
 #include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/interior.h"
 #include "hydro/interior/places.h"
+#include "hydro/loads/loads.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -35,14 +36,18 @@ void check_positive(const std::optional<double>& value, const std::string& optio
 }
 
 /// Returns the mass that floats at a draught with the mesh's z axis up [kg].
-double mass_at_draught(const hydro::TriMesh& mesh_B, double draught, double density) {
-  const double height = mesh_B.vertices.row(2).maxCoeff() - mesh_B.vertices.row(2).minCoeff();
-  if (draught >= height)
+/// @param keel_B   Height from which the draught counts [m].
+double mass_at_draught(const hydro::TriMesh& mesh_B, double keel_B, double draught,
+                       double density) {
+  const double lowest = mesh_B.vertices.row(2).minCoeff(), waterline = keel_B + draught;
+  const double highest = mesh_B.vertices.row(2).maxCoeff();
+  if (!(waterline > lowest && waterline < highest))
     throw scene::InputError(
         "--draught",
-        fmt::format("found {:g}, expected less than the mesh's height, {:g} m", draught, height));
-  const double com_height = -mesh_B.vertices.row(2).minCoeff() - draught;
-  return density * hydro::hydrostatics(mesh_B, com_height).volume;
+        fmt::format("found {:g}, expected between {:g} and {:g} m, where the waterline "
+                    "is between the mesh's lowest and highest point",
+                    draught, lowest - keel_B, highest - keel_B));
+  return density * hydro::hydrostatics(mesh_B, -waterline).volume;
 }
 
 void check_mesh_options(const HydrostaticsOptions& o) {
@@ -51,6 +56,7 @@ void check_mesh_options(const HydrostaticsOptions& o) {
   refuse_if(!o.mass && !o.draught, "--mass", "missing, expected the body's mass, or its --draught");
   check_positive(o.mass, "--mass", "kg");
   check_positive(o.draught, "--draught", "m");
+  refuse_if(o.keel && !std::isfinite(*o.keel), "--keel", "expected a finite number");
   check_positive(o.density, "--density", "kg/m^3");
   refuse_if(o.center_of_mass && !o.center_of_mass->allFinite(), "--com", "expected finite numbers");
   check_positive(o.water, "--water", "m^3");
@@ -115,7 +121,9 @@ FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
                     .density = o.density.value_or(1000)};
   body.mesh_B = hydro::translated(mesh, -body.com_M);
   make_hollow(o.water, body);
-  body.mass = o.mass ? *o.mass : mass_at_draught(body.mesh_B, *o.draught, body.density);
+  body.keel_M = o.keel;
+  const double keel_B = o.keel ? *o.keel - body.com_M.z() : body.mesh_B.vertices.row(2).minCoeff();
+  body.mass = o.mass ? *o.mass : mass_at_draught(body.mesh_B, keel_B, *o.draught, body.density);
   return body;
 }
 
@@ -123,6 +131,7 @@ void check_scene_options(const HydrostaticsOptions& o) {
   const std::string message = "is for a mesh; a scene has its own, see --set";
   refuse_if(o.mass.has_value(), "--mass", message);
   refuse_if(o.draught.has_value(), "--draught", message);
+  refuse_if(o.keel.has_value(), "--keel", "is for a mesh");
   refuse_if(o.density.has_value(), "--density", message);
   refuse_if(o.center_of_mass.has_value(), "--com", message);
   refuse_if(o.water.has_value(), "--water", "is for a mesh; a scene has interior_water");
@@ -165,6 +174,28 @@ FloatingState state_of(const FloatingBody& body, const Eigen::Quaterniond& orien
   return state;
 }
 
+/// Returns the body in axes turned so that its curve starts upright: the axis of its mesh frame
+/// that is nearest to the vertical at the start is vertical, and its x axis points ahead unless it
+/// is that axis.
+FloatingBody in_upright_axes(const FloatingBody& body) {
+  const Eigen::RowVector3d up_B = body.start.toRotationMatrix().row(2);
+  Eigen::Index axis = 2;
+  up_B.cwiseAbs().maxCoeff(&axis);
+  if (axis == 2 && up_B[2] > 0) return body;
+  const Eigen::Vector3d nearest = std::copysign(1.0, up_B[axis]) * Eigen::Vector3d::Unit(axis);
+  const Eigen::Vector3d leaning = body.start * nearest;
+  const Eigen::Quaterniond to_vertical =
+      Eigen::Quaterniond::FromTwoVectors(leaning, Eigen::Vector3d::UnitZ());
+  const Eigen::Isometry3d X(hydro::with_heading(to_vertical * body.start, 0));
+  FloatingBody turned = body;
+  turned.mesh_B = hydro::transformed(body.mesh_B, X);
+  for (hydro::Tank& tank : turned.tanks)
+    tank.hull =
+        hydro::make_hull(hydro::transformed(tank.hull.mesh_B, X), hydro::Hull::Boundary::open);
+  for (Eigen::Vector3d& point : turned.flooding_points_B) point = X * point;
+  return turned;
+}
+
 /// Checks that a body floats. @throws InputError with the reason for each body if none does.
 void check_that_one_floats(const std::vector<FloatingReport>& reports,
                            const std::filesystem::path& file) {
@@ -190,7 +221,9 @@ std::vector<FloatingBody> floating_bodies(const HydrostaticsOptions& options) {
 }
 
 FloatingReport floating_report(const FloatingBody& body, const std::vector<double>& heels) {
-  FloatingReport report{.body = body, .volume = hydro::solid_properties(body.mesh_B).volume};
+  FloatingReport report{.body = body,
+                        .upright = in_upright_axes(body),
+                        .volume = hydro::solid_properties(body.mesh_B).volume};
   report.not_afloat =
       assembly::why_not_afloat(body.density * body.displaced(), report.volume, body.density);
   if (!report.not_afloat.empty()) return report;
@@ -199,7 +232,9 @@ FloatingReport floating_report(const FloatingBody& body, const std::vector<doubl
   report.start = state_of(body, body.start);
   report.rest = state_of(body, rest.orientation);
   report.orientation = hydro::with_heading(rest.orientation, hydro::euler_angles(body.start)[2]);
-  report.righting_arms = hydro::righting_arms(body.mesh_B, body.displaced(), heels, body.tanks);
+  const FloatingBody& heeled = report.upright;
+  report.righting_arms =
+      hydro::righting_arms(heeled.mesh_B, heeled.displaced(), heels, heeled.tanks);
   report.intact = hydro::intact_stability(
       report.intact_body(), report.rest.flotation.effective_metacentric_heights()(0, 0));
   return report;

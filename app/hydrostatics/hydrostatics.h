@@ -20,7 +20,8 @@ struct HydrostaticsOptions {
   std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, otherwise a mesh.
   /// Exactly one of these two is set for a mesh. The draught holds with the mesh's z axis up.
   std::optional<double> mass;                     ///< [kg]
-  std::optional<double> draught;                  ///< [m]
+  std::optional<double> draught;                  ///< From `keel` [m].
+  std::optional<double> keel;                     ///< z in the mesh frame [m]; none: lowest point.
   std::optional<double> density;                  ///< Density of the water [kg/m^3]; none: 1000.
   std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
   std::optional<double> water;                    ///< In the pockets of a mesh [m^3]; none: dry.
@@ -43,9 +44,10 @@ struct FloatingBody {
   std::vector<hydro::Tank> tanks;                  ///< The water in its pockets.
   std::vector<Eigen::Vector3d> flooding_points_B;  ///< Sills of its pockets, and openings.
   Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
-  double mass = 0;                                            ///< [kg]
-  double density = 1000;                                      ///< Density of the water [kg/m^3].
-  double gravity = 9.80665;                                   ///< [m/s^2]
+  std::optional<double> keel_M;  ///< z of the keel line [m], for a draught from there.
+  double mass = 0;               ///< [kg]
+  double density = 1000;         ///< Density of the water [kg/m^3].
+  double gravity = 9.80665;      ///< [m/s^2]
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();  ///< R_WB before settling.
 
   double water_inside() const;  ///< [m^3]
@@ -62,6 +64,7 @@ struct FloatingState {
 
 struct FloatingReport {
   FloatingBody body;
+  FloatingBody upright;    ///< The body in the axes from which its heel counts.
   double volume = 0;       ///< Volume of the whole body [m^3].
   std::string not_afloat;  ///< Reason why it does not float; nothing below is then set.
   FloatingState start;     ///< State at the given attitude.
@@ -71,10 +74,10 @@ struct FloatingReport {
   hydro::IntactStability intact;
 
   hydro::IntactBody intact_body() const {
-    return {.mesh_B = body.mesh_B,
-            .volume = body.displaced(),
-            .tanks = body.tanks,
-            .flooding_points_B = body.flooding_points_B};
+    return {.mesh_B = upright.mesh_B,
+            .volume = upright.displaced(),
+            .tanks = upright.tanks,
+            .flooding_points_B = upright.flooding_points_B};
   }
 };
 

@@ -222,8 +222,11 @@ void write_table(const FloatingReport& report, std::string& table) {
 
 /// Explanation of the names in the table.
 const char* const kLegend =
-    "\ncom and centre_of_…: mesh frame. Heights kb and kg: above the lowest point. heel_deg and "
-    "trim_deg:\nroll and pitch of the mesh, +x end down positive. second_moment_…, bm_… and gm_…: "
+    "\ncom and centre_of_…: mesh frame. draught: depth of the lowest point; draught_from_keel: "
+    "that "
+    "of z = --keel\nof the mesh frame, under or over the centre of mass. Heights kb and kg: above "
+    "the lowest point. heel_deg and trim_deg:\nroll and pitch of the mesh, +x end down positive. "
+    "second_moment_…, bm_… and gm_…: "
     "t about the\nhorizontal axis along the mesh's x axis, l about the one across. c33…c55: "
     "restoring stiffness in heave,\nroll and pitch about the centre of mass, those axes. GZ: "
     "rights "
@@ -270,6 +273,13 @@ std::vector<Quantity> state_quantities(const FloatingBody& body, const FloatingS
       {"wetted_surface", "m^2", {h.wetted_surface}, 0},
       {"waterplane_area", "m^2", {h.waterplane.area}, 0},
       {"centre_of_flotation", "m", in_mesh_frame({flotation.x(), flotation.y(), -f.height}), size}};
+  if (body.keel_M) {
+    // The keel's point on the line through the centre of mass along the mesh's z axis.
+    const double above_com =
+        f.orientation.toRotationMatrix()(2, 2) * (*body.keel_M - body.com_M.z());
+    const auto draught = std::ranges::find(all, "draught", &Quantity::key);
+    all.insert(draught + 1, {"draught_from_keel", "m", {-(f.height + above_com)}, size});
+  }
   add_stability(f, all);
   add_stiffness(body, f, all);
   return all;

@@ -133,6 +133,36 @@ TEST(HydrostaticsReport, OfADraughtIsThatOfTheMassThatDrawsIt) {
   EXPECT_EQ(report.start.stability, hydro::Stability::stable);
 }
 
+TEST(HydrostaticsReport, ADraughtCountsFromTheKeelThatIsNamed) {
+  const std::filesystem::path file = mesh_file("scenes/meshes/wigley.obj");  // lowest at -0.625
+  const double from_below = app::floating_bodies({.file = file, .draught = 0.5})[0].mass;
+  const app::FloatingBody body =
+      app::floating_bodies({.file = file, .draught = 0.325, .keel = -0.45})[0];
+  EXPECT_NEAR(body.mass, from_below, kRoundOff * from_below);
+  const app::FloatingReport report = app::floating_report(body, {});
+  const json start = json::parse(app::floating_json({report}))["bodies"]["wigley"]["start"];
+  EXPECT_NEAR(start["draught_from_keel"], 0.325, kRoundOff);
+  EXPECT_THAT(app::floating_table({report}), HasSubstr("draught: depth of the lowest point"));
+}
+
+TEST(HydrostaticsReport, HeelCountsFromTheAttitudeThatTheSceneGives) {
+  std::string lying = kBarge;  // drawn with y up
+  const auto put = [&](const std::string& old, const std::string& text) {
+    lying.replace(lying.find(old), old.size(), text);
+  };
+  put("[20, 8, 4]", "[20, 4, 8]");
+  put("[0, 0, 0.5]", "[0, 0.5, 0]");
+  put("[12, -7, 130]", "[95, 2, 130]");
+  const app::FloatingReport expected = reports_of(kBarge)[0], found = reports_of(lying)[0];
+  ASSERT_EQ(found.righting_arms.size(), expected.righting_arms.size());
+  for (std::size_t i = 0; i < found.righting_arms.size(); ++i)
+    EXPECT_NEAR(found.righting_arms[i].lever, expected.righting_arms[i].lever,
+                support::tolerance(1e-9))
+        << i;
+  EXPECT_NEAR(found.intact.criteria[0].value, expected.intact.criteria[0].value,
+              support::tolerance(1e-9));
+}
+
 /// The lines of a text, split at commas.
 std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
   std::vector<std::vector<std::string>> rows;
@@ -224,7 +254,7 @@ TEST(HydrostaticsCommand, RefusesWhatIsWrong) {
       {{mesh, "--mass", "-1"}, "--mass: found -1, expected a positive number [kg]"},
       {{mesh, "--mass", "nan"}, "--mass: found nan"},
       {{mesh, "--draught", "0"}, "--draught: found 0"},
-      {{mesh, "--draught", "50"}, "expected less than the mesh's height"},
+      {{mesh, "--draught", "50"}, "expected between 0 and 3 m"},
       {{mesh, "--mass", "1", "--density", "0"}, "--density: found 0"},
       {{mesh, "--mass", "1", "--com", "inf,0,0"}, "--com: expected finite numbers"},
       {{mesh, "--mass", "1", "--set", "gravity=1"}, "--set is for a scene"},
@@ -241,6 +271,9 @@ TEST(HydrostaticsCommand, RefusesWhatIsWrong) {
       {{scene, "--draught", "1"}, "--draught: is for a mesh"},
       {{scene, "--density", "1"}, "--density: is for a mesh"},
       {{scene, "--com", "1,2,3"}, "--com: is for a mesh"},
+      {{mesh, "--draught", "1", "--keel", "nan"}, "--keel: expected a finite number"},
+      {{mesh, "--draught", "1", "--keel", "-5"}, "--draught: found 1, expected between 5 and 8 m"},
+      {{scene, "--keel", "1"}, "--keel: is for a mesh"},
       {{scene, "--up", "y"}, "--up: is for a mesh"},
       {{scene, "--unit", "mm"}, "--unit: is for a mesh"},
       {{scene, "--scale", "2"}, "--scale: is for a mesh"},
