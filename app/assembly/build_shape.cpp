@@ -5,6 +5,7 @@
 #include "app/assembly/height_io.h"
 #include "app/assembly/memory_need.h"
 #include "app/base/machine.h"
+#include "hydro/mesh/mesh_union.h"
 #include "hydro/mesh/primitives.h"
 
 namespace assembly {
@@ -19,6 +20,7 @@ hydro::TriMesh primitive(const scene::Shape& shape) {
   return std::visit(
       Overloaded{
           [](const scene::Mesh&) { return hydro::TriMesh{}; },
+          [](const scene::Shapes&) { return hydro::TriMesh{}; },
           [](const scene::Box& s) { return hydro::make_box(s.size, s.divisions); },
           [](const scene::Sphere& s) { return hydro::make_sphere(s.radius, s.slices, s.stacks); },
           [](const scene::Icosphere& s) { return hydro::make_icosphere(s.radius, s.subdivisions); },
@@ -40,6 +42,50 @@ hydro::MeshReport relevant(hydro::MeshReport report, Soundness needed) {
   return kept;
 }
 
+/// Refuses shapes that overlap: their union would take a cut through both. @return true if none do
+bool lie_apart(const std::vector<hydro::TriMesh>& parts, const std::string& key, BuildLog& log) {
+  bool apart = true;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto common = hydro::common_part(parts[j], parts[i]);
+      if (!common) continue;
+      apart = false;
+      const Eigen::Vector3d at = common->box.center();
+      log.faults.add(
+          log.scene.places, fmt::format("{}[{}]", key, i),
+          fmt::format("overlaps {}[{}] by {:.4g} m along {}, about ({:.4g}, {:.4g}, "
+                      "{:.4g}); move one of them by that much, so that they touch, or "
+                      "join them in a program that draws solids",
+                      key, j, common->depth(), "xyz"[common->axis()], at.x(), at.y(), at.z()));
+    }
+  return apart;
+}
+
+/// Returns the union of shapes in the body's mesh frame; a fault acts as in `shape_mesh`.
+/// @param key   Path of the list.
+hydro::TriMesh union_mesh(const scene::Shapes& shapes, const std::string& key, BuildLog& log) {
+  std::vector<hydro::TriMesh> parts;
+  for (std::size_t i = 0; i < shapes.parts.size(); ++i) {
+    const scene::PlacedShape& placed = shapes.parts[i];
+    const std::string path = fmt::format("{}[{}]", key, i);
+    const scene::Shape shape = scene::as_shape(placed.shape);
+    hydro::TriMesh mesh = shape_mesh(shape, path, log);
+    if (!make_sound(mesh, Soundness::closed, shape_key_path(shape, path), log)) continue;
+    parts.push_back(hydro::transformed(std::move(mesh),
+                                       Eigen::Translation3d(placed.position) * placed.orientation));
+  }
+  if (parts.size() < shapes.parts.size() || !lie_apart(parts, key, log)) return {};
+  hydro::TriMesh whole = hydro::joined(parts);
+  const std::vector<std::string> wrong = hydro::describe(hydro::check_mesh(whole));
+  if (wrong.empty()) return whole;
+  log.faults.add(log.scene.places, key,
+                 fmt::format("touch in a way that gives no solid: {}; move one by a thousandth of "
+                             "the size, so that there is a gap, or join them in a program that "
+                             "draws solids",
+                             wrong.front()));
+  return {};
+}
+
 /// Adds a warning, or a fault, if a body of so many triangles takes more memory than is free. What
 /// earlier bodies take is no longer free. @return false after a fault
 bool has_memory(double triangles, const std::string& key, BuildLog& log) {
@@ -59,7 +105,8 @@ bool has_memory(double triangles, const std::string& key, BuildLog& log) {
 }  // namespace
 
 std::string shape_key_path(const scene::Shape& shape, const std::string& key_path) {
-  constexpr const char* kNames[] = {"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"};
+  constexpr const char* kNames[] = {"mesh",      "box",      "sphere", "icosphere",
+                                    "ellipsoid", "cylinder", "shapes"};
   return fmt::format("{}.{}", key_path, kNames[shape.index()]);
 }
 
@@ -92,6 +139,7 @@ hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path
     log.sources.push_back(std::move(source));
     return mesh;
   }
+  if (const auto* shapes = std::get_if<scene::Shapes>(&shape)) return union_mesh(*shapes, key, log);
   if (!has_memory(triangles_of(shape), key, log)) return {};
   try {
     return primitive(shape);

@@ -24,6 +24,11 @@ constexpr double kMostStored = 5000;
 double square(double x) { return x * x; }
 
 struct Triangles {
+  double operator()(const scene::Shapes& s) const {
+    double sum = 0;
+    for (const scene::PlacedShape& part : s.parts) sum += std::visit(*this, part.shape);
+    return sum;
+  }
   double operator()(const scene::Mesh&) const { return 0; }
   double operator()(const scene::Box& s) const { return 12 * square(s.divisions); }
   double operator()(const scene::Sphere& s) const { return 2.0 * s.slices * (s.stacks - 1); }

@@ -255,6 +255,13 @@ constexpr auto kCopies = std::to_array<std::pair<std::string_view, std::string_v
     {{"bodies[].hydro.", "hydro."},
      {"ground.heightfield.", "water.surface.heightfield."},
      {"ground.mesh.", "bodies[].mesh."},
+     {"bodies[].shapes[].mesh", "bodies[].mesh"},
+     {"bodies[].shapes[].box", "bodies[].box"},
+     {"bodies[].shapes[].sphere", "bodies[].sphere"},
+     {"bodies[].shapes[].icosphere", "bodies[].icosphere"},
+     {"bodies[].shapes[].ellipsoid", "bodies[].ellipsoid"},
+     {"bodies[].shapes[].cylinder", "bodies[].cylinder"},
+     {"bodies[].shapes[].orientation.", "bodies[].orientation."},
      {"sails[].", "rudders[]."},
      {"render.cameras.NAME.", "render.camera."}});
 

@@ -133,6 +133,14 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"bodies[].cylinder.height", "Length along z."},
     {"bodies[].cylinder.slices", "Number of parts around z."},
     {"bodies[].cylinder.stacks", "Number of parts along z."},
+    {"bodies[].shapes",
+     "Several shapes whose union is the body, each closed. They may lie apart or touch, but not "
+     "overlap. An entry has one of `mesh`, `box`, `sphere`, `icosphere`, `ellipsoid` and "
+     "`cylinder`, as a body has ([below](#several-shapes))."},
+    {"bodies[].shapes[].position",
+     "Position of the shape's own origin in the mesh frame of the body."},
+    {"bodies[].shapes[].orientation",
+     "Rotation of the shape about its own origin; the keys are those of `bodies[].orientation`."},
     {"bodies[].density",
      "Density, uniform over the volume of the shape. Exactly one of `density` and `mass` is "
      "required."},

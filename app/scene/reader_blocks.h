@@ -25,6 +25,7 @@ void read(MapReader& map, Sphere& sphere);
 void read(MapReader& map, Icosphere& sphere);
 void read(MapReader& map, Ellipsoid& ellipsoid);
 void read(MapReader& map, Cylinder& cylinder);
+void read(MapReader& map, PlacedShape& placed);
 /// Reads the one shape among a body's keys.
 void read_shape(MapReader& map, Shape& shape);
 

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "app/scene/reader_blocks.h"
 
 namespace scene {
@@ -12,16 +14,34 @@ const NumberRule kSphereStacks = between(2, 2000);
 const NumberRule kCylinderStacks = between(1, 2000);
 const NumberRule kSubdivisions = between(0, 9);
 
-}  // namespace
-
-void read_shape(MapReader& map, Shape& shape) {
-  map.exactly_one_of({"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"});
+/// Reads the single shapes; the caller checks that there is one.
+template <class Holder>
+void read_single(MapReader& map, Holder& shape) {
   map.alternative<Mesh>("mesh", shape);
   map.alternative<Box>("box", shape);
   map.alternative<Sphere>("sphere", shape);
   map.alternative<Icosphere>("icosphere", shape);
   map.alternative<Ellipsoid>("ellipsoid", shape);
   map.alternative<Cylinder>("cylinder", shape);
+}
+
+}  // namespace
+
+void read_shape(MapReader& map, Shape& shape) {
+  map.exactly_one_of({"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder", "shapes"});
+  read_single(map, shape);
+  Shapes shapes;
+  map.blocks("shapes", shapes.parts, {}, 1);
+  if (!map.has("shapes")) return;
+  if (shapes.parts.empty()) map.fault("shapes", "expected one shape at least");
+  shape = std::move(shapes);
+}
+
+void read(MapReader& map, PlacedShape& placed) {
+  map.exactly_one_of({"mesh", "box", "sphere", "icosphere", "ellipsoid", "cylinder"});
+  read_single(map, placed.shape);
+  map.optional("position", placed.position, number("m"));
+  map.block("orientation", placed.orientation);
 }
 
 void read(MapReader& map, Mesh& mesh) {

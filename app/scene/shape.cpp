@@ -31,4 +31,8 @@ std::string name_of_unit(double unit) {
   return fmt::format("{:.6g} m", unit);
 }
 
+Shape as_shape(const SingleShape& shape) {
+  return std::visit([](const auto& single) { return Shape(single); }, shape);
+}
+
 }  // namespace scene

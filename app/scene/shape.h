@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -63,6 +64,21 @@ struct Cylinder {
   int slices = 48;
   int stacks = 8;
 };
-using Shape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylinder>;
+using SingleShape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylinder>;
+
+/// A shape of a body of several, placed in the body's mesh frame.
+struct PlacedShape {
+  SingleShape shape;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the shape's own origin [m].
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+/// Shapes that lie apart or touch; their union is the body.
+struct Shapes {
+  std::vector<PlacedShape> parts;
+};
+using Shape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylinder, Shapes>;
+
+/// A single shape as one that a body may have.
+Shape as_shape(const SingleShape& shape);
 
 }  // namespace scene

@@ -14,6 +14,16 @@ namespace app {
 namespace {
 
 struct Shape {
+  std::string operator()(const scene::Shapes& s) const {
+    std::string text = "shapes";
+    for (const scene::PlacedShape& part : s.parts) {
+      const Eigen::Vector3d& p = part.position;
+      const Eigen::Vector4d& q = part.orientation.coeffs();
+      text += fmt::format(" {} at {} {} {} by {} {} {} {}", std::visit(*this, part.shape), p.x(),
+                          p.y(), p.z(), q[0], q[1], q[2], q[3]);
+    }
+    return text;
+  }
   std::string operator()(const scene::Mesh& s) const {
     return fmt::format("mesh {} {} {} {}", s.file.string(), s.scale,
                        s.up ? scene::name_of(*s.up) : "", s.unit.value_or(0));
@@ -45,8 +55,13 @@ std::string added_mass_of(const scene::Body& body) {
 }
 
 void add_files(const scene::Scene& scene, std::set<std::filesystem::path>& files) {
-  for (const scene::Body& body : scene.bodies)
+  for (const scene::Body& body : scene.bodies) {
     if (const auto* mesh = std::get_if<scene::Mesh>(&body.shape)) files.insert(mesh->file);
+    const auto* shapes = std::get_if<scene::Shapes>(&body.shape);
+    for (std::size_t i = 0; shapes != nullptr && i < shapes->parts.size(); ++i)
+      if (const auto* mesh = std::get_if<scene::Mesh>(&shapes->parts[i].shape))
+        files.insert(mesh->file);
+  }
   if (const auto* mesh = std::get_if<scene::Mesh>(&scene.ground)) files.insert(mesh->file);
   if (const auto* heights = std::get_if<scene::HeightField>(&scene.ground))
     files.insert(heights->file);

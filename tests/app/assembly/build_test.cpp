@@ -12,6 +12,7 @@
 #include "app/scene/diagnostics.h"
 #include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
+#include "hydro/mesh/mesh_check.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -218,6 +219,46 @@ TEST(Assemble, AMeshFileThatCannotBeReadIsAFaultAtItsKey) {
   EXPECT_THAT(
       faults_of(wet_scene(data_mesh("truncated.stl") + ", density: 500")),
       ElementsAre(AllOf(HasSubstr("5:28: bodies[0].mesh.file: "), HasSubstr("truncated.stl: "))));
+}
+
+TEST(Assemble, SeveralShapesAreOneBodyOfTheirUnion) {
+  // Two floats of 4 x 1 x 1 m under a deck of 4 x 5 x 0.5 m, which one of them touches upside down.
+  const BodySpec body =
+      body_of(wet_scene("shapes: [{box: {size: [4, 1, 1]}, position: [0, -2, 0]}, "
+                        "{box: {size: [4, 1, 1]}, position: [0, 2, 0], "
+                        "orientation: {euler_deg: [180, 0, 0]}}, "
+                        "{box: {size: [4, 5, 0.5]}, position: [0, 0, 0.75]}], density: 500"));
+  EXPECT_NEAR(body.mass, 500 * 18, tolerance(1e-6));
+  EXPECT_EQ(body.collision, engine::CollisionShape::mesh);
+  EXPECT_TRUE(hydro::check_mesh(body.mesh_B).sound());
+  // About the centre of mass at z = 10·0.75/18.
+  const double z = 7.5 / 18;
+  const auto slab = [](double mass, double a, double b, double y, double z_off) {
+    return mass * ((a * a + b * b) / 12 + y * y + z_off * z_off);
+  };
+  EXPECT_NEAR(body.inertia_B(0, 0), 2 * slab(2000, 1, 1, 2, z) + slab(5000, 5, 0.5, 0, 0.75 - z),
+              tolerance(1e-5));
+  EXPECT_NEAR(body.inertia_B(1, 1), 2 * slab(2000, 4, 1, 0, z) + slab(5000, 4, 0.5, 0, 0.75 - z),
+              tolerance(1e-5));
+}
+
+TEST(Assemble, ShapesThatOverlapAreAFaultThatNamesBothAndHowDeep) {
+  const auto faults = faults_of(
+      wet_scene("density: 500, shapes: [{box: {size: [1, 1, 1]}}, {sphere: {radius: 0.2}, "
+                "position: [5, 0, 0]}, {box: {size: [1, 1, 1]}, position: [0.9, 0, 0]}]"));
+  EXPECT_THAT(faults, ElementsAre(AllOf(HasSubstr("bodies[0].shapes[2]: overlaps "
+                                                  "bodies[0].shapes[0] by 0.1 m along x"),
+                                        HasSubstr("move one of them"))));
+  EXPECT_THAT(faults_of(wet_scene("density: 500, shapes: [{box: {size: [1, 1, 1]}}, {" +
+                                  data_mesh("open.obj") + "}]")),
+              ElementsAre(HasSubstr("bodies[0].shapes[1].mesh: 3 edges are open")));
+  // Two boxes on a third have an edge in common, and so four faces meet there.
+  EXPECT_THAT(
+      faults_of(
+          wet_scene("density: 500, shapes: [{box: {size: [2, 2, 1]}}, {box: {size: [1, 1, 1]}, "
+                    "position: [0.5, 0.5, 1]}, {box: {size: [1, 1, 1]}, position: [-0.5, "
+                    "-0.5, 1]}]")),
+      ElementsAre(HasSubstr("bodies[0].shapes: touch in a way that gives no solid: 1 edge has")));
 }
 
 /// A mesh of 3200 x 800 x 1200 units.

@@ -50,6 +50,24 @@ TEST(AddedMassCommand, TakesBodiesAndWaterOfAScene) {
   EXPECT_GT(box["error_estimate"], 0);
 }
 
+TEST(AddedMassCommand, OfShapesThatTouchIsThatOfTheirUnionAndOfShapesApartTheirSum) {
+  const std::string file = support::write_scene(
+      "plimsoll: 1\nduration: 1\nwater: {}\nbodies:\n"
+      "  - {name: whole, density: 500, box: {size: [2, 1, 1]}}\n"
+      "  - {name: halves, density: 500, shapes: [{box: {size: [1, 1, 1]}},"
+      " {box: {size: [1, 1, 1]}, position: [1, 0, 0]}]}\n"
+      "  - {name: balls, density: 500, shapes: [{icosphere: {radius: 1, subdivisions: 2}},"
+      " {icosphere: {radius: 1, subdivisions: 2}, position: [0, 40, 0]}]}\n");
+  const json bodies = json::parse(output_of({file, "--json", "--tolerance", "0.05"}))["bodies"];
+  for (int i = 0; i < 6; ++i) {
+    const double whole = bodies["whole"]["added_mass"][i][i];
+    EXPECT_NEAR(bodies["halves"]["added_mass"][i][i], whole, tolerance(0.01) * whole) << i;
+  }
+  const double half = 1000 * bodies["balls"]["volume"].get<double>() / 2;
+  for (int i = 0; i < 3; ++i)  // the other ball changes it by the cube of 1/40
+    EXPECT_NEAR(bodies["balls"]["added_mass"][i][i], half, tolerance(5e-3) * half) << i;
+}
+
 TEST(AddedMassCommand, TakesDensityAndMethodOfAMesh) {
   const std::string mesh = mesh_file("scenes/meshes/barge.obj");
   const auto surge = [&](const std::vector<std::string>& options) {

@@ -303,6 +303,37 @@ TEST(SceneKeys, ShapesAreRead) {
             std::tuple(4, 5, 14, 15));
 }
 
+/// A body of every shape, each placed.
+std::string shapes() {
+  const std::string mesh =
+      "mesh: {file: " + support::data_folder().string() + "/shore.obj, up: y, unit: mm, scale: 2}";
+  std::string list;
+  for (const std::string& shape :
+       {mesh, std::string("box: {size: [1, 2, 3], divisions: 2}"),
+        std::string("sphere: {radius: 1, slices: 5, stacks: 6}"),
+        std::string("icosphere: {radius: 1, subdivisions: 2}"),
+        std::string("ellipsoid: {semi_axes: [1, 2, 3], slices: 5, stacks: 6}"),
+        std::string("cylinder: {radius: 1, height: 2, slices: 5, stacks: 6}")})
+    list += "{" + shape + ", position: [1, 2, 3], orientation: {euler_deg: [90, 0, 0]}}, ";
+  return "bodies[1]={name: b, density: 500, shapes: [" + list +
+         "{box: {size: [1, 1, 1]}, orientation: {quaternion: [1, 0, 0, 0]}}, "
+         "{box: {size: [1, 1, 1]}, orientation: {axis: [1, 0, 0], angle_deg: 9}}]}";
+}
+
+TEST(SceneKeys, SeveralShapesAreRead) {
+  const scene::Scene scene = read_scene_text(every_key(), {shapes()});
+  const auto& parts = std::get<scene::Shapes>(scene.bodies[1].shape).parts;
+  ASSERT_EQ(parts.size(), 8u);
+  EXPECT_EQ(std::get<scene::Mesh>(parts[0].shape).unit, 1e-3);
+  EXPECT_EQ(std::get<scene::Cylinder>(parts[5].shape).height, 2);
+  EXPECT_EQ(parts[1].position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_LT((parts[1].orientation * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(),
+            kRoundOff);
+  EXPECT_THAT(support::faults_of("plimsoll: 1\nduration: 1\nbodies:\n  - {name: a, density: 1, "
+                                 "shapes: []}\n"),
+              testing::ElementsAre(testing::HasSubstr("expected one shape at least")));
+}
+
 TEST(SceneKeys, MassAndMotionAreRead) {
   const scene::Body body = read_scene_text(every_key()).bodies[0];
   EXPECT_EQ(body.name, "a");
@@ -646,6 +677,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
            {"moorings={moordyn: " + support::data_folder().string() +
             "/shore.obj, bodies: [a, b]}"},
            {drives()},
+           {shapes()},
            {picture("water.surface"), shore()}})
     for (const auto& [path, place] : read_scene_text(every_key(), overrides).places)
       if (!path.empty()) met.insert(key_of(path));
