@@ -23,7 +23,7 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/run_need.h"
-#include "app/run/run_source.h"
+#include "app/logs/run_source.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {

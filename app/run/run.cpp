@@ -31,7 +31,7 @@
 #include "app/run/radiation_warning.h"
 #include "app/run/resolved_scene.h"
 #include "app/run/run_need.h"
-#include "app/run/run_source.h"
+#include "app/logs/run_source.h"
 #include "app/run/state_log.h"
 #include "app/run/summary.h"
 #include "app/run/wave_warning.h"
