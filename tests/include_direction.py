@@ -21,7 +21,7 @@ FLOORS = (
     ("assembly",),
     ("pages", "pictures"),
     ("hydrostatics", "report", "run", "view"),
-    ("commands", "compare", "sweep"),
+    ("analysis", "commands", "compare", "sweep"),
     ("cli", "python"),
 )
 MOST_FLOORS = 8
