@@ -68,8 +68,8 @@ Signal wave_at_probe(const RunSignals& signals, const std::string& probe) {
 /// Returns the wave to which the motions of a body are a response; none if there is none.
 std::optional<Signal> wave_for(const RunSignals& signals, std::size_t body,
                                const std::optional<Signal>& at_probe, const std::string& probe) {
-  const Signal& surge = signals.motions[kMotions * body];
-  if (signals.sea) return wave_at(*signals.sea, surge, signals.motions[kMotions * body + 1]);
+  const Signal& surge = signals.motions[kMotionsOfBody * body];
+  if (signals.sea) return wave_at(*signals.sea, surge, signals.motions[kMotionsOfBody * body + 1]);
   if (at_probe && at_probe->times != surge.times)
     throw scene::InputError(
         "--wave", fmt::format("probe {} and body {} have rows of other times, expected the same",
@@ -90,7 +90,7 @@ int analyse(const AnalyseOptions& options) {
   if (signals.sea) analysis.wave = "the wave at its mean place";
   if (at_probe) analysis.wave = "the wave at " + options.wave;
   for (std::size_t i = 0; i < signals.motions.size(); ++i) {
-    const auto wave = wave_for(signals, i / kMotions, at_probe, options.wave);
+    const auto wave = wave_for(signals, i / kMotionsOfBody, at_probe, options.wave);
     analysis.signals.push_back(
         analysed(signals.motions[i], wave ? &*wave : nullptr, options.segment));
   }

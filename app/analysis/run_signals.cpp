@@ -24,12 +24,13 @@ struct Motion {
   const char* name;
   const char* unit;
 };
-constexpr std::array<Motion, kMotions> kMotionNames = {{{"surge", "m"},
-                                                        {"sway", "m"},
-                                                        {"heave", "m"},
-                                                        {"roll", "deg"},
-                                                        {"pitch", "deg"},
-                                                        {"yaw", "deg"}}};
+constexpr auto kMotionNames = std::to_array<Motion>({{"surge", "m"},
+                                                     {"sway", "m"},
+                                                     {"heave", "m"},
+                                                     {"roll", "deg"},
+                                                     {"pitch", "deg"},
+                                                     {"yaw", "deg"}});
+static_assert(kMotionNames.size() == kMotionsOfBody);
 
 /// Keeps the rows in the window of the options that have a number.
 Signal windowed(Signal signal, const AnalyseOptions& options) {
@@ -48,7 +49,7 @@ void add_motions(const Trajectory& trajectory, const AnalyseOptions& options, Ru
   for (const std::string& body : trajectory.names) {
     const BodyTrack& track = trajectory.tracks.at(body);
     const std::vector<std::vector<double>> columns = motion_of(track);
-    for (std::size_t k = 0; k < kMotions; ++k)
+    for (std::size_t k = 0; k < kMotionsOfBody; ++k)
       signals.motions.push_back(windowed(
           {body, kMotionNames[k].name, kMotionNames[k].unit, track.times, columns[k]}, options));
   }

@@ -27,7 +27,7 @@ struct RunSignals {
   std::optional<hydro::Sea> sea;  ///< None unless the scene has irregular waves.
 };
 
-inline constexpr std::size_t kMotions = 6;
+inline constexpr std::size_t kMotionsOfBody = 6;
 
 /// Reads a run and keeps the rows from `options.from` to `options.to`.
 /// @throws InputError if the run cannot be read, or has less than two rows there

@@ -97,6 +97,11 @@ int compare(const CompareOptions& options) {
   const std::vector<std::string> runs_b = runs_below(options.b);
   const bool folders = !runs_a.empty() && !runs_b.empty();
   check_options(options, folders);
+  if (!folders && runs_a.size() + runs_b.size() > 0)
+    throw scene::InputError(runs_b.empty() ? options.a : options.b,
+                            fmt::format("holds runs and is none, while {} holds none; expected two "
+                                        "runs, or two folders of runs",
+                                        (runs_b.empty() ? options.b : options.a).string()));
   if (!options.learn.empty()) return learn(options);
   if (!folders) return compare_two(options);
   chosen_tolerances(options, {options.a, options.b});  // A fault in them is one, and not one a run.

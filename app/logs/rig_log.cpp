@@ -8,7 +8,6 @@
 #include <numbers>
 #include <utility>
 
-
 namespace app {
 namespace {
 

@@ -211,6 +211,7 @@ TEST_F(ProgramRuns, ComparesFoldersOfRunsByTheirNames) {
   EXPECT_EQ(told["runs"]["runs/1"]["bodies"]["p"]["position"]["largest"], 0.25);
   EXPECT_EQ(told["runs"]["runs/2"]["fault"], "only in b");
   EXPECT_EQ(compare("a b --html c.html").code, 2);
+  EXPECT_THAT(compare("a b/runs/0").err, StartsWith("a: holds runs and is none, while b/runs/0 "));
 }
 
 TEST_F(ProgramRuns, LearnsTolerancesThatTheRunsMeet) {

@@ -23,6 +23,7 @@ using support::falling_box;
 using support::Outcome;
 using support::Workplace;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Without a thread that writes files, and with one.
