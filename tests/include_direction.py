@@ -20,8 +20,8 @@ FLOORS = (
     ("databases", "logs"),
     ("assembly",),
     ("pages", "pictures"),
-    ("compare", "hydrostatics", "run", "view"),
-    ("commands", "report", "sweep"),
+    ("hydrostatics", "report", "run", "view"),
+    ("analysis", "commands", "compare", "sweep"),
     ("cli", "python"),
 )
 MOST_FLOORS = 8

@@ -124,18 +124,40 @@ void add_radiation(CLI::App& program, AnalysisArguments& a, std::vector<std::str
       ->type_name("FILE");
 }
 
+void add_analyse(CLI::App& program, AnalyseOptions& o) {
+  CLI::App* command = program.add_subcommand(
+      "analyse", "Statistics, spectra, decays and responses to waves of a run");
+  command->add_option("run", o.run, "Folder of a run, or a trajectory (CSV or HDF5)")
+      ->type_name("RUN")
+      ->required();
+  command->add_option("--from", o.from, "Leave out the rows before this time")
+      ->type_name("SECONDS");
+  command->add_option("--to", o.to, "Leave out the rows after this time")->type_name("SECONDS");
+  command
+      ->add_option("--segment", o.segment,
+                   "Length of the segments of spectra [that of eight, which overlap by half]")
+      ->type_name("SECONDS");
+  command
+      ->add_option("--wave", o.wave,
+                   "Respond to the elevation at this probe [to the irregular sea of the scene]")
+      ->type_name("PROBE");
+  command->add_flag("--json", o.json, "Print JSON, with all spectra");
+}
+
 }  // namespace
 
 void add_analyses(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
   add_hydrostatics(program, a, sets);
   add_addedmass(program, a, sets);
   add_radiation(program, a, sets);
+  add_analyse(program, a.analyse);
 }
 
 std::optional<int> run_analysis(const CLI::App& program, AnalysisArguments& a,
                                 const std::vector<scene::Override>& overrides) {
   a.hydrostatics.overrides = a.addedmass.overrides = a.radiation.overrides = overrides;
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
+  if (program.got_subcommand("analyse")) return analyse(a.analyse);
   if (program.got_subcommand("radiation")) return radiation(a.radiation);
   if (!program.got_subcommand("hydrostatics")) return std::nullopt;
   const std::vector<double>& com = a.center_of_mass;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/analysis/analyse.h"
 #include "app/commands/addedmass.h"
 #include "app/commands/radiation.h"
 #include "app/hydrostatics/hydrostatics.h"
@@ -14,16 +15,19 @@ class App;
 
 namespace app {
 
-/// Values of the options of the commands that compute something of a mesh or of bodies at rest.
+/// Values of the options of the commands that compute something of a mesh, of bodies at rest or of
+/// a run.
 struct AnalysisArguments {
   HydrostaticsOptions hydrostatics;
   std::vector<double> center_of_mass;
   std::string heels = "0:60:5";
   AddedMassCommand addedmass;
   RadiationCommand radiation;
+  AnalyseOptions analyse;
 };
 
-/// Adds the commands `hydrostatics`, `addedmass` and `radiation`. @param sets   Arguments of --set.
+/// Adds the commands `hydrostatics`, `addedmass`, `radiation` and `analyse`. @param sets Arguments
+/// of --set.
 void add_analyses(CLI::App& program, AnalysisArguments& arguments, std::vector<std::string>& sets);
 
 /// Runs the one that was given. @return its exit code; none if another command was given

@@ -36,22 +36,6 @@ std::vector<scene::Override> parse_overrides(const std::vector<std::string>& arg
   return overrides;
 }
 
-/// Parses `position=1e-6,orientation_deg=0.01`.
-std::map<std::string, double> parse_tolerances(const std::vector<std::string>& arguments) {
-  std::map<std::string, double> tolerances;
-  for (const std::string& argument : arguments) {
-    const std::size_t equals = argument.find('=');
-    const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    if (value.empty() || *end != '\0')
-      throw scene::InputError("--tol",
-                              fmt::format("found \"{}\", expected QUANTITY=NUMBER", argument));
-    tolerances[argument.substr(0, equals)] = number;
-  }
-  return tolerances;
-}
-
 LogFormat parse_format(const std::string& word) {
   if (word == "csv") return LogFormat::csv;
   if (word == "hdf5") return LogFormat::hdf5;
@@ -72,7 +56,6 @@ struct Arguments {
   std::filesystem::path scene;
   std::vector<std::string> sets;
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Of `check` and `probe`.
-  std::vector<std::string> tolerances;
   bool markdown = false;
   std::string shell;
 };
@@ -182,27 +165,45 @@ void add_view(CLI::App& program, Arguments& a) {
       ->needs(snapshot);
 }
 
-void add_compare(CLI::App& program, Arguments& a) {
-  CLI::App* command = program.add_subcommand("compare", "Compare two trajectories body by body");
-  command->add_option("a", a.compare.a, kTrajectory)->type_name("A")->required();
-  command->add_option("b", a.compare.b, kTrajectory)->type_name("B")->required();
-  command
-      ->add_option(
-          "--tol", a.tolerances,
-          "Tolerances of position, orientation_deg, linear_velocity, angular_velocity; only "
-          "those given are judged [1e-9 for all]")
-      ->type_name("QUANTITY=NUMBER,...")
-      ->delimiter(',');
-  command
-      ->add_option("--tolerances", a.compare.tolerance_file,
-                   "Read the tolerances from a YAML file [tolerances.yaml in A or B]")
-      ->type_name("FILE")
-      ->excludes("--tol");
-  command->add_flag("--json", a.compare.json, "Print JSON");
-  command->add_option("--junit", a.compare.junit, "Write a JUnit report, for CI servers")
-      ->type_name("FILE");
-  command->add_option("--html", a.compare.html, "Write one page with plots, for a browser")
-      ->type_name("FILE");
+void add_compare(CLI::App& program, CompareOptions& o) {
+  const char* const what = "Run: its folder, or a trajectory (CSV or HDF5); or a folder of runs";
+  CLI::App* command = program.add_subcommand(
+      "compare", "Compare two runs, or the runs of two folders, body by body and table by table");
+  command->add_option("a", o.a, what)->type_name("A")->required();
+  command->add_option("b", o.b, what)->type_name("B")->required();
+  command->add_option("more", o.more, "With --learn: further runs")->type_name("RUN");
+  CLI::Option* tolerances =
+      command
+          ->add_option("--tol", o.tolerances,
+                       "Tolerances of position, orientation_deg, linear_velocity, "
+                       "angular_velocity, or of tables, as forces.buoyancy; of the peak, or "
+                       "position.rms, position.relative; only those given are judged [1e-9]")
+          ->type_name("QUANTITY=NUMBER,...")
+          ->delimiter(',');
+  CLI::Option* file =
+      command
+          ->add_option("--tolerances", o.tolerance_file,
+                       "Read the tolerances from a YAML file [tolerances.yaml in A or B]")
+          ->type_name("FILE")
+          ->excludes(tolerances);
+  CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
+  CLI::Option* junit =
+      command->add_option("--junit", o.junit, "Write a JUnit report, for CI servers")
+          ->type_name("FILE");
+  CLI::Option* html =
+      command->add_option("--html", o.html, "Write one page with plots, for a browser")
+          ->type_name("FILE");
+  CLI::Option* learn =
+      command
+          ->add_option("--learn", o.learn,
+                       "Compare nothing: write the tolerances within which the runs agree with A")
+          ->type_name("FILE");
+  for (CLI::Option* other : {tolerances, file, json, junit, html}) learn->excludes(other);
+  command->add_option("--margin", o.margin, "With --learn: tolerances over the largest differences")
+      ->check(CLI::Range(1.0, 1e6).description(""))
+      ->type_name("NUMBER")
+      ->capture_default_str()
+      ->needs(learn);
 }
 
 void add_report(CLI::App& program, Arguments& a) {
@@ -261,7 +262,6 @@ void say_unexpected(const CLI::App& program, const CLI::ExtrasError& error) {
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
   a.run.overrides = a.view.overrides = a.render.overrides = overrides;
-  a.compare.tolerances = parse_tolerances(a.tolerances);
   if (program.got_subcommand("run")) return run(a.run);
   if (program.got_subcommand("view")) return view(a.view);
   if (program.got_subcommand("sweep")) return sweep(a.sweep);
@@ -288,7 +288,7 @@ int command_line(int argc, char** argv) {
   add_run(program, arguments);
   add_others(program, arguments);
   add_view(program, arguments);
-  add_compare(program, arguments);
+  add_compare(program, arguments.compare);
   add_report(program, arguments);
   add_analyses(program, arguments.analysis, arguments.sets);
   add_sweep(program, arguments.sweep);

@@ -16,6 +16,7 @@
 #include "app/logs/output_folder.h"
 #include "app/logs/read_log.h"
 #include "app/logs/run_files.h"
+#include "app/logs/run_source.h"
 #include "app/logs/trajectory_match.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
@@ -23,7 +24,6 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/run_need.h"
-#include "app/run/run_source.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {

@@ -8,61 +8,104 @@
 #include "app/base/atomic_file.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
-#include "app/base/words.h"
+#include "app/compare/chosen_tolerances.h"
+#include "app/compare/compare_folders.h"
 #include "app/compare/comparison.h"
 #include "app/compare/comparison_data.h"
 #include "app/compare/comparison_report.h"
-#include "app/logs/read_log.h"
-#include "app/logs/run_files.h"
+#include "app/compare/learned_tolerances.h"
+#include "app/compare/run_folders.h"
 #include "app/pages/page_file.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
 
-void check_quantities(const std::map<std::string, double>& tolerances) {
-  std::vector<std::string> known;
-  for (const ComparedQuantity& q : kComparedQuantities) known.emplace_back(q.name);
-  for (const auto& [name, value] : tolerances) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw scene::InputError(
-          "--tol", fmt::format("unknown quantity {}; there are {}", name, enumerate(known, "and")));
-    if (!(value >= 0))
-      throw scene::InputError("--tol",
-                              fmt::format("{}={}: expected a number not below 0", name, value));
-  }
-}
-
-Tolerances tolerances_of(const CompareOptions& options) {
-  check_quantities(options.tolerances);
-  if (!options.tolerances.empty()) return {.all = options.tolerances, .bodies = {}};
-  if (!options.tolerance_file.empty()) return read_tolerances(options.tolerance_file);
-  for (const std::filesystem::path& folder : {options.a, options.b})
-    if (const auto file = folder / kTolerancesFile; std::filesystem::exists(file))
-      return read_tolerances(file);
-  return {};
-}
+namespace fs = std::filesystem;
 
 /// True if the output is a terminal and NO_COLOR is not set.
 bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
 
+void print(const Comparison& comparison, const ComparedFiles& files,
+           const std::optional<Provenance>& provenance, bool json) {
+  if (json) {
+    const auto all = json_of(comparison, files, provenance);
+    fmt::print("{}\n", all.dump(2, ' ', false, decltype(all)::error_handler_t::replace));
+    return;
+  }
+  fmt::print("{}{}\n{}", names_text(files), provenance ? text_of(*provenance) : "",
+             table_of(comparison, files, in_color()));
+}
+
+int compare_two(const CompareOptions& options) {
+  const std::string page = options.html.empty() ? "" : empty_page(kComparisonPage);
+  const Tolerances tolerances = chosen_tolerances(options, {options.a, options.b});
+  const ComparedFiles files{.a = options.a.string(), .b = options.b.string()};
+  const ComparedRun a = read_compared(options.a);
+  const ComparedRun b = read_compared(options.b);
+  const Comparison comparison = compare_runs(a, b, tolerances);
+  const std::optional<Provenance> provenance = provenance_of(a, b);
+  print(comparison, files, provenance, options.json);
+  if (!options.junit.empty())
+    write_whole(options.junit, junit_file_of({junit_suite_of(comparison, files)}));
+  if (!options.html.empty())
+    say(write_page(options.html, page,
+                   comparison_data({comparison, files, provenance, a.trajectory, b.trajectory})));
+  return comparison.same() ? kDone : kDiffers;
+}
+
+/// Writes the tolerances within which all runs agree with the first.
+int learn(const CompareOptions& options) {
+  std::vector<fs::path> runs = {options.b};
+  runs.insert(runs.end(), options.more.begin(), options.more.end());
+  const ComparedRun first = read_compared(options.a);
+  std::vector<Comparison> comparisons;
+  std::string names = options.a.string();
+  for (const fs::path& run : runs) {
+    comparisons.push_back(compare_runs(first, read_compared(run), {}));
+    names += ", " + run.string();
+  }
+  const Tolerances tolerances = learned_tolerances(comparisons, options.margin, runs);
+  // A line break in a name would end the comment.
+  std::ranges::replace_if(
+      names, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  write_whole(options.learn,
+              fmt::format("# {:g} times the largest differences of {} from the first\n{}",
+                          options.margin, names, yaml_of(tolerances)));
+  say(fmt::format("{}: {} from {}", options.learn.string(),
+                  counted(tolerances.all.size(), "tolerance", "tolerances"),
+                  counted(runs.size() + 1, "run", "runs")));
+  return kDone;
+}
+
+/// @throws InputError for options that do not go together
+void check_options(const CompareOptions& options, bool folders) {
+  if (options.learn.empty() && !options.more.empty())
+    throw scene::InputError(options.more.front(),
+                            "is a third run; expected two, or --learn FILE to learn from more");
+  if (!folders) return;
+  if (!options.learn.empty())
+    throw scene::InputError("--learn", "found folders of runs, expected runs of one scene");
+  if (!options.html.empty())
+    throw scene::InputError("--html", "found folders of runs, expected two runs for a page");
+}
+
 }  // namespace
 
 int compare(const CompareOptions& options) {
-  const std::string page = options.html.empty() ? "" : empty_page(kComparisonPage);
-  const Tolerances tolerances = tolerances_of(options);
-  const ComparedFiles files{.a = options.a.string(), .b = options.b.string()};
-  const Trajectory a = read_trajectory(trajectory_of(options.a));
-  const Trajectory b = read_trajectory(trajectory_of(options.b));
-  const Comparison comparison = compare_trajectories(a, b, tolerances);
-  if (options.json)
-    fmt::print("{}", json_of(comparison, files));
-  else
-    fmt::print("{}", table_of(comparison, files, in_color()));
-  if (!options.junit.empty()) write_whole(options.junit, junit_of(comparison, files));
-  if (!options.html.empty())
-    say(write_page(options.html, page, comparison_data(comparison, files, a, b)));
-  return comparison.same() ? kDone : kDiffers;
+  const std::vector<std::string> runs_a = runs_below(options.a);
+  const std::vector<std::string> runs_b = runs_below(options.b);
+  const bool folders = !runs_a.empty() && !runs_b.empty();
+  check_options(options, folders);
+  if (!folders && runs_a.size() + runs_b.size() > 0)
+    throw scene::InputError(runs_b.empty() ? options.a : options.b,
+                            fmt::format("holds runs and is none, while {} holds none; expected two "
+                                        "runs, or two folders of runs",
+                                        (runs_b.empty() ? options.b : options.a).string()));
+  if (!options.learn.empty()) return learn(options);
+  if (!folders) return compare_two(options);
+  chosen_tolerances(options, {options.a, options.b});  // A fault in them is one, and not one a run.
+  return compare_folders(options, runs_a, runs_b);
 }
 
 }  // namespace app

@@ -1,84 +1,86 @@
 #pragma once
 
-#include <array>
-#include <filesystem>
 #include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "app/compare/compared_run.h"
+#include "app/compare/quantities.h"
+#include "app/compare/tolerances.h"
 #include "app/logs/trajectory.h"
 
 /// @file
-/// Differences of two trajectories, body by body, and their verdict.
+/// Differences of two runs, body by body and table by table, and their verdict.
 ///
 /// Where the logs have different times, the one with more rows of a body is interpolated: the
 /// position by Hermite's cubic through positions and velocities, the attitude likewise by its
-/// rotation from the earlier one, velocities linearly. The error of the position is about a''
-/// h⁴/384, with a'' the second derivative of the acceleration and h the log's interval.
+/// rotation from the earlier one, velocities and the numbers of tables linearly. The error of the
+/// position is about a'' h⁴/384, with a'' the second derivative of the acceleration and h the log's
+/// interval.
 
 namespace app {
 
-/// A quantity that is compared.
-struct ComparedQuantity {
-  const char* name;
-  const char* unit;
-  double (*difference)(const hydro::BodyState&, const hydro::BodyState&);
-};
-/// position, orientation_deg, linear_velocity, angular_velocity.
-extern const std::array<ComparedQuantity, 4> kComparedQuantities;
-
-/// Largest differences that count as equal.
-struct Tolerances {
-  static constexpr double kDefault = 1e-9;
-  static constexpr double kNotJudged = std::numeric_limits<double>::infinity();
-
-  std::map<std::string, double> all;                            ///< Key: quantity.
-  std::map<std::string, std::map<std::string, double>> bodies;  ///< Keys: body, quantity.
-
-  /// Returns the tolerance of a quantity: kDefault if no tolerance is given at all, kNotJudged if
-  /// only other quantities have one.
-  double of(const std::string& body, const std::string& quantity) const;
-};
-
-/// Reads `QUANTITY: NUMBER` lines and `bodies: {NAME: {QUANTITY: NUMBER}}` from YAML.
-/// @throws InputError with all faults
-Tolerances read_tolerances(const std::filesystem::path& file);
-
-/// The difference in one quantity of a body.
+/// The difference in one quantity of a body or of another name. A number that only one log has is
+/// an infinite difference.
 struct Difference {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  double tolerance = 0;
+  std::string quantity;  ///< `position`, `forces.buoyancy`
+  std::string unit;
+  double peak_limit = Tolerance::kNone;  ///< The largest difference that is allowed.
+  double rms_limit = Tolerance::kNone;   ///< The largest root mean square that is allowed.
+  double size = 0;  ///< Largest size of the quantity in A; of places and attitudes, from the start.
   double largest = 0;
   double when_largest = 0;       ///< [s]
-  double first_beyond = kNever;  ///< [s]
+  double rms = 0;                ///< Over all times.
+  double first_beyond = kNever;  ///< Time from which on it is beyond `peak_limit` [s].
 
-  bool judged() const { return tolerance != Tolerances::kNotJudged; }
-  bool within() const { return first_beyond == kNever; }
+  bool judged() const { return peak_limit != Tolerance::kNone || rms_limit != Tolerance::kNone; }
+  bool within_rms() const { return !(rms > rms_limit); }
+  bool within() const { return first_beyond == kNever && within_rms(); }
 };
 
+/// Where a name or a table is.
+enum class In { both, only_a, only_b };
+
+/// The comparison of one body, or of one name of a table.
 struct BodyComparison {
-  enum class In { both, only_a, only_b };
   std::string name;
   In in = In::both;
+  bool judged = true;            ///< False: no quantity has a tolerance, so all of it may differ.
   std::vector<double> times;     ///< Times of the comparison [s].
   std::size_t interpolated = 0;  ///< Number of times at which one log had no row.
   std::size_t only_a = 0;        ///< Rows before the other log begins or after it ends.
   std::size_t only_b = 0;
-  std::array<Difference, 4> differences;               ///< In the order of kComparedQuantities.
-  std::array<std::vector<double>, 4> difference_over;  ///< The differences at each time.
+  std::vector<Difference> differences;               ///< In the order of the quantities.
+  std::vector<std::vector<double>> difference_over;  ///< At each time; empty for tables.
+
+  bool same() const;
+};
+
+/// The comparison of a table.
+struct TableComparison {
+  std::string name;  ///< `forces`
+  In in = In::both;
+  bool judged = true;
+  std::vector<BodyComparison> names;  ///< The first log's, then the others.
 
   bool same() const;
 };
 
 struct Comparison {
-  std::vector<BodyComparison> bodies;  ///< The first log's, then the others.
+  std::vector<BodyComparison> bodies;   ///< The first log's, then the others.
+  std::vector<TableComparison> tables;  ///< Those that either run has.
+
   bool same() const;
 };
 
 Comparison compare_trajectories(const Trajectory& a, const Trajectory& b,
                                 const Tolerances& tolerances);
+
+/// Compares trajectories and tables. A table or a name of it that only one run has is a difference
+/// if any of its quantities has a tolerance.
+Comparison compare_runs(const ComparedRun& a, const ComparedRun& b, const Tolerances& tolerances);
 
 /// Returns the state at a time within the track.
 hydro::BodyState state_at(const BodyTrack& track, double time);

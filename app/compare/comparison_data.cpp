@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/pages/motion_columns.h"
 #include "app/pages/packing.h"
@@ -38,23 +39,49 @@ void start_alike(const Columns& a, Columns& b) {
 
 Json differences_of(const BodyComparison& body) {
   Json all = Json::array();
-  for (std::size_t k = 0; k < kComparedQuantities.size(); ++k) {
-    const Difference& d = body.differences[k];
-    all.push_back({{"quantity", kComparedQuantities[k].name},
-                   {"unit", kComparedQuantities[k].unit},
-                   {"largest", d.largest},
+  for (const Difference& d : body.differences)
+    all.push_back({{"quantity", d.quantity},
+                   {"unit", d.unit},
+                   {"largest", finite_or_null(d.largest)},
                    {"at", d.when_largest},
-                   {"tolerance", d.judged() ? Json(d.tolerance) : Json(nullptr)},
-                   {"first_beyond", d.within() ? Json(nullptr) : Json(d.first_beyond)},
+                   {"rms", finite_or_null(d.rms)},
+                   {"tolerance", finite_or_null(d.peak_limit)},
+                   {"rms_tolerance", finite_or_null(d.rms_limit)},
+                   {"limits", limits_text(d)},
+                   {"first_beyond", finite_or_null(d.first_beyond)},
+                   {"judged", d.judged()},
+                   {"within", d.within()},
                    {"verdict", verdict(d)}});
+  return all;
+}
+
+/// Returns of each table its verdict, and the names and quantities beyond their tolerance.
+Json tables_of(const Comparison& comparison, const ComparedFiles& files) {
+  Json all = Json::array();
+  for (const TableComparison& table : comparison.tables) {
+    Json& one = all.emplace_back(Json{{"name", table.name},
+                                      {"same", table.same()},
+                                      {"judged", table.judged},
+                                      {"note", only_in(table.in, files)},
+                                      {"names", table.names.size()},
+                                      {"beyond", Json::array()}});
+    for (const BodyComparison& name : table.names) {
+      const Json differences = differences_of(name);
+      Json beyond = Json::array();
+      std::ranges::copy_if(differences, std::back_inserter(beyond),
+                           [](const Json& d) { return !d["within"].get<bool>(); });
+      if (!name.same())
+        one["beyond"].push_back(
+            {{"name", name.name}, {"note", coverage(name, files)}, {"differences", beyond}});
+    }
   }
   return all;
 }
 
 }  // namespace
 
-Json comparison_data(const Comparison& comparison, const ComparedFiles& files, const Trajectory& a,
-                     const Trajectory& b, const ComparisonLimits& limits) {
+Json comparison_data(const ComparedPage& page, const ComparisonLimits& limits) {
+  const auto& [comparison, files, provenance, a, b] = page;
   const std::size_t columns = 2 * motion_columns().size() + kComparedQuantities.size();
   const std::size_t bodies = std::max<std::size_t>(comparison.bodies.size(), 1);
   const std::size_t most = std::max(kLeastComparedRows, limits.numbers / (columns * bodies));
@@ -74,14 +101,18 @@ Json comparison_data(const Comparison& comparison, const ComparedFiles& files, c
       if (!motion_a.empty()) start_alike(motion_a, motion_b);
       one["b"] = packed_rows(track->second.times, motion_b, most);
     }
-    if (body.in != BodyComparison::In::both) continue;
+    if (body.in != In::both) continue;
     one["differences"] = differences_of(body);
-    one["over"] =
-        packed_rows(body.times, {body.difference_over.begin(), body.difference_over.end()}, most);
+    one["over"] = packed_rows(body.times, body.difference_over, most);
   }
-  return {
-      {"program", PLIMSOLL_VERSION}, {"a", files.a}, {"b", files.b}, {"same", comparison.same()},
-      {"columns", motion_columns()}, {"bodies", all}};
+  return {{"program", PLIMSOLL_VERSION},
+          {"a", files.a},
+          {"b", files.b},
+          {"same", comparison.same()},
+          {"differs", provenance ? json_of(*provenance) : Json(nullptr)},
+          {"columns", motion_columns()},
+          {"bodies", all},
+          {"tables", tables_of(comparison, files)}};
 }
 
 }  // namespace app

@@ -15,10 +15,19 @@ struct ComparisonLimits {
   std::size_t numbers = 1'500'000;  ///< Numbers in all columns of both logs and of the differences.
 };
 
-/// Returns the verdict, the table of differences, and for each body the motion in either log, at
-/// the log's own rows, and the differences over time.
-nlohmann::ordered_json comparison_data(const Comparison& comparison, const ComparedFiles& files,
-                                       const Trajectory& a, const Trajectory& b,
+/// What a page shows.
+struct ComparedPage {
+  const Comparison& comparison;
+  const ComparedFiles& files;
+  const std::optional<Provenance>& provenance;
+  const Trajectory& a;
+  const Trajectory& b;
+};
+
+/// Returns the verdict, what made the runs differ, the table of differences, for each body the
+/// motion in either log, at the log's own rows, and the differences over time, and the verdicts on
+/// tables.
+nlohmann::ordered_json comparison_data(const ComparedPage& page,
                                        const ComparisonLimits& limits = {});
 
 }  // namespace app

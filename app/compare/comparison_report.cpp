@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
 
-#include "app/base/quoting.h"
+#include "app/base/console.h"
 
 namespace app {
 namespace {
 
-using nlohmann::ordered_json;
-
-std::string tolerance_text(const Difference& d) {
-  return d.judged() ? fmt::format("{:g}", d.tolerance) : "-";
-}
+using Json = nlohmann::ordered_json;
 
 /// Colours a text green, red or grey.
 std::string colored(const std::string& text, const Difference& d, bool color) {
@@ -21,27 +18,119 @@ std::string colored(const std::string& text, const Difference& d, bool color) {
   return fmt::format("\033[{}m{}\033[0m", !d.judged() ? 90 : d.within() ? 32 : 31, text);
 }
 
-struct JunitCases {
-  std::string text;
-  int count = 0;
-  int failures = 0;
-
-  void add(const std::string& body, const std::string& name, const std::string& failure) {
-    ++count;
-    failures += !failure.empty();
-    const std::string head =
-        fmt::format("  <testcase classname=\"{}\" name=\"{}\"", xml_text(body), xml_text(name));
-    text += failure.empty() ? head + "/>\n"
-                            : fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n",
-                                          head, xml_text(failure));
-  }
+/// The widths of the columns of names.
+struct Widths {
+  std::size_t name = 12;
+  std::size_t quantity = 16;
 };
+
+Widths widths_of(const Comparison& comparison) {
+  Widths widths;
+  const auto widen = [&](const BodyComparison& body, bool of_table) {
+    widths.name = std::max(widths.name, body.name.size());
+    for (const Difference& d : body.differences)
+      if (!of_table || !d.within()) widths.quantity = std::max(widths.quantity, d.quantity.size());
+  };
+  for (const BodyComparison& body : comparison.bodies) widen(body, false);
+  for (const TableComparison& table : comparison.tables)
+    for (const BodyComparison& name : table.names) widen(name, true);
+  return widths;
+}
+
+std::string row_of(const std::string& name, const Difference& d, const Widths& widths, bool color) {
+  return fmt::format("{:<{}}  {:<{}} {:>11.4g} {:>11.4g} {:<6} {:>8.3f} {:>11}  {}\n", name,
+                     widths.name, d.quantity, widths.quantity, d.largest, d.rms, d.unit,
+                     d.when_largest, limits_text(d), colored(verdict(d), d, color));
+}
+
+/// Returns what to say of a name besides its quantities.
+std::string notes_of(const BodyComparison& body, const ComparedFiles& files, const Widths& widths) {
+  std::string text;
+  if (const std::string note = coverage(body, files); !note.empty())
+    text += fmt::format("{:<{}}  {}\n", body.name, widths.name, note);
+  if (body.interpolated > 0)
+    text += fmt::format("{:<{}}  interpolated at {} of {} times\n", body.name, widths.name,
+                        body.interpolated, body.times.size());
+  return text;
+}
+
+/// Counts the quantities of a table: judged, and beyond their tolerance.
+struct Count {
+  std::size_t judged = 0;
+  std::size_t beyond = 0;
+};
+
+Count count_of(const TableComparison& table) {
+  Count count;
+  for (const BodyComparison& name : table.names)
+    for (const Difference& d : name.differences) {
+      count.judged += d.judged();
+      count.beyond += !d.within();
+    }
+  return count;
+}
+
+std::string lines_of(const TableComparison& table, const ComparedFiles& files, const Widths& widths,
+                     bool color) {
+  if (table.in != In::both)
+    return fmt::format("{}: {}{}\n", table.name, only_in(table.in, files),
+                       table.judged ? "" : ", not judged");
+  std::string text;
+  const Count count = count_of(table);
+  text += fmt::format("{}: {} of {}, {} judged, {} beyond tolerance\n", table.name,
+                      counted(table.names.empty() ? 0 : table.names.front().differences.size(),
+                              "quantity", "quantities"),
+                      counted(table.names.size(), "name", "names"), count.judged, count.beyond);
+  for (const BodyComparison& name : table.names) {
+    if (name.judged) text += notes_of(name, files, widths);
+    for (const Difference& d : name.differences)
+      if (!d.within()) text += row_of(name.name, d, widths, color);
+  }
+  return text;
+}
+
+Json json_of(const Difference& d) {
+  Json json = {{"largest", finite_or_null(d.largest)},
+               {"at", d.when_largest},
+               {"tolerance", finite_or_null(d.peak_limit)},
+               {"first_beyond", finite_or_null(d.first_beyond)},
+               {"rms", finite_or_null(d.rms)}};
+  if (d.rms_limit != Tolerance::kNone) json["rms_tolerance"] = d.rms_limit;
+  return json;
+}
+
+Json json_of(const BodyComparison& body, const ComparedFiles& files) {
+  Json one = {{"same", body.same()}};
+  if (body.in != In::both) {
+    one["only_in"] = body.in == In::only_a ? files.a : files.b;
+    return one;
+  }
+  one["times"] = body.times.size();
+  one["interpolated"] = body.interpolated;
+  one["rows_beyond"] = {{"a", body.only_a}, {"b", body.only_b}};
+  for (const Difference& d : body.differences) one[d.quantity] = json_of(d);
+  return one;
+}
+
+Json json_of(const TableComparison& table, const ComparedFiles& files) {
+  Json one = {{"same", table.same()}};
+  if (table.in != In::both) one["only_in"] = table.in == In::only_a ? files.a : files.b;
+  Json& names = one["names"] = Json::object();
+  for (const BodyComparison& name : table.names) names[name.name] = json_of(name, files);
+  return one;
+}
 
 }  // namespace
 
+Json finite_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+std::string only_in(In in, const ComparedFiles& files) {
+  if (in == In::both) return "";
+  return "only in " + (in == In::only_a ? files.a : files.b);
+}
+
 std::string coverage(const BodyComparison& body, const ComparedFiles& files) {
-  if (body.in == BodyComparison::In::only_a) return "only in " + files.a;
-  if (body.in == BodyComparison::In::only_b) return "only in " + files.b;
+  if (body.in != In::both) return only_in(body.in, files);
   if (body.only_a + body.only_b > 0)
     return fmt::format("{} times compared, {} rows only in {}, {} only in {}", body.times.size(),
                        body.only_a, files.a, body.only_b, files.b);
@@ -51,73 +140,45 @@ std::string coverage(const BodyComparison& body, const ComparedFiles& files) {
 std::string verdict(const Difference& d) {
   if (!d.judged()) return "not judged";
   if (d.within()) return "ok";
+  if (d.first_beyond == Difference::kNever) return "rms exceeds it";
   return fmt::format("exceeds it from {:g} s", d.first_beyond);
 }
 
+std::string limits_text(const Difference& d) {
+  const std::string rms =
+      d.rms_limit == Tolerance::kNone ? "" : fmt::format("rms {:.4g}", d.rms_limit);
+  if (d.peak_limit == Tolerance::kNone) return rms.empty() ? "-" : rms;
+  return fmt::format("{:.4g}{}{}", d.peak_limit, rms.empty() ? "" : ", ", rms);
+}
+
+std::string verdict_text(bool same) { return same ? "the same within tolerance" : "different"; }
+
+std::string names_text(const ComparedFiles& files) {
+  return fmt::format("A: {}\nB: {}\n", files.a, files.b);
+}
+
 std::string table_of(const Comparison& comparison, const ComparedFiles& files, bool color) {
-  std::string table = fmt::format("{:<16} {:<17} {:>12} {:<6} {:>8} {:>11}\n", "body", "quantity",
-                                  "largest", "unit", "at [s]", "tolerance");
+  const Widths widths = widths_of(comparison);
+  std::string table =
+      fmt::format("{:<{}}  {:<{}} {:>11} {:>11} {:<6} {:>8} {:>11}\n", "body", widths.name,
+                  "quantity", widths.quantity, "largest", "rms", "unit", "at [s]", "tolerance");
   for (const BodyComparison& body : comparison.bodies) {
-    if (const std::string note = coverage(body, files); !note.empty())
-      table += fmt::format("{:<16} {}\n", body.name, note);
-    if (body.interpolated > 0)
-      table += fmt::format("{:<16} interpolated at {} of {} times\n", body.name, body.interpolated,
-                           body.times.size());
-    if (body.in != BodyComparison::In::both) continue;
-    for (std::size_t k = 0; k < kComparedQuantities.size(); ++k) {
-      const Difference& d = body.differences[k];
-      const std::string row = fmt::format(
-          "{:<16} {:<17} {:>12.4g} {:<6} {:>8.3f} {:>11}  ", body.name, kComparedQuantities[k].name,
-          d.largest, kComparedQuantities[k].unit, d.when_largest, tolerance_text(d));
-      table += row + colored(verdict(d), d, color) + "\n";
-    }
+    table += notes_of(body, files, widths);
+    for (const Difference& d : body.differences) table += row_of(body.name, d, widths, color);
   }
-  return table + (comparison.same() ? "the same within tolerance\n" : "different\n");
+  for (const TableComparison& one : comparison.tables) table += lines_of(one, files, widths, color);
+  return table + verdict_text(comparison.same()) + "\n";
 }
 
-std::string json_of(const Comparison& comparison, const ComparedFiles& files) {
-  ordered_json all = {{"a", files.a}, {"b", files.b}, {"same", comparison.same()}};
-  ordered_json& bodies = all["bodies"] = ordered_json::object();
-  for (const BodyComparison& body : comparison.bodies) {
-    ordered_json& one = bodies[body.name] = {{"same", body.same()}};
-    if (body.in != BodyComparison::In::both) {
-      one["only_in"] = body.in == BodyComparison::In::only_a ? files.a : files.b;
-      continue;
-    }
-    one["times"] = body.times.size();
-    one["interpolated"] = body.interpolated;
-    one["rows_beyond"] = {{"a", body.only_a}, {"b", body.only_b}};
-    for (std::size_t k = 0; k < kComparedQuantities.size(); ++k) {
-      const Difference& d = body.differences[k];
-      ordered_json& quantity = one[kComparedQuantities[k].name];
-      quantity = {{"largest", d.largest}, {"at", d.when_largest}};
-      quantity["tolerance"] = d.judged() ? ordered_json(d.tolerance) : ordered_json(nullptr);
-      quantity["first_beyond"] = d.within() ? ordered_json(nullptr) : ordered_json(d.first_beyond);
-    }
-  }
-  return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
-std::string junit_of(const Comparison& comparison, const ComparedFiles& files) {
-  JunitCases cases;
-  for (const BodyComparison& body : comparison.bodies) {
-    cases.add(body.name, "times", coverage(body, files));
-    if (body.in != BodyComparison::In::both) continue;
-    for (std::size_t k = 0; k < kComparedQuantities.size(); ++k) {
-      const Difference& d = body.differences[k];
-      if (!d.judged()) continue;
-      const std::string failure =
-          d.within()
-              ? ""
-              : fmt::format("differs by up to {:g} {} at {:g} s, tolerance {:g}, {}", d.largest,
-                            kComparedQuantities[k].unit, d.when_largest, d.tolerance, verdict(d));
-      cases.add(body.name, kComparedQuantities[k].name, failure);
-    }
-  }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"{} and {}\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>\n",
-      xml_text(files.a), xml_text(files.b), cases.count, cases.failures, cases.text);
+Json json_of(const Comparison& comparison, const ComparedFiles& files,
+             const std::optional<Provenance>& provenance) {
+  Json all = {{"a", files.a}, {"b", files.b}, {"same", comparison.same()}};
+  if (provenance) all["differs"] = json_of(*provenance);
+  Json& bodies = all["bodies"] = Json::object();
+  for (const BodyComparison& body : comparison.bodies) bodies[body.name] = json_of(body, files);
+  Json& tables = all["tables"] = Json::object();
+  for (const TableComparison& table : comparison.tables) tables[table.name] = json_of(table, files);
+  return all;
 }
 
 }  // namespace app

@@ -34,16 +34,6 @@ Vector3d velocity_at(const Vector3d& at_B, const hydro::BodyState& state) {
 
 }  // namespace
 
-TableLayout probes_layout() {
-  return {"probes.csv",
-          "a log of probes",
-          "probe",
-          {{"elevation", "m", {"elevation"}},
-           {"position", "m", {"x", "y", "z"}},
-           {"velocity", "m/s", {"vx", "vy", "vz"}},
-           {"acceleration", "m/s^2", {"ax", "ay", "az"}}}};
-}
-
 Probes::Probes(const std::vector<scene::Probe>& probes, const engine::SimulationSpec& spec,
                const std::vector<Vector3d>& centers_of_mass)
     : spec_(spec) {

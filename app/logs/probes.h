@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/logs/table_log.h"
+#include "app/logs/table_layouts.h"
 #include "app/scene/probe.h"
 #include "engine/spec.h"
 
@@ -28,9 +28,6 @@
 /// of a scene without water.
 
 namespace app {
-
-/// Returns the layout of `probes.csv`.
-TableLayout probes_layout();
 
 /// Numbers of one probe at one time, in the order of the columns; NaN: not measured.
 using ProbeReading = std::array<double, 10>;

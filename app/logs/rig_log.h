@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/logs/table_log.h"
+#include "app/logs/table_layouts.h"
 #include "engine/rig_readings.h"
 #include "engine/spec.h"
 
@@ -25,15 +25,6 @@
 /// - `controls.csv`: the `value` of each set point that a control drives, in the unit of its name.
 
 namespace app {
-
-TableLayout lines_layout();
-TableLayout line_nodes_layout();
-TableLayout joints_layout();
-TableLayout machines_layout();
-TableLayout controls_layout();
-
-/// The layouts of all tables that plimsoll writes, these and that of the probes.
-std::vector<TableLayout> all_table_layouts();
 
 /// Names in logs: `springs[NAME]`, `ropes[NAME]`, `moorings[NAME]`.
 std::string log_name(const engine::LineSpec& line);

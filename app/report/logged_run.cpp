@@ -11,8 +11,8 @@
 #include "app/logs/read_log.h"
 #include "app/logs/rig_log.h"
 #include "app/logs/run_files.h"
+#include "app/logs/run_source.h"
 #include "app/logs/trajectory_match.h"
-#include "app/run/run_source.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/reader.h"
 

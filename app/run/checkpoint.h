@@ -7,10 +7,10 @@
 
 #include "app/logs/log.h"
 #include "app/logs/make_log.h"
+#include "app/logs/run_source.h"
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video.h"
 #include "app/run/rig_totals.h"
-#include "app/run/run_source.h"
 #include "engine/simulation_state.h"
 #include "engine/spec.h"
 

@@ -9,9 +9,10 @@
 
 #include "app/assembly/build_radiation.h"
 #include "app/base/atomic_file.h"
+#include "app/base/checked_file.h"
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
-#include "app/run/run_source.h"
+#include "app/logs/run_source.h"
 #include "engine/moordyn_system.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/statics/equilibrium.h"
@@ -20,6 +21,14 @@ namespace app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Returns a digest of a mesh: of another mesh, or of the same in other body axes, it is another.
+std::string digest_of(const hydro::TriMesh& mesh_B) {
+  std::string bytes;
+  append(bytes, mesh_B.vertices.data(), static_cast<std::size_t>(mesh_B.vertices.size()));
+  append(bytes, mesh_B.faces.data(), static_cast<std::size_t>(mesh_B.faces.size()));
+  return fmt::format("{:016x}", hash_of(bytes));
+}
 
 Json motion_summary(const engine::Counts& counts) {
   return {{"free_steps", counts.free},
@@ -93,6 +102,7 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
   const engine::BodySpec& body = summary.built.spec.bodies[i];
   return {{"triangles", body.mesh_B.face_count()},
           {"mass", body.mass},
+          {"mesh_digest", digest_of(body.mesh_B)},
           {"loads_not_computed", unused_loads(body)},
           {"drag_shape", json_rows(body.coefficients.drag_shape)},
           {"steps_above_water", summary.counts[i].dry},

@@ -332,9 +332,14 @@ Scene parse(std::string text, const std::filesystem::path& file,
 
 std::string resolved_text(const std::filesystem::path& file,
                           const std::vector<Override>& overrides) {
+  return resolved_text_of(read_text(file), file, overrides);
+}
+
+std::string resolved_text_of(const std::string& text, const std::filesystem::path& file,
+                             const std::vector<Override>& overrides) {
   Reading reading;
   reading.file = file;
-  return yaml_text(read_tree(read_text(file), reading, overrides));
+  return yaml_text(read_tree(text, reading, overrides));
 }
 
 KeyCatalogue key_catalogue() {

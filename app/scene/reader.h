@@ -24,6 +24,11 @@ Scene read(const std::filesystem::path& file, const std::vector<Override>& overr
 std::string resolved_text(const std::filesystem::path& file,
                           const std::vector<Override>& overrides);
 
+/// Returns the text of a scene likewise.
+/// @param file   File named in faults, from whose folder it includes files.
+std::string resolved_text_of(const std::string& text, const std::filesystem::path& file,
+                             const std::vector<Override>& overrides);
+
 /// Reads and checks the text of a scene.
 /// @param file   File named in faults; paths in the scene are relative to its folder.
 Scene parse(std::string text, const std::filesystem::path& file,

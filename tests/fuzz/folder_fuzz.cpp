@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/logs/run_files.h"
-#include "app/run/run_source.h"
+#include "app/logs/run_source.h"
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_outcome.h"
 #include "tests/fuzz/fuzz_input.h"

@@ -9,6 +9,10 @@ const checkHead = async (page, expect) => {
   expect("the verdict", await textOf(page, "#verdict") === "different");
   const head = await textOf(page, "#head");
   expect(`the head names neither run: ${head}`, /small_steps/.test(head) && /large_steps/.test(head));
+  const changes = await textOf(page, "#changes");
+  expect(`the changed key: ${changes}`, /step/.test(changes) && /0\.02/.test(changes));
+  const tables = await textsOf(page, "#table .of-run .first td:first-child");
+  expect(`the tables: ${tables}`, tables.includes("forces"));
   const verdicts = await textsOf(page, "#table td:last-child");
   expect(`the table's verdicts: ${verdicts}`, verdicts.some((v) => /^exceeds it from [\d.]+ s$/.test(v)));
 };
@@ -34,7 +38,7 @@ const checkCursor = async (page, expect) => {
 
 const checkChoice = async (page, expect) => {
   const first = await page.$eval("#body", (list) => list.selectedOptions[0].textContent);
-  await page.click("#table tbody:last-child tr");
+  await page.click("#table tbody:nth-of-type(2) tr");
   await settle(page);
   const second = await page.$eval("#body", (list) => list.selectedOptions[0].textContent);
   expect(`a click on the table's last body leaves ${first}`, first !== second);

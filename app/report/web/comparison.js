@@ -54,6 +54,10 @@ const ratioText = (d) => {
   return ratio === Infinity ? "∞" : number(ratio, 3);
 };
 
+const cellsOf = (name, quantity, unit, d) =>
+  [name, quantity, d.largest === null ? "∞" : withUnit(d.largest, unit), number(d.at, 6), d.judged ? d.limits : "–",
+   ratioText(d), d.verdict].map((textContent) => element("td", {textContent}));
+
 const rowsOf = (body, select) => {
   const rows = [];
   const notes = [body.note, body.interpolated > 0 &&
@@ -62,24 +66,54 @@ const rowsOf = (body, select) => {
     rows.push(element("tr", {className: body.same || note !== body.note ? "skip" : "bad"},
       element("td", {textContent: body.name, title: body.name}), element("td", {colSpan: 6, textContent: note})));
   (body.differences ?? []).forEach((d, i) => rows.push(
-    element("tr", {className: d.tolerance === null ? "skip" : d.first_beyond === null ? "good" : "bad",
-                   onclick: () => select(i)},
-      ...[body.name, QUANTITIES[i].title, withUnit(d.largest, QUANTITIES[i].unit), number(d.at, 6),
-          d.tolerance === null ? "–" : number(d.tolerance, DIGITS), ratioText(d), d.verdict]
-        .map((textContent) => element("td", {textContent})))));
+    element("tr", {className: !d.judged ? "skip" : d.within ? "good" : "bad", onclick: () => select(i)},
+      ...cellsOf(body.name, QUANTITIES[i].title, QUANTITIES[i].unit, d))));
   rows[0]?.classList.add("first");
   return rows;
 };
 
+// The rows of a table of the runs: its verdict, and what in it is beyond its tolerance.
+const rowsOfTable = ({name, same, judged, note, names, beyond}) => {
+  const said = note ? `${note}${judged ? "" : ", not judged"}`
+    : `${grouped(names)} compared, ${same ? "all within tolerance" : `${grouped(beyond.length)} different`}`;
+  const rows = [element("tr", {className: `first ${same ? "skip" : "bad"}`},
+    element("td", {textContent: name}), element("td", {colSpan: 6, textContent: said}))];
+  for (const {name: thing, note: missing, differences} of beyond) {
+    if (missing) rows.push(element("tr", {className: "bad"}, element("td", {textContent: name}),
+                                   element("td", {colSpan: 6, textContent: `${thing}: ${missing}`})));
+    for (const d of differences)
+      rows.push(element("tr", {className: "bad"},
+        ...cellsOf(name, `${thing} ${d.quantity.slice(name.length + 1)}`, d.unit, d)));
+  }
+  return rows;
+};
+
+// What made the runs differ: versions, keys of the scenes, meshes.
+const showChanges = (differs) => {
+  const kinds = [["programs", "program"], ["keys", "scene key"], ["meshes", "mesh of"]];
+  const parts = kinds.flatMap(([key, title]) => {
+    const all = Object.entries(differs[key]);
+    return all.length === 0 ? [] : [element("tbody", {},
+      element("tr", {}, ...[title, "A", "B"].map((textContent) => element("th", {textContent}))),
+      ...all.map(([what, [a, b]]) => element("tr", {}, ...[what, a ?? "–", b ?? "–"].map((textContent) =>
+        element("td", {textContent})))))];
+  });
+  const notes = differs.notes.map((textContent) => element("p", {className: "note", textContent}));
+  if (parts.length + notes.length === 0)
+    notes.push(element("p", {className: "note", textContent: "Program, scene and meshes are the same."}));
+  at("changes").append(...(parts.length > 0 ? [element("table", {}, ...parts)] : []), ...notes);
+  at("changes").hidden = false;
+};
+
 // @param select   Called with a body and a quantity.
 // @return the function that marks the rows of a body
-const showTable = ({bodies}, select) => {
+const showTable = ({bodies, tables}, select) => {
   const head = ["body", "quantity", "largest", "at [s]", "tolerance", "× tolerance", "verdict"];
   const table = element("table", {}, element("thead", {}, element("tr", {}, ...head.map((textContent) =>
     element("th", {textContent})))));
   const parts = bodies.slice(0, MOST_BODIES).map((body, i) =>
     element("tbody", {}, ...rowsOf(body, (quantity) => select(i, quantity))));
-  table.append(...parts);
+  table.append(...parts, ...tables.map((one) => element("tbody", {className: "of-run"}, ...rowsOfTable(one))));
   at("table").append(element("div", {className: "scroll"}, table));
   const notes = [];
   if (bodies.length > MOST_BODIES)
@@ -100,6 +134,7 @@ const isFar = (d) => {
 const comparison = readComparison();
 const {bodies} = comparison;
 showHead(comparison);
+if (comparison.differs) showChanges(comparison.differs);
 if (bodies.length > 0) {
   const logs = bodies.flatMap(({a, b}) => [a, b]).filter(Boolean);
   const clock = new Clock(Math.min(...logs.map((l) => l.times[0])), Math.max(...logs.map((l) => l.times.at(-1))));

@@ -7,9 +7,10 @@ import {QUANTITIES} from "./quantities.js";
 const SAME_TIME = 1e-9;  // of a time, or s below 1 s, as the program takes it
 
 // How many times its tolerance a difference is; −1 if it is not judged.
-export const severity = ({largest, tolerance}) => {
-  if (tolerance === null) return -1;
-  return largest === 0 ? 0 : largest / tolerance;
+export const severity = ({largest, tolerance, rms, rms_tolerance: rmsTolerance, judged}) => {
+  if (!judged) return -1;
+  const ratio = (found, limit) => found === 0 || limit === null ? 0 : found / limit;
+  return Math.max(ratio(largest ?? Infinity, tolerance), ratio(rms ?? Infinity, rmsTolerance));
 };
 
 const descending = (a, b) => (b > a) - (b < a);  // of infinite numbers, too
@@ -77,7 +78,7 @@ export const plotsOf = (comparison, body, log) => {
     const charts = QUANTITIES[k].names.map((_, i) => motion(QUANTITIES[k], i, moments));
     if (d && body.over)
       charts.unshift({...differenceChart(QUANTITIES[k], d, columnOf(body.over, k), log && d.largest > 0), moments});
-    return {title: QUANTITIES[k].title + (d ? verdictOf(d) : ""), bad: beyond, charts};
+    return {title: QUANTITIES[k].title + (d ? verdictOf(d) : ""), bad: d !== undefined && !d.within, charts};
   });
   return {times, groups};
 };

@@ -193,9 +193,10 @@ TEST_F(ProgramCompare, BeyondToleranceIsCodeOneWithTheLargestAndTheFirst) {
   const std::vector<std::string> b = {"0,p,0", "1,p,0.01", "2,p,0.5", "3,p,0.3"};
   const Outcome outcome = compare(a, b, {"--tol", "position=0.1"});
   EXPECT_EQ(outcome.code, 1);
-  const std::string line = lines_of(outcome.out)[1];
-  EXPECT_THAT(line,
-              testing::MatchesRegex("p +position +0\\.5 m +2\\.000 +0\\.1  exceeds it from 2 s"));
+  EXPECT_THAT(outcome.out, StartsWith("A: a.csv\nB: b.csv\n\nbody "));
+  EXPECT_THAT(
+      lines_of(outcome.out)[4],
+      testing::MatchesRegex("p +position +0\\.5 +0\\.2916 m +2\\.000 +0\\.1  exceeds it from 2 s"));
   EXPECT_THAT(outcome.out, EndsWith("different\n"));
   EXPECT_EQ(compare(a, b, {"--tol", "position=0.51"}).code, 0);
   EXPECT_EQ(compare(a, b, {"--tol", "linear_velocity=0,angular_velocity=0"}).code, 0);
@@ -217,7 +218,7 @@ TEST_F(ProgramCompare, ATurnIsAnAngle) {
   EXPECT_EQ(here.run({"compare", "q.csv", "minus.csv"}).code, 0);
   const Outcome outcome = here.run({"compare", "none.csv", "q.csv", "--tol", "orientation_deg=89"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(lines_of(outcome.out)[2], HasSubstr(" 90 deg "));
+  EXPECT_THAT(lines_of(outcome.out)[5], HasSubstr(" 90 deg "));
 }
 
 TEST_F(ProgramCompare, ABodyOrTimesThatOnlyOneHasAreADifference) {
@@ -278,11 +279,13 @@ TEST_F(ProgramCompare, TellsMachinesInJsonAndJunit) {
 }
 
 TEST_F(ProgramCompare, WrongInputIsCodeTwo) {
-  for (const std::string tolerance :
-       {"speed=1", "position", "position=", "position=-1", "position=nan", "position=1x"})
+  for (const std::string tolerance : {"speed=1", "forces.buoyance=1", "position.peek=1", "position",
+                                      "position=", "position=-1", "position=nan", "position=1x"})
     EXPECT_EQ(compare({"0,p,0"}, {"0,p,0"}, {"--tol", tolerance}).code, 2) << tolerance;
   EXPECT_THAT(compare({"0,p,0"}, {"0,p,0"}, {"--tol", "speed=1"}).err,
               StartsWith("--tol: unknown quantity speed; there are position, orientation_deg, "));
+  EXPECT_THAT(compare({"0,p,0"}, {"0,p,0"}, {"--tol", "lines.tensoin=1"}).err,
+              StartsWith("--tol: unknown quantity lines.tensoin; did you mean lines.tension?"));
   EXPECT_EQ(compare({"0,p,zero"}, {"0,p,0"}).code, 2);
   EXPECT_EQ(here.run({"compare", "a.csv", "none.csv"}).code, 2);
 }

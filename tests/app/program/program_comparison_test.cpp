@@ -131,4 +131,101 @@ TEST_F(ProgramComparison, WritesNoPageOfLogsThatAreBroken) {
   EXPECT_FALSE(fs::exists(here / "c.html"));
 }
 
+/// A summary of a run of a scene of one body, with overrides.
+std::string summary(const std::string& version, const std::string& digest,
+                    const std::string& overrides) {
+  return R"({"version": ")" + version + R"(", "bodies": {"p": {"triangles": 12, "mesh_digest": ")" +
+         digest + R"("}}, "source": {"file": "/p.yaml", "overrides": [)" + overrides +
+         R"(], "text": "duration: 2.0\nbodies: [{name: p, mass: 3}]\n"}})";
+}
+
+class ProgramRuns : public ProgramComparison {
+ protected:
+  /// Writes a run that ends at x.
+  void write_run(const std::string& folder, const std::string& x) const {
+    fs::create_directories(here / folder);
+    here.write(folder + "/trajectory.csv", trajectory({"0,p,0", "1,p," + x}));
+  }
+};
+
+TEST_F(ProgramRuns, SaysFirstWhatMadeThemDiffer) {
+  write_run("a", "0");
+  write_run("b", "0");
+  here.write("a/summary.json", summary("1.0", "aa", ""));
+  here.write("b/summary.json", summary("1.1", "bb", R"("bodies[p].mass=4", "log.every=0.5")"));
+  const Outcome outcome = compare("a b");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("A: a\nB: b\n"
+                                      "  program     A    B\n"
+                                      "  plimsoll  1.0  1.1\n"
+                                      "  scene key       A    B\n"
+                                      "  bodies[p].mass  3    4\n"
+                                      "  log.every       -  0.5\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("12 triangles, digest aa  12 triangles, digest bb"));
+  const json told = json::parse(compare("a b --json").out);
+  EXPECT_EQ(told["differs"]["keys"], json::parse(R"({"bodies[p].mass": ["3", "4"],
+                                                     "log.every": [null, "0.5"]})"));
+  EXPECT_EQ(data("a b", 0)["differs"]["programs"]["plimsoll"][1], "1.1");
+  here.write("b/summary.json", summary("1.0", "aa", R"("duration=2")"));
+  EXPECT_THAT(compare("a b").out, HasSubstr("program, scene and meshes are the same\n"));
+}
+
+TEST_F(ProgramRuns, ComparesTheTablesOfFolders) {
+  const std::string header = "time,set_point,value\n";
+  for (const std::string folder : {"a", "b"}) {
+    write_run(folder, "0");
+    here.write(folder + "/controls.csv",
+               header + "0,helm,1\n1,helm," + (folder == "a" ? "2\n" : "2.5\n"));
+  }
+  const Outcome outcome = compare("a b --junit j.xml");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("controls: 1 quantity of 1 name, 1 judged, 1 beyond"));
+  EXPECT_THAT(outcome.out, HasSubstr("controls.value"));
+  EXPECT_THAT(here.read("j.xml"), HasSubstr("<property name=\"A\" value=\"a\"/>"));
+  EXPECT_THAT(here.read("j.xml"), HasSubstr("classname=\"helm\" name=\"controls.value\">"));
+  EXPECT_EQ(compare("a b --tol controls.value=0.5").code, 0);
+  EXPECT_EQ(compare("a b --tol position=0").code, 0);  // others are not judged
+  EXPECT_EQ(compare("a/trajectory.csv b/trajectory.csv").code, 0);
+  const json table = data("a b", 1)["tables"][0];
+  EXPECT_EQ(table["beyond"][0]["differences"][0]["largest"], 0.5);
+  here.write("b/controls.csv", header + "0,helm,one\n");
+  EXPECT_THAT(compare("a b").err, StartsWith("b/controls.csv:2:1: found \"one\", expected a "));
+}
+
+TEST_F(ProgramRuns, ComparesFoldersOfRunsByTheirNames) {
+  for (const std::string run : {"runs/0", "runs/1"})
+    for (const std::string folder : {"a/", "b/"}) write_run(folder + run, "0");
+  EXPECT_EQ(compare("a b").code, 0);
+  write_run("b/runs/1", "0.25");
+  write_run("b/runs/2", "0");
+  const Outcome outcome = compare("a b --junit j.xml");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.out,
+            "A: a\nB: b\n\n"
+            "runs/0  the same within tolerance\n"
+            "runs/1  different: p position by 0.25 m at 1 s, tolerance 1e-09\n"
+            "runs/2  only in b\n"
+            "2 of 3 runs different\n");
+  EXPECT_THAT(here.read("j.xml"), HasSubstr("<testsuite name=\"a/runs/1 and b/runs/1\""));
+  const json told = json::parse(compare("a b --json").out);
+  EXPECT_EQ(told["runs"]["runs/1"]["bodies"]["p"]["position"]["largest"], 0.25);
+  EXPECT_EQ(told["runs"]["runs/2"]["fault"], "only in b");
+  EXPECT_EQ(compare("a b --html c.html").code, 2);
+  EXPECT_THAT(compare("a b/runs/0").err, StartsWith("a: holds runs and is none, while b/runs/0 "));
+}
+
+TEST_F(ProgramRuns, LearnsTolerancesThatTheRunsMeet) {
+  for (const auto& [folder, x] : {std::pair("a", "0"), {"b", "0.01"}, {"c", "0.02"}})
+    write_run(folder, x);
+  const Outcome outcome = compare("a b c --learn t.yaml --margin 2");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "t.yaml: 4 tolerances from 3 runs\n");
+  EXPECT_THAT(here.read("t.yaml"), HasSubstr("position:\n  peak: 0.04\n  rms: 0.029\n"));
+  EXPECT_EQ(compare("a c --tolerances t.yaml").code, 0);
+  write_run("c", "0.05");
+  EXPECT_EQ(compare("a c --tolerances t.yaml").code, 1);
+  EXPECT_EQ(compare("a b c").code, 2);
+  EXPECT_EQ(compare("a b --margin 2").code, 2);
+}
+
 }  // namespace

@@ -23,6 +23,7 @@ using support::falling_box;
 using support::Outcome;
 using support::Workplace;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Without a thread that writes files, and with one.
@@ -84,6 +85,21 @@ TEST_F(ProgramHdf5, HasTheNumbersOfTheCsvBitByBit) {
     EXPECT_EQ(hdf5.tracks.at(name).times.size(), 301u);
     EXPECT_TRUE(hdf5.tracks.at(name).states == csv.tracks.at(name).states);
   }
+}
+
+TEST_F(ProgramHdf5, IsComparedAndAnalysedAsTheCsvIs) {
+  here.write("box.yaml",
+             falling_box("3", "log: {forces: true, probes: [{name: gauge, wave: [1, 0]}]}\n"));
+  ASSERT_EQ(here.run({"run", "box.yaml", "--out", "csv"}).code, 0);
+  ASSERT_EQ(run({}).code, 0);
+  const Outcome same = here.run({"compare", "csv", "o"});
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  EXPECT_THAT(same.out, HasSubstr("\nforces: "));
+  EXPECT_THAT(same.out, HasSubstr("\nprobes: 4 quantities of 1 name, 4 judged, 0 beyond"));
+  const json csv = json::parse(here.run({"analyse", "csv", "--json"}).out);
+  const json hdf5 = json::parse(here.run({"analyse", "o", "--json"}).out);
+  EXPECT_EQ(csv["signals"], hdf5["signals"]);
+  EXPECT_EQ(csv["signals"].size(), 7u);  // Six motions and an elevation.
 }
 
 TEST_F(ProgramHdf5, HasTheSameNumbersWithAnyNumberOfThreads) {

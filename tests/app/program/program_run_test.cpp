@@ -87,8 +87,8 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
   EXPECT_THAT(
       keys(summary["bodies"]["box"]),
-      ElementsAre("triangles", "mass", "loads_not_computed", "drag_shape", "steps_above_water",
-                  "steps_at_rest", "motion", "added_mass", "radiation"));
+      ElementsAre("triangles", "mass", "mesh_digest", "loads_not_computed", "drag_shape",
+                  "steps_above_water", "steps_at_rest", "motion", "added_mass", "radiation"));
 }
 
 TEST_F(ProgramRun, WarnsOfAStepThatIsTooLongForTheWaves) {

@@ -1,4 +1,4 @@
-#include "app/run/run_source.h"
+#include "app/logs/run_source.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
