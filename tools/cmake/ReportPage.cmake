@@ -21,6 +21,7 @@ set(web_sources
   package.json
   page.html
   plots.js
+  pressure.js
   quantities.js
   replay.js
   report.js
