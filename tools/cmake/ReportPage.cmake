@@ -4,6 +4,7 @@
 set(web ${PROJECT_SOURCE_DIR}/app/report/web)
 set(web_sources
   .npmrc
+  backdrop.js
   bundle.mjs
   charts.js
   chooser.js

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {toCreasedNormals} from "three/addons/utils/BufferGeometryUtils.js";
+import {Backdrop} from "./backdrop.js";
 import {floats, integers, rowAt} from "./data.js";
 import {Pressure} from "./pressure.js";
 import {Rigging} from "./rigging.js";
@@ -47,6 +48,8 @@ export class Replay {
     if (run.water) {
       this.water = new Surface(run.water, this.half,
                                {color: look.water, line: look.waterLine, opacity: 0.66, order: 1});
+      this.backdrop = new Backdrop(look.water, run.water.level - this.origin[2], this.half);
+      this.water.group.add(this.backdrop.mesh);
       this.scene.add(this.water.group);
     }
     if (run.pressure) {
@@ -317,6 +320,7 @@ export class Replay {
     for (const surface of [this.water, this.ground])
       surface?.update(time, shown.x + this.origin[0], shown.y + this.origin[1], this.origin);
     this.pressure?.update((body) => this.motion(body, time), this.meshes, this.origin);
+    this.backdrop?.update(this.camera);
     this.path.geometry.setDrawRange(0, rowAt(this.run.poses.times, time) + 1);
     this.renderer.render(this.scene, this.camera);
     this.placeLabel();
