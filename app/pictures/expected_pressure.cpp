@@ -45,12 +45,19 @@ Start start_of(const engine::BodySpec& body, const hydro::Sea& sea) {
           .height = z.maxCoeff() - z.minCoeff()};
 }
 
-/// Returns true if a joint holds the body, so that it neither sinks nor floats freely.
-bool is_held(const engine::SimulationSpec& spec, std::size_t body) {
+/// How joints hold a body.
+enum class Hold { free, jointed, fixed };
+
+Hold hold_of(const engine::SimulationSpec& spec, std::size_t body) {
   const auto id = static_cast<engine::BodyId>(body);
-  return std::any_of(spec.joints.begin(), spec.joints.end(), [&](const engine::JointSpec& joint) {
-    return joint.first == id || joint.second == id;
-  });
+  if (engine::immovable(spec.bodies[body].locked)) return Hold::fixed;
+  Hold hold = Hold::free;
+  for (const engine::JointSpec& joint : spec.joints) {
+    if (joint.first != id && joint.second != id) continue;
+    if (joint.type == engine::JointSpec::Type::fixed) return Hold::fixed;
+    hold = Hold::jointed;
+  }
+  return hold;
 }
 
 /// Returns z of the lowest ground [m]; none without ground.
@@ -61,22 +68,27 @@ std::optional<double> lowest_ground(const engine::Ground& ground) {
   return std::nullopt;
 }
 
-/// Returns the greatest depth to expect of a body's surface in still water [m].
-double expected_depth(const engine::SimulationSpec& spec, std::size_t index) {
+/// Returns the greatest depth to expect of a body's surface below the surface of the water [m].
+double expected_depth(const engine::SimulationSpec& spec, std::size_t index,
+                      const WaveSize& waves) {
   const hydro::Sea& sea = *spec.sea;
   const engine::BodySpec& body = spec.bodies[index];
   const Start start = start_of(body, sea);
-  if (engine::immovable(body.locked)) return start.draught;
-  double depth = std::max(start.draught, start.draught < 0 ? start.height : 0);
-  if (is_held(spec, index)) return depth;
+  const Hold hold = hold_of(spec, index);
+  if (hold == Hold::fixed) return start.draught + waves.height;
+  const double depth = std::max(start.draught, start.draught < 0 ? start.height : 0);
+  if (hold == Hold::jointed) return depth + waves.height;
   const double displaced = body.mass / sea.density;
   const double volume = hydro::solid_properties(engine::outside_B(body)).volume;
-  if (displaced < volume)
-    return std::max(
-        depth, hydro::afloat(engine::outside_B(body), displaced, body.initial.orientation).draught);
+  if (displaced < volume) {
+    const double draught =
+        hydro::afloat(engine::outside_B(body), displaced, body.initial.orientation).draught;
+    // A body that floats goes with the waves: they wet it up to its highest point.
+    return std::max(depth, draught + std::clamp(start.height - draught, 0.0, waves.height));
+  }
   if (const std::optional<double> ground = lowest_ground(spec.ground))
-    return std::max(depth, sea.level - *ground);
-  return std::max(depth, 2 * start.height);
+    return std::max(depth, sea.level - *ground) + waves.height;
+  return std::max(depth, 2 * start.height) + waves.height;
 }
 
 /// Returns the greatest speed through the water to expect of a body [m/s].
@@ -101,7 +113,7 @@ PressureRange expected_pressure(const engine::SimulationSpec& spec, scene::Shown
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     const engine::BodySpec& body = spec.bodies[i];
     if (shows != scene::ShownPressure::dynamic)
-      range.include(sea.density * sea.gravity * (expected_depth(spec, i) + waves.height));
+      range.include(sea.density * sea.gravity * expected_depth(spec, i, waves));
     if (shows == scene::ShownPressure::hydrostatic) continue;
     const double head = 0.5 * sea.density * std::pow(expected_speed(spec, body, waves), 2);
     range.include(head * body.coefficients.pressure_drag.front);

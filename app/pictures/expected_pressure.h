@@ -11,10 +11,11 @@ namespace app {
 ///
 /// The water above the deepest point is that of the body as it floats at the orientation of the
 /// start, as it starts, or wholly dived after a fall; of a body that sinks, that down to the ground
-/// or to its height twice. A body with a joint
-/// does neither float nor sink. Waves add √2 of their root sum square. The dynamic pressure is
-/// ½ ρ C_p v² with the speed of the start, of the fall to the water, of the water in waves, or
-/// √(g L)/4 for a body of length L, whichever is largest. Immovable bodies only lie in the water.
+/// or to its height twice. A body with a joint neither floats nor sinks, and an immovable one or
+/// one with a fixed joint stays where it starts. Waves add √2 of their root sum square, to what
+/// floats not more than its freeboard. The dynamic pressure is ½ ρ C_p v² with the speed of the
+/// start, of the fall to the water, of the water in waves, or √(g L)/4 for a body of length L,
+/// whichever is largest.
 PressureRange expected_pressure(const engine::SimulationSpec& spec, scene::ShownPressure shows);
 
 }  // namespace app

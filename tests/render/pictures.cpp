@@ -41,6 +41,7 @@ Scene box_in_waves() {
   s.states = {{.position = {0, 0, 0.1}, .orientation = turned(20, {1, 2, 0.5})}};
   s.picture.sea = waves(0.25, 3, 0.4);
   s.picture.pressure.max = 12e3;
+  s.picture.pressure.above = true;
   s.picture.camera = {.from = {5, -8, 3.2}, .to = {0, 0, 0}};
   s.picture.bodies = {{.mesh_B = hydro::make_box({2, 2, 2}), .color = {0.85, 0.35, 0.25}}};
   return s;
@@ -51,6 +52,7 @@ Scene rings_at_depths() {
   const BodyAppearance ring = {.mesh_B = make_torus(0.8, 0.3, 64, 32), .color = {0.9, 0.75, 0.3}};
   s.picture.sea = hydro::Sea{};
   s.picture.pressure.max = 20e3;
+  s.picture.pressure.above = true;
   s.picture.camera = {.from = {3, -10, 3.5}, .to = {0, 0, -0.4}};
   for (int i = 0; i < 4; ++i) {
     s.picture.bodies.push_back(ring);
@@ -65,6 +67,7 @@ Scene slamming_ball() {
   s.name = "slamming_ball";
   s.states[0].position.z() = 0.3;
   s.states[0].linear_velocity = {1, 0, -5};
+  s.picture.pressure.above = true;
   s.picture.bodies[0].coefficients.pressure_drag = {0.6316, 0.6316};
   s.picture.bodies[0].color = {0.75, 0.78, 0.82};
   return s;
