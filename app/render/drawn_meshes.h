@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/render/body_appearance.h"
 #include "app/render/color_scale.h"
 #include "app/render/gl_mesh.h"
-#include "app/render/renderer.h"
 #include "app/render/shaded_mesh.h"
 #include "app/render/view.h"
 

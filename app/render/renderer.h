@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/render/body_appearance.h"
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
 #include "app/render/interior_look.h"
 #include "app/render/rigging.h"
 #include "app/render/view.h"
-#include "hydro/loads/coefficients.h"
 #include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
@@ -32,15 +32,6 @@
 /// No graphics library is loaded before the first Renderer is made.
 
 namespace render {
-
-/// Look of a body, constant over a sequence.
-struct BodyAppearance {
-  hydro::TriMesh mesh_B;
-  Eigen::Vector3d color = {0.72, 0.73, 0.75};  ///< Colour of the dry surface, RGB 0 … 1.
-  hydro::Coefficients coefficients;            ///< Coefficients of the dynamic pressure.
-  Hollows hollows = Hollows::none;
-  Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  ///< The vertical for `Hollows::dry`.
-};
 
 /// Settings of a sequence; the bodies' states and the time are given for each picture.
 struct SceneDescription {
