@@ -13,6 +13,9 @@ uniform vec3 u_velocity;  // velocity of B's origin relative to the current, in 
 uniform vec3 u_spin;      // angular velocity, in W [rad/s]
 uniform mat3 u_drag_shape;  // K of hydro/loads/bluntness.h, in W
 
+// Both passes of a body must cover the same samples.
+invariant gl_Position;
+
 out vec3 v_position_E;
 out vec3 v_normal;
 out vec3 v_velocity;

@@ -17,7 +17,7 @@ uniform vec3 u_grid_shift;   // the eye's position in its cell of that grid [m]
 const vec3 k_zenith = vec3(0.50, 0.69, 0.88);
 const vec3 k_horizon = vec3(0.90, 0.94, 0.965);
 const vec3 k_deep = vec3(0.14, 0.39, 0.51);     // deep water seen from above
-const vec3 k_shallow = vec3(0.36, 0.62, 0.70);  // water lit from above, seen from within
+const vec3 k_shallow = vec3(0.29, 0.58, 0.74);  // water lit from above, seen from within
 
 // Returns the colour of the sky in a direction, and that of the horizon below it.
 vec3 sky(vec3 direction) {

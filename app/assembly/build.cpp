@@ -20,6 +20,7 @@
 #include "app/assembly/build_start.h"
 #include "app/assembly/radiation_database.h"
 #include "app/assembly/sea_warnings.h"
+#include "app/assembly/start_warnings.h"
 #include "app/base/schedule.h"
 #include "app/base/wall_clock.h"
 #include "engine/body_check.h"
@@ -326,6 +327,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   built.warnings = std::move(log.warnings);
   for (std::string& warning : sea_warnings(scene, built))
     built.warnings.push_back(std::move(warning));
+  for (std::string& warning : start_warnings(spec)) built.warnings.push_back(std::move(warning));
   for (std::string& warning : radiation_warnings(spec, radiation))
     built.warnings.push_back(std::move(warning));
   for (std::string& warning : interior_warnings(spec)) built.warnings.push_back(std::move(warning));

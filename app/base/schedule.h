@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace app {
 
@@ -27,22 +28,27 @@ class Schedule {
   double next_ = 0;
 };
 
-/// True if a picture may show the time: it lies before the end, as the frames of a film do, or is
-/// 0.
+/// True if a picture of a sequence at equal intervals may show the time: it lies before the end, as
+/// the frames of a film do, or is 0.
 inline bool is_frame_time(double time, double end) { return time == 0 || time < end * (1 - 1e-9); }
 
-/// Selects from ascending times those that have a picture.
+/// Selects from ascending times those that have a picture: the first at or after each of 0, every,
+/// 2·every, … before the end, and the first at or after the end.
 class FrameSchedule {
  public:
   /// @param every   Interval of pictures [s].
   /// @param end     End of the scene [s].
   FrameSchedule(double every, double end) : schedule_(every), end_(end) {}
 
-  bool due(double time) { return is_frame_time(time, end_) && schedule_.due(time); }
+  bool due(double time) {
+    if (is_frame_time(time, end_)) return schedule_.due(time);
+    return !std::exchange(ended_, true);
+  }
 
  private:
   Schedule schedule_;
   double end_;
+  bool ended_ = false;
 };
 
 /// Largest number of steps of a run; it allows more than a day at a step of a microsecond.

@@ -35,8 +35,7 @@ ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows,
                           const scene::Scene& scene, const engine::SimulationSpec& spec,
                           const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
-  const double end = std::max(scene.duration, times[rows - 1]);
-  ShotSelector shots(scene.render->every, end, video.pictures_a_second());
+  ShotSelector shots(scene.render->every, times[rows - 1], video.pictures_a_second());
   for (std::size_t i = 0; i < rows; ++i) {
     const std::vector<hydro::BodyState> states = states_at(trajectory, spec, i);
     shots.add(

@@ -8,11 +8,19 @@
 namespace app {
 namespace {
 
-/// Removes the jumps by a whole turn from a series of angles [deg].
-void unwrap(std::vector<double>& degrees) {
+/// Returns angles [deg] moved by whole turns to the nearest of those before.
+Eigen::Vector3d near(Eigen::Vector3d degrees, const Eigen::Vector3d& before) {
   constexpr double kTurn = 360;
-  for (std::size_t i = 1; i < degrees.size(); ++i)
-    degrees[i] -= kTurn * std::round((degrees[i] - degrees[i - 1]) / kTurn);
+  return degrees - kTurn * ((degrees - before) / kTurn).array().round().matrix();
+}
+
+/// Returns roll, pitch and yaw [deg] of the same attitude nearest to those before: the pitch may
+/// pass the vertical, where the other two would otherwise jump by half a turn.
+Eigen::Vector3d unwrapped(const Eigen::Vector3d& degrees, const Eigen::Vector3d& before) {
+  const Eigen::Vector3d same = near(degrees, before);
+  const Eigen::Vector3d over =
+      near({degrees.x() + 180, 180 - degrees.y(), degrees.z() + 180}, before);
+  return (over - before).norm() < (same - before).norm() ? over : same;
 }
 
 }  // namespace
@@ -29,14 +37,15 @@ std::vector<std::vector<double>> motion_of(const BodyTrack& track) {
   const auto put = [&](std::size_t first, std::size_t row, const Eigen::Vector3d& v) {
     for (std::size_t k = 0; k < 3; ++k) columns[first + k][row] = v[static_cast<int>(k)];
   };
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < rows; ++i) {
     const hydro::BodyState& s = track.states[i];
     put(0, i, s.position);
-    put(3, i, hydro::euler_angles(s.orientation) * (180 / std::numbers::pi));
+    const Eigen::Vector3d found = hydro::euler_angles(s.orientation) * (180 / std::numbers::pi);
+    put(3, i, angles = i == 0 ? found : unwrapped(found, angles));
     put(6, i, s.linear_velocity);
     put(9, i, s.angular_velocity);
   }
-  for (std::size_t k = 3; k < 6; ++k) unwrap(columns[k]);
   return columns;
 }
 

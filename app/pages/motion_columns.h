@@ -13,8 +13,8 @@ namespace app {
 /// x y z [m], roll pitch yaw [deg], vx vy vz [m/s], wx wy wz [rad/s].
 const std::vector<std::string>& motion_columns();
 
-/// Returns the columns named by motion_columns() for a track; angles are unwrapped, without jumps
-/// at ±180°.
+/// Returns the columns named by motion_columns() for a track; angles are continuous, without
+/// jumps at ±180° or where the pitch passes ±90°.
 std::vector<std::vector<double>> motion_of(const BodyTrack& track);
 
 }  // namespace app

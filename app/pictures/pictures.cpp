@@ -11,11 +11,13 @@
 #include "app/base/background.h"
 #include "app/base/program_files.h"
 #include "app/pictures/cameras.h"
+#include "app/pictures/expected_pressure.h"
 #include "app/pictures/force_annotations.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pressure_range.h"
 #include "app/pictures/rigging.h"
+#include "app/pictures/trail.h"
 #include "app/render/annotation.h"
 #include "app/render/overlay.h"
 #include "app/render/png.h"
@@ -42,7 +44,8 @@ class Drawing {
         target_(target),
         progress_(progress),
         cameras_(cameras_of(look_)),
-        scale_(pressure_scale(look_, spec_, shots)),
+        scale_(pressure_scale(look_, expected_pressure(spec_, look_.shows),
+                              pressure_range(spec_, shots, look_.shows))),
         renderer_(first_picture(scene), program_files("shaders")),
         notes_(look_, spec_),
         rig_(spec_, look_.show.joints) {
@@ -92,21 +95,26 @@ class Drawing {
 
   void draw(const scene::Camera& camera) {
     std::optional<Video> video = video_of(camera);
-    render::Annotations rigging;
-    rig_.explain(rigging);
-    render::ContactSheet sheet(shown_scale_, look_.sheet_columns, rigging.ramp);
+    render::Annotations lines;
+    rig_.explain(lines);
+    render::ContactSheet sheet(shown_scale_, look_.sheet_columns, lines.ramp);
     std::size_t frames = 0;
+    Trail trail(spec_, camera.follow);
     Background finishing(spec_.threads, kMostWaiting);
     for (std::size_t i = 0; i < shots_.size(); ++i) {
       const Shot shot = shots_.at(i);
       renderer_.look(camera_at(camera, spec_, shot));
+      render::Rigging rigging = rig_.of(shot);
+      if (look_.show.trail) {
+        trail.add(shot);
+        trail.draw(rigging);
+      }
       const fs::path file =
           shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
       finishing.put(
           [this, &sheet, &video, time = shot.time, is_frame = shot.frame, of_video = shot.video,
            file, view = renderer_.view(), grid = renderer_.grid(), notes = notes_of(shot),
-           image =
-               renderer_.draw(shot.states, shot.time, shot.interiors, rig_.of(shot))]() mutable {
+           image = renderer_.draw(shot.states, shot.time, shot.interiors, rigging)]() mutable {
             render::annotate(image, view, notes);
             if (is_frame) sheet.add(image, time);
             render::add_legend(image, view, notes);

@@ -11,6 +11,8 @@
 namespace app {
 namespace {
 
+using Found = scene::ScaleEnd::Found;
+
 /// The sea at one time.
 struct SeaAtTime {
   const hydro::Sea& sea;
@@ -97,6 +99,11 @@ void PressureRange::include(double pressure) {
   highest = std::max(highest, pressure);
 }
 
+void PressureRange::include(const PressureRange& other) {
+  include(other.lowest);
+  include(other.highest);
+}
+
 PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& shot,
                              scene::ShownPressure shows) {
   PressureRange range;
@@ -107,27 +114,41 @@ PressureRange pressure_range(const engine::SimulationSpec& spec, const Shot& sho
   return range;
 }
 
-render::PressureScale pressure_scale(const scene::Render& look, const PressureRange& range) {
-  constexpr double kLeastSpan = 1;  // smallest range [Pa], for scenes in which nothing gets wet
-  const double lowest = look.pressure_min ? *look.pressure_min : rounded_out(range.lowest);
-  const double highest = range.highest > lowest + kLeastSpan ? rounded_out(range.highest)
-                                                             : std::max(lowest + 1000, 0.0);
-  return {.min = lowest,
-          .max = look.pressure_max.value_or(highest),
-          .colors = color_map(look.colors),
-          .shows = shown_pressure(look.shows)};
+PressureRange pressure_range(const engine::SimulationSpec& spec, const ShotSpool& shots,
+                             scene::ShownPressure shows) {
+  PressureRange range;
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    range.include(pressure_range(spec, shots.at(i), shows));
+  return range;
 }
 
-render::PressureScale pressure_scale(const scene::Render& look, const engine::SimulationSpec& spec,
-                                     const ShotSpool& shots) {
-  PressureRange range;
-  if (!look.pressure_max || !look.pressure_min)
-    for (std::size_t i = 0; i < shots.size(); ++i) {
-      const PressureRange here = pressure_range(spec, shots.at(i), look.shows);
-      range.include(here.lowest);
-      range.include(here.highest);
-    }
-  return pressure_scale(look, range);
+render::PressureScale pressure_scale(const scene::Render& look, const PressureRange& expected,
+                                     const PressureRange& drawn) {
+  constexpr double kLeastSpan = 1;   // smallest range [Pa], for scenes in which nothing gets wet
+  constexpr double kBeyond = 0.005;  // part of the scale beyond an end that is rounding
+  const auto given = [](const scene::ScaleEnd& end) { return end.found == Found::given; };
+  const auto range_of = [&](const scene::ScaleEnd& end) {
+    return end.found == Found::pictures ? drawn : expected;
+  };
+  double low = given(look.pressure_min) ? look.pressure_min.pressure
+                                        : rounded_out(range_of(look.pressure_min).lowest);
+  const double top = range_of(look.pressure_max).highest;
+  double high = given(look.pressure_max) ? look.pressure_max.pressure
+                : top > low + kLeastSpan ? rounded_out(top)
+                                         : std::max(low + 1000, 0.0);
+  if (scene::diverges(look.colors)) {
+    const bool low_given = given(look.pressure_min), high_given = given(look.pressure_max);
+    if (!low_given && !high_given) high = std::max({-low, high, kLeastSpan});
+    if (!low_given && high > 0) low = -high;
+    if (low_given && !high_given && low < 0) high = -low;
+  }
+  if (low >= high) low = high - 1000;
+  const double slack = kBeyond * (high - low);
+  return {.min = low,
+          .max = high,
+          .colors = color_map(look.colors),
+          .shows = shown_pressure(look.shows),
+          .below = drawn.lowest<low - slack, .above = drawn.highest> high + slack};
 }
 
 }  // namespace app

@@ -11,11 +11,11 @@
 namespace app {
 
 /// Selects the states of a run that are drawn: for frames the first state at or after each due
-/// time, for a video states interpolated at its times.
+/// time and the final state, for a video states interpolated at its times.
 class ShotSelector {
  public:
   /// @param every   Time between frames [s].
-  /// @param end     Time before which all pictures lie [s].
+  /// @param end     Time of the final state, before which a video ends [s].
   /// @param fps     Pictures of the video per second; 0: no video.
   ShotSelector(double every, double end, int fps) : frames_(every, end), end_(end), fps_(fps) {}
 

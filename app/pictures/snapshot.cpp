@@ -4,6 +4,7 @@
 
 #include "app/base/program_files.h"
 #include "app/pictures/cameras.h"
+#include "app/pictures/expected_pressure.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/pressure_range.h"
@@ -26,13 +27,15 @@ struct Snapshots::Impl {
   Impl(const scene::Scene& given, const assembly::BuiltScene& built)
       : scene(with_look(given)),
         spec(built.spec),
-        renderer(picture_of(scene, spec, pressure_scale(*scene.render, range)),
+        expected(expected_pressure(spec, scene.render->shows)),
+        renderer(picture_of(scene, spec, pressure_scale(*scene.render, expected, range)),
                  program_files("shaders")),
         rig(spec, scene.render->show.joints) {}
 
   const scene::Scene scene;
   const engine::SimulationSpec& spec;
-  PressureRange range;
+  const PressureRange expected;
+  PressureRange range;  ///< Of the pictures so far.
   render::Renderer renderer;
   RigPictures rig;
 };
@@ -53,10 +56,8 @@ render::Image Snapshots::draw(const engine::Simulation& simulation, const scene:
   impl.rig.include(shot);
   std::optional<render::PressureScale> scale;
   if (impl.spec.sea) {
-    const PressureRange seen = pressure_range(impl.spec, shot, look.shows);
-    impl.range.include(seen.lowest);
-    impl.range.include(seen.highest);
-    scale = pressure_scale(look, impl.range);
+    impl.range.include(pressure_range(impl.spec, shot, look.shows));
+    scale = pressure_scale(look, impl.expected, impl.range);
     impl.renderer.show_pressures(*scale);
   }
   impl.renderer.resize(size[0], size[1]);

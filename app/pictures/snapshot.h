@@ -12,8 +12,9 @@ struct Image;
 
 namespace app {
 
-/// Draws single pictures of a simulation as it goes on, with time and colour scale. Automatic
-/// scales enclose the states drawn so far. One thread uses it at a time.
+/// Draws single pictures of a simulation as it goes on, with time and colour scale. Ends
+/// of the scale that are found from the pictures enclose the states drawn so far. One thread uses
+/// it at a time.
 class Snapshots {
  public:
   /// @param scene   It may lack a render block. It and what is built from it must outlive this.

@@ -41,6 +41,7 @@ struct PressureScale {
   double max = 1;
   ColorMap colors = ColorMap::turbo;
   Pressure shows = Pressure::total;
+  bool below = false, above = false;  ///< True: pictures have pressures beyond that end.
 };
 
 /// Returns the name of the pressure that a scale shows, without the unit.
@@ -53,6 +54,10 @@ const std::array<Rgb, kScaleColors>& scale_colors(ColorMap map = ColorMap::turbo
 
 /// Returns the colour of a pressure [Pa], which is clamped to the ends of the scale.
 Rgb scale_color(const PressureScale& scale, double pressure);
+
+/// Period of the stripes that mark pressures beyond the ends of a scale, in pictures of up to 720
+/// lines [px]. The colour of the end alternates with white above the scale and with black below.
+inline constexpr double kStripe = 10;
 
 /// A mark on the scale.
 struct Tick {

@@ -83,9 +83,13 @@ void Framebuffer::begin() const {
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Framebuffer::copy_depth() const {
-  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, canvas_);
-  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, copy_);
+void Framebuffer::copy_depth() const { copy_depth(canvas_, copy_); }
+
+void Framebuffer::restore_depth() const { copy_depth(copy_, canvas_); }
+
+void Framebuffer::copy_depth(GLuint from, GLuint to) const {
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, from);
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
   gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT,
                        GL_NEAREST);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, canvas_);

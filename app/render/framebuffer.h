@@ -24,10 +24,15 @@ class Framebuffer {
   void copy_depth() const;
   GLuint depth_copy() const { return depth_copy_; }
 
+  /// Makes the depth again what it was when it was copied.
+  void restore_depth() const;
+
   /// Returns the finished picture with its samples averaged.
   Image read() const;
 
  private:
+  void copy_depth(GLuint from, GLuint to) const;
+
   const GlFunctions* gl_;
   int width_, height_;
   GLuint canvas_ = 0, copy_ = 0, resolved_ = 0;  // framebuffer objects

@@ -38,6 +38,7 @@ GlFunctions load_gl_functions(FunctionFinder find) {
   load(find, gl.DeleteShader, "glDeleteShader");
   load(find, gl.DeleteTextures, "glDeleteTextures");
   load(find, gl.DeleteVertexArrays, "glDeleteVertexArrays");
+  load(find, gl.DepthFunc, "glDepthFunc");
   load(find, gl.DepthMask, "glDepthMask");
   load(find, gl.Disable, "glDisable");
   load(find, gl.DrawBuffer, "glDrawBuffer");

@@ -34,6 +34,7 @@ struct GlFunctions {
   PFNGLDELETESHADERPROC DeleteShader = nullptr;
   PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
   PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays = nullptr;
+  PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
   PFNGLDISABLEPROC Disable = nullptr;
   PFNGLDRAWBUFFERPROC DrawBuffer = nullptr;

@@ -59,23 +59,22 @@ std::string place_of_shader_error(const std::string& log, const fs::path& common
                           : fmt::format("{}:{}: {}", common.string(), line, said);
 }
 
-GlProgram::GlProgram(const GlFunctions& gl, const fs::path& folder, const std::string& name)
+GlProgram::GlProgram(const GlFunctions& gl, const fs::path& folder, const std::string& vertex,
+                     const std::string& fragment)
     : gl_(&gl) {
-  const GLuint vertex = compile(gl, GL_VERTEX_SHADER, folder / (name + ".vert"));
-  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, folder / (name + ".frag"));
+  const GLuint shaders[] = {compile(gl, GL_VERTEX_SHADER, folder / (vertex + ".vert")),
+                            compile(gl, GL_FRAGMENT_SHADER, folder / (fragment + ".frag"))};
   program_ = gl.CreateProgram();
-  gl.AttachShader(program_, vertex);
-  gl.AttachShader(program_, fragment);
+  for (const GLuint shader : shaders) gl.AttachShader(program_, shader);
   gl.LinkProgram(program_);
-  gl.DeleteShader(vertex);
-  gl.DeleteShader(fragment);
+  for (const GLuint shader : shaders) gl.DeleteShader(shader);
   GLint linked = 0;
   gl.GetProgramiv(program_, GL_LINK_STATUS, &linked);
   if (linked) return;
   std::array<char, 4096> text{};
   gl.GetProgramInfoLog(program_, static_cast<GLsizei>(text.size()), nullptr, text.data());
   throw Error(
-      fmt::format("{}: the shaders do not link: {}", (folder / name).string(), text.data()));
+      fmt::format("{}: the shaders do not link: {}", (folder / fragment).string(), text.data()));
 }
 
 void GlProgram::use() const { gl_->UseProgram(program_); }

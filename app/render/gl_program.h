@@ -14,7 +14,12 @@ class GlProgram {
   /// Compiles `name.vert` and `name.frag` of a folder, each after the folder's `common.glsl`.
   /// @throws Error if a file cannot be read, or `shaders/name.frag:LINE: …` with the compiler's
   ///     message.
-  GlProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& name);
+  GlProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& name)
+      : GlProgram(gl, folder, name, name) {}
+
+  /// The same of `vertex.vert` and `fragment.frag`.
+  GlProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& vertex,
+            const std::string& fragment);
 
   /// Makes the program current; `set` works on the current program. A uniform that the shaders do
   /// not use is ignored, so that all programs can be given the same view.

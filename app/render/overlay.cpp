@@ -16,8 +16,44 @@ struct Bar {
   bool standing;
 };
 
-void draw_colors(Image& image, const Bar& bar, ColorMap colors) {
+void draw_frame(Image& image, const Bar& bar) {
   fill(image, {bar.left - 1, bar.top - 1, bar.width + 2, bar.height + 2, 2}, kInk, 0.75);
+}
+
+/// Returns the square that lies beyond an end of a bar.
+Bar cap_of(const Bar& bar, bool high) {
+  // The label of the cap stands clear of that of the bar's end.
+  const double side = bar.standing ? bar.width : bar.height;
+  Bar cap = {bar.left, bar.top, side, side, bar.standing};
+  const double gap = std::round(0.5 * side);
+  if (bar.standing)
+    cap.top += high ? -side - gap : bar.height + gap;
+  else
+    cap.left += high ? bar.width + gap : -side - gap;
+  return cap;
+}
+
+/// Draws what marks pressures beyond an end, striped as they are in the picture (pressure.frag).
+void draw_cap(Image& image, const Bar& cap, ColorMap colors, bool high) {
+  draw_frame(image, cap);
+  const Rgb end = high ? scale_colors(colors).back() : scale_colors(colors).front();
+  const Rgb other = high ? Rgb{255, 255, 255} : Rgb{0, 0, 0};
+  const int left = static_cast<int>(cap.left), top = static_cast<int>(cap.top);
+  const int period = std::max(4, static_cast<int>(cap.width) / 2);
+  for (int y = 0; y < static_cast<int>(cap.height); ++y)
+    for (int x = 0; x < static_cast<int>(cap.width); ++x) {
+      const int across = (x - y + 1024 * period) % period;
+      blend(image, left + x, top + y, 2 * across < period ? end : other, 1);
+    }
+}
+
+/// Returns what stands at a cap: `> 10`.
+std::string cap_label(const PressureScale& scale, bool high) {
+  return high ? fmt::format("> {:g}", scale.max / 1000) : fmt::format("< {:g}", scale.min / 1000);
+}
+
+void draw_colors(Image& image, const Bar& bar, ColorMap colors) {
+  draw_frame(image, bar);
   const double length = bar.standing ? bar.height : bar.width;
   const int pixels = static_cast<int>(length);
   for (int i = 0; i < pixels; ++i) {
@@ -58,20 +94,32 @@ void add_lines(Image& image, const Font& font, double size, const std::vector<st
 
 void add_scale(Image& image, const Font& font, double size, const PressureScale& scale) {
   const std::vector<Tick> ticks = round_ticks(scale);
-  const double labels = std::max(widest(font, ticks), font.width("kPa") - size);
+  double labels = std::max(widest(font, ticks), font.width("kPa") - size);
+  for (const bool high : {false, true})
+    if (high ? scale.above : scale.below)
+      labels = std::max(labels, font.width(cap_label(scale, high)));
   const double bar_width = std::round(0.9 * size);
+  const double cap = std::round(1.6 * size);
   const double bar_height = std::round(std::min(0.34 * image.height, 13.6 * size));
   Panel panel;
   panel.width = std::round(bar_width + labels + 2.0 * size);
-  panel.height = std::round(bar_height + 3.4 * size);
+  panel.height = std::round(bar_height + 3.4 * size) + cap * (scale.above + scale.below);
   panel.left = std::round(image.width - panel.width - 0.8 * size);
   panel.top = std::round(image.height - panel.height - 0.8 * size);
   panel.corner = 0.3 * size;
   fill(image, panel, kPaper, kPaperWeight);
   font.write(image, "kPa", panel.left + 0.6 * size, panel.top + 0.6 * size + font.cap_height());
-  const Bar bar = {panel.left + std::round(0.6 * size), panel.top + std::round(2.4 * size),
-                   bar_width, bar_height, true};
+  const Bar bar = {panel.left + std::round(0.6 * size),
+                   panel.top + std::round(2.4 * size) + cap * scale.above, bar_width, bar_height,
+                   true};
   draw_colors(image, bar, scale.colors);
+  for (const bool high : {false, true}) {
+    if (!(high ? scale.above : scale.below)) continue;
+    const Bar square = cap_of(bar, high);
+    draw_cap(image, square, scale.colors, high);
+    font.write(image, cap_label(scale, high), bar.left + bar.width + 0.55 * size + labels,
+               square.top + (square.height + font.cap_height()) / 2, Align::right);
+  }
   for (const Tick& tick : ticks) {
     const double y = tick_place(bar, tick);
     fill(image, {bar.left + bar.width + 1, y, std::round(0.3 * size), 1, 0}, kInk);
@@ -107,12 +155,21 @@ Image lying_scale(const PressureScale& scale, int width, int text_size) {
   Image image = filled_image(width, static_cast<int>(3.6 * size), kPaper);
   const std::string name = scale_name(scale.shows) + " [kPa]";
   const double bar_width = std::round(std::min(0.45 * width, 40 * size));
-  const double gap = size;
+  // The cap of the low end stands between the name and the bar.
+  const double gap = scale.below ? std::round(2.6 * size) : size;
   const double left = std::round((width - bar_width - gap - font.width(name)) / 2);
   const Bar bar = {left + std::round(font.width(name) + gap), std::round(0.6 * size), bar_width,
                    std::round(0.95 * size), false};
   draw_colors(image, bar, scale.colors);
   font.write(image, name, left, bar.top + (bar.height + font.cap_height()) / 2);
+  for (const bool high : {false, true}) {
+    if (!(high ? scale.above : scale.below)) continue;
+    const Bar square = cap_of(bar, high);
+    draw_cap(image, square, scale.colors, high);
+    if (high)
+      font.write(image, cap_label(scale, high), square.left + square.width + 0.4 * size,
+                 bar.top + (bar.height + font.cap_height()) / 2);
+  }
   for (const Tick& tick : round_ticks(scale)) {
     const double x = tick_place(bar, tick);
     fill(image, {x, bar.top + bar.height + 1, 1, std::round(0.3 * size), 0}, kInk);

@@ -4,13 +4,12 @@
 #include <cassert>
 #include <cmath>
 
+#include "app/render/drawn_meshes.h"
 #include "app/render/egl_context.h"
 #include "app/render/framebuffer.h"
 #include "app/render/gl_mesh.h"
 #include "app/render/gl_program.h"
 #include "app/render/gl_rigging.h"
-#include "app/render/occlusion.h"
-#include "app/render/shaded_mesh.h"
 #include "app/render/vertex_water.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
@@ -29,21 +28,12 @@ constexpr double kSagPixels = 0.3;
 /// Least radius of a drawn line [px].
 constexpr double kThinnest = 1.3;
 
-/// Largest number of triangles that a body is split into for waves, which bounds the work of a
-/// picture.
-constexpr double kMostFaces = 100'000;
+/// Opacity of the edges of a wireframe, and of the creases of a body.
+constexpr double kEdges = 0.4, kCreases = 0.25;
 
 /// Edges of bodies that are split again for a nearer view, as a fraction of the length that this
 /// view needs. A camera that keeps approaching then has them split only a few times.
 constexpr double kFiner = 0.5;
-
-/// A body on the graphics device.
-struct DrawnBody {
-  hydro::TriMesh mesh_B;  ///< What the skin was made of.
-  ShadedMesh skin_B;
-  GlMesh mesh;
-  std::optional<GlMesh> edges;
-};
 
 /// Returns the largest of 1, 2, 5 times a power of ten that is at most `length`.
 double round_length(double length) {
@@ -51,56 +41,6 @@ double round_length(double length) {
   for (const double factor : {5.0, 2.0})
     if (length >= factor * power) return factor * power;
   return power;
-}
-
-DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double longest_edge) {
-  hydro::TriMesh mesh_B =
-      std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces) : look.mesh_B;
-  ShadedMesh skin = make_shaded_mesh(mesh_B);
-  GlMesh mesh(gl, skin.triangles);
-  mesh.set(0, skin.vertices.cast<float>());
-  mesh.set(1, skin.normals.cast<float>());
-  mesh.set(3, openness(look.mesh_B, skin));
-  return {std::move(mesh_B), std::move(skin), std::move(mesh), std::nullopt};
-}
-
-GlMesh make_edges(const GlFunctions& gl, const hydro::TriMesh& mesh_B) {
-  GlMesh edges(gl, edges_of(mesh_B));
-  edges.set(0, mesh_B.vertices.cast<float>());
-  return edges;
-}
-
-GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view) {
-  const ShadedMesh skin = make_shaded_mesh(ground_W);
-  GlMesh mesh(gl, skin.triangles);
-  mesh.set(0, (skin.vertices.colwise() - view.eye_W).cast<float>());
-  mesh.set(1, skin.normals.cast<float>());
-  return mesh;
-}
-
-GlMesh make_plane(const GlFunctions& gl, double z, const View& view) {
-  const PolarGrid grid = make_polar_grid(view, {.level = z, .lowest = z, .highest = z}, kFlatSteps);
-  GlMesh mesh(gl, grid.triangles());
-  Eigen::Matrix3Xd points_E(3, grid.points_W.cols());
-  points_E.topRows<2>() = grid.points_W.colwise() - view.eye_W.head<2>();
-  points_E.row(2).setConstant(z - view.eye_W.z());
-  mesh.set(0, points_E.cast<float>());
-  mesh.set(1, Vector3d::UnitZ().replicate(1, points_E.cols()).cast<float>());
-  return mesh;
-}
-
-GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors) {
-  GLuint name = 0;
-  gl.GenTextures(1, &name);
-  gl.BindTexture(GL_TEXTURE_2D, name);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kScaleColors, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
-                scale_colors(colors).data());
-  for (const GLenum key : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.TexParameteri(GL_TEXTURE_2D, key, GL_CLAMP_TO_EDGE);
-  for (const GLenum key : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, key, GL_LINEAR);
-  return name;
 }
 
 }  // namespace
@@ -126,8 +66,9 @@ struct Renderer::Impl {
   void draw_ground(double time) const;
   void find_interiors(const std::vector<hydro::BodyState>& states, const Interiors& interiors);
   void draw_bodies(const std::vector<hydro::BodyState>& states, double time);
-  void draw_body(std::size_t index, const hydro::BodyState& state, double time,
-                 const hydro::AiryWaves& waves);
+  void draw_pressures(const std::vector<hydro::BodyState>& states, double time);
+  void draw_pressure(std::size_t index, const hydro::BodyState& state, double time,
+                     const hydro::AiryWaves& waves);
   void draw_level(const Triangles& triangles_W, double nearer) const;
   void draw_hollows(double time) const;
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
@@ -139,7 +80,7 @@ struct Renderer::Impl {
   EglContext context_;
   const GlFunctions& gl_ = context_.gl();
   std::optional<Framebuffer> canvas_;
-  GlProgram sky_, body_, edge_, ground_, water_;
+  GlProgram sky_, body_, pressure_, edge_, ground_, water_;
   GlMesh nothing_;  ///< Vertices that a shader places by their indices.
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
@@ -158,6 +99,7 @@ Renderer::Impl::Impl(SceneDescription p, const std::filesystem::path& shaders)
       canvas_(std::in_place, gl_, picture_.width, picture_.height),
       sky_(gl_, shaders, "sky"),
       body_(gl_, shaders, "body"),
+      pressure_(gl_, shaders, "body", "pressure"),
       edge_(gl_, shaders, "edge"),
       ground_(gl_, shaders, "ground"),
       water_(gl_, shaders, "water"),
@@ -195,10 +137,8 @@ void Renderer::Impl::make_surroundings() {
   if (bodies_.empty() || body_edge < bodies_edge_) {
     bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * body_edge;
     bodies_.clear();
-    for (const BodyAppearance& look : picture_.bodies) {
-      bodies_.push_back(make_body(gl_, look, bodies_edge_));
-      if (picture_.wireframe) bodies_.back().edges = make_edges(gl_, look.mesh_B);
-    }
+    for (const BodyAppearance& look : picture_.bodies)
+      bodies_.push_back(make_body(gl_, look, bodies_edge_, picture_.wireframe));
   }
   grounds_.clear();
   if (picture_.ground_W) grounds_.push_back(make_ground(gl_, *picture_.ground_W, view_));
@@ -249,51 +189,50 @@ void Renderer::Impl::draw_ground(double time) const {
   for (const GlMesh& mesh : grounds_) mesh.draw();
 }
 
-void Renderer::Impl::draw_body(std::size_t index, const hydro::BodyState& state, double time,
-                               const hydro::AiryWaves& waves) {
+/// Draws the pressure on the wet part of a body over the body itself.
+void Renderer::Impl::draw_pressure(std::size_t index, const hydro::BodyState& state, double time,
+                                   const hydro::AiryWaves& waves) {
   const BodyAppearance& look = picture_.bodies[index];
+  const hydro::Sea& sea = *picture_.sea;
   DrawnBody& body = bodies_[index];
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  body_.set("u_rotation", R_WB);
-  body_.set("u_position", Vector3d(state.position - view_.eye_W));
-  body_.set("u_spin", state.angular_velocity);
-  body_.set("u_color", look.color);
-  if (picture_.sea) {
-    const hydro::Sea& sea = *picture_.sea;
-    const Eigen::Matrix3Xd points_W =
-        (R_WB * body.skin_B.vertices).eval().colwise() + state.position;
-    VertexWater water = vertex_water(sea, waves, points_W, time);
-    if (interiors_[index]) interiors_[index]->set_water(body.skin_B, sea, water);
-    Eigen::MatrixXf heights(2, points_W.cols());
-    heights << water.depths.cast<float>(), water.heads.cast<float>();
-    body.mesh.set(2, heights);
-    body.mesh.set(4, water.flow.cast<float>());
-    body_.set("u_drag_shape",
-              Eigen::Matrix3d(R_WB * look.coefficients.drag_shape * R_WB.transpose()));
-    body_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
-    const Pressure shows = picture_.pressure.shows;
-    body_.set("u_weight", shows == Pressure::dynamic ? 0.0 : sea.density * sea.gravity);
-    const double half_density =
-        shows == Pressure::hydrostatic
-            ? 0
-            : 0.5 * sea.density *
-                  hydro::drag_scale(look.coefficients, state,
-                                    hydro::current_at(sea, state.position.z()));
-    body_.set("u_drag_front", half_density * look.coefficients.pressure_drag.front);
-    body_.set("u_drag_back", half_density * look.coefficients.pressure_drag.back);
-  }
+  const Eigen::Matrix3Xd points_W = (R_WB * body.skin_B.vertices).eval().colwise() + state.position;
+  VertexWater water = vertex_water(sea, waves, points_W, time);
+  if (interiors_[index]) interiors_[index]->set_water(body.skin_B, sea, water);
+  if (water.depths.maxCoeff() < 0) return;
+  Eigen::MatrixXf heights(2, points_W.cols());
+  heights << water.depths.cast<float>(), water.heads.cast<float>();
+  body.mesh.set(2, heights);
+  body.mesh.set(4, water.flow.cast<float>());
+  pressure_.set("u_rotation", R_WB);
+  pressure_.set("u_position", Vector3d(state.position - view_.eye_W));
+  pressure_.set("u_spin", state.angular_velocity);
+  pressure_.set("u_drag_shape",
+                Eigen::Matrix3d(R_WB * look.coefficients.drag_shape * R_WB.transpose()));
+  pressure_.set("u_velocity", Vector3d(state.linear_velocity - sea.current));
+  const Pressure shows = picture_.pressure.shows;
+  pressure_.set("u_weight", shows == Pressure::dynamic ? 0.0 : sea.density * sea.gravity);
+  const double half_density =
+      shows == Pressure::hydrostatic
+          ? 0
+          : 0.5 * sea.density *
+                hydro::drag_scale(look.coefficients, state,
+                                  hydro::current_at(sea, state.position.z()));
+  pressure_.set("u_drag_front", half_density * look.coefficients.pressure_drag.front);
+  pressure_.set("u_drag_back", half_density * look.coefficients.pressure_drag.back);
   body.mesh.draw();
 }
 
 void Renderer::Impl::draw_edges(const std::vector<hydro::BodyState>& states, double time) const {
   set_view(edge_, time);
+  edge_.set("u_opacity", picture_.wireframe ? kEdges : kCreases);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthMask(GL_FALSE);
   for (std::size_t i = 0; i < states.size(); ++i) {
     edge_.set("u_rotation", states[i].orientation.toRotationMatrix());
     edge_.set("u_position", Vector3d(states[i].position - view_.eye_W));
-    bodies_[i].edges->draw();
+    bodies_[i].edges.draw();
   }
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_BLEND);
@@ -361,22 +300,37 @@ void Renderer::Impl::draw_water(double time) {
 
 void Renderer::Impl::draw_bodies(const std::vector<hydro::BodyState>& states, double time) {
   set_view(body_, time);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    body_.set("u_rotation", states[i].orientation.toRotationMatrix());
+    body_.set("u_position", Vector3d(states[i].position - view_.eye_W));
+    body_.set("u_color", picture_.bodies[i].color);
+    bodies_[i].mesh.draw();
+  }
+}
+
+/// Draws the pressures where bodies are in sight, whatever water is before them.
+void Renderer::Impl::draw_pressures(const std::vector<hydro::BodyState>& states, double time) {
+  set_view(pressure_, time);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, scale_texture_);
-  body_.set("u_scale", 0);
-  body_.set("u_sea", picture_.sea ? 1 : 0);
-  body_.set("u_pressure_min", picture_.pressure.min);
-  body_.set("u_pressure_range", picture_.pressure.max - picture_.pressure.min);
-  body_.set("u_flat_depth", 1e-7 * picture_size(view_));
-  body_.set("u_line_width", (picture_.bold_waterline ? 4.0 : 2.0) * line_unit());
-  body_.set("u_bold", picture_.bold_waterline ? 1 : 0);
-  const hydro::AiryWaves waves(picture_.sea.value_or(hydro::Sea{}), time);
-  for (std::size_t i = 0; i < states.size(); ++i) draw_body(i, states[i], time, waves);
+  pressure_.set("u_scale", 0);
+  pressure_.set("u_pressure_min", picture_.pressure.min);
+  pressure_.set("u_pressure_range", picture_.pressure.max - picture_.pressure.min);
+  pressure_.set("u_stripe", kStripe * line_unit());
+  pressure_.set("u_flat_depth", 1e-7 * picture_size(view_));
+  pressure_.set("u_line_width", (picture_.bold_waterline ? 4.0 : 2.0) * line_unit());
+  pressure_.set("u_bold", picture_.bold_waterline ? 1 : 0);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.DepthFunc(GL_LEQUAL);
+  const hydro::AiryWaves waves(*picture_.sea, time);
+  for (std::size_t i = 0; i < states.size(); ++i) draw_pressure(i, states[i], time, waves);
+  gl_.DepthFunc(GL_LESS);
+  gl_.Disable(GL_BLEND);
 }
 
 void Renderer::Impl::draw_rigging(const Rigging& rigging, double time) {
   set_view(body_, time);
-  body_.set("u_sea", 0);
   const double pixel = 2 * view_.half_height / picture_.height;
   rigging_.draw(body_, view_, kThinnest * line_unit() * pixel, rigging);
 }
@@ -390,9 +344,13 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   draw_sky(time);
   draw_ground(time);
   draw_bodies(states, time);
-  if (picture_.wireframe) draw_edges(states, time);
   if (!rigging.empty()) draw_rigging(rigging, time);
-  if (surface_) draw_water(time);
+  if (surface_) {
+    draw_water(time);
+    canvas_->restore_depth();
+  }
+  if (picture_.sea) draw_pressures(states, time);
+  draw_edges(states, time);
   return canvas_->read();
 }
 

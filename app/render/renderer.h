@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/render/body_appearance.h"
 #include "app/render/color_scale.h"
 #include "app/render/image.h"
 #include "app/render/interior_look.h"
 #include "app/render/rigging.h"
 #include "app/render/view.h"
-#include "hydro/loads/coefficients.h"
 #include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
@@ -21,25 +21,17 @@
 /// Pictures of bodies in the sea, drawn without a window.
 ///
 /// Above the water a body has its own colour. Below it a colour scale shows the gauge pressure on
-/// its surface, p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two terms; h is the head of the
-/// undisturbed water, which is the depth but under linear waves, and v_n the speed along the
-/// outward normal relative to the water at the place. This is the shading normal, smooth over edges
-/// of less than 40 degrees, so that the picture shows the pressure on the shape that the mesh
-/// approximates. Depth, head and the water's velocity are linear over each triangle, and the two
-/// kinds of colour meet where the depth is zero.
+/// its surface, in the very colours of the scale whatever light, water or air there is: the
+/// pressure is drawn last, over the water. It is p = ρ g h + ½ ρ C_p v_n |v_n|, or one of the two
+/// terms; h is the head of the undisturbed water, which is the depth but under linear waves, and
+/// v_n the speed along the outward normal relative to the water at the place. This is the shading
+/// normal, smooth over edges of less than 40 degrees, so that the picture shows the pressure on the
+/// shape that the mesh approximates. Depth, head and the water's velocity are linear over each
+/// triangle, and the two kinds of colour meet where the depth is zero.
 ///
 /// No graphics library is loaded before the first Renderer is made.
 
 namespace render {
-
-/// Look of a body, constant over a sequence.
-struct BodyAppearance {
-  hydro::TriMesh mesh_B;
-  Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< Colour of the dry surface, RGB 0 … 1.
-  hydro::Coefficients coefficients;         ///< Coefficients of the dynamic pressure.
-  Hollows hollows = Hollows::none;
-  Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  ///< The vertical for `Hollows::dry`.
-};
 
 /// Settings of a sequence; the bodies' states and the time are given for each picture.
 struct SceneDescription {

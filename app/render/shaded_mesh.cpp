@@ -190,6 +190,22 @@ Eigen::Matrix2Xi edges_of(const TriMesh& mesh) {
   return edges.leftCols(count);
 }
 
+Eigen::Matrix2Xi creases_of(const TriMesh& mesh) {
+  const std::vector<hydro::HalfEdge> halves = hydro::sorted_half_edges(mesh);
+  const auto normal = [&](const hydro::HalfEdge& half) {
+    return hydro::area_vector(mesh, half.face).normalized();
+  };
+  Eigen::Matrix2Xi creases(2, static_cast<Index>(halves.size()));
+  Index count = 0;
+  for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
+    end = hydro::edge_end(halves, i);
+    const bool smooth =
+        end - i == 2 && normal(halves[i]).dot(normal(halves[i + 1])) >= std::cos(kCreaseAngle);
+    if (!smooth) creases.col(count++) << halves[i].low, halves[i].high;
+  }
+  return creases.leftCols(count);
+}
+
 ShadedMesh make_shaded_mesh(const TriMesh& mesh) {
   Eigen::Matrix3Xd areas(3, mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) areas.col(f) = hydro::area_vector(mesh, f);

@@ -22,6 +22,10 @@ inline constexpr double kCreaseAngle = 0.6981317007977318;  // 40 degrees
 /// Returns the edges of a mesh, each once, as vertex indices (2×E).
 Eigen::Matrix2Xi edges_of(const hydro::TriMesh& mesh);
 
+/// Returns those edges of a mesh along which its faces meet at more than the crease angle or that
+/// have another number of faces than two, as vertex indices (2×E).
+Eigen::Matrix2Xi creases_of(const hydro::TriMesh& mesh);
+
 /// Makes a mesh with smooth normals. The normal in a corner of a face is the area-weighted mean
 /// over the faces around that vertex whose normals lie within the crease angle of the face's.
 ShadedMesh make_shaded_mesh(const hydro::TriMesh& mesh);

@@ -45,6 +45,7 @@ Json page_data(const LoggedRun& run, const PageLimits& limits) {
       {"bodies", page_bodies(run, shapes)},
       {"shapes", page_shapes(shapes)},
       {"water", page_water(run.built.spec, limits)},
+      {"pressure", page_pressure(run)},
       {"ground", page_ground(run.built.spec.ground, limits)},
       {"camera", page_camera(run.scene)},
       {"poses", page_poses(run, origin, limits)},

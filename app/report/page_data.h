@@ -29,6 +29,9 @@ nlohmann::ordered_json page_data(const LoggedRun& run, const PageLimits& limits 
 nlohmann::ordered_json page_bodies(const LoggedRun& run, const Shapes& shapes);
 nlohmann::ordered_json page_shapes(const Shapes& shapes);
 nlohmann::ordered_json page_water(const engine::SimulationSpec& spec, const PageLimits& limits);
+/// The pressure scale of the pictures, and what the replay needs to find pressures; null for a dry
+/// scene.
+nlohmann::ordered_json page_pressure(const LoggedRun& run);
 nlohmann::ordered_json page_ground(const engine::Ground& ground, const PageLimits& limits);
 
 /// Returns the poses for the replay, relative to `origin` [m, W].

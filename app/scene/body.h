@@ -140,7 +140,7 @@ struct Body {
   double restitution = 0;
   std::array<bool, 6> locked = {};
   std::vector<AppliedLoad> forces;
-  Eigen::Vector3d color = {0.8, 0.6, 0.2};  ///< RGB, 0 … 1.
+  Eigen::Vector3d color = {0.72, 0.73, 0.75};  ///< RGB, 0 … 1.
 };
 
 }  // namespace scene

@@ -212,7 +212,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "their work and the energies. With `--format hdf5` they are in `run.h5`."},
     {"render.size", "Width and height of the pictures."},
     {"render.every",
-     "Time between pictures. `frames/` has all pictures. `sheet.png` has at most 24: all, or "
+     "Time between pictures; the final state has one, too. `frames/` has all pictures. `sheet.png` "
+     "has at most 24: all, or "
      "every second, fourth and so on."},
     {"render.camera",
      "The camera. Up in the picture is +z, so the camera cannot look straight up or down."},
@@ -236,7 +237,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "What is drawn in addition to the bodies. `forces` are arrows of weight, buoyancy, drag and "
      "lift with one scale for the whole sequence; `centres` are the centres of mass G and "
      "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes; `joints` "
-     "are pins of hinges, balls, and bars along which sliders move."},
+     "are pins of hinges, balls, and bars along which sliders move; `trail` is the path so far of "
+     "the centre of mass of the body that the camera follows, or of every body that can move."},
     {"render.pressure", "Colour scale of the pressure on the wet surface."},
     {"render.pressure.shows",
      "Pressure that is shown. `hydrostatic` is ρ g h; under linear waves it is the pressure that "
@@ -244,10 +246,15 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "relative to the water along the normal. `total` is their sum."},
     {"render.pressure.colors",
      "Colour map. `turbo` and `thesis` go from blue over green to red; `viridis` and `cividis` "
-     "have uniform steps of lightness; `coolwarm` is pale in the middle, for values of either "
-     "sign; `gray` goes from dark to light."},
-    {"render.pressure.min", "Lower end of the scale. With `auto` it is found from the scene."},
-    {"render.pressure.max", "Upper end of the scale. With `auto` it is found from the scene."},
+     "have uniform steps of lightness; `coolwarm` is pale at zero in the middle, for values of "
+     "either sign, and is the default if `shows` is `dynamic`; `gray` goes from dark to light."},
+    {"render.pressure.min",
+     "Lower end of the scale. A number fixes it across runs. `auto` finds it from the scene, "
+     "whatever pictures are drawn; `drawn` finds it from the pressures in the pictures. With "
+     "`coolwarm` an end that is not a number is the opposite of the other, so that zero is in the "
+     "middle. Pressures beyond an end are striped with black below and with white above, as that "
+     "end of the bar is."},
+    {"render.pressure.max", "Upper end of the scale, as `min`."},
 });
 
 /// Blocks that occur in several places, and the place at which each is described.

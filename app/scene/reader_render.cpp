@@ -7,22 +7,25 @@ namespace scene {
 
 namespace {
 
-/// Reads a number, or `auto` as none. Without the key, or after a fault, `end` is unchanged.
-void read_end(MapReader& map, const char* key, const char* fallback, std::optional<double>& end) {
-  const std::string expected = "a number [Pa], or auto";
-  const auto value =
-      map.find(key, expected, fallback, {shape(number("Pa"), false, 0), words_shape({"auto"})});
+/// Reads a number or how the end is found. Without the key, or after a fault, `end` is unchanged.
+void read_end(MapReader& map, const char* key, const char* fallback, ScaleEnd& end) {
+  using Found = ScaleEnd::Found;
+  const std::string expected = "a number [Pa], auto or drawn";
+  const auto value = map.find(key, expected, fallback,
+                              {shape(number("Pa"), false, 0), words_shape({"auto", "drawn"})});
   if (!value) return;
-  double number_of_it = 0;
+  double pressure = 0;
   if (value->node.is_word("auto"))
-    end.reset();
-  else if (read_number(*value, number("Pa"), expected, number_of_it))
-    end = number_of_it;
+    end = {.found = Found::scene};
+  else if (value->node.is_word("drawn"))
+    end = {.found = Found::pictures};
+  else if (read_number(*value, number("Pa"), expected, pressure))
+    end = {.found = Found::given, .pressure = pressure};
 }
 
 /// The block of the colour scale.
 struct PressureBlock {
-  std::optional<double> min = 0, max;
+  ScaleEnd min = {ScaleEnd::Found::given, 0}, max;
   Colors colors = Colors::turbo;
   ShownPressure shows = ShownPressure::total;
 };
@@ -38,21 +41,22 @@ void read(MapReader& map, PressureBlock& pressure) {
                                    {"gray", Colors::gray},
                                    {"thesis", Colors::thesis}}};
   map.optional("shows", pressure.shows, what);
-  map.optional("colors", pressure.colors, scales);
   // Dynamic pressure is negative where a surface recedes from the water.
-  if (pressure.shows == ShownPressure::dynamic) pressure.min.reset();
-  read_end(map, "min", "0; auto if shows is dynamic", pressure.min);
+  if (pressure.shows == ShownPressure::dynamic) pressure.colors = Colors::coolwarm;
+  map.optional("colors", pressure.colors, scales);
+  if (pressure.shows == ShownPressure::dynamic || diverges(pressure.colors)) pressure.min = {};
+  read_end(map, "min", "0; auto if shows is dynamic or colors is coolwarm", pressure.min);
   read_end(map, "max", "auto", pressure.max);
-  if (pressure.min && pressure.max && *pressure.max <= *pressure.min)
-    map.fault("max", fmt::format("found {:g}, expected more than min ({:g}) [Pa]", *pressure.max,
-                                 *pressure.min));
+  const bool given =
+      pressure.min.found == ScaleEnd::Found::given && pressure.max.found == ScaleEnd::Found::given;
+  if (given && pressure.max.pressure <= pressure.min.pressure)
+    map.fault("max", fmt::format("found {:g}, expected more than min ({:g}) [Pa]",
+                                 pressure.max.pressure, pressure.min.pressure));
 }
 
-const std::vector<std::pair<std::string, bool Show::*>> kShown = {{"forces", &Show::forces},
-                                                                  {"centres", &Show::centres},
-                                                                  {"waterline", &Show::waterline},
-                                                                  {"wireframe", &Show::wireframe},
-                                                                  {"joints", &Show::joints}};
+const std::vector<std::pair<std::string, bool Show::*>> kShown = {
+    {"forces", &Show::forces},       {"centres", &Show::centres}, {"waterline", &Show::waterline},
+    {"wireframe", &Show::wireframe}, {"joints", &Show::joints},   {"trail", &Show::trail}};
 
 void read_shown(MapReader& map, Show& show) {
   std::vector<std::string> words;

@@ -31,22 +31,37 @@ struct Show {
   bool waterline = false;
   bool wireframe = false;
   bool joints = false;
+  bool trail = false;
 };
 
 /// The colour scales, by the names of their keys (app/render/color_scale.h).
 enum class Colors { turbo, viridis, cividis, coolwarm, gray, thesis };
 
+/// True if the middle of a scale stands out, which is then at zero unless both ends are given.
+inline bool diverges(Colors colors) { return colors == Colors::coolwarm; }
+
 /// Part of the gauge pressure on a wetted surface that the colours show.
 enum class ShownPressure { total, hydrostatic, dynamic };
+
+/// An end of the colour scale.
+struct ScaleEnd {
+  enum class Found {
+    given,    ///< It is `pressure`.
+    scene,    ///< It is found from the scene: `auto`.
+    pictures  ///< It is found from the pictures: `drawn`.
+  };
+  Found found = Found::scene;
+  double pressure = 0;  ///< [Pa]
+};
 
 struct Render {
   std::array<int, 2> size = {960, 720};  ///< [px]
   double every = 0.3;                    ///< [s]
   Camera camera;
-  std::vector<Camera> cameras;             ///< These replace `camera` unless empty.
-  std::optional<int> sheet_columns;        ///< None: chosen to fit.
-  std::optional<double> pressure_min = 0;  ///< [Pa]; none: `auto`.
-  std::optional<double> pressure_max;      ///< [Pa]; none: `auto`.
+  std::vector<Camera> cameras;       ///< These replace `camera` unless empty.
+  std::optional<int> sheet_columns;  ///< None: chosen to fit.
+  ScaleEnd pressure_min = {ScaleEnd::Found::given, 0};
+  ScaleEnd pressure_max;
   Colors colors = Colors::turbo;
   ShownPressure shows = ShownPressure::total;
   Show show;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/base/program_files.h"
+#include "app/pictures/expected_pressure.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
 #include "app/render/overlay.h"
@@ -42,7 +43,8 @@ LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& buil
       simulation_(built.spec),
       notes_(*scene.render, built.spec),
       rig_(built.spec, scene.render->show.joints),
-      scale_(pressure_scale(*scene.render, range_)) {}
+      expected_(expected_pressure(spec_, scene.render->shows)),
+      scale_(pressure_scale(*scene.render, expected_, range_)) {}
 
 void LiveScene::restart() {
   simulation_.reset();
@@ -75,11 +77,9 @@ Shot LiveScene::now() const {
 }
 
 void LiveScene::grow_scale(const Shot& now) {
-  if ((scene_.render->pressure_min && scene_.render->pressure_max) || !spec_.sea) return;
-  const PressureRange range = pressure_range(spec_, now, scene_.render->shows);
-  range_.include(range.lowest);
-  range_.include(range.highest);
-  scale_ = pressure_scale(*scene_.render, range_);
+  if (!spec_.sea) return;
+  range_.include(pressure_range(spec_, now, scene_.render->shows));
+  scale_ = pressure_scale(*scene_.render, expected_, range_);
 }
 
 void LiveScene::make_ready(const Shot& now, const render::Camera& camera, int width, int height) {

@@ -53,7 +53,8 @@ class LiveScene {
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
   RigPictures rig_;
-  PressureRange range_;  ///< Range of the pressures so far.
+  PressureRange expected_;  ///< From the scene alone.
+  PressureRange range_;     ///< Of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< Made for the first picture.
 };

@@ -1,5 +1,6 @@
 #include "tests/render/pictures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hydro/mesh/primitives.h"
@@ -31,7 +32,7 @@ Scene ball_in_still_water() {
   s.picture.sea = hydro::Sea{};
   s.picture.pressure.max = 10e3;
   s.picture.camera = {.from = {3.5, -6, 2.4}, .to = {0, 0, -0.1}};
-  s.picture.bodies = {{.mesh_B = hydro::make_sphere(1, 50, 50)}};
+  s.picture.bodies = {{.mesh_B = hydro::make_sphere(1, 50, 50), .color = {0.8, 0.6, 0.2}}};
   return s;
 }
 
@@ -40,6 +41,7 @@ Scene box_in_waves() {
   s.states = {{.position = {0, 0, 0.1}, .orientation = turned(20, {1, 2, 0.5})}};
   s.picture.sea = waves(0.25, 3, 0.4);
   s.picture.pressure.max = 12e3;
+  s.picture.pressure.above = true;
   s.picture.camera = {.from = {5, -8, 3.2}, .to = {0, 0, 0}};
   s.picture.bodies = {{.mesh_B = hydro::make_box({2, 2, 2}), .color = {0.85, 0.35, 0.25}}};
   return s;
@@ -50,6 +52,7 @@ Scene rings_at_depths() {
   const BodyAppearance ring = {.mesh_B = make_torus(0.8, 0.3, 64, 32), .color = {0.9, 0.75, 0.3}};
   s.picture.sea = hydro::Sea{};
   s.picture.pressure.max = 20e3;
+  s.picture.pressure.above = true;
   s.picture.camera = {.from = {3, -10, 3.5}, .to = {0, 0, -0.4}};
   for (int i = 0; i < 4; ++i) {
     s.picture.bodies.push_back(ring);
@@ -64,6 +67,7 @@ Scene slamming_ball() {
   s.name = "slamming_ball";
   s.states[0].position.z() = 0.3;
   s.states[0].linear_velocity = {1, 0, -5};
+  s.picture.pressure.above = true;
   s.picture.bodies[0].coefficients.pressure_drag = {0.6316, 0.6316};
   s.picture.bodies[0].color = {0.75, 0.78, 0.82};
   return s;
@@ -163,17 +167,15 @@ render::Image draw(const Scene& scene) {
   return render::Renderer(scene.picture, shader_folder()).draw(scene.states, scene.time);
 }
 
-double pressure_of_color(const render::PressureScale& scale, render::Rgb color) {
-  const auto direction = [](render::Rgb c) { return Vector3d(c.r, c.g, c.b).normalized().eval(); };
-  const Vector3d wanted = direction(color);
-  int best = 0;
-  for (int i = 1; i < render::kScaleColors; ++i) {
-    const auto difference = [&](int index) {
-      return (direction(render::scale_colors()[static_cast<std::size_t>(index)]) - wanted).norm();
-    };
-    if (difference(i) < difference(best)) best = i;
-  }
-  return scale.min + (scale.max - scale.min) * best / (render::kScaleColors - 1);
+Reading read_color(const render::PressureScale& scale, render::Rgb color) {
+  const auto& colors = render::scale_colors(scale.colors);
+  const auto apart = [&](render::Rgb c) {
+    return Vector3d(c.r - color.r, c.g - color.g, c.b - color.b).norm();
+  };
+  const auto nearest = std::min_element(colors.begin(), colors.end(),
+                                        [&](auto a, auto b) { return apart(a) < apart(b); });
+  const double place = static_cast<double>(nearest - colors.begin()) / (render::kScaleColors - 1);
+  return {.pressure = scale.min + (scale.max - scale.min) * place, .apart = apart(*nearest)};
 }
 
 hydro::TriMesh make_torus(double radius, double tube_radius, int around, int across) {

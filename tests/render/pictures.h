@@ -29,9 +29,15 @@ std::optional<render::PressureScale> scale_of(const Scene& scene);
 /// A picture of a scene, by a renderer of its own.
 render::Image draw(const Scene& scene);
 
-/// The pressure [Pa] whose colour has the hue of a pixel; shading, which changes brightness alone,
-/// does not matter.
-double pressure_of_color(const render::PressureScale& scale, render::Rgb color);
+/// A pressure that is read from a scale.
+struct Reading {
+  double pressure = 0;  ///< [Pa]
+  double apart = 0;     ///< How far the colour is from the scale's [of 255].
+};
+
+/// Reads the colour of a pixel as a person does who holds it against the bar: at the nearest of the
+/// scale's colours.
+Reading read_color(const render::PressureScale& scale, render::Rgb color);
 
 /// A ball of radius 1 m, its middle at height `z` over still water, seen level from 10 m away along
 /// +y, 320 × 240 pixels; the water itself is left out. Its pressure scale goes from 0 to 10 kPa.

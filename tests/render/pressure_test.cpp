@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
+#include "app/render/view.h"
 #include "hydro/airy_waves.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/render/pictures.h"
@@ -59,25 +62,30 @@ int brightest_row(const Image& image, int first, int last) {
 
 constexpr double kScaleEnd = 10e3;  // [Pa]
 
-/// Largest difference of the pressures that the ball's wet front shows from `expected(height)`,
-/// held at the ends of the scale.
+// The scale has 256 colours for 10 kPa, 39 Pa each, of which a few neighbours look the same; a flat
+// panel lies up to 2 mm (20 Pa) inside the ball.
+constexpr double kReading = 140;
+
+// Two colours between which the device interpolates, and the rounding of the channels [of 255].
+constexpr double kSameColor = 3;
+
+/// Largest difference of the pressures that the ball's wet front shows from `expected(height)`, as
+/// far as these are on the scale.
 template <class Pressure>
 double largest_error(const Scene& scene, double level, Pressure&& expected) {
   const Image image = pictures::draw(scene);
   double largest = 0;
   // Three pixels from the waterline its line is over; below -0.9 a pixel spans much of the scale.
   for (int row = static_cast<int>(row_of_height(level)) + 3; row < row_of_height(-0.9); ++row) {
-    const double shown =
-        pictures::pressure_of_color(scene.picture.pressure, image.at(kMiddleColumn, row));
-    const double pressure = std::clamp(expected(height_of_row(row)), 0.0, kScaleEnd);
-    largest = std::max(largest, std::abs(shown - pressure));
+    const double pressure = expected(height_of_row(row));
+    if (pressure < 0 || pressure > kScaleEnd) continue;
+    const pictures::Reading shown =
+        pictures::read_color(scene.picture.pressure, image.at(kMiddleColumn, row));
+    largest = std::max(largest, std::abs(shown.pressure - pressure));
+    EXPECT_LT(shown.apart, kSameColor) << row;
   }
   return largest;
 }
-
-// The scale has 256 colours for 10 kPa, 39 Pa each; eight-bit colours shaded by up to a quarter
-// tell neighbours apart to within three, and a flat panel lies up to 2 mm (20 Pa) inside the ball.
-constexpr double kReading = 140;
 
 TEST(Waterline, LiesOnTheRowThatProjectionGives) {
   for (const double level : {-0.62, -0.3, -0.05, 0.17, 0.44}) {
@@ -267,19 +275,86 @@ TEST(PressureColor, OfABodyThatDriftsWithTheWaterIsThatOfABodyAtRest) {
   EXPECT_EQ(pictures::draw(drifting), at_rest);
 }
 
-TEST(PressureColor, StaysLegibleThroughTheWater) {
-  Scene scene = ball_in_water_to(0.2);
-  scene.picture.camera.from.z() = 3;
-  scene.picture.camera.to.z() = -0.2;
-  const Image bare = pictures::draw(scene);
-  scene.picture.water_visible = true;
-  const Image through = pictures::draw(scene);
-  for (const int row : {125, 140, 155, 170}) {
-    const double without = pictures::pressure_of_color(scene.picture.pressure, bare.at(160, row));
-    const double with = pictures::pressure_of_color(scene.picture.pressure, through.at(160, row));
-    // The water's tint, at most 42 %, moves a colour by less than a sixth of the scale.
-    EXPECT_NEAR(with, without, support::tolerance(1700)) << row;
+/// Places of a picture where a ball's wet surface is in sight, with the pressure there.
+struct Place {
+  int x, y;
+  double pressure;  ///< [Pa]
+};
+
+/// Of the ball of `scene`, whose middle is the origin, in still water to `level`.
+std::vector<Place> wet_places(const Scene& scene, double level) {
+  const render::SceneDescription& p = scene.picture;
+  const render::View view = render::make_view(p.camera, p.width, p.height);
+  std::vector<Place> places;
+  for (int y = 0; y < p.height; y += 3)
+    for (int x = 0; x < p.width; x += 3) {
+      const Eigen::Vector3d ray =
+          (view.forward_W + view.half_width * (2 * (x + 0.5) / p.width - 1) * view.right_W +
+           view.half_height * (1 - 2 * (y + 0.5) / p.height) * view.up_W)
+              .normalized();
+      const double b = ray.dot(view.eye_W), c = view.eye_W.squaredNorm() - 1;
+      if (b * b < c) continue;
+      const Eigen::Vector3d at = view.eye_W - (b + std::sqrt(b * b - c)) * ray;
+      const double depth = level - at.z();
+      // Within the width of the waterline, and along the outline, a pixel is of several colours.
+      if (depth < 0.06 || at.dot(-ray) < 0.3) continue;
+      places.push_back({x, y, kWeight * depth});
+    }
+  return places;
+}
+
+/// With each colour map, through the water from above and from below, near and far.
+TEST(PressureColor, SeenThroughTheWaterIsThatOfTheBar) {
+  constexpr double kLevel = 0.2;
+  const std::vector<Eigen::Vector3d> eyes = {{0, -9, 4}, {-4, -5, 7}, {0, -7, -2}, {3, -30, -8}};
+  for (const auto& [name, map] : render::color_maps()) {
+    Scene scene = ball_in_water_to(kLevel);
+    scene.picture.pressure = {.min = -2e3, .max = 14e3, .colors = map};
+    scene.picture.water_visible = true;
+    scene.picture.ground_z = -9;
+    render::Renderer renderer(scene.picture, pictures::shader_folder());
+    for (const Eigen::Vector3d& eye : eyes) {
+      scene.picture.camera = {.from = eye, .to = {0, 0, 0}, .field_of_view = 3 / eye.norm()};
+      renderer.look(scene.picture.camera);
+      const Image image = renderer.draw(scene.states, scene.time);
+      const std::vector<Place> places = wet_places(scene, kLevel);
+      EXPECT_GT(places.size(), 200u);
+      double error = 0, apart = 0;
+      for (const Place& place : places) {
+        const pictures::Reading shown =
+            pictures::read_color(scene.picture.pressure, image.at(place.x, place.y));
+        error = std::max(error, std::abs(shown.pressure - place.pressure));
+        apart = std::max(apart, shown.apart);
+      }
+      EXPECT_LT(error, support::tolerance(0.02 * 16e3)) << name << " from " << eye.transpose();
+      EXPECT_LT(apart, support::tolerance(kSameColor)) << name << " from " << eye.transpose();
+    }
   }
+}
+
+/// Share of white pixels (brightness 255 of each channel) and of black ones in a row of the ball.
+std::array<double, 2> striped(const Image& image, int row, int half) {
+  int white = 0, black = 0;
+  for (int x = kMiddleColumn - half; x < kMiddleColumn + half; ++x) {
+    white += brightness(image.at(x, row)) == 3 * 255;
+    black += brightness(image.at(x, row)) == 0;
+  }
+  return {white / (2.0 * half), black / (2.0 * half)};
+}
+
+TEST(PressureColor, BeyondAnEndOfTheScaleIsStriped) {
+  Scene scene = ball_in_water_to(0.7);
+  scene.picture.pressure.min = 4e3;
+  scene.picture.pressure.max = 8e3;
+  const Image image = pictures::draw(scene);
+  const auto at_pressure = [&](double pressure) {
+    return striped(image, static_cast<int>(row_of_height(0.7 - pressure / kWeight)), 30);
+  };
+  EXPECT_NEAR(at_pressure(2.5e3)[1], 0.5, 0.1);
+  EXPECT_EQ(at_pressure(2.5e3)[0], 0);
+  EXPECT_EQ(at_pressure(6e3), (std::array<double, 2>{0, 0}));
+  EXPECT_NEAR(at_pressure(10e3)[0], 0.5, 0.1);
+  EXPECT_EQ(at_pressure(10e3)[1], 0);
 }
 
 TEST(PressureColor, DoesNotDependOnWhereInTheWorldTheSceneLies) {

@@ -99,4 +99,15 @@ TEST(StraightEdge, IsShortInShortWavesAndInfiniteOnStillWater) {
   }()));
 }
 
+TEST(Creases, AreTheEdgesAtWhichASurfaceIsSharpOrEnds) {
+  EXPECT_EQ(render::creases_of(hydro::make_box({1, 2, 3}, 3)).cols(), 12 * 3);  // no diagonals
+  EXPECT_EQ(render::creases_of(hydro::make_sphere(1, 24, 12)).cols(), 0);
+  hydro::TriMesh sheet;
+  sheet.vertices = Eigen::Matrix3Xd(3, 4);
+  sheet.vertices << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  sheet.faces = Eigen::Matrix3Xi(3, 2);
+  sheet.faces << 0, 0, 1, 2, 2, 3;
+  EXPECT_EQ(render::creases_of(sheet).cols(), 4);
+}
+
 }  // namespace

@@ -30,6 +30,21 @@ const checkPlots = async (page, expect) => {
   await checkLines(page, expect, charts, (count) => count > 0);
 };
 
+// The replay's wet surfaces have the colours of a bar, which go with a click and come with another.
+const checkPressure = async (page, expect) => {
+  await seek(page, 0.5);
+  expect("the replay has no bar of pressures", await page.$eval("#pressure .colors", (bar) => bar.clientWidth > 50));
+  const ticks = await page.$$eval("#pressure .scale span", (nodes) => nodes.map((node) => node.textContent));
+  expect(`the bar's ticks: ${ticks}`, ticks.length >= 3 && ticks.every((tick) => /^−?[\d.]+$/.test(tick)));
+  const toggle = await page.evaluateHandle(() =>
+    [...document.querySelectorAll("#toggles label")].find((label) => label.textContent === "pressure"));
+  const toggled = async () => { await toggle.click(); return replayPixels(page); };
+  const [bare, colored, again] = [await toggled(), await toggled(), await toggled()];
+  expect("pressures are shown without their toggle", bare !== colored);
+  expect("the replay without pressures is not what it was", bare === again);
+  await toggled();
+};
+
 const checkReplay = async (page, expect) => {
   await seek(page, 0.1);
   const early = await replayPixels(page);
@@ -76,4 +91,4 @@ const checkPictures = async (page, expect) => {
   expect("no picture is shown", await page.$eval("#picture", (image) => !image.hidden && image.naturalWidth > 0));
 };
 
-await inspect(checkPlots, checkReplay, checkPlaying, checkCursor, checkPictures);
+await inspect(checkPlots, checkReplay, checkPressure, checkPlaying, checkCursor, checkPictures);

@@ -4,6 +4,7 @@
 set(web ${PROJECT_SOURCE_DIR}/app/report/web)
 set(web_sources
   .npmrc
+  backdrop.js
   bundle.mjs
   charts.js
   chooser.js
@@ -21,6 +22,7 @@ set(web_sources
   package.json
   page.html
   plots.js
+  pressure.js
   quantities.js
   replay.js
   report.js

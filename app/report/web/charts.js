@@ -1,4 +1,5 @@
 // Which plots a run has, and of which lines.
+import {largestOf} from "./extent.js";
 import {QUANTITIES} from "./quantities.js";
 import {courseOf, rigOf} from "./rig.js";
 
@@ -15,8 +16,12 @@ const AXES = ["--c1", "--c2", "--c3"];
 const varies = (values) => values.some((v) => v !== 0);
 const sum = (columns) => columns[0].map((_, i) => columns.reduce((s, c) => s + c[i], 0));
 
+// What a run leaves of a motion that is none, by its unit.
+const LEAST = {"m": 1e-6, "°": 1e-5, "m/s": 1e-6, "rad/s": 1e-7};
+const ROUNDING = 1e-6;  // of the largest load or work, for what others leave of it
+
 const motion = (columns) => QUANTITIES.map(({title, unit, names, labels = names}) => ({
-  title, unit, lines: names.map((name, i) => ({label: labels[i], color: AXES[i], values: columns[name]}))}));
+  title, unit, least: LEAST[unit], lines: names.map((name, i) => ({label: labels[i], color: AXES[i], values: columns[name]}))}));
 
 // One plot a component, with every load that acts in it.
 const forces = (columns, thinned) => {
@@ -30,6 +35,11 @@ const forces = (columns, thinned) => {
       lines.push({label: "sum", color: "--ink", dash: [4, 3], values: sum(lines.map((l) => l.values))});
     return {title, unit, lines, prefixed: true};
   });
+  for (const unit of ["N", "N m"]) {
+    const alike = charts.filter((chart) => chart.unit === unit);
+    const least = ROUNDING * Math.max(...alike.map(largestOf));
+    for (const chart of alike) chart.least = least;
+  }
   for (const [key, title, unit] of wetness)
     charts.push({title, unit, lines: [{label: title.toLowerCase(), color: "--c1", values: columns[key]}]});
   return charts.filter((chart) => chart.lines.some((line) => varies(line.values)));
@@ -53,7 +63,8 @@ const energyBooks = (columns, thinned) => {
       {title: "Budget: gained and worked", unit: "J", prefixed: true, lines: [
         {label: "kinetic energy − initial", color: "--c1", values: gain, width: 3},
         {label: "sum of works", color: "--c2", values: work}]},
-      {title: "Budget: what is not accounted for", unit: "J", prefixed: true, lines: [
+      {title: "Budget: what is not accounted for", unit: "J", prefixed: true,
+       least: ROUNDING * largestOf({lines: works.map(([, , values]) => ({values}))}), lines: [
         {label: "gained − worked", color: "--c8", values: gain.map((k, i) => k - work[i])}]});
   }
   return charts.filter((chart) => chart.lines.length > 0);

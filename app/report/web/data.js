@@ -7,6 +7,7 @@ const bytes = (base64) => {
   return array.buffer;
 };
 
+export const octets = (base64) => new Uint8Array(bytes(base64));
 export const floats = (base64) => new Float32Array(bytes(base64));
 export const doubles = (base64) => new Float64Array(bytes(base64));
 export const integers = (base64) => new Uint32Array(bytes(base64));

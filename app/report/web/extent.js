@@ -21,3 +21,18 @@ export const largestOf = ({lines}) => {
     for (const value of values) if (value !== null) largest = Math.max(largest, Math.abs(value));
   return largest;
 };
+
+const ROUNDING = 1e-6;  // of a number: smaller changes are those of its last digits
+const LEAST = 1e-9;     // of a chart that names no least change
+const FLAT = 50;        // how much farther than rounding the axis of a constant reaches, each way
+
+// The change below which the lines of a chart are constant but for rounding: that of its largest
+// number, or the chart's own `least`.
+export const leastOf = (chart) => Math.max(ROUNDING * largestOf(chart), chart.least ?? LEAST);
+
+// The axis on which what changes by less than `least` is a level line; null for what changes.
+export const flatBounds = (low, high, least) => {
+  if (high - low >= least) return null;
+  const middle = (low + high) / 2, half = Math.max(0.1 * Math.abs(middle), FLAT * least);
+  return [middle - half, middle + half];
+};

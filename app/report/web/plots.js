@@ -1,7 +1,7 @@
 // Plots of the selected body over time, with one cursor and one zoom for all.
 import uPlot from "uplot";
 import {rowAt} from "./data.js";
-import {largestOf, spreadOf} from "./extent.js";
+import {flatBounds, largestOf, leastOf, spreadOf} from "./extent.js";
 import {decimalsOf, element, fixed, number, prefixOf} from "./format.js";
 import {Track} from "./track.js";
 
@@ -18,15 +18,8 @@ const scaleOf = (chart) => {
 };
 
 // Bounds of y that do not blow up what is constant but for rounding.
-const bounds = (_plot, low, high) => {
-  if (low === null) return [-1, 1];
-  const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high), 1e-3);
-  if (high - low < least) {
-    const middle = (low + high) / 2, half = Math.abs(middle) * 0.1 || 1;
-    return [middle - half, middle + half];
-  }
-  return uPlot.rangeNum(low, high, 0.08, true);
-};
+const bounds = (least) => (_plot, low, high) =>
+  low === null ? [-1, 1] : flatBounds(low, high, least) ?? uPlot.rangeNum(low, high, 0.08, true);
 
 // Whole decades, where there is anything above zero.
 const decades = (_plot, low, high) => low === null ? [0.1, 1] : uPlot.rangeLog(low, high, 10, true);
@@ -42,7 +35,7 @@ const span = (_plot, from, to) => from === to ? [from - 0.5, to + 0.5] : [from, 
 
 // A chart: {title, unit, lines: [{label, color, values, dash, width}]}, and where it has them
 // `prefixed`: a unit that takes prefixes, `log`: a logarithmic scale, `fromZero`: one from 0,
-// `moments`: [{time, text}] that a line marks, `note`: a text behind the title, `wide`: the whole
+// `least`: the change below which a line is level, `moments`: [{time, text}] that a line marks, `note`: a text behind the title, `wide`: the whole
 // row. A chart with a `track` is no plot over time (track.js).
 export class Plots {
   // @param plotsOf   of a body: {times, groups: [{title, charts, bad}]}
@@ -100,8 +93,9 @@ export class Plots {
     const node = element("figure", {className: `chart${many}${chart.wide ? " wide" : ""}`},
       element("figcaption", {}, element("b", {textContent: chart.title}), ` [${unit}]`, when,
                 ...(chart.note ? [element("i", {textContent: ` · ${chart.note}`})] : [])));
-    const decimals = decimalsOf((spreadOf(chart) || largestOf(chart)) / factor);
-    const card = {chart, decimals, node, when, inSight: false};
+    const least = leastOf(chart) / factor, spread = spreadOf(chart) / factor;
+    const decimals = decimalsOf(spread >= least ? spread : largestOf(chart) / factor);
+    const card = {chart, decimals, least, node, when, inSight: false};
     card.data = [this.times,
                  ...chart.lines.map((line) => line.values.map((value) => value === null ? null : value / factor))];
     node.card = card;
@@ -124,7 +118,7 @@ export class Plots {
                points: {size: 6}, y: false},
       legend: {live: true},
       scales: {x: {time: false, range: span},
-               y: log ? {distr: 3, range: decades} : {range: fromZero ? upwards : bounds}},
+               y: log ? {distr: 3, range: decades} : {range: fromZero ? upwards : bounds(card.least)}},
       axes: [{...axis, size: 26, gap: 2, values: (_plot, ticks) => ticks.map((t) => `${number(t)} s`)},
              {...axis, grid: log ? {...axis.grid, filter: ofDecades} : axis.grid, size: 52, gap: 4,
               values: (_plot, ticks) => ticks.map((v) => v === null ? "" : number(v))}],

@@ -2,7 +2,9 @@
 import * as THREE from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {toCreasedNormals} from "three/addons/utils/BufferGeometryUtils.js";
+import {Backdrop} from "./backdrop.js";
 import {floats, integers, rowAt} from "./data.js";
+import {Pressure} from "./pressure.js";
 import {Rigging} from "./rigging.js";
 import {Surface} from "./surface.js";
 
@@ -46,7 +48,13 @@ export class Replay {
     if (run.water) {
       this.water = new Surface(run.water, this.half,
                                {color: look.water, line: look.waterLine, opacity: 0.66, order: 1});
+      this.backdrop = new Backdrop(look.water, run.water.level - this.origin[2], this.half);
+      this.water.group.add(this.backdrop.mesh);
       this.scene.add(this.water.group);
+    }
+    if (run.pressure) {
+      this.pressure = new Pressure(run.pressure, this.meshes, this.water, this.renderer.getPixelRatio());
+      this.scene.add(this.pressure.group);
     }
     this.addMarks(look);
     this.addCamera();
@@ -100,6 +108,23 @@ export class Replay {
     orientation.set(a[i + 3], a[i + 4], a[i + 5], a[i + 6])
       .slerp(this.turn.set(a[j + 3], a[j + 4], a[j + 5], a[j + 6]), part);
   }
+  // Velocity and spin of a body at a time, from the two rows around it.
+  motion(body, time) {
+    const {times, tracks} = this.run.poses;
+    const velocity = new THREE.Vector3(), spin = new THREE.Vector3();
+    const row = Math.min(rowAt(times, time), times.length - 2);
+    if (row < 0) return {velocity, spin};
+    const span = times[row + 1] - times[row], track = tracks[body];
+    const [i, j] = [POSE * row, POSE * (row + 1)];
+    velocity.fromArray(track, j).sub(this.spare.fromArray(track, i)).divideScalar(span);
+    const before = new THREE.Quaternion().fromArray(track, i + 3);
+    const turn = new THREE.Quaternion().fromArray(track, j + 3).multiply(before.invert());
+    const sine = Math.hypot(turn.x, turn.y, turn.z);
+    const angle = 2 * Math.atan2(sine, Math.abs(turn.w));
+    if (sine > 0) spin.set(turn.x, turn.y, turn.z).multiplyScalar(Math.sign(turn.w) * angle / (sine * span));
+    return {velocity, spin};
+  }
+
   spare = new THREE.Vector3();
   turn = new THREE.Quaternion();
 
@@ -294,6 +319,8 @@ export class Replay {
     const shown = this.drifts ? middle : this.first.middle;
     for (const surface of [this.water, this.ground])
       surface?.update(time, shown.x + this.origin[0], shown.y + this.origin[1], this.origin);
+    this.pressure?.update((body) => this.motion(body, time), this.meshes, this.origin);
+    this.backdrop?.update(this.camera);
     this.path.geometry.setDrawRange(0, rowAt(this.run.poses.times, time) + 1);
     this.renderer.render(this.scene, this.camera);
     this.placeLabel();

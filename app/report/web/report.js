@@ -7,6 +7,7 @@ import {readRun, seriesOf} from "./data.js";
 import {showDetails, showHead} from "./facts.js";
 import {at, button, element, grouped, number, prefixOf} from "./format.js";
 import {Plots} from "./plots.js";
+import {pressureBar} from "./pressure.js";
 import {Replay} from "./replay.js";
 import {Strip} from "./strip.js";
 
@@ -70,7 +71,7 @@ const makeViews = (run, replay) => {
     at("picture").hidden = !picture;
     at("replay").style.visibility = picture ? "hidden" : "";
     at("hint").hidden = at("label").hidden = picture;
-    for (const scale of document.querySelectorAll("#tension")) scale.hidden = picture;
+    for (const scale of document.querySelectorAll("#tension, #pressure")) scale.hidden = picture;
     for (const other of tabs) other.classList.toggle("on", other === tab);
   };
   const addTab = (text, title, action) => {
@@ -102,6 +103,11 @@ const makeToggles = (replay) => {
   if (replay.water) toggle("water", true, (on) => { replay.water.group.visible = on; replay.wake(); });
   if (replay.rigging)
     toggle("rigging", true, (on) => { replay.rigging.group.visible = on; replay.wake(); });
+  if (replay.pressure) {
+    const bar = pressureBar(replay.run.pressure);
+    at("view").append(bar);
+    toggle("pressure", true, (on) => { replay.pressure.group.visible = on; bar.style.display = on ? "" : "none"; replay.wake(); });
+  }
   toggle("path", true, (on) => { replay.path.visible = on; replay.wake(); });
   toggle("axes", true, (on) => { replay.axes.visible = on; replay.wake(); });
 };

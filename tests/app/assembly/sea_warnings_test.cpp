@@ -141,4 +141,38 @@ TEST(SeaWarnings, OfTheScenesThatComeWithTheProgramNoneWarns) {
   EXPECT_THAT(warned, IsEmpty());
 }
 
+/// The warnings of a dry scene with a box of 1 m at the origin and what a test adds.
+std::vector<std::string> of_box_and(const std::string& more, const std::string& rest = "") {
+  return warnings_of("plimsoll: 1\nduration: 1\nbodies:\n" +
+                     std::string("  - {name: a, box: {size: [1, 1, 1]}, density: 500}\n") + more +
+                     rest);
+}
+
+std::string box_at(const std::string& position, const std::string& more = "") {
+  return "  - {name: b, box: {size: [1, 1, 1]}, density: 500, position: " + position + more + "}\n";
+}
+
+TEST(StartWarnings, NameBodiesThatOverlap) {
+  EXPECT_THAT(of_box_and(box_at("[0.6, 0.5, -0.7]")),
+              ElementsAre(StartsWith("bodies[1].position: 'b' overlaps 'a' at the start")));
+  EXPECT_THAT(of_box_and("  - {name: b, icosphere: {radius: 0.2, subdivisions: 1}, density: 9}\n"),
+              ElementsAre(HasSubstr("'b' overlaps 'a'")));  // wholly inside
+  EXPECT_THAT(of_box_and(box_at("[0.6, 0, 0]", ", lock: all")),
+              ElementsAre(StartsWith("bodies[0].position")));
+  EXPECT_THAT(of_box_and("", "ground: {z: -0.4}\n"), ElementsAre(HasSubstr("overlaps the ground")));
+}
+
+TEST(StartWarnings, AreNoneForBodiesThatRestOnEachOtherOrMayOverlap) {
+  EXPECT_THAT(of_box_and(box_at("[0, 0, 0.96]")), IsEmpty());
+  EXPECT_THAT(of_box_and(box_at("[3, 0, 0]")), IsEmpty());
+  // Boxes around them overlap, they do not.
+  EXPECT_THAT(of_box_and(box_at("[1.1, 0.9, 0]", ", orientation: {euler_deg: [0, 0, 45]}")),
+              IsEmpty());
+  EXPECT_THAT(of_box_and(box_at("[0.6, 0, 0]", ", collision: none")), IsEmpty());
+  EXPECT_THAT(of_box_and(box_at("[0.6, 0, 0]"),
+                         "joints: [{name: j, type: ball, bodies: [a, b], anchor: [0.3, 0, 0]}]\n"),
+              IsEmpty());
+  EXPECT_THAT(of_box_and("", "ground: {z: -0.49}\n"), IsEmpty());
+}
+
 }  // namespace

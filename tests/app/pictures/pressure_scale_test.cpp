@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "app/pictures/expected_pressure.h"
 #include "app/pictures/pressure_range.h"
 #include "app/scene/reader.h"
 #include "hydro/airy_waves.h"
@@ -19,7 +20,7 @@ scene::Render read_render(const std::string& pressure) {
 TEST(PressureScale, HasTheColorsThatTheSceneNames) {
   for (const auto& [name, map] : render::color_maps()) {
     const scene::Render look = read_render("{colors: " + name + "}");
-    EXPECT_EQ(app::pressure_scale(look, app::PressureRange{}).colors, map) << name;
+    EXPECT_EQ(app::pressure_scale(look, {}, {}).colors, map) << name;
   }
 }
 
@@ -30,7 +31,7 @@ TEST(PressureScale, ShowsThePartOfThePressureThatTheSceneNames) {
                                                     {"dynamic", Pressure::dynamic}};
   for (const auto& [name, part] : parts) {
     const scene::Render look = read_render("{shows: " + name + "}");
-    EXPECT_EQ(app::pressure_scale(look, app::PressureRange{}).shows, part) << name;
+    EXPECT_EQ(app::pressure_scale(look, {}, {}).shows, part) << name;
   }
 }
 
@@ -87,6 +88,89 @@ TEST(PressureRange, OfDragIsZeroForABodyThatDriftsWhereTheWaterIsStill) {
   EXPECT_GT(dynamic(), 10);
   std::get<hydro::WaveSurface>(spec.sea->surface).kinematics = hydro::Kinematics::hydrostatic;
   EXPECT_EQ(dynamic(), 0);
+}
+
+/// The scale of a scene for expected and drawn pressures [Pa].
+render::PressureScale scale_of(const std::string& pressure, app::PressureRange expected,
+                               app::PressureRange drawn) {
+  return app::pressure_scale(read_render(pressure), expected, drawn);
+}
+
+TEST(PressureScale, IsFoundFromTheSceneUnlessItsEndsAreGivenOrDrawn) {
+  const app::PressureRange expected{-700, 5300}, drawn{-90, 2100};
+  const auto ends = [&](const std::string& pressure) {
+    const render::PressureScale scale = scale_of(pressure, expected, drawn);
+    return std::pair(scale.min, scale.max);
+  };
+  EXPECT_EQ(ends("{}"), std::pair(0.0, 6000.0));
+  EXPECT_EQ(ends("{min: auto}"), std::pair(-800.0, 6000.0));
+  EXPECT_EQ(ends("{min: drawn, max: drawn}"), std::pair(-100.0, 2500.0));
+  EXPECT_EQ(ends("{min: -5, max: 1234}"), std::pair(-5.0, 1234.0));
+}
+
+TEST(PressureScale, ThatDivergesHasZeroInItsMiddleUnlessBothEndsAreGiven) {
+  const app::PressureRange expected{-3100, 900};
+  const auto ends = [&](const std::string& pressure) {
+    const render::PressureScale scale = scale_of(pressure, expected, expected);
+    return std::pair(scale.min, scale.max);
+  };
+  EXPECT_EQ(ends("{shows: dynamic}"), std::pair(-4000.0, 4000.0));
+  EXPECT_EQ(ends("{colors: coolwarm}"), std::pair(-4000.0, 4000.0));
+  EXPECT_EQ(ends("{colors: coolwarm, max: 700}"), std::pair(-700.0, 700.0));
+  EXPECT_EQ(ends("{colors: coolwarm, min: -300}"), std::pair(-300.0, 300.0));
+  EXPECT_EQ(ends("{colors: coolwarm, min: -100, max: 700}"), std::pair(-100.0, 700.0));
+  EXPECT_EQ(ends("{shows: dynamic, colors: turbo}"), std::pair(-4000.0, 1000.0));
+}
+
+TEST(PressureScale, TellsWhetherPicturesGoBeyondIt) {
+  const auto beyond = [](double lowest, double highest) {
+    const render::PressureScale scale = scale_of("{max: 1000}", {}, {lowest, highest});
+    return std::pair(scale.below, scale.above);
+  };
+  EXPECT_EQ(beyond(0, 1000), std::pair(false, false));
+  EXPECT_EQ(beyond(-1, 1001), std::pair(false, false));  // less than can be seen
+  EXPECT_EQ(beyond(-10, 500), std::pair(true, false));
+  EXPECT_EQ(beyond(0, 1010), std::pair(false, true));
+}
+
+/// The highest pressure to expect [m of water] of a box of 2 m, whose middle is at height z.
+double expected_head(double mass, double z, const engine::Ground& ground = {}) {
+  engine::SimulationSpec spec;
+  spec.sea = hydro::Sea{};
+  spec.ground = ground;
+  spec.bodies.push_back({.name = "box", .mesh_B = hydro::make_box({2, 2, 2}), .mass = mass});
+  spec.bodies[0].initial.position.z() = z;
+  return app::expected_pressure(spec, scene::ShownPressure::hydrostatic).highest /
+         (spec.sea->density * spec.sea->gravity);
+}
+
+TEST(ExpectedPressure, IsThatOfTheDepthToWhichABodyGoes) {
+  const double density = hydro::Sea{}.density, tolerance = support::tolerance(1e-6);
+  EXPECT_NEAR(expected_head(density * 2, 0.9), 0.5, tolerance);  // floats to 2 / 4 m
+  EXPECT_NEAR(expected_head(density * 2, -3), 4, tolerance);     // rises from there
+  EXPECT_NEAR(expected_head(density * 2, 5), 2, tolerance);      // falls in
+  EXPECT_NEAR(expected_head(density * 9, 0), 4, tolerance);      // sinks, who knows how far
+  EXPECT_NEAR(expected_head(density * 9, 0, engine::PlaneGround{-7}), 7, tolerance);
+}
+
+TEST(ExpectedPressure, OfWavesAddsTheirHeight) {
+  engine::SimulationSpec spec = box_in_a_wave();
+  spec.bodies[0].locked.fill(true);
+  spec.bodies[0].initial.position = {0, 0, spec.sea->level};
+  const double head = app::expected_pressure(spec, scene::ShownPressure::hydrostatic).highest /
+                      (spec.sea->density * spec.sea->gravity);
+  EXPECT_NEAR(head, 2 + 0.6 * std::sqrt(2), support::tolerance(1e-9));
+}
+
+TEST(ExpectedPressure, OfAFallIsThatOfItsSpeed) {
+  engine::SimulationSpec spec;
+  spec.sea = hydro::Sea{};
+  spec.bodies.push_back({.name = "box", .mesh_B = hydro::make_box({2, 2, 2}), .mass = 100});
+  spec.bodies[0].initial.position.z() = 11;
+  const app::PressureRange range = app::expected_pressure(spec, scene::ShownPressure::dynamic);
+  const double head = spec.sea->density * spec.sea->gravity * 10;
+  EXPECT_NEAR(range.highest, spec.bodies[0].coefficients.pressure_drag.front * head, 1e-6 * head);
+  EXPECT_NEAR(range.lowest, -spec.bodies[0].coefficients.pressure_drag.back * head, 1e-6 * head);
 }
 
 }  // namespace

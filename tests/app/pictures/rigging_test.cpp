@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/pictures/trail.h"
 #include "app/render/renderer.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/support/random_pose.h"
@@ -315,6 +316,46 @@ TEST(DrawnRig, BetweenTwoTimesIsLinear) {
   EXPECT_EQ(half.propellers[0].turn, 2);
   EXPECT_EQ(half.propellers[0].azimuth, 0.5);
   EXPECT_EQ(half.foil_angles[0], 0);
+}
+
+TEST(Trail, FollowsTheBodyBetweenShots) {
+  // A quarter of a circle in two shots: the cubic is within 2 % of its radius.
+  const engine::SimulationSpec spec = two_boxes();
+  const auto shot = [](double angle) {
+    Shot made{.time = angle, .states = {{}, {}}};
+    made.states[1].position = 5 * Vector3d(std::cos(angle), std::sin(angle), 0);
+    made.states[1].linear_velocity = 5 * Vector3d(-std::sin(angle), std::cos(angle), 0);
+    return made;
+  };
+  app::Trail trail(spec, "b");
+  render::Rigging rigging;
+  trail.add(shot(0));
+  trail.draw(rigging);
+  EXPECT_TRUE(rigging.tubes.empty());
+  trail.add(shot(M_PI / 4));
+  trail.add(shot(M_PI / 2));
+  trail.draw(rigging);
+  ASSERT_EQ(rigging.tubes.size(), 1u);
+  const Matrix3Xd& points = rigging.tubes[0].points_W;
+  EXPECT_GT(points.cols(), 50);
+  EXPECT_EQ(points.col(0), Vector3d(5, 0, 0));
+  EXPECT_EQ(points.rightCols<1>(), shot(M_PI / 2).states[1].position);
+  for (const auto& point : points.colwise()) EXPECT_NEAR(point.norm(), 5, support::tolerance(0.1));
+}
+
+TEST(Trail, WithoutABodyToFollowIsOfThoseThatCanMove) {
+  engine::SimulationSpec spec = two_boxes();
+  spec.bodies[0].locked.fill(true);
+  app::Trail trail(spec, "");
+  render::Rigging rigging;
+  for (const double time : {0.0, 1.0}) {
+    Shot shot{.time = time, .states = {{}, {}}};
+    shot.states[0].position.x() = shot.states[1].position.y() = time;
+    trail.add(shot);
+  }
+  trail.draw(rigging);
+  ASSERT_EQ(rigging.tubes.size(), 1u);
+  EXPECT_EQ(rigging.tubes[0].points_W.rightCols<1>(), Vector3d(0, 1, 0));
 }
 
 }  // namespace

@@ -45,8 +45,19 @@ std::vector<double> times(const std::vector<Shot>& shots, bool Shot::*which) {
 
 TEST(ShotSelector, WithoutAVideoHasTheFirstStateOfEachTimeThatIsDue) {
   const std::vector<Shot> shots = shots_of(ShotSelector(0.25, 1, 0), 0.125, 8);
-  EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.25, 0.5, 0.75));
+  EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.25, 0.5, 0.75, 1));
   EXPECT_THAT(times(shots, &Shot::video), ElementsAre());
+}
+
+TEST(ShotSelector, HasTheFinalStateWheneverItIs) {
+  for (const double every : {0.3, 0.5, 0.9, 7.0})
+    for (const double step : {0.07, 0.1, 0.3}) {
+      const int steps = static_cast<int>(std::ceil(2 / step - 1e-9));
+      const std::vector<double> found =
+          times(shots_of(ShotSelector(every, 2, 0), step, steps + 3), &Shot::frame);
+      EXPECT_EQ(found.back(), steps * step) << every << " " << step;
+      EXPECT_EQ(std::count(found.begin(), found.end(), found.back()), 1);
+    }
 }
 
 TEST(ShotSelector, OfAVideoPlaysInRealTimeWhateverTheStep) {
@@ -90,8 +101,8 @@ TEST(ShotSelector, FindsTheRigBetweenStepsAndAfterAPause) {
 
 TEST(ShotSelector, DrawsOnceWhatIsAFrameAndOfTheVideo) {
   const std::vector<Shot> shots = shots_of(ShotSelector(0.5, 2, 4), 0.25, 8);
-  EXPECT_EQ(shots.size(), 8u);
-  EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.5, 1, 1.5));
+  EXPECT_EQ(shots.size(), 9u);
+  EXPECT_THAT(times(shots, &Shot::frame), ElementsAre(0, 0.5, 1, 1.5, 2));
   EXPECT_EQ(times(shots, &Shot::video).size(), 8u);
 }
 

@@ -42,15 +42,15 @@ class ProgramCameras : public testing::Test {
 };
 
 TEST_F(ProgramCameras, HaveAFolderAndASheetEach) {
-  EXPECT_THAT(run_box(kTwo), HasSubstr("o: 6 pictures, by the cameras side and Top-1\n"));
+  EXPECT_THAT(run_box(kTwo), HasSubstr("o: 8 pictures, by the cameras side and Top-1\n"));
   EXPECT_THAT(files_in(here / "o"), ElementsAre("frames", "sheet_Top-1.png", "sheet_side.png",
                                                 "summary.json", "trajectory.csv"));
   EXPECT_THAT(files_in(here / "o/frames"), ElementsAre("Top-1", "side"));
   EXPECT_THAT(files_in(here / "o/frames/side"),
-              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png"));
+              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"));
   EXPECT_NE(here.read("o/sheet_side.png"), here.read("o/sheet_Top-1.png"));
   const json pictures = json::parse(here.read("o/summary.json"))["pictures"];
-  EXPECT_EQ(pictures["frames"], 6);
+  EXPECT_EQ(pictures["frames"], 8);
   EXPECT_EQ(pictures["cameras"], json({"side", "Top-1"}));
 }
 
@@ -58,7 +58,7 @@ TEST_F(ProgramCameras, AreDrawnFromALogAsInTheRun) {
   run_box(kTwo);
   const Outcome again = here.run({"render", "o", "--scene", "box.yaml", "--out", "again"});
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("again: 6 of 6 pictures and a sheet for each of 2 cameras"));
+  EXPECT_THAT(again.err, HasSubstr("again: 8 of 8 pictures and a sheet for each of 2 cameras"));
   for (const char* file : {"frames/side/frame_0002.png", "frames/Top-1/frame_0002.png"})
     EXPECT_EQ(here.read(fs::path("again") / file), here.read(fs::path("o") / file)) << file;
 }
@@ -66,7 +66,7 @@ TEST_F(ProgramCameras, AreDrawnFromALogAsInTheRun) {
 TEST_F(ProgramCameras, AloneNeedsNoFolderOfItsOwn) {
   run_box(kTwo, {"--set", "render.cameras.Top-1=null"});
   EXPECT_THAT(files_in(here / "o/frames"),
-              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png"));
+              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"));
   EXPECT_TRUE(fs::exists(here / "o/sheet.png"));
 }
 
@@ -108,7 +108,7 @@ TEST_F(ProgramCameras, AreInTheReportByTheFirst) {
   run_box(kTwo);
   ASSERT_EQ(here.shell("bin/plimsoll report o").code, 0);
   const json page = support::data_in_page(here.read("o/report.html"));
-  EXPECT_EQ(page["frames"]["of"], 3);
+  EXPECT_EQ(page["frames"]["of"], 4);
   EXPECT_EQ(page["camera"]["from"], json({6, -8, 3}));
   const std::string bytes = here.read("o/frames/side/frame_0002.png");
   const auto shown = support::packed_numbers<char>(page["frames"]["images"][2]);

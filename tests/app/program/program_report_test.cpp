@@ -132,9 +132,9 @@ TEST_F(ProgramReport, HasWavesAndPicturesWithTheirTimes) {
   const json page = data();
   EXPECT_EQ(page["water"]["kind"], "waves");
   EXPECT_EQ(page["ground"]["z"], -4);
-  EXPECT_EQ(page["frames"]["of"], 3);
+  EXPECT_EQ(page["frames"]["of"], 4);
   EXPECT_THAT(page["frames"]["times"].get<std::vector<double>>(),
-              ElementsAre(0, 20 * 0.01, 40 * 0.01));
+              ElementsAre(0, 20 * 0.01, 40 * 0.01, 60 * 0.01));
   EXPECT_THAT(page["frames"]["images"][2].get<std::string>(), StartsWith("iVBORw0KGgo"));
 }
 

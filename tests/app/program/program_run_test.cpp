@@ -125,23 +125,23 @@ water: {surface: {waves: [{amplitude: 0.8, wavelength: 10}]}}
   EXPECT_EQ(here.run({"run", "steep.yaml", "--quiet"}).err, "");
 }
 
-TEST_F(ProgramRun, DrawsFramesAndASheetOfThoseTimesBeforeTheEnd) {
+TEST_F(ProgramRun, DrawsFramesAndASheetOfThemAndOfTheFinalState) {
   here.write("box.yaml", falling_box("0.6", kPictures));
   const Outcome outcome = here.run({"run", "box.yaml"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(files_in(here / "out/box"),
               ElementsAre("frames", "sheet.png", "summary.json", "trajectory.csv"));
   EXPECT_THAT(files_in(here / "out/box/frames"),
-              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png"));
+              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"));
   const json summary = json::parse(here.read("out/box/summary.json"));
-  EXPECT_EQ(summary["pictures"]["frames"], 3);
+  EXPECT_EQ(summary["pictures"]["frames"], 4);
   EXPECT_EQ(summary["skipped"]["pictures"], false);
 }
 
 TEST_F(ProgramRun, DrawsMorePicturesThanASheetHolds) {
   here.write("box.yaml", falling_box("0.6", "render: {size: [64, 48], every: 0.01}\n"));
   EXPECT_EQ(here.run({"run", "box.yaml"}).code, 0);
-  EXPECT_EQ(files_in(here / "out/box/frames").size(), 60u);
+  EXPECT_EQ(files_in(here / "out/box/frames").size(), 61u);
 }
 
 /// The pictures of a folder, frames and sheet, by their names.
@@ -160,7 +160,7 @@ TEST_F(ProgramRun, DrawsTheSamePicturesWithAnyNumberOfThreads) {
       here.run({"render", "1/trajectory.csv", "--scene", "box.yaml", "--out", "later"});
   EXPECT_EQ(later.code, 0) << later.err;
   const std::map<std::string, std::string> once = pictures_in(here, "1");
-  EXPECT_EQ(once.size(), 31u);
+  EXPECT_EQ(once.size(), 32u);
   for (const auto& [name, bytes] : once) EXPECT_GT(bytes.size(), 1000u) << name;
   EXPECT_TRUE(pictures_in(here, "2") == once);
   EXPECT_TRUE(pictures_in(here, "later") == once);
@@ -179,7 +179,8 @@ TEST_F(ProgramRun, LeavesNothingOfAnEarlierRunInItsFolder) {
   here.write("box.yaml", falling_box("0.6", kPictures));
   here.run({"run", "box.yaml"});
   here.run({"run", "box.yaml", "--set", "duration=0.3"});
-  EXPECT_THAT(files_in(here / "out/box/frames"), ElementsAre("frame_0000.png", "frame_0001.png"));
+  EXPECT_THAT(files_in(here / "out/box/frames"),
+              ElementsAre("frame_0000.png", "frame_0001.png", "frame_0002.png"));
   here.write("out/box/notes.txt", "mine");
   here.run({"run", "box.yaml", "--no-render"});
   EXPECT_THAT(files_in(here / "out/box"),

@@ -97,7 +97,7 @@ TEST_F(ProgramVideoMade, PlayInRealTimeBesideTheFrames) {
   EXPECT_THAT(outcome.err, HasSubstr("\ndrop.mp4: 0.6 s, 15 pictures at 25 a second\n"));
   expect_video("drop.mp4", "h264", 15, 0.6);
   EXPECT_EQ(stream("drop.mp4")["pix_fmt"], "yuv420p");
-  EXPECT_EQ(files_in(here / "o/frames").size(), 3u);
+  EXPECT_EQ(files_in(here / "o/frames").size(), 4u);
   EXPECT_EQ(files_in(here / ".").size(), 5u);  // with the scene, the folder and what was said
   const json videos = json::parse(here.read("o/summary.json"))["pictures"]["videos"];
   EXPECT_EQ(videos, json::parse(R"([{"file": "drop.mp4", "pictures": 15, "fps": 25}])"));

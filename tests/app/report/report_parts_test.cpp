@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "app/pages/motion_columns.h"
 #include "app/pages/packing.h"
 #include "app/pages/thinning.h"
 #include "app/report/shapes.h"
@@ -166,6 +168,27 @@ TEST(ReportShapes, SharesOutTrianglesByTheMeshesOwn) {
   EXPECT_LE(shapes.shapes[1].mesh_B.face_count(), 1600);
   EXPECT_GT(shapes.shapes[1].mesh_B.face_count(), 400);
   EXPECT_EQ(shapes.shapes[1].of_faces, 20 * 4 * 4 * 4 * 4 * 4);
+}
+
+/// A body that turns steadily about an axis is plotted without jumps, also where its pitch passes
+/// the vertical.
+TEST(ReportMotion, OfASteadyTurnHasNoJumps) {
+  for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 1, 0),
+                                      Eigen::Vector3d(1, 0, 0.2), Eigen::Vector3d(0.1, 1, 0.1)}) {
+    app::BodyTrack track;
+    for (int i = 0; i <= 900; ++i) {
+      track.times.push_back(i);
+      track.states.emplace_back();
+      track.states.back().orientation = Eigen::AngleAxisd(i * M_PI / 180, axis.normalized());
+    }
+    const std::vector<std::vector<double>> columns = app::motion_of(track);
+    double largest = 0;
+    for (std::size_t k = 3; k < 6; ++k)
+      for (std::size_t i = 1; i < columns[k].size(); ++i)
+        largest = std::max(largest, std::abs(columns[k][i] - columns[k][i - 1]));
+    // Near the vertical the angles of a turn by 1° turn by up to 1° over the sine of the tilt.
+    EXPECT_LT(largest, 12) << axis.transpose();
+  }
 }
 
 }  // namespace

@@ -514,8 +514,8 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_EQ(render->camera.follow, "b");
   EXPECT_NEAR(render->camera.orbit, -12 * kDegree, kRoundOff);
   EXPECT_EQ(render->sheet_columns, 5);
-  EXPECT_EQ(render->pressure_min, -100);
-  EXPECT_EQ(render->pressure_max, 5e3);
+  EXPECT_EQ(render->pressure_min.pressure, -100);
+  EXPECT_EQ(render->pressure_max.pressure, 5e3);
   EXPECT_EQ(render->shows, scene::ShownPressure::dynamic);
   EXPECT_EQ(render->colors, scene::Colors::coolwarm);
   EXPECT_TRUE(render->show.forces && render->show.wireframe && render->show.joints);
@@ -524,10 +524,14 @@ TEST(SceneKeys, RenderIsRead) {
 
 TEST(SceneKeys, DynamicPressureHasALowerEndThatIsFound) {
   const std::string head = "plimsoll: 1\nduration: 0\nrender: {pressure: {";
-  EXPECT_EQ(read_scene_text(head + "shows: dynamic}}\n").render->pressure_min, std::nullopt);
-  EXPECT_EQ(read_scene_text(head + "shows: hydrostatic}}\n").render->pressure_min, 0);
-  EXPECT_EQ(read_scene_text(head + "min: auto}}\n").render->pressure_min, std::nullopt);
-  EXPECT_EQ(read_scene_text("plimsoll: 1\nduration: 0\nrender: {}\n").render->pressure_min, 0);
+  EXPECT_EQ(read_scene_text(head + "shows: dynamic}}\n").render->pressure_min.found,
+            scene::ScaleEnd::Found::scene);
+  EXPECT_EQ(read_scene_text(head + "shows: hydrostatic}}\n").render->pressure_min.found,
+            scene::ScaleEnd::Found::given);
+  EXPECT_EQ(read_scene_text(head + "min: auto}}\n").render->pressure_min.found,
+            scene::ScaleEnd::Found::scene);
+  EXPECT_EQ(read_scene_text("plimsoll: 1\nduration: 0\nrender: {}\n").render->pressure_min.found,
+            scene::ScaleEnd::Found::given);
 }
 
 TEST(SceneKeys, CamerasAreReadInTheirOrder) {

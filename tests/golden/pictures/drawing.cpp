@@ -10,6 +10,7 @@
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory_match.h"
 #include "app/pictures/cameras.h"
+#include "app/pictures/expected_pressure.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/pressure_range.h"
 #include "app/pictures/rigging.h"
@@ -62,9 +63,10 @@ render::Image draw(const KeptPicture& picture) {
   const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   const app::Shot shot = shot_of(picture, built.spec);
   const scene::Render& look = *scene.render;
-  const app::PressureRange range = app::pressure_range(built.spec, shot, look.shows);
   render::SceneDescription bare =
-      app::picture_of(scene, built.spec, app::pressure_scale(look, range));
+      app::picture_of(scene, built.spec,
+                      app::pressure_scale(look, app::expected_pressure(built.spec, look.shows),
+                                          app::pressure_range(built.spec, shot, look.shows)));
   bare.camera = app::camera_at(app::cameras_of(look).front(), built.spec, shot);
   app::RigPictures rig(built.spec, look.show.joints);
   rig.include(shot);

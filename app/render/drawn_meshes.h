@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/render/body_appearance.h"
+#include "app/render/color_scale.h"
+#include "app/render/gl_mesh.h"
+#include "app/render/shaded_mesh.h"
+#include "app/render/view.h"
+
+/// @file
+/// What a Renderer draws, as meshes and textures of the graphics device. The context must be
+/// current in all functions.
+
+namespace render {
+
+/// A body on the graphics device.
+struct DrawnBody {
+  hydro::TriMesh mesh_B;  ///< What the skin was made of.
+  ShadedMesh skin_B;
+  GlMesh mesh;
+  GlMesh edges;  ///< All edges of the mesh for a wireframe, else its creases.
+};
+
+/// @param longest_edge   Length above which edges are split [m].
+/// @param wireframe      True: all edges are drawn.
+DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double longest_edge,
+                    bool wireframe);
+
+/// Returns the ground in E.
+GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view);
+
+/// Returns the level ground at z [m, W] to the horizon, in E.
+GlMesh make_plane(const GlFunctions& gl, double z, const View& view);
+
+/// Returns a texture of the colours, from low to high.
+GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors);
+
+}  // namespace render
