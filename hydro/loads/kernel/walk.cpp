@@ -218,9 +218,12 @@ Sums sum_hull(const Panels& panels, const Tree& tree, const LoadInputs& in) {
     HWY_DYNAMIC_DISPATCH(walk)(panels, tree, in, branch, chunks, to);
   };
   Sums sums;
-  const bool shared = static_cast<int>(panels.leaves.size()) >= shared_from(in);
+  if (static_cast<int>(panels.leaves.size()) < shared_from(in)) {
+    walk_branch(0, nullptr, sums);
+    return sums;
+  }
   Chunks chunks;
-  walk_branch(0, shared ? &chunks : nullptr, sums);
+  walk_branch(0, &chunks, sums);
   std::array<std::array<double, kSums>, kMostChunks> parts;
   const auto count = static_cast<std::size_t>(chunks.count);
   parallel_for(count, [&](std::size_t i) {
