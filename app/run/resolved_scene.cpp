@@ -111,6 +111,27 @@ std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
   return omissions;
 }
 
+/// Omissions of one quantity for as many reasons as can be read; those of the fewest bodies, of
+/// which each has a number of its own in its reason, are counted.
+constexpr std::size_t kMostReasons = 4;
+
+std::vector<Omission> readable(std::vector<Omission> omissions) {
+  const auto more = [](const Omission& a, const Omission& b) {
+    return a.names.size() > b.names.size();
+  };
+  std::stable_sort(omissions.begin(), omissions.end(), more);
+  std::vector<Omission> kept;
+  for (Omission& omission : omissions) {
+    const auto same = [&](const Omission& other) { return other.what == omission.what; };
+    if (std::count_if(kept.begin(), kept.end(), same) < static_cast<long>(kMostReasons))
+      kept.push_back(std::move(omission));
+    else
+      for (const std::string& name : omission.names)
+        note_omission(omission.what, "for reasons like these", name, kept);
+  }
+  return kept;
+}
+
 std::vector<std::string> omission_texts(const assembly::BuiltScene& built,
                                         const engine::Skips& skips,
                                         const std::string& no_pictures) {
@@ -121,7 +142,7 @@ std::vector<std::string> omission_texts(const assembly::BuiltScene& built,
                              : "water (there is none)");
   if (!spec.bodies.empty() && skips.collision) texts.push_back("collisions (nothing can collide)");
   if (!skips.water)
-    for (const Omission& omission : body_omissions(built))
+    for (const Omission& omission : readable(body_omissions(built)))
       texts.push_back(fmt::format("{} of {} ({})", omission.what,
                                   named_bodies(omission.names, spec.bodies.size()),
                                   omission.reason));
