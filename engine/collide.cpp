@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/constants.h"
+#include "engine/ode_world.h"
 #include "engine/spatial_vector.h"
 #include "engine/stopwatch.h"
 #include "engine/world.h"
@@ -246,9 +247,9 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
       ContactStiffness& stiffness = contact.stiffness;
       if (contact.rebounds) {
         stiffness =
-            rebound_stiffness(unit_ * mass, points.size(), step, surface.restitution * closing);
+            rebound_stiffness(mass, points.size(), step, surface.restitution * closing);
       } else {
-        stiffness = contact_stiffness(unit_ * mass, points.size(), step,
+        stiffness = contact_stiffness(mass, points.size(), step,
                                       weights(pair, point, points.size(), mass, step));
         stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
         stiffness.speed *= closing;

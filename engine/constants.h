@@ -131,18 +131,35 @@ inline constexpr double kMassJump = 0.01;
 /// Cosine of the turn after which the water's mass has another place in the body [-].
 inline constexpr double kKeptMassTurn = 0.5;
 
-// ── Constraints (constrained_update.h) ──────────────────────────────────────────────────────────
+// ── Constraints (constrained_update.h, constraint_solver.h) ─────────────────────────────────────
 
-/// Error of the reactions, as a change of velocity in the metric of M_o, over the motion [-].
-inline constexpr double kReactionTolerance = 1e-9;
-inline constexpr int kMostSolves = 24;             ///< Solves for one linearisation of the loads.
-inline constexpr int kContractingSolves = 8;       ///< Part of these for plain contraction.
-inline constexpr int kMostLinearisations = 6;      ///< Linearisations of the loads in an update.
-inline constexpr int kFullNewtonSteps = 3;         ///< Later linearisations take half steps.
-inline constexpr int kMostSolvesInAll = 12;        ///< After these loads are not linearised again.
+inline constexpr int kMostLinearisations = 6;  ///< Linearisations of the loads in an update.
+inline constexpr int kFullNewtonSteps = 3;     ///< Later linearisations take half steps.
+/// Change of the velocities by a sweep, as the root of its energy over that of the motion, after
+/// which an island is solved [-]; and a heap, an island of more contacts than take Newton steps.
+/// Points of contact that ask for different speeds while friction holds them together come nearer
+/// to each other only slowly.
+inline constexpr double kSolvedIsland = 1e-9;
+inline constexpr double kSolvedHeap = 1e-4;
+inline constexpr double kAcceptedMiss = 1e-3;  ///< The same, beyond which it counts as not solved.
+inline constexpr int kMostSweeps = 40;         ///< Sweeps for one linearisation of the loads.
+inline constexpr int kSweepsOfContacts = 20;   ///< Between Newton steps in islands of contacts.
+inline constexpr int kSweepsBetween = 10;      ///< The same where joints or lines act.
+/// Change by a pair of sweeps over that by the last pair, below which acceleration has led nearer
+/// and above which a long stride has led too far [-].
+inline constexpr double kGoodProgress = 0.7;
+inline constexpr double kBadProgress = 1.5;
+inline constexpr int kMostRowSteps = 5;  ///< Newton steps in a row.
+/// Rows of an island that takes Newton steps: with joints or lines, and with contacts alone.
+inline constexpr std::size_t kMostNewtonRows = 6000;
+inline constexpr std::size_t kMostContactRows = 150;
+inline constexpr int kMostDenseRows = 400;  ///< Rows of a system that is solved as a dense one.
+/// Least compliance of a row, over the response of its block to its impulses [-]. Smaller: joints
+/// that constrain the same motion twice are not solvable; larger: joints give way.
+inline constexpr double kLeastCompliance = 1e-11;
 inline constexpr std::size_t kAndersonDepth = 12;  ///< Differences that Anderson keeps.
-inline constexpr int kMostIdleSolves = 12;         ///< Without progress, before M_o changes.
-inline constexpr double kProgress = 0.8;           ///< Of the least error; progress is below.
+inline constexpr int kMostDiskSteps = 6;           ///< Newton steps for a friction at its limit.
+inline constexpr double kDiskError = 1e-6;         ///< Excess of such a friction, then taken [-].
 
 // ── Lines and drives (rig.h, force_row.h) ───────────────────────────────────────────────────────
 
@@ -181,6 +198,10 @@ inline constexpr int kMostImpacts = 4;              ///< Impacts in a step that 
 inline constexpr int kMostOnsetLooks = 4;           ///< Collisions to find the onset of an impact.
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
 inline constexpr double kImpactGain = 1e-9;
+/// Work that taking back the errors of joints may do in a substep, over the energy of the motion
+/// and of what loads give it [-]. Larger: joints that contradict each other throw their bodies;
+/// smaller: chains that spin fast come apart.
+inline constexpr double kJointWork = 0.01;
 /// Motion of a pair in a step after which an impact may throw bodies far, over the thickness of the
 /// thinner one [-]. Smaller: groups of fast bodies are larger, and take short substeps together.
 inline constexpr double kFarImpact = 2;
@@ -203,22 +224,18 @@ inline constexpr double kReachInSteps = 3;
 /// Margin of broad-phase boxes, over their longest side [-]. Larger: fewer searches, more pairs.
 inline constexpr double kBroadPhaseMargin = 0.25;
 
-// ── ODE (world.h, island_solver.h) ──────────────────────────────────────────────────────────────
+// ── ODE (world.h, ode_world.h) ──────────────────────────────────────────────────────────────────
 
 /// Part of a joint's misalignment that a step removes [-]. The step is solved exactly, so a large
 /// part is stable.
 inline constexpr double kJointErp = 0.8;
-/// Compliance of joints and locks times the smallest and the largest inertia in the world, masses
-/// and moments alike as numbers in SI [s]. The first makes joints solvable that constrain the same
-/// motion twice; the second bounds the sinking of the heaviest body's joint to 1e-6 g h [m].
+/// Compliance of joints and locks in ODE's own step, times the smallest and the largest inertia in
+/// the world, masses and moments alike as numbers in SI [s]. The first makes joints solvable that
+/// constrain the same motion twice; the second bounds the sinking of the heaviest body's joint to
+/// 1e-6 g h [m].
 inline constexpr double kComplianceOfLightest = 1e-12;
 inline constexpr double kComplianceOfHeaviest = 1e-6;
-inline constexpr std::size_t kMostDirectContacts = 32;  ///< Points of an exact solution.
-/// The same where rows act, for which iterations are too far off.
-inline constexpr std::size_t kMostDirectWithRows = 128;
-inline constexpr int kHeapIterations = 50;        ///< Iterations for more points.
-inline constexpr int kFallbackIterations = 200;   ///< Where the exact solver gives up.
-inline constexpr double kLeastSolverMass = 1e-6;  ///< Below it masses are scaled for ODE [kg].
+inline constexpr int kFallbackIterations = 200;  ///< Where ODE's exact solver gives up.
 
 // ── Input (state_checks.h, body_check.h, pull.h) ────────────────────────────────────────────────
 

@@ -2,243 +2,227 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
-#include "engine/anderson.h"
 #include "engine/constants.h"
+#include "engine/constraint_solver.h"
 #include "engine/restitution.h"
 #include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
 
-/// What (E8) needs of one body, in W.
-struct Row {
+/// What (E7) needs of one body, in W.
+struct Pushed {
   Matrix6d S = Matrix6d::Identity();  ///< Effective inertia.
-  hydro::Cholesky6 S_factor{S};
-  Vector6d load;      ///< F
-  Vector6d jump;      ///< Change of velocity by that of the added mass.
-  SolverBody solver;  ///< M_o, state.
-  Matrix6d M_o = Matrix6d::Identity();
-  hydro::Cholesky6 root{M_o};  ///< Of M_o.
+  Matrix6d mobility;                  ///< Its inverse in the velocities that locks leave.
+  Vector6d load;                      ///< F, with the jump as a load.
+  Vector6d before;                    ///< u⁻
+  Vector6d jump;                      ///< Change of velocity by that of the added mass.
   bool implicit = false;
-  bool plain = false;  ///< S = M_o.
+
+  Vector6d unconstrained(double h) const { return before + h * mobility * load; }
 };
 
-Eigen::Matrix3d symmetric(const Eigen::Matrix3d& m) { return (m + m.transpose()) / 2; }
-
-/// M_o: `factor` times the nearest that ODE can take.
-void choose_solver_mass(const SubstepBody& c, Row& row, double factor) {
-  const Eigen::Matrix3d& R_WB = c.midpoint.R_WB;
-  const bool own = !c.body().has_added_mass && !row.implicit && !c.midpoint.rig_inertia;
-  const Matrix6d S_B = own ? c.body().rigid_B : rotate_tensor(R_WB.transpose(), row.S);
-  const Eigen::Matrix3d translation = S_B.topLeftCorner<3, 3>();
-  const double mean = own ? c.body().spec->mass : std::cbrt(hydro::eigenvalues(translation).prod());
-  row.solver.mass = factor * mean;
-  row.solver.inertia_B = factor * symmetric(S_B.bottomRightCorner<3, 3>());
-  Matrix6d M_B = Matrix6d::Zero();
-  M_B.diagonal().head<3>().setConstant(row.solver.mass);
-  M_B.bottomRightCorner<3, 3>() = row.solver.inertia_B;
-  row.plain = own || (M_B - S_B).cwiseAbs().maxCoeff() <= 1e-14 * S_B.cwiseAbs().maxCoeff();
-  row.M_o = rotate_tensor(R_WB, M_B);
-  row.root = hydro::Cholesky6(row.M_o);
+/// S⁻¹ without the rows and columns of locks.
+Matrix6d mobility_matrix(const Matrix6d& S, const DofMask& locked) {
+  Matrix6d unlocked = S;
+  for (int i = 0; i < 6; ++i) {
+    if (!locked[i]) continue;
+    unlocked.row(i).setZero();
+    unlocked.col(i).setZero();
+    unlocked(i, i) = 1;
+  }
+  Matrix6d inverse = hydro::Cholesky6(unlocked).inverse();
+  for (int i = 0; i < 6; ++i)
+    if (locked[i]) inverse(i, i) = 0;
+  return inverse;
 }
 
-Row make_row(const SubstepBody& c, double time, double h) {
+Pushed make_pushed(const SubstepBody& c, double time, double h) {
   const EffectiveLoad effective = effective_load(*c.moving, c.midpoint, c.predicted, time, h);
   const hydro::BodyState& state = c.halfway.state;
   const Vector6d jump = c.midpoint.after - c.midpoint.before;
-  Row row{.S = effective.inertia,
-          .S_factor = hydro::Cholesky6(effective.inertia),
-          .load = effective.load + effective.inertia * jump / h,
-          .jump = jump,
-          .solver = {.body = c.id, .state = state},
-          .implicit = effective.implicit};
-  choose_solver_mass(c, row, 1);
   const Eigen::Vector3d still = Eigen::Vector3d::Zero();
-  const Vector6d unconstrained = velocity(state, still) + h * row.S_factor.solve(row.load);
-  check_state(*c.moving, with_velocity(state, unconstrained, still));
-  return row;
+  Pushed pushed{.S = effective.inertia,
+                .mobility = mobility_matrix(effective.inertia, c.body().spec->locked),
+                .load = effective.load + effective.inertia * jump / h,
+                .before = velocity(state, still),
+                .jump = jump,
+                .implicit = effective.implicit};
+  check_state(*c.moving, with_velocity(state, pushed.unconstrained(h), still));
+  return pushed;
 }
 
-/// Largest number that M_o may be multiplied with so that M_o <= S.
-double contraction_factor(const Row& row) {
-  return std::min(1.0, hydro::eigenvalues(row.root.relative(row.S))[0]);
-}
-
-/// The constraints of an island.
-struct Solver {
-  World& world;
-  const std::vector<Contact>& contacts;
-  const std::vector<ForceRow>& rows;
+/// The constraints of an island for one linearisation of its loads.
+struct Problem {
+  const StepContext& context;
+  Island& island;
+  const std::vector<Pushed>& bodies;
+  double h;
 };
 
-/// An answer of the solver to the reactions r: the changes of velocity, and R.
+/// Energy of the motion that the reactions act on, and of the one that loads add [J].
+double motion_energy(const Problem& problem) {
+  double sum = 0;
+  for (const Pushed& b : problem.bodies) {
+    const Vector6d push = problem.h * b.load;
+    sum += b.before.dot(b.S * b.before) + push.dot(b.mobility * push);
+  }
+  return sum / 2;
+}
+
+/// What an island is under, beside its lines and drives.
+struct Constraints {
+  std::vector<JointFrames> joints;
+  std::vector<Contact> contacts;
+  double joint_error = 1;  ///< Part of the error of joints that is taken back.
+};
+
+/// The rows of joints, then of contacts, then of lines and drives.
+std::vector<ConstraintBlock> blocks_of(const Problem& problem, const Constraints& constraints) {
+  const Island& island = problem.island;
+  const auto state_of = [&](BodyId id) {
+    const auto found = std::ranges::lower_bound(island.bodies, id, {}, &SubstepBody::id);
+    return found == island.bodies.end() || (*found)->id != id ? hydro::BodyState{}
+                                                              : (*found)->halfway.state;
+  };
+  const double h = problem.h;
+  std::vector<ConstraintBlock> blocks;
+  for (const JointFrames& joint : constraints.joints)
+    add_joint_blocks(joint, state_of(joint.bodies[0]), state_of(joint.bodies[1]), h, blocks);
+  for (ConstraintBlock& block : blocks) block.target *= constraints.joint_error;
+  for (const Contact& contact : constraints.contacts)
+    blocks.push_back(contact_block(contact, state_of(contact.pair.first).position,
+                                   state_of(contact.pair.second).position, h));
+  for (const ForceRow& row : island.rows)
+    blocks.push_back(
+        force_block(row, state_of(row.first).position, state_of(row.second).position, h));
+  return blocks;
+}
+
+/// The reactions of joints, whose blocks come first.
+std::vector<JointReaction> joint_reactions(const Problem& problem,
+                                           const std::vector<JointFrames>& joints,
+                                           const std::vector<ConstraintBlock>& blocks,
+                                           const std::vector<Eigen::Vector3d>& impulses) {
+  std::vector<JointReaction> reactions;
+  std::size_t k = 0;
+  for (const JointFrames& joint : joints) {
+    // The force on the second body is opposite to that on the first.
+    const bool on_first = joint.bodies[0] != kWorld;
+    const int side = on_first ? 0 : 1;
+    Vector6d load = Vector6d::Zero();
+    for (int i = 0; i < joint.blocks(); ++i, ++k)
+      load += (on_first ? -1 : 1) / problem.h * blocks[k].J[side].transpose() * impulses[k];
+    const auto body =
+        std::ranges::lower_bound(problem.island.bodies, joint.bodies[side], {}, &SubstepBody::id);
+    reactions.push_back({.joint = joint.index,
+                         .force_W = load.head<3>(),
+                         .moment_W = load.tail<3>(),
+                         .about_W = (*body)->halfway.state.position});
+  }
+  return reactions;
+}
+
+/// An answer to the loads: the changes of velocity, and R.
 using Answer = ImpactAnswer;
 
-Answer ask(const Solver& solver, std::vector<Row>& rows, const std::vector<Vector6d>& r,
-           double step) {
-  std::vector<SolverBody> bodies;
-  std::vector<Vector6d> loads;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows[i];
-    loads.push_back(row.plain ? row.load
-                              : Vector6d(row.M_o * row.S_factor.solve(row.load + r[i]) - r[i]));
-    row.solver.load = to_wrench(loads.back());
-    bodies.push_back(row.solver);
+/// Forces of the rows of lines and drives, whose blocks come last, and their work.
+void add_rows(const Problem& problem, const std::vector<ConstrainedBody>& bodies,
+              const std::vector<ConstraintBlock>& blocks, const ConstraintSolution& found,
+              Answer& answer) {
+  const std::size_t rows = problem.island.rows.size();
+  for (std::size_t k = blocks.size() - rows; k < blocks.size(); ++k) {
+    const double impulse = found.impulses[k][0];
+    answer.row_forces.push_back(impulse / problem.h);
+    for (int side = 0; side < 2; ++side) {
+      const auto body =
+          std::ranges::lower_bound(bodies, blocks[k].bodies[side], {}, &ConstrainedBody::body);
+      if (body == bodies.end() || body->body != blocks[k].bodies[side]) continue;
+      const auto i = static_cast<std::size_t>(body - bodies.begin());
+      const Vector6d mean =
+          (problem.bodies[i].before + problem.bodies[i].jump + found.velocities[i]) / 2;
+      answer.row_work += impulse * blocks[k].J[side].row(0).dot(mean);
+    }
   }
-  World::ConstrainedMotion motion =
-      solver.world.constrained_motion(bodies, solver.contacts, solver.rows, step);
-  const std::vector<hydro::Twist>& after = motion.velocities;
-  Answer answer{.row_forces = std::move(motion.forces), .joints = std::move(motion.reactions)};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const hydro::BodyState& before = rows[i].solver.state;
-    const Vector6d change = to_vector6(after[i].linear - before.linear_velocity,
-                                       after[i].angular - before.angular_velocity);
-    answer.changes.push_back(change - rows[i].jump);
-    answer.reactions.push_back(rows[i].M_o * change / step - loads[i]);
+}
+
+/// Impulses to start from: those of the forces that contacts and rows had last.
+std::vector<Eigen::Vector3d> expected_impulses(const Problem& problem,
+                                               const Constraints& constraints,
+                                               const std::vector<ConstraintBlock>& blocks) {
+  std::vector<Eigen::Vector3d> impulses(blocks.size(), Eigen::Vector3d::Zero());
+  std::size_t k = blocks.size() - problem.island.rows.size() - constraints.contacts.size();
+  for (const Contact& contact : constraints.contacts) {
+    impulses[k] = problem.h * blocks[k].J[0].leftCols<3>() * contact.force_W;
+    ++k;
   }
+  for (const ForceRow& row : problem.island.rows) impulses[k++][0] = problem.h * row.force;
+  return impulses;
+}
+
+/// Keeps the forces of contacts that were found.
+void keep_forces(const std::vector<ConstraintBlock>& blocks,
+                 const std::vector<Eigen::Vector3d>& impulses, const Problem& problem) {
+  std::vector<Contact>& contacts = problem.island.contacts;
+  std::size_t k = blocks.size() - problem.island.rows.size() - contacts.size();
+  for (Contact& contact : contacts) {
+    contact.force_W = blocks[k].J[0].leftCols<3>().transpose() * impulses[k] / problem.h;
+    ++k;
+  }
+}
+
+Answer solve(const Problem& problem, const Constraints& constraints) {
+  const Island& island = problem.island;
+  std::vector<ConstrainedBody> bodies;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const Pushed& b = problem.bodies[i];
+    bodies.push_back({island.bodies[i]->id, b.S, b.mobility, b.unconstrained(problem.h)});
+  }
+  const std::vector<ConstraintBlock> blocks = blocks_of(problem, constraints);
+  const ConstraintSolution found =
+      solve_constraints(bodies, blocks, expected_impulses(problem, constraints, blocks),
+                        std::sqrt(2 * motion_energy(problem)));
+  keep_forces(blocks, found.impulses, problem);
+  Answer answer{.joints = joint_reactions(problem, constraints.joints, blocks, found.impulses)};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Pushed& b = problem.bodies[i];
+    const Vector6d change = found.velocities[i] - b.before;
+    answer.changes.push_back(change - b.jump);
+    answer.reactions.push_back(b.S * change / problem.h - b.load);
+    island.bodies[i]->moving->counts.iterations += found.sweeps;
+    island.bodies[i]->moving->counts.unconverged += !found.converged;
+  }
+  add_rows(problem, bodies, blocks, found, answer);
   return answer;
 }
 
-/// Reactions of the bodies that iterate, as changes of velocity in the metric of M_o.
-Eigen::VectorXd scaled(const std::vector<Row>& rows, const std::vector<Vector6d>& reactions,
-                       double step) {
-  Eigen::VectorXd x(6 * static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vector6d part = rows[i].root.solve_lower(reactions[i]);
-    x.segment<6>(6 * static_cast<Eigen::Index>(i)) =
-        rows[i].plain ? Vector6d(Vector6d::Zero()) : Vector6d(step * part);
-  }
-  return x;
-}
-
-std::vector<Vector6d> unscaled(const std::vector<Row>& rows, const Eigen::VectorXd& x,
-                               double step) {
-  std::vector<Vector6d> reactions;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    reactions.push_back(rows[i].root.lower() * x.segment<6>(6 * static_cast<Eigen::Index>(i)) /
-                        step);
-  return reactions;
-}
-
-/// A measure of the motion that the reactions act on, as `scaled`.
-double motion_size(const std::vector<Row>& rows, double step) {
-  double sum = 0;
-  for (const Row& row : rows) {
-    const hydro::BodyState& state = row.solver.state;
-    const Vector6d u = to_vector6(state.linear_velocity, state.angular_velocity);
-    const Vector6d push = row.root.solve_lower(step * row.load);
-    sum += u.dot(row.M_o * u) + push.squaredNorm();
-  }
-  return std::sqrt(sum);
-}
-
-struct Iteration {
-  Answer answer;  ///< The one that was nearest to what it was asked with.
-  int count = 0;
-  bool converged = false;
-};
-
-/// r ← R from `start`, accelerated. Ends without success where it gets no nearer.
-///
-/// @param most        Solutions at most.
-/// @param contracts   The plain iteration does. It then takes the place of an acceleration that has
-///   led farther away, as across the limit of a contact, where what was learnt does not hold.
-Iteration iterate(const Solver& solver, std::vector<Row>& rows, const std::vector<Vector6d>& start,
-                  double step, int most, bool contracts) {
-  const double size = motion_size(rows, step);
-  Eigen::VectorXd x = scaled(rows, start, step), last_x, last_image;
-  Anderson anderson(kAndersonDepth);
-  Iteration iteration;
-  double least = std::numeric_limits<double>::infinity();
-  double last = least;
-  int idle = 0, plain = 0;
-  bool accelerated = false;
-  while (true) {
-    Answer answer = ask(solver, rows, unscaled(rows, x, step), step);
-    ++iteration.count;
-    const Eigen::VectorXd image = scaled(rows, answer.reactions, step);
-    const double missed = (image - x).norm();
-    iteration.converged = missed <= kReactionTolerance * (size + image.norm());
-    idle = missed < kProgress * least ? 0 : idle + 1;
-    if (missed < least || iteration.count == 1) iteration.answer = std::move(answer);
-    least = std::min(least, missed);
-    const bool gives_up = iteration.count == most || (!contracts && idle > kMostIdleSolves);
-    if (iteration.converged || gives_up) return iteration;
-    if (contracts && accelerated && missed >= last) {
-      anderson = Anderson(kAndersonDepth);
-      x = anderson.next(last_x, last_image);
-      plain = 1;
-      accelerated = false;
-      continue;
-    }
-    last = missed;
-    last_x = x;
-    last_image = image;
-    const Eigen::VectorXd next = anderson.next(x, image);
-    accelerated = plain == 0;
-    x = accelerated ? next : image;
-    plain = std::max(0, plain - 1);
-  }
-}
-
-std::vector<Vector6d> last_reactions(const Island& island) {
-  std::vector<Vector6d> reactions;
-  for (const SubstepBody* c : island.bodies)
-    reactions.push_back(rotate(c->midpoint.R_WB, c->reaction_B));
-  return reactions;
-}
-
-/// (E7) for the loads of the rows. Adds the number of solves to `solves`.
-Answer solve(const Solver& solver, const Island& island, std::vector<Row>& rows, double step,
-             int& solves) {
-  std::vector<Vector6d> start = last_reactions(island);
-  if (std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plain; })) {
-    for (const SubstepBody* c : island.bodies) ++c->moving->counts.iterations;
-    ++solves;
-    return ask(solver, rows, start, step);
-  }
-  Iteration iteration = iterate(solver, rows, start, step, kMostSolves - kContractingSolves, false);
-  int count = iteration.count;
-  if (!iteration.converged) {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (!rows[i].plain)
-        choose_solver_mass(*island.bodies[i], rows[i], contraction_factor(rows[i]));
-    iteration = iterate(solver, rows, iteration.answer.reactions, step, kMostSolves - count, true);
-    count += iteration.count;
-  }
-  solves += count;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    island.bodies[i]->moving->counts.iterations += count;
-    island.bodies[i]->moving->counts.unconverged += !iteration.converged;
-  }
-  return iteration.answer;
-}
-
-/// The answer, less what restitution would give of energy (E33).
-Answer without_gain(const Solver& solver, const Island& island, std::vector<Row>& rows,
-                    const Answer& answer, double step, int& solves) {
-  if (!restores(solver.contacts)) return answer;
+/// The answer, less what corrections would give of energy (E33).
+Answer solve(const Problem& problem) {
+  const Island& island = problem.island;
+  std::vector<BodyId> ids;
+  for (const SubstepBody* b : island.bodies) ids.push_back(b->id);
+  Constraints constraints{problem.context.world.joints_of(ids), island.contacts};
+  const Answer answer = solve(problem, constraints);
+  const bool jointed = !constraints.joints.empty();
+  if (!jointed && !restores(island.contacts)) return answer;
   std::vector<Vector6d> before;
-  for (const Row& row : rows)
-    before.push_back(velocity(row.solver.state, Eigen::Vector3d::Zero()) + row.jump);
-  if (!gains(answer, before, step)) return answer;
-  const std::vector<Contact> plain = without_restitution(solver.contacts);
-  const Answer stopped = solve({.world = solver.world, .contacts = plain, .rows = solver.rows},
-                               island, rows, step, solves);
-  return without_gain(stopped, answer, before, step);
+  for (const Pushed& b : problem.bodies) before.push_back(b.before + b.jump);
+  const double most = jointed ? kJointWork * motion_energy(problem) : 0;
+  if (!gains(answer, before, problem.h, most)) return answer;
+  constraints.contacts = without_restitution(island.contacts);
+  constraints.joint_error = 0;
+  return without_gain(solve(problem, constraints), answer, before, problem.h, most);
 }
 
 /// True if the changes agree with those that the loads were linearised about.
-bool has_converged(const Island& island, const std::vector<Row>& rows, const Answer& answer) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].implicit) continue;
+bool has_converged(const Problem& problem, const Answer& answer) {
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    const Pushed& b = problem.bodies[i];
+    if (!b.implicit) continue;
     const Vector6d& change = answer.changes[i];
-    const Vector6d off = change - island.bodies[i]->predicted;
-    if (off.dot(rows[i].S * off) >
-        kNewtonTolerance * kNewtonTolerance * change.dot(rows[i].S * change))
+    const Vector6d off = change - problem.island.bodies[i]->predicted;
+    if (off.dot(b.S * off) > kNewtonTolerance * kNewtonTolerance * change.dot(b.S * change))
       return false;
   }
   return true;
@@ -247,31 +231,29 @@ bool has_converged(const Island& island, const std::vector<Row>& rows, const Ans
 }  // namespace
 
 void constrained_update(const StepContext& context, Island& island, double time, double h) {
-  const Solver solver{.world = context.world, .contacts = island.contacts, .rows = island.rows};
-  const std::vector<SubstepBody*>& bodies = island.bodies;
-  int solves = 0;
-  for (int i = 0; i < kMostLinearisations && solves < kMostSolvesInAll; ++i) {
-    std::vector<Row> rows(bodies.size());
-    parallel_for_rethrow(context.parallel_for, bodies.size(),
-                         [&](std::size_t k) { rows[k] = make_row(*bodies[k], time, h); });
-    const Answer answer =
-        without_gain(solver, island, rows, solve(solver, island, rows, h, solves), h, solves);
-    const bool done = has_converged(island, rows, answer);
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      SubstepBody& c = *bodies[k];
+  std::vector<Pushed> pushed(island.bodies.size());
+  const Problem problem{.context = context, .island = island, .bodies = pushed, .h = h};
+  for (int i = 0; i < kMostLinearisations; ++i) {
+    parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
+      pushed[k] = make_pushed(*island.bodies[k], time, h);
+    });
+    const Answer answer = solve(problem);
+    const bool done = has_converged(problem, answer);
+    for (std::size_t k = 0; k < pushed.size(); ++k) {
+      SubstepBody& c = *island.bodies[k];
       const Vector6d& change = answer.changes[k];
-      c.update = {.change = change, .implicit = rows[k].implicit};
+      c.update = {.change = change, .implicit = pushed[k].implicit};
       // Where Newton's method alternates, the mean is nearer.
       c.predicted = i < kFullNewtonSteps ? change : Vector6d((c.predicted + change) / 2);
       c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
-      c.load_acceleration_W = rows[k].S_factor.solve(rows[k].load).head<3>();
+      c.load_acceleration_W = (pushed[k].mobility * pushed[k].load).head<3>();
     }
     for (std::size_t k = 0; k < island.rows.size(); ++k)
       island.rows[k].force = answer.row_forces[k];
     island.reactions = answer.joints;
     if (done) break;
   }
-  for (SubstepBody* c : bodies) c->predicted = c->update.change;
+  for (SubstepBody* c : island.bodies) c->predicted = c->update.change;
 }
 
 }  // namespace engine

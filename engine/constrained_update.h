@@ -3,32 +3,18 @@
 #include "engine/substep.h"
 
 /// @file
-/// The change of velocity of bodies under joints, locks and contacts.
+/// The change of velocity of bodies under joints, locks, contacts, lines and drives.
 ///
 /// With S the effective inertia of a body and F its loads (velocity_update.h), R the reactions,
 ///
 ///     S Δu = h (F + R),                                                                    (E7)
 ///
-/// where u + Δu obeys the constraints. The constraint solver, ODE's, knows a mass and a 3×3 inertia
-/// only: with M_o of that form it solves M_o Δu = h (F_o + R). Given a guess r of the reactions,
-/// the load
+/// where u + Δu and R = Jᵀp/h, and the reactions of locks, obey the rows of all constraints (E8).
+/// Locks are no rows: they leave S⁻¹ the velocities that they allow.
 ///
-///     F_o = M_o S⁻¹ (F + r) − r                                                            (E8)
-///
-/// makes it answer with R(r), and where R = r its Δu is that of (E7). The reactions follow from its
-/// answer as R = M_o Δu/h − F_o.
-///
-/// Convergence. The solver's R is the projection of −F_o in the metric of M_o, so r ← R is a
-/// gradient step of length one for the dual of (E7), preconditioned by M_o: it contracts where M_o
-/// <= 2S. M_o is therefore taken near S, its translational part the geometric mean of those of S,
-/// and the iteration is accelerated (anderson.h): without inequalities it then ends after at most
-/// as many steps as there are reactions, whatever the ratio of S to M_o. It starts from the
-/// reactions of the last substep. Where it makes no progress, as when contacts open and close from
-/// one answer to the next, M_o is made small enough for plain contraction, which then replaces
-/// every acceleration that fails. Bodies with S of ODE's form need one solve.
-///
-/// The step does not depend on a lagged acceleration: at the fixed point it is that of the exact
-/// mass, and every answer meets the constraints.
+/// The step does not depend on a lagged acceleration: S has the whole added mass. Where the loads
+/// are stiff they are linearised about the change that the constraints lead to, and the constraints
+/// solved anew until both agree.
 
 namespace engine {
 

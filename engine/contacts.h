@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/broad_phase.h"
+
 /// @file
 /// The model of a contact: which points are kept where two bodies overlap, and their stiffness.
 ///
@@ -108,6 +110,19 @@ struct ContactStiffness {
 };
 ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
                                    const ContactWeights& weights = {});
+
+/// A point of a contact for the constraint solver.
+struct Contact {
+  Pair pair;
+  ContactPoint point;
+  ContactStiffness stiffness;
+  double friction = kFriction;                          ///< Coulomb's µ [-].
+  double restitution = 0;                               ///< [-]
+  bool rebounds = false;                                ///< (E30) holds.
+  Eigen::Vector3d sliding_W = Eigen::Vector3d::Zero();  ///< Relative velocity without it [m/s].
+  /// Force on the first body, in the axes W, that the solver has found or is to start from [N].
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();
+};
 
 /// Speed of (E15), above which touching is an impact [m/s].
 double impact_speed(double gravity);

@@ -340,7 +340,6 @@ void let_water_run(const Body& body, double time, double h, Motion& motion) {
   }
   // Accelerations and reactions of another mass tell nothing of the next ones.
   motion.accelerations.clear();
-  motion.reaction_B.setZero();
   motion.load_acceleration_W.reset();
 }
 

@@ -34,14 +34,14 @@ bool starts(const MovingBody& moving) {
 
 GroupStepper::GroupStepper(const StepContext& context, Group group,
                            std::vector<EnergyLimiter*> limiters, std::vector<GroupStepper>& alone,
-                           const std::vector<Pair>& touching, double step)
+                           const PastContacts& past, double step)
     : context_(context),
       group_(std::move(group)),
       alone_(&alone),
       is_alone_(group_.bodies.size() == 1 && group_.joints.empty() && group_.near.empty()),
       step_(step),
       shortest_((is_alone_ ? kShortestPart : kShortestConstrainedPart) * step),
-      impacts_(context_, group_, touching, step),
+      impacts_(context_, group_, past.touching, step),
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].id = group_.bodies[i];
@@ -54,6 +54,11 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
   }
   if (is_alone_)
     islands_.push_back({.bodies = {&members_.front()}, .contacts = {}, .constrained = false});
+  else
+    for (const Pair& pair : group_.near) {
+      const auto known = std::ranges::equal_range(past.forces, pair, {}, &ContactForce::pair);
+      forces_.insert(forces_.end(), known.begin(), known.end());
+    }
 }
 
 GroupStepper::Member& GroupStepper::member(BodyId id) {
@@ -151,6 +156,7 @@ void GroupStepper::accept(double time, double h) {
     if (m.island) m.moving->motion = m.end;
   for (const Island& island : islands_) Rig::add(island, h, record_);
   if (is_alone_) return;
+  keep_forces();
   parallel_for_rethrow(context_.parallel_for, members_.size(), [&](std::size_t i) {
     if (!members_[i].island) (*alone_)[members_[i].id].advance(time, h);
   });
@@ -161,6 +167,7 @@ GroupStepper::Snapshot GroupStepper::snapshot() const {
   Snapshot snapshot{.motions = {},
                     .ranges = {},
                     .impacts = impacts_,
+                    .forces = forces_,
                     .rows = record_.rows.size(),
                     .reactions = record_.reactions.size()};
   for (const Member& m : members_) snapshot.motions.push_back(m.moving->motion);
@@ -173,6 +180,7 @@ void GroupStepper::restore(const Snapshot& snapshot) {
     members_[i].moving->motion = snapshot.motions[i];
   for (std::size_t i = 0; i < judged_.size(); ++i) judged_[i].limiter->restore(snapshot.ranges[i]);
   impacts_ = snapshot.impacts;
+  forces_ = snapshot.forces;
   record_.rows.resize(snapshot.rows);
   record_.reactions.resize(snapshot.reactions);
 }
@@ -212,11 +220,29 @@ void GroupStepper::find_contacts(double time, double h) {
     m.touching = false;
     if (context_.collides) bodies.push_back(placed(m));
   }
-  if (context_.collides) contacts_ = context_.world.collide(bodies, group_.near, h);
+  if (context_.collides) {
+    contacts_ = context_.world.collide(bodies, group_.near, h);
+    recall(forces_, halfway_states(), contacts_.points);
+  }
   for (const Pair& pair : contacts_.pairs)
     for (const BodyId id : {pair.first, pair.second})
       if (can_move(context_.bodies, id)) member(id).touching = true;
   find_islands();
+}
+
+StateOf GroupStepper::halfway_states() {
+  return [this](BodyId id) {
+    return can_move(context_.bodies, id) ? member(id).halfway.state
+                                         : context_.bodies[id].motion.state;
+  };
+}
+
+void GroupStepper::keep_forces() {
+  std::vector<Contact> contacts;
+  for (const Island& island : islands_)
+    contacts.insert(contacts.end(), island.contacts.begin(), island.contacts.end());
+  std::ranges::stable_sort(contacts, {}, &Contact::pair);
+  forces_ = remembered(contacts, halfway_states());
 }
 
 void GroupStepper::find_islands() {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/contact_memory.h"
 #include "engine/energy_limiter.h"
 #include "engine/impacts.h"
 #include "engine/substep.h"
@@ -14,27 +15,34 @@
 /// through it contacts are found; joints and contacts make islands, which are moved (substep.h),
 /// judged (energy_limiter.h), and either accepted or repeated in halves. Bodies in no island take
 /// the substep each as a group of its own. A group of one body that nothing can touch and no joint
-/// of ODE's holds is the most frequent one: its island is itself.
+/// that is not reduced holds is the most frequent one: its island is itself.
 ///
 /// With a tolerance a substep is compared with its halves, which are kept (step_controller.h).
 
 namespace engine {
+
+/// Contacts at the end of the last step.
+struct PastContacts {
+  const std::vector<Pair>& touching;        ///< Ascending.
+  const std::vector<ContactForce>& forces;  ///< Their pairs ascend.
+};
 
 class GroupStepper {
  public:
   /// @param group      What it refers to must outlive the stepper.
   /// @param limiters   Of the bodies of the group, each once.
   /// @param alone      Per body of the simulation: the stepper that moves it as a group of one.
-  /// @param touching   Pairs in contact at the start, ascending.
   /// @param step       The scene's step [s].
   GroupStepper(const StepContext& context, Group group, std::vector<EnergyLimiter*> limiters,
-               std::vector<GroupStepper>& alone, const std::vector<Pair>& touching, double step);
+               std::vector<GroupStepper>& alone, const PastContacts& past, double step);
 
   /// Advances the bodies by a step, or a part of one [s]. @throws MotionFault, OdeFault
   void advance(double time, double length);
 
   /// Pairs in contact, ascending.
   const std::vector<Pair>& touching() const { return impacts_.touching(); }
+  /// Forces of contacts in the last substep; their pairs ascend.
+  const std::vector<ContactForce>& contact_forces() const { return forces_; }
 
  private:
   struct Member : SubstepBody {
@@ -49,6 +57,7 @@ class GroupStepper {
     std::vector<Motion> motions;
     std::vector<EnergyRange> ranges;
     Impacts impacts;
+    std::vector<ContactForce> forces;
     std::size_t rows, reactions;  ///< Of the record.
   };
 
@@ -68,6 +77,8 @@ class GroupStepper {
   double shortened(double time, double h, double longest);
   double longest_substep(double rest) const;
   void find_contacts(double time, double h);
+  StateOf halfway_states();
+  void keep_forces();
   void find_islands();
 
   const StepContext& context_;
@@ -78,6 +89,7 @@ class GroupStepper {
   double shortest_;  ///< Substep that is not halved any more [s].
   Impacts impacts_;
   World::Contacts contacts_;
+  std::vector<ContactForce> forces_;  ///< Of the last accepted substep.
   std::vector<Member> members_;
   std::vector<Judged> judged_;
   std::vector<Island> islands_;  ///< Of the present substep.

@@ -26,7 +26,6 @@ struct Motion {
   std::shared_ptr<const HeldWater> held;   ///< Null: the body cannot have pockets.
   AccelerationHistory accelerations;       ///< Empty after contacts and other jumps.
   bool constrained = false;                ///< Joints or contacts acted in the last substep.
-  Vector6d reaction_B = Vector6d::Zero();  ///< R of the last substep, in B.
   /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
   /// [m/s^2]; none after a free substep.
   std::optional<Eigen::Vector3d> load_acceleration_W;

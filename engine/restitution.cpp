@@ -40,26 +40,27 @@ double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, dou
   return h * product(answer.reactions, added(before, answer.changes, 0.5));
 }
 
-bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h) {
+bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most) {
   const double exchanged =
       h * (std::abs(product(answer.reactions, before)) + product(answer.reactions, answer.changes));
-  return work(answer, before, h) > kImpactGain * exchanged;
+  return work(answer, before, h) - answer.row_work > most + kImpactGain * exchanged;
 }
 
 ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
-                          const std::vector<Vector6d>& before, double h) {
+                          const std::vector<Vector6d>& before, double h, double most) {
   const std::vector<Vector6d> change = added(restored.changes, plain.changes, -1);
   const std::vector<Vector6d> reaction = added(restored.reactions, plain.reactions, -1);
   // W(s) = W(0) + b s + c s², where c = ½ h² Σ ΔR·S⁻¹ ΔR.
   const double least = work(plain, before, h);
   const double c = h / 2 * product(reaction, change);
   const double b = work(restored, before, h) - least - c;
-  const double room = std::max(0.0, -least);
+  const double room = std::max(0.0, -least) + most;
   if (!(c > 0)) return plain;
   const double s = std::clamp((std::sqrt(b * b + 4 * c * room) - b) / (2 * c), 0.0, 1.0);
   ImpactAnswer answer{.changes = added(plain.changes, change, s),
                       .reactions = added(plain.reactions, reaction, s),
                       .row_forces = plain.row_forces,
+                      .row_work = plain.row_work + s * (restored.row_work - plain.row_work),
                       .joints = plain.joints};
   for (std::size_t i = 0; i < answer.row_forces.size(); ++i)
     answer.row_forces[i] += s * (restored.row_forces[i] - plain.row_forces[i]);

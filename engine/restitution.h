@@ -3,23 +3,27 @@
 #include <vector>
 
 #include "engine/contacts.h"
-#include "engine/island_solver.h"
 #include "engine/joint_reaction.h"
 #include "engine/spatial_vector.h"
 
 /// @file
-/// Keeps Newton's law of restitution (E30) from giving energy.
+/// Keeps restitution, and the taking back of what joints have come apart, from giving energy.
 ///
 /// One frictionless impact at a time loses (1 − e²) of what its normal motion has. Several at once
 /// with different e, or one with friction, whose impulses turn the body into each other's way, may
-/// gain. Let 0 and 1 denote the answers to an island's update without restitution, e = 0, and with
-/// it. Every R = (1 − s) R₀ + s R₁ pushes, is within its limit of friction, and lets nothing
-/// approach; s = 1 is Newton's law. The work of the reactions over the substep,
+/// gain under Newton's law. Joints that contradict each other, or that the island's pose leaves
+/// next to no freedom, may throw their bodies when their error is taken back (E38).
+///
+/// Let 0 and 1 denote the answers to an island's update without both, e = 0 and no error in joints,
+/// and with them. Every R = (1 − s) R₀ + s R₁ pushes, is within its limit of friction, lets nothing
+/// approach, and moves joints as their rows ask for s of the error; s = 1 is the whole. The work of
+/// the reactions over the substep,
 ///
 ///     W(s) = ½ h R·(u⁻ + u⁺),                                                            (E33)
 ///
 /// u⁻ and u⁺ the velocities before and after the update, is the change of energy by them, and
-/// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)).
+/// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)) + g, g being kJointWork of
+/// the motion's energy where there are joints, and else nothing.
 
 namespace engine {
 
@@ -28,6 +32,7 @@ struct ImpactAnswer {
   std::vector<Vector6d> changes;
   std::vector<Vector6d> reactions;
   std::vector<double> row_forces;     ///< λ of the rows, a part of the reactions.
+  double row_work = 0;                ///< That of these in (E33) [J].
   std::vector<JointReaction> joints;  ///< The same of joints.
 };
 
@@ -41,11 +46,11 @@ std::vector<Contact> without_restitution(std::vector<Contact> contacts);
 /// @param before   Velocities of the bodies before the update, in W.
 double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h);
 
-/// True if W of an answer is more than round-off.
-bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h);
+/// True if W of an answer, less the work of lines and drives, is more than `most` and round-off.
+bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most);
 
-/// The answer at the largest s that gains nothing.
+/// The answer at the largest s. @param most   g [J]
 ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
-                          const std::vector<Vector6d>& before, double h);
+                          const std::vector<Vector6d>& before, double h, double most);
 
 }  // namespace engine

@@ -40,7 +40,6 @@ World make_world(const SimulationSpec& spec) {
   const bool meets = has_a_pair(spec);
   for (const BodySpec& body : spec.bodies) world.add_body(body, meets);
   // Joints take some of the world's compliance when they are made, so this comes before them.
-  if (spec.integrator.method == Integrator::Method::split) world.only_constrain();
   for (const JointSpec& joint : spec.joints) world.add_joint(joint);
   world.add_ground(spec.ground);
   return world;

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 6";
+constexpr std::string_view kMagic = "plimsoll state 7";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -90,6 +90,7 @@ void visit_all(Archive& a, T&... parts) {
 }
 
 void visit(auto& a, Pair& pair) { visit_all(a, pair.first, pair.second); }
+void visit(auto& a, ContactForce& f) { visit_all(a, f.pair, f.place_B, f.force_B); }
 void visit(auto& a, hydro::BodyState& s) {
   visit_all(a, s.position, s.orientation, s.linear_velocity, s.angular_velocity);
 }
@@ -130,7 +131,7 @@ void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
 }
 void visit(auto& a, Motion& m) {
   visit_all(a, m.state, m.added_B, m.added_rate_B, m.memory, m.held, m.accelerations, m.constrained,
-            m.reaction_B, m.load_acceleration_W, m.longest_after_impact, m.work);
+            m.load_acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
 void visit(auto& a, AppliedLoad::Sine& sine) { visit_all(a, sine.frequency, sine.phase); }
@@ -162,7 +163,8 @@ void visit(auto& a, RigState& rig) {
   visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.moordyn);
 }
 void visit(auto& a, SimulationState::Data& data) {
-  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.ranges, data.rig);
+  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.forces,
+            data.stepper.ranges, data.rig);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
     std::vector<EnergyLimiter*> limiters;
     if (bodies[i].body.movable && limiters_[limiter_of_[i]].group().size() == 1)
       limiters.push_back(&limiters_[limiter_of_[i]]);
-    alone_.emplace_back(context_, group, std::move(limiters), alone_, std::vector<Pair>{}, step_);
+    alone_.emplace_back(context_, group, std::move(limiters), alone_,
+                        PastContacts{touching_, forces_}, step_);
   }
 }
 
@@ -37,16 +38,23 @@ void Stepper::advance(double time) {
   std::vector<Group> groups = find_groups(near_pairs());
   const std::vector<BodyId> free = free_bodies(groups);
   std::vector<std::vector<Pair>> touching(groups.size());
+  std::vector<std::vector<ContactForce>> forces(groups.size());
   parallel_for_rethrow(context_.parallel_for, groups.size() + free.size(), [&](std::size_t i) {
     if (i >= groups.size()) return alone_[free[i - groups.size()]].advance(time, step_);
-    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), alone_, touching_, step_);
+    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), alone_, {touching_, forces_},
+                         step_);
     stepper.advance(time, step_);
     touching[i] = stepper.touching();
+    forces[i] = stepper.contact_forces();
   });
   touching_.clear();
   for (const std::vector<Pair>& pairs : touching)
     touching_.insert(touching_.end(), pairs.begin(), pairs.end());
   std::sort(touching_.begin(), touching_.end());
+  forces_.clear();
+  for (const std::vector<ContactForce>& of_group : forces)
+    forces_.insert(forces_.end(), of_group.begin(), of_group.end());
+  std::ranges::stable_sort(forces_, {}, &ContactForce::pair);
 }
 
 std::vector<Pair> Stepper::near_pairs() {
@@ -104,13 +112,14 @@ std::vector<BodyId> Stepper::free_bodies(const std::vector<Group>& groups) const
 }
 
 StepperState Stepper::state() const {
-  StepperState state{.touching = touching_, .ranges = {}};
+  StepperState state{.touching = touching_, .forces = forces_, .ranges = {}};
   for (const EnergyLimiter& limiter : limiters_) state.ranges.push_back(limiter.range());
   return state;
 }
 
 void Stepper::restore(const StepperState& state) {
   touching_ = state.touching;
+  forces_ = state.forces;
   for (std::size_t i = 0; i < limiters_.size(); ++i) limiters_[i].restore(state.ranges[i]);
 }
 

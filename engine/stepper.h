@@ -15,8 +15,9 @@ namespace engine {
 
 /// What the steps so far leave to the next one, beside the bodies' motions.
 struct StepperState {
-  std::vector<Pair> touching;       ///< Pairs in contact, ascending.
-  std::vector<EnergyRange> ranges;  ///< Of the energy limiters, in their order.
+  std::vector<Pair> touching;        ///< Pairs in contact, ascending.
+  std::vector<ContactForce> forces;  ///< Of contacts; their pairs ascend.
+  std::vector<EnergyRange> ranges;   ///< Of the energy limiters, in their order.
 };
 
 class Stepper {
@@ -40,7 +41,7 @@ class Stepper {
  private:
   /// Pairs that may touch in the next step, ascending.
   std::vector<Pair> near_pairs();
-  /// Groups of bodies that joints of ODE's, lines or nearness connect.
+  /// Groups of bodies that joints, lines or nearness connect.
   std::vector<Group> find_groups(const std::vector<Pair>& near) const;
   std::vector<EnergyLimiter*> limiters_of(const Group& group);
   /// Movable bodies that are in no group.
@@ -49,11 +50,12 @@ class Stepper {
   StepContext context_;
   double step_;
   std::vector<BodyId> movable_;  ///< Ascending.
-  std::vector<Pair> joints_;     ///< That ODE solves, and couplings by lines.
+  std::vector<Pair> joints_;     ///< That are not reduced, and couplings by lines.
   std::vector<EnergyLimiter> limiters_;
   std::vector<std::size_t> limiter_of_;  ///< Per body.
   std::vector<GroupStepper> alone_;      ///< Per body, as a group of one.
   std::vector<Pair> touching_;           ///< Ascending.
+  std::vector<ContactForce> forces_;     ///< Their pairs ascend.
   BroadPhase broad_phase_;
 };
 

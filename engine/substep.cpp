@@ -27,7 +27,6 @@ void begin_free(SubstepBody& b, double time, double h) {
 void begin_constrained(SubstepBody& b, double h) {
   const Motion& motion = b.moving->motion;
   b.start = motion.state;
-  b.reaction_B = motion.reaction_B;
   b.load_acceleration_W = motion.load_acceleration_W;
   // A contact of the last or of this substep says nothing of the next change.
   const bool smooth = b.halfway.constrained && !b.touching;
@@ -65,7 +64,6 @@ void finish(const Island& island, SubstepBody& b, double h) {
   if (tells) end.accelerations.add(1 / h * rotate(R_BW, update.change), h, b.body().radius);
   if (!b.touching && !update.implicit) end.accelerations.set_slope(rotate(R_BW, update.slope));
   end.constrained = constrained;
-  end.reaction_B = b.reaction_B;
   end.load_acceleration_W = b.load_acceleration_W;
   end.state = with_velocity(end.state, b.midpoint.after + update.change, end.flow);
   check_state(*b.moving, end.state);

@@ -9,6 +9,7 @@
 #include "engine/body_check.h"
 #include "engine/constants.h"
 #include "engine/locks.h"
+#include "engine/ode_world.h"
 
 namespace engine {
 namespace {
@@ -35,7 +36,6 @@ World::World(double gravity) : gravity_(gravity) {
 BodyId World::add_body(const BodySpec& spec, bool collides) {
   check_body(spec);
   Body body{.mass = spec.mass,
-            .constrained = partly_locked(spec.locked),
             .initial = without_locked_motion(spec.locked, spec.initial),
             .load = {},
             .inertia = {.mass = spec.mass, .acceleration = {0, 0, -gravity_}}};

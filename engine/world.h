@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -8,8 +10,7 @@
 #include "engine/broad_phase.h"
 #include "engine/contact_surfaces.h"
 #include "engine/contacts.h"
-#include "engine/island_solver.h"
-#include "engine/joint_reaction.h"
+#include "engine/joint_rows.h"
 #include "engine/ode_handles.h"
 #include "engine/spec.h"
 
@@ -25,10 +26,9 @@ struct OrientedBox {
 /// Bodies, joints and ground in ODE. Owns all of ODE's objects; a body is an index.
 ///
 /// Bodies are added first, then joints and ground. The world takes steps of its own: apply loads,
-/// collide, advance. After only_constrain() it solves joints and contacts alone: collide the bodies
-/// of a group, then ask for the constrained_motion of its islands. Several threads may do so.
-/// Every call may throw OdeFault; after one out of `advance` or `constrained_motion` the world
-/// can only be destroyed.
+/// collide, advance. Or it only finds the contacts of bodies that others place, and tells their
+/// joints. Several threads may ask for that.
+/// Every call may throw OdeFault; after one out of `advance` the world can only be destroyed.
 class World {
  public:
   explicit World(double gravity);
@@ -42,8 +42,6 @@ class World {
   void add_ground(const Ground& ground);
   /// Friction and restitution of the contacts; by default those of default surfaces.
   void set_surfaces(ContactSurfaces surfaces) { surfaces_ = std::move(surfaces); }
-  /// From now on bodies move only by set_state: there is no gravity and no motion of their own.
-  void only_constrain();
 
   /// False if no two shapes, of which one moves, exist.
   bool can_collide() const;
@@ -93,16 +91,8 @@ class World {
   /// Wall time of the last three functions so far [s].
   double collision_seconds() const { return collision_seconds_; }
 
-  /// What joints and rows do to the bodies of an island.
-  struct ConstrainedMotion : IslandSolution {
-    std::vector<JointReaction> reactions;  ///< Of the joints of these bodies.
-  };
-  /// The motion that the bodies of an island have after `step` [s] under their loads, joints,
-  /// locks, these contacts and rows. Nothing moves.
-  /// @param bodies   Ascending.
-  ConstrainedMotion constrained_motion(const std::vector<SolverBody>& bodies,
-                                       const std::vector<Contact>& contacts,
-                                       const std::vector<ForceRow>& rows, double step);
+  /// The joints of these bodies, which ascend, in the order of the specification.
+  std::vector<JointFrames> joints_of(const std::vector<BodyId>& bodies) const;
 
   /// Pairs of bodies and kWorld that joints connect, of which one at least can move.
   const std::vector<Pair>& joints() const { return joints_; }
@@ -125,22 +115,15 @@ class World {
     dxGeom* geom = nullptr;       ///< Null if it passes through everything.
     Eigen::AlignedBox3d shape_B;  ///< Box around `geom`.
     double mass = 0;
-    bool constrained = false;  ///< By joints or locks, which are in `world_`.
     hydro::BodyState initial;
     hydro::Wrench load;  ///< For the next advance.
     Inertia inertia;
-  };
-  struct Joint {
-    std::size_t index;  ///< In the specification.
-    BodyId first, second;
-    std::unique_ptr<OdeFeedback> feedback;
   };
   struct CollisionMesh {
     hydro::TriMesh mesh;  ///< ODE reads these arrays for as long as it collides them.
     TriMeshDataHandle data;
   };
 
-  JointReaction reaction_of(const Joint& joint) const;
   void soften_joints(const BodySpec& spec);
   dxBody* create_body(const BodySpec& spec);
   void add_shape(Body& body, const BodySpec& spec);
@@ -170,7 +153,6 @@ class World {
   double gravity_;
   double lightest_ = std::numeric_limits<double>::infinity();  ///< Least mass or moment of inertia.
   double heaviest_ = 0;                                        ///< Largest mass or moment.
-  double unit_ = 1;  ///< Factor of masses, moments and loads in the solver.
   double collision_seconds_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< Of `world_`, `space_`.
@@ -178,11 +160,10 @@ class World {
   SpaceHandle space_;
   JointGroupHandle contact_joints_;  ///< Of the step that is being taken.
   Contacts contacts_;                ///< For the next advance.
-  std::unique_ptr<IslandSolver> island_solver_ = std::make_unique<IslandSolver>();
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Pairs of bodies, ascending.
   std::vector<Pair> joints_;
-  std::vector<Joint> reacting_;  ///< Joints of which one body at least can move.
+  std::vector<JointFrames> frames_;  ///< Of joints of which one body at least can move.
   std::size_t joint_count_ = 0;
   dxGeom* ground_ = nullptr;
   ContactSurfaces surfaces_;

@@ -23,16 +23,19 @@ struct OneGroup {
       alone.emplace_back(all.context,
                          engine::Group{.bodies = {group.bodies[i]}, .joints = {}, .near = {}},
                          std::vector<engine::EnergyLimiter*>{&limiters[i]}, alone,
-                         std::vector<engine::Pair>{}, all.spec.step);
+                         engine::PastContacts{untouched, forceless}, all.spec.step);
     std::vector<engine::EnergyLimiter*> used;
     for (engine::EnergyLimiter& limiter : limiters) used.push_back(&limiter);
-    stepper.emplace(all.context, group, used, alone, std::vector<engine::Pair>{}, all.spec.step);
+    stepper.emplace(all.context, group, used, alone, engine::PastContacts{untouched, forceless},
+                    all.spec.step);
   }
 
   const engine::Counts& counts(std::size_t i) const { return all.bodies[i].counts; }
   const BodyState& state(std::size_t i) const { return all.bodies[i].motion.state; }
 
   support::IslandOfAll all;
+  std::vector<engine::Pair> untouched;
+  std::vector<engine::ContactForce> forceless;
   engine::Group group;
   std::vector<engine::EnergyLimiter> limiters;
   std::vector<engine::GroupStepper> alone;

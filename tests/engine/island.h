@@ -14,7 +14,6 @@ struct IslandOfAll {
         bodies(moving_bodies(spec)),
         members(bodies.size()) {
     for (const engine::BodySpec& body : spec.bodies) world.add_body(body);
-    world.only_constrain();
     for (const engine::JointSpec& joint : spec.joints) world.add_joint(joint);
     world.add_ground(spec.ground);
     for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -155,9 +155,9 @@ TEST(RestitutionWork, IsTakenBackToNothing) {
       second.push_back(first.back() + 2 / h * any());
     }
     const ImpactAnswer plain = answer(inertia, first, h), restored = answer(inertia, second, h);
-    if (!engine::gains(restored, before, h)) continue;
+    if (!engine::gains(restored, before, h, 0)) continue;
     ++gained;
-    const ImpactAnswer kept = engine::without_gain(plain, restored, before, h);
+    const ImpactAnswer kept = engine::without_gain(plain, restored, before, h, 0);
     EXPECT_NEAR(engine::work(kept, before, h), 0, tolerance(1e-12));
     // It lies between the two.
     const double s = (kept.changes[0] - plain.changes[0]).norm() /

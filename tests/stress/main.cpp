@@ -86,13 +86,13 @@ std::vector<RunName> chosen_runs(const Options& options) {
 
 int do_one(const Options& options) {
   const RunName run = stress::parse_run(*options.run);
-  if (options.trace) fmt::print("time,energy,rise,substeps,solutions,z,vz\n");
+  if (options.trace) fmt::print("time,energy,rise,substeps,sweeps,z,vz\n");
   const stress::Outcome outcome = stress::run_through(
       run, [&](const engine::Simulation& simulation, const stress::Watch& watch) {
         if (!options.trace) return;
         const hydro::BodyState& state = simulation.states()[0];
         fmt::print("{},{},{},{},{},{},{}\n", simulation.time(), watch.energy(), watch.worst_rise(),
-                   watch.most_substeps(), watch.most_solutions(), state.position.z(),
+                   watch.most_substeps(), watch.most_sweeps(), state.position.z(),
                    state.linear_velocity.z());
       });
   fmt::print("{}\n", stress::table({{run, outcome}}));

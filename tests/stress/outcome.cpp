@@ -21,7 +21,7 @@ void simulate(const Scenario& scenario, const Listener& listener, Outcome& outco
       outcome.fault = fmt::format("step {}: {}", outcome.steps, *fault);
     outcome.rise = watch.worst_rise();
     outcome.substeps = watch.most_substeps();
-    outcome.solutions = watch.most_solutions();
+    outcome.sweeps = watch.most_sweeps();
     if (listener) listener(simulation, watch);
   }
   for (const engine::Counts& counts : simulation.counts()) {
@@ -49,7 +49,7 @@ std::string to_csv(const Outcome& o) {
   std::replace(fault.begin(), fault.end(), ',', ';');
   std::replace(fault.begin(), fault.end(), '\n', ' ');
   return fmt::format("{},{:d},{},{},{},{},{},{:.3f},{}", o.steps, o.judged, o.rise, o.substeps,
-                     o.solutions, o.unconverged, o.clamped, o.seconds, fault);
+                     o.sweeps, o.unconverged, o.clamped, o.seconds, fault);
 }
 
 Outcome outcome_from_csv(const std::string& line) {
@@ -57,7 +57,7 @@ Outcome outcome_from_csv(const std::string& line) {
   std::istringstream in(line);
   char comma = 0;
   in >> o.steps >> comma >> o.judged >> comma >> o.rise >> comma >> o.substeps >> comma >>
-      o.solutions >> comma >> o.unconverged >> comma >> o.clamped >> comma >> o.seconds >> comma;
+      o.sweeps >> comma >> o.unconverged >> comma >> o.clamped >> comma >> o.seconds >> comma;
   std::getline(in, o.fault);
   return o;
 }

@@ -15,7 +15,7 @@ struct Outcome {
   bool judged = false;   ///< True: its energy was judged.
   double rise = 0;       ///< Watch::worst_rise.
   long substeps = 0;     ///< Largest number in a step.
-  long solutions = 0;    ///< Largest number in a step.
+  long sweeps = 0;       ///< Largest number in a step.
   long unconverged = 0;  ///< Substeps whose constraints did not reach their tolerance.
   long clamped = 0;      ///< Substeps slowed by the energy limiter.
   double seconds = 0;    ///< Processor time [s], for information.
@@ -32,6 +32,6 @@ Outcome run_through(const RunName& run, const Listener& listener = {});
 std::string to_csv(const Outcome& outcome);
 Outcome outcome_from_csv(const std::string& line);
 inline constexpr const char* kOutcomeColumns =
-    "steps,judged,rise,substeps,solutions,unconverged,clamped,seconds,fault";
+    "steps,judged,rise,substeps,sweeps,unconverged,clamped,seconds,fault";
 
 }  // namespace stress

@@ -34,7 +34,7 @@ std::vector<Result> read_results(const fs::path& file, const std::string& mark) 
 struct Line {
   long runs = 0, failed = 0, judged = 0;
   double rise = 0;
-  long substeps = 0, solutions = 0;
+  long substeps = 0, sweeps = 0;
   long unconverged = 0, clamped = 0;
 
   void add(const Outcome& outcome) {
@@ -43,14 +43,14 @@ struct Line {
     judged += outcome.judged;
     rise = std::max(rise, outcome.rise);
     substeps = std::max(substeps, outcome.substeps);
-    solutions = std::max(solutions, outcome.solutions);
+    sweeps = std::max(sweeps, outcome.sweeps);
     unconverged += outcome.unconverged > 0;
     clamped += outcome.clamped > 0;
   }
   std::string text(const std::string& key, const std::string& value) const {
     return fmt::format(
         "| {:8} | {:10} | {:5} | {:6} | {:6} | {:10.2e} | {:8} | {:9} | {:11} | {:7} |\n", key,
-        value, runs, failed, judged, rise, substeps, solutions, unconverged, clamped);
+        value, runs, failed, judged, rise, substeps, sweeps, unconverged, clamped);
   }
 };
 
@@ -87,7 +87,7 @@ void ResultFile::add(const Result& result) {
 
 std::string table(const std::vector<Result>& results) {
   std::string text =
-      "|          | value      |  runs | failed | judged | worst rise | substeps | solutions | "
+      "|          | value      |  runs | failed | judged | worst rise | substeps |    sweeps | "
       "unconverged | clamped |\n"
       "| -------- | ---------- | ----: | -----: | -----: | ---------: | -------: | --------: | "
       "----------: | ------: |\n";

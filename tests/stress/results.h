@@ -35,7 +35,7 @@ class ResultFile {
 };
 
 /// Returns for each value of each parameter: number of runs and failures, largest rise of energy,
-/// largest numbers of substeps and solutions in a step.
+/// largest numbers of substeps and sweeps in a step.
 std::string table(const std::vector<Result>& results);
 
 /// Returns every failure with the command that repeats it; empty if there is none.

@@ -129,12 +129,12 @@ std::optional<std::string> Watch::stalled(const engine::Simulation& simulation) 
   const std::vector<engine::Counts> counts = simulation.counts();
   for (std::size_t i = 0; i < counts.size(); ++i) {
     most_substeps_ = std::max(most_substeps_, counts[i].substeps - counts_[i].substeps);
-    most_solutions_ = std::max(most_solutions_, counts[i].iterations - counts_[i].iterations);
+    most_sweeps_ = std::max(most_sweeps_, counts[i].iterations - counts_[i].iterations);
   }
   counts_ = counts;
   if (most_substeps_ > kMostSubsteps) return fmt::format("a step took {} substeps", most_substeps_);
-  if (most_solutions_ > kMostSolutions)
-    return fmt::format("a step solved its constraints {} times", most_solutions_);
+  if (most_sweeps_ > kMostSweeps)
+    return fmt::format("a step took {} sweeps over its constraints", most_sweeps_);
   return std::nullopt;
 }
 

@@ -47,8 +47,8 @@ inline constexpr double kSmallestScale = 1e-9;
 /// (engine::kMostSubsteps); the energy limiter may halve them further, and a fast spinning body
 /// beside a wall is cut at what it passes: a teapot of 1 mm at 300 m/s takes 1,650.
 inline constexpr long kMostSubsteps = 2048;
-/// Largest number of solutions of its constraints in a step: 60 for each of those 64 substeps.
-inline constexpr long kMostSolutions = 3840;
+/// Largest number of sweeps over its constraints in a step: 240 for each of those 64 substeps.
+inline constexpr long kMostSweeps = 15360;
 
 /// Follows a simulation from its initial state.
 class Watch {
@@ -62,7 +62,7 @@ class Watch {
   double energy() const { return energy_; }          ///< E [J]; 0 where it is not judged.
   double worst_rise() const { return worst_rise_; }  ///< Largest rise/scale so far.
   long most_substeps() const { return most_substeps_; }
-  long most_solutions() const { return most_solutions_; }
+  long most_sweeps() const { return most_sweeps_; }
 
  private:
   struct Energy {
@@ -89,7 +89,7 @@ class Watch {
   double overlap_ = 0;  ///< Largest C so far [J].
   double energy_ = 0;
   double worst_rise_ = 0;
-  long most_substeps_ = 0, most_solutions_ = 0;
+  long most_substeps_ = 0, most_sweeps_ = 0;
   std::vector<engine::Counts> counts_;  ///< Counts after the previous step.
 };
 

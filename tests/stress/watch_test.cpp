@@ -113,7 +113,7 @@ TEST(StressOutcome, ComesBackFromALine) {
                         .judged = true,
                         .rise = 1.25e-3,
                         .substeps = 64,
-                        .solutions = 12,
+                        .sweeps = 12,
                         .unconverged = 2,
                         .clamped = 1,
                         .seconds = 0.5};

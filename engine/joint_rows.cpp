@@ -1,0 +1,115 @@
+#include "engine/joint_rows.h"
+
+#include <Eigen/Geometry>
+
+#include "engine/constants.h"
+
+namespace engine {
+namespace {
+
+using Eigen::Vector3d;
+using Kind = ConstraintBlock::Kind;
+using Type = JointSpec::Type;
+
+/// Rows of the separation of two points, or of a turn, along some directions.
+struct Rows {
+  std::vector<Vector3d> directions;
+  Vector3d apart;  ///< What is to be taken back, of the first body from the second.
+};
+
+void add_separation(const JointFrames& joint, const Rows& rows, const Vector3d& first_arm,
+                    const Vector3d& second_arm, double h, std::vector<ConstraintBlock>& blocks) {
+  ConstraintBlock block{.rows = static_cast<int>(rows.directions.size()), .bodies = joint.bodies};
+  for (int i = 0; i < block.rows; ++i) {
+    const Vector3d& e = rows.directions[static_cast<std::size_t>(i)];
+    block.J[0].row(i) = to_vector6(e, first_arm.cross(e)).transpose();
+    block.J[1].row(i) = -to_vector6(e, second_arm.cross(e)).transpose();
+    block.target[i] = -kJointErp / h * e.dot(rows.apart);
+  }
+  blocks.push_back(block);
+}
+
+void add_turn(const JointFrames& joint, const Rows& rows, double h,
+              std::vector<ConstraintBlock>& blocks) {
+  ConstraintBlock block{.rows = static_cast<int>(rows.directions.size()), .bodies = joint.bodies};
+  for (int i = 0; i < block.rows; ++i) {
+    const Vector3d& e = rows.directions[static_cast<std::size_t>(i)];
+    block.J[0].row(i) = to_vector6(Vector3d::Zero(), e).transpose();
+    block.J[1].row(i) = -block.J[0].row(i);
+    block.target[i] = -kJointErp / h * e.dot(rows.apart);
+  }
+  blocks.push_back(block);
+}
+
+std::vector<Vector3d> all_directions() {
+  return {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
+}
+
+std::vector<Vector3d> normals(const Vector3d& axis) {
+  const Vector3d normal = axis.unitOrthogonal();
+  return {normal, axis.cross(normal)};
+}
+
+/// The turn as axis times angle, the angle at most π.
+Vector3d turn_vector(const Eigen::Quaterniond& turn) {
+  const Eigen::AngleAxisd whole(turn);
+  return whole.angle() * whole.axis();
+}
+
+}  // namespace
+
+JointFrames joint_frames(const JointSpec& joint, std::size_t index,
+                         const std::array<BodyId, 2>& bodies, const hydro::BodyState& first,
+                         const hydro::BodyState& second) {
+  JointFrames frames{.index = index, .type = joint.type, .bodies = bodies};
+  const bool anchored = joint.type != Type::slider && joint.type != Type::fixed;
+  // Any point will do for a joint that keeps the bodies parallel.
+  const Vector3d point =
+      anchored ? joint.anchor_W : (bodies[1] == kWorld ? first : second).position;
+  const Vector3d axes[] = {joint.axis_W,
+                           joint.type == Type::universal ? joint.axis2_W : joint.axis_W};
+  const hydro::BodyState* states[] = {&first, &second};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Eigen::Quaterniond to_body = states[i]->orientation.conjugate();
+    frames.points[i] = to_body * (point - states[i]->position);
+    frames.axes[i] = to_body * axes[i];
+  }
+  frames.turn = first.orientation.conjugate() * second.orientation;
+  return frames;
+}
+
+void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
+                      const hydro::BodyState& second, double h,
+                      std::vector<ConstraintBlock>& blocks) {
+  const Vector3d arms[] = {first.orientation * joint.points[0],
+                           second.orientation * joint.points[1]};
+  const Vector3d axes[] = {first.orientation * joint.axes[0], second.orientation * joint.axes[1]};
+  const Vector3d apart = first.position + arms[0] - second.position - arms[1];
+  if (joint.type == Type::slider) {
+    // The second body's point is where the first one's would be, slid along the axis.
+    const Vector3d at = second.position + arms[1];
+    add_separation(joint, {normals(axes[0]), apart}, at - first.position, arms[1], h, blocks);
+  } else {
+    add_separation(joint, {all_directions(), apart}, arms[0], arms[1], h, blocks);
+  }
+  switch (joint.type) {
+    case Type::ball:
+      break;
+    case Type::hinge:
+      // A turn of the first body by a × b takes its axis a to that of the second, b.
+      add_turn(joint, {normals(axes[0]), axes[1].cross(axes[0])}, h, blocks);
+      break;
+    case Type::universal: {
+      const Vector3d normal = axes[0].cross(axes[1]).normalized();
+      add_turn(joint, {{normal}, axes[0].dot(axes[1]) * normal}, h, blocks);
+      break;
+    }
+    case Type::slider:
+    case Type::fixed:
+      const Eigen::Quaterniond ahead =
+          first.orientation * joint.turn * second.orientation.conjugate();
+      add_turn(joint, {all_directions(), turn_vector(ahead)}, h, blocks);
+  }
+}
+
+}  // namespace engine
