@@ -246,8 +246,7 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
       contact.rebounds = rebounds(contact, points.size(), mass, closing, step);
       ContactStiffness& stiffness = contact.stiffness;
       if (contact.rebounds) {
-        stiffness =
-            rebound_stiffness(mass, points.size(), step, surface.restitution * closing);
+        stiffness = rebound_stiffness(mass, points.size(), step, surface.restitution * closing);
       } else {
         stiffness = contact_stiffness(mass, points.size(), step,
                                       weights(pair, point, points.size(), mass, step));

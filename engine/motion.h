@@ -20,12 +20,12 @@ struct Motion {
   /// The substep sets it.
   Eigen::Vector3d flow = Eigen::Vector3d::Zero();
   // Motions are copied often, and most have no added mass.
-  std::optional<Matrix6d> added_B;         ///< A; none where it is zero.
-  std::optional<Matrix6d> added_rate_B;    ///< dA/dt over the last substep [1/s]; none where zero.
-  std::optional<WaveMemory> memory;        ///< Of a body that radiates waves.
-  std::shared_ptr<const HeldWater> held;   ///< Null: the body cannot have pockets.
-  AccelerationHistory accelerations;       ///< Empty after contacts and other jumps.
-  bool constrained = false;                ///< Joints or contacts acted in the last substep.
+  std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
+  std::optional<Matrix6d> added_rate_B;   ///< dA/dt over the last substep [1/s]; none where zero.
+  std::optional<WaveMemory> memory;       ///< Of a body that radiates waves.
+  std::shared_ptr<const HeldWater> held;  ///< Null: the body cannot have pockets.
+  AccelerationHistory accelerations;      ///< Empty after contacts and other jumps.
+  bool constrained = false;               ///< Joints or contacts acted in the last substep.
   /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
   /// [m/s^2]; none after a free substep.
   std::optional<Eigen::Vector3d> load_acceleration_W;

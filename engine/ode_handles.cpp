@@ -62,9 +62,6 @@ std::string take_ode_warning() { return std::exchange(last_warning, {}); }
 void OdeDeleter::operator()(dxWorld* world) const { dWorldDestroy(world); }
 void OdeDeleter::operator()(dxSpace* space) const { dSpaceDestroy(space); }
 void OdeDeleter::operator()(dxJointGroup* group) const { dJointGroupDestroy(group); }
-void OdeDeleter::operator()(dxThreadingImplementation* threading) const {
-  dThreadingFreeImplementation(threading);
-}
 void OdeDeleter::operator()(dxTriMeshData* data) const { dGeomTriMeshDataDestroy(data); }
 
 std::array<double, 12> to_ode(const Eigen::Matrix3d& m) {

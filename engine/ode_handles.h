@@ -18,7 +18,6 @@ struct dxGeom;
 struct dxJoint;
 struct dxJointGroup;
 struct dxTriMeshData;
-struct dxThreadingImplementation;
 
 namespace engine {
 
@@ -48,7 +47,6 @@ struct OdeDeleter {
   void operator()(dxWorld* world) const;
   void operator()(dxSpace* space) const;
   void operator()(dxJointGroup* group) const;
-  void operator()(dxThreadingImplementation* threading) const;
   void operator()(dxTriMeshData* data) const;
 };
 
@@ -58,8 +56,6 @@ using WorldHandle = std::unique_ptr<dxWorld, OdeDeleter>;
 using SpaceHandle = std::unique_ptr<dxSpace, OdeDeleter>;
 /// Frees its joints; it must be destroyed before their world.
 using JointGroupHandle = std::unique_ptr<dxJointGroup, OdeDeleter>;
-/// It must be destroyed after the worlds that use it.
-using ThreadingHandle = std::unique_ptr<dxThreadingImplementation, OdeDeleter>;
 using TriMeshDataHandle = std::unique_ptr<dxTriMeshData, OdeDeleter>;
 
 /// ODE's dMatrix3: 3 rows of 4, the last of each row unused.

@@ -59,7 +59,8 @@ struct Island {
   std::vector<Contact> contacts;
   std::vector<ForceRow> rows;            ///< Of lines and drives.
   std::vector<JointReaction> reactions;  ///< Of joints.
-  bool constrained = true;  ///< False: there are no contacts, rows, and joints that are not reduced.
+  bool constrained =
+      true;  ///< False: there are no contacts, rows, and joints that are not reduced.
 };
 
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.
