@@ -45,13 +45,13 @@ class Golden(unittest.TestCase):
         done = golden("check", "--golden", self.kept)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("plimsoll run scenes/thesis_cube_768.yaml --no-render", done.stdout)
-        self.assertRegex(done.stdout, r"position +0\.001 m .* exceeds it from")
+        self.assertRegex(done.stdout, r"position +0\.001 +[\d.e-]+ m .* exceeds it from")
 
     def test_renewing_prints_what_changed_and_then_it_passes(self):
         self.move(1e-3)
         done = golden("renew", SCENE, "--golden", self.kept)
         self.assertIn("NOT what it was", done.stdout)
-        self.assertRegex(done.stdout, r"position +0\.001 m ")
+        self.assertRegex(done.stdout, r"position +0\.001 +[\d.e-]+ m ")
         self.assertEqual(golden("check", "--golden", self.kept).returncode, 0)
 
     def test_new_runs_are_kept_each_in_a_folder_of_its_own(self):

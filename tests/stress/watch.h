@@ -47,8 +47,9 @@ inline constexpr double kSmallestScale = 1e-9;
 /// (engine::kMostSubsteps); the energy limiter may halve them further, and a fast spinning body
 /// beside a wall is cut at what it passes: a teapot of 1 mm at 300 m/s takes 1,650.
 inline constexpr long kMostSubsteps = 2048;
-/// Largest number of sweeps over its constraints in a step: 240 for each of those 64 substeps.
-inline constexpr long kMostSweeps = 15360;
+/// Largest number of sweeps over its constraints in a step: those of two updates of six
+/// linearisations, of 40 sweeps each, for each of those 64 substeps.
+inline constexpr long kMostSweeps = 30720;
 
 /// Follows a simulation from its initial state.
 class Watch {
