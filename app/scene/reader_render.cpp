@@ -9,18 +9,17 @@ namespace {
 
 /// Reads a number or how the end is found. Without the key, or after a fault, `end` is unchanged.
 void read_end(MapReader& map, const char* key, const char* fallback, ScaleEnd& end) {
-  using Found = ScaleEnd::Found;
   const std::string expected = "a number [Pa], auto or drawn";
   const auto value = map.find(key, expected, fallback,
                               {shape(number("Pa"), false, 0), words_shape({"auto", "drawn"})});
   if (!value) return;
   double pressure = 0;
   if (value->node.is_word("auto"))
-    end = {.found = Found::scene};
+    end = {.found = ScaleEnd::Found::scene};
   else if (value->node.is_word("drawn"))
-    end = {.found = Found::pictures};
+    end = {.found = ScaleEnd::Found::pictures};
   else if (read_number(*value, number("Pa"), expected, pressure))
-    end = {.found = Found::given, .pressure = pressure};
+    end = {.found = ScaleEnd::Found::given, .pressure = pressure};
 }
 
 /// The block of the colour scale.
