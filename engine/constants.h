@@ -53,6 +53,9 @@ inline constexpr double kSmoothSwing = 0.3;
 /// Half the energy gain that still water may give, over the largest energy so far [-]. Larger:
 /// light bodies bounce on the surface; smaller: resolved motions are slowed.
 inline constexpr double kEnergyGain = 2.5e-4;
+/// Energy that joints may give a group in a substep that is not judged, over its kinetic energy
+/// [-]. Larger: gains too small to be noticed add up; smaller: more substeps are judged.
+inline constexpr double kUnjudgedJointGain = 1e-5;
 /// Energy that joints may have given a group in moving water, over its kinetic energy [-].
 inline constexpr double kJointGain = 0.1;
 

@@ -47,6 +47,17 @@ bool is_suspect(const SubstepBody& b, double h) {
   return !history.resolved() || history.dominant_frequency() * h > kSmoothSwing;
 }
 
+/// True if taking back the errors of joints has given a group more than a negligible part of its
+/// energy.
+bool joints_gave(const std::vector<SubstepBody*>& members) {
+  double gain = 0, kinetic = 0;
+  for (const SubstepBody* b : members) gain += b->reaction_work - b->row_work;
+  if (gain <= 0) return false;
+  for (const SubstepBody* b : members)
+    kinetic += kinetic_energy(b->body(), b->end, b->body().current());
+  return gain > kUnjudgedJointGain * kinetic;
+}
+
 }  // namespace
 
 void EnergyRange::extend(double energy, double potential) {
@@ -75,7 +86,8 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
     next_.lowest = std::numeric_limits<double>::infinity();
   for (const SubstepBody* b : members) next_.lowest += b->row_work;
   const auto suspect = [h](const SubstepBody* b) { return is_suspect(*b, h); };
-  if (!halves && std::none_of(members.begin(), members.end(), suspect)) return false;
+  if (!halves && std::none_of(members.begin(), members.end(), suspect) && !joints_gave(members))
+    return false;
   if (in_still_water_)
     judge_energy(members, h);
   else if (members.front()->end.constrained)

@@ -13,8 +13,9 @@
 /// remains is removed by scaling the velocity, which joints allow since their conditions on it are
 /// linear. Between one and two times kEnergyGain the velocity is scaled without halving. The work
 /// of rows, of stiff ropes, motors and stops, is what the solver has found, and moves the minimum.
-/// Where lift, applied loads, machines or lines that are loads drive a body, the energy is compared
-/// with that of the substep's start.
+/// Substeps of a jointed group that resolve its motion are not judged, unless taking back the
+/// errors of joints gives it more than kUnjudgedJointGain. Where lift, applied loads, machines or
+/// lines that are loads drive a body, the energy is compared with that of the substep's start.
 ///
 /// Water that moves or is not level may give energy, and so may wind. There only the work of joints
 /// is judged, which a joint without error does not do; taking back the error of a body that spins

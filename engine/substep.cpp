@@ -142,7 +142,7 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
   counts.implicit += b.update.implicit;
   counts.constrained += constrained;
   ++counts.substeps;
-  if (constrained) b.reaction_work = reaction_work(b, h);
+  b.reaction_work = constrained ? reaction_work(b, h) : 0;
   b.row_work = constrained ? row_work(island, b, h) : 0;
   b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
                          : is_abrupt(b, h);
