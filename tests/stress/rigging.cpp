@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-
-#include "engine/force_row.h"
 
 namespace stress {
 namespace {
@@ -72,27 +68,6 @@ void drive(Scenario& scenario) {
   drive.friction = 0.1 * torque;
 }
 
-/// The reciprocal of the mass that a body has, with the water it moves, at a line's end [1/kg].
-double mobility_along(const Vector3d& n, const engine::AttachmentPoint& point,
-                      const std::vector<engine::Body>& bodies,
-                      const std::vector<engine::Motion>& motions) {
-  if (point.body == engine::kWorld) return 0;
-  const engine::Motion& motion = motions[point.body];
-  const Vector3d n_B = motion.state.orientation.conjugate() * n;
-  const engine::Matrix6d S = bodies[point.body].rigid_B + motion.added();
-  const engine::Vector6d push = engine::to_vector6(n_B, point.at.cross(n_B));
-  return push.dot(S.llt().solve(push));
-}
-
-/// The greatest kinetic energy that a stretched line can turn into, over ½ k e², if its damping is
-/// this part of the critical one.
-double part_given_back(double damping) {
-  const double rest = std::sqrt(std::abs(1 - damping * damping));
-  if (rest < 1e-6) return std::exp(-2.0);
-  const double angle = damping < 1 ? std::acos(damping) : std::acosh(damping);
-  return std::exp(-2 * damping * angle / rest);
-}
-
 }  // namespace
 
 bool is_rigged(const std::string& with) {
@@ -114,8 +89,8 @@ void rig(const std::string& with, Scenario& scenario) {
 
 bool gives_energy(const std::string& with) { return with == "moored" || with == "driven"; }
 
-double stored_energy(const engine::SimulationSpec& spec, const std::vector<engine::Body>& bodies,
-                     const std::vector<engine::Motion>& motions) {
+double stretch_energy(const engine::SimulationSpec& spec,
+                      const std::vector<engine::Motion>& motions) {
   double energy = 0;
   for (const LineSpec& line : spec.lines) {
     if (line.kind == LineSpec::Kind::mooring) continue;
@@ -127,11 +102,7 @@ double stored_energy(const engine::SimulationSpec& spec, const std::vector<engin
     const Vector3d way = end(line.first) - end(line.second);
     const double stretch = way.norm() - line.length;
     if (line.kind == LineSpec::Kind::rope && stretch < 0) continue;
-    const double mobility = mobility_along(way.normalized(), line.first, bodies, motions) +
-                            mobility_along(way.normalized(), line.second, bodies, motions);
-    const double phase = spec.step * std::sqrt(line.stiffness * mobility);
-    const double damping = engine::unresolved(phase) * phase / 2;
-    energy += part_given_back(damping) * line.stiffness * stretch * stretch / 2;
+    energy += line.stiffness * stretch * stretch / 2;
   }
   return energy;
 }

@@ -25,9 +25,8 @@ void rig(const std::string& with, Scenario& scenario);
 /// True if the energy of the rig is not known, or it has a motor.
 bool gives_energy(const std::string& with);
 
-/// Energy that stretched springs and ropes can give back [J]: ½ k e², but for a line that the step
-/// does not follow less, as such a line is damped (engine/force_row.h).
-double stored_energy(const engine::SimulationSpec& spec, const std::vector<engine::Body>& bodies,
-                     const std::vector<engine::Motion>& motions);
+/// ½ k e² of springs and stretched ropes, e their stretch: the most that they can give [J].
+double stretch_energy(const engine::SimulationSpec& spec,
+                      const std::vector<engine::Motion>& motions);
 
 }  // namespace stress

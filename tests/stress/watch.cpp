@@ -47,7 +47,7 @@ Watch::Watch(const Scenario& scenario)
   smallest_scale_ = kSmallestScale * weight_ * scenario_.size;
   if (!scenario_.passive) return;
   const Energy energy = find_energy(motions);
-  energy_ = lowest_ = highest_ = energy.total();
+  energy_ = lowest_ = highest_ = energy.total() + energy.stretch;
   lowest_potential_ = energy.potential;
 }
 
@@ -76,13 +76,13 @@ Watch::Energy Watch::find_energy(const std::vector<engine::Motion>& motions) {
     sum.potential += engine::potential_energy(bodies_[i], motion);
   }
   sum.potential -= scenario_.push.dot(motions[0].state.position);
-  sum.potential += stored_energy(scenario_.spec, bodies_, motions);
+  sum.stretch = stretch_energy(scenario_.spec, motions);
   sum.overlap = overlap_energy(motions);
   return sum;
 }
 
 void Watch::follow_energy(const Energy& energy) {
-  energy_ = energy.total();
+  energy_ = std::max(energy.total(), std::min(lowest_, energy.total() + energy.stretch));
   lowest_ = std::min(lowest_, energy_);
   highest_ = std::max(highest_, energy_);
   lowest_potential_ = std::min(lowest_potential_, energy.potential);

@@ -13,9 +13,8 @@
 /// Criteria by which a run fails.
 ///
 /// Let E = K + U be the energy of all bodies, K their kinetic energy with added mass and that in
-/// the memory of their waves, and U their potential energy (gravity, buoyancy, a constant push,
-/// stretched lines). In
-/// still water without lift
+/// the memory of their waves, and U their potential energy (gravity, buoyancy, a constant push).
+/// In still water without lift
 ///
 ///     rise(t)  = E(t) − min E(s) − max C(s)  over s <= t,
 ///     scale(t) = max E(s) − min U(s)  over s <= t                                           (1)
@@ -25,7 +24,9 @@
 /// is, summed over the bodies, the weight of all bodies and their displaced water times the deepest
 /// overlap of any two: contacts are soft (engine/contacts.h) and push overlapping bodies apart
 /// again. Energy that was lost and returns counts as a rise, even if it stays below its initial
-/// value.
+/// value. Lines may give back what they have taken, and no more than ½ k e² of their stretch e:
+/// with L the sum of these, E(t) is counted as min(E + L, min E(s) over s < t) where E is less than
+/// that.
 ///
 /// No body may move farther than its energy allows. By lifting a body the water can add at most W =
 /// ρ g V (depth of its start below the highest water + size), gravity adds m g times the depth
@@ -60,7 +61,7 @@ class Watch {
   /// is one.
   std::optional<std::string> look(const engine::Simulation& simulation);
 
-  double energy() const { return energy_; }          ///< E [J]; 0 where it is not judged.
+  double energy() const { return energy_; }          ///< E with lines [J]; 0 if not judged.
   double worst_rise() const { return worst_rise_; }  ///< Largest rise/scale so far.
   long most_substeps() const { return most_substeps_; }
   long most_sweeps() const { return most_sweeps_; }
@@ -69,6 +70,7 @@ class Watch {
   struct Energy {
     double kinetic = 0;
     double potential = 0;
+    double stretch = 0;  ///< L
     double overlap = 0;  ///< C
     double total() const { return kinetic + potential; }
   };

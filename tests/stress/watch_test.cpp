@@ -60,6 +60,16 @@ TEST(StressWatch, SeesAHiddenForceByTheEnergyItGives) {
   EXPECT_THAT(fault_of(scenario, pushed), HasSubstr("energy rose"));
 }
 
+/// The spring that is watched has its ends at rest; the one that pulls is a tenth shorter.
+TEST(StressWatch, SeesALineThatGivesWhatItHasNotTaken) {
+  const Scenario scenario =
+      stress::make_scenario(stress::parse_run("with=spring coefs=none added=none start=deep"));
+  EXPECT_EQ(fault_of(scenario, scenario.spec), "");
+  engine::SimulationSpec tightened = scenario.spec;
+  tightened.lines[0].length *= 0.9;
+  EXPECT_THAT(fault_of(scenario, tightened), HasSubstr("energy rose"));
+}
+
 TEST(StressWatch, SeesABodyThatGoesFartherThanItsEnergyCarriesIt) {
   Scenario scenario = floating_cube();
   scenario.passive = false;
