@@ -8,6 +8,7 @@
 #include "app/assembly/byte_order.h"
 #include "app/assembly/mesh_text.h"
 #include "app/assembly/polygon_mesh.h"
+#include "app/scene/diagnostics.h"
 
 namespace assembly {
 namespace {
@@ -105,15 +106,17 @@ class Facets {
 MeshFile read_stl(const fs::path& file, std::string_view bytes) {
   if (is_binary(bytes)) return read_binary(file, bytes);
   MeshText text(file, bytes);
-  if (!text.next_line() || lower(text.word()) != "solid") {
-    if (bytes.size() < kHead + kCount)
-      text.fault("the file does not begin with 'solid' as text, and is too short for a binary one");
-    text.fault(
-        fmt::format("the file does not begin with 'solid' as text; as a binary one with {} "
-                    "triangles, which it announces, it has {} bytes, expected {}",
-                    announced(bytes), bytes.size(), kHead + kCount + kFacet * announced(bytes)));
-  }
-  return {.mesh = Facets(file, bytes).triangles(), .frame = {}, .rounding = Rounding::as_written};
+  if (text.next_line() && lower(text.word()) == "solid")
+    return {.mesh = Facets(file, bytes).triangles(), .frame = {}, .rounding = Rounding::as_written};
+  if (bytes.size() < kHead + kCount)
+    throw scene::InputError(file,
+                            "the file does not begin with 'solid' as text, and is too short for a "
+                            "binary one");
+  throw scene::InputError(
+      file,
+      fmt::format("the file does not begin with 'solid' as text; as a binary one with {} "
+                  "triangles, which it announces, it has {} bytes, expected {}",
+                  announced(bytes), bytes.size(), kHead + kCount + kFacet * announced(bytes)));
 }
 
 }  // namespace assembly
