@@ -119,6 +119,7 @@ bool mass_is_usable(const MassProperties& p, const std::string& path, BuildLog& 
 
 /// Adds a fault for a body that the engine refuses, for example one that starts out of bounds.
 void check_motion(const engine::BodySpec& spec, const std::string& path, BuildLog& log) {
+  if (spec.mesh_B.vertex_count() == 0) return;  // Another fault has kept it from being made.
   try {
     engine::check_body(spec);
   } catch (const std::invalid_argument& error) {
@@ -219,12 +220,10 @@ engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog
                   .angular_velocity = body.angular_velocity};
   build_interior(body, spec);
   fill_interior(body, com_M, path, spec, log);
-  if (body.start == scene::Start::equilibrium) put_afloat(body.position, com_M, path, spec, log);
   spec.coefficients = build_coefficients(body, engine::outside_B(spec), path, log);
   spec.summation.wave_tolerance = body.hydro.wave_tolerance;
   for (const scene::AppliedLoad& load : body.forces)
     spec.loads.push_back(applied_load(load, com_M));
-  check_motion(spec, path, log);
   if (needed == Soundness::closed && spec.closed_mesh_B)
     centered = centered_mesh(engine::outside_B(spec));
   return spec;
@@ -315,6 +314,9 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
     built.solids.push_back(std::move(centered));
   }
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
+  put_afloat(built.centers_of_mass, spec, log);
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    check_motion(spec.bodies[i], body_path(i), log);
   for (const scene::Contact& contact : scene.contacts)
     spec.contacts.push_back(build_contact(scene, contact));
   log.faults.throw_if_any();

@@ -2,11 +2,97 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "app/assembly/build_interior.h"
+#include "app/assembly/rigid_group.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
 
 namespace assembly {
+namespace {
+
+using engine::BodyId;
+
+std::string start_path(BodyId body) { return fmt::format("bodies[{}].start", body); }
+
+/// Returns the body of a group that has `start: equilibrium`; none if there is none. Adds a fault
+/// for another one that has the key, since only one can keep its x, y and heading.
+std::optional<BodyId> lead_of(const RigidGroup& group, BuildLog& log) {
+  const std::vector<scene::Body>& bodies = log.scene.bodies;
+  const auto lead = std::ranges::find_if(
+      group.bodies, [&](BodyId id) { return bodies[id].start == scene::Start::equilibrium; });
+  if (lead == group.bodies.end()) return std::nullopt;
+  for (const BodyId id : group.bodies)
+    if (id != *lead && log.scene.places.contains(start_path(id)))
+      log.faults.add(
+          log.scene.places, start_path(id),
+          fmt::format("found {}, but fixed joints hold it to {}, which has equilibrium and takes "
+                      "it along; expected the key at one of them",
+                      bodies[id].start == scene::Start::equilibrium ? "equilibrium" : "given",
+                      bodies[*lead].name));
+  return *lead;
+}
+
+/// True if no fault has kept a body of the group from being made.
+bool is_built(const RigidGroup& group, const engine::SimulationSpec& spec) {
+  return std::ranges::all_of(group.bodies, [&](BodyId id) {
+    return spec.bodies[id].mass > 0 && spec.bodies[id].mesh_B.vertex_count() > 0;
+  });
+}
+
+/// Adds a fault if something holds the group.
+bool may_settle(const RigidGroup& group, BodyId lead, const engine::SimulationSpec& spec,
+                BuildLog& log) {
+  std::string held;
+  if (!group.joint_to_world.empty())
+    held = fmt::format("the joint {} fixes it to the world", group.joint_to_world);
+  for (const BodyId id : group.bodies) {
+    const engine::DofMask& locked = spec.bodies[id].locked;
+    if (id != lead && (locked[2] || locked[3] || locked[4]))
+      held = fmt::format("lock holds z, roll or pitch of {}, which fixed joints hold to it",
+                         spec.bodies[id].name);
+  }
+  if (!held.empty())
+    log.faults.add(log.scene.places, start_path(lead),
+                   fmt::format("equilibrium needs z, roll and pitch to be free, but {}", held));
+  return held.empty();
+}
+
+/// Moves the bodies of a group to where it floats. @param com_M   Of the lead.
+void settle(const RigidGroup& group, BodyId lead, const Eigen::Vector3d& com_M,
+            engine::SimulationSpec& spec, BuildLog& log) {
+  const scene::Water& water = *log.scene.water;
+  const FloatingGroup floating = floating_group(spec, group, lead);
+  double mass = 0;
+  for (const BodyId id : group.bodies) mass += mass_afloat(spec.bodies[id], water.density);
+  const std::string reason =
+      why_not_afloat(mass, hydro::solid_properties(floating.mesh_G).volume, water.density);
+  if (!reason.empty())
+    return log.faults.add(
+        log.scene.places, start_path(lead),
+        group.bodies.size() == 1 ? reason : "with all that is fixed to it, " + reason);
+  const Eigen::Quaterniond given = spec.bodies[lead].initial.orientation;
+  const hydro::Flotation rest =
+      hydro::equilibrium(floating.mesh_G, mass / water.density, given, floating.tanks);
+  const Eigen::Quaterniond R_WG =
+      hydro::with_heading(rest.orientation, hydro::euler_angles(given)[2]);
+  const auto place =
+      static_cast<std::size_t>(std::ranges::find(group.bodies, lead) - group.bodies.begin());
+  const Eigen::Vector3d p_GL = floating.X_GB[place].translation();
+  Eigen::Vector3d p_WG = log.scene.bodies[lead].position + R_WG * com_M - R_WG * p_GL;
+  p_WG.z() = water.level + rest.height;
+  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+    hydro::BodyState& state = spec.bodies[group.bodies[i]].initial;
+    state.position = p_WG + R_WG * floating.X_GB[i].translation();
+    state.orientation = group.bodies[i] == lead
+                            ? R_WG
+                            : (R_WG * given.conjugate() * state.orientation).normalized();
+  }
+}
+
+}  // namespace
 
 std::string why_not_afloat(double mass, double volume, double density) {
   const double most = density * volume;
@@ -19,21 +105,14 @@ std::string why_not_afloat(double mass, double volume, double density) {
       most);
 }
 
-void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
-                const std::string& key_path, engine::BodySpec& body, BuildLog& log) {
-  const scene::Water& water = *log.scene.water;
-  const hydro::TriMesh& mesh_B = engine::outside_B(body);
-  const double volume = hydro::solid_properties(mesh_B).volume;
-  const double mass = mass_afloat(body, water.density);
-  const std::string reason = why_not_afloat(mass, volume, water.density);
-  if (!reason.empty()) return log.faults.add(log.scene.places, key_path + ".start", reason);
-  hydro::BodyState& state = body.initial;
-  const double heading = hydro::euler_angles(state.orientation)[2];
-  const hydro::Flotation rest =
-      hydro::equilibrium(mesh_B, mass / water.density, state.orientation, tanks_of(body));
-  state.orientation = hydro::with_heading(rest.orientation, heading);
-  state.position = position + state.orientation * com_M;
-  state.position.z() = water.level + rest.height;
+void put_afloat(const std::vector<Eigen::Vector3d>& centers_of_mass, engine::SimulationSpec& spec,
+                BuildLog& log) {
+  if (!log.scene.water) return;
+  for (const RigidGroup& group : rigid_groups(spec)) {
+    const std::optional<BodyId> lead = lead_of(group, log);
+    if (lead && is_built(group, spec) && may_settle(group, *lead, spec, log))
+      settle(group, *lead, centers_of_mass[*lead], spec, log);
+  }
 }
 
 }  // namespace assembly

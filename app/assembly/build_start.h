@@ -5,12 +5,14 @@
 
 namespace assembly {
 
-/// Puts a body afloat at rest (`start: equilibrium`): from its given orientation it settles in
-/// still water at the scene's level and is then turned back to its heading. The mesh frame's origin
-/// keeps x and y of `position`. A body that does not float is a fault.
-/// @param body   Mass, mesh and orientation must be set; the function completes its state.
-void put_afloat(const Eigen::Vector3d& position, const Eigen::Vector3d& com_M,
-                const std::string& key_path, engine::BodySpec& body, BuildLog& log);
+/// Puts bodies with `start: equilibrium` afloat at rest, together with those that fixed joints hold
+/// to them: from its given orientation the body settles in still water at the scene's level, as one
+/// with the others, and is then turned back to its heading. The origin of its mesh frame keeps x
+/// and y of `position`. What does not float, or is held, is a fault, and so is a second body of a
+/// group with the key `start`.
+/// @param spec   Its bodies and joints must be set; the function changes states at the start.
+void put_afloat(const std::vector<Eigen::Vector3d>& centers_of_mass, engine::SimulationSpec& spec,
+                BuildLog& log);
 
 /// Explains why a body of this mass does not float in water of this density; empty if it floats.
 /// @param volume   Volume of the body [m^3].

@@ -64,16 +64,14 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-MeshFileAccess::MeshFileAccess(const fs::path& file, bool with_others)
-    : file_(fs::canonical(file)),
-      folder_(fs::canonical(fs::absolute(file).parent_path())),
-      with_others_(with_others) {}
+MeshFileAccess::MeshFileAccess(const fs::path& file)
+    : file_(fs::canonical(file)), folder_(fs::canonical(fs::absolute(file).parent_path())) {}
 
 bool MeshFileAccess::allows(const char* path) const {
   std::error_code error;
   const fs::path file = fs::canonical(path, error);
   if (error || !fs::is_regular_file(file, error)) return false;
-  return file == file_ || (with_others_ && lies_in(file, folder_));
+  return file == file_ || lies_in(file, folder_);
 }
 
 bool MeshFileAccess::Exists(const char* path) const { return allows(path); }

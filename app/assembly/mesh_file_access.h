@@ -5,13 +5,12 @@
 
 namespace assembly {
 
-/// What assimp may open while it reads a mesh: the file itself and, for formats that name others,
-/// regular files in its folder and below. Nothing is written. A pipe or a device, which could block
+/// What assimp may open while it reads a mesh: the file itself and regular files in its folder
+/// and below, which some formats name. Nothing is written. A pipe or a device, which could block
 /// or never end, is as good as missing; so is a link that leads out of the folder.
 class MeshFileAccess : public Assimp::IOSystem {
  public:
-  /// @param with_others   True: the format names other files that hold parts of the mesh.
-  MeshFileAccess(const std::filesystem::path& file, bool with_others);
+  explicit MeshFileAccess(const std::filesystem::path& file);
 
   bool Exists(const char* path) const override;
   char getOsSeparator() const override { return '/'; }
@@ -24,7 +23,6 @@ class MeshFileAccess : public Assimp::IOSystem {
 
   std::filesystem::path file_;    ///< Canonical.
   std::filesystem::path folder_;  ///< Canonical; of the name by which the file was given.
-  bool with_others_;
 };
 
 }  // namespace assembly

@@ -18,6 +18,19 @@ struct StatedFrame {
   std::optional<double> unit;       ///< Length of a unit of the coordinates [m].
 };
 
+/// What the coordinates of a mesh file have been rounded to.
+enum class Rounding {
+  as_written,  ///< To the digits of a text, or to doubles.
+  of_floats    ///< With a relative precision of 6e-8.
+};
+
+/// A mesh as its file has it: vertices may be repeated, nothing is turned or scaled.
+struct MeshFile {
+  hydro::TriMesh mesh;
+  StatedFrame frame;
+  Rounding rounding = Rounding::of_floats;
+};
+
 /// Whose word an axis or a unit is.
 enum class SaidBy { nobody, file, author };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -16,15 +17,21 @@ namespace {
 namespace fs = std::filesystem;
 using hydro::TriMesh;
 
-/// Welding distance relative to the largest coordinate: one step of a float, 2^-23.
-constexpr double kWeld = 0x1p-23;
+/// Distance within which vertices are one [m]: one step of a float, 2^-23, at the largest
+/// coordinate, or at the size of a mesh that is farther away and not rounded to floats.
+double weld_distance(const MeshFile& read) {
+  const hydro::TriMesh& mesh = read.mesh;
+  const double farthest = mesh.vertices.cwiseAbs().maxCoeff();
+  const double size = hydro::bounding_box(mesh).sizes().maxCoeff();
+  return 0x1p-23 * (read.rounding == Rounding::of_floats ? farthest : std::min(farthest, size));
+}
 
 }  // namespace
 
 MeshFile read_welded(const fs::path& file, scene::MeshFormats formats) {
   MeshFile read = read_mesh_file(file, formats);
   if (read.mesh.face_count() == 0) throw scene::InputError(file, "the file holds no triangles");
-  read.mesh = welded(read.mesh, kWeld * read.mesh.vertices.cwiseAbs().maxCoeff());
+  read.mesh = welded(read.mesh, weld_distance(read));
   if (read.mesh.face_count() == 0)
     throw scene::InputError(file, "all triangles of the file are degenerate");
   return read;

@@ -5,11 +5,6 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -25,7 +20,12 @@
 #include <vector>
 
 #include "app/assembly/mesh_file_access.h"
-#include "app/assembly/mesh_heads.h"
+#include "app/assembly/mesh_text.h"
+#include "app/assembly/obj_reader.h"
+#include "app/assembly/off_reader.h"
+#include "app/assembly/ply_reader.h"
+#include "app/assembly/polygon_mesh.h"
+#include "app/assembly/stl_reader.h"
 #include "app/scene/diagnostics.h"
 
 namespace assembly {
@@ -34,14 +34,15 @@ namespace {
 namespace fs = std::filesystem;
 using hydro::TriMesh;
 
-constexpr const char* kCommonFormats[] = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+/// Formats besides those of this program's readers that are read by default.
+constexpr const char* kCommonFormats[] = {".gltf", ".glb"};
 
 /// Greatest depth of nodes below the root. Each level takes some hundred bytes of the stack.
 constexpr int kDeepestNode = 1000;
 
-/// Most vertices of all instances of the parts, 24 bytes each. A file of some kilobytes may place
-/// a part a billion times.
-constexpr std::size_t kMostVertices = 200'000'000;
+/// The readers of this program.
+constexpr std::pair<const char*, MeshFile (*)(const fs::path&, std::string_view)> kOwnReaders[] = {
+    {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}, {".off", read_off}};
 
 std::string lower_extension(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -75,7 +76,7 @@ void require_readable(const fs::path& file) {
   if (fs::file_size(file, error) == 0) throw scene::InputError(file, "the file is empty");
 }
 
-/// assimp tries the readers of all formats on a file that the one of its extension refuses. Of the
+/// assimp tries the readers of all formats on a file that the one of its extension refuses. For the
 /// common formats only their own readers remain.
 void keep_common_readers(Assimp::Importer& importer) {
   std::vector<Assimp::BaseImporter*> others;
@@ -83,7 +84,7 @@ void keep_common_readers(Assimp::Importer& importer) {
     std::istringstream extensions(importer.GetImporterInfo(i)->mFileExtensions);
     bool common = false;
     for (std::string extension; extensions >> extension;)
-      common = common || is_common_mesh_format("a." + extension);
+      common = common || std::ranges::count(kCommonFormats, "." + extension) > 0;
     if (!common) others.push_back(importer.GetImporter(i));
   }
   for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
@@ -122,6 +123,7 @@ class Collector {
 
  private:
   void add(const aiMesh& part, const Eigen::Affine3d& X) {
+    // A file of some kilobytes may place a part a billion times.
     if (vertices_.size() / 3 + part.mNumVertices > kMostVertices)
       throw scene::InputError(
           file_, fmt::format("its parts, with all instances, have more than {} million vertices",
@@ -235,22 +237,6 @@ Eigen::Affine3d root_to_file(const fs::path& file, const aiNode& root, const Sta
   return extension == ".dae" ? Eigen::Scaling(1 / frame.unit.value_or(1)) * X : X;
 }
 
-/// Lets the kernel give this process memory in pages of 2 MB. The OBJ reader of assimp fills a
-/// buffer of 16 MB for any file, which as pages of 4 kB takes the kernel 11 ms.
-void ask_for_large_pages() {
-#ifdef __GLIBC__
-  constexpr std::size_t kPage = std::size_t{1} << 21, kSize = 12 * kPage;
-  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
-  void* block = std::malloc(kSize);
-  std::size_t size = kSize;
-  void* first = block;
-  if (std::align(kPage, kSize - 2 * kPage, first, size) != nullptr)
-    ::madvise(first, kSize - 2 * kPage, MADV_HUGEPAGE);
-  std::free(block);  // The next blocks lie there.
-#endif
-}
-
 /// assimp's errors may repeat bytes of the file.
 std::string printable(std::string text) {
   for (char& c : text)
@@ -258,25 +244,12 @@ std::string printable(std::string text) {
   return text.substr(0, 300);
 }
 
-}  // namespace
-
-bool is_common_mesh_format(const fs::path& file) {
-  return std::ranges::count(kCommonFormats, lower_extension(file)) > 0;
-}
-
-MeshFile parse_mesh(const fs::path& file, scene::MeshFormats formats) {
-  require_readable(file);
-  ask_for_large_pages();
+MeshFile parse_by_assimp(const fs::path& file, scene::MeshFormats formats) {
   // Neither this nor the scene is freed: to do so recurses through all nodes, and takes time.
   auto& importer = *new Assimp::Importer;
   require_known_format(file, formats, importer);
-  const std::string extension = lower_extension(file);
-  if (extension == ".ply") require_whole_ply(file);
-  if (extension == ".off") require_whole_off(file);
-  const bool common = is_common_mesh_format(file);
-  if (common) keep_common_readers(importer);
-  const bool with_others = !common || extension == ".gltf" || extension == ".glb";
-  importer.SetIOHandler(new MeshFileAccess(file, with_others));
+  if (is_common_mesh_format(file)) keep_common_readers(importer);
+  importer.SetIOHandler(new MeshFileAccess(file));
   // Keep the file's frame: the Collada reader would turn it to y up.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
@@ -289,7 +262,23 @@ MeshFile parse_mesh(const fs::path& file, scene::MeshFormats formats) {
   const StatedFrame frame = stated_frame(file, *scene);
   Collector parts(file, *scene);
   if (const aiNode* root = scene->mRootNode) parts.add(*root, root_to_file(file, *root, frame));
-  return {parts.mesh(), frame};
+  return {parts.mesh(), frame, Rounding::of_floats};
+}
+
+}  // namespace
+
+bool is_common_mesh_format(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  return std::ranges::count(kCommonFormats, extension) > 0 ||
+         std::ranges::count(kOwnReaders, extension,
+                            [](const auto& reader) { return reader.first; });
+}
+
+MeshFile parse_mesh(const fs::path& file, scene::MeshFormats formats) {
+  require_readable(file);
+  for (const auto& [extension, read] : kOwnReaders)
+    if (lower_extension(file) == extension) return read(file, bytes_of_mesh(file));
+  return parse_by_assimp(file, formats);
 }
 
 }  // namespace assembly

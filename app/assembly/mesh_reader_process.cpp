@@ -20,6 +20,7 @@ void write(const app::CallOutput& output, const MeshFile& read) {
   const char up = read.frame.up ? static_cast<char>(*read.frame.up) : kNotStated;
   const double unit = read.frame.unit.value_or(0);  // 0: not stated.
   app::put_record(output, std::span(&up, 1));
+  app::put_record(output, std::span(&read.rounding, 1));
   app::put_record(output, std::span(&unit, 1));
   app::put_record(output,
                   std::span(mesh.vertices.data(), mesh.vertices.data() + mesh.vertices.size()));
@@ -40,6 +41,7 @@ MeshFile mesh_in(const std::string& bytes) {
   MeshFile read;
   if (const char up = records.values<char>().at(0); up != kNotStated)
     read.frame.up = static_cast<scene::UpAxis>(up);
+  read.rounding = records.values<Rounding>().at(0);
   if (const double unit = records.values<double>().at(0); unit > 0) read.frame.unit = unit;
   take(records, read.mesh.vertices);
   take(records, read.mesh.faces);

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "app/assembly/build.h"
 #include "app/assembly/build_interior.h"
 #include "app/assembly/build_start.h"
 #include "app/assembly/mesh_io.h"
+#include "app/assembly/rigid_group.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/terminal_reporter.h"
@@ -138,6 +141,44 @@ void check_scene_options(const HydrostaticsOptions& o) {
   assembly::refuse_frame(o.frame);
 }
 
+/// Returns the body of a group whose axes and mesh frame the group has: the one that starts in
+/// equilibrium, or else the first with buoyancy; none if no body of the group has buoyancy.
+std::optional<engine::BodyId> lead_of(const assembly::RigidGroup& group, const scene::Scene& scene,
+                                      const engine::SimulationSpec& spec) {
+  std::optional<engine::BodyId> lead;
+  for (const engine::BodyId id : group.bodies) {
+    if (!assembly::has_buoyancy(spec.bodies[id])) continue;
+    if (scene.bodies[id].start == scene::Start::equilibrium) return id;
+    if (!lead) lead = id;
+  }
+  return lead;
+}
+
+/// Returns bodies that fixed joints hold together as one.
+FloatingBody body_of_group(const assembly::RigidGroup& group, engine::BodyId lead,
+                           const scene::Scene& scene, const assembly::BuiltScene& built) {
+  assembly::FloatingGroup joined = assembly::floating_group(built.spec, group, lead);
+  FloatingBody body{.name = built.spec.bodies[lead].name,
+                    .mesh_B = std::move(joined.mesh_G),
+                    .tanks = std::move(joined.tanks),
+                    .com_M = built.centers_of_mass[lead],
+                    .mass = joined.mass,
+                    .density = scene.water->density,
+                    .gravity = scene.gravity,
+                    .start = scene.bodies[lead].orientation};
+  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+    const engine::BodySpec& spec = built.spec.bodies[group.bodies[i]];
+    const Eigen::Isometry3d& X_GB = joined.X_GB[i];
+    if (group.bodies[i] == lead)
+      body.com_M -= X_GB.translation();
+    else
+      body.name += " + " + spec.name;
+    for (const Eigen::Vector3d& point_B : flooding_points(spec))
+      body.flooding_points_B.emplace_back(X_GB * point_B);
+  }
+  return body;
+}
+
 std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   check_scene_options(o);
   const scene::Scene scene = scene::read(o.file, o.overrides, o.formats);
@@ -150,19 +191,9 @@ std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   for (const std::string& note : built.notes)
     say(fmt::format("{}: note: {}", scene.file.string(), note));
   std::vector<FloatingBody> bodies;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const engine::BodySpec& spec = built.spec.bodies[i];
-    if (!spec.coefficients.buoyancy) continue;
-    bodies.push_back({.name = spec.name,
-                      .mesh_B = engine::outside_B(spec),
-                      .tanks = assembly::tanks_of(spec),
-                      .flooding_points_B = flooding_points(spec),
-                      .com_M = built.centers_of_mass[i],
-                      .mass = spec.mass,
-                      .density = scene.water->density,
-                      .gravity = scene.gravity,
-                      .start = scene.bodies[i].orientation});
-  }
+  for (const assembly::RigidGroup& group : assembly::rigid_groups(built.spec))
+    if (const auto lead = lead_of(group, scene, built.spec))
+      bodies.push_back(body_of_group(group, *lead, scene, built));
   if (bodies.empty()) throw scene::InputError(scene.file, "has no body with buoyancy");
   return bodies;
 }

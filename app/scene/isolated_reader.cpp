@@ -24,11 +24,17 @@ void put(const app::CallOutput& output, const std::string& bytes) {
   output({bytes.data(), bytes.size()});
 }
 
-/// Writes a fault: its text, the length of that, and the mark.
-void put_fault(const app::CallOutput& output, const std::string& text) {
-  const auto length = static_cast<std::uint32_t>(text.size());
+/// What stands after the text of a fault.
+struct FaultEnd {
+  std::uint32_t length = 0;           ///< Of the text [bytes].
+  std::int32_t line = 0, column = 0;  ///< Of the fault's place.
+};
+
+/// Writes a fault: its text, its end, and the mark.
+void put_fault(const app::CallOutput& output, const std::string& text, const Place& place) {
+  const FaultEnd end{static_cast<std::uint32_t>(text.size()), place.line, place.column};
   put(output, text);
-  output({reinterpret_cast<const char*>(&length), sizeof length});
+  output({reinterpret_cast<const char*>(&end), sizeof end});
   put(output, {kFault});
 }
 
@@ -39,11 +45,11 @@ void answer(const std::function<void(const app::CallOutput&)>& read,
     read(output);
     put(output, {kRead});
   } catch (const InputError& error) {
-    put_fault(output, error.faults().front().message);
+    put_fault(output, error.faults().front().message, error.faults().front().place);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    put_fault(output, fmt::format("cannot be read: {}", error.what()));
+    put_fault(output, fmt::format("cannot be read: {}", error.what()), {});
   }
 }
 
@@ -72,9 +78,11 @@ std::string read_isolated(const std::filesystem::path& file, const std::string& 
   const char mark = bytes.back();
   bytes.pop_back();
   if (mark == kRead) return std::move(bytes);
-  std::uint32_t length = 0;
-  bytes.copy(reinterpret_cast<char*>(&length), sizeof length, bytes.size() - sizeof length);
-  throw InputError(file, bytes.substr(bytes.size() - sizeof length - length, length));
+  FaultEnd end;
+  bytes.copy(reinterpret_cast<char*>(&end), sizeof end, bytes.size() - sizeof end);
+  throw InputError({Fault{{file, end.line, end.column},
+                          "",
+                          bytes.substr(bytes.size() - sizeof end - end.length, end.length)}});
 }
 
 std::string read_hdf5_isolated(const std::filesystem::path& file,

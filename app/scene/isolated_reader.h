@@ -12,8 +12,8 @@ namespace scene {
 /// damaged file may crash the library, let it run on or fill the memory.
 /// @param reader   Name of the reader in faults: `the reader of HDF5`.
 /// @param read     Writes what it reads to its argument. An InputError comes back as one of this
-///     function, with the message of its first fault and the place `file`; other exceptions become
-///     faults of the file.
+///     function, with the message of its first fault and its line in `file`; other exceptions
+///     become faults of the file.
 /// @return what `read` has written
 /// @throws InputError also if the file ends the process or exceeds a limit
 std::string read_isolated(const std::filesystem::path& file, const std::string& reader,

@@ -166,8 +166,9 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "Pose at time 0. `given` takes `position` and `orientation`. `equilibrium` puts the body "
      "afloat, where it comes to rest from its `orientation` in still water at `water.level` "
      "under weight and buoyancy alone. Then x, y and the heading of its x axis are those given, "
-     "and z, roll and pitch follow. The body must be lighter than water, and z, roll and pitch "
-     "must not be locked."},
+     "and z, roll and pitch follow. Bodies that `fixed` joints hold to it count as one with it and "
+     "are taken along; only one body of them has this key. The body must be lighter than water, "
+     "and z, roll and pitch must not be locked, nor may a fixed joint hold it to the world."},
     {"bodies[].linear_velocity", "Velocity of the centre of mass in world axes."},
     {"bodies[].angular_velocity", "Angular velocity in world axes."},
     {"bodies[].interior",

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "engine/spec.h"
+#include "hydro/statics/equilibrium.h"
+
+/// @file
+/// Bodies that fixed joints hold together, as one body that floats.
+///
+/// Frames   W  world.   B  of a body.   G  of a group: origin at the centre of mass of all its
+///          bodies, axes of one of them, which leads.
+
+namespace assembly {
+
+/// Bodies that fixed joints hold together.
+struct RigidGroup {
+  std::vector<engine::BodyId> bodies;  ///< Ascending.
+  std::string joint_to_world;          ///< A fixed joint to the world; empty if there is none.
+};
+
+/// Returns the groups in the order of their first bodies. A body without a fixed joint is a group
+/// of its own.
+std::vector<RigidGroup> rigid_groups(const engine::SimulationSpec& spec);
+
+/// A group of bodies as one.
+struct FloatingGroup {
+  double mass = 0;                      ///< Without the water inside [kg].
+  hydro::TriMesh mesh_G;                ///< The closed surfaces of all bodies with buoyancy.
+  std::vector<hydro::Tank> tanks;       ///< The water in their pockets.
+  std::vector<Eigen::Isometry3d> X_GB;  ///< In the order of the group's bodies.
+};
+
+/// Joins the bodies of a group in their poses at the start. That of a single body has its numbers
+/// to the last bit.
+/// @param lead   Body of the group whose axes G has.
+FloatingGroup floating_group(const engine::SimulationSpec& spec, const RigidGroup& group,
+                             engine::BodyId lead);
+
+/// True if the water carries a body.
+bool has_buoyancy(const engine::BodySpec& body);
+
+}  // namespace assembly
