@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "app/pages/motion_columns.h"
+#include "app/logs/motion_columns.h"
 #include "app/pages/packing.h"
 #include "app/pages/thinning.h"
 
