@@ -133,7 +133,7 @@ log: {forces: true}
 
 # Of each snippet of Python, by a line of it: what comes before it, and the modules that it needs.
 SIMULATION = 'import plimsoll as pl\nsim = pl.Simulation("tug.yaml")\nsim.step(3)\n'
-BATCH = 'import numpy as np, plimsoll as pl\n'
+BATCH = 'import os, numpy as np, plimsoll as pl\nos.chdir("tow")\n'  # whose buoy.yaml has a screw
 SNIPPETS = {
     'sim = pl.Simulation("scenes/teapot_drop.yaml")': ("", {"plimsoll"}),
     "import h5py, pandas": ("", {"h5py", "pandas"}),
@@ -176,6 +176,8 @@ class Place:
                  "barge.yaml": block("scenes/README.md", "yaml", "A box in a swell"),
                  "tolerances.yaml": block("app/README.md", "", "orientation_deg: {peak"),
                  "rao.csv": "period,heave\n1.9,1\n2.1,1\n"}
+        files["tow/buoy.yaml"] = TUG
+        (self.folder / "tow").mkdir()
         for name, text in files.items():
             (self.folder / name).write_text(text + "\n")
 
