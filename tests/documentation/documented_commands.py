@@ -120,11 +120,12 @@ TUG = """\
 plimsoll: 1
 duration: 1
 water: {}
+hydro: {added_mass: none, radiation: none}
 bodies:
   - {name: buoy, sphere: {radius: 0.5}, density: 400}
   - {name: tug, box: {size: [6, 2, 1.5]}, density: 400, position: [8, 0, 0]}
 ropes:
-  - {name: tow, bodies: [buoy, tug], points: [[0.5, 0, 0], [-3, 0, 0]], length: 4, stiffness: 1e4, damping: 1e3}
+  - {name: tow, bodies: [buoy, tug], points: [[0.5, 0, 0], [-3, 0, 0]], length: 5, stiffness: 1e4, damping: 1e3}
 propellers:
   - {name: main, body: tug, at: [-3, 0, -0.6], axis: [1, 0, 0], diameter: 0.6,
      model: {wageningen: {blades: 4, area_ratio: 0.7, pitch_ratio: 1}}, speed_rps: 2}
