@@ -19,9 +19,9 @@ FLOORS = (
     ("scene",),
     ("databases", "logs"),
     ("assembly",),
-    ("pages", "pictures"),
+    ("analysis", "pages", "pictures"),
     ("hydrostatics", "report", "run", "view"),
-    ("analysis", "commands", "compare", "sweep"),
+    ("commands", "compare", "sweep"),
     ("cli", "python"),
 )
 MOST_FLOORS = 8

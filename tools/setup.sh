@@ -23,7 +23,7 @@ command -v npm > /dev/null || report_packages+=(nodejs npm)
 # to open the page, a screen without a monitor for the window, and what makes and measures videos.
 # Ubuntu has no package of chromium that runs by itself.
 test_packages=(
-  ffmpeg mypy python3-h5py python3-jsonschema python3-matplotlib python3-pandas python3-pytest
+  ffmpeg mypy python3-h5py python3-jsonschema python3-matplotlib python3-pandas python3-pil python3-pytest
   python3-venv python3-yaml xvfb
 )
 if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi

@@ -121,17 +121,6 @@ std::vector<std::vector<const SignalAnalysis*>> with_response(const RunAnalysis&
   return bodies;
 }
 
-Json json_of(const SignalStatistics& s) {
-  Json json = {{"mean", s.mean},     {"std", s.deviation}, {"drift", s.drift},  {"min", s.min},
-               {"at_min", s.at_min}, {"max", s.max},       {"at_max", s.at_max}};
-  if (s.crossings)
-    json["cycles"] = {{"count", s.crossings->count},
-                      {"mean_period", s.crossings->period},
-                      {"significant_height", s.crossings->significant},
-                      {"largest_height", s.crossings->largest}};
-  return json;
-}
-
 Json json_of(const PowerSpectrum& s) {
   return {{"segments", s.segments},
           {"variance", s.moment(0)},
@@ -139,19 +128,6 @@ Json json_of(const PowerSpectrum& s) {
           {"peak_period", s.peak() > 0 ? Json(1 / s.peak()) : Json(nullptr)},
           {"frequency_hz", s.frequencies},
           {"density", s.density}};
-}
-
-Json json_of(const DecayFit& d) {
-  Json cycles = Json::array();
-  for (const DecayCycle& c : d.cycles)
-    cycles.push_back({{"start", c.start},
-                      {"period", c.period},
-                      {"amplitude", c.amplitude},
-                      {"decrement", c.decrement}});
-  return {{"period", d.period},       {"equilibrium", d.equilibrium},
-          {"decrement", d.decrement}, {"damping_ratio", d.damping_ratio},
-          {"linear", d.linear},       {"quadratic", d.quadratic},
-          {"cycles", cycles}};
 }
 
 Json json_of(const TransferFunction& r) {
@@ -176,6 +152,30 @@ std::string text_of(const RunAnalysis& analysis) {
     if (a.decay) add_decay(a, text);
   for (const auto& motions : with_response(analysis)) add_responses(motions, analysis.wave, text);
   return text;
+}
+
+Json json_of(const SignalStatistics& s) {
+  Json json = {{"mean", s.mean},     {"std", s.deviation}, {"drift", s.drift},  {"min", s.min},
+               {"at_min", s.at_min}, {"max", s.max},       {"at_max", s.at_max}};
+  if (s.crossings)
+    json["cycles"] = {{"count", s.crossings->count},
+                      {"mean_period", s.crossings->period},
+                      {"significant_height", s.crossings->significant},
+                      {"largest_height", s.crossings->largest}};
+  return json;
+}
+
+Json json_of(const DecayFit& d) {
+  Json cycles = Json::array();
+  for (const DecayCycle& c : d.cycles)
+    cycles.push_back({{"start", c.start},
+                      {"period", c.period},
+                      {"amplitude", c.amplitude},
+                      {"decrement", c.decrement}});
+  return {{"period", d.period},       {"equilibrium", d.equilibrium},
+          {"decrement", d.decrement}, {"damping_ratio", d.damping_ratio},
+          {"linear", d.linear},       {"quadratic", d.quadratic},
+          {"cycles", cycles}};
 }
 
 Json json_of(const RunAnalysis& analysis) {

@@ -8,11 +8,11 @@
 
 #include "app/analysis/signal_statistics.h"
 #include "app/assembly/build_sea.h"
+#include "app/logs/motion_columns.h"
 #include "app/logs/read_log.h"
 #include "app/logs/run_files.h"
 #include "app/logs/run_source.h"
 #include "app/logs/table_layouts.h"
-#include "app/pages/motion_columns.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -87,12 +87,18 @@ std::optional<hydro::Sea> irregular_sea_of(const fs::path& summary) {
 
 }  // namespace
 
+RunSignals signals_of(const Trajectory& trajectory, const fs::path& log,
+                      const AnalyseOptions& options) {
+  RunSignals signals;
+  add_motions(trajectory, options, signals);
+  add_column(log, probes_layout(), "elevation", "m", options, signals);
+  add_column(log, lines_layout(), "tension", "N", options, signals);
+  return signals;
+}
+
 RunSignals read_signals(const AnalyseOptions& options) {
   const fs::path file = trajectory_of(options.run);
-  RunSignals signals;
-  add_motions(read_trajectory(file), options, signals);
-  add_column(file, probes_layout(), "elevation", "m", options, signals);
-  add_column(file, lines_layout(), "tension", "N", options, signals);
+  RunSignals signals = signals_of(read_trajectory(file), file, options);
   if (fs::is_directory(options.run) && options.wave.empty())
     signals.sea = irregular_sea_of(options.run / kSummaryFile);
   return signals;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,11 @@ inline constexpr std::size_t kMotionsOfBody = 6;
 /// Reads a run and keeps the rows from `options.from` to `options.to`.
 /// @throws InputError if the run cannot be read, or has less than two rows there
 RunSignals read_signals(const AnalyseOptions& options);
+
+/// Returns the signals of a run whose trajectory has been read, without its sea.
+/// @param log   File of the trajectory, beside which or in which tables are.
+RunSignals signals_of(const Trajectory& trajectory, const std::filesystem::path& log,
+                      const AnalyseOptions& options);
 
 /// Returns the wave at the mean path of a body, a straight line, at the times of its motion.
 /// @param surge   Followed by sway.

@@ -12,6 +12,7 @@
 #include "app/compare/compare_folders.h"
 #include "app/compare/comparison.h"
 #include "app/compare/comparison_data.h"
+#include "app/compare/comparison_replay.h"
 #include "app/compare/comparison_report.h"
 #include "app/compare/learned_tolerances.h"
 #include "app/compare/run_folders.h"
@@ -48,9 +49,12 @@ int compare_two(const CompareOptions& options) {
   print(comparison, files, provenance, options.json);
   if (!options.junit.empty())
     write_whole(options.junit, junit_file_of({junit_suite_of(comparison, files)}));
-  if (!options.html.empty())
-    say(write_page(options.html, page,
-                   comparison_data({comparison, files, provenance, a.trajectory, b.trajectory})));
+  if (!options.html.empty()) {
+    const nlohmann::ordered_json replay = comparison_replay(options.a, options.b);
+    say(write_page(
+        options.html, page,
+        comparison_data({comparison, files, provenance, a.trajectory, b.trajectory, replay})));
+  }
   return comparison.same() ? kDone : kDiffers;
 }
 

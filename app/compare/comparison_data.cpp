@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "app/pages/motion_columns.h"
+#include "app/logs/motion_columns.h"
 #include "app/pages/packing.h"
 #include "app/pages/thinning.h"
 
@@ -81,7 +81,7 @@ Json tables_of(const Comparison& comparison, const ComparedFiles& files) {
 }  // namespace
 
 Json comparison_data(const ComparedPage& page, const ComparisonLimits& limits) {
-  const auto& [comparison, files, provenance, a, b] = page;
+  const auto& [comparison, files, provenance, a, b, replay] = page;
   const std::size_t columns = 2 * motion_columns().size() + kComparedQuantities.size();
   const std::size_t bodies = std::max<std::size_t>(comparison.bodies.size(), 1);
   const std::size_t most = std::max(kLeastComparedRows, limits.numbers / (columns * bodies));
@@ -112,7 +112,8 @@ Json comparison_data(const ComparedPage& page, const ComparisonLimits& limits) {
           {"differs", provenance ? json_of(*provenance) : Json(nullptr)},
           {"columns", motion_columns()},
           {"bodies", all},
-          {"tables", tables_of(comparison, files)}};
+          {"tables", tables_of(comparison, files)},
+          {"replay", replay}};
 }
 
 }  // namespace app

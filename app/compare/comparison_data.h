@@ -22,11 +22,12 @@ struct ComparedPage {
   const std::optional<Provenance>& provenance;
   const Trajectory& a;
   const Trajectory& b;
+  const nlohmann::ordered_json& replay;  ///< Of both (comparison_replay.h).
 };
 
 /// Returns the verdict, what made the runs differ, the table of differences, for each body the
-/// motion in either log, at the log's own rows, and the differences over time, and the verdicts on
-/// tables.
+/// motion in either log, at the log's own rows, and the differences over time, the verdicts on
+/// tables, and the replay.
 nlohmann::ordered_json comparison_data(const ComparedPage& page,
                                        const ComparisonLimits& limits = {});
 

@@ -8,16 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the origin of the replay's single-precision coordinates: the first body's start, at the
-/// water level.
-Eigen::Vector3d replay_origin(const LoggedRun& run) {
-  Eigen::Vector3d origin = run.built.spec.bodies.empty()
-                               ? Eigen::Vector3d::Zero()
-                               : run.built.spec.bodies[0].initial.position;
-  if (run.built.spec.sea) origin.z() = run.built.spec.sea->level;
-  return origin;
-}
-
 Json page_camera(const scene::Scene& scene) {
   if (!scene.render) return nullptr;
   const scene::Camera c = cameras_of(*scene.render).front();
@@ -28,12 +18,30 @@ Json page_camera(const scene::Scene& scene) {
 
 }  // namespace
 
-Json page_data(const LoggedRun& run, const PageLimits& limits) {
+Eigen::Vector3d replay_origin(const LoggedRun& run) {
+  Eigen::Vector3d origin = run.built.spec.bodies.empty()
+                               ? Eigen::Vector3d::Zero()
+                               : run.built.spec.bodies[0].initial.position;
+  if (run.built.spec.sea) origin.z() = run.built.spec.sea->level;
+  return origin;
+}
+
+Json replay_data(const LoggedRun& run, const Eigen::Vector3d& origin, const PageLimits& limits) {
   const Shapes shapes = find_shapes(run.built.spec.bodies, limits.faces);
-  const Eigen::Vector3d origin = replay_origin(run);
+  return {{"origin", {origin.x(), origin.y(), origin.z()}},
+          {"bodies", page_bodies(run, shapes)},
+          {"shapes", page_shapes(shapes)},
+          {"water", page_water(run.built.spec, limits)},
+          {"ground", page_ground(run.built.spec.ground, limits)},
+          {"camera", page_camera(run.scene)},
+          {"poses", page_poses(run, origin, limits)},
+          {"rigging", page_rigging(run, origin, limits)}};
+}
+
+Json page_data(const LoggedRun& run, const PageLimits& limits) {
   Json summary = run.summary;
   if (summary.is_object()) summary.erase("source");
-  return {
+  Json page = {
       {"program", PLIMSOLL_VERSION},
       {"title", run.scene.title},
       {"summary", summary},
@@ -41,17 +49,12 @@ Json page_data(const LoggedRun& run, const PageLimits& limits) {
        {{"file", run.scene.file.string()}, {"text", run.scene.text}, {"overrides", run.overrides}}},
       {"gravity", run.scene.gravity},
       {"rows", run.rows},
-      {"origin", {origin.x(), origin.y(), origin.z()}},
-      {"bodies", page_bodies(run, shapes)},
-      {"shapes", page_shapes(shapes)},
-      {"water", page_water(run.built.spec, limits)},
       {"pressure", page_pressure(run)},
-      {"ground", page_ground(run.built.spec.ground, limits)},
-      {"camera", page_camera(run.scene)},
-      {"poses", page_poses(run, origin, limits)},
-      {"rigging", page_rigging(run, origin, limits)},
       {"series", page_series(run, limits)},
+      {"analysis", page_analysis(run, limits)},
       {"frames", page_frames(run, limits)}};
+  page.update(replay_data(run, replay_origin(run), limits));
+  return page;
 }
 
 }  // namespace app

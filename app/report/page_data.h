@@ -19,11 +19,21 @@ struct PageLimits {
   Eigen::Index faces = 100'000;    ///< Triangles of all meshes.
   Eigen::Index heights = 500'000;  ///< Heights of a height field.
   std::size_t rigging = 500'000;   ///< Numbers of lines and machines over time.
+  std::size_t spectra = 500'000;   ///< Numbers in all spectra and responses.
   std::size_t frames = 4'000'000;  ///< Bytes of all pictures.
 };
 
 /// Returns all data of a page.
 nlohmann::ordered_json page_data(const LoggedRun& run, const PageLimits& limits = {});
+
+/// Returns the origin of the replay's single-precision coordinates: the first body's start, at the
+/// water level [m, W].
+Eigen::Vector3d replay_origin(const LoggedRun& run);
+
+/// Returns what a replay draws, which is part of a page's data: bodies, shapes, water, ground,
+/// camera, poses and rigging, relative to `origin` [m, W].
+nlohmann::ordered_json replay_data(const LoggedRun& run, const Eigen::Vector3d& origin,
+                                   const PageLimits& limits);
 
 /// Parts of the data: bodies, shapes, water and ground.
 nlohmann::ordered_json page_bodies(const LoggedRun& run, const Shapes& shapes);
@@ -44,6 +54,17 @@ nlohmann::ordered_json page_rigging(const LoggedRun& run, const Eigen::Vector3d&
 
 /// Returns the columns for the plots.
 nlohmann::ordered_json page_series(const LoggedRun& run, const PageLimits& limits);
+
+/// Returns what `plimsoll analyse` finds of the run (analysis/run_analysis.h); null of a run too
+/// short for a spectrum.
+///
+///     wave     to which responses are, in words
+///     signals  [{of, signal, unit, statistics, spectrum, decay, response}], of the last three
+///              those that the signal has
+///
+/// The first six signals of a body are its motions. A spectrum or response has a value at each
+/// multiple of `step` [Hz] from 0, up to where nearly nothing is left of it.
+nlohmann::ordered_json page_analysis(const LoggedRun& run, const PageLimits& limits);
 
 /// Returns the pictures of the first camera with their times; null if there are none.
 nlohmann::ordered_json page_frames(const LoggedRun& run, const PageLimits& limits);

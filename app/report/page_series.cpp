@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/logs/force_csv.h"
-#include "app/pages/motion_columns.h"
+#include "app/logs/motion_columns.h"
 #include "app/pages/packing.h"
 #include "app/pages/thinning.h"
 #include "app/report/page_data.h"

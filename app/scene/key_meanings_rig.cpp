@@ -72,7 +72,9 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
     {"joints[].motor.max_force",
      "Largest force of the motor of a slider. Without this key it is not limited."},
     {"joints[].motor.rate",
-     "Rate at which an error of `angle_deg` or `position` decays, with critical damping."},
+     "Rate at which an error of `angle_deg` or `position` decays, with critical damping. A steady "
+     "load L leaves an error of L/(m·rate²), m being the mass or moment of inertia that the motor "
+     "moves, with its added mass; a `pid` with `ki` leaves none."},
     {"joints[].stiffness",
      "Stiffness of a spring along the coordinate, [N m/rad] of a hinge, [N/m] of a slider."},
     {"joints[].rest_deg", "Angle of a hinge at which its spring is at rest."},

@@ -134,7 +134,7 @@ TEST(ContactSheet, OfAFallingBallIsWrittenToBeLookedAt) {
   ContactSheet sheet(scene.picture.pressure);
   render::Renderer renderer(scene.picture, pictures::shader_folder());
   for (int i = 0; i < 12; ++i) {
-    scene.states[0].position.z() = 1.8 - 0.3 * i;
+    scene.states[0].position.z() = 1.1 - 0.245 * i;
     sheet.add(renderer.draw(scene.states, 0.06 * i), 0.06 * i);
   }
   std::filesystem::create_directories("gallery");

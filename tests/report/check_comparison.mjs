@@ -52,4 +52,37 @@ const checkChoice = async (page, expect) => {
   expect("a logarithmic scale looks like a linear one", before !== await ticks());
 };
 
-await inspect(checkHead, checkPlots, checkCursor, checkChoice);
+// Pixels of the replay in the colour of B's bodies.
+const pixelsOfB = async (page) => {
+  const shot = Buffer.from(await (await page.$("#view")).screenshot()).toString("base64");
+  return page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    canvas.drawImage(image, 0, 0);
+    const {data} = canvas.getImageData(0, 0, image.width, image.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] > data[i + 2] + 30) ++count;
+    return count;
+  }, shot);
+};
+
+// Both runs are drawn, at the time of one slider.
+const BODY = 500;  // px that a body of B covers at least
+const checkReplay = async (page, expect) => {
+  const shown = async (part) => {
+    await page.$eval("#time", (slider, p) => {
+      slider.value = slider.max * p;
+      slider.dispatchEvent(new Event("input"));
+    }, part);
+    await settle(page);
+    return Buffer.from(await (await page.$("#view")).screenshot()).toString("base64");
+  };
+  const early = await shown(0.1);
+  const pixels = await pixelsOfB(page);
+  expect(`${pixels} pixels of B`, pixels > BODY);
+  expect("the replay looks the same at two times", early !== await shown(0.9));
+};
+
+await inspect(checkHead, checkPlots, checkCursor, checkReplay, checkChoice);

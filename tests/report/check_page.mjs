@@ -30,6 +30,16 @@ const checkPlots = async (page, expect) => {
   await checkLines(page, expect, charts, (count) => count > 0);
 };
 
+// The numbers of the six motions, and spectra whose axes end where they do.
+const checkAnalysis = async (page, expect) => {
+  const names = await page.$$eval("#analysis .numbers td:first-child b", (nodes) => nodes.map((n) => n.textContent));
+  expect(`signals: ${names}`, names.join() === "surge,sway,heave,roll,pitch,yaw");
+  const titles = await page.$$eval("#analysis figcaption b", (nodes) => nodes.map((n) => n.textContent));
+  expect(`spectra: ${titles}`, titles[0] === "Spectra of displacements" && titles[1] === "Spectra of rotations");
+  const legend = await page.$eval("#analysis .u-series:first-child .u-value", (node) => node.textContent);
+  expect(`the peak: ${legend}`, /^[\d.]+ Hz, [\d.]+ s$/.test(legend));
+};
+
 // The replay's wet surfaces have the colours of a bar, which go with a click and come with another.
 const checkPressure = async (page, expect) => {
   await seek(page, 0.5);
@@ -98,4 +108,4 @@ const checkPictures = async (page, expect) => {
   expect("no picture is shown", await page.$eval("#picture", (image) => !image.hidden && image.naturalWidth > 0));
 };
 
-await inspect(checkPlots, checkReplay, checkPressure, checkPlaying, checkCursor, checkPictures);
+await inspect(checkPlots, checkAnalysis, checkReplay, checkPressure, checkPlaying, checkCursor, checkPictures);

@@ -4,6 +4,7 @@
 set(web ${PROJECT_SOURCE_DIR}/app/report/web)
 set(web_sources
   .npmrc
+  analysis.js
   backdrop.js
   bundle.mjs
   charts.js
@@ -29,6 +30,8 @@ set(web_sources
   rig.js
   rigging.js
   sea.js
+  spectra.js
+  stage.js
   strip.js
   style.css
   surface.js

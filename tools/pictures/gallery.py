@@ -16,6 +16,13 @@ kRoot = Path(__file__).resolve().parents[2]
 kScenes = kRoot / "scenes"
 kHead = "teapot_drop"  # Whose sheet heads the README.
 kHeadWidth = 1344  # [px]
+# Whose pictures the README shows beside its list, and the font of their names.
+kSix = ("launch_in_chop", "moored_buoy", "tug_and_barge", "open_boat", "two_hundred_crates", "motorised_gate")
+kFont = "DejaVuSans.ttf"
+kColumns = 3
+kCell = 400  # Width of a picture on the sheet [px].
+kGap = 16  # Between pictures [px].
+kLine = 34  # Height of a name below its picture [px].
 
 kPage = """<!doctype html>
 <html lang="en">
@@ -61,6 +68,18 @@ class Result:
         return sorted(self.folder.glob("frames/**/frame_*.png"))
 
     @property
+    def middle(self) -> Path:
+        """The picture of the first camera in the middle of the sequence: most scenes have come to
+        their point by then."""
+        cameras = self.summary.get("pictures", {}).get("cameras") or [""]
+        of_first = sorted((self.folder / "frames" / cameras[0]).glob("frame_*.png"))
+        return (of_first or self.frames)[len(of_first or self.frames) // 2]
+
+    @property
+    def title(self) -> str:
+        return self.summary.get("title") or self.name.replace("_", " ")
+
+    @property
     def summary(self) -> dict:
         return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
 
@@ -74,7 +93,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--set", action="append", default=[], metavar="KEY.PATH=VALUE",
                         help="for every scene, such as render.pressure.colors=viridis")
     parser.add_argument("--readme", action="store_true",
-                        help=f"put the sheet of {kHead} at the head of the README")
+                        help=f"renew the pictures of the README: the sheet of {kHead}, and six scenes")
     return parser.parse_args()
 
 
@@ -95,16 +114,14 @@ def run(program: Path, scene: Path, out: Path, changes: list[str]) -> Result:
 
 
 def figure(result: Result) -> str:
-    """The picture in the middle of the sequence: most scenes have come to their point by then."""
     summary = result.summary
-    title = summary.get("title") or result.name.replace("_", " ")
     bodies = len(summary.get("bodies", [])) or None
     told = ", ".join(part for part in (
         f"{bodies} bod{'y' if bodies == 1 else 'ies'}" if bodies else "",
         f"{summary['simulated_seconds']:g} s", f"{len(result.frames)} pictures") if part)
-    picture = result.frames[len(result.frames) // 2].relative_to(result.folder.parent)
+    picture = result.middle.relative_to(result.folder.parent)
     return kFigure.format(name=result.name, picture=picture.as_posix(),
-                          title=html.escape(title), told=told)
+                          title=html.escape(result.title), told=told)
 
 
 def publish(sheet: Path, to: Path) -> None:
@@ -114,6 +131,27 @@ def publish(sheet: Path, to: Path) -> None:
         height = round(image.height * kHeadWidth / image.width)
         small = image.convert("RGB").resize((kHeadWidth, height), Image.Resampling.LANCZOS)
     small.save(to, optimize=True)
+
+
+def sheet(results: list[Result], to: Path) -> None:
+    """Writes the middle picture of each scene with its title below, in rows."""
+    from PIL import Image, ImageDraw, ImageFont
+    pictures = []
+    for result in results:
+        with Image.open(result.middle) as image:
+            height = round(image.height * kCell / image.width)
+            pictures.append(image.convert("RGB").resize((kCell, height), Image.Resampling.LANCZOS))
+    columns = min(kColumns, len(pictures))
+    tallest = max(picture.height for picture in pictures) + kLine
+    rows = -(-len(pictures) // columns)
+    page = Image.new("RGB", (columns * (kCell + kGap) + kGap, rows * (tallest + kGap) + kGap), "white")
+    pen, font = ImageDraw.Draw(page), ImageFont.truetype(kFont, 15)
+    for i, (result, picture) in enumerate(zip(results, pictures)):
+        x = kGap + i % columns * (kCell + kGap)
+        y = kGap + i // columns * (tallest + kGap)
+        page.paste(picture, (x, y))
+        pen.text((x + kCell / 2, y + picture.height + 8), result.title, "black", font, anchor="ma")
+    page.save(to, optimize=True)
 
 
 def main() -> int:
@@ -135,8 +173,13 @@ def main() -> int:
                                  figures="\n".join(figure(result) for result in drawn)),
                     encoding="utf-8")
     print(page)
+    if drawn:
+        sheet(drawn, out / "sheet.png")
+        print(out / "sheet.png")
     if arguments.readme:
         publish(out / kHead / "sheet.png", kScenes / "pictures" / f"{kHead}.png")
+        by_name = {result.name: result for result in drawn}
+        sheet([by_name[name] for name in kSix], kScenes / "pictures" / "six_scenes.png")
     return 0 if len(drawn) == len(results) else 1
 
 

@@ -5,7 +5,7 @@ import {join} from "node:path";
 
 const PAGES = [
   {page: "page.html", script: "report.js", packages: ["three", "uplot"]},
-  {page: "comparison.html", script: "comparison.js", packages: ["uplot"]}];
+  {page: "comparison.html", script: "comparison.js", packages: ["three", "uplot"]}];
 
 const license = (name) => `${name}\n\n${readFileSync(`node_modules/${name}/LICENSE`, "utf8")}`;
 

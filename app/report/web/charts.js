@@ -1,5 +1,5 @@
 // Which plots a run has, and of which lines.
-import {largestOf} from "./extent.js";
+import {LEAST, largestOf} from "./extent.js";
 import {QUANTITIES} from "./quantities.js";
 import {courseOf, rigOf} from "./rig.js";
 
@@ -16,8 +16,6 @@ const AXES = ["--c1", "--c2", "--c3"];
 const varies = (values) => values.some((v) => v !== 0);
 const sum = (columns) => columns[0].map((_, i) => columns.reduce((s, c) => s + c[i], 0));
 
-// What a run leaves of a motion that is none, by its unit.
-const LEAST = {"m": 1e-6, "°": 1e-5, "m/s": 1e-6, "rad/s": 1e-7};
 const ROUNDING = 1e-6;  // of the largest load or work, for what others leave of it
 
 const motion = (columns) => QUANTITIES.map(({title, unit, names, labels = names}) => ({

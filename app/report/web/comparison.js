@@ -7,6 +7,7 @@ import {plotsOf, readComparison, severity, worstFirst} from "./differences.js";
 import {at, element, grouped, number, tile} from "./format.js";
 import {Plots} from "./plots.js";
 import {QUANTITIES} from "./quantities.js";
+import {color, makeReplay, makeToggles, makeTransport, makeViews} from "./stage.js";
 
 const MOST_BODIES = 500;  // in the table
 const LOG_FROM = 30;      // tolerances, or as many parts of one, beyond which a line is flat without it
@@ -126,6 +127,25 @@ const showTable = ({bodies, tables}, select) => {
   return (body) => parts.forEach((part, i) => part.classList.toggle("on", i === body));
 };
 
+// Both runs in three dimensions; null where there is nothing to draw, which the page then says.
+const showReplay = ({replay}, clock) => {
+  if (replay.note) {
+    at("stage").replaceChildren(element("p", {className: "note", id: "no-replay",
+                                              textContent: `There is no replay: ${replay.note}.`}));
+    return null;
+  }
+  if (replay.a.bodies.length === 0) {
+    at("stage").hidden = true;
+    return null;
+  }
+  makeTransport(clock);
+  const made = makeReplay(replay.a, clock, {run: replay.b, color: color("--c2")});
+  makeViews(replay.a, made);
+  if (made) makeToggles(made);
+  if (made) at("key").append(log("A", "solid"), log("B", "translucent"));
+  return made;
+};
+
 const isFar = (d) => {
   const ratio = severity(d);
   return ratio > LOG_FROM || (ratio > 0 && ratio < 1 / LOG_FROM);
@@ -138,6 +158,8 @@ if (comparison.differs) showChanges(comparison.differs);
 if (bodies.length > 0) {
   const logs = bodies.flatMap(({a, b}) => [a, b]).filter(Boolean);
   const clock = new Clock(Math.min(...logs.map((l) => l.times[0])), Math.max(...logs.map((l) => l.times.at(-1))));
+  const replay = showReplay(comparison, clock);
+  const indexIn = (list, name) => list.findIndex((body) => body.name === name);
   const worst = bodies[0].differences?.[worstFirst(bodies[0].differences)[0]];
   const logarithmic = element("input", {type: "checkbox", id: "log", checked: worst !== undefined && isFar(worst)});
   const plots = new Plots((body) => plotsOf(comparison, bodies[body], logarithmic.checked), clock, at("charts"));
@@ -153,9 +175,17 @@ if (bodies.length > 0) {
     const d = differences?.[worstFirst(differences)[0]];
     plots.show(body);
     mark(body);
+    const drawn = replay ? indexIn(replay.run.bodies, bodies[body].name) : -1;
+    if (drawn >= 0) {
+      replay.select(drawn);
+      at("label").textContent = bodies[body].name;
+    }
     clock.seek(d?.first_beyond ?? d?.at ?? clock.start);
   });
+  if (replay) replay.onSelect = (drawn) => select(indexIn(bodies, replay.run.bodies[drawn].name));
   logarithmic.onchange = () => plots.show(shown);
   at("body").after(element("label", {className: "dim", title: "Of the differences"}, logarithmic, "logarithmic"));
   select(0);
+} else {
+  at("stage").hidden = true;
 }

@@ -34,18 +34,36 @@ const unpackRigging = (rigging) => {
     for (const turn of part.turns) turn.angle = column(turn.angle, count);
 };
 
-export const readRun = () => {
-  const run = JSON.parse(document.getElementById("data").textContent);
+// The first six signals of a body are its motions, and those of all bodies come first.
+const MOTIONS = 6;
+const unpackAnalysis = (run) => {
+  const {analysis} = run;
+  analysis.motions = MOTIONS * run.bodies.length;
+  for (const {spectrum, response} of analysis.signals) {
+    if (spectrum) spectrum.density = floats(spectrum.density);
+    if (response)
+      for (const key of ["amplitude", "phase_deg", "coherence", "wave"]) response[key] = floats(response[key]);
+  }
+};
+
+// What the replay draws (replay_data).
+export const unpackReplay = (run) => {
   run.poses.times = doubles(run.poses.times);
   run.poses.tracks = run.poses.bodies.map(floats);
+  if (run.water?.components) run.water.components = doubles(run.water.components);
+  if (run.water?.heights) run.water.heights = floats(run.water.heights);
+  if (run.rigging) unpackRigging(run.rigging);
+  return run;
+};
+
+export const readRun = () => {
+  const run = unpackReplay(JSON.parse(document.getElementById("data").textContent));
   run.series.times = doubles(run.series.times);
   for (const things of Object.values(run.series.rig))
     for (const thing of things)
       for (const [name, packed] of Object.entries(thing.columns))
         thing.columns[name] = column(packed, run.series.times.length);
-  if (run.water?.components) run.water.components = doubles(run.water.components);
-  if (run.water?.heights) run.water.heights = floats(run.water.heights);
-  if (run.rigging) unpackRigging(run.rigging);
+  if (run.analysis) unpackAnalysis(run);
   return run;
 };
 

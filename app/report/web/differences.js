@@ -1,6 +1,6 @@
 // The comparison as the program has written it into the page (comparison_data.h), and which plots
 // a body has.
-import {column, doubles, rowAt} from "./data.js";
+import {column, doubles, rowAt, unpackReplay} from "./data.js";
 import {number} from "./format.js";
 import {QUANTITIES} from "./quantities.js";
 
@@ -25,6 +25,7 @@ export const readComparison = () => {
     body.severity = Math.max(body.same ? -1 : 1, ...(body.differences ?? []).map(severity));
     for (const key of ["a", "b", "over"]) if (body[key]) body[key].times = doubles(body[key].times);
   }
+  for (const run of [comparison.replay.a, comparison.replay.b]) if (run) unpackReplay(run);
   comparison.bodies.sort((p, q) => descending(p.severity, q.severity));
   return comparison;
 };

@@ -22,13 +22,16 @@ export const largestOf = ({lines}) => {
   return largest;
 };
 
+// What a run leaves of a motion that is none, by its unit.
+export const LEAST = {"m": 1e-6, "°": 1e-5, "m/s": 1e-6, "rad/s": 1e-7};
+
 const ROUNDING = 1e-6;  // of a number: smaller changes are those of its last digits
-const LEAST = 1e-9;     // of a chart that names no least change
+const TINY = 1e-9;      // of a chart that names no least change
 const FLAT = 50;        // how much farther than rounding the axis of a constant reaches, each way
 
 // The change below which the lines of a chart are constant but for rounding: that of its largest
 // number, or the chart's own `least`.
-export const leastOf = (chart) => Math.max(ROUNDING * largestOf(chart), chart.least ?? LEAST);
+export const leastOf = (chart) => Math.max(ROUNDING * largestOf(chart), chart.least ?? TINY);
 
 // The axis on which what changes by less than `least` is a level line; null for what changes.
 export const flatBounds = (low, high, least) => {

@@ -9,7 +9,7 @@ export const number = (value, digits = DIGITS) => {
   const text = size !== 0 && (size < 1e-3 || size >= 1e6)
     ? value.toExponential(digits - 2).replace(/\.?0+e/, "e")
     : Number(value.toPrecision(digits)).toString();
-  return text.replace("-", "−");
+  return text.replaceAll("-", "−");
 };
 
 // Decimals that show five digits of a number of this size, so that those of one plot line up.

@@ -14,6 +14,8 @@ const SAMPLES = 200;                // rows from which the extent of the motion 
 const CLICK = 4;                    // px that the mouse may move in a click
 const WIDTH_TO_HEIGHT = 4 / 3;      // of a picture
 const FIELD_OF_VIEW = 35;           // degrees, of a scene without a camera
+const GHOST = 0.55;                 // opacity of the bodies of a second run
+const GHOST_ORDER = 2.4;            // of drawing: after the water
 
 const geometryOf = (mesh) => {
   const geometry = new THREE.BufferGeometry();
@@ -24,9 +26,32 @@ const geometryOf = (mesh) => {
   return creased;
 };
 
+// Position and orientation of a body at a time, between the two rows around it.
+const poseIn = ({times, tracks}, body, time, position, orientation) => {
+  const row = Math.min(rowAt(times, time), Math.max(times.length - 2, 0));
+  const next = Math.min(row + 1, times.length - 1);
+  const part = next === row ? 0
+    : Math.min(Math.max((time - times[row]) / (times[next] - times[row]), 0), 1);
+  const a = tracks[body], i = POSE * row, j = POSE * next;
+  position.set(a[i], a[i + 1], a[i + 2]).lerp(spare.set(a[j], a[j + 1], a[j + 2]), part);
+  orientation.set(a[i + 3], a[i + 4], a[i + 5], a[i + 6])
+    .slerp(turn.set(a[j + 3], a[j + 4], a[j + 5], a[j + 6]), part);
+};
+const spare = new THREE.Vector3(), turn = new THREE.Quaternion();
+
+// The places of a body as points of a path.
+const pathOf = (track, rows) => {
+  const points = new Float32Array(3 * rows);
+  for (let row = 0; row < rows; ++row) points.set(track.subarray(POSE * row, POSE * row + 3), 3 * row);
+  return points;
+};
+
 export class Replay {
-  constructor(run, clock, canvas, label, look) {
+  // @param other   {run, color}: a second run, whose bodies are drawn over those of the first one,
+  //     translucent and of this colour.
+  constructor(run, clock, canvas, label, look, other = null) {
     this.run = run;
+    this.other = other;
     this.clock = clock;
     this.canvas = canvas;
     this.label = label;
@@ -70,44 +95,51 @@ export class Replay {
     this.scene.add(sun);
   }
 
-  // Bodies of one shape are drawn at once.
   addBodies() {
-    const {bodies, shapes} = this.run;
     this.radius = [];
-    this.places = [];  // per body: its mesh and its index there
+    Object.assign(this, this.bodiesOf(this.run, {}, this.radius));
+    if (!this.other) return;
+    // Where both runs agree, the solid bodies are seen.
+    const color = new THREE.Color(this.other.color);
+    // They shine, so that their colour is seen through the water, too.
+    const looks = {transparent: true, opacity: GHOST, depthWrite: false, emissive: color, emissiveIntensity: 0.7,
+                   polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
+    this.ghosts = this.bodiesOf(this.other.run, looks, [], color);
+    for (const mesh of this.ghosts.meshes) mesh.renderOrder = GHOST_ORDER;
+  }
+
+  // Bodies of one shape are drawn at once.
+  // @param looks    Of their material, beyond that of all bodies.
+  // @param radius   Filled with how far each reaches from its centre.
+  // @param color    Of all of them; none: each has its own.
+  // @return the meshes, and of each body its mesh and its index there
+  bodiesOf({bodies, shapes}, looks, radius, color = null) {
+    const own = (body) => new THREE.Color().setRGB(...bodies[body].color, THREE.SRGBColorSpace);
+    const places = [];
     const members = shapes.map(() => []);
     bodies.forEach((body, i) => members[body.shape].push(i));
-    this.meshes = members.map((list, shape) => {
+    const meshes = members.map((list, shape) => {
       const geometry = geometryOf(shapes[shape]);
       const mesh = new THREE.InstancedMesh(
-        geometry, new THREE.MeshStandardMaterial({roughness: 0.62, metalness: 0.05}), list.length);
+        geometry, new THREE.MeshStandardMaterial({roughness: 0.62, metalness: 0.05, ...looks}), list.length);
       mesh.frustumCulled = false;
-      const {center, radius} = geometry.boundingSphere;
+      const {center, radius: reach} = geometry.boundingSphere;
       list.forEach((body, k) => {
-        mesh.setColorAt(k, new THREE.Color().setRGB(...bodies[body].color, THREE.SRGBColorSpace));
-        this.places[body] = {mesh, index: k};
-        this.radius[body] = center.length() + radius;
+        mesh.setColorAt(k, color ?? own(body));
+        places[body] = {mesh, index: k};
+        radius[body] = center.length() + reach;
       });
       mesh.bodies = list;
       this.scene.add(mesh);
       return mesh;
     });
+    return {meshes, places};
   }
 
   rows() { return this.run.poses.times.length; }
 
-  // Position and orientation of a body at a time, between the two rows around it.
-  pose(body, time, position, orientation) {
-    const {times, tracks} = this.run.poses;
-    const row = Math.min(rowAt(times, time), Math.max(times.length - 2, 0));
-    const next = Math.min(row + 1, times.length - 1);
-    const part = next === row ? 0
-      : Math.min(Math.max((time - times[row]) / (times[next] - times[row]), 0), 1);
-    const a = tracks[body], i = POSE * row, j = POSE * next;
-    position.set(a[i], a[i + 1], a[i + 2]).lerp(this.spare.set(a[j], a[j + 1], a[j + 2]), part);
-    orientation.set(a[i + 3], a[i + 4], a[i + 5], a[i + 6])
-      .slerp(this.turn.set(a[j + 3], a[j + 4], a[j + 5], a[j + 6]), part);
-  }
+  pose(body, time, position, orientation) { poseIn(this.run.poses, body, time, position, orientation); }
+
   // Velocity and spin of a body at a time, from the two rows around it.
   motion(body, time) {
     const {times, tracks} = this.run.poses;
@@ -116,17 +148,14 @@ export class Replay {
     if (row < 0) return {velocity, spin};
     const span = times[row + 1] - times[row], track = tracks[body];
     const [i, j] = [POSE * row, POSE * (row + 1)];
-    velocity.fromArray(track, j).sub(this.spare.fromArray(track, i)).divideScalar(span);
+    velocity.fromArray(track, j).sub(spare.fromArray(track, i)).divideScalar(span);
     const before = new THREE.Quaternion().fromArray(track, i + 3);
-    const turn = new THREE.Quaternion().fromArray(track, j + 3).multiply(before.invert());
-    const sine = Math.hypot(turn.x, turn.y, turn.z);
-    const angle = 2 * Math.atan2(sine, Math.abs(turn.w));
-    if (sine > 0) spin.set(turn.x, turn.y, turn.z).multiplyScalar(Math.sign(turn.w) * angle / (sine * span));
+    const turned = new THREE.Quaternion().fromArray(track, j + 3).multiply(before.invert());
+    const sine = Math.hypot(turned.x, turned.y, turned.z);
+    const angle = 2 * Math.atan2(sine, Math.abs(turned.w));
+    if (sine > 0) spin.set(turned.x, turned.y, turned.z).multiplyScalar(Math.sign(turned.w) * angle / (sine * span));
     return {velocity, spin};
   }
-
-  spare = new THREE.Vector3();
-  turn = new THREE.Quaternion();
 
   // The middle of all bodies in a row, and how far they reach from it.
   extent(row) {
@@ -183,10 +212,16 @@ export class Replay {
     this.axes = new THREE.AxesHelper(1);
     this.axes.material.depthTest = false;
     this.axes.renderOrder = 4;
-    this.path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({
-      color: look.path, transparent: true, opacity: 0.9, depthTest: false}));
-    this.path.renderOrder = 3;
-    this.path.frustumCulled = false;
+    const pathIn = (color) => {
+      const path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({
+        color, transparent: true, opacity: 0.9, depthTest: false}));
+      path.renderOrder = 3;
+      path.frustumCulled = false;
+      return path;
+    };
+    this.path = pathIn(look.path);
+    this.ghostPath = pathIn(this.other?.color ?? look.path);
+    this.path.add(this.ghostPath);  // shown and hidden with it
     this.scene.add(this.axes, this.path);
   }
 
@@ -242,13 +277,19 @@ export class Replay {
 
   select(body) {
     this.selected = body;
-    const track = this.run.poses.tracks[body];
-    const points = new Float32Array(3 * this.rows());
-    for (let row = 0; row < this.rows(); ++row)
-      points.set(track.subarray(POSE * row, POSE * row + 3), 3 * row);
-    this.path.geometry.dispose();
-    this.path.geometry = new THREE.BufferGeometry();
-    this.path.geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+    const show = (path, poses, of) => {
+      path.geometry.dispose();
+      path.geometry = new THREE.BufferGeometry();
+      if (of >= 0)
+        path.geometry.setAttribute("position",
+                                   new THREE.BufferAttribute(pathOf(poses.tracks[of], poses.times.length), 3));
+    };
+    show(this.path, this.run.poses, body);
+    if (this.other) {
+      const {name} = this.run.bodies[body];
+      const same = this.other.run.bodies.findIndex((one) => one.name === name);
+      show(this.ghostPath, this.other.run.poses, same);
+    }
     this.axes.scale.setScalar(1.25 * this.radius[body]);
     this.at = null;
     this.wake();
@@ -310,7 +351,11 @@ export class Replay {
         this.axes.quaternion.copy(orientation);
       }
     });
-    for (const mesh of this.meshes) {
+    this.ghosts?.places.forEach(({mesh, index}, body) => {
+      poseIn(this.other.run.poses, body, time, position, orientation);
+      mesh.setMatrixAt(index, matrix.compose(position, orientation, one));
+    });
+    for (const mesh of [...this.meshes, ...this.ghosts?.meshes ?? []]) {
       mesh.instanceMatrix.needsUpdate = true;
       mesh.boundingSphere = null;  // found anew when a click asks for it
     }
@@ -322,6 +367,7 @@ export class Replay {
     this.pressure?.update((body) => this.motion(body, time), this.meshes, this.origin);
     this.backdrop?.update(this.camera);
     this.path.geometry.setDrawRange(0, rowAt(this.run.poses.times, time) + 1);
+    if (this.other) this.ghostPath.geometry.setDrawRange(0, rowAt(this.other.run.poses.times, time) + 1);
     this.renderer.render(this.scene, this.camera);
     this.placeLabel();
   }

@@ -46,6 +46,42 @@ class ProgramComparison : public testing::Test {
   Workplace here;
 };
 
+TEST_F(ProgramComparison, ReplaysBothRuns) {
+  here.write("box.yaml", support::falling_box("0.2"));
+  ASSERT_EQ(here.run({"run", "box.yaml", "--out", "a", "--quiet"}).code, 0);
+  ASSERT_EQ(here.run({"run", "box.yaml", "--out", "b", "--quiet", "--set",
+                      "bodies[box].position=[1, 0, 2.5]"})
+                .code,
+            0);
+  const json replay = data("a b", 1)["replay"];
+  ASSERT_FALSE(replay.contains("note")) << replay["note"];
+  EXPECT_EQ(replay["a"]["water"]["kind"], "flat");
+  EXPECT_FALSE(replay["b"].contains("water"));
+  EXPECT_EQ(replay["a"]["origin"], replay["b"]["origin"]);  // so they are drawn in one frame
+  const std::vector<float> a = packed_numbers<float>(replay["a"]["poses"]["bodies"][0]);
+  const std::vector<float> b = packed_numbers<float>(replay["b"]["poses"]["bodies"][0]);
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(a[0], 0);
+  EXPECT_EQ(b[0], 1);
+  EXPECT_EQ(replay["b"]["bodies"][0]["name"], "box");
+}
+
+TEST_F(ProgramComparison, SaysWhyThereIsNoReplay) {
+  const std::string mesh =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  here.write("t.obj", mesh);
+  here.write("t.yaml",
+             "plimsoll: 1\nduration: 0.2\nbodies: [{name: t, mesh: {file: t.obj}, mass: 1}]\n");
+  ASSERT_EQ(here.run({"run", "t.yaml", "--out", "a", "--quiet"}).code, 0);
+  EXPECT_EQ(data("a a/trajectory.csv", 0)["replay"]["note"],
+            "a/trajectory.csv is a log and not the folder of a run");
+  EXPECT_FALSE(data("a a", 0)["replay"].contains("note"));
+  fs::remove(here / "t.obj");
+  const json page = data("a a", 0);
+  EXPECT_THAT(page["replay"]["note"].get<std::string>(), HasSubstr("t.obj"));
+  EXPECT_EQ(page["bodies"].size(), 1u);
+}
+
 TEST_F(ProgramComparison, HasTheVerdictAndTheTable) {
   here.write("a.csv", trajectory({"0,p,0", "1,p,0", "2,p,0", "0,q,0", "2,q,0"}));
   here.write("b.csv", trajectory({"0,p,0", "1,p,0.25", "2,p,0.5", "0,q,0", "2,q,0"}));

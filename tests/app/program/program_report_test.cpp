@@ -106,6 +106,69 @@ TEST_F(ProgramReport, HasTheLoggedMotion) {
   }
 }
 
+TEST_F(ProgramReport, HasWhatAnalyseFinds) {
+  run_box("log: {probes: [{name: gauge, wave: [2, 0]}]}\n");
+  const json page = data()["analysis"];
+  const json all = json::parse(here.run({"analyse", "o", "--json"}).out);
+  EXPECT_EQ(page["wave"], "");
+  ASSERT_EQ(page["signals"].size(), 7u);  // six motions, and the elevation
+  ASSERT_EQ(all["signals"].size(), 7u);
+  for (std::size_t i = 0; i < page["signals"].size(); ++i) {
+    const json& shown = page["signals"][i];
+    const json& found = all["signals"][i];
+    EXPECT_EQ(shown["of"], found["of"]);
+    EXPECT_EQ(shown["signal"], found["signal"]);
+    EXPECT_EQ(shown["statistics"], found["statistics"]);
+    EXPECT_EQ(shown.contains("spectrum"), found.contains("spectrum"));
+  }
+  const json& shown = page["signals"][2]["spectrum"];
+  const json& found = all["signals"][2]["spectrum"];
+  EXPECT_EQ(shown["peak_period"], found["peak_period"]);
+  EXPECT_EQ(shown["significant_height"], found["significant_height"]);
+  const std::vector<float> density = packed_numbers<float>(shown["density"]);
+  ASSERT_GT(density.size(), 2u);
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    EXPECT_FLOAT_EQ(density[k], found["density"][k].get<float>());
+    EXPECT_DOUBLE_EQ(shown["step"].get<double>() * static_cast<double>(k),
+                     found["frequency_hz"][k].get<double>());
+  }
+}
+
+TEST_F(ProgramReport, HasDecaysAndResponses) {
+  run_box(
+      "",
+      "plimsoll: 1\nduration: 6\nstep: 0.02\n"
+      "water: {surface: {spectrum: {type: jonswap, significant_height: 0.02, peak_period: 1.5}}}\n"
+      "hydro: {added_mass: none}\n"
+      "bodies: [{name: box, box: {size: [1, 1, 1]}, density: 500}]\n");
+  const json in_waves = data()["analysis"];
+  EXPECT_EQ(in_waves["wave"], "the wave at its mean place");
+  const json& response = in_waves["signals"][2]["response"];
+  const std::vector<float> amplitude = packed_numbers<float>(response["amplitude"]);
+  EXPECT_GT(amplitude.size(), 2u);
+  for (const char* column : {"phase_deg", "coherence", "wave"})
+    EXPECT_EQ(packed_numbers<float>(response[column]).size(), amplitude.size()) << column;
+  fs::remove_all(here / "o");
+  run_box("",
+          "plimsoll: 1\nduration: 10\nstep: 0.02\nwater: {}\n"
+          "hydro: {added_mass: none}\n"
+          "bodies: [{name: box, cylinder: {radius: 0.5, height: 4}, density: 500, "
+          "position: [0, 0, 0.3]}]\n");
+  const json decay = data()["analysis"]["signals"][2]["decay"];
+  const json all = json::parse(here.run({"analyse", "o", "--json"}).out);
+  ASSERT_TRUE(decay.is_object());
+  EXPECT_EQ(decay, all["signals"][2]["decay"]);
+}
+
+TEST_F(ProgramReport, HasNoAnalysisOfARunThatIsTooShort) {
+  here.write("box.yaml", falling_box("0.14"));  // 15 rows
+  ASSERT_EQ(here.run({"run", "box.yaml", "--out", "o", "--quiet"}).code, 0);
+  EXPECT_TRUE(data()["analysis"].is_null());
+  ASSERT_EQ(here.run({"run", "box.yaml", "--out", "o", "--quiet", "--set", "duration=0.15"}).code,
+            0);
+  EXPECT_FALSE(data()["analysis"].is_null());
+}
+
 TEST_F(ProgramReport, HasTheForcesWhereTheyWereLogged) {
   run_box("log: {forces: true}\n");
   const json page = data();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pages/motion_columns.h"
+#include "app/logs/motion_columns.h"
 #include "app/pages/packing.h"
 #include "app/pages/thinning.h"
 #include "app/report/shapes.h"

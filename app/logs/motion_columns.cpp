@@ -1,4 +1,4 @@
-#include "app/pages/motion_columns.h"
+#include "app/logs/motion_columns.h"
 
 #include <cmath>
 #include <numbers>
