@@ -105,6 +105,17 @@ std::string why_not_afloat(double mass, double volume, double density) {
       most);
 }
 
+std::vector<bool> starts_afloat(const scene::Scene& scene, const engine::SimulationSpec& spec) {
+  std::vector<bool> afloat(spec.bodies.size(), false);
+  for (const RigidGroup& group : rigid_groups(spec)) {
+    const bool settles = std::ranges::any_of(group.bodies, [&](BodyId id) {
+      return scene.bodies[id].start == scene::Start::equilibrium;
+    });
+    for (const BodyId id : group.bodies) afloat[id] = settles;
+  }
+  return afloat;
+}
+
 void put_afloat(const std::vector<Eigen::Vector3d>& centers_of_mass, engine::SimulationSpec& spec,
                 BuildLog& log) {
   if (!log.scene.water) return;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "app/assembly/build_shape.h"
 #include "engine/spec.h"
 
@@ -13,6 +15,10 @@ namespace assembly {
 /// @param spec   Its bodies and joints must be set; the function changes states at the start.
 void put_afloat(const std::vector<Eigen::Vector3d>& centers_of_mass, engine::SimulationSpec& spec,
                 BuildLog& log);
+
+/// Returns for each body whether `start: equilibrium`, its own or that of a body fixed to it, gives
+/// its pose.
+std::vector<bool> starts_afloat(const scene::Scene& scene, const engine::SimulationSpec& spec);
 
 /// Explains why a body of this mass does not float in water of this density; empty if it floats.
 /// @param volume   Volume of the body [m^3].

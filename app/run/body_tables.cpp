@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "app/assembly/build_start.h"
 #include "app/base/console.h"
 #include "hydro/interior/pockets.h"
 #include "hydro/mesh/mass_properties.h"
@@ -75,10 +76,10 @@ std::string source_of(const assembly::AddedMassReport& report) {
   return report.stored->from_store ? "deep, from store" : "deep, solved now";
 }
 
-Cells body_row(const scene::Body& scene, const engine::BodySpec& body) {
+Cells body_row(const engine::BodySpec& body, bool afloat) {
   const double volume = hydro::solid_properties(body.mesh_B).volume;
   return {std::to_string(body.mesh_B.face_count()), size_of(body.mesh_B), number_text(volume, 4),
-          number_text(body.mass, 5), scene.start == scene::Start::equilibrium ? "afloat" : "given"};
+          number_text(body.mass, 5), afloat ? "afloat" : "given"};
 }
 
 Cells added_mass_row(const assembly::AddedMassReport& report) {
@@ -168,9 +169,10 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
     : water_(scene.water.has_value()) {
   std::map<std::array<Cells, 5>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
+  const std::vector<bool> afloat = assembly::starts_afloat(scene, built.spec);
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
-    const Cells row = body_row(scene.bodies[i], body);
+    const Cells row = body_row(body, afloat[i]);
     const Cells added_mass =
         has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
     const Cells radiation = radiation_row(built.radiation[i]);

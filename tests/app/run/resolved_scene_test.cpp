@@ -89,6 +89,20 @@ TEST(RunReport, TellsTheDraughtInEquilibrium) {
   EXPECT_EQ(lines[2], "raft 12 3 x 2 x 1 6 1500 afloat 0.25 0.75");
 }
 
+TEST(RunReport, TellsOfWhatIsFixedToABodyInEquilibriumThatItIsAfloat) {
+  const auto lines =
+      told_of(kHead +
+              "water: {density: 1000}\n"
+              "bodies:\n"
+              "  - {name: raft, box: {size: [3, 2, 1]}, density: 250,"
+              " position: [0, 0, 9], start: equilibrium, hydro: {added_mass: none}}\n"
+              "  - {name: box, box: {size: [1, 1, 1]}, mass: 300,"
+              " position: [0, 0, 10], hydro: {added_mass: none}}\n"
+              "joints: [{type: fixed, bodies: [raft, box]}]\n");
+  EXPECT_EQ(lines[2], "raft 12 3 x 2 x 1 6 1500 afloat 0.3 0.7");
+  EXPECT_THAT(lines[3], HasSubstr("box 12 1 x 1 x 1 1 300 afloat"));
+}
+
 TEST(RunReport, TellsHowFarABodyIsFromTheWater) {
   const auto lines =
       told_of(kHead +
