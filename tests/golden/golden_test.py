@@ -54,6 +54,12 @@ class Golden(unittest.TestCase):
         self.assertRegex(done.stdout, r"position +0\.001 +[\d.e-]+ m ")
         self.assertEqual(golden("check", "--golden", self.kept).returncode, 0)
 
+    def test_renewing_names_the_command_for_a_picture_if_one_is_kept(self):
+        self.assertNotIn("golden_pictures", golden("renew", SCENE, "--golden", self.kept).stdout)
+        (self.kept / SCENE / "picture.png").touch()
+        done = golden("renew", SCENE, "--golden", self.kept)
+        self.assertIn(f"tools/golden_pictures renew {SCENE}", done.stdout)
+
     def test_new_runs_are_kept_each_in_a_folder_of_its_own(self):
         shutil.copytree(ROOT / "tests/golden" / OTHER, self.kept / OTHER)
         runs = self.kept / "runs"

@@ -108,6 +108,8 @@ def renew(program, golden):
     origin = {"version": version, "command": " ".join(["plimsoll", *arguments(scene, every)]),
               "every": every}
     (golden / "origin.json").write_text(json.dumps(origin, indent=2) + "\n")
+    if (golden / "picture.png").exists():
+        print(f"Its picture is drawn from this motion: tools/golden_pictures renew {scene}")
 
 
 def main():
