@@ -5,6 +5,7 @@
 
 #include "app/assembly/build_interior.h"
 #include "engine/broad_phase.h"
+#include "hydro/mesh/mesh_union.h"
 
 namespace assembly {
 namespace {
@@ -14,14 +15,6 @@ using engine::BodyId;
 
 bool is_fixed(const engine::JointSpec& joint) {
   return joint.type == engine::JointSpec::Type::fixed;
-}
-
-hydro::TriMesh together(const hydro::TriMesh& a, const hydro::TriMesh& b) {
-  hydro::TriMesh both{.vertices = Eigen::Matrix3Xd(3, a.vertex_count() + b.vertex_count()),
-                      .faces = Eigen::Matrix3Xi(3, a.face_count() + b.face_count())};
-  both.vertices << a.vertices, b.vertices;
-  both.faces << a.faces, (b.faces.array() + static_cast<int>(a.vertex_count())).matrix();
-  return both;
 }
 
 /// Poses of the bodies in the axes of the lead, about its centre of mass.
@@ -75,17 +68,18 @@ FloatingGroup floating_group(const engine::SimulationSpec& spec, const RigidGrou
     joined.mass += mass;
     moment += mass * joined.X_GB[i].translation();
   }
+  std::vector<hydro::TriMesh> meshes;
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     const engine::BodySpec& body = spec.bodies[group.bodies[i]];
     Eigen::Isometry3d& X = joined.X_GB[i];
     X.translation() -= moment / joined.mass;
-    if (has_buoyancy(body))
-      joined.mesh_G = together(joined.mesh_G, hydro::transformed(engine::outside_B(body), X));
+    if (has_buoyancy(body)) meshes.push_back(hydro::transformed(engine::outside_B(body), X));
     for (hydro::Tank& tank : tanks_of(body))
       joined.tanks.push_back(
           {.hull = hydro::make_hull(hydro::transformed(tank.hull.mesh_B, X), tank.hull.boundary),
            .volume = tank.volume});
   }
+  joined.mesh_G = hydro::side_by_side(meshes);
   return joined;
 }
 

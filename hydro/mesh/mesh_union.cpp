@@ -21,25 +21,6 @@ constexpr double kTouching = 1e-6;
 
 double diagonal_of(const TriMesh& mesh) { return bounding_box(mesh).diagonal().norm(); }
 
-/// Puts meshes side by side, without joining them.
-TriMesh side_by_side(const std::vector<TriMesh>& parts) {
-  Eigen::Index vertices = 0, faces = 0;
-  for (const TriMesh& part : parts) {
-    vertices += part.vertex_count();
-    faces += part.face_count();
-  }
-  TriMesh all{Eigen::Matrix3Xd(3, vertices), Eigen::Matrix3Xi(3, faces)};
-  vertices = faces = 0;
-  for (const TriMesh& part : parts) {
-    all.vertices.middleCols(vertices, part.vertex_count()) = part.vertices;
-    all.faces.middleCols(faces, part.face_count()) =
-        part.faces.array() + static_cast<int>(vertices);
-    vertices += part.vertex_count();
-    faces += part.face_count();
-  }
-  return all;
-}
-
 Polygon corners(const TriMesh& mesh, int face) {
   Polygon triangle;
   for (const int v : mesh.faces.col(face)) triangle.emplace_back(mesh.vertices.col(v));
@@ -311,6 +292,24 @@ std::optional<CommonPart> common_part(const TriMesh& a, const TriMesh& b) {
     });
   if (part.box.isEmpty()) part.box = shared;
   return part;
+}
+
+TriMesh side_by_side(const std::vector<TriMesh>& parts) {
+  Eigen::Index vertices = 0, faces = 0;
+  for (const TriMesh& part : parts) {
+    vertices += part.vertex_count();
+    faces += part.face_count();
+  }
+  TriMesh all{Eigen::Matrix3Xd(3, vertices), Eigen::Matrix3Xi(3, faces)};
+  vertices = faces = 0;
+  for (const TriMesh& part : parts) {
+    all.vertices.middleCols(vertices, part.vertex_count()) = part.vertices;
+    all.faces.middleCols(faces, part.face_count()) =
+        part.faces.array() + static_cast<int>(vertices);
+    vertices += part.vertex_count();
+    faces += part.face_count();
+  }
+  return all;
 }
 
 TriMesh joined(const std::vector<TriMesh>& parts) {

@@ -28,6 +28,9 @@ struct CommonPart {
 /// apart, touch, or one lies in a cavity of the other.
 std::optional<CommonPart> common_part(const TriMesh& a, const TriMesh& b);
 
+/// Puts the vertices and faces of meshes behind each other in one, without joining them.
+TriMesh side_by_side(const std::vector<TriMesh>& parts);
+
 /// Returns the union of closed meshes that have nothing in common. Shapes that touch along an edge
 /// and in a face at once may give a mesh that check_mesh faults.
 TriMesh joined(const std::vector<TriMesh>& parts);
