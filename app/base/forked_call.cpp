@@ -15,10 +15,13 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
+#include <thread>
 
 namespace app {
 namespace {
@@ -67,6 +70,26 @@ std::size_t address_space() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Returns whether a thread other than the caller computes.
+bool another_thread_computes() {
+  std::error_code vanished;  // A thread may end while it is looked at.
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", vanished)) {
+    if (thread.path().filename() == std::to_string(::gettid())) continue;
+    std::string line;
+    std::getline(std::ifstream(thread.path() / "stat"), line);
+    const std::size_t name_end = line.rfind(')');  // Before it: the number and the name.
+    if (name_end != std::string::npos && line.substr(name_end + 2, 1) == "R") return true;
+  }
+  return false;
+}
+
+/// Waits until the other threads sleep, for two seconds at most. The allocators of the sanitizers,
+/// unlike that of glibc, keep a child waiting for ever where another thread was at work in them.
+void let_other_threads_finish() {
+  constexpr auto kPause = std::chrono::milliseconds(2);
+  for (int i = 0; i < 1000 && another_thread_computes(); ++i) std::this_thread::sleep_for(kPause);
 }
 
 void limit(__rlimit_resource_t resource, rlim_t value) {
@@ -188,6 +211,7 @@ CallResult forked_call(const std::function<void(const CallOutput&)>& work,
   const Descriptor output(ends[0]);
   Descriptor input(ends[1]);
   const std::size_t size = address_space();
+  if (kSanitized) let_other_threads_finish();
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(limits.wall_seconds));
   const pid_t parent = ::getpid();

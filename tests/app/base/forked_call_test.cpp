@@ -8,6 +8,7 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -60,6 +61,23 @@ TEST(ForkedCall, AnExitOrAnExceptionIsNoReturn) {
   EXPECT_EQ(called([](const CallOutput&) { ::_exit(0); }).end, End::ended);
   EXPECT_EQ(called([](const CallOutput&) { ::_exit(3); }).cause, "exit code 3");
   EXPECT_EQ(called([](const CallOutput&) { throw 1; }).cause, "aborted");
+}
+
+// With the address sanitizer a child hung here where it was forked while a thread began or
+// allocated.
+TEST(ForkedCall, MayAllocateWhileOtherThreadsDo) {
+  for (int round = 0; round < 20; ++round) {
+    const auto allocate = [] {
+      for (int i = 0; i < 5'000; ++i) std::make_unique<std::string>(100, 'x')->push_back('y');
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 3; ++i) threads.emplace_back(allocate);
+    app::CallLimits limits = kLimits;
+    limits.wall_seconds = 20;
+    const CallResult result = app::forked_call([&](const CallOutput&) { allocate(); }, limits);
+    for (std::thread& thread : threads) thread.join();
+    ASSERT_EQ(result.end, End::returned) << round;
+  }
 }
 
 TEST(ForkedCall, ComputingAndWaitingTooLongEndIt) {
