@@ -50,6 +50,8 @@ Rig::Rig(const SimulationSpec& spec)
       acts_on_(spec.bodies.size(), false),
       constrains_(spec.bodies.size(), false) {
   check_points(spec);
+  for (const BodySpec& body : spec.bodies)
+    least_inertia_.push_back(hydro::eigenvalues(body.inertia_B)[0]);
   machines_ = std::make_unique<Machines>(spec, *set_points_);
   if (spec.sea) sea_ = &*spec.sea;
   const std::vector<double> stiffness = stiffness_of_bodies();
@@ -84,9 +86,7 @@ BodyId Rig::first_movable(BodyId first, BodyId second) const {
 /// The largest reciprocal mass of a point of a body: that along the most mobile direction.
 double Rig::mobility(BodyId body, const Vector3d& r_B) const {
   if (!movable(body)) return 0;
-  const BodySpec& spec = spec_->bodies[body];
-  const double least = hydro::eigenvalues(spec.inertia_B)[0];
-  return 1 / spec.mass + r_B.squaredNorm() / least;
+  return 1 / spec_->bodies[body].mass + r_B.squaredNorm() / least_inertia_[body];
 }
 
 std::vector<double> Rig::stiffness_of_bodies() const {

@@ -215,9 +215,10 @@ class Rig {
   std::vector<LineState> lines_;
   std::vector<JointState> joints_;
   std::vector<double> turns_;
-  std::vector<Drive> drives_;  ///< Per joint.
-  std::vector<bool> is_row_;   ///< Per line.
-  std::vector<Parts> parts_;   ///< Per body.
+  std::vector<Drive> drives_;          ///< Per joint.
+  std::vector<bool> is_row_;           ///< Per line.
+  std::vector<Parts> parts_;           ///< Per body.
+  std::vector<double> least_inertia_;  ///< Per body: its smallest principal moment [kg m²].
   std::vector<bool> acts_on_, constrains_;
   std::vector<Pair> couplings_;
   double step_start_ = 0;  ///< [s]

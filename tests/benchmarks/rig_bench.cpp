@@ -50,6 +50,8 @@ LineSpec line_of(const std::string& kind, int i, int count) {
 void lines(benchmark::State& state, const std::string& kind, int count) {
   engine::SimulationSpec spec;
   spec.bodies = {body("body", Vector3d::Zero())};
+  spec.bodies[0].initial.angular_velocity = {0.1, 0.2, 0.3};  // A line turns the body anyway.
+  if (count == 0) spec.gravity = 0;                           // It would fall beyond all bounds.
   for (int i = 0; i < count; ++i) spec.lines.push_back(line_of(kind, i, count));
   engine::Simulation simulation(std::move(spec));
   for (auto _ : state) simulation.step();
