@@ -126,7 +126,7 @@ inline constexpr double kKeptVolume = 5e-4;  ///< The same of volumes, over that
 /// Difference of the levels on the sides of a sill, over the depth of the sea above it, up to which
 /// a full pocket is part of the sea [-].
 inline constexpr double kJoinedHead = 0.25;
-/// Water of a pocket that runs out, over its capacity, that is none [-].
+/// Water in a pocket, over its capacity or the cube of the radius, that is none [-].
 inline constexpr double kLastWater = 1e-12;
 /// Change of the water's mass in a substep, over the inertia, after which accelerations so far tell
 /// nothing of the next ones [-].

@@ -204,8 +204,10 @@ bool Flooding::is_joined(int pocket, const Stream& stream) const {
 void Flooding::set_volume(int pocket, double volume) {
   PocketContent& content = held_.pockets[pocket];
   const double before = content.volume;
-  // What runs out ever slower ends at nothing.
-  if (volume < before && volume <= kLastWater * division_.pockets[pocket].capacity) volume = 0;
+  // What runs out ever slower ends at nothing, and what is less than the round-off of a body's
+  // volumes has no surface that could be found.
+  const double least = std::max(division_.pockets[pocket].capacity, std::pow(body_.radius, 3));
+  if (volume <= kLastWater * least) volume = 0;
   content.inflow += volume - before;
   content.volume = volume;
   if (!(volume > 0)) return;
