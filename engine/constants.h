@@ -156,6 +156,8 @@ inline constexpr int kMostRowSteps = 5;  ///< Newton steps in a row.
 /// Rows of an island that takes Newton steps: with joints or lines, and with contacts alone.
 inline constexpr std::size_t kMostNewtonRows = 6000;
 inline constexpr std::size_t kMostContactRows = 150;
+/// Rows of an island under contacts alone whose Newton steps come before its sweeps.
+inline constexpr std::size_t kMostFirstRows = 36;
 inline constexpr int kMostDenseRows = 400;  ///< Rows of a system that is solved as a dense one.
 /// Least compliance of a row, over the response of its block to its impulses [-]. Smaller: joints
 /// that constrain the same motion twice are not solvable; larger: joints give way.

@@ -83,7 +83,7 @@ class Iteration {
 
   ConstraintSolution run() {
     missed_ = swept();
-    if (jointed_ && takes_newton_steps_) take_newton_steps();
+    if (begins_with_newton_steps()) take_newton_steps();
     while (!converged() && sweeps_ < kMostSweeps) {
       take_sweeps(jointed_ ? kSweepsBetween : kSweepsOfContacts);
       if (takes_newton_steps_ && !converged()) take_newton_steps();
@@ -97,6 +97,9 @@ class Iteration {
  private:
   using Kind = ConstraintBlock::Kind;
 
+  bool begins_with_newton_steps() const {
+    return takes_newton_steps_ && (jointed_ || 3 * it_.blocks.size() <= kMostFirstRows);
+  }
   bool converged() const { return missed_ <= solved_; }
 
   double swept() {
