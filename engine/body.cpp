@@ -192,18 +192,8 @@ Matrix6d added_mass(const Body& body, const Motion& motion, double time) {
   return added;
 }
 
-void set_added_mass(Motion& motion, const Matrix6d& added_B, double h) {
-  motion.added_rate_B = unless_zero((added_B - motion.added()) / h);
+void set_added_mass(Motion& motion, const Matrix6d& added_B) {
   motion.added_B = unless_zero(added_B);
-}
-
-Matrix6d expected_added_mass(const Body& body, const Motion& motion, double h) {
-  const Matrix6d last = motion.added();
-  if (!motion.added_rate_B) return last;
-  const Matrix6d expected = last + h * *motion.added_rate_B;
-  // A rate that has ended, as when a body has left the water, may make the inertia indefinite.
-  const hydro::Cholesky6 rest(kLeastInertia * body.rigid_B + expected);
-  return rest.positive_definite() ? expected : last;
 }
 
 AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
@@ -226,8 +216,7 @@ Motion share_momentum(const Body& body, const Motion& before, const Matrix6d& ad
                                     velocity(motion.state, motion.flow))
                          .velocity;
   motion.state = with_velocity(motion.state, u, motion.flow);
-  motion.added_B = unless_zero(added_B);
-  motion.added_rate_B.reset();
+  set_added_mass(motion, added_B);
   if (motion.work) record_added_mass(body, before, motion);
   return motion;
 }

@@ -106,15 +106,12 @@ double contact_fall(const Body& body, const Motion& motion);
 /// A of the body in its state, in B: that of the water outside, and the water in its pockets.
 Matrix6d added_mass(const Body& body, const Motion& motion, double time);
 
-/// Sets A, and its rate over the substep of length h [s] that ends with it.
-void set_added_mass(Motion& motion, const Matrix6d& added_B, double h);
-
-/// A after a substep of length h [s], extrapolated by its rate in the last one.
-Matrix6d expected_added_mass(const Body& body, const Motion& motion, double h);
+/// Sets A of the motion.
+void set_added_mass(Motion& motion, const Matrix6d& added_B);
 
 /// Agreement of the added mass that a substep was taken with and that of its final pose.
 enum class AddedMassMatch {
-  equal,    ///< The difference is round-off.
+  equal,    ///< The difference is without effect.
   near,     ///< One more update leaves no difference that matters to the energy.
   distant,  ///< More updates are needed.
 };

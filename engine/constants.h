@@ -99,12 +99,11 @@ inline constexpr double kNewtonRoundOff = 1e-12;  ///< Last step over the veloci
 /// constraints, which each update solves anew.
 inline constexpr int kMostFreePasses = 3;
 inline constexpr int kMostConstrainedPasses = 2;
-/// Difference of two added masses, over the inertia, that is round-off [-].
-inline constexpr double kEqualAddedMass = 1e-9;
+/// Difference of two added masses, over the inertia, that another update need not take up [-]. The
+/// motion goes on with the one that the update was taken with, so none is lost between them.
+inline constexpr double kEqualAddedMass = 1e-5;
 /// Difference after the last update, over the inertia, without effect on the energy [-].
 inline constexpr double kUnmatchedAddedMass = 1e-4;
-/// Part of M by which an extrapolated A may be negative [-].
-inline constexpr double kLeastInertia = 0.99;
 
 // ── History of accelerations (acceleration_history.h) ───────────────────────────────────────────
 

@@ -333,13 +333,9 @@ void let_water_run(const Body& body, double time, double h, Motion& motion) {
   }
   const Matrix6d change = motion.held->inertia_B - before->inertia_B;
   if (!body.has_added_mass || change.isZero(0)) return;
-  const std::optional<Matrix6d> rate = motion.added_rate_B;
   const double jump = std::abs(change(0, 0)) / (body.rigid_B + motion.added()).diagonal()[0];
   motion = share_momentum(body, motion, motion.added() + change);
-  if (jump <= kMassJump) {
-    motion.added_rate_B = rate;
-    return;
-  }
+  if (jump <= kMassJump) return;
   // Accelerations and reactions of another mass tell nothing of the next ones.
   motion.accelerations.clear();
   motion.load_acceleration_W.reset();

@@ -21,7 +21,6 @@ struct Motion {
   Eigen::Vector3d flow = Eigen::Vector3d::Zero();
   // Motions are copied often, and most have no added mass.
   std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
-  std::optional<Matrix6d> added_rate_B;   ///< dA/dt over the last substep [1/s]; none where zero.
   std::optional<WaveMemory> memory;       ///< Of a body that radiates waves.
   std::shared_ptr<const HeldWater> held;  ///< Null: the body cannot have pockets.
   AccelerationHistory accelerations;      ///< Empty after contacts and other jumps.
@@ -29,6 +28,8 @@ struct Motion {
   /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
   /// [m/s^2]; none after a free substep.
   std::optional<Eigen::Vector3d> load_acceleration_W;
+  /// Change of velocity a second by loads and reactions in the last substep, in W.
+  Vector6d acceleration_W = Vector6d::Zero();
   /// Limit of the next substep by the last impact [s].
   double longest_after_impact = std::numeric_limits<double>::infinity();
   std::optional<WorkRecord> work;  ///< For a log of forces.

@@ -17,13 +17,6 @@ SubstepBody* find(Island& island, BodyId id) {
   return place != island.bodies.end() && (*place)->id == id ? *place : nullptr;
 }
 
-/// Δu of the update that is to come, as the last substeps let expect it.
-Vector6d expected_change(const SubstepBody& b, bool constrained, double h) {
-  if (constrained) return b.predicted;
-  return h * rotate(b.halfway.state.orientation.toRotationMatrix(),
-                    b.halfway.accelerations.expected(h / 2));
-}
-
 /// Adds a force at the point r from the centre of mass.
 void add_force(hydro::Wrench& load, const Vector3d& force, const Vector3d& r) {
   load.force += force;

@@ -130,8 +130,8 @@ void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
   held = water ? std::make_shared<const HeldWater>(*std::move(water)) : nullptr;
 }
 void visit(auto& a, Motion& m) {
-  visit_all(a, m.state, m.added_B, m.added_rate_B, m.memory, m.held, m.accelerations, m.constrained,
-            m.load_acceleration_W, m.longest_after_impact, m.work);
+  visit_all(a, m.state, m.added_B, m.memory, m.held, m.accelerations, m.constrained,
+            m.load_acceleration_W, m.acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
 void visit(auto& a, AppliedLoad::Sine& sine) { visit_all(a, sine.frequency, sine.phase); }

@@ -23,6 +23,12 @@ void begin_free(SubstepBody& b, double time, double h) {
   drift(b.body(), b.halfway, h / 2);
 }
 
+/// Δu over the substep, by the history of accelerations.
+Vector6d change_by_history(const Motion& halfway, double h) {
+  return h * rotate(halfway.state.orientation.toRotationMatrix(),
+                    halfway.accelerations.expected(h / 2));
+}
+
 /// Takes what the first linearisation of the loads needs from the last substep.
 void begin_constrained(SubstepBody& b, double h) {
   const Motion& motion = b.moving->motion;
@@ -30,10 +36,18 @@ void begin_constrained(SubstepBody& b, double h) {
   b.load_acceleration_W = motion.load_acceleration_W;
   // A contact of the last or of this substep says nothing of the next change.
   const bool smooth = b.halfway.constrained && !b.touching;
-  b.predicted = Vector6d::Zero();
-  if (smooth)
-    b.predicted = h * rotate(b.halfway.state.orientation.toRotationMatrix(),
-                             b.halfway.accelerations.expected(h / 2));
+  b.predicted = smooth ? change_by_history(b.halfway, h) : Vector6d(Vector6d::Zero());
+}
+
+/// A where the body is expected at the end of the substep: one in contact goes on as it did.
+Matrix6d expected_added_mass(const SubstepBody& b, bool constrained, double end, double h) {
+  const Stopwatch stopwatch(b.moving->cache.seconds);
+  Motion there = b.halfway;
+  const Vector6d change = b.touching ? Vector6d(h * b.moving->motion.acceleration_W)
+                                     : expected_change(b, constrained, h);
+  const Vector6d u = velocity(there.state, Eigen::Vector3d::Zero()) + change;
+  there.state = displaced(b.body(), there.state, h / 2 * u);
+  return added_mass(b.body(), there, end);
 }
 
 /// The load of the rows of an island on a body: moment about the centre of mass, in W.
@@ -56,7 +70,7 @@ void finish(const Island& island, SubstepBody& b, double h) {
   const VelocityUpdate& update = b.update;
   const Eigen::Matrix3d R_BW = b.midpoint.R_WB.transpose();
   Motion& end = b.end = b.halfway;
-  if (b.body().has_added_mass) set_added_mass(end, b.added_B, h);
+  if (b.body().has_added_mass) set_added_mass(end, b.added_B);
   // Explicit changes do not follow from implicit ones, nor from those by contacts. Under joints an
   // implicit change is left out of the history, so that what the joints do to it is judged.
   const bool tells = !b.touching && !(constrained && update.implicit);
@@ -64,6 +78,7 @@ void finish(const Island& island, SubstepBody& b, double h) {
   if (tells) end.accelerations.add(1 / h * rotate(R_BW, update.change), h, b.body().radius);
   if (!b.touching && !update.implicit) end.accelerations.set_slope(rotate(R_BW, update.slope));
   end.constrained = constrained;
+  end.acceleration_W = update.change / h;
   end.load_acceleration_W = b.load_acceleration_W;
   end.state = with_velocity(end.state, b.midpoint.after + update.change, end.flow);
   check_state(*b.moving, end.state);
@@ -165,6 +180,10 @@ void solve_constrained(const StepContext& context, Island& island, double time, 
 
 }  // namespace
 
+Vector6d expected_change(const SubstepBody& b, bool constrained, double h) {
+  return constrained ? b.predicted : change_by_history(b.halfway, h);
+}
+
 void drift_halfway(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
   b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
@@ -176,7 +195,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
     constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);
-    if (b->body().has_added_mass) b->added_B = expected_added_mass(b->body(), b->moving->motion, h);
+    if (b->body().has_added_mass) b->added_B = expected_added_mass(*b, constrained, time + h, h);
   }
   context.rig.find_loads(context, island, time + h / 2, h);
   // Updates are repeated until the added mass that they are taken with is that of the final pose.

