@@ -23,7 +23,7 @@ nlohmann::ordered_json comparison_replay(const std::filesystem::path& a,
     const Eigen::Vector3d origin = replay_origin(run_a);
     nlohmann::ordered_json b_of = replay_data(run_b, origin, limits);
     // These are drawn once.
-    for (const char* shared : {"water", "ground", "camera", "rigging"}) b_of.erase(shared);
+    for (const char* shared : {"water", "ground", "camera"}) b_of.erase(shared);
     return {{"a", replay_data(run_a, origin, limits)}, {"b", b_of}};
   } catch (const scene::InputError& error) {
     return {{"note", error.what()}};

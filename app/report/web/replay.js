@@ -47,8 +47,8 @@ const pathOf = (track, rows) => {
 };
 
 export class Replay {
-  // @param other   {run, color}: a second run, whose bodies are drawn over those of the first one,
-  //     translucent and of this colour.
+  // @param other   {run, color}: a second run, whose bodies, lines and machines are drawn over those
+  //     of the first one, translucent and of this colour.
   constructor(run, clock, canvas, label, look, other = null) {
     this.run = run;
     this.other = other;
@@ -64,10 +64,7 @@ export class Replay {
     this.scene = new THREE.Scene();
     this.addLights();
     this.addBodies();
-    if (run.rigging) {
-      this.rigging = new Rigging(run.rigging, (...where) => this.pose(...where), geometryOf);
-      this.scene.add(this.rigging.group);
-    }
+    this.addRigging();
     this.measure();
     this.addGround(look);
     if (run.water) {
@@ -104,8 +101,19 @@ export class Replay {
     // They shine, so that their colour is seen through the water, too.
     const looks = {transparent: true, opacity: GHOST, depthWrite: false, emissive: color, emissiveIntensity: 0.7,
                    polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
+    this.ghost = {color, looks, order: GHOST_ORDER};
     this.ghosts = this.bodiesOf(this.other.run, looks, [], color);
     for (const mesh of this.ghosts.meshes) mesh.renderOrder = GHOST_ORDER;
+  }
+
+  // Lines and machines of both runs, which are shown and hidden together.
+  addRigging() {
+    this.riggings = [{run: this.run}, {run: this.other?.run, ghost: this.ghost}]
+      .filter(({run}) => run?.rigging)
+      .map(({run, ghost}) => new Rigging(run.rigging, (...where) => poseIn(run.poses, ...where), geometryOf, ghost));
+    this.rigging = new THREE.Group();
+    this.rigging.add(...this.riggings.map(({group}) => group));
+    this.scene.add(this.rigging);
   }
 
   // Bodies of one shape are drawn at once.
@@ -359,7 +367,7 @@ export class Replay {
       mesh.instanceMatrix.needsUpdate = true;
       mesh.boundingSphere = null;  // found anew when a click asks for it
     }
-    this.rigging?.update(time);
+    for (const rigging of this.riggings) rigging.update(time);
     this.carryCamera(this.axes.position);
     const shown = this.drifts ? middle : this.first.middle;
     for (const surface of [this.water, this.ground])

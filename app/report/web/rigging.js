@@ -40,26 +40,42 @@ const paint = (line, color) => line.material.color.setRGB(...color, THREE.SRGBCo
 
 export class Rigging {
   // pose(body, time, position, orientation) tells where a body is; geometryOf makes what is drawn of
-  // a mesh.
-  constructor(rigging, pose, geometryOf) {
+  // a mesh; ghost {color, looks, order} is the look of all of it in a second run.
+  constructor(rigging, pose, geometryOf, ghost = null) {
     this.rigging = rigging;
     this.pose = pose;
+    this.ghost = ghost;
     this.group = new THREE.Group();
     this.lines = rigging.lines.map((line) => {
       const count = line.coil ? coil([0, 0, 0], [0, 0, 1], line.coil).length / 3 : rigging.points;
       const made = {whole: wire(count, line.coil ? SPRING : WIDTH),
                     rests: line.path ? [] : [wire(2, WIDTH), wire(2, WIDTH)]};
       for (const rest of made.rests) paint(rest, BROKEN);
+      if (ghost) [made.whole, ...made.rests].forEach((wires) => this.makeGhostly(wires));
       this.group.add(made.whole, ...made.rests);
       return made;
     });
     this.parts = rigging.parts.map((part) => {
       const mesh = new THREE.Mesh(geometryOf(part.mesh), new THREE.MeshStandardMaterial({
-        color: new THREE.Color().setRGB(...part.color, THREE.SRGBColorSpace), roughness: 0.55, metalness: 0.1}));
+        color: ghost?.color ?? new THREE.Color().setRGB(...part.color, THREE.SRGBColorSpace),
+        roughness: 0.55, metalness: 0.1, ...ghost?.looks}));
       mesh.frustumCulled = false;
+      if (ghost) mesh.renderOrder = ghost.order;
       this.group.add(mesh);
       return mesh;
     });
+  }
+
+  makeGhostly(wires) {
+    const {color, looks: {opacity}, order} = this.ghost;
+    wires.material.color.copy(color);
+    Object.assign(wires.material, {transparent: true, opacity, depthWrite: false});
+    wires.renderOrder = order;
+  }
+
+  // Gives a line the colour of its tension.
+  paintTension(wires, tension, now) {
+    if (!this.ghost) paint(wires, tensionColor(this.rigging.tensions, mixed(tension, now)));
   }
 
   // A body's place and turn; the world's are those of the replay.
@@ -89,10 +105,10 @@ export class Rigging {
   }
 
   updateLine(line, {whole, rests}, time, now) {
-    const {points, tensions} = this.rigging;
+    const {points} = this.rigging;
     if (line.path) {
       place(whole, pathShape(line.path, points, now));
-      paint(whole, tensionColor(tensions, mixed(line.tension, now)));
+      this.paintTension(whole, line.tension, now);
       return;
     }
     const [first, second] = line.ends.map((end) => this.endOf(end, time));
@@ -105,6 +121,6 @@ export class Rigging {
       return;
     }
     place(whole, line.coil ? coil(first, second, line.coil) : lineShape(first, second, line.shape, points, now));
-    paint(whole, tensionColor(tensions, mixed(line.tension, now)));
+    this.paintTension(whole, line.tension, now);
   }
 }

@@ -96,8 +96,8 @@ export const makeToggles = (replay) => {
   };
   toggle("follow", replay.following, (on) => replay.follow(on));
   if (replay.water) toggle("water", true, (on) => { replay.water.group.visible = on; replay.wake(); });
-  if (replay.rigging)
-    toggle("rigging", true, (on) => { replay.rigging.group.visible = on; replay.wake(); });
+  if (replay.riggings.length > 0)
+    toggle("rigging", true, (on) => { replay.rigging.visible = on; replay.wake(); });
   if (replay.pressure) {
     const bar = pressureBar(replay.run.pressure);
     at("view").append(bar);
