@@ -28,6 +28,7 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
+#include "app/run/constraint_warning.h"
 #include "app/run/log_subject.h"
 #include "app/run/radiation_warning.h"
 #include "app/run/resolved_scene.h"
@@ -131,6 +132,8 @@ class Run {
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
     summary_.counts = simulation_.counts();
+    if (auto warning = constraint_warning(built_.spec, summary_.counts))
+      summary_.warnings.push_back(std::move(*warning));
     summary_.wall_log = log_.seconds();
     return code;
   }
