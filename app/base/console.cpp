@@ -18,6 +18,7 @@ void open_standard_streams() {
 
 void say(const std::string& line) {
   const std::string text = line + '\n';
+  std::fflush(stdout);  // What was printed before stands before it; `flush_output` tells of faults.
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

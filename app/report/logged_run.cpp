@@ -27,10 +27,10 @@ void read_scene_of_run(const fs::path& moved_to, scene::MeshFormats formats, Log
   std::optional<RunSource> source = source_in(run.summary, summary);
   if (source && formats == scene::MeshFormats::any) source->mesh_formats = formats;
   if (!source && moved_to.empty())
-    throw scene::InputError(summary,
-                            run.summary.is_null()
-                                ? "is missing: the run was stopped; give its scene with --scene"
-                                : "does not name its scene; give it with --scene");
+    throw scene::InputError(
+        summary, run.summary.is_null()
+                     ? "is missing: the run was stopped; name its scene by report --scene"
+                     : "does not name its scene; name it by report --scene");
   if (!source) {
     run.scene = scene::read(moved_to, {}, formats);
     run.built = assembly::build_without_added_mass(run.scene);
@@ -46,8 +46,8 @@ void read_scene_of_run(const fs::path& moved_to, scene::MeshFormats formats, Log
   } catch (const scene::InputError&) {
     if (fs::exists(file)) throw;
     throw scene::InputError(summary,
-                            fmt::format("the scene {} and the files it names no longer exist; give "
-                                        "the present place of the scene with --scene",
+                            fmt::format("the scene {} and the files it names no longer exist; name "
+                                        "the present place of the scene by report --scene",
                                         file.string()));
   }
 }

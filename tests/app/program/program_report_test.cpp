@@ -236,8 +236,8 @@ TEST_F(ProgramReport, SaysThatTheSceneIsNoLongerThereAndFindsItWhereItIs) {
              "bodies: [{name: t, mesh: {file: meshes/t.obj}, density: 500}]\n");
   ASSERT_EQ(here.run({"run", "scenes/t.yaml", "--out", "o", "--quiet"}).code, 0);
   fs::rename(here / "scenes", here / "away");
-  EXPECT_THAT(fault_of("o"), HasSubstr("scenes/t.yaml and the files it names no longer exist; give "
-                                       "the present place of the scene with --scene"));
+  EXPECT_THAT(fault_of("o"), HasSubstr("scenes/t.yaml and the files it names no longer exist; name "
+                                       "the present place of the scene by report --scene"));
   EXPECT_THAT(fault_of("o --scene none.yaml"), StartsWith("none.yaml: "));
   EXPECT_EQ(data("o --scene away/t.yaml")["shapes"][0]["faces"], 4);
 }
@@ -245,8 +245,8 @@ TEST_F(ProgramReport, SaysThatTheSceneIsNoLongerThereAndFindsItWhereItIs) {
 TEST_F(ProgramReport, ReadsARunThatWasKilledWithItsSceneNamed) {
   run_box();
   fs::remove(here / "o/summary.json");
-  EXPECT_THAT(fault_of("o"), HasSubstr("summary.json: is missing: the run was stopped; give its "
-                                       "scene with --scene"));
+  EXPECT_THAT(fault_of("o"), HasSubstr("summary.json: is missing: the run was stopped; name its "
+                                       "scene by report --scene"));
   const json page = data("o --scene box.yaml");
   EXPECT_TRUE(page["summary"].is_null());
   EXPECT_EQ(page["rows"], 51);
