@@ -112,7 +112,7 @@ export class Replay {
       .filter(({run}) => run?.rigging)
       .map(({run, ghost}) => new Rigging(run.rigging, (...where) => poseIn(run.poses, ...where), geometryOf, ghost));
     this.rigging = new THREE.Group();
-    this.rigging.add(...this.riggings.map(({group}) => group));
+    for (const {group} of this.riggings) this.rigging.add(group);
     this.scene.add(this.rigging);
   }
 
