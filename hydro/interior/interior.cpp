@@ -11,6 +11,8 @@ namespace {
 
 /// Error of a volume, over itself.
 constexpr double kVolumeError = 1e-13;
+/// Error of a volume, over it, beyond which no level has that volume [-].
+constexpr double kLargestVolumeError = 1e-6;
 
 /// Limit of the trials for a level; as a rule two to four suffice.
 constexpr int kMostTrials = 200;
@@ -108,6 +110,7 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
   }
   // What a pocket cannot hold runs out and presses on nothing.
   if (at.level >= ceiling) return {.level = span.lowest};
+  if (std::abs(at.volume - volume) > kLargestVolumeError * volume) at.push = {};
   at.area = area;
   return at;
 }
