@@ -136,7 +136,9 @@ inline constexpr double kKeptMassTurn = 0.5;
 // ── Constraints (constrained_update.h, constraint_solver.h) ─────────────────────────────────────
 
 inline constexpr int kMostLinearisations = 6;  ///< Linearisations of the loads in an update.
-inline constexpr int kFullNewtonSteps = 3;     ///< Later linearisations take half steps.
+/// Energy that a linearisation misses, over the least so far, after which it is the last [-].
+inline constexpr double kLedAway = 1e4;
+inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half steps.
 /// Change of the velocities by a sweep, as the root of its energy over that of the motion, after
 /// which an island is solved [-]; and a heap, an island of more contacts than take Newton steps.
 /// Points of contact that ask for different speeds while friction holds them together come nearer

@@ -228,30 +228,55 @@ bool has_converged(const Problem& problem, const Answer& answer) {
   return true;
 }
 
+/// Energy of what the changes miss of those that the loads were linearised about.
+double missed(const Problem& problem, const Answer& answer) {
+  double sum = 0;
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    const Pushed& b = problem.bodies[i];
+    if (!b.implicit) continue;
+    const Vector6d off = answer.changes[i] - problem.island.bodies[i]->predicted;
+    sum += off.dot(b.S * off);
+  }
+  return sum;
+}
+
+/// Makes the answer that of the island.
+void keep(const Problem& problem, const Answer& answer) {
+  Island& island = problem.island;
+  for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
+    SubstepBody& c = *island.bodies[k];
+    const Pushed& b = problem.bodies[k];
+    c.update = {.change = answer.changes[k], .implicit = b.implicit};
+    c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
+    c.load_acceleration_W = (b.mobility * b.load).head<3>();
+  }
+  for (std::size_t k = 0; k < island.rows.size(); ++k) island.rows[k].force = answer.row_forces[k];
+  island.reactions = answer.joints;
+}
+
 }  // namespace
 
 void constrained_update(const StepContext& context, Island& island, double time, double h) {
   std::vector<Pushed> pushed(island.bodies.size());
   const Problem problem{.context = context, .island = island, .bodies = pushed, .h = h};
+  double least = 0;
   for (int i = 0; i < kMostLinearisations; ++i) {
     parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
       pushed[k] = make_pushed(*island.bodies[k], time, h);
     });
     const Answer answer = solve(problem);
     const bool done = has_converged(problem, answer);
+    // Where the linearisations lead away, the nearest one counts.
+    const double off = missed(problem, answer);
+    if (i == 0 || done || off < least) keep(problem, answer);
+    if (done || (i > 0 && off > kLedAway * least)) break;
+    least = i == 0 ? off : std::min(least, off);
     for (std::size_t k = 0; k < pushed.size(); ++k) {
-      SubstepBody& c = *island.bodies[k];
-      const Vector6d& change = answer.changes[k];
-      c.update = {.change = change, .implicit = pushed[k].implicit};
       // Where Newton's method alternates, the mean is nearer.
-      c.predicted = i < kFullNewtonSteps ? change : Vector6d((c.predicted + change) / 2);
-      c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
-      c.load_acceleration_W = (pushed[k].mobility * pushed[k].load).head<3>();
+      Vector6d& predicted = island.bodies[k]->predicted;
+      const Vector6d& change = answer.changes[k];
+      predicted = i < kFullNewtonSteps ? change : Vector6d((predicted + change) / 2);
     }
-    for (std::size_t k = 0; k < island.rows.size(); ++k)
-      island.rows[k].force = answer.row_forces[k];
-    island.reactions = answer.joints;
-    if (done) break;
   }
   for (SubstepBody* c : island.bodies) c->predicted = c->update.change;
 }
