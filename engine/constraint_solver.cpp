@@ -84,14 +84,14 @@ class Iteration {
   ConstraintSolution run() {
     missed_ = swept();
     if (begins_with_newton_steps()) take_newton_steps();
-    while (!converged() && sweeps_ < kMostSweeps) {
+    while (!converged() && sweeps_ < (accepted() ? kMostSweeps : kMostHardSweeps)) {
       take_sweeps(jointed_ ? kSweepsBetween : kSweepsOfContacts);
       if (takes_newton_steps_ && !converged()) take_newton_steps();
     }
     return {.velocities = std::move(it_.velocities),
             .impulses = std::move(it_.impulses),
             .sweeps = sweeps_,
-            .converged = missed_ <= kAcceptedMiss * size_};
+            .converged = accepted()};
   }
 
  private:
@@ -100,6 +100,7 @@ class Iteration {
   bool begins_with_newton_steps() const {
     return takes_newton_steps_ && (jointed_ || 3 * it_.blocks.size() <= kMostFirstRows);
   }
+  bool accepted() const { return missed_ <= kAcceptedMiss * size_; }
   bool converged() const { return missed_ <= solved_; }
 
   double swept() {
