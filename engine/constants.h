@@ -146,10 +146,11 @@ inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half 
 inline constexpr double kSolvedIsland = 1e-9;
 inline constexpr double kSolvedHeap = 1e-4;
 inline constexpr double kAcceptedMiss = 1e-3;  ///< The same, beyond which it counts as not solved.
-inline constexpr int kMostSweeps = 40;         ///< Sweeps for one linearisation of the loads,
-inline constexpr int kMostHardSweeps = 400;    ///< and where the miss is not accepted after those.
-inline constexpr int kSweepsOfContacts = 20;   ///< Between Newton steps in islands of contacts.
-inline constexpr int kSweepsBetween = 10;      ///< The same where joints or lines act.
+inline constexpr int kMostSweeps = 40;         ///< Sweeps for one linearisation of the loads.
+/// The same of contacts alone, the miss of which is not accepted yet.
+inline constexpr int kMostHeapSweeps = 120;
+inline constexpr int kSweepsOfContacts = 20;  ///< Between Newton steps in islands of contacts.
+inline constexpr int kSweepsBetween = 10;     ///< The same where joints or lines act.
 /// Change by a pair of sweeps over that by the last pair, below which acceleration has led nearer
 /// and above which a long stride has led too far [-].
 inline constexpr double kGoodProgress = 0.7;

@@ -84,7 +84,7 @@ class Iteration {
   ConstraintSolution run() {
     missed_ = swept();
     if (begins_with_newton_steps()) take_newton_steps();
-    while (!converged() && sweeps_ < (accepted() ? kMostSweeps : kMostHardSweeps)) {
+    while (!converged() && sweeps_ < (accepted() || jointed_ ? kMostSweeps : kMostHeapSweeps)) {
       take_sweeps(jointed_ ? kSweepsBetween : kSweepsOfContacts);
       if (takes_newton_steps_ && !converged()) take_newton_steps();
     }

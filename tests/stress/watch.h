@@ -49,8 +49,8 @@ inline constexpr double kSmallestScale = 1e-9;
 /// beside a wall is cut at what it passes: a teapot of 1 mm at 300 m/s takes 1,650.
 inline constexpr long kMostSubsteps = 2048;
 /// Largest number of sweeps over its constraints in a step: those of two updates of six
-/// linearisations, of 40 sweeps each, for each of those 64 substeps.
-inline constexpr long kMostSweeps = 30720;
+/// linearisations, of 120 sweeps each, for each of those 64 substeps.
+inline constexpr long kMostSweeps = 92160;
 
 /// Follows a simulation from its initial state.
 class Watch {
