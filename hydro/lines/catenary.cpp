@@ -6,10 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "hydro/lines/catenary_span.h"
 #include "hydro/require.h"
-
-// Lengths are in units of L and forces in units of wL: (1) and (2) then know the compliance e =
-// wL/EA and the friction C_B alone, and the tensions h and v.
 
 namespace hydro {
 namespace {
@@ -36,86 +34,8 @@ constexpr double kLengthRoundOff = 1e-13;
 constexpr int kMostCatenarySteps = 60;
 constexpr int kMostStepHalvings = 10;
 
-/// A line in units of its own.
-struct OwnLine {
-  double e = 0, friction = 0;
-  bool bottom = false;
-};
-
-/// Integrals over a part that hangs, of the length `part`, from v_a to v = v_a + part:
-/// ℓ = ∫ ds/T, sine = ∫ h²/T³ ds, cosine = ∫ h v/T³ ds, and ℓ sine − sine² − cosine².
-struct Hanging {
-  double ell = 0, sine = 0, cosine = 0, gram = 0;
-  double rise = 0;  ///< ∫ v/T ds
-};
-
-/// 2 artanh(part/S), also where v and v_a have unlike signs and part/S is nearly 1.
-double log_of_part(double h, double low, double high, double low_t, double high_t) {
-  const double r = (high - low) / (low_t + high_t);
-  if (r < 0.5) return 2 * std::atanh(r);
-  const double above = (high_t + high) + (low_t - low);
-  const double under = (high > 0 ? h * h / (high_t + high) : high_t - high) +
-                       (low < 0 ? h * h / (low_t - low) : low_t + low);
-  return std::log(above / under);
-}
-
-Hanging hang(double h, double low, double part) {
-  const double high = low + part;
-  const double a = std::sqrt(h * h + low * low);
-  const double t = std::sqrt(h * h + high * high);
-  const double sum = a + t;
-  const double product = a * t;
-  Hanging out;
-  out.ell = log_of_part(h, low, high, a, t);
-  out.rise = part * (low + high) / sum;
-  out.cosine = h * out.rise / product;
-  // v/T − v_a/T_a, without cancellation where both have one sign.
-  out.sine = low * high > 0 ? h / product * h * part * (low + high) / (high * a + low * t)
-                            : (high * a - low * t) / product;
-  const double r = part / sum;
-  // Of the part's four integrals nothing is left in double precision if it is short.
-  out.gram = r < 1e-4 ? h / product * h / product * std::pow(part, 4) / (3 * sum * sum)
-                      : std::max(0.0, (out.ell - out.sine) * out.sine - out.cosine * out.cosine);
-  return out;
-}
-
-/// x and z of (1) or (2), and their derivatives to h and v.
-struct SpanOfLine {
-  double x = 0, z = 0;
-  double x_h = 0, x_v = 0, z_h = 0, z_v = 0, determinant = 0;
-
-  /// Distance from (x, z).
-  double error(const Vector2d& wanted) const { return (Vector2d(x, z) - wanted).norm(); }
-};
-
-/// m of (2).
-double pulled_length(const OwnLine& line, double h, double resting) {
-  return line.friction * resting <= h ? resting : h / line.friction;
-}
-
-SpanOfLine span_of(const OwnLine& line, double h, double v) {
-  const double resting = line.bottom ? std::max(0.0, 1 - v) : 0;
-  const double part = 1 - resting;
-  const double low = resting > 0 ? 0 : v - 1;
-  const Hanging hanging = hang(h, low, resting > 0 ? v : 1);
-  const double m = pulled_length(line, h, resting);
-  const double along = line.e * (part + m);
-  const double up = line.e * part;
-  const double drag = line.friction * line.e * m;
-  const double bend = std::max(0.0, hanging.ell - hanging.sine);
-  SpanOfLine out;
-  out.x = resting + line.e * (h - 0.5 * line.friction * m) * m + h * (hanging.ell + up);
-  out.z = hanging.rise + 0.5 * up * (v + low);
-  out.x_h = bend + along;
-  out.z_v = hanging.sine + up;
-  out.z_h = -hanging.cosine;
-  out.x_v = -hanging.cosine + drag;
-  out.determinant = hanging.gram + bend * up + along * (hanging.sine + up) + hanging.cosine * drag;
-  return out;
-}
-
 /// The inverse of the derivatives, made symmetric and kept positive semi-definite.
-Matrix2d stiffness_of(const SpanOfLine& span) {
+Matrix2d stiffness_of(const CatenarySpan& span) {
   const double most = std::sqrt(span.x_h) * std::sqrt(span.z_v);
   const double coupling = std::clamp(-0.5 * (span.x_v + span.z_h), -most, most);
   Matrix2d k;
@@ -124,7 +44,7 @@ Matrix2d stiffness_of(const SpanOfLine& span) {
 }
 
 /// (h, v) of a line that touches nothing: a parabola, or its chord's stretch.
-Vector2d suspended_start(const OwnLine& line, const Vector2d& wanted) {
+Vector2d suspended_start(const ScaledLine& line, const Vector2d& wanted) {
   const double x = wanted[0], z = wanted[1];
   const double chord = std::hypot(x, z);
   const double sagging = std::cbrt(1 / (24 * line.e));
@@ -139,7 +59,7 @@ Vector2d suspended_start(const OwnLine& line, const Vector2d& wanted) {
 }
 
 /// (h, v) of a line that does not stretch, or of one that lies on the bottom.
-Vector2d resting_start(const OwnLine& line, const Vector2d& wanted) {
+Vector2d resting_start(const ScaledLine& line, const Vector2d& wanted) {
   const double x = wanted[0], z = wanted[1];
   const double spare = 1 - x;
   double h = 0, v = 0;
@@ -156,7 +76,7 @@ Vector2d resting_start(const OwnLine& line, const Vector2d& wanted) {
   return start;
 }
 
-bool is_usable(const OwnLine& line, const Vector2d& hv) {
+bool is_usable(const ScaledLine& line, const Vector2d& hv) {
   return std::isfinite(hv[0]) && std::isfinite(hv[1]) && hv[0] > std::exp(kLeastLogH) &&
          (!line.bottom || hv[1] > 0);
 }
@@ -164,22 +84,22 @@ bool is_usable(const OwnLine& line, const Vector2d& hv) {
 /// An estimate of (log h, v) and its span.
 struct Estimate {
   double log_h = 0, v = 0;
-  SpanOfLine span;
+  CatenarySpan span;
   double error = 0;
 
   double h() const { return std::exp(log_h); }
 };
 
-Estimate estimate_at(const OwnLine& line, const Vector2d& wanted, double log_h, double v) {
+Estimate estimate_at(const ScaledLine& line, const Vector2d& wanted, double log_h, double v) {
   Estimate out{std::max(log_h, kLeastLogH), v, {}, 0};
-  out.span = span_of(line, out.h(), v);
+  out.span = catenary_span(line, out.h(), v);
   out.error = out.span.error(wanted);
   return out;
 }
 
 /// Newton's step in (log h, v), not above a factor e² in h, nor to a v without sense.
-Vector2d newton_step(const OwnLine& line, const Vector2d& wanted, const Estimate& at) {
-  const SpanOfLine& s = at.span;
+Vector2d newton_step(const ScaledLine& line, const Vector2d& wanted, const Estimate& at) {
+  const CatenarySpan& s = at.span;
   const double dx = wanted[0] - s.x;
   const double dz = wanted[1] - s.z;
   Vector2d step = Vector2d(s.z_v * dx - s.x_v * dz, s.x_h * dz - s.z_h * dx) / s.determinant;
@@ -192,7 +112,7 @@ Vector2d newton_step(const OwnLine& line, const Vector2d& wanted, const Estimate
 /// Newton's method with shorter steps where the error would grow.
 ///
 /// @return  Whether it converged; `at` is the best estimate.
-bool newton(const OwnLine& line, const Vector2d& wanted, Estimate& at) {
+bool newton(const ScaledLine& line, const Vector2d& wanted, Estimate& at) {
   const double round_off = kLengthRoundOff * (1 + wanted.cwiseAbs().sum());
   for (int i = 0; i < kMostCatenarySteps; ++i) {
     Vector2d step = newton_step(line, wanted, at);
@@ -226,8 +146,8 @@ double bisect(double low, double high, Function&& function) {
 }
 
 /// v that belongs to h and z.
-double vertical_at(const OwnLine& line, double h, double z) {
-  const auto miss = [&](double v) { return span_of(line, h, v).z - z; };
+double vertical_at(const ScaledLine& line, double h, double z) {
+  const auto miss = [&](double v) { return catenary_span(line, h, v).z - z; };
   double high = 1, low = line.bottom ? 0 : -1;
   while (miss(high) < 0 && high < 1e200) high *= 4;
   while (!line.bottom && miss(low) > 0 && low > -1e200) low *= 4;
@@ -235,10 +155,10 @@ double vertical_at(const OwnLine& line, double h, double z) {
 }
 
 /// One bisection within another; slow, and sure.
-Estimate bisected(const OwnLine& line, const Vector2d& wanted) {
+Estimate bisected(const ScaledLine& line, const Vector2d& wanted) {
   const auto miss = [&](double log_h) {
     const double h = std::exp(log_h);
-    return span_of(line, h, vertical_at(line, h, wanted[1])).x - wanted[0];
+    return catenary_span(line, h, vertical_at(line, h, wanted[1])).x - wanted[0];
   };
   double high = 1;
   while (miss(high) < 0 && high < 400) high += 4;
@@ -247,7 +167,7 @@ Estimate bisected(const OwnLine& line, const Vector2d& wanted) {
 }
 
 /// The solution in units of the line.
-CatenarySolution solved(const OwnLine& line, double h, double v, const Matrix2d& stiffness,
+CatenarySolution solved(const ScaledLine& line, double h, double v, const Matrix2d& stiffness,
                         Form form) {
   CatenarySolution out;
   out.horizontal = h;
@@ -262,14 +182,14 @@ CatenarySolution solved(const OwnLine& line, double h, double v, const Matrix2d&
 
 Matrix2d diagonal(double xx, double zz) { return Vector2d(xx, zz).asDiagonal(); }
 
-/// Hanging straight down onto the bottom, with the length `hung` in the water.
-CatenarySolution slack(const OwnLine& line, double hung) {
+/// HangingPart straight down onto the bottom, with the length `hung` in the water.
+CatenarySolution slack(const ScaledLine& line, double hung) {
   const double zz = hung > 0 ? 1 / (1 + line.e * hung) : 0;
   return solved(line, 0, hung, diagonal(0, zz), Form::slack);
 }
 
 /// All of it on the bottom, z = 0, and longer than 1.
-CatenarySolution lying(const OwnLine& line, double x) {
+CatenarySolution lying(const ScaledLine& line, double x) {
   const double pull = (x - 1) / line.e;
   const double root = std::sqrt(2 * line.friction * pull);
   const double h = root < line.friction ? root : pull + 0.5 * line.friction;
@@ -278,7 +198,7 @@ CatenarySolution lying(const OwnLine& line, double x) {
 }
 
 /// Ends above each other: a loop, or a vertical bar.
-CatenarySolution vertical(const OwnLine& line, double x, double z) {
+CatenarySolution vertical(const ScaledLine& line, double x, double z) {
   const double loop = 1 + 0.5 * line.e;  // of the straight line under its own weight
   if (std::abs(z) <= loop)
     return solved(line, 0, 0.5 + 0.5 * z / loop, diagonal(0, 0.5 / loop), Form::suspended);
@@ -288,7 +208,7 @@ CatenarySolution vertical(const OwnLine& line, double x, double z) {
   return solved(line, xx * x, v, diagonal(xx, 1 / line.e), Form::taut);
 }
 
-CatenarySolution general(const OwnLine& line, const Vector2d& wanted,
+CatenarySolution general(const ScaledLine& line, const Vector2d& wanted,
                          const std::optional<Vector2d>& start) {
   const bool warm = start && is_usable(line, *start);
   Vector2d from = warm          ? *start
@@ -305,7 +225,7 @@ CatenarySolution general(const OwnLine& line, const Vector2d& wanted,
 }
 
 /// Any case of a line with weight, in units of its own.
-CatenarySolution in_own_units(const OwnLine& line, double x, double z,
+CatenarySolution in_own_units(const ScaledLine& line, double x, double z,
                               const std::optional<Vector2d>& start) {
   if (line.bottom) {
     if (z == 0) return x <= 1 ? slack(line, 0) : lying(line, x);
@@ -351,7 +271,7 @@ void check(const CatenaryLine& line, double x, double z) {
 }
 
 /// Position, in units of the line, at the unstretched distance s from the anchor.
-Vector2d point_at(const OwnLine& line, const CatenarySolution& own, double x, double s) {
+Vector2d point_at(const ScaledLine& line, const CatenarySolution& own, double x, double s) {
   const double rests = own.resting;
   const double on_bottom = std::min(s, rests);
   Vector2d p(0, 0);
@@ -366,7 +286,7 @@ Vector2d point_at(const OwnLine& line, const CatenarySolution& own, double x, do
   const double part = s - on_bottom;
   if (part <= 0) return p;
   const double low = own.vertical - (1 - rests);
-  const Hanging hanging = hang(own.horizontal, low, part);
+  const HangingPart hanging = hanging_part(own.horizontal, low, part);
   if (own.horizontal > 0) p[0] += own.horizontal * (hanging.ell + line.e * part);
   p[1] += hanging.rise + line.e * part * (low + 0.5 * part);
   return p;
@@ -380,7 +300,7 @@ CatenarySolution solve_catenary(const CatenaryLine& line, double x, double z, bo
   if (bottom) z = std::max(z, 0.0);
   if (is_weightless(line)) return weightless(line, x, z);
   const double unit = line.weight * line.length;
-  const OwnLine own{unit / line.stiffness, line.friction, bottom};
+  const ScaledLine own{unit / line.stiffness, line.friction, bottom};
   std::optional<Vector2d> own_start;
   if (start) own_start = *start / unit;
   CatenarySolution out = in_own_units(own, x / line.length, z / line.length, own_start);
@@ -398,7 +318,7 @@ std::vector<Vector2d> catenary_shape(const CatenaryLine& line, const CatenarySol
   assert(count >= 2);
   std::vector<Vector2d> points(count, Vector2d(0, 0));
   const double unit = line.weight * line.length;
-  const OwnLine own{unit / line.stiffness, line.friction, solution.resting > 0};
+  const ScaledLine own{unit / line.stiffness, line.friction, solution.resting > 0};
   CatenarySolution scaled = solution;
   scaled.horizontal /= unit;
   scaled.vertical /= unit;
