@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/render/part_meshes.h"
+#include "hydro/mesh/mesh_union.h"
 #include "hydro/mesh/primitives.h"
 
 namespace app {
@@ -137,13 +138,14 @@ std::optional<hydro::TriMesh> joint_mesh(const JointSpec& joint, double size) {
     case JointSpec::Type::ball:
       return hydro::make_icosphere(2 * radius, 2);
     case JointSpec::Type::hinge:
-      return render::joined(
+      return hydro::side_by_side(
           {pin(radius, length),
            hydro::translated(pin(1.6 * radius, 0.02 * size), {0, 0, 0.5 * length}),
            hydro::translated(pin(1.6 * radius, 0.02 * size), {0, 0, -0.5 * length})});
     case JointSpec::Type::universal: {
       const Isometry3d across(Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitY()));
-      return render::joined({pin(radius, length), hydro::transformed(pin(radius, length), across)});
+      return hydro::side_by_side(
+          {pin(radius, length), hydro::transformed(pin(radius, length), across)});
     }
     case JointSpec::Type::slider: {
       double low = -size, high = size;

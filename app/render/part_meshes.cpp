@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "hydro/mesh/mesh_union.h"
+
 namespace render {
 namespace {
 
@@ -125,24 +127,6 @@ hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, double radius) {
   return tube_mesh(points, Eigen::VectorXd::Constant(points.cols(), radius));
 }
 
-hydro::TriMesh joined(const std::vector<hydro::TriMesh>& meshes) {
-  Index vertices = 0, faces = 0;
-  for (const hydro::TriMesh& mesh : meshes) {
-    vertices += mesh.vertex_count();
-    faces += mesh.face_count();
-  }
-  hydro::TriMesh all{Eigen::Matrix3Xd(3, vertices), Eigen::Matrix3Xi(3, faces)};
-  vertices = faces = 0;
-  for (const hydro::TriMesh& mesh : meshes) {
-    all.vertices.middleCols(vertices, mesh.vertex_count()) = mesh.vertices;
-    all.faces.middleCols(faces, mesh.face_count()) =
-        mesh.faces.array() + static_cast<int>(vertices);
-    vertices += mesh.vertex_count();
-    faces += mesh.face_count();
-  }
-  return all;
-}
-
 Eigen::Matrix3Xd helix(const Vector3d& from, const Vector3d& to, double radius, int turns) {
   constexpr double kEnd = 0.1;
   const Vector3d whole = to - from;
@@ -171,7 +155,7 @@ hydro::TriMesh screw_mesh(const ScrewShape& shape) {
     solids.push_back(hydro::transformed(
         blade,
         Eigen::Isometry3d(Eigen::AngleAxisd(2 * M_PI * i / shape.blades, Vector3d::UnitX()))));
-  hydro::TriMesh mesh = hydro::scaled(joined(solids), shape.diameter / 2);
+  hydro::TriMesh mesh = hydro::scaled(hydro::side_by_side(solids), shape.diameter / 2);
   if (shape.right_handed) return mesh;
   mesh.vertices.row(1) *= -1;
   return hydro::flipped(std::move(mesh));
@@ -217,7 +201,7 @@ hydro::TriMesh anchor_mesh(double size) {
     fluke.vertices.row(1) *= 1.5;
     solids.push_back(std::move(fluke));
   }
-  return hydro::scaled(joined(solids), size);
+  return hydro::scaled(hydro::side_by_side(solids), size);
 }
 
 }  // namespace render

@@ -22,9 +22,6 @@ hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& 
 /// The same with one radius.
 hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, double radius);
 
-/// Returns all meshes in one.
-hydro::TriMesh joined(const std::vector<hydro::TriMesh>& meshes);
-
 /// Returns the points of a coil spring from `from` to `to`: straight ends, each a tenth of the
 /// distance, and `turns` turns between them. The coil has its axis along the distance.
 Eigen::Matrix3Xd helix(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
