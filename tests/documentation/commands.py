@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 # What begins a line that a reader is to type.
 COMMAND = re.compile(r"(?:[A-Z_]+=\S+ )?(?:plimsoll|tools/|build/|cmake|cpack|ctest)\S*(?:\s|$)")
-# What tells a synopsis from a command: a placeholder, an option in brackets, or a repetition.
-PLACEHOLDER = re.compile(r"\b[A-Z][A-Z0-9]*(?:[-.=_][A-Za-z]+)*\b")
+# A word in capitals, which stands for what the reader puts in its place. It tells a synopsis from a
+# command, as an option in brackets and a repetition do.
+CAPITALS = re.compile(r"\b[A-Z][A-Z0-9]*(?:[-.=_][A-Za-z]+)*\b")
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ def is_synopsis(command):
     rest = re.sub(r"'[^']*'", "", command)
     words = rest.split()[1:]
     return "…" in rest or any(word.startswith("[") for word in words) or any(
-        PLACEHOLDER.fullmatch(word) for word in words)
+        CAPITALS.fullmatch(word) for word in words)
 
 
 def options_of(text):
