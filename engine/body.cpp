@@ -97,7 +97,8 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time) {
   Motion motion{.state = state, .memory = still_memory(body), .held = water_at_start(body, state)};
-  if (body.has_added_mass) motion.added_B = unless_zero(added_mass(body, motion, time));
+  if (body.has_added_mass)
+    motion.added_B = unless_zero(added_mass(body, state, motion.held.get(), time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (spec.record_work) motion.work = {.added_energy_at_start = added_kinetic_energy(body, motion)};
   return motion;
@@ -183,12 +184,12 @@ double contact_fall(const Body& body, const Motion& motion) {
   return std::min(1.0, (body.spec->mass + body.displacement) / contact_mass(body, motion));
 }
 
-Matrix6d added_mass(const Body& body, const Motion& motion, double time) {
+Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldWater* held,
+                    double time) {
   Matrix6d added = Matrix6d::Zero();
   if (!body.has_added_mass) return added;
-  if (body.spec->added_mass)
-    added = body.spec->added_mass->at(motion.state, *body.environment.sea, time);
-  if (motion.held) added += motion.held->inertia_B;
+  if (body.spec->added_mass) added = body.spec->added_mass->at(state, *body.environment.sea, time);
+  if (held) added += held->inertia_B;
   return added;
 }
 

@@ -103,8 +103,10 @@ double contact_mass(const Body& body, const Motion& motion);
 /// Acceleration of that mass by weight and full buoyancy, in units of gravity, at most 1.
 double contact_fall(const Body& body, const Motion& motion);
 
-/// A of the body in its state, in B: that of the water outside, and the water in its pockets.
-Matrix6d added_mass(const Body& body, const Motion& motion, double time);
+/// A of the body in a state, in B: that of the water outside, and the water in its pockets.
+/// @param held   Null: it has none.
+Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldWater* held,
+                    double time);
 
 /// Sets A of the motion.
 void set_added_mass(Motion& motion, const Matrix6d& added_B);

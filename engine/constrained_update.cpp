@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/constants.h"
 #include "engine/constraint_solver.h"
@@ -259,7 +260,7 @@ void keep(const Problem& problem, const Answer& answer) {
 void constrained_update(const StepContext& context, Island& island, double time, double h) {
   std::vector<Pushed> pushed(island.bodies.size());
   const Problem problem{.context = context, .island = island, .bodies = pushed, .h = h};
-  double least = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostLinearisations; ++i) {
     parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
       pushed[k] = make_pushed(*island.bodies[k], time, h);
@@ -268,9 +269,9 @@ void constrained_update(const StepContext& context, Island& island, double time,
     const bool done = has_converged(problem, answer);
     // Where the linearisations lead away, the nearest one counts.
     const double off = missed(problem, answer);
-    if (i == 0 || done || off < least) keep(problem, answer);
-    if (done || (i > 0 && off > kLedAway * least)) break;
-    least = i == 0 ? off : std::min(least, off);
+    if (done || !(off >= least)) keep(problem, answer);
+    if (done || off > kLedAway * least) break;
+    least = std::min(least, off);
     for (std::size_t k = 0; k < pushed.size(); ++k) {
       // Where Newton's method alternates, the mean is nearer.
       Vector6d& predicted = island.bodies[k]->predicted;

@@ -206,8 +206,8 @@ void Flooding::set_volume(int pocket, double volume) {
   const double before = content.volume;
   // What runs out ever slower ends at nothing, and what is less than the round-off of a body's
   // volumes has no surface that could be found.
-  const double least = std::max(division_.pockets[pocket].capacity, std::pow(body_.radius, 3));
-  if (volume <= kLastWater * least) volume = 0;
+  const double size = std::max(division_.pockets[pocket].capacity, std::pow(body_.radius, 3));
+  if (volume <= kLastWater * size) volume = 0;
   content.inflow += volume - before;
   content.volume = volume;
   if (!(volume > 0)) return;

@@ -54,7 +54,7 @@ Rig::End Rig::end_of(const StepContext& context, Island& island, const Attachmen
   end.r_W = state.orientation * point.at;
   end.point.velocity_W = state.linear_velocity + state.angular_velocity.cross(end.r_W);
   if (end.body && expected) {
-    const Vector6d change = expected_change(*end.body, island.constrained, h);
+    const Vector6d& change = end.body->predicted;
     const Vector3d moved = change.head<3>() + change.tail<3>().cross(end.r_W);
     end.point.velocity_W += moved / 2;
     const Vector3d shift = h / 12 * moved;

@@ -11,6 +11,12 @@
 namespace engine {
 namespace {
 
+/// Δu over the substep, by the history of accelerations.
+Vector6d change_by_history(const Motion& halfway, double h) {
+  return h * rotate(halfway.state.orientation.toRotationMatrix(),
+                    halfway.accelerations.expected(h / 2));
+}
+
 /// Drifts a free body to the middle of the substep, from its corrected state (E9).
 void begin_free(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
@@ -21,12 +27,7 @@ void begin_free(SubstepBody& b, double time, double h) {
   if (b.correction) correct(b.body(), *b.correction, 1, b.halfway);
   b.start = b.halfway.state;
   drift(b.body(), b.halfway, h / 2);
-}
-
-/// Δu over the substep, by the history of accelerations.
-Vector6d change_by_history(const Motion& halfway, double h) {
-  return h * rotate(halfway.state.orientation.toRotationMatrix(),
-                    halfway.accelerations.expected(h / 2));
+  b.predicted = change_by_history(b.halfway, h);
 }
 
 /// Takes what the first linearisation of the loads needs from the last substep.
@@ -40,14 +41,12 @@ void begin_constrained(SubstepBody& b, double h) {
 }
 
 /// A where the body is expected at the end of the substep: one in contact goes on as it did.
-Matrix6d expected_added_mass(const SubstepBody& b, bool constrained, double end, double h) {
+Matrix6d expected_added_mass(const SubstepBody& b, double end, double h) {
   const Stopwatch stopwatch(b.moving->cache.seconds);
-  Motion there = b.halfway;
-  const Vector6d change = b.touching ? Vector6d(h * b.moving->motion.acceleration_W)
-                                     : expected_change(b, constrained, h);
-  const Vector6d u = velocity(there.state, Eigen::Vector3d::Zero()) + change;
-  there.state = displaced(b.body(), there.state, h / 2 * u);
-  return added_mass(b.body(), there, end);
+  const hydro::BodyState& halfway = b.halfway.state;
+  const Vector6d change = b.touching ? Vector6d(h * b.moving->motion.acceleration_W) : b.predicted;
+  const Vector6d u = velocity(halfway, Eigen::Vector3d::Zero()) + change;
+  return added_mass(b.body(), displaced(b.body(), halfway, h / 2 * u), b.halfway.held.get(), end);
 }
 
 /// The load of the rows of an island on a body: moment about the centre of mass, in W.
@@ -139,7 +138,7 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   for (SubstepBody* b : island.bodies) {
     if (!b->body().has_added_mass) continue;
     const Stopwatch stopwatch(b->moving->cache.seconds);
-    const Matrix6d found_B = added_mass(b->body(), b->end, time);
+    const Matrix6d found_B = added_mass(b->body(), b->end.state, b->end.held.get(), time);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
     worst = std::max(worst, match);
@@ -180,10 +179,6 @@ void solve_constrained(const StepContext& context, Island& island, double time, 
 
 }  // namespace
 
-Vector6d expected_change(const SubstepBody& b, bool constrained, double h) {
-  return constrained ? b.predicted : change_by_history(b.halfway, h);
-}
-
 void drift_halfway(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
   b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
@@ -195,7 +190,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
     constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);
-    if (b->body().has_added_mass) b->added_B = expected_added_mass(*b, constrained, time + h, h);
+    if (b->body().has_added_mass) b->added_B = expected_added_mass(*b, time + h, h);
   }
   context.rig.find_loads(context, island, time + h / 2, h);
   // Updates are repeated until the added mass that they are taken with is that of the final pose.

@@ -64,9 +64,6 @@ struct Island {
       true;  ///< False: there are no contacts, rows, and joints that are not reduced.
 };
 
-/// Δu of the update that is to come, as the last substeps let expect it, in W.
-Vector6d expected_change(const SubstepBody& b, bool constrained, double h);
-
 /// Drifts the body to the middle of a substep of length h [s], where contacts are looked for.
 void drift_halfway(SubstepBody& member, double time, double h);
 

@@ -116,7 +116,7 @@ double total_energy(const engine::SimulationSpec& spec,
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!bodies[i].movable) continue;
     engine::Motion motion{.state = states[i]};
-    motion.added_B = engine::added_mass(bodies[i], motion, 0);
+    motion.added_B = engine::added_mass(bodies[i], states[i], nullptr, 0);
     sum += engine::kinetic_energy(bodies[i], motion, bodies[i].current()) +
            engine::potential_energy(bodies[i], motion);
   }

@@ -20,8 +20,8 @@ std::vector<engine::Motion> motions_of(const engine::Simulation& simulation,
   const engine::SimulationState state = simulation.state();
   std::vector<engine::Motion> motions;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    motions.push_back(state.data().bodies[i].motion);
-    motions.back().added_B = engine::added_mass(bodies[i], motions.back(), 0);
+    engine::Motion& motion = motions.emplace_back(state.data().bodies[i].motion);
+    motion.added_B = engine::added_mass(bodies[i], motion.state, motion.held.get(), 0);
   }
   return motions;
 }
