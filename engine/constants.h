@@ -29,12 +29,16 @@ inline constexpr double kLargestConstrainedTurn = 0.25;
 inline constexpr int kMostSubsteps = 64;
 /// First substeps of a motion without history, over the step [-]. They are of lower order.
 inline constexpr double kStartingPart = 1.0 / 8;
-/// Shortest substep that energy, surface or tolerance ask for, over the step [-]. Smaller: stiff
-/// motions are halved more often before they are clamped.
+/// Shortest substep that energy or tolerance ask for, over the step [-]. Smaller: stiff motions are
+/// halved more often before they are clamped.
 inline constexpr double kShortestPart = 1.0 / 256;
 /// Shortest substep that the energy or a tolerance asks for in a group under constraints, over the
 /// step [-]. Smaller: chains that spin solve their constraints thousands of times in a step.
 inline constexpr double kShortestConstrainedPart = 1.0 / 32;
+/// Shortest substep that loads ask for which throw a body through the water surface, over the step
+/// [-]. Larger: hulls of millimetres that weigh a millionth of their water leave waves a hundred
+/// times faster than buoyancy can make them.
+inline constexpr double kShortestThrow = 1.0 / 8192;
 /// Rest of a step that may be left out, over the step [-]: the round-off of a sum of substeps.
 inline constexpr double kRoundOffPart = 1e-12;
 

@@ -41,6 +41,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       is_alone_(group_.bodies.size() == 1 && group_.joints.empty() && group_.near.empty()),
       step_(step),
       shortest_((is_alone_ ? kShortestPart : kShortestConstrainedPart) * step),
+      shortest_throw_(kShortestThrow * step),
       impacts_(context_, group_, past.touching, step),
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -137,7 +138,6 @@ bool GroupStepper::must_halve(double h, bool halves) {
     if (!member(judged.members.front()->id).island) continue;
     gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
-  if (h / 2 < kShortestPart * step_) return false;
   gained = gained && h / 2 >= shortest_;
   for (const Member& m : members_) {
     if (!m.island || !(gained || m.abrupt)) continue;
@@ -146,7 +146,7 @@ bool GroupStepper::must_halve(double h, bool halves) {
     overshot = overshot || (m.abrupt && m.body().wet &&
                             overshoots_surface(m.body(), before.state, m.end.state, h));
   }
-  return overshot || (gained && followed);
+  return (overshot && h / 2 >= shortest_throw_) || (gained && followed);
 }
 
 void GroupStepper::accept(double time, double h) {

@@ -86,7 +86,8 @@ class GroupStepper {
   std::vector<GroupStepper>* alone_;
   bool is_alone_;
   double step_;      ///< The scene's, or, of a group of one, the part of it that is advanced [s].
-  double shortest_;  ///< Substep that is not halved any more [s].
+  double shortest_;  ///< Substep that is not halved any more for its energy or error [s].
+  double shortest_throw_;  ///< The same where loads throw a body through the surface [s].
   Impacts impacts_;
   World::Contacts contacts_;
   std::vector<ContactForce> forces_;  ///< Of the last accepted substep.

@@ -94,8 +94,9 @@ bool crosses_surface(const Body& body, const hydro::BodyState& before,
 bool overshoots_surface(const Body& body, const hydro::BodyState& before,
                         const hydro::BodyState& after, double h) {
   const SurfaceCrossing c = surface_crossing(body, before, after);
-  const double thrown = h / 2 * (after.linear_velocity.z() - before.linear_velocity.z());
-  return c.meets && std::min(std::abs(c.rise), std::abs(thrown)) > kLargestOvershoot * c.height;
+  const double way = (after.position - before.position).norm();
+  const double thrown = h / 2 * (after.linear_velocity - before.linear_velocity).norm();
+  return c.meets && std::min(way, thrown) > kLargestOvershoot * c.height;
 }
 
 }  // namespace engine

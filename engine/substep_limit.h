@@ -29,8 +29,8 @@ bool can_be_followed(const Body& body, const Motion& motion, double h);
 bool crosses_surface(const Body& body, const hydro::BodyState& before,
                      const hydro::BodyState& after);
 
-/// True if loads have moved a body through the water surface by more than kLargestOvershoot of its
-/// height in a time h [s], so that they were not the loads on its path.
+/// True if loads have moved a body through or along the water surface by more than
+/// kLargestOvershoot of its height in a time h [s], so that they were not the loads on its path.
 bool overshoots_surface(const Body& body, const hydro::BodyState& before,
                         const hydro::BodyState& after, double h);
 

@@ -48,6 +48,11 @@ TEST(SubstepLimit, KnowsCrossingsAndOvershoots) {
   EXPECT_TRUE(engine::overshoots_surface(box.body, at(-0.2, 0), at(9.8, 200), 0.1));
   // It flew as far, but no load threw it.
   EXPECT_FALSE(engine::overshoots_surface(box.body, at(-0.2, 100), at(9.8, 100), 0.1));
+  // The side of a wave throws it as far along the surface.
+  BodyState aside = at(-0.2, 0);
+  aside.position.x() = 10;
+  aside.linear_velocity.x() = 200;
+  EXPECT_TRUE(engine::overshoots_surface(box.body, at(-0.2, 0), aside, 0.1));
 }
 
 }  // namespace
