@@ -56,8 +56,8 @@ const ratioText = (d) => {
 };
 
 const cellsOf = (name, quantity, unit, d) =>
-  [name, quantity, d.largest === null ? "∞" : withUnit(d.largest, unit), number(d.at, 6), d.judged ? d.limits : "–",
-   ratioText(d), d.verdict].map((textContent) => element("td", {textContent}));
+  [name, quantity, d.verdict, ratioText(d), d.largest === null ? "∞" : withUnit(d.largest, unit), number(d.at, 6),
+   d.judged ? d.limits : "–"].map((textContent) => element("td", {textContent}));
 
 const rowsOf = (body, select) => {
   const rows = [];
@@ -109,7 +109,7 @@ const showChanges = (differs) => {
 // @param select   Called with a body and a quantity.
 // @return the function that marks the rows of a body
 const showTable = ({bodies, tables}, select) => {
-  const head = ["body", "quantity", "largest", "at [s]", "tolerance", "× tolerance", "verdict"];
+  const head = ["body", "quantity", "verdict", "× tolerance", "largest", "at [s]", "tolerance"];
   const table = element("table", {}, element("thead", {}, element("tr", {}, ...head.map((textContent) =>
     element("th", {textContent})))));
   const parts = bodies.slice(0, MOST_BODIES).map((body, i) =>
