@@ -13,6 +13,11 @@ uniform bool u_sea;          // true: there is water
 uniform bool u_under;        // true: the eye is under water
 uniform float u_grid;        // spacing of the grid lines on ground and water [m]
 uniform vec3 u_grid_shift;   // the eye's position in its cell of that grid [m]
+uniform sampler2D u_shade;   // share of the main light that bodies take, and that times their height
+uniform vec3 u_shaded;       // middle of what u_shade covers, as a point of E cast along the light
+                             // onto z = 0 (x, y) [m], and 1 over the length of a side (z) [1/m]
+uniform float u_cast_low;    // z of the height 0 in u_shade, in E [m]
+uniform float u_cast_range;  // from there to the height 1 [m]
 
 const vec3 k_zenith = vec3(0.50, 0.69, 0.88);
 const vec3 k_horizon = vec3(0.90, 0.94, 0.965);
@@ -50,8 +55,21 @@ float grid_line(vec2 cells, vec2 right, vec2 up) {
 }
 
 // Returns the light on a matt surface: about 1 where it faces the main light, never below 0.5.
-float matt_light(vec3 normal) {
+// `left` is the share of the main light that reaches it.
+float matt_light(vec3 normal, float left) {
   float sky_part = 0.5 + 0.5 * normal.z;
-  float key = max(dot(normal, u_key_light), 0.0);
+  float key = left * max(dot(normal, u_key_light), 0.0);
   return 0.56 + 0.16 * sky_part + 0.36 * key;
+}
+
+// Returns the place in u_shade of a point that lies on the ray of the main light through p_E.
+vec2 shade_place(vec3 p_E) {
+  vec2 on_plane = p_E.xy - p_E.z / u_key_light.z * u_key_light.xy;
+  return 0.5 + u_shaded.z * (on_plane - u_shaded.xy);
+}
+
+// Returns the share of the main light that bodies above p_E leave to it.
+float light_left(vec3 p_E) {
+  vec2 taken = texture(u_shade, shade_place(p_E)).rg;
+  return p_E.z < u_cast_low + u_cast_range * taken.y / max(taken.x, 1e-6) ? 1.0 - taken.x : 1.0;
 }

@@ -11,7 +11,7 @@ void main() {
   vec3 normal = normalize(v_normal);
   vec2 cells = grid_cells(v_position_E);
   float line = grid_line(cells, dFdx(cells), dFdy(cells));
-  vec3 color = k_sand * matt_light(normal) * (1.0 - 0.13 * line);
+  vec3 color = k_sand * matt_light(normal, light_left(v_position_E)) * (1.0 - 0.13 * line);
   if (u_sea && v_position_E.z < u_level) {
     // Daylight loses its red first on the way down, so that sand is turquoise, then blue.
     vec3 left = exp(-u_murk * (u_level - v_position_E.z) * k_absorption);

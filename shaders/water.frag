@@ -12,6 +12,7 @@ out vec4 o_color;
 
 const int k_samples = 4;
 const float k_most_reflected = 0.25;  // in front of objects, so that they are seen
+const float k_shaded = 0.7;           // share of the light of water in full shadow
 const float k_most_tint = 0.6;        // on objects, so that they are seen at any depth
 
 // Returns the share of the light from behind that the water absorbs, averaged over those samples of
@@ -44,6 +45,7 @@ vec4 upper_side(vec3 normal, vec3 to_eye) {
   float glitter = 0.5 * pow(max(dot(mirrored, u_back_light), 0.0), 60.0);
   vec3 scattered = mix(k_shallow, k_deep, smoothstep(0.0, k_most_tint, body)) * (0.9 + 0.5 * dot(vec3(-v_slope, 0.0), u_key_light));
   scattered += 0.10 * clamp(length(v_slope), 0.0, 1.0) * k_shallow;
+  scattered *= mix(k_shaded, 1.0, light_left(v_position_E));
   vec3 color = mix(scattered * body, sky(mirrored), reflected) + glitter * reflected;
   vec2 cells = grid_cells(v_position_E);
   float line = 0.10 * grid_line(cells, dFdx(cells), dFdy(cells));

@@ -28,7 +28,8 @@ DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double lo
   mesh.set(3, openness(look.mesh_B, skin));
   GlMesh edges(gl, wireframe ? edges_of(look.mesh_B) : creases_of(look.mesh_B));
   edges.set(0, look.mesh_B.vertices.cast<float>());
-  return {std::move(mesh_B), std::move(skin), std::move(mesh), std::move(edges)};
+  const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
+  return {std::move(mesh_B), radius, std::move(skin), std::move(mesh), std::move(edges)};
 }
 
 GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view) {
@@ -47,6 +48,16 @@ GlMesh make_plane(const GlFunctions& gl, double z, const View& view) {
   points_E.row(2).setConstant(z - view.eye_W.z());
   mesh.set(0, points_E.cast<float>());
   mesh.set(1, Vector3d::UnitZ().replicate(1, points_E.cols()).cast<float>());
+  return mesh;
+}
+
+GlMesh make_level(const GlFunctions& gl, const Triangles& triangles_W, const View& view,
+                  double nearer) {
+  Eigen::Matrix3Xi corners(3, triangles_W.cols() / 3);
+  for (Eigen::Index i = 0; i < triangles_W.cols(); ++i) corners(i % 3, i / 3) = static_cast<int>(i);
+  GlMesh mesh(gl, corners);
+  mesh.set(0, ((1 - nearer) * (triangles_W.colwise() - view.eye_W)).cast<float>());
+  mesh.set(1, Eigen::Matrix2Xf::Zero(2, triangles_W.cols()));
   return mesh;
 }
 

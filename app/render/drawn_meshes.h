@@ -3,6 +3,7 @@
 #include "app/render/body_appearance.h"
 #include "app/render/color_scale.h"
 #include "app/render/gl_mesh.h"
+#include "app/render/interior_look.h"
 #include "app/render/shaded_mesh.h"
 #include "app/render/view.h"
 
@@ -15,6 +16,7 @@ namespace render {
 /// A body on the graphics device.
 struct DrawnBody {
   hydro::TriMesh mesh_B;  ///< What the skin was made of.
+  double radius;          ///< Distance of its farthest vertex from the origin of B [m].
   ShadedMesh skin_B;
   GlMesh mesh;
   GlMesh edges;  ///< All edges of the mesh for a wireframe, else its creases.
@@ -30,6 +32,11 @@ GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const 
 
 /// Returns the level ground at z [m, W] to the horizon, in E.
 GlMesh make_plane(const GlFunctions& gl, double z, const View& view);
+
+/// Returns level triangles in E, three corners each, moved toward the eye by a part of their
+/// distance, as water.
+GlMesh make_level(const GlFunctions& gl, const Triangles& triangles_W, const View& view,
+                  double nearer);
 
 /// Returns a texture of the colours, from low to high.
 GLuint make_scale_texture(const GlFunctions& gl, ColorMap colors);

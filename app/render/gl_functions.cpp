@@ -24,6 +24,7 @@ GlFunctions load_gl_functions(FunctionFinder find) {
   load(find, gl.BindRenderbuffer, "glBindRenderbuffer");
   load(find, gl.BindTexture, "glBindTexture");
   load(find, gl.BindVertexArray, "glBindVertexArray");
+  load(find, gl.BlendEquation, "glBlendEquation");
   load(find, gl.BlendFunc, "glBlendFunc");
   load(find, gl.BlitFramebuffer, "glBlitFramebuffer");
   load(find, gl.BufferData, "glBufferData");

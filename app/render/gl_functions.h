@@ -20,6 +20,7 @@ struct GlFunctions {
   PFNGLBINDRENDERBUFFERPROC BindRenderbuffer = nullptr;
   PFNGLBINDTEXTUREPROC BindTexture = nullptr;
   PFNGLBINDVERTEXARRAYPROC BindVertexArray = nullptr;
+  PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer = nullptr;
   PFNGLBUFFERDATAPROC BufferData = nullptr;

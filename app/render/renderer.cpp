@@ -10,6 +10,7 @@
 #include "app/render/gl_mesh.h"
 #include "app/render/gl_program.h"
 #include "app/render/gl_rigging.h"
+#include "app/render/shade.h"
 #include "app/render/vertex_water.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
@@ -18,7 +19,6 @@
 namespace render {
 namespace {
 
-using Eigen::Index;
 using Eigen::Vector3d;
 
 /// Deviation of waves from a straight edge that needs no finer triangles, at the point looked at
@@ -62,17 +62,18 @@ struct Renderer::Impl {
   double grid_length() const { return round_length(0.25 * picture_size(view_)); }
   /// Returns the unit of line widths [px]: 1 for up to 720 lines, in proportion above.
   double line_unit() const { return std::max(1.0, picture_.height / 720.0); }
+  void draw_shade(const std::vector<hydro::BodyState>& states, double time, const Rigging& rigging);
   void draw_sky(double time) const;
   void draw_ground(double time) const;
   void find_interiors(const std::vector<hydro::BodyState>& states, const Interiors& interiors);
-  void draw_bodies(const std::vector<hydro::BodyState>& states, double time);
+  /// Draws the bodies with the current program.
+  void draw_bodies(const GlProgram& program, const std::vector<hydro::BodyState>& states);
   void draw_pressures(const std::vector<hydro::BodyState>& states, double time);
   void draw_pressure(std::size_t index, const hydro::BodyState& state, double time,
                      const hydro::AiryWaves& waves);
-  void draw_level(const Triangles& triangles_W, double nearer) const;
   void draw_hollows(double time) const;
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
-  void draw_rigging(const Rigging& rigging, double time);
+  void draw_rigging(const GlProgram& program, const Rigging& rigging);
   void draw_water(double time);
 
   SceneDescription picture_;
@@ -82,6 +83,8 @@ struct Renderer::Impl {
   std::optional<Framebuffer> canvas_;
   GlProgram sky_, body_, pressure_, edge_, ground_, water_;
   GlMesh nothing_;  ///< Vertices that a shader places by their indices.
+  Shade shade_;
+  ShadedPart shaded_;
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
   std::vector<std::optional<InteriorLook>> interiors_;  ///< Of this picture; none without pockets.
@@ -104,6 +107,7 @@ Renderer::Impl::Impl(SceneDescription p, const std::filesystem::path& shaders)
       ground_(gl_, shaders, "ground"),
       water_(gl_, shaders, "water"),
       nothing_(gl_, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))),
+      shade_(gl_, shaders),
       scale_texture_(make_scale_texture(gl_, picture_.pressure.colors)) {
   make_surroundings();
 }
@@ -149,16 +153,13 @@ void Renderer::Impl::make_surroundings() {
 }
 
 void Renderer::Impl::set_view(const GlProgram& program, double time) const {
-  // Lights move with the camera, so that every view shows shape.
   const Vector3d level = Vector3d::UnitZ().cross(view_.right_W);
   const Vector3d& eye = view_.eye_W;
   const bool under = picture_.sea && picture_.water_visible &&
                      eye.z() < hydro::surface_height(*picture_.sea, eye.x(), eye.y(), time);
   program.use();
   program.set("u_clip_from_E", view_.clip_from_E);
-  program.set(
-      "u_key_light",
-      Vector3d((-0.55 * view_.right_W - 0.5 * level + 0.75 * Vector3d::UnitZ()).normalized()));
+  program.set("u_key_light", key_light(view_));
   program.set("u_back_light",
               Vector3d((-0.25 * view_.right_W + level + 0.45 * Vector3d::UnitZ()).normalized()));
   program.set("u_visibility", 40 * view_.distance);
@@ -170,6 +171,23 @@ void Renderer::Impl::set_view(const GlProgram& program, double time) const {
               Vector3d(eye.unaryExpr([&](double x) { return std::remainder(x, grid); })));
   program.set("u_sea", picture_.sea && picture_.water_visible ? 1 : 0);
   program.set("u_under", under ? 1 : 0);
+  program.set("u_shade", Shade::kUnit);
+  program.set("u_shaded", shaded_.square);
+  program.set("u_cast_low", shaded_.low);
+  program.set("u_cast_range", shaded_.range);
+}
+
+void Renderer::Impl::draw_shade(const std::vector<hydro::BodyState>& states, double time,
+                                const Rigging& rigging) {
+  std::vector<Ball> casters;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    casters.push_back({states[i].position - view_.eye_W, bodies_[i].radius});
+  shaded_ = shaded_part(view_, casters);
+  shade_.begin();
+  set_view(shade_.program(), time);
+  draw_bodies(shade_.program(), states);
+  draw_rigging(shade_.program(), rigging);
+  shade_.finish(nothing_);
 }
 
 void Renderer::Impl::draw_sky(double time) const {
@@ -255,26 +273,15 @@ void Renderer::Impl::find_interiors(const std::vector<hydro::BodyState>& states,
   }
 }
 
-/// Draws level triangles, moved toward the eye by a part of their distance.
-void Renderer::Impl::draw_level(const Triangles& triangles_W, double nearer) const {
-  if (triangles_W.cols() == 0) return;
-  Eigen::Matrix3Xi corners(3, triangles_W.cols() / 3);
-  for (Index i = 0; i < triangles_W.cols(); ++i) corners(i % 3, i / 3) = static_cast<int>(i);
-  GlMesh mesh(gl_, corners);
-  mesh.set(0, ((1 - nearer) * (triangles_W.colwise() - view_.eye_W)).cast<float>());
-  mesh.set(1, Eigen::Matrix2Xf::Zero(2, triangles_W.cols()));
-  mesh.draw();
-}
-
 /// Draws the water in hollows, and puts lids of depth alone over those that the sea does not fill,
 /// so that its surface does not appear there.
 void Renderer::Impl::draw_hollows(double time) const {
   constexpr double kNearer = 2e-3;
   for (const auto& interior : interiors_)
-    if (interior) draw_level(interior->surfaces(), 0);
+    if (interior) make_level(gl_, interior->surfaces(), view_, 0).draw();
   gl_.BlendFunc(GL_ZERO, GL_ONE);
   for (const auto& interior : interiors_)
-    if (interior) draw_level(interior->openings(*picture_.sea, time), kNearer);
+    if (interior) make_level(gl_, interior->openings(*picture_.sea, time), view_, kNearer).draw();
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
@@ -298,12 +305,12 @@ void Renderer::Impl::draw_water(double time) {
   gl_.Disable(GL_BLEND);
 }
 
-void Renderer::Impl::draw_bodies(const std::vector<hydro::BodyState>& states, double time) {
-  set_view(body_, time);
+void Renderer::Impl::draw_bodies(const GlProgram& program,
+                                 const std::vector<hydro::BodyState>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
-    body_.set("u_rotation", states[i].orientation.toRotationMatrix());
-    body_.set("u_position", Vector3d(states[i].position - view_.eye_W));
-    body_.set("u_color", picture_.bodies[i].color);
+    program.set("u_rotation", states[i].orientation.toRotationMatrix());
+    program.set("u_position", Vector3d(states[i].position - view_.eye_W));
+    program.set("u_color", picture_.bodies[i].color);
     bodies_[i].mesh.draw();
   }
 }
@@ -329,10 +336,10 @@ void Renderer::Impl::draw_pressures(const std::vector<hydro::BodyState>& states,
   gl_.Disable(GL_BLEND);
 }
 
-void Renderer::Impl::draw_rigging(const Rigging& rigging, double time) {
-  set_view(body_, time);
+void Renderer::Impl::draw_rigging(const GlProgram& program, const Rigging& rigging) {
+  if (rigging.empty()) return;
   const double pixel = 2 * view_.half_height / picture_.height;
-  rigging_.draw(body_, view_, kThinnest * line_unit() * pixel, rigging);
+  rigging_.draw(program, view_, kThinnest * line_unit() * pixel, rigging);
 }
 
 Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time,
@@ -340,11 +347,13 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   assert(states.size() == bodies_.size());
   context_.make_current();
   find_interiors(states, interiors);
+  if (surface_ || !grounds_.empty()) draw_shade(states, time, rigging);
   canvas_->begin();
   draw_sky(time);
   draw_ground(time);
-  draw_bodies(states, time);
-  if (!rigging.empty()) draw_rigging(rigging, time);
+  set_view(body_, time);
+  draw_bodies(body_, states);
+  draw_rigging(body_, rigging);
   if (surface_) {
     draw_water(time);
     canvas_->restore_depth();

@@ -27,6 +27,11 @@ Eigen::Matrix4d clip_from_eye(const View& v) {
 
 }  // namespace
 
+Eigen::Vector3d key_light(const View& view) {
+  const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(view.right_W);
+  return (-0.55 * view.right_W - 0.5 * level + 0.75 * Eigen::Vector3d::UnitZ()).normalized();
+}
+
 View make_view(const Camera& camera, int width, int height) {
   View v;
   v.eye_W = camera.from;

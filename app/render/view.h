@@ -40,6 +40,10 @@ struct View {
 /// Returns the visible height at the distance of the point looked at [m].
 inline double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
 
+/// Returns the direction toward the main light, unit, over the camera's left shoulder, so that
+/// every view shows shape. In W; its z is positive.
+Eigen::Vector3d key_light(const View& view);
+
 /// Makes the view of a camera. A camera that looks straight up or down has +y at the top of its
 /// picture.
 View make_view(const Camera& camera, int width, int height);
