@@ -1,5 +1,6 @@
 #include "app/logs/trajectory_csv.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <iterator>
@@ -34,9 +35,10 @@ TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& file,
 
 void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& states) {
   fmt::memory_buffer rows;
+  const auto to = std::back_inserter(rows);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    fmt::format_to(std::back_inserter(rows), "{},{}", time, names_[i]);
-    for (const double n : row_of(states[i])) fmt::format_to(std::back_inserter(rows), ",{}", n);
+    fmt::format_to(to, FMT_COMPILE("{},{}"), time, names_[i]);
+    for (const double n : row_of(states[i])) fmt::format_to(to, FMT_COMPILE(",{}"), n);
     rows.push_back('\n');
   }
   file_.add(rows);
