@@ -35,7 +35,7 @@ inline constexpr double kShortestPart = 1.0 / 256;
 /// Shortest substep that the energy or a tolerance asks for in a group under constraints, over the
 /// step [-]. Smaller: chains that spin solve their constraints thousands of times in a step.
 inline constexpr double kShortestConstrainedPart = 1.0 / 32;
-/// Shortest substep that loads ask for which throw a body through the water surface, over the step
+/// Shortest substep of a body on its own that loads throw through the water surface, over the step
 /// [-]. Larger: hulls of millimetres that weigh a millionth of their water leave waves a hundred
 /// times faster than buoyancy can make them.
 inline constexpr double kShortestThrow = 1.0 / 8192;

@@ -41,7 +41,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       is_alone_(group_.bodies.size() == 1 && group_.joints.empty() && group_.near.empty()),
       step_(step),
       shortest_((is_alone_ ? kShortestPart : kShortestConstrainedPart) * step),
-      shortest_throw_(kShortestThrow * step),
+      shortest_throw_((is_alone_ ? kShortestThrow : kShortestPart) * step),
       impacts_(context_, group_, past.touching, step),
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
