@@ -32,7 +32,7 @@ Shade::Target Shade::make_target() const {
   gl_->GenTextures(1, &target.texture);
   gl_->BindTexture(GL_TEXTURE_2D, target.texture);
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kSize, kSize, 0, GL_RG, GL_UNSIGNED_BYTE, nullptr);
-  // Beyond its border there is no shadow, which the margin keeps free of.
+  // The blur leaves the border empty, so that nothing beyond it is shaded.
   for (const GLenum key : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl_->TexParameteri(GL_TEXTURE_2D, key, GL_CLAMP_TO_EDGE);
   for (const GLenum key : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})

@@ -22,18 +22,18 @@ class Shade {
  public:
   static constexpr int kSize = 256;  ///< Texels along a side.
   static constexpr int kUnit = 1;    ///< Unit of the texture that shaders read.
-  static constexpr int kMargin = 8;  ///< Texels at each border that the blur reaches into.
+  static constexpr int kMargin = 8;  ///< Texels along each border that have room for the blur.
 
   Shade(const GlFunctions& gl, const std::filesystem::path& shaders);
   ~Shade();
   Shade(const Shade&) = delete;
   Shade& operator=(const Shade&) = delete;
 
-  /// Empties the texture, to be drawn into by `program()`; only texels of bodies change.
+  /// Empties the texture and makes it what is drawn on.
   void begin() const;
-  /// Draws meshes in the place of shaders/body.vert. The view must be set by the caller.
+  /// Draws bodies on the texture, with the uniforms of shaders/body.vert. Its view must be set.
   const GlProgram& program() const { return cast_; }
-  /// Blurs what was drawn. The framebuffer is another afterwards.
+  /// Blurs what was drawn, and binds the texture to its unit. The next framebuffer must be bound.
   /// @param cover   Three vertices without attributes.
   void finish(const GlMesh& cover) const;
 
