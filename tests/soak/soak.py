@@ -163,12 +163,18 @@ def start(kind, folder, random_):
 
 
 def intrude(kind, folder, process):
-    """A second run into the same folder is refused and changes nothing."""
+    """A second run into the same folder is refused and changes nothing.
+
+    @return True if it came first and is whole: the run that was started before it is refused.
+    """
     second = subprocess.run([*kind.arguments, "--out", str(folder)], capture_output=True, text=True,
                             check=False)
+    if second.returncode == 0 and process.poll() == 2:
+        return True
     if process.poll() is None:
         require(second.returncode == 2 and "another run is writing" in second.stderr,
                 f"a second run was not refused: {second.returncode} {second.stderr}")
+    return False
 
 
 def soak_one(kind, folder, random_, left):
@@ -178,8 +184,9 @@ def soak_one(kind, folder, random_, left):
         process, resumes = start(kind, folder, random_)
         if kills < left:
             time.sleep(random_.uniform(0, 0.9 * kind.duration))
-            if resumes and random_.random() < 0.2:
-                intrude(kind, folder, process)
+            if resumes and random_.random() < 0.2 and intrude(kind, folder, process):
+                check_folder(folder, kind, done=True)
+                return kills
             sent = random_.choice(SIGNALS)
             process.send_signal(sent)
         code = process.wait()
