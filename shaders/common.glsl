@@ -62,6 +62,9 @@ float matt_light(vec3 normal, float left) {
   return 0.56 + 0.16 * sky_part + 0.36 * key;
 }
 
+// Returns a corner of the triangle that covers the whole of a picture or texture, by its number.
+vec2 covering_corner(int vertex) { return vec2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0); }
+
 // Returns the place in u_shade of a point that lies on the ray of the main light through p_E.
 vec2 shade_place(vec3 p_E) {
   vec2 on_plane = p_E.xy - p_E.z / u_key_light.z * u_key_light.xy;

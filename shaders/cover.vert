@@ -1,6 +1,5 @@
 // A triangle that covers the whole of a texture.
 
 void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  gl_Position = vec4(corner, 0.0, 1.0);
+  gl_Position = vec4(covering_corner(gl_VertexID), 0.0, 1.0);
 }

@@ -7,7 +7,7 @@ uniform vec3 u_up;       // change of the ray from there to the upper border
 out vec3 v_ray;
 
 void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  vec2 corner = covering_corner(gl_VertexID);
   v_ray = u_forward + corner.x * u_right + corner.y * u_up;
   gl_Position = vec4(corner, 1.0, 1.0);
 }
