@@ -72,24 +72,39 @@ std::size_t address_space() {
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Returns whether a thread other than the caller computes.
-bool another_thread_computes() {
+/// What the kernel tells of the threads other than the caller.
+struct OtherThreads {
+  bool asleep = true;    ///< whether each waits, and not in the kernel
+  std::string switches;  ///< how often each has begun and ceased to run; the same if none has run
+};
+
+OtherThreads other_threads() {
+  OtherThreads threads;
   std::error_code vanished;  // A thread may end while it is looked at.
   for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", vanished)) {
     if (thread.path().filename() == std::to_string(::gettid())) continue;
-    std::string line;
-    std::getline(std::ifstream(thread.path() / "stat"), line);
-    const std::size_t name_end = line.rfind(')');  // Before it: the number and the name.
-    if (name_end != std::string::npos && line.substr(name_end + 2, 1) == "R") return true;
+    std::ifstream status(thread.path() / "status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.starts_with("State:")) threads.asleep &= line.starts_with("State:\tS");
+      if (line.find("ctxt_switches:") != std::string::npos) threads.switches += line;
+    }
   }
-  return false;
+  return threads;
 }
 
-/// Waits until the other threads sleep, for two seconds at most. The allocators of the sanitizers,
+/// Waits until the other threads sleep, for five seconds at most. The allocators of the sanitizers,
 /// unlike that of glibc, keep a child waiting for ever where another thread was at work in them.
+/// One look at each thread in turn is not enough: one that was seen asleep may have been woken by
+/// the next. Where none has run from the first to the second of two looks, all slept at one time.
 void let_other_threads_finish() {
   constexpr auto kPause = std::chrono::milliseconds(2);
-  for (int i = 0; i < 1000 && another_thread_computes(); ++i) std::this_thread::sleep_for(kPause);
+  OtherThreads before = other_threads();
+  for (int i = 0; i < 2500; ++i) {
+    std::this_thread::sleep_for(kPause);
+    OtherThreads now = other_threads();
+    if (before.asleep && now.asleep && before.switches == now.switches) return;
+    before = std::move(now);
+  }
 }
 
 void limit(__rlimit_resource_t resource, rlim_t value) {
