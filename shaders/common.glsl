@@ -13,10 +13,11 @@ uniform bool u_sea;          // true: there is water
 uniform bool u_under;        // true: the eye is under water
 uniform float u_grid;        // spacing of the grid lines on ground and water [m]
 uniform vec3 u_grid_shift;   // the eye's position in its cell of that grid [m]
-uniform sampler2D u_shade;   // share of the main light that bodies take, and that times their height
-uniform vec3 u_shaded;       // middle of what u_shade covers, as a point of E cast along the light
+uniform sampler2D u_plan;    // share of the main light that bodies take (r), that times their height
+                             // (g), and how they churn the water at their place (a)
+uniform vec3 u_plan_part;    // middle of what u_plan covers, as a point of E cast along the light
                              // onto z = 0 (x, y) [m], and 1 over the length of a side (z) [1/m]
-uniform float u_cast_low;    // z of the height 0 in u_shade, in E [m]
+uniform float u_cast_low;    // z of the height 0 in u_plan, in E [m]
 uniform float u_cast_range;  // from there to the height 1 [m]
 
 const vec3 k_zenith = vec3(0.50, 0.69, 0.88);
@@ -65,14 +66,17 @@ float matt_light(vec3 normal, float left) {
 // Returns a corner of the triangle that covers the whole of a picture or texture, by its number.
 vec2 covering_corner(int vertex) { return vec2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0); }
 
-// Returns the place in u_shade of a point that lies on the ray of the main light through p_E.
-vec2 shade_place(vec3 p_E) {
+// Returns the place in u_plan of the points that lie on the ray of the main light through p_E.
+vec2 plan_place(vec3 p_E) {
   vec2 on_plane = p_E.xy - p_E.z / u_key_light.z * u_key_light.xy;
-  return 0.5 + u_shaded.z * (on_plane - u_shaded.xy);
+  return 0.5 + u_plan_part.z * (on_plane - u_plan_part.xy);
 }
+
+// Returns the place in u_plan of the foam above or below p_E.
+vec2 foam_place(vec3 p_E) { return plan_place(vec3(p_E.xy, u_level)); }
 
 // Returns the share of the main light that bodies above p_E leave to it.
 float light_left(vec3 p_E) {
-  vec2 taken = texture(u_shade, shade_place(p_E)).rg;
+  vec2 taken = texture(u_plan, plan_place(p_E)).rg;
   return p_E.z < u_cast_low + u_cast_range * taken.y / max(taken.x, 1e-6) ? 1.0 - taken.x : 1.0;
 }

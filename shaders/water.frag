@@ -13,7 +13,10 @@ out vec4 o_color;
 const int k_samples = 4;
 const float k_most_reflected = 0.25;  // in front of objects, so that they are seen
 const float k_shaded = 0.7;           // share of the light of water in full shadow
+const float k_most_foam = 0.75;       // opacity, at a hull that churns the water as much as can be
 const float k_most_tint = 0.6;        // on objects, so that they are seen at any depth
+const int k_patches = 32;             // cells of the foam along one of the grid of lines; a power of 2
+const vec3 k_foam = vec3(0.93, 0.96, 0.97);
 
 // Returns the share of the light from behind that the water absorbs, averaged over those samples of
 // the pixel that have an object behind them. Samples without an object show deep water already, so
@@ -30,6 +33,26 @@ float tint(float surface_depth, float stretch) {
     count += 1.0;
   }
   return count > 0.0 ? sum / count : 1.0;
+}
+
+// Returns a fixed pseudorandom number from 0 to 1 for a cell of a pattern that repeats.
+float noise(ivec2 cell) {
+  uvec2 c = uvec2(cell & (k_patches - 1));
+  uint mixed = (c.x * 1597334677u) ^ (c.y * 3812015801u);
+  return float((mixed * 1597334677u) >> 16 & 0xffffu) / 65535.0;
+}
+
+// Returns the opacity of the foam. Its patches are the same in each cell of the grid of lines.
+float foam(vec3 p_E) {
+  float churned = texture(u_plan, foam_place(p_E)).a;
+  if (churned < 0.01) return 0.0;
+  vec2 place = float(k_patches) * fract(grid_cells(p_E));
+  ivec2 cell = ivec2(floor(place));
+  vec2 f = smoothstep(0.0, 1.0, place - vec2(cell));
+  float patches = mix(mix(noise(cell), noise(cell + ivec2(1, 0)), f.x),
+                      mix(noise(cell + ivec2(0, 1)), noise(cell + ivec2(1, 1)), f.x), f.y);
+  float most = clamp(2.0 * churned, 0.0, 1.0);  // at the edge of a body the blur leaves the half
+  return k_most_foam * smoothstep(0.0, 0.9, most * (0.5 + patches));
 }
 
 float fresnel(float cosine) { return 0.02 + 0.98 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }
@@ -49,7 +72,8 @@ vec4 upper_side(vec3 normal, vec3 to_eye) {
   vec3 color = mix(scattered * body, sky(mirrored), reflected) + glitter * reflected;
   vec2 cells = grid_cells(v_position_E);
   float line = 0.10 * grid_line(cells, dFdx(cells), dFdy(cells));
-  return mix(vec4(color, 1.0 - (1.0 - body) * (1.0 - reflected)), vec4(1.0), line);
+  vec4 water = mix(vec4(color, 1.0 - (1.0 - body) * (1.0 - reflected)), vec4(1.0), line);
+  return mix(water, vec4(k_foam, 1.0), foam(v_position_E));
 }
 
 // Returns the colour seen from below: the deep water is reflected outside Snell's window.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/render/occlusion.h"
+#include "app/render/vertex_water.h"
 #include "app/render/water_grid.h"
 
 namespace render {
@@ -30,6 +31,22 @@ DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double lo
   edges.set(0, look.mesh_B.vertices.cast<float>());
   const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
   return {std::move(mesh_B), radius, std::move(skin), std::move(mesh), std::move(edges)};
+}
+
+void wet(DrawnBody& body, const hydro::BodyState& state, const hydro::Sea& sea,
+         const hydro::AiryWaves& waves, double time, const std::optional<InteriorLook>& interior) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Matrix3Xd points_W = (R_WB * body.skin_B.vertices).eval().colwise() + state.position;
+  VertexWater water = vertex_water(sea, waves, points_W, time);
+  if (interior) interior->set_water(body.skin_B, sea, water);
+  body.wet = water.depths.maxCoeff() >= 0;
+  const bool afloat = body.wet && water.depths.minCoeff() < 0;
+  body.churn = afloat ? churn(water, sea, state, points_W, body.radius) : 0;
+  if (!body.wet) return;
+  Eigen::MatrixXf heights(2, points_W.cols());
+  heights << water.depths.cast<float>(), water.heads.cast<float>();
+  body.mesh.set(2, heights);
+  body.mesh.set(4, water.flow.cast<float>());
 }
 
 GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view) {

@@ -20,12 +20,22 @@ struct DrawnBody {
   ShadedMesh skin_B;
   GlMesh mesh;
   GlMesh edges;  ///< All edges of the mesh for a wireframe, else its creases.
+
+  /// The water about it in the present picture.
+  bool wet = false;
+  double churn = 0;  ///< How much it churns the surface, 0 where it does not reach it.
 };
 
 /// @param longest_edge   Length above which edges are split [m].
 /// @param wireframe      True: all edges are drawn.
 DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double longest_edge,
                     bool wireframe);
+
+/// Gives the vertices of a body the water about them.
+/// @param waves      Of the sea at this time.
+/// @param interior   The water in the body's pockets.
+void wet(DrawnBody& body, const hydro::BodyState& state, const hydro::Sea& sea,
+         const hydro::AiryWaves& waves, double time, const std::optional<InteriorLook>& interior);
 
 /// Returns the ground in E.
 GlMesh make_ground(const GlFunctions& gl, const hydro::TriMesh& ground_W, const View& view);

@@ -30,6 +30,7 @@ GlFunctions load_gl_functions(FunctionFinder find) {
   load(find, gl.BufferData, "glBufferData");
   load(find, gl.CheckFramebufferStatus, "glCheckFramebufferStatus");
   load(find, gl.Clear, "glClear");
+  load(find, gl.ColorMask, "glColorMask");
   load(find, gl.CompileShader, "glCompileShader");
   load(find, gl.CreateProgram, "glCreateProgram");
   load(find, gl.CreateShader, "glCreateShader");

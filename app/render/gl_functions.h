@@ -26,6 +26,7 @@ struct GlFunctions {
   PFNGLBUFFERDATAPROC BufferData = nullptr;
   PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus = nullptr;
   PFNGLCLEARPROC Clear = nullptr;
+  PFNGLCOLORMASKPROC ColorMask = nullptr;
   PFNGLCOMPILESHADERPROC CompileShader = nullptr;
   PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
   PFNGLCREATESHADERPROC CreateShader = nullptr;

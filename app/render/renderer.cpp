@@ -10,8 +10,7 @@
 #include "app/render/gl_mesh.h"
 #include "app/render/gl_program.h"
 #include "app/render/gl_rigging.h"
-#include "app/render/shade.h"
-#include "app/render/vertex_water.h"
+#include "app/render/plan_view.h"
 #include "app/render/view.h"
 #include "app/render/water_grid.h"
 #include "hydro/loads/loads.h"
@@ -35,14 +34,6 @@ constexpr double kEdges = 0.4, kCreases = 0.25;
 /// view needs. A camera that keeps approaching then has them split only a few times.
 constexpr double kFiner = 0.5;
 
-/// Returns the largest of 1, 2, 5 times a power of ten that is at most `length`.
-double round_length(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length)));
-  for (const double factor : {5.0, 2.0})
-    if (length >= factor * power) return factor * power;
-  return power;
-}
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -59,18 +50,18 @@ struct Renderer::Impl {
  private:
   void make_surroundings();
   void set_view(const GlProgram& program, double time) const;
-  double grid_length() const { return round_length(0.25 * picture_size(view_)); }
+  /// Says where a body is.
+  void place(const GlProgram& program, const hydro::BodyState& state) const;
   /// Returns the unit of line widths [px]: 1 for up to 720 lines, in proportion above.
   double line_unit() const { return std::max(1.0, picture_.height / 720.0); }
-  void draw_shade(const std::vector<hydro::BodyState>& states, double time, const Rigging& rigging);
+  void draw_plan(const std::vector<hydro::BodyState>& states, double time, const Rigging& rigging);
   void draw_sky(double time) const;
   void draw_ground(double time) const;
   void find_interiors(const std::vector<hydro::BodyState>& states, const Interiors& interiors);
   /// Draws the bodies with the current program.
   void draw_bodies(const GlProgram& program, const std::vector<hydro::BodyState>& states);
   void draw_pressures(const std::vector<hydro::BodyState>& states, double time);
-  void draw_pressure(std::size_t index, const hydro::BodyState& state, double time,
-                     const hydro::AiryWaves& waves);
+  void draw_pressure(std::size_t index, const hydro::BodyState& state);
   void draw_hollows(double time) const;
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
   void draw_rigging(const GlProgram& program, const Rigging& rigging);
@@ -83,8 +74,8 @@ struct Renderer::Impl {
   std::optional<Framebuffer> canvas_;
   GlProgram sky_, body_, pressure_, edge_, ground_, water_;
   GlMesh nothing_;  ///< Vertices that a shader places by their indices.
-  Shade shade_;
-  ShadedPart shaded_;
+  PlanView plan_;
+  PlanPart plan_part_;
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
   std::vector<std::optional<InteriorLook>> interiors_;  ///< Of this picture; none without pockets.
@@ -107,7 +98,7 @@ Renderer::Impl::Impl(SceneDescription p, const std::filesystem::path& shaders)
       ground_(gl_, shaders, "ground"),
       water_(gl_, shaders, "water"),
       nothing_(gl_, Eigen::Matrix3Xi(Eigen::Vector3i(0, 1, 2))),
-      shade_(gl_, shaders),
+      plan_(gl_, shaders),
       scale_texture_(make_scale_texture(gl_, picture_.pressure.colors)) {
   make_surroundings();
 }
@@ -127,6 +118,11 @@ void Renderer::Impl::resize(int width, int height) {
   picture_.width = width;
   picture_.height = height;
   make_surroundings();
+}
+
+void Renderer::Impl::place(const GlProgram& program, const hydro::BodyState& state) const {
+  program.set("u_rotation", state.orientation.toRotationMatrix());
+  program.set("u_position", Vector3d(state.position - view_.eye_W));
 }
 
 /// Makes the view and the meshes that depend on it, with coordinates relative to the eye.
@@ -165,29 +161,38 @@ void Renderer::Impl::set_view(const GlProgram& program, double time) const {
   program.set("u_visibility", 40 * view_.distance);
   program.set("u_murk", 0.45 / picture_size(view_));
   program.set("u_level", picture_.sea ? picture_.sea->level - eye.z() : 0.0);
-  const double grid = grid_length();
+  const double grid = grid_length(view_);
   program.set("u_grid", grid);
   program.set("u_grid_shift",
               Vector3d(eye.unaryExpr([&](double x) { return std::remainder(x, grid); })));
   program.set("u_sea", picture_.sea && picture_.water_visible ? 1 : 0);
   program.set("u_under", under ? 1 : 0);
-  program.set("u_shade", Shade::kUnit);
-  program.set("u_shaded", shaded_.square);
-  program.set("u_cast_low", shaded_.low);
-  program.set("u_cast_range", shaded_.range);
+  program.set("u_plan", PlanView::kUnit);
+  program.set("u_plan_part", plan_part_.square);
+  program.set("u_cast_low", plan_part_.low);
+  program.set("u_cast_range", plan_part_.range);
 }
 
-void Renderer::Impl::draw_shade(const std::vector<hydro::BodyState>& states, double time,
-                                const Rigging& rigging) {
+/// Draws what bodies do to water and ground about them.
+void Renderer::Impl::draw_plan(const std::vector<hydro::BodyState>& states, double time,
+                               const Rigging& rigging) {
   std::vector<Ball> casters;
   for (std::size_t i = 0; i < states.size(); ++i)
     casters.push_back({states[i].position - view_.eye_W, bodies_[i].radius});
-  shaded_ = shaded_part(view_, casters);
-  shade_.begin();
-  set_view(shade_.program(), time);
-  draw_bodies(shade_.program(), states);
-  draw_rigging(shade_.program(), rigging);
-  shade_.finish(nothing_);
+  plan_part_ = plan_part(view_, casters);
+  plan_.begin();
+  set_view(plan_.shadows(), time);
+  draw_bodies(plan_.shadows(), states);
+  draw_rigging(plan_.shadows(), rigging);
+  plan_.begin_foam();
+  set_view(plan_.foam(), time);
+  for (std::size_t i = 0; surface_ && i < states.size(); ++i) {
+    if (bodies_[i].churn == 0) continue;
+    place(plan_.foam(), states[i]);
+    plan_.foam().set("u_churn", bodies_[i].churn);
+    bodies_[i].mesh.draw();
+  }
+  plan_.finish(nothing_);
 }
 
 void Renderer::Impl::draw_sky(double time) const {
@@ -208,22 +213,12 @@ void Renderer::Impl::draw_ground(double time) const {
 }
 
 /// Draws the pressure on the wet part of a body over the body itself.
-void Renderer::Impl::draw_pressure(std::size_t index, const hydro::BodyState& state, double time,
-                                   const hydro::AiryWaves& waves) {
+void Renderer::Impl::draw_pressure(std::size_t index, const hydro::BodyState& state) {
   const BodyAppearance& look = picture_.bodies[index];
   const hydro::Sea& sea = *picture_.sea;
-  DrawnBody& body = bodies_[index];
+  if (!bodies_[index].wet) return;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const Eigen::Matrix3Xd points_W = (R_WB * body.skin_B.vertices).eval().colwise() + state.position;
-  VertexWater water = vertex_water(sea, waves, points_W, time);
-  if (interiors_[index]) interiors_[index]->set_water(body.skin_B, sea, water);
-  if (water.depths.maxCoeff() < 0) return;
-  Eigen::MatrixXf heights(2, points_W.cols());
-  heights << water.depths.cast<float>(), water.heads.cast<float>();
-  body.mesh.set(2, heights);
-  body.mesh.set(4, water.flow.cast<float>());
-  pressure_.set("u_rotation", R_WB);
-  pressure_.set("u_position", Vector3d(state.position - view_.eye_W));
+  place(pressure_, state);
   pressure_.set("u_spin", state.angular_velocity);
   pressure_.set("u_drag_shape",
                 Eigen::Matrix3d(R_WB * look.coefficients.drag_shape * R_WB.transpose()));
@@ -238,7 +233,7 @@ void Renderer::Impl::draw_pressure(std::size_t index, const hydro::BodyState& st
                                   hydro::current_at(sea, state.position.z()));
   pressure_.set("u_drag_front", half_density * look.coefficients.pressure_drag.front);
   pressure_.set("u_drag_back", half_density * look.coefficients.pressure_drag.back);
-  body.mesh.draw();
+  bodies_[index].mesh.draw();
 }
 
 void Renderer::Impl::draw_edges(const std::vector<hydro::BodyState>& states, double time) const {
@@ -248,8 +243,7 @@ void Renderer::Impl::draw_edges(const std::vector<hydro::BodyState>& states, dou
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthMask(GL_FALSE);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    edge_.set("u_rotation", states[i].orientation.toRotationMatrix());
-    edge_.set("u_position", Vector3d(states[i].position - view_.eye_W));
+    place(edge_, states[i]);
     bodies_[i].edges.draw();
   }
   gl_.DepthMask(GL_TRUE);
@@ -308,8 +302,7 @@ void Renderer::Impl::draw_water(double time) {
 void Renderer::Impl::draw_bodies(const GlProgram& program,
                                  const std::vector<hydro::BodyState>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
-    program.set("u_rotation", states[i].orientation.toRotationMatrix());
-    program.set("u_position", Vector3d(states[i].position - view_.eye_W));
+    place(program, states[i]);
     program.set("u_color", picture_.bodies[i].color);
     bodies_[i].mesh.draw();
   }
@@ -330,8 +323,7 @@ void Renderer::Impl::draw_pressures(const std::vector<hydro::BodyState>& states,
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthFunc(GL_LEQUAL);
-  const hydro::AiryWaves waves(*picture_.sea, time);
-  for (std::size_t i = 0; i < states.size(); ++i) draw_pressure(i, states[i], time, waves);
+  for (std::size_t i = 0; i < states.size(); ++i) draw_pressure(i, states[i]);
   gl_.DepthFunc(GL_LESS);
   gl_.Disable(GL_BLEND);
 }
@@ -347,7 +339,12 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   assert(states.size() == bodies_.size());
   context_.make_current();
   find_interiors(states, interiors);
-  if (surface_ || !grounds_.empty()) draw_shade(states, time, rigging);
+  if (picture_.sea) {
+    const hydro::AiryWaves waves(*picture_.sea, time);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      wet(bodies_[i], states[i], *picture_.sea, waves, time, interiors_[i]);
+  }
+  if (surface_ || !grounds_.empty()) draw_plan(states, time, rigging);
   canvas_->begin();
   draw_sky(time);
   draw_ground(time);
@@ -374,7 +371,7 @@ const std::string& Renderer::device() const { return impl_->context_.device(); }
 double Renderer::grid() const {
   const SceneDescription& p = impl_->picture_;
   const bool lined = (p.sea && p.water_visible) || p.ground_W || p.ground_z;
-  return lined ? impl_->grid_length() : 0;
+  return lined ? grid_length(impl_->view_) : 0;
 }
 
 const View& Renderer::view() const { return impl_->view_; }

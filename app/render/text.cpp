@@ -11,7 +11,7 @@
 namespace render {
 namespace {
 
-constexpr const char* kAdvice = "install one: apt install fonts-dejavu-core";
+constexpr const char* kFontAdvice = "install one: apt install fonts-dejavu-core";
 
 /// FreeType counts in 64ths of a pixel.
 constexpr double kUnits = 64;
@@ -28,14 +28,14 @@ struct ConfigDeleter {
 std::string font_file() {
   const std::unique_ptr<FcConfig, ConfigDeleter> config(FcInitLoadConfigAndFonts());
   const Pattern wanted(FcNameParse(reinterpret_cast<const FcChar8*>("DejaVu Sans:style=Book")));
-  if (!config || !wanted) throw Error(fmt::format("fonts cannot be looked up; {}", kAdvice));
+  if (!config || !wanted) throw Error(fmt::format("fonts cannot be looked up; {}", kFontAdvice));
   FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);
   FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
   const Pattern found(FcFontMatch(config.get(), wanted.get(), &result));
   FcChar8* file = nullptr;
   if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch)
-    throw Error(fmt::format("there is no font for the text in pictures; {}", kAdvice));
+    throw Error(fmt::format("there is no font for the text in pictures; {}", kFontAdvice));
   return reinterpret_cast<const char*>(file);
 }
 
@@ -70,7 +70,7 @@ Font::Font(int size) : face_(std::make_unique<Face>()) {
   if (FT_Init_FreeType(&face_->library) ||
       FT_New_Face(face_->library, file.c_str(), 0, &face_->face) ||
       FT_Set_Pixel_Sizes(face_->face, 0, static_cast<FT_UInt>(size)))
-    throw Error(fmt::format("{}: not a usable font; {}", file, kAdvice));
+    throw Error(fmt::format("{}: not a usable font; {}", file, kFontAdvice));
 }
 
 Font::~Font() = default;

@@ -1,5 +1,9 @@
 #include "app/render/vertex_water.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace render {
 
 VertexWater vertex_water(const hydro::Sea& sea, const hydro::AiryWaves& waves,
@@ -16,6 +20,19 @@ VertexWater vertex_water(const hydro::Sea& sea, const hydro::AiryWaves& waves,
     water.flow.col(i) = motion.velocity - sea.current;
   }
   return water;
+}
+
+double churn(const VertexWater& water, const hydro::Sea& sea, const hydro::BodyState& state,
+             const Eigen::Matrix3Xd& points_W, double radius) {
+  constexpr double kAtRest = 0.15;
+  const Eigen::Vector3d& spin = state.angular_velocity;
+  const Eigen::Vector3d drift = state.linear_velocity - sea.current - spin.cross(state.position);
+  double sum = 0;
+  for (Eigen::Index i = 0; i < points_W.cols(); ++i)
+    sum += (drift + spin.cross(points_W.col(i)) - water.flow.col(i)).norm();
+  const double mean = sum / static_cast<double>(std::max<Eigen::Index>(points_W.cols(), 1));
+  const double wave_speed = std::sqrt(sea.gravity * radius / std::numbers::pi);
+  return std::min(1.0, kAtRest + mean / wave_speed);
 }
 
 }  // namespace render

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "hydro/airy_waves.h"
+#include "hydro/spatial.h"
 
 namespace render {
 
@@ -18,5 +19,10 @@ struct VertexWater {
 /// @param waves   Of the sea at this time.
 VertexWater vertex_water(const hydro::Sea& sea, const hydro::AiryWaves& waves,
                          const Eigen::Matrix3Xd& points_W, double time);
+
+/// Returns how much a body at the surface churns the water, from 0 to 1, by the mean speed of its
+/// vertices through it over that of a wave as long as the body's largest radius [m].
+double churn(const VertexWater& water, const hydro::Sea& sea, const hydro::BodyState& state,
+             const Eigen::Matrix3Xd& points_W, double radius);
 
 }  // namespace render

@@ -25,7 +25,17 @@ Eigen::Matrix4d clip_from_eye(const View& v) {
   return projection * rotation;
 }
 
+/// Returns the largest of 1, 2, 5 times a power of ten that is at most `length`.
+double round_length(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  for (const double factor : {5.0, 2.0})
+    if (length >= factor * power) return factor * power;
+  return power;
+}
+
 }  // namespace
+
+double grid_length(const View& view) { return round_length(0.25 * picture_size(view)); }
 
 Eigen::Vector3d key_light(const View& view) {
   const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(view.right_W);

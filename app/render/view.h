@@ -40,6 +40,9 @@ struct View {
 /// Returns the visible height at the distance of the point looked at [m].
 inline double picture_size(const View& view) { return 2 * view.half_height * view.distance; }
 
+/// Returns the spacing of the grid lines on water and ground, a round number [m].
+double grid_length(const View& view);
+
 /// Returns the direction toward the main light, unit, over the camera's left shoulder, so that
 /// every view shows shape. In W; its z is positive.
 Eigen::Vector3d key_light(const View& view);

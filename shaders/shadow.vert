@@ -10,5 +10,5 @@ out float v_height;
 void main() {
   vec3 p_E = u_position + u_rotation * a_position_B;
   v_height = (p_E.z - u_cast_low) / u_cast_range;
-  gl_Position = vec4(2.0 * shade_place(p_E) - 1.0, 0.0, 1.0);
+  gl_Position = vec4(2.0 * plan_place(p_E) - 1.0, 0.0, 1.0);
 }

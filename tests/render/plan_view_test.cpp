@@ -1,4 +1,4 @@
-#include "app/render/shade.h"
+#include "app/render/plan_view.h"
 
 #include <gtest/gtest.h>
 
@@ -69,9 +69,9 @@ Vector3d across_light(const Scene& scene) {
   return Vector3d::UnitZ().cross(light_of(scene)).normalized();
 }
 
-class Shade : public testing::TestWithParam<Scene> {};
+class Shadow : public testing::TestWithParam<Scene> {};
 
-TEST_P(Shade, FallsWhereTheRayOfTheLightMeetsWaterOrGround) {
+TEST_P(Shadow, FallsWhereTheRayOfTheLightMeetsWaterOrGround) {
   const Scene& scene = GetParam();
   const Vector3d ball = scene.states[0].position;
   // Well within its rim the shadow is whole, and takes the main light, more than a fifth of all
@@ -83,7 +83,7 @@ TEST_P(Shade, FallsWhereTheRayOfTheLightMeetsWaterOrGround) {
     EXPECT_NEAR(taken(scene, shadow_of(scene, ball + off * across)), 0, 0.01) << off;
 }
 
-TEST_P(Shade, GrowsSoftlyFromItsRim) {
+TEST_P(Shadow, GrowsSoftlyFromItsRim) {
   const Scene& scene = GetParam();
   const Vector3d ball = scene.states[0].position;
   const double whole = taken(scene, shadow_of(scene, ball));
@@ -96,15 +96,15 @@ std::string name_of(const testing::TestParamInfo<Scene>& info) {
   return info.param.picture.sea ? "OnWater" : "OnGround";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Shade, testing::Values(over_water(), over_ground()), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, Shadow, testing::Values(over_water(), over_ground()), name_of);
 
-TEST(ShadeOfGround, IsOfWhatIsAboveItAlone) {
+TEST(ShadowOnGround, IsOfWhatIsAboveItAlone) {
   Scene sunk = over_ground();
   sunk.states[0].position.z() = -3;
   EXPECT_EQ(taken(sunk, shadow_of(sunk, sunk.states[0].position)), 0);
 }
 
-TEST(ShadeOfWater, IsOfWhatIsAboveItAlone) {
+TEST(ShadowOnWater, IsOfWhatIsAboveItAlone) {
   Scene sunk = over_water();
   sunk.states[0].position.z() = -3;
   // The ray through the ball meets the surface before the ball.
@@ -112,11 +112,65 @@ TEST(ShadeOfWater, IsOfWhatIsAboveItAlone) {
   EXPECT_NEAR(taken(sunk, place), 0, 0.01);
 }
 
-TEST(ShadedPart, HoldsTheBodiesNearThePointLookedAtAlone) {
+/// A ball of radius 1 m, its middle at a height over still water, seen from above.
+Scene plunging_ball(double height, double speed) {
+  Scene scene = over_water();
+  scene.picture.camera = {.from = {0, -3, 14}, .to = {0, 0, 0}, .field_of_view = 0.5};
+  scene.states[0].position = {0, 0, height};
+  scene.states[0].linear_velocity = {0, 0, -speed};
+  return scene;
+}
+
+/// Mean brightness over the right half of a circle about the ball on the water; the shadow falls on
+/// the left one.
+double brightness_about(const Scene& scene, double radius) {
+  render::Renderer renderer(scene.picture, pictures::shader_folder());
+  const Image image = renderer.draw(scene.states, 0);
+  constexpr int kPoints = 60;
+  double sum = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = -1.2 + 2.4 * i / kPoints;
+    sum +=
+        brightness(image, renderer.view(), radius * Vector3d(std::cos(angle), std::sin(angle), 0));
+  }
+  return sum / kPoints;
+}
+
+/// How much brighter the water is at a radius for the speed of the ball.
+double foam_at(double radius, double height, double speed) {
+  return brightness_about(plunging_ball(height, speed), radius) -
+         brightness_about(plunging_ball(height, 0), radius);
+}
+
+TEST(Foam, LiesAboutTheWaterlineOfAMovingBodyAlone) {
+  // The ball is cut at its equator. The foam ends some 12 texels off, of 232 that are 2.7 m wide.
+  EXPECT_GT(foam_at(1.03, 0, 3), 100);
+  EXPECT_LT(foam_at(1.08, 0, 3), foam_at(1.03, 0, 3) - 20);
+  EXPECT_NEAR(foam_at(1.4, 0, 3), 0, 1);
+  EXPECT_NEAR(foam_at(1.03, 1.5, 3), 0, 1) << "in the air";
+  EXPECT_NEAR(foam_at(1.03, -1.5, 3), 0, 1) << "under water";
+}
+
+TEST(Foam, IsMoreForAFasterBody) {
+  EXPECT_GT(foam_at(1.03, 0, 0.5), 20);
+  EXPECT_GT(foam_at(1.03, 0, 1), foam_at(1.03, 0, 0.5) + 20);
+}
+
+TEST(Foam, OfABodyThatTheWaterCarriesIsThatOfOneAtRest) {
+  Scene scene = plunging_ball(0, 0);
+  const double at_rest = brightness_about(scene, 1.03);
+  scene.picture.sea->current = {2, 1, 0};
+  scene.states[0].linear_velocity = scene.picture.sea->current;
+  EXPECT_EQ(brightness_about(scene, 1.03), at_rest);
+  scene.states[0].linear_velocity.setZero();
+  EXPECT_GT(brightness_about(scene, 1.03), at_rest + 50);
+}
+
+TEST(PlanPart, HoldsTheBodiesNearThePointLookedAtAlone) {
   const Scene scene = over_ground();
   const View view = render::make_view(scene.picture.camera, 320, 240);
   const auto side = [&](const std::vector<render::Ball>& balls) {
-    return 1 / render::shaded_part(view, balls).square.z();
+    return 1 / render::plan_part(view, balls).square.z();
   };
   const auto at = [&](double y) { return render::Ball{Vector3d(0, y, 0) - view.eye_W, 1}; };
   const double one = side({at(0)});

@@ -1,0 +1,12 @@
+// Adds up the faces of a body under water, those that face down less those that face up: what is left
+// is the part of the water's surface that the body takes.
+
+uniform float u_churn;  // how much the body churns the water, from 0 to 1
+
+in float v_depth;
+out vec4 o_color;
+
+void main() {
+  if (v_depth < 0.0) discard;
+  o_color = vec4(0.0, 0.0, 0.0, gl_FrontFacing ? -u_churn : u_churn);
+}
