@@ -60,15 +60,15 @@ install_missing() {
   rm -f "${TMPDIR:-/tmp}/plimsoll-apt.$$"
 }
 
-# build PRESET FOLDER TARGET: configures where that has not been done, or was done before what the
-# target needs was installed, and builds what has changed. Two at once in one folder wait for each
-# other.
+# build PRESET FOLDER TARGET [KNOWN]: configures where that has not been done, or was done before what
+# the target KNOWN (TARGET) needs was installed, and builds what has changed. Two at once in one
+# folder wait for each other.
 build() {
-  local preset=$1 folder=$root/$2 target=$3
+  local preset=$1 folder=$root/$2 target=$3 known=${4:-$3}
   mkdir -p "$folder"
   exec 9> "$folder/.lock"
   flock 9
-  if [[ ! -f $folder/build.ninja ]] || ! ninja -C "$folder" -t query "$target" &> /dev/null; then
+  if [[ ! -f $folder/build.ninja ]] || ! ninja -C "$folder" -t query "$known" &> /dev/null; then
     say "plimsoll: configuring ($preset)"
     (cd "$root" && cmake --preset "$preset" > "$folder/configure.log" 2>&1) || {
       cat "$folder/configure.log" >&2
