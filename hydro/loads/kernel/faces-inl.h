@@ -21,6 +21,10 @@ namespace hydro::kernel::HWY_NAMESPACE {
 
 /// The state of a walk: its sums, and the pieces that wait until they fill a vector.
 struct LoadWalk {
+  // Of an aggregate GCC 12 sets all 77 kB to zero first, which takes longer than many a walk.
+  LoadWalk(const Panels& of, const LoadInputs& with, Sums& to)
+      : panels(of), in(with), sums(to), turns(with) {}
+
   const Panels& panels;
   const LoadInputs& in;
   Sums& sums;

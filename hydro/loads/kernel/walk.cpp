@@ -171,7 +171,7 @@ HWY_INLINE void take_leaf(LoadWalk& work, const Node& leaf, Wetness wet) {
 /// there.
 void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int branch, Chunks* chunks,
           Sums& sums) {
-  LoadWalk work{panels, in, sums, {}, {}, {}, Turns(in)};
+  LoadWalk work(panels, in, sums);
   if (in.surface && in.surface->is_airy())
     work.velocity_error = allowed_velocity_error(in, tree.nodes[0]);
   Factors factors = factors_of(in);
