@@ -14,7 +14,8 @@ uniform bool u_under;        // true: the eye is under water
 uniform float u_grid;        // spacing of the grid lines on ground and water [m]
 uniform vec3 u_grid_shift;   // the eye's position in its cell of that grid [m]
 uniform sampler2D u_plan;    // share of the main light that bodies take (r), that times their height
-                             // (g), and how they churn the water at their place (a)
+                             // (g), share of the water's surface that they take (b), and that
+                             // times how much they churn it (a)
 uniform vec3 u_plan_part;    // middle of what u_plan covers, as a point of E cast along the light
                              // onto z = 0 (x, y) [m], and 1 over the length of a side (z) [1/m]
 uniform float u_cast_low;    // z of the height 0 in u_plan, in E [m]

@@ -8,5 +8,6 @@ out vec4 o_color;
 
 void main() {
   if (v_depth < 0.0) discard;
-  o_color = vec4(0.0, 0.0, 0.0, gl_FrontFacing ? -u_churn : u_churn);
+  float sign = gl_FrontFacing ? -1.0 : 1.0;
+  o_color = vec4(0.0, 0.0, sign, sign * u_churn);
 }

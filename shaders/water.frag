@@ -44,15 +44,16 @@ float noise(ivec2 cell) {
 
 // Returns the opacity of the foam. Its patches are the same in each cell of the grid of lines.
 float foam(vec3 p_E) {
-  float churned = texture(u_plan, foam_place(p_E)).a;
-  if (churned < 0.01) return 0.0;
+  vec2 taken = texture(u_plan, foam_place(p_E)).ba;
+  if (taken.y < 0.01) return 0.0;
   vec2 place = float(k_patches) * fract(grid_cells(p_E));
   ivec2 cell = ivec2(floor(place));
   vec2 f = smoothstep(0.0, 1.0, place - vec2(cell));
   float patches = mix(mix(noise(cell), noise(cell + ivec2(1, 0)), f.x),
                       mix(noise(cell + ivec2(0, 1)), noise(cell + ivec2(1, 1)), f.x), f.y);
-  float most = clamp(2.0 * churned, 0.0, 1.0);  // at the edge of a body the blur leaves the half
-  return k_most_foam * smoothstep(0.0, 0.9, most * (0.5 + patches));
+  float most = clamp(2.0 * taken.y, 0.0, 1.0);  // at the edge of a body the blur leaves the half
+  float outside = 1.0 - smoothstep(0.5, 0.7, taken.x);
+  return k_most_foam * outside * smoothstep(0.0, 0.9, most * (0.5 + patches));
 }
 
 float fresnel(float cosine) { return 0.02 + 0.98 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }

@@ -57,7 +57,7 @@ void PlanView::begin() const {
 
 void PlanView::begin_foam() const {
   gl_->BlendEquation(GL_FUNC_ADD);
-  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_TRUE, GL_TRUE);
 }
 
 void PlanView::blur(const Target& from, const Target& to, const Eigen::Vector3d& axis,

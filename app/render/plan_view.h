@@ -16,16 +16,16 @@ namespace render {
 /// bodies.
 ///
 /// Shadows: each texel tells how much of the light the highest body takes, and how high that is, so
-/// that nothing above it is shaded. Foam: each texel tells how much of the water's surface a body
-/// takes that floats in it, times how much that body churns the water. Both are soft at their edges
-/// by a fixed number of texels, so that the foam that is left beside a body lies about its
+/// that nothing above it is shaded. Foam: each texel tells how much of the water's surface the
+/// bodies take that float in it, and that times how much they churn the water. Both are soft at
+/// their edges by a fixed number of texels, so that what is left beside a body lies about its
 /// waterline.
 ///
 /// The context must be current in all functions and when the object is destroyed.
 class PlanView {
  public:
-  static constexpr int kSize = 256;  ///< Texels along a side.
-  static constexpr int kUnit = 1;    ///< Unit of the texture that shaders read.
+  static constexpr int kSize = 256;   ///< Texels along a side.
+  static constexpr int kUnit = 1;     ///< Unit of the texture that shaders read.
   static constexpr int kMargin = 12;  ///< Texels along each border that have room for the blur.
 
   PlanView(const GlFunctions& gl, const std::filesystem::path& shaders);
