@@ -21,9 +21,8 @@ struct DrawnBody {
   GlMesh mesh;
   GlMesh edges;  ///< All edges of the mesh for a wireframe, else its creases.
 
-  /// The water about it in the present picture.
-  bool wet = false;
-  double churn = 0;  ///< How much it churns the surface, 0 where it does not reach it.
+  bool wet = false;  ///< A part of it is under water in the present picture.
+  double churn = 0;  ///< How much it churns the surface then; 0 where it does not reach it.
 };
 
 /// @param longest_edge   Length above which edges are split [m].

@@ -44,7 +44,7 @@ PlanView::Target PlanView::make_target() const {
   return target;
 }
 
-void PlanView::begin() const {
+void PlanView::begin_shadows() const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, sharp_.framebuffer);
   gl_->Viewport(0, 0, kSize, kSize);
   gl_->Clear(GL_COLOR_BUFFER_BIT);

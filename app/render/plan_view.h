@@ -33,8 +33,8 @@ class PlanView {
   PlanView(const PlanView&) = delete;
   PlanView& operator=(const PlanView&) = delete;
 
-  /// Empties the texture and makes it what is drawn on.
-  void begin() const;
+  /// Empties the texture and makes it what is drawn on, by shadows first.
+  void begin_shadows() const;
   /// Draws the shadows of bodies on the texture, with the uniforms of shaders/body.vert. Its view
   /// must be set.
   const GlProgram& shadows() const { return shadows_; }

@@ -180,7 +180,7 @@ void Renderer::Impl::draw_plan(const std::vector<hydro::BodyState>& states, doub
   for (std::size_t i = 0; i < states.size(); ++i)
     casters.push_back({states[i].position - view_.eye_W, bodies_[i].radius});
   plan_part_ = plan_part(view_, casters);
-  plan_.begin();
+  plan_.begin_shadows();
   set_view(plan_.shadows(), time);
   draw_bodies(plan_.shadows(), states);
   draw_rigging(plan_.shadows(), rigging);

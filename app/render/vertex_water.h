@@ -20,8 +20,9 @@ struct VertexWater {
 VertexWater vertex_water(const hydro::Sea& sea, const hydro::AiryWaves& waves,
                          const Eigen::Matrix3Xd& points_W, double time);
 
-/// Returns how much a body at the surface churns the water, from 0 to 1, by the mean speed of its
-/// vertices through it over that of a wave as long as the body's largest radius [m].
+/// Returns how much a body at the surface churns the water, from a little at rest to 1: by the mean
+/// speed of its vertices through the water, over that of a deep-water wave twice as long as
+/// `radius` [m], that of the body.
 double churn(const VertexWater& water, const hydro::Sea& sea, const hydro::BodyState& state,
              const Eigen::Matrix3Xd& points_W, double radius);
 
