@@ -74,7 +74,7 @@ std::size_t address_space() {
 
 /// What the kernel tells of the threads other than the caller.
 struct OtherThreads {
-  bool asleep = true;    ///< whether each waits, and not in the kernel
+  bool asleep = true;    ///< whether each sleeps, not waiting for memory
   std::string switches;  ///< how often each has begun and ceased to run; the same if none has run
 };
 
