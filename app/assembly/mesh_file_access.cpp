@@ -67,19 +67,32 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 MeshFileAccess::MeshFileAccess(const fs::path& file)
     : file_(fs::canonical(file)), folder_(fs::canonical(fs::absolute(file).parent_path())) {}
 
-bool MeshFileAccess::allows(const char* path) const {
+fs::path MeshFileAccess::allowed(const char* path) const {
   std::error_code error;
   const fs::path file = fs::canonical(path, error);
-  if (error || !fs::is_regular_file(file, error)) return false;
-  return file == file_ || lies_in(file, folder_);
+  if (error || !fs::is_regular_file(file, error)) return {};
+  return file == file_ || lies_in(file, folder_) ? file : fs::path();
 }
 
-bool MeshFileAccess::Exists(const char* path) const { return allows(path); }
+bool MeshFileAccess::Exists(const char* path) const { return !allowed(path).empty(); }
 
 Assimp::IOStream* MeshFileAccess::Open(const char* path, const char* mode) {
-  if (mode == nullptr || mode[0] != 'r' || !allows(path)) return nullptr;
+  const fs::path file = allowed(path);
+  if (mode == nullptr || mode[0] != 'r' || file.empty()) return nullptr;
   std::FILE* const stream = open_regular(path);
-  return stream == nullptr ? nullptr : new ReadStream(stream);
+  if (stream == nullptr) return nullptr;
+  opened_.insert(file);
+  return new ReadStream(stream);
+}
+
+std::uintmax_t MeshFileAccess::bytes_opened() const {
+  std::uintmax_t bytes = 0;
+  for (const fs::path& file : opened_) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (!error) bytes += size;
+  }
+  return bytes;
 }
 
 void MeshFileAccess::Close(Assimp::IOStream* stream) { delete stream; }

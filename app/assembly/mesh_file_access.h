@@ -1,7 +1,9 @@
 #pragma once
 
 #include <assimp/IOSystem.hpp>
+#include <cstdint>
 #include <filesystem>
+#include <set>
 
 namespace assembly {
 
@@ -18,11 +20,16 @@ class MeshFileAccess : public Assimp::IOSystem {
   Assimp::IOStream* Open(const char* path, const char* mode) override;
   void Close(Assimp::IOStream* stream) override;
 
- private:
-  bool allows(const char* path) const;
+  /// Size of all files that have been opened.
+  std::uintmax_t bytes_opened() const;
 
-  std::filesystem::path file_;    ///< Canonical.
-  std::filesystem::path folder_;  ///< Canonical; of the name by which the file was given.
+ private:
+  /// The file's canonical path; empty if it may not be read.
+  std::filesystem::path allowed(const char* path) const;
+
+  std::filesystem::path file_;              ///< Canonical.
+  std::filesystem::path folder_;            ///< Canonical; of the name by which the file was given.
+  std::set<std::filesystem::path> opened_;  ///< Canonical.
 };
 
 }  // namespace assembly

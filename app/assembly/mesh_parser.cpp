@@ -97,10 +97,20 @@ Eigen::Affine3d transformation(const aiMatrix4x4& m) {
   return X;
 }
 
+/// Vertices that a file may have for each of its bytes, where they are more than kMostOfSmallFile.
+/// A file of some kilobytes may place a part a billion times, or make spheres.
+constexpr std::size_t kVerticesOfByte = 8;
+constexpr std::size_t kMostOfSmallFile = 3'000'000;
+
 /// Joins the parts of a file into one mesh.
 class Collector {
  public:
-  Collector(const fs::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
+  /// @param bytes   Size of all files that the scene has been read from.
+  Collector(const fs::path& file, const aiScene& scene, std::size_t bytes)
+      : file_(file),
+        scene_(scene),
+        bytes_(bytes),
+        most_(std::min(kMostVertices, std::max(kMostOfSmallFile, kVerticesOfByte * bytes))) {}
 
   /// Adds the parts of a node and of those below. @param X   From the node to the file's frame.
   void add(const aiNode& node, const Eigen::Affine3d& X, int depth = 0) {
@@ -123,11 +133,11 @@ class Collector {
 
  private:
   void add(const aiMesh& part, const Eigen::Affine3d& X) {
-    // A file of some kilobytes may place a part a billion times.
-    if (vertices_.size() / 3 + part.mNumVertices > kMostVertices)
+    if (vertices_.size() / 3 + part.mNumVertices > most_)
       throw scene::InputError(
-          file_, fmt::format("its parts, with all instances, have more than {} million vertices",
-                             kMostVertices / 1'000'000));
+          file_, fmt::format("its parts, with all instances, have more than {} vertices, the most "
+                             "that are read from {} bytes",
+                             most_, bytes_));
     const int first = static_cast<int>(vertices_.size() / 3);
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
       const aiVector3D& v = part.mVertices[i];
@@ -163,6 +173,8 @@ class Collector {
 
   const fs::path& file_;
   const aiScene& scene_;
+  std::size_t bytes_;
+  std::size_t most_;
   std::vector<double> vertices_;
   std::vector<int> faces_;
 };
@@ -249,7 +261,8 @@ MeshFile parse_by_assimp(const fs::path& file, scene::MeshFormats formats) {
   auto& importer = *new Assimp::Importer;
   require_known_format(file, formats, importer);
   if (is_common_mesh_format(file)) keep_common_readers(importer);
-  importer.SetIOHandler(new MeshFileAccess(file));
+  auto& access = *new MeshFileAccess(file);  // The importer's from here on.
+  importer.SetIOHandler(&access);
   // Keep the file's frame: the Collada reader would turn it to y up.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
@@ -260,7 +273,7 @@ MeshFile parse_by_assimp(const fs::path& file, scene::MeshFormats formats) {
   if (!scene)
     throw scene::InputError(file, "not a sound mesh file: " + printable(importer.GetErrorString()));
   const StatedFrame frame = stated_frame(file, *scene);
-  Collector parts(file, *scene);
+  Collector parts(file, *scene, static_cast<std::size_t>(access.bytes_opened()));
   if (const aiNode* root = scene->mRootNode) parts.add(*root, root_to_file(file, *root, frame));
   return {parts.mesh(), frame, Rounding::of_floats};
 }

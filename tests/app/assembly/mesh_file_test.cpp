@@ -138,6 +138,14 @@ TEST_F(HostileMesh, NodesNestedWithoutEndAreAFault) {
   EXPECT_THAT(fault_of(file), HasSubstr(file.string()));
 }
 
+TEST_F(HostileMesh, SpheresOfAFewBytesEachAreAFaultWhereTheyAreManyMillionVertices) {
+  std::string text = "f 1 1 1 0.5 0.5 0 0 0\n";
+  for (int i = 0; i < 300; ++i) text += "s " + std::to_string(i) + " 0 0 1\n";
+  EXPECT_THAT(fault_of(write("spheres.nff", text), MeshFormats::any),
+              HasSubstr("more than 3000000 vertices, the most that are read from"));
+  EXPECT_EQ(fault_of(write("sphere.nff", text.substr(0, text.find("s 1 "))), MeshFormats::any), "");
+}
+
 TEST_F(HostileMesh, HeadsThatAreCutOffAreFaults) {
   EXPECT_THAT(fault_of(write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n")),
               HasSubstr("its head has no end"));
