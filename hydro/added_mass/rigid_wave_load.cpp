@@ -32,9 +32,10 @@ AddedMassSolution rigid_potentials(const TriMesh& mesh) {
 /// The least solution of M a = b for a semi-definite M.
 Vector6d least_solution(const Matrix6d& M, const Vector6d& b) {
   const EigenDecomposition6 eigen = eigen_decomposition(M);
+  const double least = kLeast * eigen.values.maxCoeff();
   Vector6d inverse = Vector6d::Zero();
   for (int i = 0; i < 6; ++i)
-    if (eigen.values[i] > kLeast * eigen.values[5]) inverse[i] = 1 / eigen.values[i];
+    if (eigen.values[i] > least) inverse[i] = 1 / eigen.values[i];
   return eigen.vectors * inverse.cwiseProduct(eigen.vectors.transpose() * b);
 }
 

@@ -17,7 +17,7 @@ Matrix6d semi_definite_part(const Matrix6d& matrix) {
   const Matrix6d symmetric = 0.5 * (matrix + matrix.transpose());
   if (Cholesky6(symmetric).positive_definite()) return symmetric;
   const EigenDecomposition6 eigen = eigen_decomposition(symmetric);
-  if (eigen.values[0] >= 0) return symmetric;
+  if (eigen.values.minCoeff() >= 0) return symmetric;
   const Vector6d kept = eigen.values.cwiseMax(0);
   const Matrix6d part = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
   return 0.5 * (part + part.transpose());
