@@ -20,6 +20,8 @@ struct UpdateContext {
   const Body& body = moving.body;
   Vector6d u = midpoint.mean();  ///< Halfway without the loads, in W, relative to the water.
   Mobility mobility = engine::mobility(body, midpoint.motion->state);
+  mutable std::optional<Matrix6d> known_S;  ///< Once it was asked for.
+  mutable std::optional<hydro::Cholesky6> known_factor;
 
   const hydro::BodyState& state() const { return midpoint.motion->state; }
   const hydro::Loads& water() const { return moving.cache.loads.water; }
@@ -30,11 +32,17 @@ struct UpdateContext {
     return to_vector6(find_loads(moving, at(relative), time));
   }
   /// S, with what the memory of waves and stiff lines add.
-  Matrix6d S() const {
-    Matrix6d S = inertia_W(body, midpoint);
-    if (midpoint.memory) S += midpoint.memory->inertia;
-    if (midpoint.rig_inertia) S += *midpoint.rig_inertia;
-    return S;
+  const Matrix6d& S() const {
+    if (!known_S) {
+      known_S = inertia_W(body, midpoint);
+      if (midpoint.memory) *known_S += midpoint.memory->inertia;
+      if (midpoint.rig_inertia) *known_S += *midpoint.rig_inertia;
+    }
+    return *known_S;
+  }
+  const hydro::Cholesky6& factor_of_S() const {
+    if (!known_factor) known_factor.emplace(S());
+    return *known_factor;
   }
   /// True if S is more than M.
   bool has_more_inertia() const { return body.has_added_mass || midpoint.rig_inertia; }
@@ -56,7 +64,8 @@ struct UpdateContext {
   }
   /// S⁻¹ rhs in the free velocities.
   Vector6d accelerated(const Vector6d& rhs) const {
-    if (has_more_inertia() || body.locked || body.reduced_joint) return solve(S(), rhs);
+    if (body.locked || body.reduced_joint) return solve(S(), rhs);
+    if (has_more_inertia()) return factor_of_S().solve(rhs);
     const Eigen::Matrix3d& R_WB = midpoint.R_WB;
     return to_vector6(rhs.head<3>() / body.spec->mass,
                       R_WB * (body.inverse_inertia_B * (R_WB.transpose() * rhs.tail<3>())));
@@ -150,7 +159,7 @@ double theta(double stiffness) {
 
 /// ζ: the largest eigenvalue of −h J in the metric of S.
 double largest_stiffness(const UpdateContext& s, const Matrix6d& J) {
-  return std::max(0.0, -s.h * hydro::eigenvalues(hydro::Cholesky6(s.S()).relative(J))[0]);
+  return std::max(0.0, -s.h * hydro::eigenvalues(s.factor_of_S().relative(J))[0]);
 }
 
 hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative) {
@@ -162,7 +171,7 @@ hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative) {
 /// water may seem to lie on top of a body than below it.
 Matrix6d with_waterplane(const UpdateContext& s, const Matrix6d& K) {
   const Matrix6d less = s.h * s.h / 4 * K;
-  const Matrix6d S = s.S();
+  const Matrix6d& S = s.S();
   return hydro::Cholesky6(S / 2 - less).positive_definite() ? Matrix6d(S - less) : S;
 }
 
@@ -288,7 +297,7 @@ VelocityUpdate resolve_with_inertia(MovingBody& moving, const MidpointState& mid
   if (last.implicit) return free_update(moving, midpoint, time, h);
   const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   VelocityUpdate update = last;
-  update.change = s.solve(s.S(), h * s.with_memory(last.load));
+  update.change = s.accelerated(h * s.with_memory(last.load));
   return update;
 }
 
