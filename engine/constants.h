@@ -144,10 +144,12 @@ inline constexpr int kMostLinearisations = 6;  ///< Linearisations of the loads 
 inline constexpr double kLedAway = 1e4;
 inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half steps.
 /// Change of the velocities by a sweep, as the root of its energy over that of the motion, after
-/// which an island is solved [-]; and a heap, an island of more contacts than take Newton steps.
-/// Points of contact that ask for different speeds while friction holds them together come nearer
-/// to each other only slowly.
+/// which an island under joints or lines is solved [-]; one under contacts alone; and a heap, of
+/// more contacts than take Newton steps. Points of contact that ask for different speeds while
+/// friction holds them together come nearer to each other only slowly, and where one is about to
+/// slide or to lift off, Newton steps lead around the solution at some 1e-8.
 inline constexpr double kSolvedIsland = 1e-9;
+inline constexpr double kSolvedContacts = 1e-6;
 inline constexpr double kSolvedHeap = 1e-4;
 inline constexpr double kAcceptedMiss = 1e-3;  ///< The same, beyond which it counts as not solved.
 inline constexpr int kMostSweeps = 40;         ///< Sweeps for one linearisation of the loads.

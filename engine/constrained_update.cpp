@@ -74,8 +74,8 @@ double motion_energy(const Problem& problem) {
 
 /// What an island is under, beside its lines and drives.
 struct Constraints {
-  std::vector<JointFrames> joints;
-  std::vector<Contact> contacts;
+  const std::vector<JointFrames>& joints;
+  const std::vector<Contact>& contacts;
   double joint_error = 1;  ///< Part of the error of joints that is taken back.
 };
 
@@ -89,6 +89,7 @@ std::vector<ConstraintBlock> blocks_of(const Problem& problem, const Constraints
   };
   const double h = problem.h;
   std::vector<ConstraintBlock> blocks;
+  blocks.reserve(3 * constraints.joints.size() + constraints.contacts.size() + island.rows.size());
   for (const JointFrames& joint : constraints.joints)
     add_joint_blocks(joint, state_of(joint.bodies[0]), state_of(joint.bodies[1]), h, blocks);
   for (ConstraintBlock& block : blocks) block.target *= constraints.joint_error;
@@ -176,6 +177,7 @@ void keep_forces(const std::vector<ConstraintBlock>& blocks,
 Answer solve(const Problem& problem, const Constraints& constraints) {
   const Island& island = problem.island;
   std::vector<ConstrainedBody> bodies;
+  bodies.reserve(island.bodies.size());
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Pushed& b = problem.bodies[i];
     bodies.push_back({island.bodies[i]->id, b.S, b.mobility, b.unconstrained(problem.h)});
@@ -186,6 +188,8 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
                         std::sqrt(2 * motion_energy(problem)));
   keep_forces(blocks, found.impulses, problem);
   Answer answer{.joints = joint_reactions(problem, constraints.joints, blocks, found.impulses)};
+  answer.changes.reserve(bodies.size());
+  answer.reactions.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Pushed& b = problem.bodies[i];
     const Vector6d change = found.velocities[i] - b.before;
@@ -203,17 +207,16 @@ Answer solve(const Problem& problem) {
   const Island& island = problem.island;
   std::vector<BodyId> ids;
   for (const SubstepBody* b : island.bodies) ids.push_back(b->id);
-  Constraints constraints{problem.context.world.joints_of(ids), island.contacts};
-  const Answer answer = solve(problem, constraints);
-  const bool jointed = !constraints.joints.empty();
+  const std::vector<JointFrames> joints = problem.context.world.joints_of(ids);
+  const Answer answer = solve(problem, {joints, island.contacts});
+  const bool jointed = !joints.empty();
   if (!jointed && !restores(island.contacts)) return answer;
   std::vector<Vector6d> before;
   for (const Pushed& b : problem.bodies) before.push_back(b.before + b.jump);
   const double most = jointed ? kJointWork * motion_energy(problem) : 0;
   if (!gains(answer, before, problem.h, most)) return answer;
-  constraints.contacts = without_restitution(island.contacts);
-  constraints.joint_error = 0;
-  return without_gain(solve(problem, constraints), answer, before, problem.h, most);
+  const std::vector<Contact> contacts = without_restitution(island.contacts);
+  return without_gain(solve(problem, {joints, contacts, 0}), answer, before, problem.h, most);
 }
 
 /// True if the changes agree with those that the loads were linearised about.

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <ranges>
+#include <utility>
 
 #include "engine/constants.h"
 
@@ -84,8 +86,10 @@ class System {
         if (block(i, j) != 0) entries_.emplace_back(r + i, c + j, block(i, j));
   }
 
-  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b) const {
-    if (dense_.size() > 0) return finite(dense_.partialPivLu().solve(b));
+  /// Overwrites a dense system by its factors.
+  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b) {
+    if (dense_.size() > 0)
+      return finite(Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(dense_).solve(b));
     Eigen::SparseMatrix<double> matrix(size_, size_);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
@@ -104,30 +108,33 @@ class System {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// The sides of blocks at each body.
+/// A side of a block at a body.
 struct Touch {
+  int body;
   std::size_t block;
   int side;
 };
-std::vector<std::vector<Touch>> touches(const std::vector<PreparedBlock>& blocks,
-                                        std::size_t bodies) {
-  std::vector<std::vector<Touch>> at(bodies);
+
+/// By body, then by block.
+std::vector<Touch> touches(const std::vector<PreparedBlock>& blocks) {
+  std::vector<Touch> all;
+  all.reserve(2 * blocks.size());
   for (std::size_t k = 0; k < blocks.size(); ++k)
     for (int side = 0; side < 2; ++side)
-      if (blocks[k].place(side) >= 0)
-        at[static_cast<std::size_t>(blocks[k].place(side))].push_back({k, side});
-  return at;
+      if (blocks[k].place(side) >= 0) all.push_back({blocks[k].place(side), k, side});
+  std::ranges::sort(all, {}, [](const Touch& t) { return std::pair(t.body, t.block); });
+  return all;
 }
 
 }  // namespace
 
 std::optional<std::vector<Vector3d>> newton_step(const std::vector<PreparedBlock>& blocks,
-                                                 std::size_t bodies,
                                                  const std::vector<Vector3d>& impulses,
                                                  const std::vector<Vector6d>& velocities) {
   if (3 * blocks.size() > kMostNewtonRows) return std::nullopt;
   System system(blocks.size());
   std::vector<Equations> rows;
+  rows.reserve(blocks.size());
   Eigen::VectorXd b(3 * static_cast<Index>(blocks.size()));
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const PreparedBlock& block = blocks[k];
@@ -145,13 +152,18 @@ std::optional<std::vector<Vector3d>> newton_step(const std::vector<PreparedBlock
     const Matrix3d own = e.P + e.Q * block.compliance().asDiagonal();
     system.add(k, k, own * scale.cwiseInverse().asDiagonal());
   }
-  for (const std::vector<Touch>& touching : touches(blocks, bodies))
-    for (const Touch& r : touching)
-      for (const Touch& c : touching)
+  const std::vector<Touch> all = touches(blocks);
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last =
+        std::find_if(first, all.end(), [&](const Touch& t) { return t.body != first->body; });
+    for (const Touch& r : std::ranges::subrange(first, last))
+      for (const Touch& c : std::ranges::subrange(first, last))
         system.add(r.block, c.block,
                    rows[r.block].Q *
                        (blocks[r.block].block().J[r.side] * blocks[c.block].spread(c.side)) *
                        blocks[c.block].scale().cwiseInverse().asDiagonal());
+    first = last;
+  }
   const std::optional<Eigen::VectorXd> change = system.solve(b);
   if (!change) return std::nullopt;
   std::vector<Vector3d> next = impulses;

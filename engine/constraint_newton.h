@@ -32,9 +32,8 @@
 namespace engine {
 
 /// p + δ; none if the island has too many rows, or the equations have no solution.
-/// @param bodies   Number of bodies.
 std::optional<std::vector<Eigen::Vector3d>> newton_step(
-    const std::vector<PreparedBlock>& blocks, std::size_t bodies,
-    const std::vector<Eigen::Vector3d>& impulses, const std::vector<Vector6d>& velocities);
+    const std::vector<PreparedBlock>& blocks, const std::vector<Eigen::Vector3d>& impulses,
+    const std::vector<Vector6d>& velocities);
 
 }  // namespace engine

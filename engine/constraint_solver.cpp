@@ -19,6 +19,7 @@ struct Iterate {
   const std::vector<PreparedBlock>& blocks;
   std::vector<Vector3d> impulses;
   std::vector<Vector6d> velocities;
+  std::vector<Vector6d> before = {};  ///< The last sweep.
 };
 
 /// (E36)
@@ -28,11 +29,11 @@ void find_velocities(Iterate& it) {
     it.blocks[k].push(it.impulses[k], it.velocities);
 }
 
-/// Root of the energy of the change of velocities from `before`.
-double change_size(const Iterate& it, const std::vector<Vector6d>& before) {
+/// Root of the energy of the change of velocities by the last sweep.
+double change_size(const Iterate& it) {
   double sum = 0;
   for (std::size_t i = 0; i < it.bodies.size(); ++i) {
-    const Vector6d change = it.velocities[i] - before[i];
+    const Vector6d change = it.velocities[i] - it.before[i];
     sum += change.dot(it.bodies[i].inertia * change);
   }
   return std::sqrt(sum);
@@ -41,7 +42,7 @@ double change_size(const Iterate& it, const std::vector<Vector6d>& before) {
 /// Solves every block once. @return the root of the energy of the change
 double sweep(Iterate& it, bool forward) {
   const std::size_t count = it.blocks.size();
-  const std::vector<Vector6d> before = it.velocities;
+  it.before = it.velocities;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = forward ? i : count - 1 - i;
     const PreparedBlock& block = it.blocks[k];
@@ -50,7 +51,7 @@ double sweep(Iterate& it, bool forward) {
     block.push(step, it.velocities);
     it.impulses[k] = found;
   }
-  return change_size(it, before);
+  return change_size(it);
 }
 
 /// The impulses in units in which the square of a change is its energy.
@@ -79,7 +80,9 @@ class Iteration {
             it_.blocks, [](const PreparedBlock& block) { return block.kind() != Kind::contact; })),
         takes_newton_steps_(3 * it_.blocks.size() <=
                             (jointed_ ? kMostNewtonRows : kMostContactRows)),
-        solved_(size * (jointed_ || takes_newton_steps_ ? kSolvedIsland : kSolvedHeap)) {}
+        solved_(size * (jointed_              ? kSolvedIsland
+                        : takes_newton_steps_ ? kSolvedContacts
+                                              : kSolvedHeap)) {}
 
   ConstraintSolution run() {
     missed_ = swept();
@@ -116,7 +119,7 @@ class Iteration {
     double least = start;
     for (int i = 0; i < kMostRowSteps && !converged(); ++i) {
       std::optional<std::vector<Vector3d>> next =
-          newton_step(it_.blocks, it_.bodies.size(), it_.impulses, it_.velocities);
+          newton_step(it_.blocks, it_.impulses, it_.velocities);
       if (!next) break;
       it_.impulses = *std::move(next);
       find_velocities(it_);

@@ -41,7 +41,8 @@ PreparedBlock::PreparedBlock(const ConstraintBlock& block,
   scale_ = response_.diagonal().cwiseSqrt();
   if (kind() == Kind::bilateral) inverse_ = response_.inverse();
   if (kind() != Kind::contact) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> slide(response_.bottomRightCorner<2, 2>());
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> slide;
+  slide.computeDirect(response_.bottomRightCorner<2, 2>());
   slide_response_ = slide.eigenvalues();
   slide_axes_ = slide.eigenvectors();
 }
