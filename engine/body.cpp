@@ -20,10 +20,6 @@ double relative_change(const Body& body, const Matrix6d& added_B, const Matrix6d
   return change.cwiseAbs().maxCoeff() / (body.rigid_B + added_B).diagonal().minCoeff();
 }
 
-std::optional<Matrix6d> unless_zero(const Matrix6d& matrix) {
-  return matrix.isZero(0) ? std::nullopt : std::optional<Matrix6d>(matrix);
-}
-
 /// The state with the projection of its momentum on the reduced joint.
 hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
   const Vector6d u = velocity(motion.state, Eigen::Vector3d::Zero());
@@ -97,8 +93,7 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time) {
   Motion motion{.state = state, .memory = still_memory(body), .held = water_at_start(body, state)};
-  if (body.has_added_mass)
-    motion.added_B = unless_zero(added_mass(body, state, motion.held.get(), time));
+  if (body.has_added_mass) set_added_mass(motion, added_mass(body, state, motion.held.get(), time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (spec.record_work) motion.work = {.added_energy_at_start = added_kinetic_energy(body, motion)};
   return motion;
@@ -194,14 +189,26 @@ Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldW
 }
 
 void set_added_mass(Motion& motion, const Matrix6d& added_B) {
-  motion.added_B = unless_zero(added_B);
+  if (added_B.isZero(0))
+    motion.added_B.reset();
+  else
+    motion.added_B = added_B;
+}
+
+double pose_distance(const Body& body, const hydro::BodyState& a, const hydro::BodyState& b) {
+  const Eigen::Quaterniond turn = a.orientation.conjugate() * b.orientation;
+  return (b.position - a.position).norm() + body.radius * 2 * turn.vec().norm();
+}
+
+double scaled_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
+  const Vector6d scale = (body.rigid_B + added_B).diagonal().cwiseSqrt().cwiseInverse();
+  return (scale.asDiagonal() * change * scale.asDiagonal()).cwiseAbs().maxCoeff();
 }
 
 AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
                                   const Matrix6d& taken_B, const Matrix6d& found_B) {
-  const Vector6d scale = (body.rigid_B + found_B).diagonal().cwiseSqrt().cwiseInverse();
-  const Matrix6d scaled = scale.asDiagonal() * (found_B - taken_B) * scale.asDiagonal();
-  if (scaled.cwiseAbs().maxCoeff() <= kEqualAddedMass) return AddedMassMatch::equal;
+  if (scaled_change(body, found_B, found_B - taken_B) <= kEqualAddedMass)
+    return AddedMassMatch::equal;
   // An update leaves at most this part of a difference.
   const double off = relative_change(body, taken_B, found_B - taken_B);
   const double change = relative_change(body, taken_B, found_B - start_B);

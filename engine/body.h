@@ -117,6 +117,12 @@ enum class AddedMassMatch {
   near,     ///< One more update leaves no difference that matters to the energy.
   distant,  ///< More updates are needed.
 };
+/// Distance of two poses that the hull feels [m]: of the centres, and by the turn at the radius.
+double pose_distance(const Body& body, const hydro::BodyState& a, const hydro::BodyState& b);
+
+/// Largest change of added mass in units in which the inertia with A is one [-].
+double scaled_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change);
+
 /// @param start_B   A at the start of the substep.
 /// @param taken_B   A that the substep was taken with.
 /// @param found_B   A of the pose that it led to.

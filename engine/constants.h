@@ -106,6 +106,9 @@ inline constexpr int kMostConstrainedPasses = 2;
 /// Difference of two added masses, over the inertia, that another update need not take up [-]. The
 /// motion goes on with the one that the update was taken with, so none is lost between them.
 inline constexpr double kEqualAddedMass = 1e-5;
+/// Estimated difference, over the inertia, that is not looked at [-]. It must be well below the
+/// other, as the added mass may change faster in other directions than in that of the motion.
+inline constexpr double kUnlookedAddedMass = 1e-6;
 /// Difference after the last update, over the inertia, without effect on the energy [-].
 inline constexpr double kUnmatchedAddedMass = 1e-4;
 

@@ -35,7 +35,10 @@ struct Motion {
   std::optional<WorkRecord> work;  ///< For a log of forces.
 
   /// A in B.
-  Matrix6d added() const { return added_B.value_or(Matrix6d::Zero()); }
+  const Matrix6d& added() const {
+    static const Matrix6d none = Matrix6d::Zero();
+    return added_B ? *added_B : none;
+  }
 };
 
 }  // namespace engine

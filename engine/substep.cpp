@@ -40,13 +40,23 @@ void begin_constrained(SubstepBody& b, double h) {
   b.predicted = smooth ? change_by_history(b.halfway, h) : Vector6d(Vector6d::Zero());
 }
 
-/// A where the body is expected at the end of the substep: one in contact goes on as it did.
-Matrix6d expected_added_mass(const SubstepBody& b, double end, double h) {
+/// Finds A where the body is expected at the end of the substep: one in contact goes on as it did.
+void expect_added_mass(SubstepBody& b, double end, double h) {
   const Stopwatch stopwatch(b.moving->cache.seconds);
   const hydro::BodyState& halfway = b.halfway.state;
   const Vector6d change = b.touching ? Vector6d(h * b.moving->motion.acceleration_W) : b.predicted;
   const Vector6d u = velocity(halfway, Eigen::Vector3d::Zero()) + change;
-  return added_mass(b.body(), displaced(b.body(), halfway, h / 2 * u), b.halfway.held.get(), end);
+  b.added_at = displaced(b.body(), halfway, h / 2 * u);
+  b.added_B = added_mass(b.body(), b.added_at, b.halfway.held.get(), end);
+}
+
+/// True if the body has ended so near to the pose of `added_B` that its added mass is the same, if
+/// it goes on to change as it has on the way to there.
+bool ends_as_expected(const SubstepBody& b) {
+  const double off = pose_distance(b.body(), b.added_at, b.end.state);
+  const double way = pose_distance(b.body(), b.start, b.added_at);
+  const double change = scaled_change(b.body(), b.added_B, b.added_B - b.halfway.added());
+  return change > 0 && change * off <= kUnlookedAddedMass * way;
 }
 
 /// The load of the rows of an island on a body: moment about the centre of mass, in W.
@@ -136,7 +146,7 @@ bool is_abrupt(const SubstepBody& b, double h) {
 AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   auto worst = AddedMassMatch::equal;
   for (SubstepBody* b : island.bodies) {
-    if (!b->body().has_added_mass) continue;
+    if (!b->body().has_added_mass || ends_as_expected(*b)) continue;
     const Stopwatch stopwatch(b->moving->cache.seconds);
     const Matrix6d found_B = added_mass(b->body(), b->end.state, b->end.held.get(), time);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
@@ -144,6 +154,7 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
     worst = std::max(worst, match);
     if (last_pass) b->end = share_momentum(b->body(), b->end, found_B);
     b->added_B = found_B;
+    b->added_at = b->end.state;
   }
   return worst;
 }
@@ -190,7 +201,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
     constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);
-    if (b->body().has_added_mass) b->added_B = expected_added_mass(*b, time + h, h);
+    if (b->body().has_added_mass) expect_added_mass(*b, time + h, h);
   }
   context.rig.find_loads(context, island, time + h / 2, h);
   // Updates are repeated until the added mass that they are taken with is that of the final pose.

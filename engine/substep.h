@@ -42,6 +42,7 @@ struct SubstepBody {
   Motion halfway;                                  ///< After half a drift, before the update.
   std::optional<Matrix6d> rig_inertia;             ///< What (E24) adds to S, in W.
   Matrix6d added_B = Matrix6d::Zero();             ///< A at the end that the update is taken with.
+  hydro::BodyState added_at;                       ///< The pose that it is that of.
   MidpointState midpoint;                          ///< Of `halfway`.
   VelocityUpdate update;                           ///< By loads and reactions.
   Vector6d predicted = Vector6d::Zero();           ///< Δu to linearise the loads about, in W.
