@@ -24,6 +24,12 @@ World::Placed placed(const SubstepBody& b) {
                       .matrix_B = b.body().rigid_B + motion.added()}};
 }
 
+constexpr std::size_t kLoneBodies = 16;  // Of a part.
+
+const std::vector<EnergyLimiter*> kNoLimiters;
+const std::vector<Pair> kNoPairs;
+const std::vector<ContactForce> kNoForces;
+
 /// True if the motion has no history yet and is about to get one.
 bool starts(const MovingBody& moving) {
   return moving.motion.accelerations.empty() && shows_trend(moving.body, moving.motion) &&
@@ -33,12 +39,14 @@ bool starts(const MovingBody& moving) {
 }  // namespace
 
 GroupStepper::GroupStepper(const StepContext& context, Group group,
-                           std::vector<EnergyLimiter*> limiters, std::vector<GroupStepper>& alone,
-                           const PastContacts& past, double step)
+                           std::vector<EnergyLimiter*> limiters,
+                           const std::vector<EnergyLimiter*>& own, const PastContacts& past,
+                           double step)
     : context_(context),
       group_(std::move(group)),
-      alone_(&alone),
+      own_(own),
       is_alone_(group_.bodies.size() == 1 && group_.joints.empty() && group_.near.empty()),
+      whole_step_(step),
       step_(step),
       shortest_((is_alone_ ? kShortestPart : kShortestConstrainedPart) * step),
       shortest_throw_((is_alone_ ? kShortestThrow : kShortestPart) * step),
@@ -60,6 +68,22 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       const auto known = std::ranges::equal_range(past.forces, pair, {}, &ContactForce::pair);
       forces_.insert(forces_.end(), known.begin(), known.end());
     }
+}
+
+GroupStepper::GroupStepper(const StepContext& context, const LoneBody& body, double step)
+    : GroupStepper(context, {.bodies = {body.id}, .joints = {}, .near = {}}, {}, kNoLimiters,
+                   {kNoPairs, kNoForces}, step) {}
+
+void GroupStepper::take(const LoneBody& body) {
+  group_.bodies.front() = body.id;
+  Member& m = members_.front();
+  m.id = body.id;
+  m.moving = &context_.bodies[body.id];
+  judged_.resize(body.limiter ? 1 : 0);
+  for (Judged& judged : judged_) {
+    judged.limiter = body.limiter;
+    judged.members.assign(1, &m);
+  }
 }
 
 GroupStepper::Member& GroupStepper::member(BodyId id) {
@@ -157,9 +181,12 @@ void GroupStepper::accept(double time, double h) {
   for (const Island& island : islands_) Rig::add(island, h, record_);
   if (is_alone_) return;
   keep_forces();
-  parallel_for_rethrow(context_.parallel_for, members_.size(), [&](std::size_t i) {
-    if (!members_[i].island) (*alone_)[members_[i].id].advance(time, h);
-  });
+  std::vector<LoneBody> others;
+  for (const Member& m : members_)
+    if (!m.island) others.push_back({m.id, own_[m.id]});
+  const LoneBodies lone(context_, std::move(others), whole_step_);
+  parallel_for_rethrow(context_.parallel_for, lone.parts(),
+                       [&](std::size_t i) { lone.advance(i, time, h); });
   impacts_.accept(contacts_.pairs);
 }
 
@@ -267,6 +294,18 @@ void GroupStepper::find_islands() {
     const auto& [first, second] = contact.pair;
     const BodyId movable = can_move(context_.bodies, first) ? first : second;
     islands_[*member(movable).island].contacts.push_back(contact);
+  }
+}
+
+std::size_t LoneBodies::parts() const { return (bodies_.size() + kLoneBodies - 1) / kLoneBodies; }
+
+void LoneBodies::advance(std::size_t part, double time, double length) const {
+  const std::size_t first = part * kLoneBodies;
+  const std::size_t last = std::min(first + kLoneBodies, bodies_.size());
+  GroupStepper stepper(context_, bodies_[first], step_);
+  for (std::size_t i = first; i < last; ++i) {
+    stepper.take(bodies_[i]);
+    stepper.advance(time, length);
   }
 }
 

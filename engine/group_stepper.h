@@ -15,7 +15,8 @@
 /// through it contacts are found; joints and contacts make islands, which are moved (substep.h),
 /// judged (energy_limiter.h), and either accepted or repeated in halves. Bodies in no island take
 /// the substep each as a group of its own. A group of one body that nothing can touch and no joint
-/// that is not reduced holds is the most frequent one: its island is itself.
+/// that is not reduced holds is the most frequent one: its island is itself. Such bodies are moved
+/// after each other by one stepper, as its memory is larger than the motion of a body.
 ///
 /// With a tolerance a substep is compared with its halves, which are kept (step_controller.h).
 
@@ -27,14 +28,23 @@ struct PastContacts {
   const std::vector<ContactForce>& forces;  ///< Their pairs ascend.
 };
 
+/// A body that is a group of its own, and the limiter that judges it; null if that judges others,
+/// too.
+struct LoneBody {
+  BodyId id;
+  EnergyLimiter* limiter;
+};
+
 class GroupStepper {
  public:
   /// @param group      What it refers to must outlive the stepper.
   /// @param limiters   Of the bodies of the group, each once.
-  /// @param alone      Per body of the simulation: the stepper that moves it as a group of one.
+  /// @param own        Per body of the simulation: its limiter if it is alone.
   /// @param step       The scene's step [s].
   GroupStepper(const StepContext& context, Group group, std::vector<EnergyLimiter*> limiters,
-               std::vector<GroupStepper>& alone, const PastContacts& past, double step);
+               const std::vector<EnergyLimiter*>& own, const PastContacts& past, double step);
+  GroupStepper(const GroupStepper&) = delete;
+  GroupStepper& operator=(const GroupStepper&) = delete;
 
   /// Advances the bodies by a step, or a part of one [s]. @throws MotionFault, OdeFault
   void advance(double time, double length);
@@ -45,6 +55,12 @@ class GroupStepper {
   const std::vector<ContactForce>& contact_forces() const { return forces_; }
 
  private:
+  friend class LoneBodies;
+  /// For one lone body after another.
+  GroupStepper(const StepContext& context, const LoneBody& body, double step);
+  /// Puts another lone body in the place of the last one.
+  void take(const LoneBody& body);
+
   struct Member : SubstepBody {
     std::optional<std::size_t> island;  ///< Its place in `islands_`; none: it is in no island.
   };
@@ -83,11 +99,12 @@ class GroupStepper {
 
   const StepContext& context_;
   Group group_;
-  std::vector<GroupStepper>* alone_;
+  const std::vector<EnergyLimiter*>& own_;
   bool is_alone_;
-  double step_;      ///< The scene's, or, of a group of one, the part of it that is advanced [s].
-  double shortest_;  ///< Substep that is not halved any more for its energy or error [s].
-  double shortest_throw_;  ///< The same where loads throw a body through the surface [s].
+  const double whole_step_;  ///< The scene's [s].
+  double step_;              ///< The same, or, of a lone body, the part of it that is advanced [s].
+  double shortest_;          ///< Substep that is not halved any more for its energy or error [s].
+  double shortest_throw_;    ///< The same where loads throw a body through the surface [s].
   Impacts impacts_;
   World::Contacts contacts_;
   std::vector<ContactForce> forces_;  ///< Of the last accepted substep.
@@ -95,6 +112,23 @@ class GroupStepper {
   std::vector<Judged> judged_;
   std::vector<Island> islands_;  ///< Of the present substep.
   Rig::Record record_;           ///< Of the substeps since advance() was called.
+};
+
+/// Bodies that are groups of their own, in parts that may be advanced at once.
+class LoneBodies {
+ public:
+  /// What it refers to must outlive it. @param step   The scene's step [s].
+  LoneBodies(const StepContext& context, std::vector<LoneBody> bodies, double step)
+      : context_(context), bodies_(std::move(bodies)), step_(step) {}
+
+  std::size_t parts() const;
+  /// Advances the bodies of a part by a step, or a part of one [s]. @throws MotionFault
+  void advance(std::size_t part, double time, double length) const;
+
+ private:
+  const StepContext& context_;
+  std::vector<LoneBody> bodies_;
+  double step_;
 };
 
 }  // namespace engine

@@ -23,26 +23,20 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
     for (const BodyId id : group) limiter_of_[id] = limiters_.size();
     limiters_.emplace_back(std::move(group), bodies);
   }
-  alone_.reserve(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Group group{.bodies = {static_cast<BodyId>(i)}, .joints = {}, .near = {}};
-    std::vector<EnergyLimiter*> limiters;
-    if (bodies[i].body.movable && limiters_[limiter_of_[i]].group().size() == 1)
-      limiters.push_back(&limiters_[limiter_of_[i]]);
-    alone_.emplace_back(context_, group, std::move(limiters), alone_,
-                        PastContacts{touching_, forces_}, step_);
-  }
+  own_limiters_.resize(bodies.size(), nullptr);
+  for (EnergyLimiter& limiter : limiters_)
+    if (limiter.group().size() == 1) own_limiters_[limiter.group().front()] = &limiter;
 }
 
 void Stepper::advance(double time) {
   std::vector<Group> groups = find_groups(near_pairs());
-  const std::vector<BodyId> free = free_bodies(groups);
+  const LoneBodies lone(context_, lone_bodies(groups), step_);
   std::vector<std::vector<Pair>> touching(groups.size());
   std::vector<std::vector<ContactForce>> forces(groups.size());
-  parallel_for_rethrow(context_.parallel_for, groups.size() + free.size(), [&](std::size_t i) {
-    if (i >= groups.size()) return alone_[free[i - groups.size()]].advance(time, step_);
-    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), alone_, {touching_, forces_},
-                         step_);
+  parallel_for_rethrow(context_.parallel_for, groups.size() + lone.parts(), [&](std::size_t i) {
+    if (i >= groups.size()) return lone.advance(i - groups.size(), time, step_);
+    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), own_limiters_,
+                         {touching_, forces_}, step_);
     stepper.advance(time, step_);
     touching[i] = stepper.touching();
     forces[i] = stepper.contact_forces();
@@ -101,14 +95,14 @@ std::vector<EnergyLimiter*> Stepper::limiters_of(const Group& group) {
   return limiters;
 }
 
-std::vector<BodyId> Stepper::free_bodies(const std::vector<Group>& groups) const {
+std::vector<LoneBody> Stepper::lone_bodies(const std::vector<Group>& groups) const {
   std::vector<bool> alone(context_.bodies.size(), true);
   for (const Group& group : groups)
     for (const BodyId id : group.bodies) alone[id] = false;
-  std::vector<BodyId> free;
+  std::vector<LoneBody> lone;
   for (const BodyId id : movable_)
-    if (alone[id]) free.push_back(id);
-  return free;
+    if (alone[id]) lone.push_back({id, own_limiters_[id]});
+  return lone;
 }
 
 StepperState Stepper::state() const {

@@ -45,17 +45,17 @@ class Stepper {
   std::vector<Group> find_groups(const std::vector<Pair>& near) const;
   std::vector<EnergyLimiter*> limiters_of(const Group& group);
   /// Movable bodies that are in no group.
-  std::vector<BodyId> free_bodies(const std::vector<Group>& groups) const;
+  std::vector<LoneBody> lone_bodies(const std::vector<Group>& groups) const;
 
   StepContext context_;
   double step_;
   std::vector<BodyId> movable_;  ///< Ascending.
   std::vector<Pair> joints_;     ///< That are not reduced, and couplings by lines.
   std::vector<EnergyLimiter> limiters_;
-  std::vector<std::size_t> limiter_of_;  ///< Per body.
-  std::vector<GroupStepper> alone_;      ///< Per body, as a group of one.
-  std::vector<Pair> touching_;           ///< Ascending.
-  std::vector<ContactForce> forces_;     ///< Their pairs ascend.
+  std::vector<std::size_t> limiter_of_;       ///< Per body.
+  std::vector<EnergyLimiter*> own_limiters_;  ///< Per body; null for one that judges others, too.
+  std::vector<Pair> touching_;                ///< Ascending.
+  std::vector<ContactForce> forces_;          ///< Their pairs ascend.
   BroadPhase broad_phase_;
 };
 

@@ -19,14 +19,8 @@ struct OneGroup {
     }
     group.joints = joints;
     group.near = near;
-    for (std::size_t i = 0; i < all.bodies.size(); ++i)
-      alone.emplace_back(all.context,
-                         engine::Group{.bodies = {group.bodies[i]}, .joints = {}, .near = {}},
-                         std::vector<engine::EnergyLimiter*>{&limiters[i]}, alone,
-                         engine::PastContacts{untouched, forceless}, all.spec.step);
-    std::vector<engine::EnergyLimiter*> used;
-    for (engine::EnergyLimiter& limiter : limiters) used.push_back(&limiter);
-    stepper.emplace(all.context, group, used, alone, engine::PastContacts{untouched, forceless},
+    for (engine::EnergyLimiter& limiter : limiters) own.push_back(&limiter);
+    stepper.emplace(all.context, group, own, own, engine::PastContacts{untouched, forceless},
                     all.spec.step);
   }
 
@@ -38,7 +32,7 @@ struct OneGroup {
   std::vector<engine::ContactForce> forceless;
   engine::Group group;
   std::vector<engine::EnergyLimiter> limiters;
-  std::vector<engine::GroupStepper> alone;
+  std::vector<engine::EnergyLimiter*> own;
   std::optional<engine::GroupStepper> stepper;
 };
 
