@@ -36,7 +36,7 @@ struct Rotations {
     for (int k = 0; k < 3; ++k) {
       const auto [p, q] = pairs[k];
       const double off = matrix(q, p), apart = matrix(q, q) - matrix(p, p);
-      const bool turns = std::abs(off) > negligible;
+      const bool turns = !(std::abs(off) <= negligible);  // NaN spreads.
       const double tangent = 2 * off / (std::abs(apart) + std::sqrt(apart * apart + 4 * off * off));
       const double t = turns ? std::copysign(1.0, apart) * tangent : 0;
       cosine[k] = 1 / std::sqrt(1 + t * t);

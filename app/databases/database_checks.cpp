@@ -101,9 +101,9 @@ void check_eigenvalues(const Database& d, const Kind& kind, double lever, BodyDa
   double worst = 0;
   for (std::size_t f = 0; largest > 0 && f < kind.matrices.size(); ++f) {
     const auto parts = hydro::eigen_decomposition(weighted(*kind.matrices[f], lever));
-    const double least = parts.values[0] / largest;
-    Index row = 0;
-    parts.vectors.col(0).cwiseAbs().maxCoeff(&row);
+    Index smallest = 0, row = 0;
+    const double least = parts.values.minCoeff(&smallest) / largest;
+    parts.vectors.col(smallest).cwiseAbs().maxCoeff(&row);
     if (least < -kNegative.refused)
       refuse(d, fmt::format("{} at {:g} rad/s: has an eigenvalue of {:.2g} % of its largest entry, "
                             "most of it in row {}, column {} ({:g} for water of density 1); "
