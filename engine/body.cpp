@@ -200,6 +200,12 @@ double pose_distance(const Body& body, const hydro::BodyState& a, const hydro::B
   return (b.position - a.position).norm() + body.radius * 2 * turn.vec().norm();
 }
 
+double dip_distance(const Body& body, const hydro::BodyState& a, const hydro::BodyState& b) {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d tilt = a.orientation.conjugate() * up - b.orientation.conjugate() * up;
+  return std::abs(b.position.z() - a.position.z()) + body.radius * tilt.norm();
+}
+
 double scaled_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change) {
   const Vector6d scale = (body.rigid_B + added_B).diagonal().cwiseSqrt().cwiseInverse();
   return (scale.asDiagonal() * change * scale.asDiagonal()).cwiseAbs().maxCoeff();

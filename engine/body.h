@@ -117,8 +117,10 @@ enum class AddedMassMatch {
   near,     ///< One more update leaves no difference that matters to the energy.
   distant,  ///< More updates are needed.
 };
-/// Distance of two poses that the hull feels [m]: of the centres, and by the turn at the radius.
+/// Distance of two poses [m]: of the centres, and by the turn at the radius.
 double pose_distance(const Body& body, const hydro::BodyState& a, const hydro::BodyState& b);
+/// The part of it that changes what is wet in level water [m]: heave, and the tilt at the radius.
+double dip_distance(const Body& body, const hydro::BodyState& a, const hydro::BodyState& b);
 
 /// Largest change of added mass in units in which the inertia with A is one [-].
 double scaled_change(const Body& body, const Matrix6d& added_B, const Matrix6d& change);

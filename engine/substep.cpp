@@ -51,10 +51,13 @@ void expect_added_mass(SubstepBody& b, double end, double h) {
 }
 
 /// True if the body has ended so near to the pose of `added_B` that its added mass is the same, if
-/// it goes on to change as it has on the way to there.
+/// that goes on to change as it has on the way to there. In waves, and with water in the body, it
+/// does not tell how the added mass changes with the pose.
 bool ends_as_expected(const SubstepBody& b) {
+  const Environment& environment = b.body().environment;
+  if (environment.highest > environment.lowest || b.end.held) return false;
   const double off = pose_distance(b.body(), b.added_at, b.end.state);
-  const double way = pose_distance(b.body(), b.start, b.added_at);
+  const double way = dip_distance(b.body(), b.start, b.added_at);
   const double change = scaled_change(b.body(), b.added_B, b.added_B - b.halfway.added());
   return change > 0 && change * off <= kUnlookedAddedMass * way;
 }
