@@ -108,7 +108,7 @@ inline constexpr int kMostConstrainedPasses = 2;
 inline constexpr double kEqualAddedMass = 1e-5;
 /// Estimated difference, over the inertia, that is not looked at [-]. It must be well below the
 /// other, as the added mass may change faster in other directions than in that of the motion.
-inline constexpr double kUnlookedAddedMass = 1e-6;
+inline constexpr double kForeseenAddedMass = 1e-6;
 /// Difference after the last update, over the inertia, without effect on the energy [-].
 inline constexpr double kUnmatchedAddedMass = 1e-4;
 

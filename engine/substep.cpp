@@ -59,7 +59,7 @@ bool ends_as_expected(const SubstepBody& b) {
   const double off = pose_distance(b.body(), b.added_at, b.end.state);
   const double way = dip_distance(b.body(), b.start, b.added_at);
   const double change = scaled_change(b.body(), b.added_B, b.added_B - b.halfway.added());
-  return change > 0 && change * off <= kUnlookedAddedMass * way;
+  return change > 0 && change * off <= kForeseenAddedMass * way;
 }
 
 /// The load of the rows of an island on a body: moment about the centre of mass, in W.

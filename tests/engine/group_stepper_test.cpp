@@ -1,5 +1,7 @@
 #include "engine/group_stepper.h"
 
+#include "hydro/added_mass/added_mass.h"
+#include "hydro/added_mass/wetted_added_mass.h"
 #include "tests/engine/island.h"
 #include "tests/engine/prelude.h"
 
@@ -54,6 +56,29 @@ TEST(GroupStepper, DividesAStepInWhichABodyCrossesTheSurface) {
   one.stepper->advance(0, 0.1);
   EXPECT_GE(one.counts(0).substeps, 2);
   EXPECT_EQ(one.counts(0).free, 1);
+}
+
+/// The added mass at the end of a step is not looked at where it is foreseen.
+TEST(GroupStepper, EndsEachStepWithTheAddedMassOfThePose) {
+  SimulationSpec spec = support::box_in_still_water({0, 0, 1});
+  BodySpec& box = spec.bodies[0];
+  box.added_mass = std::make_shared<hydro::WettedAddedMass>(
+      box.mesh_B, hydro::solve_added_mass(box.mesh_B, {.tolerance = 0.1}));
+  box.initial.orientation = Eigen::AngleAxisd(0.6, Vector3d(1, 2, 0).normalized());
+  box.initial.linear_velocity = {3, 0, 0};
+  box.initial.angular_velocity = {1, 0, 2};
+  OneGroup one(spec, {}, {});
+  const engine::MovingBody& moving = one.all.bodies[0];
+  double largest = 0;
+  for (int i = 0; i < 300; ++i) {
+    one.stepper->advance(i * kStep, kStep);
+    const Matrix6d found = engine::added_mass(moving.body, moving.motion.state, nullptr, 0);
+    largest =
+        std::max(largest, engine::scaled_change(moving.body, found, found - moving.motion.added()));
+  }
+  // The state is a twenty-fourth of h² times the acceleration off the pose (E9).
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(largest, 1e-4);
 }
 
 TEST(GroupStepper, DividesAStepUntilItsErrorIsWithinTheTolerance) {
