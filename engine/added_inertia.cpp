@@ -23,10 +23,7 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
 /// The basis of (E4).
 struct Split {
   Split(const Matrix6d& inertia, const Matrix6d& change) : S(inertia) {
-    // Relative to S, which is a unit here, round-off leaves no more.
-    constexpr double kRoundOff = 1e-15;
-    const hydro::EigenDecomposition6 eigen =
-        hydro::eigen_decomposition(S.relative(change), kRoundOff);
+    const hydro::EigenDecomposition6 eigen = hydro::eigen_decomposition(S.relative(change));
     mu = eigen.values;
     V = eigen.vectors;
     root = S.lower() * V;

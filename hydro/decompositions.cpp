@@ -2,9 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace hydro {
 
@@ -19,70 +17,10 @@ Vector6d eigenvalues(const Matrix6d& matrix) {
   return Eigen::SelfAdjointEigenSolver<Matrix6d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-namespace {
-
-/// Each pair of indices once. Those of a round have none in common, so that no rotation waits for
-/// another one.
-constexpr int kRounds[5][3][2] = {{{0, 5}, {1, 4}, {2, 3}},
-                                  {{0, 4}, {3, 5}, {1, 2}},
-                                  {{0, 3}, {2, 4}, {1, 5}},
-                                  {{0, 2}, {1, 3}, {4, 5}},
-                                  {{0, 1}, {2, 5}, {3, 4}}};
-
-/// The rotations of a round.
-struct Rotations {
-  /// Those after which the matrix has zeros between their indices.
-  Rotations(const Matrix6d& matrix, const int (&pairs)[3][2], double negligible) : pairs(pairs) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [p, q] = pairs[k];
-      const double off = matrix(q, p), apart = matrix(q, q) - matrix(p, p);
-      const bool turns = !(std::abs(off) <= negligible);  // NaN spreads.
-      const double tangent = 2 * off / (std::abs(apart) + std::sqrt(apart * apart + 4 * off * off));
-      const double t = turns ? std::copysign(1.0, apart) * tangent : 0;
-      cosine[k] = 1 / std::sqrt(1 + t * t);
-      sine[k] = t * cosine[k];
-      any = any || turns;
-    }
-  }
-  void turn_columns(Matrix6d& matrix) const {
-    for (int k = 0; k < 3; ++k) {
-      const auto [p, q] = pairs[k];
-      if (sine[k] == 0) continue;
-      const Vector6d first = matrix.col(p), second = matrix.col(q);
-      matrix.col(p) = cosine[k] * first - sine[k] * second;
-      matrix.col(q) = sine[k] * first + cosine[k] * second;
-    }
-  }
-
-  const int (&pairs)[3][2];
-  double cosine[3], sine[3];
-  bool any = false;
-};
-
-constexpr int kMostSweeps = 30;
-
-}  // namespace
-
-// Jacobi's method takes half the time of Eigen's solver, which brings the matrix to three diagonals
-// first, and less where elements are zero.
-EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix, double negligible) {
+EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix) {
   assert(is_symmetric(matrix));
-  Matrix6d left = matrix, vectors = Matrix6d::Identity();
-  negligible = std::max(negligible, 1e-15 * matrix.cwiseAbs().maxCoeff());
-  bool turned = true;
-  for (int i = 0; i < kMostSweeps && turned; ++i) {
-    turned = false;
-    for (const auto& pairs : kRounds) {
-      const Rotations rotations(left, pairs, negligible);
-      if (!rotations.any) continue;
-      turned = true;
-      rotations.turn_columns(vectors);
-      rotations.turn_columns(left);
-      left = Matrix6d(left.transpose());
-      rotations.turn_columns(left);
-    }
-  }
-  return {left.diagonal(), vectors};
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(matrix);
+  return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 
 Cholesky6::Cholesky6(const Matrix6d& matrix) {

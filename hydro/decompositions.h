@@ -12,14 +12,12 @@ namespace hydro {
 Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix);
 Vector6d eigenvalues(const Matrix6d& matrix);
 
-/// matrix = vectors · diag(values) · vectorsᵀ; vectors orthonormal columns, in no order.
+/// matrix = vectors · diag(values) · vectorsᵀ; values ascending, vectors orthonormal columns.
 struct EigenDecomposition6 {
   Vector6d values;
   Matrix6d vectors;
 };
-/// @param matrix       Symmetric.
-/// @param negligible   Elements off the diagonal up to this size count as zero.
-EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix, double negligible = 0);
+EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix);
 
 /// Cholesky factorisation L Lᵀ of a symmetric positive definite matrix, L lower triangular. Only
 /// the lower half of the matrix is read.
