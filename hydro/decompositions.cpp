@@ -26,49 +26,36 @@ EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix) {
 Cholesky6::Cholesky6(const Matrix6d& matrix) {
   const Eigen::LLT<Matrix6d> factor(matrix);
   lower_ = factor.matrixL();
-  inverse_diagonal_ = lower_.diagonal().cwiseInverse();
   positive_definite_ = factor.info() == Eigen::Success;
 }
 
-// Eigen's solutions divide by the diagonal each time, and those of several right-hand sides work by
-// blocks in memory of their own.
 Vector6d Cholesky6::solve(const Vector6d& x) const { return solve_upper(solve_lower(x)); }
 
-Vector6d Cholesky6::solve_lower(Vector6d x) const {
+Vector6d Cholesky6::solve_lower(const Vector6d& x) const {
   assert(positive_definite_);
-  for (int j = 0; j < 6; ++j) {
-    x[j] *= inverse_diagonal_[j];
-    for (int i = j + 1; i < 6; ++i) x[i] -= lower_(i, j) * x[j];
-  }
-  return x;
+  return lower_.triangularView<Eigen::Lower>().solve(x);
 }
 
-Vector6d Cholesky6::solve_upper(Vector6d x) const {
+Vector6d Cholesky6::solve_upper(const Vector6d& x) const {
   assert(positive_definite_);
-  for (int j = 5; j >= 0; --j) {
-    for (int i = j + 1; i < 6; ++i) x[j] -= lower_(i, j) * x[i];
-    x[j] *= inverse_diagonal_[j];
-  }
-  return x;
+  return lower_.transpose().triangularView<Eigen::Upper>().solve(x);
 }
 
-Matrix6d Cholesky6::times_inverse_transpose(Matrix6d X) const {
-  assert(positive_definite_);
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < i; ++k) X.col(i) -= lower_(i, k) * X.col(k);
-    X.col(i) *= inverse_diagonal_[i];
-  }
-  return X;
+// Eigen unrolls the solution for a vector; for a matrix it allocates memory and works by blocks.
+Matrix6d Cholesky6::solve_lower_by_columns(const Matrix6d& X) const {
+  Matrix6d result;
+  for (int i = 0; i < 6; ++i) result.col(i) = solve_lower(Vector6d(X.col(i)));
+  return result;
 }
 
 Matrix6d Cholesky6::inverse() const {
-  const Matrix6d upper = times_inverse_transpose(Matrix6d::Identity());
-  return upper * upper.transpose();
+  const Matrix6d half = solve_lower_by_columns(Matrix6d::Identity());
+  return half.transpose() * half;
 }
 
 Matrix6d Cholesky6::relative(const Matrix6d& X) const {
-  const Matrix6d half = times_inverse_transpose(X);
-  const Matrix6d both = times_inverse_transpose(half.transpose());
+  const Matrix6d half = solve_lower_by_columns(X);
+  const Matrix6d both = solve_lower_by_columns(half.transpose());
   return (both + both.transpose()) / 2;
 }
 

@@ -31,20 +31,18 @@ class Cholesky6 {
   /// (L Lᵀ)⁻¹ x
   Vector6d solve(const Vector6d& x) const;
   /// L⁻¹ x
-  Vector6d solve_lower(Vector6d x) const;
+  Vector6d solve_lower(const Vector6d& x) const;
   /// L⁻ᵀ x
-  Vector6d solve_upper(Vector6d x) const;
+  Vector6d solve_upper(const Vector6d& x) const;
   /// (L Lᵀ)⁻¹, symmetric: it costs more than one solution, less than four.
   Matrix6d inverse() const;
   /// L⁻¹ X L⁻ᵀ of a symmetric matrix: X in the metric of L Lᵀ.
   Matrix6d relative(const Matrix6d& X) const;
 
  private:
-  /// X L⁻ᵀ
-  Matrix6d times_inverse_transpose(Matrix6d X) const;
+  Matrix6d solve_lower_by_columns(const Matrix6d& X) const;
 
   Matrix6d lower_;
-  Vector6d inverse_diagonal_;  ///< 1 / L_jj
   bool positive_definite_;
 };
 
