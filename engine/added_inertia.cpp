@@ -37,7 +37,7 @@ struct Split {
   }
 
   hydro::Cholesky6 S;
-  Vector6d mu;
+  Vector6d mu;    ///< Ascending.
   Matrix6d V;     ///< Lᵀ x_i, with S = L Lᵀ.
   Matrix6d root;  ///< The momenta S x_i.
 };
