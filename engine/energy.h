@@ -6,9 +6,9 @@
 /// The energy of bodies in still water.
 ///
 /// E = ½ u·(M + A) u + m g z + U, with u the velocity relative to the water, z the height of the
-/// centre of mass and U the work done against buoyancy (buoyancy_energy.h). In water with a level
-/// surface that does not rise, drag takes from E, and so does added mass, which leaves some energy
-/// in the water; so does calm air. Lift and applied loads may add to it by their work.
+/// centre of mass and U the work done against buoyancy (buoyancy_energy.h). In water that stands
+/// still, level or under a height field, drag takes from E, and so does added mass, which leaves
+/// some energy in the water; so does calm air. Lift and applied loads may add to it by their work.
 
 namespace engine {
 

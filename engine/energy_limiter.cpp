@@ -5,17 +5,21 @@
 
 #include "engine/constants.h"
 #include "engine/energy.h"
+#include "hydro/statics/buoyancy_energy.h"
 
 namespace engine {
 namespace {
 
-/// Scale of energies whose changes are round-off [J]: 1e-9 of the weight of the body and of the
-/// water in its place, times its size.
+/// Scale of energies whose changes by kEnergyGain are not known [J]: 1e-9 of the weight of the body
+/// and of the water in its place, times its size, is round-off. Under a height field the energy is
+/// known to what its panels follow of the surface.
 double least_energy_scale(const Body& body) {
-  const double radius = body.radius;
-  const double water =
-      body.environment.sea ? body.environment.sea->density * std::pow(radius, 3) : 0;
-  return 1e-9 * body.environment.gravity * (body.spec->mass + water) * radius;
+  const double radius = body.radius, volume = std::pow(radius, 3);
+  const double gravity = body.environment.gravity;
+  const hydro::Sea* sea = body.environment.sea;
+  if (!sea) return 1e-9 * gravity * body.spec->mass * radius;
+  return 1e-9 * gravity * (body.spec->mass + sea->density * volume) * radius +
+         hydro::energy_error_per_volume(*sea) * volume / kEnergyGain;
 }
 
 /// True if lift, machines, lines that are loads, or applied loads may add to the energy: no earlier
@@ -84,7 +88,7 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
   }
   if (std::any_of(members.begin(), members.end(), [](auto* b) { return is_driven(*b->moving); }))
     next_.lowest = std::numeric_limits<double>::infinity();
-  for (const SubstepBody* b : members) next_.lowest += b->row_work;
+  for (const SubstepBody* b : members) next_.lowest += b->row_work + b->inflow_work;
   const auto suspect = [h](const SubstepBody* b) { return is_suspect(*b, h); };
   if (!halves && std::none_of(members.begin(), members.end(), suspect) && !joints_gave(members))
     return false;
@@ -96,7 +100,7 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
 }
 
 void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, double h) {
-  double before = 0, potential_before = 0, potential = 0, remembered = 0, work = 0, rows = 0;
+  double before = 0, potential_before = 0, potential = 0, remembered = 0, work = 0, given = 0;
   kinetic_ = 0;
   for (const SubstepBody* b : members) {
     const Motion& start = b->moving->motion;
@@ -107,12 +111,12 @@ void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, doubl
     potential += potential_energy(b->body(), b->end);
     kinetic_ += kinetic_energy(b->body(), b->end, b->body().current());
     remembered += memory_energy(b->body(), b->end);
-    rows += b->row_work;
+    given += b->row_work + b->inflow_work;
     if (is_driven(*b->moving)) work += work_done(*b->moving, start.state, b->end.state, h);
   }
-  const double earlier = next_.lowest;  // the work of rows is in it
+  const double earlier = next_.lowest;  // what rows and inflow have given is in it
   next_.extend(before, potential_before);
-  next_.lowest = std::min(earlier, before + rows) + work;
+  next_.lowest = std::min(earlier, before + given) + work;
   const double energy = potential + kinetic_ + remembered;
   allowed_ = kEnergyGain * std::max(next_.highest - next_.lowest_potential, floor_);
   excess_ = energy - next_.lowest - allowed_;

@@ -8,16 +8,18 @@
 /// @file
 /// Keeps still water, and joints, from giving energy to bodies that joints connect.
 ///
-/// In still water the energy of a group (energy.h) may exceed its minimum so far by 2·kEnergyGain
-/// of the largest so far. Beyond that the substep is halved and judged again; an excess that
-/// remains is removed by scaling the velocity, which joints allow since their conditions on it are
-/// linear. Between one and two times kEnergyGain the velocity is scaled without halving. The work
-/// of rows, of stiff ropes, motors and stops, is what the solver has found, and moves the minimum.
-/// Substeps of a jointed group that resolve its motion are not judged, unless taking back the
-/// errors of joints gives it more than kUnjudgedJointGain. Where lift, applied loads, machines or
-/// lines that are loads drive a body, the energy is compared with that of the substep's start.
+/// In still water, level or under a height field, the energy of a group (energy.h) may exceed its
+/// minimum so far by 2·kEnergyGain of the largest so far. Beyond that the substep is halved and
+/// judged again; an excess that remains is removed by scaling the velocity, which joints allow
+/// since their conditions on it are linear. Between one and two times kEnergyGain the velocity is
+/// scaled without halving. The work of rows, of stiff ropes, motors and stops, is what the solver
+/// has found, and moves the minimum, as what water brings does that runs into a hull from above the
+/// still water level. Substeps of a jointed group that resolve its motion are not judged, unless
+/// taking back the errors of joints gives it more than kUnjudgedJointGain. Where lift, applied
+/// loads, machines or lines that are loads drive a body, the energy is compared with that of the
+/// substep's start.
 ///
-/// Water that moves or is not level may give energy, and so may wind. There only the work of joints
+/// Water that moves may give energy, and so may wind. There only the work of joints
 /// is judged, which a joint without error does not do; taking back the error of a body that spins
 /// or is thrown does some. Where the group has gained by it more than kJointGain of its kinetic
 /// energy, less what loads have taken of both since, the substep is halved or the velocity scaled

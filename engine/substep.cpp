@@ -4,6 +4,7 @@
 
 #include "engine/constants.h"
 #include "engine/constrained_update.h"
+#include "engine/energy.h"
 #include "engine/flooding.h"
 #include "engine/stopwatch.h"
 #include "engine/substep_limit.h"
@@ -162,6 +163,17 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   return worst;
 }
 
+/// Lets water run between the pockets of a body and the sea. Under a height field it may come from
+/// above the still water level, and then brings energy.
+void let_water_in(SubstepBody& b, double time, double h) {
+  const Environment& environment = b.body().environment;
+  const bool uneven =
+      b.end.held && environment.highest > environment.lowest && must_not_gain_energy(b.body());
+  const double before = uneven ? potential_energy(b.body(), b.end) : 0;
+  let_water_run(b.body(), time, h, b.end);
+  b.inflow_work = uneven ? std::max(0.0, potential_energy(b.body(), b.end) - before) : 0;
+}
+
 /// Counts the substep, tells whether it is to be judged, takes the correction back, and lets water
 /// run. @param time   At the end of the substep [s].
 void conclude(const Island& island, SubstepBody& b, double time, double h) {
@@ -178,7 +190,7 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
     const auto after = find_correction(b.body(), b.end, h).value_or(*b.correction);
     correct(b.body(), after, -1, b.end);
   }
-  let_water_run(b.body(), time, h, b.end);
+  let_water_in(b, time, h);
 }
 
 /// Solves an island with its rows, again where they turn out to pull much harder.

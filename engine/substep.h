@@ -51,7 +51,8 @@ struct SubstepBody {
   Motion end;                                          ///< The result.
   double reaction_work = 0;                            ///< Work of R over the substep [J].
   double row_work = 0;                                 ///< That of rows, a part of it [J].
-  bool abrupt = false;  ///< Loads changed by much on the way: the substep is to be judged.
+  double inflow_work = 0;  ///< Energy that water has brought into its pockets [J].
+  bool abrupt = false;     ///< Loads changed by much on the way: the substep is to be judged.
 
   const Body& body() const { return moving->body; }
 };

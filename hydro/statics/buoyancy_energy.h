@@ -5,13 +5,18 @@
 namespace hydro {
 
 /// Work needed to push the hull into still water at its present pose [J]: the potential energy of
-/// buoyancy. With the depth d over the wet panels,
+/// buoyancy. With the depth d below the local surface over the wet panels,
 ///
 ///     U = ρ g ∫ d dV = −ρ g ∫ d²/2 n_z dS.
 ///
-/// The result is exact to round-off. The surface is taken as z = level, whatever the surface of
-/// `sea`.
+/// It is exact to round-off under a flat surface, and under a height field to what the loads are,
+/// whose panels are split in the same way (refine.h). Waves are taken as flat: they have no such
+/// energy.
 double buoyancy_energy(const Hull& hull, const BodyState& state, const Sea& sea);
+
+/// What the splitting of panels leaves unknown in changes of U, per volume of the hull [J/m^3]:
+/// ρ g kSagTolerance times the deviation of a height field, and 0 under a flat surface.
+double energy_error_per_volume(const Sea& sea);
 
 /// ∫ d²/2 n_z dS over the faces of a hull below a level, with their depths d under it [m^4]. Of a
 /// pocket (hydro/interior) it is ∫ d dV over the water up to that level.
