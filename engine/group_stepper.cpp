@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
 #include "engine/constants.h"
@@ -34,6 +36,11 @@ const std::vector<ContactForce> kNoForces;
 bool starts(const MovingBody& moving) {
   return moving.motion.accelerations.empty() && shows_trend(moving.body, moving.motion) &&
          (moving.body.reduced_joint || may_be_wet(moving.body, moving.motion.state));
+}
+
+template <class T>
+void append(const std::vector<T>& more, std::vector<T>& all) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -107,7 +114,67 @@ void GroupStepper::advance(double time, double length) {
   record_ = {};
 }
 
+bool GroupStepper::may_divide(double length) const {
+  return members_.size() > 1 && impacts_.shorten(length);
+}
+
+std::vector<Group> GroupStepper::parts_in(double time, double length) {
+  find_contacts(time, length);
+  std::vector<Pair> connections = impacts_.meetings(length);
+  connections.insert(connections.end(), group_.joints.begin(), group_.joints.end());
+  connections.insert(connections.end(), contacts_.pairs.begin(), contacts_.pairs.end());
+  return make_groups(context_.bodies, group_.bodies, connections, group_.joints, group_.near);
+}
+
+std::vector<EnergyLimiter*> GroupStepper::limiters_of(const Group& part) const {
+  const auto first = [](const Judged& judged) { return judged.limiter->group().front(); };
+  std::vector<EnergyLimiter*> limiters;
+  for (const BodyId id : part.bodies) {
+    const auto judged = std::ranges::lower_bound(judged_, id, {}, first);
+    if (judged != judged_.end() && first(*judged) == id) limiters.push_back(judged->limiter);
+  }
+  return limiters;
+}
+
+void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, double length) {
+  std::vector<BodyId> grouped;
+  for (const Group& part : parts) append(part.bodies, grouped);
+  std::ranges::sort(grouped);
+  std::vector<LoneBody> others;
+  for (const Member& m : members_) {
+    if (std::ranges::binary_search(grouped, m.id)) continue;
+    m.moving->motion.longest_after_impact = std::numeric_limits<double>::infinity();
+    others.push_back({m.id, own_[m.id]});
+  }
+  const LoneBodies lone(context_, std::move(others), whole_step_);
+  std::vector<std::unique_ptr<GroupStepper>> steppers;
+  for (const Group& part : parts)
+    steppers.push_back(std::make_unique<GroupStepper>(context_, part, limiters_of(part), own_,
+                                                      PastContacts{impacts_.touching(), forces_},
+                                                      whole_step_));
+  parallel_for_rethrow(context_.parallel_for, steppers.size() + lone.parts(), [&](std::size_t i) {
+    if (i < steppers.size()) return steppers[i]->advance_in_substeps(time, length, false);
+    lone.advance(i - steppers.size(), time, length);
+  });
+  std::vector<Pair> touching;
+  forces_.clear();
+  for (const auto& stepper : steppers) {
+    append(stepper->touching(), touching);
+    append(stepper->contact_forces(), forces_);
+    append(stepper->record_.rows, record_.rows);
+    append(stepper->record_.reactions, record_.reactions);
+  }
+  std::ranges::sort(touching);
+  std::ranges::stable_sort(forces_, {}, &ContactForce::pair);
+  impacts_.end_with(std::move(touching));
+}
+
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
+  if (!halves && may_divide(length)) {
+    const std::vector<Group> parts = parts_in(time, length);
+    const bool whole = parts.size() == 1 && parts[0].bodies.size() == members_.size();
+    if (!whole) return advance_parts(parts, time, length);
+  }
   const bool starting = is_alone_ && !halves && starts(*members_.front().moving);
   double done = 0;
   for (int i = 0;; ++i) {
@@ -174,6 +241,7 @@ bool GroupStepper::must_halve(double h, bool halves) {
 }
 
 void GroupStepper::accept(double time, double h) {
+  found_.reset();
   for (const Judged& judged : judged_)
     if (member(judged.members.front()->id).island) judged.limiter->clamp(judged.members);
   for (Member& m : members_)
@@ -203,6 +271,7 @@ GroupStepper::Snapshot GroupStepper::snapshot() const {
 }
 
 void GroupStepper::restore(const Snapshot& snapshot) {
+  found_.reset();
   for (std::size_t i = 0; i < members_.size(); ++i)
     members_[i].moving->motion = snapshot.motions[i];
   for (std::size_t i = 0; i < judged_.size(); ++i) judged_[i].limiter->restore(snapshot.ranges[i]);
@@ -241,6 +310,8 @@ double GroupStepper::longest_substep(double rest) const {
 }
 
 void GroupStepper::find_contacts(double time, double h) {
+  if (found_ == std::pair(time, h)) return;
+  found_ = {time, h};
   std::vector<World::Placed> bodies;
   for (Member& m : members_) {
     drift_halfway(m, time, h);

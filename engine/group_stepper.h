@@ -14,9 +14,10 @@
 /// Each substep is as long as the motion (substep_limit.h) and impacts (impacts.h) allow. Halfway
 /// through it contacts are found; joints and contacts make islands, which are moved (substep.h),
 /// judged (energy_limiter.h), and either accepted or repeated in halves. Bodies in no island take
-/// the substep each as a group of its own. A group of one body that nothing can touch and no joint
-/// that is not reduced holds is the most frequent one: its island is itself. Such bodies are moved
-/// after each other by one stepper, as its memory is larger than the motion of a body.
+/// the substep each as a group of its own. Where impacts shorten substeps, the group is divided
+/// into groups that take theirs each for itself. A group of one body that nothing can touch and no
+/// joint that is not reduced holds is the most frequent one: its island is itself. Such bodies are
+/// moved after each other by one stepper, as its memory is larger than the motion of a body.
 ///
 /// With a tolerance a substep is compared with its halves, which are kept (step_controller.h).
 
@@ -79,6 +80,10 @@ class GroupStepper {
 
   Member& member(BodyId id);
   void advance_in_substeps(double time, double length, bool halves);
+  bool may_divide(double length) const;
+  /// The groups of the bodies that have to do with each other in a time [s].
+  std::vector<Group> parts_in(double time, double length);
+  void advance_parts(const std::vector<Group>& parts, double time, double length);
   void advance_within_tolerance(double time, double length);
   /// Finds the ends of a substep of all islands.
   void take_substeps(double time, double h);
@@ -94,6 +99,7 @@ class GroupStepper {
   double longest_substep(double rest) const;
   void find_contacts(double time, double h);
   StateOf halfway_states();
+  std::vector<EnergyLimiter*> limiters_of(const Group& part) const;
   void keep_forces();
   void find_islands();
 
@@ -107,9 +113,10 @@ class GroupStepper {
   double shortest_throw_;    ///< The same where loads throw a body through the surface [s].
   Impacts impacts_;
   World::Contacts contacts_;
-  std::vector<ContactForce> forces_;  ///< Of the last accepted substep.
+  std::optional<std::pair<double, double>> found_;  ///< Time and h of the contacts [s].
+  std::vector<ContactForce> forces_;                ///< Of the last accepted substep.
   std::vector<Member> members_;
-  std::vector<Judged> judged_;
+  std::vector<Judged> judged_;   ///< Ascending by their first bodies.
   std::vector<Island> islands_;  ///< Of the present substep.
   Rig::Record record_;           ///< Of the substeps since advance() was called.
 };

@@ -76,6 +76,16 @@ double Impacts::longest_substep() const {
   return longest;
 }
 
+bool Impacts::shorten(double h) const { return longest_substep() < h || !onsets(h).empty(); }
+
+std::vector<Pair> Impacts::meetings(double h) const {
+  std::vector<Pair> pairs;
+  for (const Pair& pair : group_->near)
+    if (turned_speed(pair) * h > context_->world.reach(pair)) pairs.push_back(pair);
+  for (const Onset& onset : onsets(h)) pairs.push_back(onset.pair);
+  return pairs;
+}
+
 std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching) {
   const bool resolved = touching.size() <= kMostImpactPairs && count_ < kMostImpacts;
   ExpectedWays ways(*context_);
@@ -167,6 +177,16 @@ Impacts::Speed Impacts::meeting_speed(const Pair& pair) const {
     angular += state.angular_velocity.norm();
   }
   return {.linear = velocity.norm() + turning, .angular = angular};
+}
+
+double Impacts::turned_speed(const Pair& pair) const {
+  double speed = 0;
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (!can_move(context_->bodies, id)) continue;
+    const hydro::BodyState& state = body(id).motion.state;
+    speed += state.linear_velocity.norm() + body(id).body.radius * state.angular_velocity.norm();
+  }
+  return speed;
 }
 
 std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& speed, double reach,

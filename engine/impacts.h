@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/group.h"
 #include "engine/substep.h"
 
 /// @file
@@ -27,19 +28,16 @@
 /// searched again. They do in heaps as elsewhere, and at most kMostPassings times in a step per
 /// body of the group, which are looked for with at most kMostPassingLooks per body.
 ///
+/// Where impacts shorten the substeps of a group, it is divided into the groups of the bodies that
+/// touch, or meet, in the time ahead, and each of these takes substeps of its own. Two bodies are
+/// also taken to meet if they could move by more than half the thickness of the thinner one in that
+/// time, as an impact may turn them round.
+///
 /// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
 /// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps
 /// in a step of a group: bodies that rattle cannot stall it.
 
 namespace engine {
-
-/// Bodies that joints or lines connect or that may touch each other in a step.
-struct Group {
-  std::vector<BodyId> bodies;  ///< Ascending; all can move.
-  /// Joints and couplings by lines of these bodies, with each other or with what cannot move.
-  std::vector<Pair> joints;
-  std::vector<Pair> near;  ///< Pairs that may touch; ascending.
-};
 
 class ExpectedWays;
 
@@ -62,6 +60,14 @@ class Impacts {
   /// Takes note of a substep that has been taken.
   void accept(const std::vector<Pair>& touching);
 
+  /// True if impacts, of before or to come, shorten the substeps of a time h [s].
+  bool shorten(double h) const;
+  /// Near pairs of the group that begin to touch in a time h [s], or that an impact of one of them
+  /// with another body could bring together.
+  std::vector<Pair> meetings(double h) const;
+  /// Takes the pairs that touch at the end of a time that the parts of the group have taken.
+  void end_with(std::vector<Pair> touching) { touching_ = std::move(touching); }
+
   /// Pairs in contact, ascending.
   const std::vector<Pair>& touching() const { return touching_; }
 
@@ -80,6 +86,9 @@ class Impacts {
     double angular = 0;
   };
   Speed meeting_speed(const Pair& pair) const;
+  /// A bound of the relative speed of two points of a pair after an impact of one with another
+  /// body [m/s].
+  double turned_speed(const Pair& pair) const;
   static double earliest(const std::vector<Onset>& onsets);
   /// Onsets that the overlaps at the end of a substep tell of.
   std::vector<Onset> onsets(double h) const;

@@ -66,24 +66,11 @@ std::vector<Pair> Stepper::near_pairs() {
 std::vector<Group> Stepper::find_groups(const std::vector<Pair>& near) const {
   std::vector<Pair> connections = near;
   connections.insert(connections.end(), joints_.begin(), joints_.end());
-  std::vector<Group> groups;
-  if (connections.empty()) return groups;
-  std::vector<Group*> home(context_.bodies.size(), nullptr);
-  std::vector<std::vector<BodyId>> connected = connected_components(movable_, connections);
-  groups.reserve(connected.size());
-  for (std::vector<BodyId>& bodies : connected) {
-    groups.push_back({.bodies = std::move(bodies), .joints = {}, .near = {}});
-    for (const BodyId id : groups.back().bodies) home[id] = &groups.back();
-  }
-  const auto home_of = [&](const Pair& pair) {
-    return home[can_move(context_.bodies, pair.first) ? pair.first : pair.second];
-  };
   // A body on a reduced joint is in a group only where something is near.
-  for (const Pair& pair : context_.world.joints())
-    if (Group* group = home_of(pair)) group->joints.push_back(pair);
-  for (const Pair& pair : context_.rig.couplings()) home_of(pair)->joints.push_back(pair);
-  for (const Pair& pair : near) home_of(pair)->near.push_back(pair);
-  return groups;
+  std::vector<Pair> joints = context_.world.joints();
+  const std::vector<Pair>& lines = context_.rig.couplings();
+  joints.insert(joints.end(), lines.begin(), lines.end());
+  return make_groups(context_.bodies, movable_, connections, joints, near);
 }
 
 std::vector<EnergyLimiter*> Stepper::limiters_of(const Group& group) {

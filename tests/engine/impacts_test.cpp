@@ -91,6 +91,34 @@ TEST(Collision, BeginsWhenTheGroundIsReached) {
   }
 }
 
+/// Balls of 0.2 m in rows, a tenth of a millimetre apart, that fall on the ground at once.
+SimulationSpec falling_balls(int rows, double step) {
+  SimulationSpec spec = support::dry_world({}, step);
+  for (int i = 0; i < rows * rows; ++i) {
+    BodySpec ball = colliding(
+        support::sphere_body("ball", 0.1, 500, {0.2001 * (i % rows), 0.2001 * (i / rows), 0.5}),
+        CollisionShape::sphere, Vector3d::Zero());
+    ball.name += std::to_string(i);
+    ball.restitution = 0.8;
+    spec.bodies.push_back(ball);
+  }
+  spec.ground = engine::PlaneGround{0};
+  return spec;
+}
+
+// More pairs come to touch at once than a heap may have that impacts shorten substeps of. Balls
+// that do not touch each other are no heap: each bounces as if it were alone, but for the lengths
+// of substeps while it is off the ground (2e-5 m; in whole steps they are off by 30 mm).
+TEST(Collision, OfManyBodiesAtOnceIsThatOfEach) {
+  const hydro::BodyState alone = support::after(falling_balls(1, 1.0 / 60), 90).states()[0];
+  const Simulation simulation = support::after(falling_balls(4, 1.0 / 60), 90);
+  for (int i = 0; i < 16; ++i) {
+    const Vector3d place(0.2001 * (i % 4), 0.2001 * (i / 4), 0);
+    const Vector3d off = simulation.states()[i].position - place - alone.position;
+    EXPECT_LT(off.norm(), tolerance(1e-4)) << i;
+  }
+}
+
 TEST(Collision, OfSlowBodiesIsNotLookedFor) {
   SimulationSpec spec = collision(0.2, 1.0 / 60);
   spec.bodies[0].initial.linear_velocity *= 0.009;
