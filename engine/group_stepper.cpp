@@ -114,16 +114,17 @@ void GroupStepper::advance(double time, double length) {
   record_ = {};
 }
 
-bool GroupStepper::may_divide(double length) const {
-  return members_.size() > 1 && impacts_.shorten(length);
-}
-
-std::vector<Group> GroupStepper::parts_in(double time, double length) {
+std::optional<std::vector<Group>> GroupStepper::parts_in(double time, double length) {
+  if (is_part_ || members_.size() == 1) return std::nullopt;
+  std::optional<std::vector<Pair>> connections = impacts_.meetings(length);
+  if (!connections) return std::nullopt;
   find_contacts(time, length);
-  std::vector<Pair> connections = impacts_.meetings(length);
-  connections.insert(connections.end(), group_.joints.begin(), group_.joints.end());
-  connections.insert(connections.end(), contacts_.pairs.begin(), contacts_.pairs.end());
-  return make_groups(context_.bodies, group_.bodies, connections, group_.joints, group_.near);
+  append(group_.joints, *connections);
+  append(contacts_.pairs, *connections);
+  std::vector<Group> parts =
+      make_groups(context_.bodies, group_.bodies, *connections, group_.joints, group_.near);
+  if (parts.size() == 1 && parts[0].bodies.size() == members_.size()) return std::nullopt;
+  return parts;
 }
 
 std::vector<EnergyLimiter*> GroupStepper::limiters_of(const Group& part) const {
@@ -147,11 +148,13 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
     others.push_back({m.id, own_[m.id]});
   }
   const LoneBodies lone(context_, std::move(others), whole_step_);
+  const PastContacts past{impacts_.touching(), forces_};
   std::vector<std::unique_ptr<GroupStepper>> steppers;
-  for (const Group& part : parts)
-    steppers.push_back(std::make_unique<GroupStepper>(context_, part, limiters_of(part), own_,
-                                                      PastContacts{impacts_.touching(), forces_},
-                                                      whole_step_));
+  for (const Group& part : parts) {
+    steppers.push_back(
+        std::make_unique<GroupStepper>(context_, part, limiters_of(part), own_, past, whole_step_));
+    steppers.back()->is_part_ = true;
+  }
   parallel_for_rethrow(context_.parallel_for, steppers.size() + lone.parts(), [&](std::size_t i) {
     if (i < steppers.size()) return steppers[i]->advance_in_substeps(time, length, false);
     lone.advance(i - steppers.size(), time, length);
@@ -170,10 +173,9 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
 }
 
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
-  if (!halves && may_divide(length)) {
-    const std::vector<Group> parts = parts_in(time, length);
-    const bool whole = parts.size() == 1 && parts[0].bodies.size() == members_.size();
-    if (!whole) return advance_parts(parts, time, length);
+  if (!halves) {
+    const std::optional<std::vector<Group>> parts = parts_in(time, length);
+    if (parts) return advance_parts(*parts, time, length);
   }
   const bool starting = is_alone_ && !halves && starts(*members_.front().moving);
   double done = 0;

@@ -80,9 +80,9 @@ class GroupStepper {
 
   Member& member(BodyId id);
   void advance_in_substeps(double time, double length, bool halves);
-  bool may_divide(double length) const;
-  /// The groups of the bodies that have to do with each other in a time [s].
-  std::vector<Group> parts_in(double time, double length);
+  /// The groups of the bodies that have to do with each other in a time [s]. None: these are all
+  /// bodies, or no impact shortens the substeps.
+  std::optional<std::vector<Group>> parts_in(double time, double length);
   void advance_parts(const std::vector<Group>& parts, double time, double length);
   void advance_within_tolerance(double time, double length);
   /// Finds the ends of a substep of all islands.
@@ -107,6 +107,7 @@ class GroupStepper {
   Group group_;
   const std::vector<EnergyLimiter*>& own_;
   bool is_alone_;
+  bool is_part_ = false;     ///< Of a group that was divided.
   const double whole_step_;  ///< The scene's [s].
   double step_;              ///< The same, or, of a lone body, the part of it that is advanced [s].
   double shortest_;          ///< Substep that is not halved any more for its energy or error [s].

@@ -76,13 +76,13 @@ double Impacts::longest_substep() const {
   return longest;
 }
 
-bool Impacts::shorten(double h) const { return longest_substep() < h || !onsets(h).empty(); }
-
-std::vector<Pair> Impacts::meetings(double h) const {
+std::optional<std::vector<Pair>> Impacts::meetings(double h) const {
+  const std::vector<Onset> found = onsets(h);
+  if (found.empty() && longest_substep() >= h) return std::nullopt;
   std::vector<Pair> pairs;
+  for (const Onset& onset : found) pairs.push_back(onset.pair);
   for (const Pair& pair : group_->near)
     if (turned_speed(pair) * h > context_->world.reach(pair)) pairs.push_back(pair);
-  for (const Onset& onset : onsets(h)) pairs.push_back(onset.pair);
   return pairs;
 }
 

@@ -60,11 +60,10 @@ class Impacts {
   /// Takes note of a substep that has been taken.
   void accept(const std::vector<Pair>& touching);
 
-  /// True if impacts, of before or to come, shorten the substeps of a time h [s].
-  bool shorten(double h) const;
   /// Near pairs of the group that begin to touch in a time h [s], or that an impact of one of them
-  /// with another body could bring together.
-  std::vector<Pair> meetings(double h) const;
+  /// with another body could bring together. None: no impact, of before or to come, shortens its
+  /// substeps.
+  std::optional<std::vector<Pair>> meetings(double h) const;
   /// Takes the pairs that touch at the end of a time that the parts of the group have taken.
   void end_with(std::vector<Pair> touching) { touching_ = std::move(touching); }
 
