@@ -15,11 +15,11 @@ namespace {
 /// known to what its panels follow of the surface.
 double least_energy_scale(const Body& body) {
   const double radius = body.radius, volume = std::pow(radius, 3);
-  const double gravity = body.environment.gravity;
   const hydro::Sea* sea = body.environment.sea;
-  if (!sea) return 1e-9 * gravity * body.spec->mass * radius;
-  return 1e-9 * gravity * (body.spec->mass + sea->density * volume) * radius +
-         hydro::energy_error_per_volume(*sea) * volume / kEnergyGain;
+  const double water = sea ? sea->density * volume : 0;
+  const double unknown = sea ? hydro::energy_error_per_volume(*sea) * volume : 0;
+  return 1e-9 * body.environment.gravity * (body.spec->mass + water) * radius +
+         unknown / kEnergyGain;
 }
 
 /// True if lift, machines, lines that are loads, or applied loads may add to the energy: no earlier

@@ -19,11 +19,11 @@
 /// loads, machines or lines that are loads drive a body, the energy is compared with that of the
 /// substep's start.
 ///
-/// Water that moves may give energy, and so may wind. There only the work of joints
-/// is judged, which a joint without error does not do; taking back the error of a body that spins
-/// or is thrown does some. Where the group has gained by it more than kJointGain of its kinetic
-/// energy, less what loads have taken of both since, the substep is halved or the velocity scaled
-/// in the same way.
+/// Water that moves may give energy, and so may wind. There only the work of joints is judged,
+/// which a joint without error does not do; taking back the error of a body that spins or is thrown
+/// does some. Where the group has gained by it more than kJointGain of its kinetic energy, less
+/// what loads have taken of both since, the substep is halved or the velocity scaled in the same
+/// way.
 ///
 /// Contacts dissipate by themselves: a group that touches something is not judged, and starts anew.
 

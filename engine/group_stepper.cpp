@@ -29,8 +29,6 @@ World::Placed placed(const SubstepBody& b) {
 constexpr std::size_t kLoneBodies = 16;  // Of a part.
 
 const std::vector<EnergyLimiter*> kNoLimiters;
-const std::vector<Pair> kNoPairs;
-const std::vector<ContactForce> kNoForces;
 
 /// True if the motion has no history yet and is about to get one.
 bool starts(const MovingBody& moving) {
@@ -44,6 +42,17 @@ void append(const std::vector<T>& more, std::vector<T>& all) {
 }
 
 }  // namespace
+
+PastContacts joined(const std::vector<PastContacts>& groups) {
+  PastContacts all;
+  for (const PastContacts& group : groups) {
+    append(group.touching, all.touching);
+    append(group.forces, all.forces);
+  }
+  std::ranges::sort(all.touching);
+  std::ranges::stable_sort(all.forces, {}, &ContactForce::pair);
+  return all;
+}
 
 GroupStepper::GroupStepper(const StepContext& context, Group group,
                            std::vector<EnergyLimiter*> limiters,
@@ -78,8 +87,8 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
 }
 
 GroupStepper::GroupStepper(const StepContext& context, const LoneBody& body, double step)
-    : GroupStepper(context, {.bodies = {body.id}, .joints = {}, .near = {}}, {}, kNoLimiters,
-                   {kNoPairs, kNoForces}, step) {}
+    : GroupStepper(context, {.bodies = {body.id}, .joints = {}, .near = {}}, {}, kNoLimiters, {},
+                   step) {}
 
 void GroupStepper::take(const LoneBody& body) {
   group_.bodies.front() = body.id;
@@ -148,7 +157,7 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
     others.push_back({m.id, own_[m.id]});
   }
   const LoneBodies lone(context_, std::move(others), whole_step_);
-  const PastContacts past{impacts_.touching(), forces_};
+  const PastContacts past = contacts();
   std::vector<std::unique_ptr<GroupStepper>> steppers;
   for (const Group& part : parts) {
     steppers.push_back(
@@ -159,17 +168,15 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
     if (i < steppers.size()) return steppers[i]->advance_in_substeps(time, length, false);
     lone.advance(i - steppers.size(), time, length);
   });
-  std::vector<Pair> touching;
-  forces_.clear();
+  std::vector<PastContacts> ends;
   for (const auto& stepper : steppers) {
-    append(stepper->touching(), touching);
-    append(stepper->contact_forces(), forces_);
+    ends.push_back(stepper->contacts());
     append(stepper->record_.rows, record_.rows);
     append(stepper->record_.reactions, record_.reactions);
   }
-  std::ranges::sort(touching);
-  std::ranges::stable_sort(forces_, {}, &ContactForce::pair);
-  impacts_.end_with(std::move(touching));
+  PastContacts end = joined(ends);
+  impacts_.end_with(std::move(end.touching));
+  forces_ = std::move(end.forces);
 }
 
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {

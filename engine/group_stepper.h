@@ -23,11 +23,14 @@
 
 namespace engine {
 
-/// Contacts at the end of the last step.
+/// Contacts at the end of a step.
 struct PastContacts {
-  const std::vector<Pair>& touching;        ///< Ascending.
-  const std::vector<ContactForce>& forces;  ///< Their pairs ascend.
+  std::vector<Pair> touching;        ///< Ascending.
+  std::vector<ContactForce> forces;  ///< Of the last substep; their pairs ascend.
 };
+
+/// Those of several groups together.
+PastContacts joined(const std::vector<PastContacts>& groups);
 
 /// A body that is a group of its own, and the limiter that judges it; null if that judges others,
 /// too.
@@ -50,10 +53,7 @@ class GroupStepper {
   /// Advances the bodies by a step, or a part of one [s]. @throws MotionFault, OdeFault
   void advance(double time, double length);
 
-  /// Pairs in contact, ascending.
-  const std::vector<Pair>& touching() const { return impacts_.touching(); }
-  /// Forces of contacts in the last substep; their pairs ascend.
-  const std::vector<ContactForce>& contact_forces() const { return forces_; }
+  PastContacts contacts() const { return {impacts_.touching(), forces_}; }
 
  private:
   friend class LoneBodies;

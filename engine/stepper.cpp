@@ -31,24 +31,15 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
 void Stepper::advance(double time) {
   std::vector<Group> groups = find_groups(near_pairs());
   const LoneBodies lone(context_, lone_bodies(groups), step_);
-  std::vector<std::vector<Pair>> touching(groups.size());
-  std::vector<std::vector<ContactForce>> forces(groups.size());
+  std::vector<PastContacts> ends(groups.size());
   parallel_for_rethrow(context_.parallel_for, groups.size() + lone.parts(), [&](std::size_t i) {
     if (i >= groups.size()) return lone.advance(i - groups.size(), time, step_);
-    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), own_limiters_,
-                         {touching_, forces_}, step_);
+    GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), own_limiters_, contacts_,
+                         step_);
     stepper.advance(time, step_);
-    touching[i] = stepper.touching();
-    forces[i] = stepper.contact_forces();
+    ends[i] = stepper.contacts();
   });
-  touching_.clear();
-  for (const std::vector<Pair>& pairs : touching)
-    touching_.insert(touching_.end(), pairs.begin(), pairs.end());
-  std::sort(touching_.begin(), touching_.end());
-  forces_.clear();
-  for (const std::vector<ContactForce>& of_group : forces)
-    forces_.insert(forces_.end(), of_group.begin(), of_group.end());
-  std::ranges::stable_sort(forces_, {}, &ContactForce::pair);
+  contacts_ = joined(ends);
 }
 
 std::vector<Pair> Stepper::near_pairs() {
@@ -93,14 +84,13 @@ std::vector<LoneBody> Stepper::lone_bodies(const std::vector<Group>& groups) con
 }
 
 StepperState Stepper::state() const {
-  StepperState state{.touching = touching_, .forces = forces_, .ranges = {}};
+  StepperState state{.touching = contacts_.touching, .forces = contacts_.forces, .ranges = {}};
   for (const EnergyLimiter& limiter : limiters_) state.ranges.push_back(limiter.range());
   return state;
 }
 
 void Stepper::restore(const StepperState& state) {
-  touching_ = state.touching;
-  forces_ = state.forces;
+  contacts_ = {state.touching, state.forces};
   for (std::size_t i = 0; i < limiters_.size(); ++i) limiters_[i].restore(state.ranges[i]);
 }
 

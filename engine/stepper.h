@@ -54,8 +54,7 @@ class Stepper {
   std::vector<EnergyLimiter> limiters_;
   std::vector<std::size_t> limiter_of_;       ///< Per body.
   std::vector<EnergyLimiter*> own_limiters_;  ///< Per body; null for one that judges others, too.
-  std::vector<Pair> touching_;                ///< Ascending.
-  std::vector<ContactForce> forces_;          ///< Their pairs ascend.
+  PastContacts contacts_;
   BroadPhase broad_phase_;
 };
 

@@ -166,12 +166,16 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
 /// Lets water run between the pockets of a body and the sea. Under a height field it may come from
 /// above the still water level, and then brings energy.
 void let_water_in(SubstepBody& b, double time, double h) {
-  const Environment& environment = b.body().environment;
-  const bool uneven =
-      b.end.held && environment.highest > environment.lowest && must_not_gain_energy(b.body());
-  const double before = uneven ? potential_energy(b.body(), b.end) : 0;
+  const std::shared_ptr<const HeldWater> held = b.end.held;
   let_water_run(b.body(), time, h, b.end);
-  b.inflow_work = uneven ? std::max(0.0, potential_energy(b.body(), b.end) - before) : 0;
+  b.inflow_work = 0;
+  const Environment& environment = b.body().environment;
+  const bool uneven = environment.highest > environment.lowest && must_not_gain_energy(b.body());
+  if (!uneven || b.end.held == held) return;
+  Motion before = b.end;
+  before.held = held;
+  const double brought = potential_energy(b.body(), b.end) - potential_energy(b.body(), before);
+  b.inflow_work = std::max(0.0, brought);
 }
 
 /// Counts the substep, tells whether it is to be judged, takes the correction back, and lets water

@@ -50,17 +50,16 @@ double depth_moment(const Hull& hull, const Eigen::Matrix3d& R_WB, double level)
 }
 
 double buoyancy_energy(const Hull& hull, const BodyState& state, const Sea& sea) {
+  const bool level = is_flat(sea) || changes_with_time(sea);
+  const double highest = level ? sea.level : surface_bounds(sea).highest;
+  if (state.position.z() - hull.radius >= highest) return 0;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const double level = sea.level - state.position.z();
-  double moment = 0;
-  if (changes_with_time(sea) || is_flat(sea)) {
-    if (level > -hull.radius) moment = depth_moment(hull, R_WB, level);
-  } else if (state.position.z() - hull.radius < surface_bounds(sea).highest) {
-    const SurfaceSampler surface(sea, state.position, 0, kSmallestPanel * hull.radius,
-                                 SplitFor::surface);
-    moment = depth_moment(hull, R_WB, level, surface);
-  }
-  return -sea.density * sea.gravity * moment;
+  const double above = sea.level - state.position.z();
+  const double weight = -sea.density * sea.gravity;
+  if (level) return weight * depth_moment(hull, R_WB, above);
+  const SurfaceSampler surface(sea, state.position, 0, kSmallestPanel * hull.radius,
+                               SplitFor::surface);
+  return weight * depth_moment(hull, R_WB, above, surface);
 }
 
 double energy_error_per_volume(const Sea& sea) {

@@ -108,7 +108,7 @@ TEST(GroupStepper, MovesABodyThatNothingTouchesBySubstepsOfItsOwn) {
   EXPECT_GT(heap.counts(0).constrained, 0);
   EXPECT_NEAR(heap.state(1).position.z(), 3 - kGravity * kStep * kStep / 2, 1e-13);
   const std::vector<engine::Pair> ground = {{kWorld, 0}};
-  EXPECT_EQ(heap.stepper->touching(), ground);
+  EXPECT_EQ(heap.stepper->contacts().touching, ground);
 }
 
 TEST(GroupStepper, HoldsBodiesOnTheirJoint) {
