@@ -23,7 +23,10 @@ Matrix6d uncoupled(Matrix6d matrix, const DofMask& locked, double diagonal) {
 /// The basis of (E4).
 struct Split {
   Split(const Matrix6d& inertia, const Matrix6d& change) : S(inertia) {
-    const hydro::EigenDecomposition6 eigen = hydro::eigen_decomposition(S.relative(change));
+    // Relative to S, which is a unit here, round-off leaves no more.
+    constexpr double kRoundOff = 1e-15;
+    const hydro::EigenDecomposition6 eigen =
+        hydro::eigen_decomposition(S.relative(change), kRoundOff);
     mu = eigen.values;
     V = eigen.vectors;
     root = S.lower() * V;
@@ -37,7 +40,7 @@ struct Split {
   }
 
   hydro::Cholesky6 S;
-  Vector6d mu;    ///< Ascending.
+  Vector6d mu;
   Matrix6d V;     ///< Lᵀ x_i, with S = L Lᵀ.
   Matrix6d root;  ///< The momenta S x_i.
 };

@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace hydro {
 
@@ -17,45 +19,118 @@ Vector6d eigenvalues(const Matrix6d& matrix) {
   return Eigen::SelfAdjointEigenSolver<Matrix6d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix) {
+namespace {
+
+/// Each pair of indices once. Those of a round have none in common, so that no rotation waits for
+/// another one.
+constexpr int kRounds[5][3][2] = {{{0, 5}, {1, 4}, {2, 3}},
+                                  {{0, 4}, {3, 5}, {1, 2}},
+                                  {{0, 3}, {2, 4}, {1, 5}},
+                                  {{0, 2}, {1, 3}, {4, 5}},
+                                  {{0, 1}, {2, 5}, {3, 4}}};
+
+/// The rotations of a round.
+struct Rotations {
+  /// Those after which the matrix has zeros between their indices.
+  Rotations(const Matrix6d& matrix, const int (&round)[3][2], double negligible) : pairs(round) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [p, q] = pairs[k];
+      const double off = matrix(q, p), apart = matrix(q, q) - matrix(p, p);
+      const bool turns = !(std::abs(off) <= negligible);  // NaN spreads.
+      const double tangent = 2 * off / (std::abs(apart) + std::sqrt(apart * apart + 4 * off * off));
+      const double t = turns ? std::copysign(1.0, apart) * tangent : 0;
+      cosine[k] = 1 / std::sqrt(1 + t * t);
+      sine[k] = t * cosine[k];
+      any = any || turns;
+    }
+  }
+  void turn_columns(Matrix6d& matrix) const {
+    for (int k = 0; k < 3; ++k) {
+      const auto [p, q] = pairs[k];
+      if (sine[k] == 0) continue;
+      const Vector6d first = matrix.col(p), second = matrix.col(q);
+      matrix.col(p) = cosine[k] * first - sine[k] * second;
+      matrix.col(q) = sine[k] * first + cosine[k] * second;
+    }
+  }
+
+  const int (&pairs)[3][2];
+  double cosine[3], sine[3];
+  bool any = false;
+};
+
+constexpr int kMostSweeps = 30;
+
+}  // namespace
+
+// Jacobi's method takes half the time of Eigen's solver, which brings the matrix to three diagonals
+// first, and less where elements are zero.
+EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix, double negligible) {
   assert(is_symmetric(matrix));
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(matrix);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
+  Matrix6d left = matrix, vectors = Matrix6d::Identity();
+  negligible = std::max(negligible, 1e-15 * matrix.cwiseAbs().maxCoeff());
+  bool turned = true;
+  for (int i = 0; i < kMostSweeps && turned; ++i) {
+    turned = false;
+    for (const auto& pairs : kRounds) {
+      const Rotations rotations(left, pairs, negligible);
+      if (!rotations.any) continue;
+      turned = true;
+      rotations.turn_columns(vectors);
+      rotations.turn_columns(left);
+      left = Matrix6d(left.transpose());
+      rotations.turn_columns(left);
+    }
+  }
+  return {left.diagonal(), vectors};
 }
 
 Cholesky6::Cholesky6(const Matrix6d& matrix) {
   const Eigen::LLT<Matrix6d> factor(matrix);
   lower_ = factor.matrixL();
+  inverse_diagonal_ = lower_.diagonal().cwiseInverse();
   positive_definite_ = factor.info() == Eigen::Success;
 }
 
+// Eigen's solutions divide by the diagonal each time, and those of several right-hand sides work by
+// blocks in memory of their own.
 Vector6d Cholesky6::solve(const Vector6d& x) const { return solve_upper(solve_lower(x)); }
 
-Vector6d Cholesky6::solve_lower(const Vector6d& x) const {
+Vector6d Cholesky6::solve_lower(Vector6d x) const {
   assert(positive_definite_);
-  return lower_.triangularView<Eigen::Lower>().solve(x);
+  for (int j = 0; j < 6; ++j) {
+    x[j] *= inverse_diagonal_[j];
+    for (int i = j + 1; i < 6; ++i) x[i] -= lower_(i, j) * x[j];
+  }
+  return x;
 }
 
-Vector6d Cholesky6::solve_upper(const Vector6d& x) const {
+Vector6d Cholesky6::solve_upper(Vector6d x) const {
   assert(positive_definite_);
-  return lower_.transpose().triangularView<Eigen::Upper>().solve(x);
+  for (int j = 5; j >= 0; --j) {
+    for (int i = j + 1; i < 6; ++i) x[j] -= lower_(i, j) * x[i];
+    x[j] *= inverse_diagonal_[j];
+  }
+  return x;
 }
 
-// Eigen unrolls the solution for a vector; for a matrix it allocates memory and works by blocks.
-Matrix6d Cholesky6::solve_lower_by_columns(const Matrix6d& X) const {
-  Matrix6d result;
-  for (int i = 0; i < 6; ++i) result.col(i) = solve_lower(Vector6d(X.col(i)));
-  return result;
+Matrix6d Cholesky6::times_inverse_transpose(Matrix6d X) const {
+  assert(positive_definite_);
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < i; ++k) X.col(i) -= lower_(i, k) * X.col(k);
+    X.col(i) *= inverse_diagonal_[i];
+  }
+  return X;
 }
 
 Matrix6d Cholesky6::inverse() const {
-  const Matrix6d half = solve_lower_by_columns(Matrix6d::Identity());
-  return half.transpose() * half;
+  const Matrix6d upper = times_inverse_transpose(Matrix6d::Identity());
+  return upper * upper.transpose();
 }
 
 Matrix6d Cholesky6::relative(const Matrix6d& X) const {
-  const Matrix6d half = solve_lower_by_columns(X);
-  const Matrix6d both = solve_lower_by_columns(half.transpose());
+  const Matrix6d half = times_inverse_transpose(X);
+  const Matrix6d both = times_inverse_transpose(half.transpose());
   return (both + both.transpose()) / 2;
 }
 

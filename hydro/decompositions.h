@@ -12,12 +12,14 @@ namespace hydro {
 Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix);
 Vector6d eigenvalues(const Matrix6d& matrix);
 
-/// matrix = vectors · diag(values) · vectorsᵀ; values ascending, vectors orthonormal columns.
+/// matrix = vectors · diag(values) · vectorsᵀ; vectors orthonormal columns, in no order.
 struct EigenDecomposition6 {
   Vector6d values;
   Matrix6d vectors;
 };
-EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix);
+/// @param matrix       Symmetric.
+/// @param negligible   Elements off the diagonal up to this size count as zero.
+EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix, double negligible = 0);
 
 /// Cholesky factorisation L Lᵀ of a symmetric positive definite matrix, L lower triangular. Only
 /// the lower half of the matrix is read.
@@ -31,18 +33,20 @@ class Cholesky6 {
   /// (L Lᵀ)⁻¹ x
   Vector6d solve(const Vector6d& x) const;
   /// L⁻¹ x
-  Vector6d solve_lower(const Vector6d& x) const;
+  Vector6d solve_lower(Vector6d x) const;
   /// L⁻ᵀ x
-  Vector6d solve_upper(const Vector6d& x) const;
+  Vector6d solve_upper(Vector6d x) const;
   /// (L Lᵀ)⁻¹, symmetric: it costs more than one solution, less than four.
   Matrix6d inverse() const;
   /// L⁻¹ X L⁻ᵀ of a symmetric matrix: X in the metric of L Lᵀ.
   Matrix6d relative(const Matrix6d& X) const;
 
  private:
-  Matrix6d solve_lower_by_columns(const Matrix6d& X) const;
+  /// X L⁻ᵀ
+  Matrix6d times_inverse_transpose(Matrix6d X) const;
 
   Matrix6d lower_;
+  Vector6d inverse_diagonal_;  ///< 1 / L_jj
   bool positive_definite_;
 };
 

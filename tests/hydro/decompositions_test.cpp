@@ -74,6 +74,20 @@ TEST_F(Decompositions, EigenvectorsAreThoseOfMatricesOfAllKinds) {
   expect_decomposed(Matrix6d::Ones());
 }
 
+TEST_F(Decompositions, ElementsThatAreNegligibleCountAsZero) {
+  Matrix6d matrix = 1e-12 * symmetric();
+  matrix.diagonal() = vector();
+  const auto [values, V] = hydro::eigen_decomposition(matrix, 1e-11);
+  EXPECT_EQ(values, Vector6d(matrix.diagonal()));
+  EXPECT_EQ(V, Matrix6d(Matrix6d::Identity()));
+}
+
+TEST_F(Decompositions, WhatIsNotANumberEndsToo) {
+  Matrix6d matrix = symmetric();
+  matrix(1, 4) = matrix(4, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(hydro::eigen_decomposition(matrix).values.allFinite());
+}
+
 TEST_F(Decompositions, TheFactorSolvesWhatItIsOf) {
   for (int i = 0; i < 300; ++i) {
     const Matrix6d S = inertia(2);
