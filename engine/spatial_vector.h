@@ -9,6 +9,7 @@
 
 namespace engine {
 
+using hydro::cross_matrix;
 using hydro::Matrix6d;
 using hydro::Vector6d;
 
@@ -30,11 +31,6 @@ inline Matrix6d rotate_tensor(const Eigen::Matrix3d& R_AB, const Matrix6d& matri
     for (const int j : {0, 3})
       result.block<3, 3>(i, j) = R_AB * matrix.block<3, 3>(i, j) * R_AB.transpose();
   return result;
-}
-
-/// [v]×, the matrix of v × .
-inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  return Eigen::Matrix3d{{0, -v.z(), v.y()}, {v.z(), 0, -v.x()}, {-v.y(), v.x(), 0}};
 }
 
 /// Norm of a velocity or acceleration whose angular part is multiplied by the radius [m].

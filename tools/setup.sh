@@ -30,6 +30,9 @@ if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }
 
+# Prints the comment at the top of the tool that sources this, which is its help, and ends the tool.
+print_help() { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 0; }
+
 # install_missing PACKAGE...: by the system's package manager, after saying which.
 install_missing() {
   if ! command -v dpkg-query > /dev/null; then

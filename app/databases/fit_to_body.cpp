@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using hydro::cross_matrix;
 using hydro::Matrix6d;
 
 /// Bound of the differences between estimates of A∞, over its largest entry [-].
@@ -38,12 +39,6 @@ struct Move {
     return to_H * (by_center.transpose() * about_reference * by_center) * to_H.transpose();
   }
 };
-
-Matrix3d cross_matrix(const Vector3d& r) {
-  Matrix3d m;
-  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return m;
-}
 
 void check_water(const Database& d, const hydro::LinearWater& water) {
   if (!(water.gravity > 0 && std::isfinite(water.gravity) && water.depth > 0))
