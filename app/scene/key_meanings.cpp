@@ -30,7 +30,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "counts both per body (`pieces`, `implicit_pieces`); where they are many, a shorter step is "
      "more accurate. Where bodies collide with each other or with the ground, the step is "
      "divided at the time of first contact and continues in short substeps for these bodies "
-     "alone. Heaps with more than four pairs in contact take whole steps."},
+     "alone. Heaps in which more than four pairs touch take whole steps."},
     {"gravity", "Gravitational acceleration along −z."},
     {"integrator", "Options of the time stepping."},
     {"integrator.method",
