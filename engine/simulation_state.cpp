@@ -163,8 +163,8 @@ void visit(auto& a, RigState& rig) {
   visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.moordyn);
 }
 void visit(auto& a, SimulationState::Data& data) {
-  visit_all(a, data.steps, data.bodies, data.stepper.touching, data.stepper.forces,
-            data.stepper.ranges, data.rig);
+  visit_all(a, data.steps, data.bodies, data.stepper.contacts.touching,
+            data.stepper.contacts.forces, data.stepper.ranges, data.rig);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "engine/stepper.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/impact_boxes.h"
@@ -84,13 +83,13 @@ std::vector<LoneBody> Stepper::lone_bodies(const std::vector<Group>& groups) con
 }
 
 StepperState Stepper::state() const {
-  StepperState state{.touching = contacts_.touching, .forces = contacts_.forces, .ranges = {}};
+  StepperState state{.contacts = contacts_, .ranges = {}};
   for (const EnergyLimiter& limiter : limiters_) state.ranges.push_back(limiter.range());
   return state;
 }
 
 void Stepper::restore(const StepperState& state) {
-  contacts_ = {state.touching, state.forces};
+  contacts_ = state.contacts;
   for (std::size_t i = 0; i < limiters_.size(); ++i) limiters_[i].restore(state.ranges[i]);
 }
 

@@ -15,9 +15,8 @@ namespace engine {
 
 /// What the steps so far leave to the next one, beside the bodies' motions.
 struct StepperState {
-  std::vector<Pair> touching;        ///< Pairs in contact, ascending.
-  std::vector<ContactForce> forces;  ///< Of contacts; their pairs ascend.
-  std::vector<EnergyRange> ranges;   ///< Of the energy limiters, in their order.
+  PastContacts contacts;
+  std::vector<EnergyRange> ranges;  ///< Of the energy limiters, in their order.
 };
 
 class Stepper {

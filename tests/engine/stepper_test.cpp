@@ -46,7 +46,7 @@ TEST(Stepper, StepsBodiesTogetherOnlyWhereTheyAreJointedOrNear) {
   EXPECT_EQ(all.bodies[0].counts.free, 0);
   EXPECT_GT(all.bodies[0].counts.constrained, 0);
   const std::vector<engine::Pair> met = {{2, 3}};
-  EXPECT_EQ(stepper.state().touching, met);
+  EXPECT_EQ(stepper.state().contacts.touching, met);
   EXPECT_LT(all.bodies[2].motion.state.linear_velocity.x(), -1);  // It was pushed.
 }
 
