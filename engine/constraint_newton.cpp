@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>
 #include <algorithm>
-#include <ranges>
+#include <span>
 #include <utility>
 
 #include "engine/constants.h"
@@ -156,8 +156,9 @@ std::optional<std::vector<Vector3d>> newton_step(const std::vector<PreparedBlock
   for (auto first = all.begin(); first != all.end();) {
     const auto last =
         std::find_if(first, all.end(), [&](const Touch& t) { return t.body != first->body; });
-    for (const Touch& r : std::ranges::subrange(first, last))
-      for (const Touch& c : std::ranges::subrange(first, last))
+    const std::span<const Touch> of_one_body(first, last);
+    for (const Touch& r : of_one_body)
+      for (const Touch& c : of_one_body)
         system.add(r.block, c.block,
                    rows[r.block].Q *
                        (blocks[r.block].block().J[r.side] * blocks[c.block].spread(c.side)) *

@@ -1,7 +1,6 @@
 #include "engine/contact_memory.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace engine {
 
@@ -21,6 +20,11 @@ std::vector<ContactForce> remembered(const std::vector<Contact>& contacts,
   return memory;
 }
 
+std::span<const ContactForce> forces_of(const Pair& pair, const std::vector<ContactForce>& memory) {
+  return {std::ranges::lower_bound(memory, pair, {}, &ContactForce::pair),
+          std::ranges::upper_bound(memory, pair, {}, &ContactForce::pair)};
+}
+
 void recall(const std::vector<ContactForce>& memory, const StateOf& state_of,
             std::vector<Contact>& contacts) {
   for (std::size_t i = 0; i < contacts.size();) {
@@ -28,7 +32,7 @@ void recall(const std::vector<ContactForce>& memory, const StateOf& state_of,
     const auto end = std::find_if(contacts.begin() + static_cast<std::ptrdiff_t>(i), contacts.end(),
                                   [&](const Contact& other) { return other.pair != pair; });
     const auto now = static_cast<std::size_t>(end - contacts.begin()) - i;
-    const auto known = std::ranges::equal_range(memory, pair, {}, &ContactForce::pair);
+    const std::span<const ContactForce> known = forces_of(pair, memory);
     const hydro::BodyState second = known.empty() ? hydro::BodyState{} : state_of(pair.second);
     const double part = std::min(1.0, static_cast<double>(known.size()) / static_cast<double>(now));
     for (const std::size_t last = i + now; i < last; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/contacts.h"
@@ -19,6 +20,10 @@ struct ContactForce {
       Eigen::Vector3d::Zero();  ///< In the axes of the pair's second body [m].
   Eigen::Vector3d force_B = Eigen::Vector3d::Zero();  ///< On the first body, in the same axes [N].
 };
+
+/// Those of one pair.
+/// @param memory   Its pairs ascend.
+std::span<const ContactForce> forces_of(const Pair& pair, const std::vector<ContactForce>& memory);
 
 /// State of a body; of one that cannot move any.
 using StateOf = std::function<hydro::BodyState(BodyId)>;

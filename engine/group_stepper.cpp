@@ -81,7 +81,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
     islands_.push_back({.bodies = {&members_.front()}, .contacts = {}, .constrained = false});
   else
     for (const Pair& pair : group_.near) {
-      const auto known = std::ranges::equal_range(past.forces, pair, {}, &ContactForce::pair);
+      const std::span<const ContactForce> known = forces_of(pair, past.forces);
       forces_.insert(forces_.end(), known.begin(), known.end());
     }
 }
