@@ -6,15 +6,10 @@
 namespace hydro {
 namespace {
 
-/// ∫ d² n_z dS over the part of a panel that is under water, with the depths of its vertices [m^4].
-double square_depth(const Panel& panel, const Eigen::Vector3d& depths) {
-  double integral = 0;
-  for (const PanelPart& wet : positive_part(panel, depths)) {
-    const Eigen::Vector3d& d = wet.value;
-    const double squares = d.squaredNorm() + d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
-    integral += area_vector(wet.panel).z() * squares / 6;
-  }
-  return integral;
+/// ∫ d² n dS over a panel with the depths d of its vertices [m^4].
+Eigen::Vector3d square_depth(const Panel& panel, const Eigen::Vector3d& d) {
+  const double squares = d.squaredNorm() + d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+  return squares / 6 * area_vector(panel);
 }
 
 Eigen::Vector3d heights(const Panel& panel) { return {panel[0].z(), panel[1].z(), panel[2].z()}; }
@@ -31,7 +26,8 @@ double depth_moment(const Hull& hull, const Eigen::Matrix3d& R_WB, double level,
     for_each_linear_piece(panel, elevation, surface,
                           [&](const Panel& piece, const Eigen::Vector3d& above) {
                             const Eigen::Vector3d depths = (above - heights(piece)).array() + level;
-                            integral += square_depth(piece, depths);
+                            for (const PanelPart& wet : positive_part(piece, depths))
+                              integral += square_depth(wet.panel, wet.value).z();
                           });
   }
   return integral / 2;
@@ -40,11 +36,21 @@ double depth_moment(const Hull& hull, const Eigen::Matrix3d& R_WB, double level,
 }  // namespace
 
 double depth_moment(const Hull& hull, const Eigen::Matrix3d& R_WB, double level) {
-  const Eigen::Matrix3Xd r = R_WB * hull.mesh_B.vertices;
+  // In body axes, in which no panel has to be turned.
+  const Eigen::RowVector3d up_B = R_WB.row(2);
+  const Eigen::RowVectorXd depth = level - (up_B * hull.mesh_B.vertices).array();
   double integral = 0;
   for (const auto& face : hull.mesh_B.faces.colwise()) {
-    const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
-    integral += square_depth(panel, level - heights(panel).array());
+    const Eigen::Vector3d depths(depth[face[0]], depth[face[1]], depth[face[2]]);
+    if (depths.maxCoeff() <= 0) continue;
+    const Panel panel = {hull.mesh_B.vertices.col(face[0]), hull.mesh_B.vertices.col(face[1]),
+                         hull.mesh_B.vertices.col(face[2])};
+    if (depths.minCoeff() >= 0) {
+      integral += up_B.dot(square_depth(panel, depths));
+      continue;
+    }
+    for (const PanelPart& wet : positive_part(panel, depths))
+      integral += up_B.dot(square_depth(wet.panel, wet.value));
   }
   return integral / 2;
 }
