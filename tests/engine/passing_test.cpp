@@ -155,7 +155,7 @@ TEST(Passing, BulletsThatBounceStayInTheirCageAndKeepTheirEnergy) {
       const SimulationSpec spec = cage(bullets, step);
       Simulation simulation(spec);
       const double start = support::energy(spec, simulation.states());
-      for (int i = 0; i < 100; ++i) {
+      for (int i = 0; i < support::repeats(100); ++i) {
         simulation.step();
         for (int k = 0; k < bullets; ++k)
           ASSERT_LT(simulation.states()[k].position.cwiseAbs().maxCoeff(), 0.5)

@@ -29,7 +29,7 @@ TEST(Stack, OfFiveCratesStandsForTwentySeconds) {
       crates.push_back(crate({0.03 * (i % 2), -0.02 * (i % 3), 0.505 + 1.005 * i}, shape));
     }
     const Simulation simulation =
-        support::after(on_flat_ground(crates), support::steps_in(20, kStep));
+        support::after(on_flat_ground(crates), support::steps_in(support::repeats(20), kStep));
     for (std::size_t i = 0; i < crates.size(); ++i) {
       const hydro::BodyState& state = simulation.states()[i];
       const Vector3d moved = state.position - crates[i].initial.position;
@@ -109,7 +109,7 @@ TEST(Heap, OfFallenCratesGainsNoEnergyAndStaysAboveGround) {
   for (const CollisionShape shape : {CollisionShape::box, CollisionShape::mesh}) {
     Simulation simulation(heap(shape));
     const double start = support::energy(simulation.spec(), simulation.states());
-    for (long i = 0; i < support::steps_in(6, kStep); ++i) {
+    for (long i = 0; i < support::steps_in(support::repeats(6), kStep); ++i) {
       simulation.step();
       ASSERT_LE(support::energy(simulation.spec(), simulation.states()), start);
     }
@@ -118,8 +118,9 @@ TEST(Heap, OfFallenCratesGainsNoEnergyAndStaysAboveGround) {
 }
 
 TEST(Heap, OfManyContactsTakesTheSameWayTwice) {
-  const Simulation first = support::after(heap(CollisionShape::mesh), 500);
-  const Simulation second = support::after(heap(CollisionShape::mesh), 500);
+  const int steps = support::repeats(500);
+  const Simulation first = support::after(heap(CollisionShape::mesh), steps);
+  const Simulation second = support::after(heap(CollisionShape::mesh), steps);
   for (std::size_t i = 0; i < first.states().size(); ++i) {
     EXPECT_EQ(first.states()[i].position, second.states()[i].position);
     EXPECT_EQ(first.states()[i].orientation.coeffs(), second.states()[i].orientation.coeffs());

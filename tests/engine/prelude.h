@@ -7,6 +7,7 @@
 #include "engine/simulation.h"
 #include "tests/engine/specs.h"
 #include "tests/support/random_pose.h"
+#include "tests/support/repeats.h"
 #include "tests/support/tolerance.h"
 
 /// @file

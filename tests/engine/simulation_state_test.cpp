@@ -134,23 +134,22 @@ SimulationSpec by_plain_method(SimulationSpec spec) {
 }
 
 struct Scene {
-  std::string name;
-  SimulationSpec spec;
+  const char* name;
+  SimulationSpec (*spec)();
 };
 
-std::vector<Scene> scenes() {
-  return {{"free", free_bodies()},
-          {"jointed", jointed_bodies()},
-          {"touching", touching_bodies()},
-          {"reduced joints", reduced_joints()},
-          {"resting", resting_bodies()},
-          {"free, within a tolerance", with_tolerance(free_bodies())},
-          {"touching, within a tolerance", with_tolerance(touching_bodies())},
-          {"jointed, with a record of work", with_record(jointed_bodies())},
-          {"touching, with a record of work", with_record(touching_bodies())},
-          {"touching, by the plain method", by_plain_method(touching_bodies())},
-          {"jointed, by the plain method", by_plain_method(jointed_bodies())}};
-}
+const Scene kScenes[] = {
+    {"free", free_bodies},
+    {"jointed", jointed_bodies},
+    {"touching", touching_bodies},
+    {"reduced joints", reduced_joints},
+    {"resting", resting_bodies},
+    {"free, within a tolerance", [] { return with_tolerance(free_bodies()); }},
+    {"touching, within a tolerance", [] { return with_tolerance(touching_bodies()); }},
+    {"jointed, with a record of work", [] { return with_record(jointed_bodies()); }},
+    {"touching, with a record of work", [] { return with_record(touching_bodies()); }},
+    {"touching, by the plain method", [] { return by_plain_method(touching_bodies()); }},
+    {"jointed, by the plain method", [] { return by_plain_method(jointed_bodies()); }}};
 
 /// What a program does before a step of a run: a pull and a load begin before the state is saved
 /// and act after it.
@@ -185,35 +184,38 @@ SimulationState saved_state(Simulation& simulation) {
 /// True without printing two long strings of bytes if not.
 bool same(const std::string& a, const std::string& b) { return a == b; }
 
-TEST(SimulationState, ContinuesARunToTheSameBytesAtAnyNumberOfThreads) {
-  for (const Scene& scene : scenes()) {
-    SCOPED_TRACE(scene.name);
-    SimulationSpec spec = scene.spec;
-    Simulation whole(spec);
-    const std::string end = finished(whole, false);
-    for (const int threads : {1, 2}) {
-      SCOPED_TRACE(threads);
-      spec.threads = threads;
-      Simulation first(spec);
-      const SimulationState state = saved_state(first);
-      EXPECT_TRUE(same(finished(first, true), end)) << "not interrupted";
-      first.restore(state);
-      EXPECT_TRUE(same(finished(first, true), end)) << "restored into the same simulation";
-      Simulation second(spec);
-      second.restore(SimulationState::from_bytes(state.to_bytes()));
-      EXPECT_TRUE(same(finished(second, true), end)) << "restored from bytes into a new one";
-    }
+class ContinuedRun : public testing::TestWithParam<Scene> {};
+
+TEST_P(ContinuedRun, HasTheSameBytesAtAnyNumberOfThreads) {
+  SCOPED_TRACE(GetParam().name);
+  SimulationSpec spec = GetParam().spec();
+  Simulation whole(spec);
+  const std::string end = finished(whole, false);
+  for (const int threads : {1, 2}) {
+    SCOPED_TRACE(threads);
+    spec.threads = threads;
+    Simulation first(spec);
+    const SimulationState state = saved_state(first);
+    EXPECT_TRUE(same(finished(first, true), end)) << "not interrupted";
+    first.restore(state);
+    EXPECT_TRUE(same(finished(first, true), end)) << "restored into the same simulation";
+    Simulation second(spec);
+    second.restore(SimulationState::from_bytes(state.to_bytes()));
+    EXPECT_TRUE(same(finished(second, true), end)) << "restored from bytes into a new one";
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(SimulationState, ContinuedRun, testing::ValuesIn(kScenes));
+
 TEST(SimulationState, RestoresASimulationThatHasGoneAnotherWay) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : kScenes) {
     SCOPED_TRACE(scene.name);
-    Simulation first(scene.spec);
+    const SimulationSpec spec = scene.spec();
+    Simulation first(spec);
     const SimulationState state = saved_state(first);
     const std::string end = finished(first, true);
-    Simulation other(scene.spec);
-    BodyState thrown = scene.spec.bodies[0].initial;
+    Simulation other(spec);
+    BodyState thrown = spec.bodies[0].initial;
     thrown.position += Vector3d(0.3, -0.2, 0.5);
     thrown.angular_velocity = {2, 1, -1};
     other.set_motion(0, thrown);
@@ -237,9 +239,9 @@ TEST(SimulationState, KnowsTheLoadsThatTheNextStepNeedNotFind) {
 }
 
 TEST(SimulationState, ComesBackFromItsBytesAsItWas) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : kScenes) {
     SCOPED_TRACE(scene.name);
-    Simulation simulation(scene.spec);
+    Simulation simulation(scene.spec());
     const SimulationState state = saved_state(simulation);
     const SimulationState back = SimulationState::from_bytes(state.to_bytes());
     EXPECT_EQ(back.steps(), kSaved);

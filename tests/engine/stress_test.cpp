@@ -36,7 +36,7 @@ SimulationSpec tangle(unsigned seed, double ratio) {
 TEST(Stress, ContradictoryConstraintsDoNotEndASimulation) {
   for (unsigned seed = 1; seed <= static_cast<unsigned>(support::repeats(12)); ++seed) {
     SCOPED_TRACE(seed);
-    EXPECT_NO_THROW(support::after(tangle(seed, 1e5), 200));
+    EXPECT_NO_THROW(support::after(tangle(seed, 1e5), support::repeats(200)));
   }
 }
 
