@@ -134,7 +134,7 @@ void visit(auto& a, Motion& m) {
             m.load_acceleration_W, m.acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
-void visit(auto& a, AppliedLoad::Sine& sine) { visit_all(a, sine.frequency, sine.phase); }
+void visit(auto& a, Sine& sine) { visit_all(a, sine.frequency, sine.phase); }
 void visit(auto& a, AppliedLoad& l) {
   visit_all(a, l.force, l.torque, l.in_body_frame, l.at_B, l.start, l.end, l.sine, l.factor);
 }

@@ -31,6 +31,12 @@ enum class CollisionShape {
 /// Degrees of freedom of a body in world axes: x, y, z, roll, pitch, yaw.
 using DofMask = std::array<bool, 6>;
 
+/// sin(2π·frequency·t + phase)
+struct Sine {
+  double frequency = 0;  ///< [Hz]
+  double phase = 0;      ///< [rad]
+};
+
 /// A load given by the scene: constant or sinusoidal, between two times.
 struct AppliedLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();       ///< [N]
@@ -39,12 +45,8 @@ struct AppliedLoad {
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();        ///< Where the force acts, in B [m].
   double start = 0;                                      ///< [s], inclusive.
   double end = std::numeric_limits<double>::infinity();  ///< [s], exclusive.
-  struct Sine {
-    double frequency = 0;  ///< [Hz]
-    double phase = 0;      ///< [rad]
-  };
-  std::optional<Sine> sine;          ///< Multiplies the load by sin(2π·frequency·t + phase).
-  std::optional<SetPointId> factor;  ///< Multiplies the load by this set point.
+  std::optional<Sine> sine;                              ///< Multiplies the load.
+  std::optional<SetPointId> factor;                      ///< Multiplies the load by this set point.
 };
 
 /// A hole through which water runs between the two spaces on its sides: the sea or pockets.

@@ -154,8 +154,7 @@ engine::AppliedLoad applied_load(const scene::AppliedLoad& load, const Eigen::Ve
                               .start = load.start,
                               .end = load.end};
   if (load.sine)
-    applied.sine =
-        engine::AppliedLoad::Sine{.frequency = load.sine->frequency, .phase = load.sine->phase};
+    applied.sine = engine::Sine{.frequency = load.sine->frequency, .phase = load.sine->phase};
   return applied;
 }
 

@@ -9,7 +9,6 @@
 
 namespace {
 
-using engine::AppliedLoad;
 using engine::MovingBody;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -36,7 +35,7 @@ TEST(AppliedLoads, TurnWithTheBodyAndHaveALever) {
   const Vector3d force = random.vector(1), torque = random.vector(1), at = random.vector(1);
   spec.bodies[0].loads = {
       {.force = force, .torque = torque, .in_body_frame = true, .at_B = at},
-      {.force = force, .torque = torque, .at_B = at, .sine = AppliedLoad::Sine{0.5, 0.2}}};
+      {.force = force, .torque = torque, .at_B = at, .sine = engine::Sine{0.5, 0.2}}};
   const MovingBody body = only_body(spec);
   const BodyState state = random.state(1, 1);
   const Matrix3d R = state.orientation.toRotationMatrix();
