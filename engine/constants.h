@@ -44,15 +44,18 @@ inline constexpr double kRoundOffPart = 1e-12;
 
 // ── Which substeps are judged (substep.h, energy_limiter.h) ─────────────────────────────────────
 
-/// Change of velocity beyond the extrapolated one, over the velocity, that is abrupt [-].
-inline constexpr double kAbruptLoad = 0.01;
+/// Change of velocity beyond the extrapolated one, over the velocity, that is abrupt [-]. Larger:
+/// bodies that dip into the water gain more than kEnergyGain before they are judged.
+inline constexpr double kAbruptLoad = 1e-3;
 /// Rise through the water surface in a substep, over the height, that is abrupt [-].
 inline constexpr double kAbruptCrossing = 0.1;
 /// Rise by loads through the water surface, over the height, after which a substep is halved [-].
-inline constexpr double kLargestOvershoot = 2;
+/// Larger: plates a twentieth of a millimetre thick that spin in a swell are thrown out of it.
+inline constexpr double kLargestOvershoot = 1;
 /// Turn in a substep beyond which halves find a body's energy no better [rad].
 inline constexpr double kFollowedTurn = 8;
-/// Phase per substep below which substeps of a jointed group are not judged [rad].
+/// Phase per substep below which those of a jointed group, or of a body in the water surface, are
+/// not judged [rad].
 inline constexpr double kSmoothSwing = 0.3;
 /// Half the energy gain that still water may give, over the largest energy so far [-]. Larger:
 /// light bodies bounce on the surface; smaller: resolved motions are slowed.

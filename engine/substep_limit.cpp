@@ -85,6 +85,11 @@ bool can_be_followed(const Body& body, const Motion& motion, double h) {
   return own_turning_rate(body, motion) * h < kFollowedTurn;
 }
 
+bool meets_surface(const Body& body, const hydro::BodyState& before,
+                   const hydro::BodyState& after) {
+  return surface_crossing(body, before, after).meets;
+}
+
 bool crosses_surface(const Body& body, const hydro::BodyState& before,
                      const hydro::BodyState& after) {
   const SurfaceCrossing c = surface_crossing(body, before, after);

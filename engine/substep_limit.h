@@ -25,6 +25,9 @@ double substep_limit(const Body& body, const Motion& motion, double rest, double
 /// find its energy better than the whole.
 bool can_be_followed(const Body& body, const Motion& motion, double h);
 
+/// True if the body may have touched the surface on its way.
+bool meets_surface(const Body& body, const hydro::BodyState& before, const hydro::BodyState& after);
+
 /// True if the body moves through the surface by much of its height, or reaches or leaves it.
 bool crosses_surface(const Body& body, const hydro::BodyState& before,
                      const hydro::BodyState& after);
