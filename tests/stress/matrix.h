@@ -14,7 +14,7 @@ namespace stress {
 /// triangles.
 std::vector<RunName> whole_matrix();
 
-/// Returns about 200 of the runs, from all parts, for every build.
+/// Returns about 200 of the runs, from all parts, for every build: none that takes minutes.
 std::vector<RunName> subset();
 
 /// Returns random runs of free bodies between the values of the matrix: of 0.1 mm to 60 m, 0.002 to
