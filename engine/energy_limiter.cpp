@@ -5,6 +5,7 @@
 
 #include "engine/constants.h"
 #include "engine/energy.h"
+#include "engine/substep_limit.h"
 #include "hydro/statics/buoyancy_energy.h"
 
 namespace engine {
@@ -47,8 +48,7 @@ double work_done(const MovingBody& moving, const hydro::BodyState& before,
 /// oscillation.
 bool is_suspect(const SubstepBody& b, double h) {
   if (!b.end.constrained) return b.abrupt;
-  const AccelerationHistory& history = b.end.accelerations;
-  return !history.resolved() || history.dominant_frequency() * h > kSmoothSwing;
+  return !is_smooth(b.end.accelerations, h);
 }
 
 /// True if taking back the errors of joints has given a group more than a negligible part of its

@@ -137,22 +137,20 @@ bool is_unpredictable(const SubstepBody& b, double h) {
   return scaled_norm(off, radius) > kAbruptLoad * scaled_norm(after, radius);
 }
 
-/// True if the body in the water surface may have met other loads on its way than the history of
-/// its accelerations tells: it was dry halfway, or they are not resolved.
-bool may_be_surprised(const SubstepBody& b, double h) {
-  if (!meets_surface(b.body(), b.start, b.end.state)) return false;
-  const AccelerationHistory& history = b.end.accelerations;
+/// True if the loads halfway were those of a dry body.
+bool was_dry(const SubstepBody& b) {
   const hydro::Wrench water = b.moving->cache.loads.water.total();
-  const bool dry = water.force.isZero(0) && water.moment.isZero(0);
-  return dry || !history.resolved() || history.dominant_frequency() * h > kSmoothSwing;
+  return water.force.isZero(0) && water.moment.isZero(0);
 }
 
 /// True if the loads halfway may not have been those on the way of a free body.
 bool is_abrupt(const SubstepBody& b, double h) {
   if (b.update.implicit || !b.body().wet) return b.update.implicit;
-  return b.end.state.angular_velocity.norm() * h > kLargestSwing ||
-         crosses_surface(b.body(), b.start, b.end.state) || is_unpredictable(b, h) ||
-         may_be_surprised(b, h);
+  if (b.end.state.angular_velocity.norm() * h > kLargestSwing || is_unpredictable(b, h))
+    return true;
+  const SurfaceCrossing crossing = surface_crossing(b.body(), b.start, b.end.state);
+  return crossing.abrupt() ||
+         (crossing.meets && (!is_smooth(b.end.accelerations, h) || was_dry(b)));
 }
 
 /// Finds the added mass of the final poses, for another pass of updates; after the last one it

@@ -52,13 +52,7 @@ double turn_limit(const Body& body, const Motion& motion, double rest, double sh
   return equal_part(rest, std::max(shortest, rate > 0 ? kLargestConstrainedTurn / rate : rest));
 }
 
-/// The rise of a body relative to the range of heights of the water surface.
-struct SurfaceCrossing {
-  bool meets;     ///< The body may have touched the surface.
-  bool reaches;   ///< It may have reached or left the surface.
-  double rise;    ///< [m]
-  double height;  ///< The body's own [m].
-};
+}  // namespace
 
 SurfaceCrossing surface_crossing(const Body& body, const hydro::BodyState& before,
                                  const hydro::BodyState& after) {
@@ -70,8 +64,6 @@ SurfaceCrossing surface_crossing(const Body& body, const hydro::BodyState& befor
           .rise = last - first,
           .height = height};
 }
-
-}  // namespace
 
 double substep_limit(const Body& body, const Motion& motion, double rest, double step,
                      bool constrained) {
@@ -85,15 +77,17 @@ bool can_be_followed(const Body& body, const Motion& motion, double h) {
   return own_turning_rate(body, motion) * h < kFollowedTurn;
 }
 
-bool meets_surface(const Body& body, const hydro::BodyState& before,
-                   const hydro::BodyState& after) {
-  return surface_crossing(body, before, after).meets;
+bool is_smooth(const AccelerationHistory& history, double h) {
+  return history.resolved() && history.dominant_frequency() * h <= kSmoothSwing;
+}
+
+bool SurfaceCrossing::abrupt() const {
+  return meets && (reaches || std::abs(rise) > kAbruptCrossing * height);
 }
 
 bool crosses_surface(const Body& body, const hydro::BodyState& before,
                      const hydro::BodyState& after) {
-  const SurfaceCrossing c = surface_crossing(body, before, after);
-  return c.meets && (c.reaches || std::abs(c.rise) > kAbruptCrossing * c.height);
+  return surface_crossing(body, before, after).abrupt();
 }
 
 bool overshoots_surface(const Body& body, const hydro::BodyState& before,

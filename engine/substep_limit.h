@@ -25,8 +25,22 @@ double substep_limit(const Body& body, const Motion& motion, double rest, double
 /// find its energy better than the whole.
 bool can_be_followed(const Body& body, const Motion& motion, double h);
 
-/// True if the body may have touched the surface on its way.
-bool meets_surface(const Body& body, const hydro::BodyState& before, const hydro::BodyState& after);
+/// True if the last accelerations are resolved and a substep of length h [s] goes through less than
+/// kSmoothSwing of their oscillation.
+bool is_smooth(const AccelerationHistory& history, double h);
+
+/// The rise of a body relative to the range of heights of the water surface.
+struct SurfaceCrossing {
+  bool meets;     ///< The body may have touched the surface.
+  bool reaches;   ///< It may have reached or left the surface.
+  double rise;    ///< [m]
+  double height;  ///< The body's own [m].
+
+  bool abrupt() const;  ///< As crosses_surface().
+};
+
+SurfaceCrossing surface_crossing(const Body& body, const hydro::BodyState& before,
+                                 const hydro::BodyState& after);
 
 /// True if the body moves through the surface by much of its height, or reaches or leaves it.
 bool crosses_surface(const Body& body, const hydro::BodyState& before,

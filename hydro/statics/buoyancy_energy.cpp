@@ -42,13 +42,8 @@ double depth_moment(const Hull& hull, const Eigen::Matrix3d& R_WB, double level)
   double integral = 0;
   for (const auto& face : hull.mesh_B.faces.colwise()) {
     const Eigen::Vector3d depths(depth[face[0]], depth[face[1]], depth[face[2]]);
-    if (depths.maxCoeff() <= 0) continue;
     const Panel panel = {hull.mesh_B.vertices.col(face[0]), hull.mesh_B.vertices.col(face[1]),
                          hull.mesh_B.vertices.col(face[2])};
-    if (depths.minCoeff() >= 0) {
-      integral += up_B.dot(square_depth(panel, depths));
-      continue;
-    }
     for (const PanelPart& wet : positive_part(panel, depths))
       integral += up_B.dot(square_depth(wet.panel, wet.value));
   }
