@@ -47,9 +47,17 @@ TEST_P(ShippedScene, IsRight) {
   EXPECT_THAT(built.notes, testing::IsEmpty());
 }
 
+/// A scene whose added masses are solved in a tenth of the time and less: no digit of them matters.
+scene::Scene coarsely_solved(scene::Scene scene) {
+  constexpr double kTolerance = 0.02;
+  for (scene::Body& body : scene.bodies)
+    body.hydro.added_mass.tolerance = std::max(body.hydro.added_mass.tolerance, kTolerance);
+  return scene;
+}
+
 // The simulation refuses states beyond 1e9 by itself; in a second or two nothing goes far.
 TEST_P(ShippedScene, RunsWithinBoundsAndRepeatsItselfBitForBit) {
-  const scene::Scene scene = scene::read(kScenes / GetParam());
+  const scene::Scene scene = coarsely_solved(scene::read(kScenes / GetParam()));
   assembly::AddedMassStore store(assembly::cache_folder());
   assembly::BuiltScene built = assembly::build(scene, store);
   engine::SimulationSpec& spec = built.spec;
