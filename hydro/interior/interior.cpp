@@ -93,11 +93,13 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
   // A pocket that has been turned over holds less, at no level what it did.
   const double ceiling = 2 * span.highest - span.lowest;
   double low = span.lowest, high = HUGE_VAL, area = guess.area;
+  // Towards the tip of a corner secants creep, and below the pocket there is none.
+  bool creeps = false;
   WaterInside at = water_up_to(pocket, R_WB, std::clamp(guess.level, low, span.highest));
   for (int i = 0; i < kMostTrials && std::abs(at.volume - volume) > kVolumeError * volume; ++i) {
     (at.volume > volume ? high : low) = at.level;
     double next = at.level + (volume - at.volume) / area;
-    if (!(next > low && next < high))
+    if (creeps || !(next > low && next < high))
       next = high < HUGE_VAL ? (low + high) / 2 : at.level + span.highest - span.lowest;
     next = std::min(next, ceiling);
     if (next == low || next == high) break;  // No number lies between.
@@ -106,6 +108,7 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
     // A void that is full holds no more.
     if (next > at.level && at.level >= span.highest && gain <= kVolumeError * volume) break;
     if (gain != 0) area = gain / (next - at.level);
+    creeps = std::abs(there.volume - volume) > std::abs(at.volume - volume) / 2;
     at = there;
   }
   // What a pocket cannot hold runs out and presses on nothing.

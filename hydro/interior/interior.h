@@ -46,8 +46,8 @@ struct LevelGuess {
 };
 
 /// The water of a volume in a pocket. Its level solves V(level) = volume to 1e-13 of the volume, by
-/// the secant method in a bracket. Above the sills it goes on as if walls went straight up from
-/// them; a void that is full holds no more.
+/// the secant method in a bracket, which is halved where that creeps. Above the sills it goes on as
+/// if walls went straight up from them; a void that is full holds no more.
 WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double volume,
                      const LevelGuess& guess = {});
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hydro/interior/interior.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/support/hollows.h"
 #include "tests/support/stored_mesh.h"
@@ -40,6 +41,28 @@ TEST(Pockets, ATiltedBoxHoldsAPrism) {
   ASSERT_EQ(found.pockets.size(), 1u);
   EXPECT_NEAR(found.pockets[0].capacity, 0.9 * 1.9 * (0.95 - 1.9 * slope / 2), 1e-13);
   EXPECT_NEAR(found.pockets[0].spill, std::cos(angle) - 0.95 * std::sin(angle), 1e-14);
+}
+
+// A corner whose edges have the slopes u_x, u_y and u_z is a tetrahedron of (6 u_x u_y u_z)⁻¹ times
+// the cube of its height.
+TEST(Pockets, WaterInACornerOfABoxIsFoundFromAnyGuess) {
+  const hydro::TriMesh box = support::open_box();
+  const Eigen::Vector3d up_B = Eigen::Vector3d(0.4, 0.5, 0.8).normalized();
+  const auto interior = hydro::make_interior(box, up_B);
+  ASSERT_TRUE(interior);
+  ASSERT_EQ(interior->pockets.size(), 1u);
+  const Eigen::Matrix3d R_WB = Eigen::Quaterniond::FromTwoVectors(up_B, kUp).toRotationMatrix();
+  const double corner = up_B.dot(Eigen::Vector3d(-0.95, -0.45, 0.05));
+  for (const double volume : {1e-2, 1e-6, 1e-12})
+    for (const double level : {-9.0, corner - 0.01, corner + 1e-5, corner + 0.9, 9.0})
+      for (const double area : {0.0, 1e-12, 1e-3, 400.0}) {
+        const hydro::WaterInside water =
+            hydro::water_of(interior->pockets[0], R_WB, volume, {.level = level, .area = area});
+        const double height = std::cbrt(6 * up_B.prod() * volume);
+        EXPECT_NEAR(water.level, corner + height, 1e-12 * height + 1e-15);
+        // The level has the round-off of a number of the size of one.
+        EXPECT_NEAR(water.volume, volume, std::max(1e-12, 1e-15 / height) * volume);
+      }
 }
 
 // Volumes below planes at the lowest point of the rim, by an independent sum over the prisms of the
