@@ -63,7 +63,7 @@ class Flooding {
   void set_volume(int pocket, double volume);
   void flood(int pocket);
   void part();
-  double spill_of(const std::vector<int>& group) const;
+  double spill_of(const std::vector<int>& group, bool into_sea = false) const;
 
   const Body& body_;
   const hydro::Sea& sea_;
@@ -229,14 +229,15 @@ void Flooding::flood(int pocket) {
   if (whole > content.volume) set_volume(pocket, whole);
 }
 
-/// The height above which a group of pockets overflows into others.
-double Flooding::spill_of(const std::vector<int>& group) const {
+/// The height above which a group of pockets overflows into others, or into the sea alone.
+double Flooding::spill_of(const std::vector<int>& group, bool into_sea) const {
   double spill = HUGE_VAL;
   for (const hydro::SillEdge& edge : division_.sills) {
     const auto in = [&](int space) {
       return std::find(group.begin(), group.end(), space) != group.end();
     };
-    if (in(edge.pocket) != in(edge.other))
+    const int outside = in(edge.pocket) ? edge.other : edge.pocket;
+    if (in(edge.pocket) != in(edge.other) && (is_sea(outside) || !into_sea))
       spill = std::min({spill, vertex(edge.from).z(), vertex(edge.to).z()});
   }
   return spill;
@@ -260,7 +261,9 @@ void Flooding::part() {
     for (int i = 0; i < n; ++i)
       if (group[i] == name) parted.push_back(i);
     if (parted.empty()) continue;
-    const double spill = spill_of(parted);
+    // Over lower sills it runs into other pockets, not at once.
+    double spill = spill_of(parted, true);
+    if (!std::isfinite(spill)) spill = spill_of(parted);
     for (const int i : parted) {
       held_.pockets[i].flooded = false;
       held_.pockets[i].surface.level = spill;

@@ -19,9 +19,9 @@
 ///
 /// A pocket over whose sill the sea runs is flooded once both levels agree, or once it is full
 /// while all of its sill is under water: nothing holds back the sea then. It is parted from the sea
-/// when no water above a sill connects it any more, full to its spill height. Pressure is
-/// continuous where levels agree. Water goes from high to low, and what comes in shares the
-/// momentum of the body, so still water gives no energy.
+/// when no water above a sill connects it any more, full to the lowest of its sills to the sea.
+/// Pressure is continuous where levels agree. Water goes from high to low, and what comes in shares
+/// the momentum of the body, so still water gives no energy.
 ///
 /// The pockets are searched for anew where the body has turned; those that are found are taken only
 /// if they spill at another height or hold another volume than the ones at hand. As long as all
