@@ -1,5 +1,7 @@
 #include "engine/processing_correction.h"
 
+#include "engine/constants.h"
+
 namespace engine {
 
 bool shows_trend(const Body& body, const Motion& motion) {
@@ -12,6 +14,7 @@ std::optional<ProcessingCorrection> find_correction(const Body& body, const Moti
   const AccelerationHistory::Trend trend = motion.accelerations.trend();
   const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
   const Eigen::Vector3d spin = motion.state.angular_velocity;
+  if (spin.norm() * h > kLargestTrendTurn) return std::nullopt;
   const Vector6d a = rotate(R_WB, trend.value);
   const Vector6d turning = to_vector6(spin.cross(a.head<3>()), spin.cross(a.tail<3>()));
   return ProcessingCorrection{.pose = h * h / 24 * a,

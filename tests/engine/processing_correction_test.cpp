@@ -31,4 +31,18 @@ TEST(ProcessingCorrection, IsThatOfAnOscillationInClosedForm) {
   EXPECT_FALSE(engine::find_correction(box.body, box.motion, h));
 }
 
+TEST(ProcessingCorrection, IsNoneOfABodyThatTurnsSoFarThatItsAccelerationsOnlySeemToFollow) {
+  // The weight in body axes is the same after each whole turn.
+  const SimulationSpec spec = support::box_in_still_water({0, 0, 0});
+  MovingBody box = support::moving_bodies(spec)[0];
+  const double h = 0.01;
+  Vector6d a = Vector6d::Zero();
+  a.z() = -9.81;
+  for (int i = 0; i < 3; ++i) box.motion.accelerations.add(a, h, box.body.radius);
+  ASSERT_TRUE(box.motion.accelerations.resolved());
+  EXPECT_TRUE(engine::find_correction(box.body, box.motion, h));
+  box.motion.state.angular_velocity = {2 * std::numbers::pi / h, 0, 0};
+  EXPECT_FALSE(engine::find_correction(box.body, box.motion, h));
+}
+
 }  // namespace
