@@ -99,6 +99,9 @@ inline constexpr double kLargestShift = 0.02;
 inline constexpr int kMostNewtonSteps = 30;       ///< Newton steps of an implicit update.
 inline constexpr double kNewtonTolerance = 1e-3;  ///< Last step over the change of velocity [-].
 inline constexpr double kNewtonRoundOff = 1e-12;  ///< Last step over the velocity [-].
+/// A Newton step so much larger than the shortest before it diverges: the next ones would square it
+/// [-].
+inline constexpr double kNewtonDivergence = 1e3;
 
 // ── Added mass at the end of a substep (body.h) ─────────────────────────────────────────────────
 

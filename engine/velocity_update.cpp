@@ -201,6 +201,7 @@ Solution implicit_change(const UpdateContext& s, bool with_lift) {
     const double size = change.dot(S * change);
     if (missed <= kNewtonTolerance * kNewtonTolerance * size + floor)
       return {.change = change, .converged = true};
+    if (!(missed < kNewtonDivergence * kNewtonDivergence * least)) break;
     if (missed < least) nearest = change;
     least = std::min(least, missed);
   }
