@@ -93,9 +93,10 @@ bool crosses_surface(const Body& body, const hydro::BodyState& before,
 bool overshoots_surface(const Body& body, const hydro::BodyState& before,
                         const hydro::BodyState& after, double h) {
   const SurfaceCrossing c = surface_crossing(body, before, after);
-  const double way = (after.position - before.position).norm();
-  const double thrown = h / 2 * (after.linear_velocity - before.linear_velocity).norm();
-  return c.meets && std::min(way, thrown) > kLargestOvershoot * c.height;
+  // Not by the velocity at the end, which the water slows that moves with the body there.
+  const Eigen::Vector3d way = after.position - before.position;
+  const Eigen::Vector3d thrown = way - h * before.linear_velocity;
+  return c.meets && std::min(way.norm(), thrown.norm()) > kLargestOvershoot * c.height;
 }
 
 }  // namespace engine
