@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 
@@ -41,29 +42,27 @@ class HostileMesh : public testing::Test {
   }
   const fs::path& folder() const { return folder_; }
 
-  static std::string fault_of(const fs::path& file, MeshFormats formats = MeshFormats::common) {
+  static std::string fault_in(const std::function<void()>& read) {
     try {
-      assembly::read_mesh(file, formats);
+      read();
     } catch (const scene::InputError& error) {
       return error.what();
     }
     return "";
   }
+  static std::string fault_of(const fs::path& file, MeshFormats formats = MeshFormats::common) {
+    return fault_in([&] { assembly::read_mesh(file, formats); });
+  }
 
-  /// The fault of a file that the parser finds in the time that a slow machine and a sanitizer
-  /// take.
+  /// The fault that the parser finds in the time that a slow machine and a sanitizer take.
   static std::string fault_found_in_time(const fs::path& file) {
     constexpr int kSeconds = 100;
     constexpr double kBytesPerSecond = 1e6;
-    try {
-      scene::read_isolated(
-          file, "the reader",
-          [&](const app::CallOutput&) { assembly::parse_mesh(file, MeshFormats::any); },
-          scene::limits_by_size(file, kSeconds, kBytesPerSecond));
-    } catch (const scene::InputError& error) {
-      return error.what();
-    }
-    return "";
+    const auto parse = [&](const app::CallOutput&) {
+      assembly::parse_mesh(file, MeshFormats::any);
+    };
+    const auto limits = scene::limits_by_size(file, kSeconds, kBytesPerSecond);
+    return fault_in([&] { scene::read_isolated(file, "the reader", parse, limits); });
   }
 
   /// A glTF file of one triangle whose 36 bytes of vertices and 6 of indices lie in `uri`.
