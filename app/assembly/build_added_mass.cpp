@@ -135,6 +135,7 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
 
 void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore& store,
                     app::Reporter& reporter) {
+  if (built.spec.integrator.method == engine::Integrator::Method::ode) return;  // It has none.
   scene::Faults faults;
   DeepModels models;
   SurfaceModels surface_models;

@@ -160,11 +160,6 @@ struct BodyTables::Kind {
   }
 };
 
-bool has_added_mass(const assembly::BuiltScene& built, std::size_t body) {
-  return built.spec.integrator.method != engine::Integrator::Method::ode &&
-         built.added_mass[body].has_value();
-}
-
 BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& built)
     : water_(scene.water.has_value()) {
   std::map<std::array<Cells, 5>, std::size_t> known;
@@ -174,7 +169,7 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
     const engine::BodySpec& body = built.spec.bodies[i];
     const Cells row = body_row(body, afloat[i]);
     const Cells added_mass =
-        has_added_mass(built, i) ? added_mass_row(*built.added_mass[i]) : Cells();
+        built.added_mass[i] ? added_mass_row(*built.added_mass[i]) : Cells();
     const Cells radiation = radiation_row(built.radiation[i]);
     const Cells hollows = hollow_row(body, level);
     const Cells meshes = source_cells(built.mesh_sources[i]);

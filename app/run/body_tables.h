@@ -33,7 +33,4 @@ class BodyTables {
   std::vector<Kind> kinds_;  ///< The most frequent first.
 };
 
-/// True if the simulation uses a body's added mass, which the method `ode` ignores.
-bool has_added_mass(const assembly::BuiltScene& built, std::size_t body);
-
 }  // namespace app

@@ -103,7 +103,7 @@ std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
     const engine::BodySpec& body = spec.bodies[i];
     for (const std::string& load : unused_loads(body))
       note_omission(load, "switched off", body.name, omissions);
-    if (!has_added_mass(built, i))
+    if (!built.added_mass[i])
       note_omission("added mass", reason_for_no_added_mass(spec, body), body.name, omissions);
     else if (!built.radiation[i].model && !built.radiation[i].choice.reason.empty())
       note_omission("radiation", built.radiation[i].choice.reason, body.name, omissions);

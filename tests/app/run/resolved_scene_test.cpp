@@ -168,8 +168,9 @@ TEST(RunReport, CountsTheBodiesOfReasonsThatAreTooManyToRead) {
   std::string scene = kHead + "water: {}\nbodies:\n";
   for (int i = 0; i < 9; ++i)
     scene += fmt::format(
-        "  - {{name: b{}, sphere: {{radius: 1}}, density: 500, position: [{}, 0, {}]}}\n", i, 9 * i,
-        0.3 + 0.05 * i);
+        "  - {{name: b{}, icosphere: {{radius: 1, subdivisions: 1}}, density: 500,"
+        " position: [{}, 0, {}]}}\n",
+        i, 9 * i, 0.3 + 0.05 * i);
   const std::string last = told_of(scene).back();
   EXPECT_THAT(last, HasSubstr("radiation of b0 (at its start it displaces "));
   EXPECT_THAT(last, HasSubstr("radiation of 5 bodies (for reasons like these)"));
