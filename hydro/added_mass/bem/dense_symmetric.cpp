@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hydro/added_mass/bem/far_kernel.h"
+#include "hydro/added_mass/bem/column_sums.h"
 #include "hydro/parallel.h"
 
 namespace hydro::bem {
@@ -15,14 +15,6 @@ namespace {
 
 using Eigen::Index;
 
-/// Columns of the matrix taken at a time: one after another, each sum would wait for its last
-/// addition.
-constexpr Index kColumns = 8;
-
-/// A row of six numbers and two zeros.
-struct alignas(kAligned) Row {
-  Lanes lanes = {};
-};
 using Rows = std::vector<Row>;
 
 Row& at(Rows& rows, Index i) { return rows[static_cast<std::size_t>(i)]; }
@@ -42,49 +34,12 @@ SixColumns columns_of(const Rows& rows) {
   return vectors;
 }
 
-/// sums[c] = Σ_i columns[c·stride + i] x[i] for kColumns columns.
-PLIMSOLL_VECTOR_CLONES
-void dot_columns(const double* columns, Index stride, Index rows, const Row* x, Row* sums) {
-  const Lanes zero = {};
-  Lanes sum[kColumns] = {zero, zero, zero, zero, zero, zero, zero, zero};
-  for (Index i = 0; i < rows; ++i)
-    for (Index c = 0; c < kColumns; ++c) sum[c] += columns[c * stride + i] * x[i].lanes;
-  for (Index c = 0; c < kColumns; ++c) sums[c].lanes = sum[c];
-}
-
-/// y[i] += Σ_c columns[c·stride + i] factors[c] for kColumns columns.
-PLIMSOLL_VECTOR_CLONES
-void add_columns(const double* columns, Index stride, Index rows, const Row* factors, Row* y) {
-  for (Index i = 0; i < rows; ++i) {
-    Lanes sum = y[i].lanes;
-    for (Index c = 0; c < kColumns; ++c) sum += columns[c * stride + i] * factors[c].lanes;
-    y[i].lanes = sum;
-  }
-}
-
-/// Both at once: each number of the matrix is read once.
-PLIMSOLL_VECTOR_CLONES
-void dot_and_add_columns(const double* columns, Index stride, Index rows, const Row* x, Row* y,
-                         const Row* factors, Row* sums) {
-  const Lanes zero = {};
-  Lanes sum[kColumns] = {zero, zero, zero, zero, zero, zero, zero, zero};
-  for (Index i = 0; i < rows; ++i) {
-    const Lanes here = x[i].lanes;
-    Lanes other = y[i].lanes;
-    for (Index c = 0; c < kColumns; ++c) {
-      const double entry = columns[c * stride + i];
-      sum[c] += entry * here;
-      other += entry * factors[c].lanes;
-    }
-    y[i].lanes = other;
-  }
-  for (Index c = 0; c < kColumns; ++c) sums[c].lanes = sum[c];
-}
-
 using Block = Eigen::Block<const Eigen::MatrixXd>;
 
-const double* place(const Block& block, Index row, Index column) {
-  return block.data() + column * block.outerStride() + row;
+/// kColumns columns of a block, from a row on down.
+EightColumns eight_columns(const Block& block, Index row, Index column) {
+  return {block.data() + column * block.outerStride() + row, block.outerStride(),
+          block.rows() - row};
 }
 
 Index blocks_of(Index columns) { return (columns + kColumns - 1) / kColumns; }
@@ -95,8 +50,8 @@ void add_symmetric(const Block& lower, Index first, const Rows& x, Rows& y) {
   const Index width = std::min(kColumns, lower.rows() - first), below = first + kColumns;
   Row sums[kColumns];
   if (below < lower.rows())
-    dot_and_add_columns(place(lower, below, first), lower.outerStride(), lower.rows() - below,
-                        &at(x, below), &at(y, below), &at(x, first), sums);
+    dot_and_add_columns(eight_columns(lower, below, first), &at(x, below), &at(y, below),
+                        &at(x, first), sums);
   for (Index c = 0; c < width; ++c) {
     Lanes sum = sums[c].lanes + lower(first + c, first + c) * at(x, first + c).lanes;
     for (Index i = c + 1; i < width; ++i) {
@@ -110,7 +65,7 @@ void add_symmetric(const Block& lower, Index first, const Rows& x, Rows& y) {
 /// y += kColumns columns of a block times x, or the fewer last ones.
 void add_product(const Block& block, Index first, const Rows& x, Rows& y) {
   if (first + kColumns <= block.cols()) {
-    add_columns(place(block, 0, first), block.outerStride(), block.rows(), &at(x, first), y.data());
+    add_columns(eight_columns(block, 0, first), &at(x, first), y.data());
     return;
   }
   for (Index c = first; c < block.cols(); ++c)
@@ -146,8 +101,7 @@ Rows transposed_product(const Block& block, const Rows& x) {
   parallel_for(static_cast<std::size_t>(blocks_of(block.cols())), [&](std::size_t i) {
     const Index first = kColumns * static_cast<Index>(i);
     if (first + kColumns <= block.cols()) {
-      dot_columns(place(block, 0, first), block.outerStride(), block.rows(), x.data(),
-                  &at(result, first));
+      dot_columns(eight_columns(block, 0, first), x.data(), &at(result, first));
       return;
     }
     for (Index c = first; c < block.cols(); ++c)
@@ -167,13 +121,12 @@ void solve_triangles(const Block& L, Rows& x) {
       for (Index i = c + 1; i < below; ++i) at(x, i).lanes -= L(i, c) * at(x, c).lanes;
       sums[c - first].lanes = -at(x, c).lanes;
     }
-    if (below < count)
-      add_columns(place(L, below, first), L.outerStride(), count - below, sums, &at(x, below));
+    if (below < count) add_columns(eight_columns(L, below, first), sums, &at(x, below));
   }
   for (Index first = kColumns * (blocks_of(count) - 1); first >= 0; first -= kColumns) {
     const Index below = std::min(first + kColumns, count);
     if (below < count) {
-      dot_columns(place(L, below, first), L.outerStride(), count - below, &at(x, below), sums);
+      dot_columns(eight_columns(L, below, first), &at(x, below), sums);
       for (Index c = first; c < below; ++c) at(x, c).lanes -= sums[c - first].lanes;
     }
     for (Index c = below - 1; c >= first; --c) {

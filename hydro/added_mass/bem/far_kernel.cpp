@@ -1,101 +1,151 @@
 #include "hydro/added_mass/bem/far_kernel.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "hydro/added_mass/bem/quadrature.h"
+#include "hydro/loads/kernel/targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hydro/added_mass/bem/far_kernel.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
 
-namespace hydro::bem {
-namespace {
+#include "hydro/added_mass/bem/lanes-inl.h"
 
-using Eigen::Index;
-using Eigen::Vector3d;
-using LaneBits __attribute__((vector_size(kLanes * sizeof(double)))) = long long;
-
-/// A rule's points, and its weights times the hat functions there.
-template <std::size_t N>
-struct HatRule {
-  std::array<std::array<double, 3>, N> at;
-  std::array<std::array<double, 3>, N> hats;
-
-  explicit HatRule(const Rule& rule) {
-    for (std::size_t k = 0; k < N; ++k) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        at[k][i] = rule[k].at[static_cast<Index>(i)];
-        hats[k][i] = rule[k].weight * at[k][i];
-      }
-    }
-  }
-};
-
-const HatRule<3>& rule_3() {
-  static const HatRule<3> rule(rule_of_degree_2());
-  return rule;
-}
-
-const HatRule<6>& rule_6() {
-  static const HatRule<6> rule(rule_of_degree_4());
-  return rule;
-}
+HWY_BEFORE_NAMESPACE();
+namespace hydro::bem::HWY_NAMESPACE {
 
 /// 1/√x to round-off: a first guess from the bits of x, then four steps of Newton's method. It uses
-/// only operations that all processors offer on eight lanes.
-[[gnu::always_inline]] inline void inverse_root(const Lanes& x, Lanes& root) {
-  const LaneBits bits = 0x5fe6eb50c7b537a9 - (reinterpret_cast<LaneBits>(x) >> 1);
-  root = reinterpret_cast<Lanes>(bits);
-  const Lanes half = 0.5 * x;
-  for (int step = 0; step < 4; ++step) root = root * (1.5 - half * root * root);
+/// only operations that all processors offer.
+HWY_INLINE V inverse_root(V x) {
+  const hn::Rebind<std::uint64_t, D> bits;
+  V root =
+      hn::BitCast(D(), hn::Set(bits, 0x5fe6eb50c7b537a9) - hn::ShiftRight<1>(hn::BitCast(bits, x)));
+  const V half = all(0.5) * x;
+  for (int step = 0; step < 4; ++step) root = root * (all(1.5) - half * root * root);
+  return root;
 }
 
+/// Integrates one part of the lanes by the points of a rule.
 template <std::size_t N>
-[[gnu::always_inline]] inline void pairs_by(const HatRule<N>& rule, const Element& a,
-                                            const Batch& b, const Lanes (&points)[N][3],
-                                            LanePairs& pairs) {
-  const Lanes zero = {};
-  pairs = {{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}, {zero, zero, zero}};
+HWY_INLINE void pairs_by(const HatRule<N>& rule, const Element& a, const Batch& b,
+                         const Lanes (&points)[N][3], Index part, LanePairs& pairs) {
+  const V normal[3] = {load(b.normal[0], part), load(b.normal[1], part), load(b.normal[2], part)};
+  V hats[3][3] = {{zero(), zero(), zero()}, {zero(), zero(), zero()}, {zero(), zero(), zero()}};
+  V rise[3] = {zero(), zero(), zero()};
   for (std::size_t k = 0; k < N; ++k) {
     double x[3] = {};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         x[axis] += rule.at[k][i] * a.corners[i][static_cast<Index>(axis)];
-    Lanes inner[3] = {zero, zero, zero};  // Σ_l λ_j/r
+    const V at[3] = {all(x[0]), all(x[1]), all(x[2])};
+    V inner[3] = {zero(), zero(), zero()};  // Σ_l λ_j/r
     for (std::size_t l = 0; l < N; ++l) {
-      const Lanes dx = x[0] - points[l][0], dy = x[1] - points[l][1], dz = x[2] - points[l][2];
-      Lanes inverse;
-      inverse_root(dx * dx + dy * dy + dz * dz, inverse);
-      for (std::size_t j = 0; j < 3; ++j) inner[j] += rule.hats[l][j] * inverse;
+      const V dx = at[0] - load(points[l][0], part), dy = at[1] - load(points[l][1], part),
+              dz = at[2] - load(points[l][2], part);
+      const V inverse = inverse_root(dx * dx + dy * dy + dz * dz);
+      for (std::size_t j = 0; j < 3; ++j) inner[j] = inner[j] + all(rule.hats[l][j]) * inverse;
     }
-    const Lanes along = x[0] * b.normal[0] + x[1] * b.normal[1] + x[2] * b.normal[2];
-    const Lanes raised = along * (inner[0] + inner[1] + inner[2]);
+    const V along = at[0] * normal[0] + at[1] * normal[1] + at[2] * normal[2];
+    const V raised = along * (inner[0] + inner[1] + inner[2]);
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) pairs.hats[i][j] += rule.hats[k][i] * inner[j];
-      pairs.rise[i] += rule.hats[k][i] * raised;
+      const V hat = all(rule.hats[k][i]);
+      for (std::size_t j = 0; j < 3; ++j) hats[i][j] = hats[i][j] + hat * inner[j];
+      rise[i] = rise[i] + hat * raised;
     }
   }
-  const Lanes scale = a.area * b.area;
+  const V scale = all(a.area) * load(b.area, part);
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) pairs.hats[i][j] *= scale;
-    pairs.rise[i] *= scale;
+    for (std::size_t j = 0; j < 3; ++j) store(hats[i][j] * scale, pairs.hats[i][j], part);
+    store(rise[i] * scale, pairs.rise[i], part);
   }
 }
 
-/// curl λ_i·curl λ_j.
-[[gnu::always_inline]] inline void products_of_curls(const Element& a, const Batch& b,
-                                                     Lanes (&products)[3][3]) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      products[i][j] = a.curls[i][0] * b.curls[j][0] + a.curls[i][1] * b.curls[j][1] +
-                       a.curls[i][2] * b.curls[j][2];
+void by_3_here(const Element& a, const Batch& b, LanePairs& pairs) {
+  for (Index part = 0; part < kParts; ++part) pairs_by(hat_rule_3(), a, b, b.points_3, part, pairs);
 }
 
-PLIMSOLL_VECTOR_CLONES
-void by_3(const HatRule<3>& rule, const Element& a, const Batch& b, LanePairs& pairs) {
-  pairs_by<3>(rule, a, b, b.points_3, pairs);
+void by_6_here(const Element& a, const Batch& b, LanePairs& pairs) {
+  for (Index part = 0; part < kParts; ++part) pairs_by(hat_rule_6(), a, b, b.points_6, part, pairs);
 }
 
-PLIMSOLL_VECTOR_CLONES
-void by_6(const HatRule<6>& rule, const Element& a, const Batch& b, LanePairs& pairs) {
-  pairs_by<6>(rule, a, b, b.points_6, pairs);
+HWY_INLINE void couple_part(const Element& a, const Batch& b, const LanePairs& pairs, Index part,
+                            LaneCouplings& couplings) {
+  V curls[3][3], hats[3][3];  // curl λ_i·curl λ_j, and the pairs' own
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      curls[i][j] = all(a.curls[i][0]) * load(b.curls[j][0], part) +
+                    all(a.curls[i][1]) * load(b.curls[j][1], part) +
+                    all(a.curls[i][2]) * load(b.curls[j][2], part);
+      hats[i][j] = load(pairs.hats[i][j], part);
+    }
+  }
+  V from_a[3], from_b[3];  // ∫∫ λ_i(x)/r and ∫∫ λ_j(y)/r
+  for (std::size_t i = 0; i < 3; ++i) {
+    from_a[i] = hats[i][0] + hats[i][1] + hats[i][2];
+    from_b[i] = hats[0][i] + hats[1][i] + hats[2][i];
+  }
+  const V single = from_a[0] + from_a[1] + from_a[2], four = all(4), sixteen = all(16);
+  auto& result = couplings.functions;
+  // The curls are curl λ_i and, for the edge from corner i to j, 4 (λ_i curl λ_j + λ_j curl λ_i).
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3;
+      store(curls[i][k] * single, result[i][k], part);
+      store(four * (curls[i][l] * from_b[k] + curls[i][k] * from_b[l]), result[i][3 + k], part);
+      store(four * (curls[j][k] * from_a[i] + curls[i][k] * from_a[j]), result[3 + i][k], part);
+      store(sixteen * (curls[j][l] * hats[i][k] + curls[j][k] * hats[i][l] +
+                       curls[i][l] * hats[j][k] + curls[i][k] * hats[j][l]),
+            result[3 + i][3 + k], part);
+    }
+  }
 }
+
+void couple_here(const Element& a, const Batch& b, const LanePairs& pairs,
+                 LaneCouplings& couplings) {
+  for (Index part = 0; part < kParts; ++part) couple_part(a, b, pairs, part, couplings);
+}
+
+HWY_INLINE void add_to(Lanes& sum, Index part, V value) {
+  store(load(sum, part) + value, sum, part);
+}
+
+HWY_INLINE void add_moments_of_part(const Batch& b, const LanePairs& pairs, Index part,
+                                    LaneRotationMoments& moments) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const V hats[3] = {load(pairs.hats[i][0], part), load(pairs.hats[i][1], part),
+                       load(pairs.hats[i][2], part)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const V arm = hats[0] * load(b.corners[0][axis], part) +
+                    hats[1] * load(b.corners[1][axis], part) +
+                    hats[2] * load(b.corners[2][axis], part);
+      for (std::size_t n = 0; n < 3; ++n)
+        add_to(moments.hats[i][3 * axis + n], part, arm * load(b.normal[n], part));
+    }
+    add_to(moments.hats[i][9], part, load(pairs.rise[i], part));
+  }
+}
+
+void add_moments_here(const Batch& b, const LanePairs& pairs, LaneRotationMoments& moments) {
+  for (Index part = 0; part < kParts; ++part) add_moments_of_part(b, pairs, part, moments);
+}
+
+}  // namespace hydro::bem::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hydro::bem {
+
+HWY_EXPORT(by_3_here);
+HWY_EXPORT(by_6_here);
+HWY_EXPORT(couple_here);
+HWY_EXPORT(add_moments_here);
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
 
 bool is_far_lane(const Element& a, const Batch& b, std::size_t k) {
   const double reach = kFar * (a.radius + b.radius[k]);
@@ -146,9 +196,9 @@ void pairs_by_points(const Element& a, const Batch& b, LanePairs& pairs) {
   std::size_t far = 0;
   LanePairs by_3_points;
   for (std::size_t k = 0; k < kLanes; ++k) far += is_far_lane(a, b, k);
-  if (far < kLanes) by_6(rule_6(), a, b, pairs);
+  if (far < kLanes) HWY_DYNAMIC_DISPATCH(by_6_here)(a, b, pairs);
   if (far == 0) return;
-  by_3(rule_3(), a, b, far == kLanes ? pairs : by_3_points);
+  HWY_DYNAMIC_DISPATCH(by_3_here)(a, b, far == kLanes ? pairs : by_3_points);
   if (far == kLanes) return;
   for (std::size_t k = 0; k < kLanes; ++k)
     if (is_far_lane(a, b, k)) copy_lane(by_3_points, k, pairs);
@@ -170,43 +220,12 @@ Eigen::Matrix3d hats_of_lane(const LanePairs& pairs, std::size_t lane) {
   return hats;
 }
 
-PLIMSOLL_VECTOR_CLONES
 void couple(const Element& a, const Batch& b, const LanePairs& pairs, LaneCouplings& couplings) {
-  Lanes curls[3][3];
-  products_of_curls(a, b, curls);
-  const auto& hats = pairs.hats;
-  auto& result = couplings.functions;
-  Lanes from_a[3], from_b[3];  // ∫∫ λ_i(x)/r and ∫∫ λ_j(y)/r
-  for (std::size_t i = 0; i < 3; ++i) {
-    from_a[i] = hats[i][0] + hats[i][1] + hats[i][2];
-    from_b[i] = hats[0][i] + hats[1][i] + hats[2][i];
-  }
-  const Lanes single = from_a[0] + from_a[1] + from_a[2];
-  // The curls are curl λ_i and, for the edge from corner i to j, 4 (λ_i curl λ_j + λ_j curl λ_i).
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t l = (k + 1) % 3;
-      result[i][k] = curls[i][k] * single;
-      result[i][3 + k] = 4 * (curls[i][l] * from_b[k] + curls[i][k] * from_b[l]);
-      result[3 + i][k] = 4 * (curls[j][k] * from_a[i] + curls[i][k] * from_a[j]);
-      result[3 + i][3 + k] = 16 * (curls[j][l] * hats[i][k] + curls[j][k] * hats[i][l] +
-                                   curls[i][l] * hats[j][k] + curls[i][k] * hats[j][l]);
-    }
-  }
+  HWY_DYNAMIC_DISPATCH(couple_here)(a, b, pairs, couplings);
 }
 
-PLIMSOLL_VECTOR_CLONES
 void add_rotation_moments(const Batch& b, const LanePairs& pairs, LaneRotationMoments& moments) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Lanes(&hats)[3] = pairs.hats[i];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Lanes arm = hats[0] * b.corners[0][axis] + hats[1] * b.corners[1][axis] +
-                        hats[2] * b.corners[2][axis];
-      for (std::size_t n = 0; n < 3; ++n) moments.hats[i][3 * axis + n] += arm * b.normal[n];
-    }
-    moments.hats[i][9] += pairs.rise[i];
-  }
+  HWY_DYNAMIC_DISPATCH(add_moments_here)(b, pairs, moments);
 }
 
 RotationMoments summed(const LaneRotationMoments& moments) {
@@ -226,3 +245,4 @@ RotationMoments summed(const LaneRotationMoments& moments) {
 }
 
 }  // namespace hydro::bem
+#endif

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "hydro/added_mass/bem/lanes.h"
 #include "hydro/added_mass/bem/pair.h"
 
 /// @file
@@ -12,22 +13,7 @@
 /// of vector registers; every lane is computed separately and in one order, so the results are the
 /// same for all widths.
 
-// Sanitizers cannot follow the loader's choice between clones.
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define PLIMSOLL_VECTOR_CLONES \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define PLIMSOLL_VECTOR_CLONES
-#endif
-
 namespace hydro::bem {
-
-inline constexpr std::size_t kLanes = 8;
-
-/// One number for each of eight elements, with arithmetic lane by lane. The alignment of such
-/// vectors depends on the target processor, so structs that hold them state theirs.
-inline constexpr std::size_t kAligned = kLanes * sizeof(double);
-using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
 
 /// Eight elements; the last batch is padded with copies. The first index is the point or corner,
 /// the second the axis.

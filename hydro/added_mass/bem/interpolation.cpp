@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "hydro/added_mass/bem/far_kernel.h"
+#include "hydro/added_mass/bem/lanes.h"
 
 namespace hydro::bem {
 namespace {

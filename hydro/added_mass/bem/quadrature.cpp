@@ -15,6 +15,18 @@ void add_orbit(double a, double weight, Rule& rule) {
   }
 }
 
+template <std::size_t N>
+HatRule<N> hat_rule(const Rule& rule) {
+  HatRule<N> result;
+  for (std::size_t k = 0; k < N; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.at[k][i] = rule[k].at[static_cast<Eigen::Index>(i)];
+      result.hats[k][i] = rule[k].weight * result.at[k][i];
+    }
+  }
+  return result;
+}
+
 /// Gauss–Legendre points and weights on [0, 1], by Newton's method on the Legendre polynomial.
 std::vector<std::pair<double, double>> gauss(int count) {
   std::vector<std::pair<double, double>> nodes;
@@ -102,6 +114,16 @@ const Rule& rule_at_edge() {
 
 const Rule& rule_at_corner() {
   static const Rule rule = make_rule_at_corner();
+  return rule;
+}
+
+const HatRule<3>& hat_rule_3() {
+  static const HatRule<3> rule = hat_rule<3>(rule_of_degree_2());
+  return rule;
+}
+
+const HatRule<6>& hat_rule_6() {
+  static const HatRule<6> rule = hat_rule<6>(rule_of_degree_4());
   return rule;
 }
 

@@ -32,6 +32,15 @@ const Rule& rule_at_edge();
 /// Rule of 36 points for integrands singular at corner 0.
 const Rule& rule_at_corner();
 
+/// The points of a rule of N, and its weights times the hat functions there.
+template <std::size_t N>
+struct HatRule {
+  std::array<std::array<double, 3>, N> at;
+  std::array<std::array<double, 3>, N> hats;
+};
+const HatRule<3>& hat_rule_3();  ///< Of degree 2.
+const HatRule<6>& hat_rule_6();  ///< Of degree 4.
+
 /// Position of a rule's point on a triangle [m].
 inline Eigen::Vector3d point(const std::array<Eigen::Vector3d, 3>& corners, const Node& node) {
   return node.at[0] * corners[0] + node.at[1] * corners[1] + node.at[2] * corners[2];

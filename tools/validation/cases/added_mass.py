@@ -225,8 +225,8 @@ kCases = [
          "displaced mass; the other meshes are scaled to the smooth body's volume.",
          "Sphere: half the displaced mass. Ellipsoids: Lamb's integrals, Hydrodynamics §114 and "
          "§115, by quadrature. Cylinder of length 2R: 3.63982 ρR³ across, 3.67796 along, "
-         "0.80990 ρR⁵ in pitch; torus of radii 1 and 0.3: 0.79117, 1.83834 and 0.77990 ρ, "
-         "numbers that the program's own tests hold it against too, not computed here.",
+         "0.80990 ρR⁵ in pitch; torus of radii 1 and 0.3: 0.79117, 1.83834 and 0.77990 ρ. "
+         "These are not computed here.",
          [kBodies], measure_round),
     Case("added_mass_surface", kSection, "Added mass of a half-submerged sphere",
          f"A sphere of {kTriangles}, its centre in the water's surface, by `plimsoll probe`: with "

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+
+/// @file
+/// Eight numbers at a time.
+
+// Sanitizers cannot follow the loader's choice between clones.
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+#define PLIMSOLL_VECTOR_CLONES \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define PLIMSOLL_VECTOR_CLONES
+#endif
+
+namespace hydro::bem {
+
+inline constexpr std::size_t kLanes = 8;
+
+/// Eight numbers, with arithmetic lane by lane. The alignment of such vectors depends on the target
+/// processor, so structs that hold them state theirs. Where registers are narrower, GCC computes
+/// with them many times as slowly as with the parts of `lanes-inl.h`.
+inline constexpr std::size_t kAligned = kLanes * sizeof(double);
+using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
+
+}  // namespace hydro::bem
