@@ -256,16 +256,18 @@ void Flooding::part() {
     if (!under_water(edge.from) && !under_water(edge.to)) continue;
     std::replace(group.begin(), group.end(), std::max(a, b), std::min(a, b));
   }
-  for (int name = 0; name < n; ++name) {
-    std::vector<int> parted;
-    for (int i = 0; i < n; ++i)
-      if (group[i] == name) parted.push_back(i);
-    if (parted.empty()) continue;
+  std::vector<std::vector<int>> parted(n);
+  for (int i = 0; i < n; ++i)
+    if (0 <= group[i] && group[i] < n) parted[group[i]].push_back(i);
+  // Those that part at once are no longer sea for one another.
+  for (const std::vector<int>& pockets : parted)
+    for (const int i : pockets) held_.pockets[i].flooded = false;
+  for (const std::vector<int>& pockets : parted) {
+    if (pockets.empty()) continue;
     // Over lower sills it runs into other pockets, not at once.
-    double spill = spill_of(parted, true);
-    if (!std::isfinite(spill)) spill = spill_of(parted);
-    for (const int i : parted) {
-      held_.pockets[i].flooded = false;
+    double spill = spill_of(pockets, true);
+    if (!std::isfinite(spill)) spill = spill_of(pockets);
+    for (const int i : pockets) {
       held_.pockets[i].surface.level = spill;
       set_volume(i, volume_up_to(i, spill));
     }

@@ -263,6 +263,29 @@ TEST(Flooding, AFloodedPocketPartsFullToItsSpillHeight) {
   EXPECT_GT(lifted.level, 0);
 }
 
+TEST(Flooding, PocketsPartFullToTheirRimAndNotToTheWallBetweenThem) {
+  BodySpec box = open_box();
+  box.mesh_B = hydro::translated(support::divided_box(0.4), {0, 0, -0.5});
+  const std::vector<engine::MovingBody> bodies = support::moving_bodies(in_still_water(box, 0.2));
+  engine::Motion motion = bodies[0].motion;
+  const auto run_at = [&](double height) {
+    motion.state.position.z() = height;
+    engine::let_water_run(bodies[0].body, 0, 1.0 / 60, motion);
+    return motion.held->pockets;
+  };
+  const auto flooded = [](const engine::PocketContent& pocket) { return pocket.flooded; };
+  for (int i = 0; i < 3600 && !std::ranges::all_of(run_at(-1), flooded);) ++i;
+  ASSERT_TRUE(std::ranges::all_of(motion.held->pockets, flooded));
+  // Lifted out at once, wall and all: what stood above the wall is lifted, too.
+  const std::vector<engine::PocketContent> lifted = run_at(2);
+  double whole = 0;
+  for (const engine::PocketContent& pocket : lifted) {
+    EXPECT_FALSE(pocket.flooded);
+    whole += pocket.volume;
+  }
+  EXPECT_NEAR(whole, (1.9 * 0.95 - 0.05 * 0.35) * 0.9, 1e-12);
+}
+
 TEST(Flooding, ATippedBucketScoopsAndKeepsWhatItHolds) {
   BodySpec box = open_box();
   box.coefficients = hydro::for_mesh({}, box.mesh_B, 1e-6);
