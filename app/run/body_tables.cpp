@@ -168,8 +168,7 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
     const Cells row = body_row(body, afloat[i]);
-    const Cells added_mass =
-        built.added_mass[i] ? added_mass_row(*built.added_mass[i]) : Cells();
+    const Cells added_mass = built.added_mass[i] ? added_mass_row(*built.added_mass[i]) : Cells();
     const Cells radiation = radiation_row(built.radiation[i]);
     const Cells hollows = hollow_row(body, level);
     const Cells meshes = source_cells(built.mesh_sources[i]);
