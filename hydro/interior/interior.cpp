@@ -14,6 +14,9 @@ constexpr double kVolumeError = 1e-13;
 /// Error of a volume, over it, beyond which no level has that volume [-].
 constexpr double kLargestVolumeError = 1e-6;
 
+/// Fall of a volume, over the one that is looked for, that is no round-off [-].
+constexpr double kLeastFall = 0.01;
+
 /// Limit of the trials for a level; as a rule two to four suffice.
 constexpr int kMostTrials = 200;
 
@@ -90,14 +93,21 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
                      const LevelGuess& guess) {
   const Span span = span_of(pocket, R_WB);
   if (!(volume > 0)) return {.level = span.lowest};
-  // A pocket that has been turned over holds less, at no level what it did.
   const double ceiling = 2 * span.highest - span.lowest;
-  double low = span.lowest, high = HUGE_VAL, area = guess.area;
-  // Towards the tip of a corner secants creep, and below the pocket there is none.
-  bool creeps = false;
+  double low = span.lowest, low_volume = 0, high = HUGE_VAL, area = guess.area;
+  // Towards the tip of a corner secants creep, and below the pocket there is none. Of one that has
+  // been turned over the volume falls again, past the level up to which it holds water.
+  bool creeps = false, falls = false;
   WaterInside at = water_up_to(pocket, R_WB, std::clamp(guess.level, low, span.highest));
   for (int i = 0; i < kMostTrials && std::abs(at.volume - volume) > kVolumeError * volume; ++i) {
-    (at.volume > volume ? high : low) = at.level;
+    const bool past = at.volume < low_volume - kLeastFall * volume;
+    falls = falls || past;
+    if (at.volume > volume || past) {
+      high = at.level;
+    } else {
+      low = at.level;
+      low_volume = at.volume;
+    }
     double next = at.level + (volume - at.volume) / area;
     if (creeps || !(next > low && next < high))
       next = high < HUGE_VAL ? (low + high) / 2 : at.level + span.highest - span.lowest;
@@ -112,8 +122,9 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
     at = there;
   }
   // What a pocket cannot hold runs out and presses on nothing.
-  if (at.level >= ceiling) return {.level = span.lowest};
-  if (std::abs(at.volume - volume) > kLargestVolumeError * volume) at.push = {};
+  const bool missed = std::abs(at.volume - volume) > kLargestVolumeError * volume;
+  if (at.level >= ceiling || (missed && falls)) return {.level = span.lowest};
+  if (missed) at.push = {};
   at.area = area;
   return at;
 }

@@ -47,7 +47,10 @@ struct LevelGuess {
 
 /// The water of a volume in a pocket. Its level solves V(level) = volume to 1e-13 of the volume, by
 /// the secant method in a bracket, which is halved where that creeps. Above the sills it goes on as
-/// if walls went straight up from them; a void that is full holds no more.
+/// if walls went straight up from them; a void that is full holds no more. V(level) of a pocket
+/// that has been turned over falls again below zero: the lowest level with that volume counts (the
+/// other one may be found if the search begins where V has fallen below the volume, but not below
+/// zero), and where there is none the pocket is empty.
 WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double volume,
                      const LevelGuess& guess = {});
 

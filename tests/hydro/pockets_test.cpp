@@ -65,6 +65,37 @@ TEST(Pockets, WaterInACornerOfABoxIsFoundFromAnyGuess) {
       }
 }
 
+TEST(Pockets, WaterInATurnedOneLiesAtTheLowestLevelWithItsVolume) {
+  const hydro::TriMesh box = support::open_box();
+  const auto interior = hydro::make_interior(box, kUp);
+  ASSERT_TRUE(interior);
+  const hydro::Hull& pocket = interior->pockets[0];
+  const Eigen::Vector3d up_B = Eigen::Vector3d(0.4, 0.7, -0.6).normalized();
+  const Eigen::Matrix3d R_WB = Eigen::Quaterniond::FromTwoVectors(up_B, kUp).toRotationMatrix();
+  const double lowest = (up_B.transpose() * pocket.mesh_B.vertices).minCoeff();
+  const auto volume_at = [&](double height) {
+    return hydro::water_up_to(pocket, R_WB, lowest + height).volume;
+  };
+  double full = 0.05;  // Height at which the volume is largest [m].
+  while (volume_at(full + 0.01) > volume_at(full)) full += 0.01;
+  ASSERT_LT(volume_at(2 * full), 0);
+  for (const double volume : {1e-2, 1e-4, 1e-8}) {
+    double low = 0, high = full;
+    for (int i = 0; i < 100; ++i)
+      (volume_at((low + high) / 2) < volume ? low : high) = (low + high) / 2;
+    for (const double height : {-1.0, 0.01, full, 1.5 * full, 2 * full, 9.0})
+      for (const double area : {0.0, 1e-3, 400.0}) {
+        const hydro::WaterInside water =
+            hydro::water_of(pocket, R_WB, volume, {.level = lowest + height, .area = area});
+        EXPECT_NEAR(water.level, lowest + high, 1e-9 * high) << volume << ' ' << height;
+      }
+  }
+  const hydro::WaterInside none =
+      hydro::water_of(pocket, R_WB, 1.1 * volume_at(full + 0.005), {.level = 0, .area = 1});
+  EXPECT_EQ(none.volume, 0);
+  EXPECT_EQ(none.push.force.norm(), 0);
+}
+
 // Volumes below planes at the lowest point of the rim, by an independent sum over the prisms of the
 // inner triangles, to their last digit.
 TEST(Pockets, OfABucketIsOneAtAnyTilt) {
