@@ -46,27 +46,27 @@ class ChebyshevTable {
   }
 
   Sample at(double first, double second) const {
-    const Polynomials one = polynomials(first_.inner(first));
-    const Polynomials two = polynomials(second_.inner(second));
-    Polynomials along = Polynomials::Zero();
-    for (int j = 0; j < Order; ++j) along.col(0) += two(j, 0) * coefficients_.col(j);
-    for (int j = 0; j < Order; ++j) along.col(1) += two(j, 1) * coefficients_.col(j);
-    const auto value = one.col(0), slope = one.col(1);
-    return {value.dot(along.col(0)), first_.scale() * slope.dot(along.col(0)),
-            second_.scale() * value.dot(along.col(1))};
+    const auto [value, slope] = polynomials(first_.inner(first));
+    const auto [value2, slope2] = polynomials(second_.inner(second));
+    const Values along = coefficients_ * value2;
+    return {value.dot(along), first_.scale() * slope.dot(along),
+            second_.scale() * value.dot(coefficients_ * slope2)};
   }
 
  private:
-  /// The values of all polynomials at a place, and their slopes.
-  using Polynomials = Eigen::Matrix<double, Order, 2>;
-
+  using Values = Eigen::Matrix<double, Order, 1>;
+  struct Polynomials {
+    Values value, slope;
+  };
   static Polynomials polynomials(double s) {
     Polynomials v;
-    v.row(0) << 1, 0;
-    v.row(1) << s, 1;
+    v.value[0] = 1;
+    v.value[1] = s;
+    v.slope[0] = 0;
+    v.slope[1] = 1;
     for (int i = 2; i < Order; ++i) {
-      v(i, 0) = 2 * s * v(i - 1, 0) - v(i - 2, 0);
-      v(i, 1) = 2 * v(i - 1, 0) + 2 * s * v(i - 1, 1) - v(i - 2, 1);
+      v.value[i] = 2 * s * v.value[i - 1] - v.value[i - 2];
+      v.slope[i] = 2 * v.value[i - 1] + 2 * s * v.slope[i - 1] - v.slope[i - 2];
     }
     return v;
   }

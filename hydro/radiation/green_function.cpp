@@ -71,25 +71,21 @@ struct Real {
   double value, by_x;
 };
 
-/// J₀, J₁ and e^{−Y}.
-struct Wave {
-  double j0, j1, decay;
-};
-
 /// F by its analytic part, with ρ_X = X/ρ and μ_X = −μX/ρ².
-Real with_logarithm(const Table& table, double x, double y, double rho, const Wave& wave) {
+Real with_logarithm(const Table& table, double x, double y, double rho) {
   const double mu = y / rho;
   const Table::Sample s = table.at(rho, mu);
-  const double logarithm = std::log((rho + y) / 2);
-  return {s.value - 2 * wave.decay * wave.j0 * logarithm,
+  const double decay = std::exp(-y), logarithm = std::log((rho + y) / 2);
+  const double j = ::j0(x);
+  return {s.value - 2 * decay * j * logarithm,
           s.by_first * x / rho - s.by_second * mu * x / (rho * rho) +
-              2 * wave.decay * (wave.j1 * logarithm - wave.j0 * x / (rho * (rho + y)))};
+              2 * decay * (::j1(x) * logarithm - j * x / (rho * (rho + y)))};
 }
 
-Real far_away(const Tables& t, double x, double y, double rho, const Wave& wave) {
+Real far_away(const Tables& t, double x, double y, double rho) {
   const double mu = y / rho, inverse = kNear / rho;
   const Table::Sample s = t.far.at(inverse, mu);
-  const double decay = 2 * pi * wave.decay;
+  const double decay = 2 * pi * std::exp(-y);
   const double slope = -s.by_first * inverse * x / (rho * rho) - s.by_second * mu * x / (rho * rho);
   return {-decay * ::y0(x) - 2 * s.value, decay * ::y1(x) - 2 * slope};
 }
@@ -115,14 +111,14 @@ Real series(double x, double y, double rho) {
   return {-2 * value, 2 * x / (rho * rho) * by_x};
 }
 
-Real real_part(double x, double y, const Wave& wave) {
+Real real_part(double x, double y) {
   const Tables& t = tables();
-  const double rho = std::max(std::sqrt(x * x + y * y), t.rings[0].low);
-  if (rho > kNear && y < kAxis * rho) return far_away(t, x, y, rho, wave);
+  const double rho = std::max(std::hypot(x, y), t.rings[0].low);
+  if (rho > kNear && y < kAxis * rho) return far_away(t, x, y, rho);
   if (rho > kSeries) return series(x, y, rho);
   std::size_t ring = 0;
   while (rho > t.rings[ring].high) ++ring;
-  return with_logarithm(t.near[ring], x, y, rho, wave);
+  return with_logarithm(t.near[ring], x, y, rho);
 }
 
 /// ∫ f over [a, b] by `count` intervals of Gauss' rule of eight points.
@@ -148,10 +144,9 @@ double wave_green_integral(double x, double y) {
 }
 
 WaveGreen wave_green(double x, double y) {
-  const Wave wave = {::j0(x), ::j1(x), std::exp(-y)};
-  const Real real = real_part(x, y, wave);
-  const double decay = 2 * pi * wave.decay;
-  return {{real.value, decay * wave.j0}, {real.by_x, -decay * wave.j1}};
+  const Real real = real_part(x, y);
+  const double decay = 2 * pi * std::exp(-y);
+  return {{real.value, decay * ::j0(x)}, {real.by_x, -decay * ::j1(x)}};
 }
 
 }  // namespace hydro
