@@ -11,7 +11,7 @@
 
 namespace hydro::bem {
 
-/// EightColumns of the matrix taken at a time: one after another, each sum would wait for its last
+/// Columns of the matrix taken at a time: one after another, each sum would wait for its last
 /// addition.
 inline constexpr Eigen::Index kColumns = 8;
 
