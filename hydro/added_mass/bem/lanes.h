@@ -17,10 +17,12 @@ namespace hydro::bem {
 
 inline constexpr std::size_t kLanes = 8;
 
-/// Eight numbers, with arithmetic lane by lane. The alignment of such vectors depends on the target
-/// processor, so structs that hold them state theirs. Where registers are narrower, GCC computes
-/// with them many times as slowly as with the parts of `lanes-inl.h`.
+/// The alignment of vectors depends on the target processor: structs that hold Lanes state this
+/// one.
 inline constexpr std::size_t kAligned = kLanes * sizeof(double);
+
+/// Eight numbers, with arithmetic lane by lane. Where registers are narrower, GCC computes with
+/// them many times as slowly as with the parts of `lanes-inl.h`.
 using Lanes __attribute__((vector_size(kLanes * sizeof(double)))) = double;
 
 }  // namespace hydro::bem

@@ -215,9 +215,9 @@ kCases = [
          "triangle, collocated at its centroid, which is the thesis's method. The thesis's Table 4 "
          "calls 5600 kg the cube's analytical value; it is 10 % too large, and its result for "
          "768 triangles, 5207 kg, is 2 % above the truth and not 7 % below.",
-         "Numbers of five digits, which but for the roll of the cube the program's own tests hold it "
-         "against too: cube 0.63841 ρV and 1256.4 kg m², tetrahedron 0.80708, octahedron 0.58720, dodecahedron 0.54235, "
-         "icosahedron 0.52368 of ρV. They are not computed here.",
+         "Numbers of five digits, which but for the roll of the cube the program's own tests hold "
+         "it against too: cube 0.63841 ρV and 1256.4 kg m², tetrahedron 0.80708, octahedron "
+         "0.58720, dodecahedron 0.54235, icosahedron 0.52368 of ρV. They are not computed here.",
          [kBodies], measure_polyhedra),
     Case("added_mass_round", kSection, "Added mass of round bodies",
          "Spheres, a cylinder, a torus and ellipsoids from meshes as users give them, beside the "
