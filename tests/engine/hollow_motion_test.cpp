@@ -266,7 +266,8 @@ TEST(Flooding, AFloodedPocketPartsFullToItsSpillHeight) {
 TEST(Flooding, PocketsPartFullToTheirRimAndNotToTheWallBetweenThem) {
   BodySpec box = open_box();
   box.mesh_B = hydro::translated(support::divided_box(0.4), {0, 0, -0.5});
-  const std::vector<engine::MovingBody> bodies = support::moving_bodies(in_still_water(box, 0.2));
+  const SimulationSpec spec = in_still_water(box, 0.2);
+  const std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
   engine::Motion motion = bodies[0].motion;
   const auto run_at = [&](double height) {
     motion.state.position.z() = height;

@@ -49,6 +49,7 @@ double total_energy(const engine::SimulationSpec& spec,
 
 /// The bodies of a specification, which must outlive them, at time 0.
 std::vector<engine::MovingBody> moving_bodies(const engine::SimulationSpec& spec);
+std::vector<engine::MovingBody> moving_bodies(engine::SimulationSpec&& spec) = delete;
 
 /// Largest distance of two states in place [m] and angle [rad].
 double distance(const hydro::BodyState& a, const hydro::BodyState& b);
