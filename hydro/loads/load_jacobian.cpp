@@ -13,6 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Length below which edges are not split, over the body's radius [-]. A linearisation need not
+/// follow waves as the loads do. Smaller: bodies in contact in short waves take twice the time.
+constexpr double kSmallestPiece = 1.0 / 16;
+
 /// Input of the sum over the panels.
 struct Motion {
   const Coefficients& coefficients;
@@ -90,7 +94,7 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
       .coefficients = coefficients,
       .sea = sea,
       .waves = AiryWaves(sea, time),
-      .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius,
+      .surface = SurfaceSampler(sea, state.position, time, kSmallestPiece * hull.radius,
                                 SplitFor::surface),
       .p_WB = state.position,
       .twist = {state.linear_velocity - sea.current, state.angular_velocity},

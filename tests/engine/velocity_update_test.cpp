@@ -200,9 +200,8 @@ TEST(LoadJacobian, KnowsTheWavesThatAPanelIsLongerThan) {
   const hydro::LoadJacobian J = hydro::load_jacobian(hull, sinking, sea, 0, coefficients);
   const double slope = (drag_at(-1.001) - drag_at(-0.999)) / -0.002;
   ASSERT_LT(slope, -100);
-  // The drag's surface is cut into the same parts as the slope's, but for those of its tree's
-  // tolerance.
-  EXPECT_NEAR(J.drag(2, 2), slope, tolerance(1e-2 * std::abs(slope)));
+  // The slope's surface is cut into larger parts than the drag's: a tenth of the wave here.
+  EXPECT_NEAR(J.drag(2, 2), slope, tolerance(5e-2 * std::abs(slope)));
 }
 
 TEST(LoadJacobian, OfTheWaterplaneIsThatOfAWallSidedBody) {
