@@ -239,12 +239,14 @@ bool GroupStepper::must_halve(double h, bool halves) {
     gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
   gained = gained && h / 2 >= shortest_;
+  const bool may_throw = is_alone_ && h / 2 >= shortest_;
   for (const Member& m : members_) {
     if (!m.island || !(gained || m.abrupt)) continue;
     const Motion& before = m.moving->motion;
     followed = followed && can_be_followed(m.body(), before, h);
-    overshot = overshot || (m.abrupt && m.body().wet &&
-                            overshoots_surface(m.body(), before.state, m.end.state, h));
+    if (!m.abrupt || !m.body().wet) continue;
+    overshot = overshot || overshoots_surface(m.body(), before.state, m.end.state, h) ||
+               (may_throw && may_be_thrown(m.body(), before, m.end, h));
   }
   return (overshot && h / 2 >= shortest_throw_) || (gained && followed);
 }

@@ -109,6 +109,8 @@ void finish(const Island& island, SubstepBody& b, double h) {
   }
   drift(b.body(), end, h / 2);
   check_state(*b.moving, end.state);
+  const double spin = std::max(b.start.angular_velocity.norm(), end.state.angular_velocity.norm());
+  if (spin * h > kLargestTrendTurn) end.accelerations.clear();
 }
 
 /// Velocity, in W, at which reactions do their work over the substep.
@@ -146,7 +148,8 @@ bool was_dry(const SubstepBody& b) {
 /// True if the loads halfway may not have been those on the way of a free body.
 bool is_abrupt(const SubstepBody& b, double h) {
   if (b.update.implicit || !b.body().wet) return b.update.implicit;
-  if (b.end.state.angular_velocity.norm() * h > kLargestSwing || is_unpredictable(b, h))
+  if (b.end.state.angular_velocity.norm() * h > kLargestSwing || is_unpredictable(b, h) ||
+      !can_be_followed(b.body(), b.end, h))
     return true;
   const SurfaceCrossing crossing = surface_crossing(b.body(), b.start, b.end.state);
   return crossing.abrupt() ||

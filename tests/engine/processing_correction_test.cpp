@@ -1,5 +1,7 @@
 #include "engine/processing_correction.h"
 
+#include "engine/simulation_state.h"
+#include "engine/state_data.h"
 #include "tests/engine/prelude.h"
 
 /// The difference between the state that is moved on and the one that is reported.
@@ -43,6 +45,21 @@ TEST(ProcessingCorrection, IsNoneOfABodyThatTurnsSoFarThatItsAccelerationsOnlySe
   EXPECT_TRUE(engine::find_correction(box.body, box.motion, h));
   box.motion.state.angular_velocity = {2 * std::numbers::pi / h, 0, 0};
   EXPECT_FALSE(engine::find_correction(box.body, box.motion, h));
+}
+
+TEST(ProcessingCorrection, KeepsNoAccelerationsOfSubstepsThatTurnedABodyFar) {
+  // A body that tumbles may turn slowly for a moment, and has no smooth motion behind it.
+  const auto history_at = [](double spin) {
+    SimulationSpec spec = support::box_in_still_water({0, 0, -5});
+    spec.bodies[0].initial.angular_velocity = {spin, 0, 0};
+    spec.bodies[0].coefficients.pressure_drag = {0, 0};
+    spec.bodies[0].coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+    Simulation simulation(spec);
+    for (int i = 0; i < 3; ++i) simulation.step();
+    return simulation.state().data().bodies[0].motion.accelerations;
+  };
+  EXPECT_FALSE(history_at(1).empty());
+  EXPECT_TRUE(history_at(1e5).empty());
 }
 
 }  // namespace
