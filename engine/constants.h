@@ -52,8 +52,9 @@ inline constexpr double kAbruptCrossing = 0.1;
 /// Rise by loads through the water surface, over the height, after which a substep is halved [-].
 /// Larger: plates a twentieth of a millimetre thick that spin in a swell are thrown out of it.
 inline constexpr double kLargestOvershoot = 1;
-/// The same for the rise by the largest buoyancy there can be, where no energy is judged [-].
-/// Larger: plates and teapots of 0.2 mm that nothing damps gain energy in a swell.
+/// Way that the largest buoyancy there can be may throw an undamped body in a substep, over its
+/// height, where no energy is judged [-]. Larger: of sixty plates, tubs and teapots of some 0.2 mm
+/// in a swell a third gain energy.
 inline constexpr double kLargestThrow = 0.5;
 /// Turn in a substep beyond which halves find a body's energy no better [rad].
 inline constexpr double kFollowedTurn = 8;
