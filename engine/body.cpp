@@ -80,6 +80,7 @@ Environment make_environment(const SimulationSpec& spec) {
 std::vector<Body> make_bodies(const SimulationSpec& spec) {
   const Environment environment = make_environment(spec);
   std::vector<Body> bodies;
+  bodies.reserve(spec.bodies.size());
   Hulls hulls;
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     Body body = make_dry_body(spec, environment, i);

@@ -47,6 +47,7 @@ World make_world(const SimulationSpec& spec) {
 
 std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec, const Rig& rig) {
   std::vector<MovingBody> moving;
+  moving.reserve(spec.bodies.size());
   for (Body& body : make_bodies(spec)) {
     const auto id = static_cast<BodyId>(moving.size());
     body.rigged = rig.acts_on(id);
