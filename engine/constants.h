@@ -47,6 +47,9 @@ inline constexpr double kRoundOffPart = 1e-12;
 /// Change of velocity beyond the extrapolated one, over the velocity, that is abrupt [-]. Larger:
 /// bodies that dip into the water gain more than kEnergyGain before they are judged.
 inline constexpr double kAbruptLoad = 1e-3;
+/// Turn of a wet free body in a substep from which on it is judged [rad]. Larger: a needle that
+/// starts slowly and is then turned fast by its added mass gains more than kEnergyGain.
+inline constexpr double kJudgedTurn = 0.1;
 /// Rise through the water surface in a substep, over the height, that is abrupt [-].
 inline constexpr double kAbruptCrossing = 0.1;
 /// Rise by loads through the water surface, over the height, after which a substep is halved [-].

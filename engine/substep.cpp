@@ -148,7 +148,7 @@ bool was_dry(const SubstepBody& b) {
 /// True if the loads halfway may not have been those on the way of a free body.
 bool is_abrupt(const SubstepBody& b, double h) {
   if (b.update.implicit || !b.body().wet) return b.update.implicit;
-  if (b.end.state.angular_velocity.norm() * h > kLargestSwing || is_unpredictable(b, h) ||
+  if (b.end.state.angular_velocity.norm() * h > kJudgedTurn || is_unpredictable(b, h) ||
       !can_be_followed(b.body(), b.end, h))
     return true;
   const SurfaceCrossing crossing = surface_crossing(b.body(), b.start, b.end.state);
