@@ -187,6 +187,10 @@ inline constexpr std::size_t kMostNewtonRows = 6000;
 inline constexpr std::size_t kMostContactRows = 150;
 /// Rows of an island under contacts alone whose Newton steps come before its sweeps.
 inline constexpr std::size_t kMostFirstRows = 36;
+/// Entries of the factors of an island's Newton steps that have not solved it, after which its
+/// bodies take only sweeps until the end of the step: some 2 s of work. Constraints that
+/// contradict each other are not solved by more of them.
+inline constexpr long kMostUnsolvedEntries = 20'000'000;
 inline constexpr int kMostDenseRows = 400;  ///< Rows of a system that is solved as a dense one.
 /// Least compliance of a row, over the response of its block to its impulses [-]. Smaller: joints
 /// that constrain the same motion twice are not solvable; larger: joints give way.

@@ -174,6 +174,13 @@ void keep_forces(const std::vector<ConstraintBlock>& blocks,
   }
 }
 
+/// False if Newton steps have long been in vain in this step.
+bool may_be_solvable(const Island& island) {
+  return std::ranges::all_of(island.bodies, [](const SubstepBody* b) {
+    return b->moving->unsolved_entries < kMostUnsolvedEntries;
+  });
+}
+
 Answer solve(const Problem& problem, const Constraints& constraints) {
   const Island& island = problem.island;
   std::vector<ConstrainedBody> bodies;
@@ -185,9 +192,10 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
   const std::vector<ConstraintBlock> blocks = blocks_of(problem, constraints);
   const ConstraintSolution found =
       solve_constraints(bodies, blocks, expected_impulses(problem, constraints, blocks),
-                        std::sqrt(2 * motion_energy(problem)));
+                        std::sqrt(2 * motion_energy(problem)), may_be_solvable(island));
   keep_forces(blocks, found.impulses, problem);
-  Answer answer{.joints = joint_reactions(problem, constraints.joints, blocks, found.impulses)};
+  Answer answer{.joints = joint_reactions(problem, constraints.joints, blocks, found.impulses),
+                .solved = found.converged};
   answer.changes.reserve(bodies.size());
   answer.reactions.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -195,14 +203,39 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
     const Vector6d change = found.velocities[i] - b.before;
     answer.changes.push_back(change - b.jump);
     answer.reactions.push_back(b.S * change / problem.h - b.load);
-    island.bodies[i]->moving->counts.iterations += found.sweeps;
-    island.bodies[i]->moving->counts.unconverged += !found.converged;
+    MovingBody& moving = *island.bodies[i]->moving;
+    moving.counts.iterations += found.sweeps;
+    if (!found.converged) moving.unsolved_entries += found.newton_entries;
   }
   add_rows(problem, bodies, blocks, found, answer);
   return answer;
 }
 
-/// The answer, less what corrections would give of energy (E33).
+/// The answer without any forces of constraints.
+Answer without_reactions(const Problem& problem, Answer answer) {
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
+    const Pushed& b = problem.bodies[i];
+    answer.changes[i] = b.unconstrained(problem.h) - b.before - b.jump;
+    answer.reactions[i].setZero();
+  }
+  std::ranges::fill(answer.row_forces, 0);
+  answer.row_work = 0;
+  for (JointReaction& joint : answer.joints) joint.force_W = joint.moment_W = {0, 0, 0};
+  return answer;
+}
+
+/// A bound of the energy that contacts may give as they push bodies apart [J].
+double overlap_energy(const Problem& problem) {
+  double weight = 0, deepest = 0;
+  for (const SubstepBody* b : problem.island.bodies)
+    weight += b->body().spec->mass * problem.context.gravity;
+  for (const Contact& contact : problem.island.contacts)
+    deepest = std::max(deepest, contact.point.depth);
+  return weight * deepest;
+}
+
+/// The answer, less what corrections, or constraints that are not solved, would give of energy
+/// (E33).
 Answer solve(const Problem& problem) {
   const Island& island = problem.island;
   std::vector<BodyId> ids;
@@ -216,7 +249,12 @@ Answer solve(const Problem& problem) {
   const double most = jointed ? kJointWork * motion_energy(problem) : 0;
   if (!gains(answer, before, problem.h, most)) return answer;
   const std::vector<Contact> contacts = without_restitution(island.contacts);
-  return without_gain(solve(problem, {joints, contacts, 0}), answer, before, problem.h, most);
+  const Answer plain = solve(problem, {joints, contacts, 0});
+  const Answer part = without_gain(plain, answer, before, problem.h, most);
+  if (plain.solved || !jointed) return part;
+  const double held = most + overlap_energy(problem);
+  if (!gains(part, before, problem.h, held)) return part;
+  return without_gain(without_reactions(problem, part), part, before, problem.h, held);
 }
 
 /// True if the changes agree with those that the loads were linearised about.
@@ -250,7 +288,7 @@ void keep(const Problem& problem, const Answer& answer) {
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     SubstepBody& c = *island.bodies[k];
     const Pushed& b = problem.bodies[k];
-    c.update = {.change = answer.changes[k], .implicit = b.implicit};
+    c.update = {.change = answer.changes[k], .implicit = b.implicit, .unsolved = !answer.solved};
     c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
     c.load_acceleration_W = (b.mobility * b.load).head<3>();
   }

@@ -88,14 +88,20 @@ class System {
 
   /// Overwrites a dense system by its factors.
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b) {
+    factor_entries_ = dense_.size();
     if (dense_.size() > 0)
       return finite(Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(dense_).solve(b));
     Eigen::SparseMatrix<double> matrix(size_, size_);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
+    factor_entries_ = matrix.nonZeros();
     if (lu.info() != Eigen::Success) return std::nullopt;
+    factor_entries_ = lu.nnzL() + lu.nnzU();
     return finite(lu.solve(b));
   }
+
+  /// Entries of the factors of the last solution.
+  Index factor_entries() const { return factor_entries_; }
 
  private:
   static std::optional<Eigen::VectorXd> finite(Eigen::VectorXd x) {
@@ -104,6 +110,7 @@ class System {
   }
 
   Index size_;
+  Index factor_entries_ = 0;
   Eigen::MatrixXd dense_;
   std::vector<Eigen::Triplet<double>> entries_;
 };
@@ -128,10 +135,10 @@ std::vector<Touch> touches(const std::vector<PreparedBlock>& blocks) {
 
 }  // namespace
 
-std::optional<std::vector<Vector3d>> newton_step(const std::vector<PreparedBlock>& blocks,
-                                                 const std::vector<Vector3d>& impulses,
-                                                 const std::vector<Vector6d>& velocities) {
-  if (3 * blocks.size() > kMostNewtonRows) return std::nullopt;
+NewtonStep newton_step(const std::vector<PreparedBlock>& blocks,
+                       const std::vector<Vector3d>& impulses,
+                       const std::vector<Vector6d>& velocities) {
+  if (3 * blocks.size() > kMostNewtonRows) return {};
   System system(blocks.size());
   std::vector<Equations> rows;
   rows.reserve(blocks.size());
@@ -166,11 +173,12 @@ std::optional<std::vector<Vector3d>> newton_step(const std::vector<PreparedBlock
     first = last;
   }
   const std::optional<Eigen::VectorXd> change = system.solve(b);
-  if (!change) return std::nullopt;
+  const long entries = system.factor_entries();
+  if (!change) return {.impulses = std::nullopt, .entries = entries};
   std::vector<Vector3d> next = impulses;
   for (std::size_t k = 0; k < blocks.size(); ++k)
     next[k] += change->segment<3>(3 * static_cast<Index>(k)).cwiseQuotient(blocks[k].scale());
-  return next;
+  return {.impulses = std::move(next), .entries = entries};
 }
 
 }  // namespace engine

@@ -73,16 +73,16 @@ void set_scaled(const Eigen::VectorXd& x, Iterate& it) {
 /// Sweeps, and between them Newton steps, until the velocities stay.
 class Iteration {
  public:
-  Iteration(Iterate& iterate, double size)
+  Iteration(Iterate& iterate, double size, bool newton_steps)
       : it_(iterate),
         size_(size),
         jointed_(std::ranges::any_of(
             it_.blocks, [](const PreparedBlock& block) { return block.kind() != Kind::contact; })),
-        takes_newton_steps_(3 * it_.blocks.size() <=
-                            (jointed_ ? kMostNewtonRows : kMostContactRows)),
-        solved_(size * (jointed_              ? kSolvedIsland
-                        : takes_newton_steps_ ? kSolvedContacts
-                                              : kSolvedHeap)) {}
+        few_(3 * it_.blocks.size() <= (jointed_ ? kMostNewtonRows : kMostContactRows)),
+        takes_newton_steps_(few_ && newton_steps),
+        solved_(size * (jointed_ ? kSolvedIsland
+                        : few_   ? kSolvedContacts
+                                 : kSolvedHeap)) {}
 
   ConstraintSolution run() {
     missed_ = swept();
@@ -94,6 +94,7 @@ class Iteration {
     return {.velocities = std::move(it_.velocities),
             .impulses = std::move(it_.impulses),
             .sweeps = sweeps_,
+            .newton_entries = newton_entries_,
             .converged = accepted()};
   }
 
@@ -118,10 +119,10 @@ class Iteration {
     const double start = missed_;
     double least = start;
     for (int i = 0; i < kMostRowSteps && !converged(); ++i) {
-      std::optional<std::vector<Vector3d>> next =
-          newton_step(it_.blocks, it_.impulses, it_.velocities);
-      if (!next) break;
-      it_.impulses = *std::move(next);
+      NewtonStep next = newton_step(it_.blocks, it_.impulses, it_.velocities);
+      newton_entries_ += next.entries;
+      if (!next.impulses) break;
+      it_.impulses = *std::move(next.impulses);
       find_velocities(it_);
       missed_ = swept();
       if (!(missed_ < least)) continue;
@@ -163,17 +164,20 @@ class Iteration {
   Iterate& it_;
   double size_;
   bool jointed_;
+  bool few_;  ///< Of blocks, for Newton steps.
   bool takes_newton_steps_;
   double solved_;
   double missed_ = 0;  ///< What the last sweep changed.
   int sweeps_ = 0;
+  long newton_entries_ = 0;
 };
 
 }  // namespace
 
 ConstraintSolution solve_constraints(const std::vector<ConstrainedBody>& bodies,
                                      const std::vector<ConstraintBlock>& blocks,
-                                     const std::vector<Vector3d>& start, double size) {
+                                     const std::vector<Vector3d>& start, double size,
+                                     bool newton_steps) {
   std::vector<PreparedBlock> prepared;
   prepared.reserve(blocks.size());
   for (const ConstraintBlock& block : blocks) prepared.emplace_back(block, bodies);
@@ -183,7 +187,7 @@ ConstraintSolution solve_constraints(const std::vector<ConstrainedBody>& bodies,
                   .velocities = std::vector<Vector6d>(bodies.size())};
   iterate.impulses.resize(blocks.size(), Vector3d::Zero());
   find_velocities(iterate);
-  return Iteration(iterate, size).run();
+  return Iteration(iterate, size, newton_steps).run();
 }
 
 }  // namespace engine

@@ -61,7 +61,8 @@ ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restore
                       .reactions = added(plain.reactions, reaction, s),
                       .row_forces = plain.row_forces,
                       .row_work = plain.row_work + s * (restored.row_work - plain.row_work),
-                      .joints = plain.joints};
+                      .joints = plain.joints,
+                      .solved = plain.solved && restored.solved};
   for (std::size_t i = 0; i < answer.row_forces.size(); ++i)
     answer.row_forces[i] += s * (restored.row_forces[i] - plain.row_forces[i]);
   for (std::size_t i = 0; i < answer.joints.size(); ++i) {

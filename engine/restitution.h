@@ -24,6 +24,10 @@
 /// u⁻ and u⁺ the velocities before and after the update, is the change of energy by them, and
 /// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)) + g, g being kJointWork of
 /// the motion's energy where there are joints, and else nothing.
+///
+/// Joints may contradict each other so much that answer 0 is not solved, and then throw their
+/// bodies by themselves. The answer without any R takes its place, and g is larger by what the
+/// overlap of the bodies holds.
 
 namespace engine {
 
@@ -34,6 +38,7 @@ struct ImpactAnswer {
   std::vector<double> row_forces;     ///< λ of the rows, a part of the reactions.
   double row_work = 0;                ///< That of these in (E33) [J].
   std::vector<JointReaction> joints;  ///< The same of joints.
+  bool solved = true;                 ///< Its constraints are.
 };
 
 /// True if contacts leave an approaching body with a speed of its own.

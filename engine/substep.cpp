@@ -195,6 +195,7 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
   const bool constrained = island.constrained;
   Counts& counts = b.moving->counts;
   counts.implicit += b.update.implicit;
+  counts.unconverged += b.update.unsolved;
   counts.constrained += constrained;
   ++counts.substeps;
   b.reaction_work = constrained ? reaction_work(b, h) : 0;

@@ -65,6 +65,7 @@ struct VelocityUpdate {
   Vector6d at = Vector6d::Zero();      ///< The velocity that F was found with, in W.
   bool unpredicted = false;            ///< Extrapolation missed the change.
   bool implicit = false;               ///< By (E6).
+  bool unsolved = false;               ///< Its constraints missed their tolerance.
 };
 
 /// Δu of a body that nothing but its locks and its reduced joint constrains.
