@@ -234,27 +234,30 @@ double overlap_energy(const Problem& problem) {
   return weight * deepest;
 }
 
-/// The answer, less what corrections, or constraints that are not solved, would give of energy
-/// (E33).
+/// The answer, less what corrections would give of energy (E33).
+/// @param before   Velocities of the bodies before the update, in W.
+Answer without_corrections_gain(const Problem& problem, const std::vector<JointFrames>& joints,
+                                const Answer& answer, const std::vector<Vector6d>& before) {
+  if (joints.empty() && !restores(problem.island.contacts)) return answer;
+  const double most = joints.empty() ? 0 : kJointWork * motion_energy(problem);
+  if (!gains(answer, before, problem.h, most)) return answer;
+  const std::vector<Contact> contacts = without_restitution(problem.island.contacts);
+  return without_gain(solve(problem, {joints, contacts, 0}), answer, before, problem.h, most);
+}
+
+/// The answer; of one that is not solved only what no more than overlaps give of energy.
 Answer solve(const Problem& problem) {
-  const Island& island = problem.island;
   std::vector<BodyId> ids;
-  for (const SubstepBody* b : island.bodies) ids.push_back(b->id);
+  for (const SubstepBody* b : problem.island.bodies) ids.push_back(b->id);
   const std::vector<JointFrames> joints = problem.context.world.joints_of(ids);
-  const Answer answer = solve(problem, {joints, island.contacts});
-  const bool jointed = !joints.empty();
-  if (!jointed && !restores(island.contacts)) return answer;
   std::vector<Vector6d> before;
   for (const Pushed& b : problem.bodies) before.push_back(b.before + b.jump);
-  const double most = jointed ? kJointWork * motion_energy(problem) : 0;
+  const Answer answer = without_corrections_gain(
+      problem, joints, solve(problem, {joints, problem.island.contacts}), before);
+  if (answer.solved) return answer;
+  const double most = kJointWork * motion_energy(problem) + overlap_energy(problem);
   if (!gains(answer, before, problem.h, most)) return answer;
-  const std::vector<Contact> contacts = without_restitution(island.contacts);
-  const Answer plain = solve(problem, {joints, contacts, 0});
-  const Answer part = without_gain(plain, answer, before, problem.h, most);
-  if (plain.solved || !jointed) return part;
-  const double held = most + overlap_energy(problem);
-  if (!gains(part, before, problem.h, held)) return part;
-  return without_gain(without_reactions(problem, part), part, before, problem.h, held);
+  return without_gain(without_reactions(problem, answer), answer, before, problem.h, most);
 }
 
 /// True if the changes agree with those that the loads were linearised about.

@@ -25,8 +25,9 @@
 /// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)) + g, g being kJointWork of
 /// the motion's energy where there are joints, and else nothing.
 ///
-/// Joints may contradict each other so much that answer 0 is not solved, and then throw their
-/// bodies by themselves. The answer without any R takes its place, and g is larger by what the
+/// An answer whose constraints are not solved, as of joints that contradict each other or a needle
+/// under a hundred times its mass, may throw its bodies. So that is bounded, too: the answer
+/// without any R takes the place of 0, and g is kJointWork of the motion's energy and what the
 /// overlap of the bodies holds.
 
 namespace engine {

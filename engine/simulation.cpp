@@ -164,10 +164,8 @@ RigReadings Simulation::Impl::readings() const {
 
 void Simulation::Impl::begin_step() {
   rig.begin_step(states, time(), spec.step);
-  for (MovingBody& moving : bodies) {
-    moving.unsolved_entries = 0;
+  for (MovingBody& moving : bodies)
     if (moving.motion.work) moving.motion.work->start_step();
-  }
 }
 
 /// Takes what is coupled to the bodies once a step to the ends of their ways.

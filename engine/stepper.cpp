@@ -33,6 +33,7 @@ void Stepper::advance(double time) {
   std::vector<PastContacts> ends(groups.size());
   parallel_for_rethrow(context_.parallel_for, groups.size() + lone.parts(), [&](std::size_t i) {
     if (i >= groups.size()) return lone.advance(i - groups.size(), time, step_);
+    for (const BodyId id : groups[i].bodies) context_.bodies[id].unsolved_entries = 0;
     GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), own_limiters_, contacts_,
                          step_);
     stepper.advance(time, step_);
