@@ -74,6 +74,29 @@ TEST_P(ShippedScene, RunsWithinBoundsSolvesItsConstraintsAndRepeatsItselfBitForB
   EXPECT_EQ(first_steps(spec), once);
 }
 
+double kinetic_energy(const engine::SimulationSpec& spec,
+                      const std::vector<hydro::BodyState>& states) {
+  double sum = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Eigen::Vector3d spin_B = states[i].orientation.conjugate() * states[i].angular_velocity;
+    sum += spec.bodies[i].mass * states[i].linear_velocity.squaredNorm() +
+           spin_B.dot(spec.bodies[i].inertia_B * spin_B);
+  }
+  return sum / 2;
+}
+
+TEST(Contradictions, GiveNoEnergyWhereTheyAreNotSolved) {
+  const fs::path file = fs::path(PLIMSOLL_SOURCE_DIR) / "tests/data/contradictions.yaml";
+  const engine::SimulationSpec spec = assembly::build_without_added_mass(scene::read(file)).spec;
+  engine::Simulation simulation(spec);
+  const double start = kinetic_energy(spec, simulation.states());
+  simulation.step();
+  EXPECT_LT(kinetic_energy(spec, simulation.states()), start);
+  long unsolved = 0;
+  for (const engine::Counts& counts : simulation.counts()) unsolved += counts.unconverged;
+  EXPECT_GT(unsolved, 0);
+}
+
 std::string test_name(const testing::TestParamInfo<std::string>& scene) {
   std::string name = scene.param;
   std::replace_if(
