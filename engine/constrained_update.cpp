@@ -234,11 +234,19 @@ double overlap_energy(const Problem& problem) {
   return weight * deepest;
 }
 
+/// Velocities of the bodies before the update, in W.
+std::vector<Vector6d> velocities_before(const Problem& problem) {
+  std::vector<Vector6d> before;
+  before.reserve(problem.bodies.size());
+  for (const Pushed& b : problem.bodies) before.push_back(b.before + b.jump);
+  return before;
+}
+
 /// The answer, less what corrections would give of energy (E33).
-/// @param before   Velocities of the bodies before the update, in W.
-Answer without_corrections_gain(const Problem& problem, const std::vector<JointFrames>& joints,
-                                const Answer& answer, const std::vector<Vector6d>& before) {
+Answer less_corrections(const Problem& problem, const std::vector<JointFrames>& joints,
+                        Answer answer) {
   if (joints.empty() && !restores(problem.island.contacts)) return answer;
+  const std::vector<Vector6d> before = velocities_before(problem);
   const double most = joints.empty() ? 0 : kJointWork * motion_energy(problem);
   if (!gains(answer, before, problem.h, most)) return answer;
   const std::vector<Contact> contacts = without_restitution(problem.island.contacts);
@@ -250,11 +258,10 @@ Answer solve(const Problem& problem) {
   std::vector<BodyId> ids;
   for (const SubstepBody* b : problem.island.bodies) ids.push_back(b->id);
   const std::vector<JointFrames> joints = problem.context.world.joints_of(ids);
-  std::vector<Vector6d> before;
-  for (const Pushed& b : problem.bodies) before.push_back(b.before + b.jump);
-  const Answer answer = without_corrections_gain(
-      problem, joints, solve(problem, {joints, problem.island.contacts}), before);
+  Answer answer =
+      less_corrections(problem, joints, solve(problem, {joints, problem.island.contacts}));
   if (answer.solved) return answer;
+  const std::vector<Vector6d> before = velocities_before(problem);
   const double most = kJointWork * motion_energy(problem) + overlap_energy(problem);
   if (!gains(answer, before, problem.h, most)) return answer;
   return without_gain(without_reactions(problem, answer), answer, before, problem.h, most);
