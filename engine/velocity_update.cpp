@@ -11,6 +11,8 @@
 namespace engine {
 namespace {
 
+using hydro::Pieces;
+
 /// What the parts of one update share.
 struct UpdateContext {
   MovingBody& moving;
@@ -162,9 +164,9 @@ double largest_stiffness(const UpdateContext& s, const Matrix6d& J) {
   return std::max(0.0, -s.h * hydro::eigenvalues(s.factor_of_S().relative(J))[0]);
 }
 
-hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative) {
+hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative, Pieces pieces) {
   return hydro::load_jacobian(sea_hull(s.body, *s.midpoint.motion), s.at(relative),
-                              *s.body.environment.sea, s.time, s.body.spec->coefficients);
+                              *s.body.environment.sea, s.time, s.body.spec->coefficients, pieces);
 }
 
 /// S − ¼h²K, or S where K is no stiffness: where waves are too steep to be followed by panels, more
@@ -183,13 +185,14 @@ struct Solution {
 /// (E6) by Newton's method from rest: an explicit change can be off by orders of magnitude.
 /// The Jacobian is that of the drag, as lift takes no energy and is weak as a rule.
 /// @param with_lift   If false, lift is left out.
-Solution implicit_change(const UpdateContext& s, bool with_lift) {
+/// @param pieces      Those of the Jacobian.
+Solution implicit_change(const UpdateContext& s, bool with_lift, Pieces pieces) {
   Vector6d change = Vector6d::Zero(), nearest = change;
   const double floor = kNewtonRoundOff * kNewtonRoundOff * s.square(s.u);
   double part = 0.5, least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     Vector6d at = s.u + part * change;
-    const hydro::LoadJacobian J = jacobian(s, at);
+    const hydro::LoadJacobian J = jacobian(s, at, pieces);
     part = std::max(part, theta(largest_stiffness(s, J.drag)));
     at = s.u + part * change;
     const Matrix6d S = with_waterplane(s, J.waterplane);
@@ -208,11 +211,16 @@ Solution implicit_change(const UpdateContext& s, bool with_lift) {
   return {.change = nearest};
 }
 
-/// (E6). Lift that would turn the motion farther in the step than can be followed is left
-/// out: from iterations that do not converge with it a body could take any speed.
+/// (E6). Where its iterations do not converge, the Jacobian may have missed what is wet. Lift that
+/// would turn the motion farther in the step than can be followed is left out: from iterations that
+/// do not converge with it a body could take any speed.
 Vector6d implicit_change(const UpdateContext& s) {
-  const Solution whole = implicit_change(s, true);
-  return whole.converged ? whole.change : implicit_change(s, false).change;
+  const Environment& environment = s.body.environment;
+  const bool uneven = environment.highest > environment.lowest;
+  Solution whole = implicit_change(s, true, Pieces::coarse);
+  if (!whole.converged && uneven) whole = implicit_change(s, true, Pieces::fine);
+  if (whole.converged) return whole.change;
+  return implicit_change(s, false, uneven ? Pieces::fine : Pieces::coarse).change;
 }
 
 /// Δu of a body that nothing but applied loads and its weight acts on.
@@ -309,10 +317,10 @@ EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
   EffectiveLoad result{.inertia = s.S(), .load = s.with_memory(s.loads(at))};
   result.implicit = is_stiff(s, at, s.u + expected + h * s.accelerated(result.load));
   if (!result.implicit) return result;
-  hydro::LoadJacobian J = jacobian(s, at);
+  hydro::LoadJacobian J = jacobian(s, at, Pieces::coarse);
   const double part = theta(largest_stiffness(s, J.drag));
   at = s.u + part * expected;
-  J = jacobian(s, at);
+  J = jacobian(s, at, Pieces::coarse);
   result.inertia = with_waterplane(s, J.waterplane) - h * part * J.drag;
   result.load = s.with_memory(s.loads(at)) - part * J.drag * expected;
   return result;

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Length below which edges are not split, over the body's radius [-]. A linearisation need not
-/// follow waves as the loads do. Smaller: bodies in contact in short waves take twice the time.
-constexpr double kSmallestPiece = 1.0 / 16;
+/// Length below which edges of coarse pieces are not split, over the body's radius [-]. Smaller:
+/// bodies in contact in short waves take twice the time.
+constexpr double kCoarsePiece = 1.0 / 16;
 
 /// Input of the sum over the panels.
 struct Motion {
@@ -88,14 +88,15 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
 }  // namespace
 
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                           const Coefficients& coefficients) {
+                           const Coefficients& coefficients, Pieces pieces) {
+  const double smallest = pieces == Pieces::coarse ? kCoarsePiece : kSmallestPanel;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Motion motion{
       .coefficients = coefficients,
       .sea = sea,
       .waves = AiryWaves(sea, time),
-      .surface = SurfaceSampler(sea, state.position, time, kSmallestPiece * hull.radius,
-                                SplitFor::surface),
+      .surface =
+          SurfaceSampler(sea, state.position, time, smallest * hull.radius, SplitFor::surface),
       .p_WB = state.position,
       .twist = {state.linear_velocity - sea.current, state.angular_velocity},
       .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),

@@ -32,7 +32,12 @@ struct LoadJacobian {
   Matrix6d waterplane = Matrix6d::Zero();  ///< (3) [N/m, N, N m].
 };
 
+/// How far panels are split to follow waves: into pieces of a sixteenth of the body's radius, or as
+/// far as those of the loads (refine.h). The first take half of the time, but may miss a crest that
+/// is all of the water on a thin body.
+enum class Pieces { coarse, fine };
+
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                           const Coefficients& coefficients);
+                           const Coefficients& coefficients, Pieces pieces = Pieces::coarse);
 
 }  // namespace hydro
