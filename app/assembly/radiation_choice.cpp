@@ -10,6 +10,7 @@
 #include "app/assembly/build_interior.h"
 #include "app/assembly/build_start.h"
 #include "app/assembly/radiation_store.h"
+#include "engine/broad_phase.h"
 #include "engine/locks.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
@@ -72,11 +73,21 @@ double froude_number(const engine::SimulationSpec& spec, const engine::BodySpec&
 class Chooser {
  public:
   Chooser(const scene::Scene& scene, const engine::SimulationSpec& spec)
-      : scene_(scene), spec_(spec) {
-    for (const engine::BodySpec& body : spec.bodies)
-      radii_.push_back(outside_B(body).vertex_count() > 0
-                           ? std::sqrt(outside_B(body).vertices.colwise().squaredNorm().maxCoeff())
-                           : 0);
+      : scene_(scene), spec_(spec), has_neighbour_(spec.bodies.size()) {
+    std::vector<double> radii;
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const engine::BodySpec& body : spec.bodies) {
+      const Eigen::Matrix3Xd& vertices = outside_B(body).vertices;
+      radii.push_back(vertices.cols() > 0 ? std::sqrt(vertices.colwise().squaredNorm().maxCoeff())
+                                          : 0);
+      const Eigen::Array3d at = body.initial.position;
+      boxes.emplace_back(at - radii.back(), at + radii.back());
+    }
+    for (const auto& [i, j] : engine::overlapping(boxes)) {
+      const double distance =
+          (spec.bodies[i].initial.position - spec.bodies[j].initial.position).norm();
+      if (distance < radii[i] + radii[j]) has_neighbour_[i] = has_neighbour_[j] = true;
+    }
   }
 
   RadiationChoice choose(std::size_t i) const {
@@ -136,17 +147,7 @@ class Chooser {
     const double ratio = spec_.sea->density * volume / mass_afloat(body, spec_.sea->density);
     if (std::abs(ratio - 1) > kMassMismatch)
       return fmt::format("at its start it displaces {:.3g} of its mass", ratio);
-    return neighbour(i);
-  }
-
-  std::string neighbour(std::size_t i) const {
-    for (std::size_t j = 0; j < spec_.bodies.size(); ++j) {
-      const double distance =
-          (spec_.bodies[i].initial.position - spec_.bodies[j].initial.position).norm();
-      if (j != i && distance < radii_[i] + radii_[j])
-        return "another body starts within its radius and their own";
-    }
-    return "";
+    return has_neighbour_[i] ? "another body starts within its radius and their own" : "";
   }
 
   hydro::MeanPose mean_pose(const engine::BodySpec& body) const {
@@ -224,7 +225,7 @@ class Chooser {
 
   const scene::Scene& scene_;
   const engine::SimulationSpec& spec_;
-  std::vector<double> radii_;
+  std::vector<bool> has_neighbour_;  ///< Within its radius and the other's.
 };
 
 /// Tells where a body's waves come from.
