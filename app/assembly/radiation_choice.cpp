@@ -225,7 +225,7 @@ class Chooser {
 
   const scene::Scene& scene_;
   const engine::SimulationSpec& spec_;
-  std::vector<bool> has_neighbour_;  ///< Within its radius and the other's.
+  std::vector<bool> has_neighbour_;  ///< Another starts within its radius and the other's.
 };
 
 /// Tells where a body's waves come from.

@@ -155,8 +155,8 @@ std::string model_of_moorings(const engine::SimulationSpec& spec) {
   return any ? "catenary" : "";
 }
 
-/// Returns the summaries of all bodies by their names, each of which is another: they need not be
-/// looked for among those before, which for ten thousand bodies takes longer than all else here.
+/// Returns the summaries of all bodies by their names. Each name is another, so that none is looked
+/// for among those before, in a time that grows with the square of their number.
 Json body_summaries(const RunSummary& summary) {
   const std::vector<engine::BodySpec>& bodies = summary.built.spec.bodies;
   Json::object_t summaries;
