@@ -128,7 +128,7 @@ void World::collide(double step) {
   dJointGroupEmpty(contact_joints_.get());
   for (const Contact& contact : contacts_.points)
     add_contact(world_.get(), contact_joints_.get(), contact, handle_of(contact.pair.first),
-                handle_of(contact.pair.second));
+                handle_of(contact.pair.second), step);
 }
 
 void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
@@ -250,7 +250,7 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
       } else {
         stiffness = contact_stiffness(mass, points.size(), step,
                                       weights(pair, point, points.size(), mass, step));
-        stiffness.erp = limited_erp(stiffness.erp, point.depth / fall, gravity_, step);
+        stiffness.fastest = parting_speed(point.depth, fall, gravity_);
         stiffness.speed *= closing;
       }
       contacts.points.push_back(std::move(contact));

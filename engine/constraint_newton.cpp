@@ -23,6 +23,7 @@ struct Equations {
   Matrix3d P = Matrix3d::Identity();
   Matrix3d Q = Matrix3d::Zero();
   Vector3d b;
+  Vector3d compliance;  ///< A's D.
 
   void hold(int row, double missed) {
     P.row(row).setZero();
@@ -32,10 +33,11 @@ struct Equations {
 };
 
 Equations contact_equations(const PreparedBlock& block, const Vector3d& p, const Vector3d& v) {
-  Equations e{.b = -p};
-  const double push = p[0] - v[0] / block.response()(0, 0);
+  Equations e{.b = -p, .compliance = block.compliance()};
+  const auto [push, missed, compliance] = block.push_along_normal(p[0], v[0]);
   if (!(push > 0)) return e;
-  e.hold(0, v[0]);
+  e.hold(0, missed);
+  e.compliance[0] = compliance;
   const double friction = block.block().limit;
   const double omega = block.sliding_response();
   const Vector2d t = p.tail<2>() - v.tail<2>() / omega;
@@ -56,7 +58,7 @@ Equations contact_equations(const PreparedBlock& block, const Vector3d& p, const
 
 Equations equations(const PreparedBlock& block, const Vector3d& p, const Vector3d& v) {
   if (block.kind() == Kind::contact) return contact_equations(block, p, v);
-  Equations e{.b = -p};
+  Equations e{.b = -p, .compliance = block.compliance()};
   const double wanted = p[0] - v[0] / block.response()(0, 0);
   const double limit = block.block().limit;
   if (block.kind() == Kind::bilateral)
@@ -156,7 +158,7 @@ NewtonStep newton_step(const std::vector<PreparedBlock>& blocks,
       e.b[i] *= unit;
     }
     b.segment<3>(3 * static_cast<Index>(k)) = e.b;
-    const Matrix3d own = e.P + e.Q * block.compliance().asDiagonal();
+    const Matrix3d own = e.P + e.Q * e.compliance.asDiagonal();
     system.add(k, k, own * scale.cwiseInverse().asDiagonal());
   }
   const std::vector<Touch> all = touches(blocks);

@@ -14,7 +14,8 @@
 ///     a bilateral row holds:                                     v + A δ = 0;
 ///     a one-sided row holds if p − v/W > 0, and else             p + δ = 0;
 ///     a bounded row holds if |p − v/W| <= limit, and else        p + δ = ± limit;
-///     a contact is open if p₁ − v₁/W₁ <= 0, and then p + δ = 0; else v₁ + (A δ)₁ = 0. With
+///     a contact is open if p₁ − v₁/W₁ <= 0, and then p + δ = 0; else v₁ + (A δ)₁ = 0, v₁ and D
+///     being those of the one of its two equations that counts. With
 ///     t = p_t − v_t/ω, ω the greatest response along its tangents, and R = µ (p₁ − v₁/W₁), it
 ///     sticks if |t| <= R, and then v_t + (A δ)_t = 0. Else it slides along d = t/|t|, which turns
 ///     with the change of t:

@@ -107,8 +107,8 @@ ContactStiffness rebound_stiffness(double mass, std::size_t points, double step,
   return {.erp = 0, .cfm = slip, .speed = rebound, .slip = slip};
 }
 
-double limited_erp(double erp, double depth, double gravity, double step) {
-  return std::min(erp, step * std::sqrt(2 * std::max(gravity, kLeastGravity) / depth));
+double parting_speed(double depth, double fall, double gravity) {
+  return std::sqrt(fall * std::max(gravity, kLeastGravity) * depth / 2);
 }
 
 }  // namespace engine

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "engine/broad_phase.h"
@@ -32,9 +33,12 @@
 /// step is refined; above it does, as a spring shorter than a step is not resolved. A body that one
 /// step has taken deep into another is pushed out no faster than
 ///
-///     √(2 g depth),                                                                      (E13)
+///     s = √(g depth/2):                                                                  (E13)
 ///
-/// so it gains no more energy than by a fall through the overlap. Here g is the acceleration of the
+/// where it would part faster, the force is the one with which it parts at s. So it is left with a
+/// quarter of the energy of a fall through the overlap, and does not hop; with the whole of it a
+/// crate that lands at 3 m/s hops by a millimetre. A contact that is deep for what rests on it
+/// parts from nothing, and carries all that its spring holds. Here g is the acceleration of the
 /// mass m by weight and full buoyancy: less than gravity where a body moves much water. With the
 /// lighter mass a body would sink deep into a lighter one; with the heavier one the contact of the
 /// light body is overdamped, with the same ERP.
@@ -107,6 +111,8 @@ struct ContactStiffness {
   double cfm = 0;    ///< [m/(N s)]
   double speed = 0;  ///< For v⁻ = −1 [-]; of (E30) [m/s].
   double slip = 0;   ///< [m/(N s)]
+  /// Speed at which the point parts, above which it is not pushed: (E13), or none [m/s].
+  double fastest = std::numeric_limits<double>::infinity();
 };
 ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
                                    const ContactWeights& weights = {});
@@ -131,7 +137,7 @@ double impact_speed(double gravity);
 /// @param rebound   The speed e v⁻ at which it parts [m/s].
 ContactStiffness rebound_stiffness(double mass, std::size_t points, double step, double rebound);
 
-/// The ERP of (E11), bounded so that the speed ERP·depth/h does not exceed (E13).
-double limited_erp(double erp, double depth, double gravity, double step);
+/// (E13) [m/s]. @param fall   Acceleration by weight and buoyancy, over that of gravity.
+double parting_speed(double depth, double fall, double gravity);
 
 }  // namespace engine

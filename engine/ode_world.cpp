@@ -2,6 +2,7 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "engine/constants.h"
@@ -9,7 +10,7 @@
 namespace engine {
 namespace {
 
-dContact to_ode_contact(const Contact& contact) {
+dContact to_ode_contact(const Contact& contact, double step) {
   const ContactPoint& point = contact.point;
   dContact ode{};
   Eigen::Map<Eigen::Vector3d>(ode.geom.pos) = point.position_W;
@@ -18,7 +19,9 @@ dContact to_ode_contact(const Contact& contact) {
   ode.surface.mode = dContactSoftERP | dContactSoftCFM | dContactMotionN | dContactSlip1 |
                      dContactSlip2 | dContactApprox1;
   ode.surface.mu = contact.friction;
-  ode.surface.soft_erp = contact.stiffness.erp;
+  // The force of a row of ODE cannot end at a speed; there (E13) bounds what the spring asks for.
+  ode.surface.soft_erp =
+      std::min(contact.stiffness.erp, step * contact.stiffness.fastest / point.depth);
   ode.surface.soft_cfm = contact.stiffness.cfm;
   ode.surface.motionN = contact.stiffness.speed;
   ode.surface.slip1 = ode.surface.slip2 = contact.stiffness.slip;
@@ -45,8 +48,8 @@ void step_by_iteration(dxWorld* world, int iterations, double step) {
 }  // namespace
 
 void add_contact(dxWorld* world, dxJointGroup* group, const Contact& contact, dxBody* first,
-                 dxBody* second) {
-  const dContact ode = to_ode_contact(contact);
+                 dxBody* second, double step) {
+  const dContact ode = to_ode_contact(contact, step);
   dJointAttach(dJointCreateContact(world, group, &ode), first, second);
 }
 

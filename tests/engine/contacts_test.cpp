@@ -26,13 +26,10 @@ std::vector<ContactPoint> grid(int count) {
   return points;
 }
 
-TEST(LimitedErp, PushesOutNoFasterThanAFallThroughTheOverlap) {
-  const double step = 1.0 / 60;
-  // At rest on a floor, 1 mm deep, a body feels the contact's own stiffness.
-  EXPECT_EQ(engine::limited_erp(0.3, 1e-3, 9.81, step), 0.3);
-  const double deep = engine::limited_erp(0.3, 0.5, 9.81, step);
-  EXPECT_NEAR(deep * 0.5 / step, std::sqrt(2 * 9.81 * 0.5), tolerance(1e-12));
-  EXPECT_GT(engine::limited_erp(0.3, 0.5, 0, step), 0) << "without weight it is left, too";
+TEST(PartingSpeed, IsHalfOfThatOfAFallThroughTheOverlap) {
+  EXPECT_NEAR(engine::parting_speed(0.5, 0.25, 9.81), std::sqrt(2 * 0.25 * 9.81 * 0.5) / 2,
+              tolerance(1e-12));
+  EXPECT_GT(engine::parting_speed(0.5, 1, 0), 0) << "without weight an overlap is left, too";
 }
 
 TEST(RepresentativeContacts, OfAFaceIncludeItsCorners) {

@@ -22,10 +22,10 @@ SimulationSpec collision(double gap, double step) {
   return spec;
 }
 
-/// Largest distance of the bodies' centres after 2 s from those in another run [m].
+/// Largest distance of the bodies' centres after 0.6 s from those in another run [m].
 double farthest_apart(const SimulationSpec& first, const SimulationSpec& second) {
   const auto end = [](const SimulationSpec& spec) {
-    return support::after(spec, support::steps_in(2, spec.step)).states();
+    return support::after(spec, support::steps_in(0.6, spec.step)).states();
   };
   const std::vector<hydro::BodyState> a = end(first), b = end(second);
   double largest = 0;
@@ -34,13 +34,14 @@ double farthest_apart(const SimulationSpec& first, const SimulationSpec& second)
   return largest;
 }
 
-// The bodies part at some 0.3 m/s. Were the onset of the contact only known to a step, they would
-// be off by centimetres.
+// The bodies meet after 0.25 s and part at some 0.3 m/s. Were the onset of the contact only known
+// to a step, they would be off by millimetres. After 0.7 s an edge meets a face along all of its
+// length; which of its ends is first hangs on the last digits.
 TEST(Collision, HardlyDependsOnTheStepNorOnWhereInItBodiesMeet) {
   for (const double gap : {0.2, 0.205, 0.21, 0.2133}) {
     const SimulationSpec fine = collision(gap, 1.0 / 3840);
-    EXPECT_LT(farthest_apart(collision(gap, 1.0 / 60), fine), tolerance(6e-3)) << gap;
-    EXPECT_LT(farthest_apart(collision(gap, 1.0 / 240), fine), tolerance(4e-3)) << gap;
+    EXPECT_LT(farthest_apart(collision(gap, 1.0 / 60), fine), tolerance(3e-4)) << gap;
+    EXPECT_LT(farthest_apart(collision(gap, 1.0 / 240), fine), tolerance(3e-4)) << gap;
   }
 }
 

@@ -62,6 +62,21 @@ TEST(Stack, OfNineCratesStandsByIteration) {
   EXPECT_LT(fastest(simulation), tolerance(0.02));
 }
 
+// A contact that gave way under what rests on it would let the stack lean, and fall in 18 s.
+TEST(Stack, OfTenCratesStandsForAMinute) {
+  constexpr int kCrates = 10;
+  std::vector<BodySpec> crates;
+  for (int i = 0; i < kCrates; ++i)
+    crates.push_back(crate({0, 0, 0.5 + 1.001 * i}, CollisionShape::box));
+  SimulationSpec spec = on_flat_ground(crates);
+  spec.step = 1.0 / 240;
+  const Simulation simulation = support::after(spec, support::steps_in(60, spec.step));
+  const double sink = support::kGravity * 1e-4 * kCrates * (kCrates + 1) / 2;
+  const hydro::BodyState& top = simulation.states().back();
+  EXPECT_NEAR(top.position.z(), kCrates - 0.5 - sink, tolerance(1e-4));
+  EXPECT_LT(std::hypot(top.position.x(), top.position.y()), tolerance(1e-5));
+}
+
 // Flat faces that meet edge on edge have no sound contact points at first, only deep sideways ones.
 TEST(Stack, OfAlignedCratesIsNotThrownApartAsItCloses) {
   std::vector<BodySpec> crates;
