@@ -30,8 +30,15 @@
 ///
 /// A body that carries its own weight sinks in by g τ². With τ = max(h, kShortestContact) that is
 /// 1 mm, whatever the body's size. Below 0.01 s τ does not follow h, so the motion converges as the
-/// step is refined; above it does, as a spring shorter than a step is not resolved. A body that one
-/// step has taken deep into another is pushed out no faster than
+/// step is refined; above it does, as a spring shorter than a step is not resolved.
+///
+/// A contact in a stack of cubes of edge L is a joint with the stiffness m L²/(4 τ²) against
+/// turning. The stack is a column of such joints: its own weight bends it [Gre81] if the number of
+/// cubes is more than
+///
+///     (7.84 L/(4 g τ²))^(1/3).                                                          (E13a)
+///
+/// A body that one step has taken deep into another is pushed out no faster than
 ///
 ///     s = √(g depth/2):                                                                  (E13)
 ///
@@ -62,6 +69,10 @@
 /// the positions at its two ends differ by the work of the weight over what v⁻ and v⁺ travel, so
 /// with e = 1 a bounce keeps the energy for any h. Several impacts at once and friction may gain
 /// energy under Newton's law; restitution.h takes that back.
+///
+/// [Gre81] Greenhill. Determination of the greatest height consistent with stability that a
+/// vertical
+///         pole or mast can be made. Proc. Camb. Phil. Soc. 4 (1881) 65-73.
 
 namespace engine {
 
