@@ -262,7 +262,9 @@ Answer solve(const Problem& problem) {
       less_corrections(problem, joints, solve(problem, {joints, problem.island.contacts}));
   if (answer.solved) return answer;
   const std::vector<Vector6d> before = velocities_before(problem);
-  const double most = kJointWork * motion_energy(problem) + overlap_energy(problem);
+  // What lasts for a contact's time or longer has the whole of it; many short substeps share it.
+  const double part = problem.h / std::max(problem.h, kShortestContact);
+  const double most = part * (kJointWork * motion_energy(problem) + overlap_energy(problem));
   if (!gains(answer, before, problem.h, most)) return answer;
   return without_gain(without_reactions(problem, answer), answer, before, problem.h, most);
 }

@@ -43,7 +43,9 @@ double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, dou
 bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most) {
   const double exchanged =
       h * (std::abs(product(answer.reactions, before)) + product(answer.reactions, answer.changes));
-  return work(answer, before, h) - answer.row_work > most + kImpactGain * exchanged;
+  const double gain = work(answer, before, h) - answer.row_work;
+  // What is not solved may be beyond all numbers.
+  return !std::isfinite(gain) || gain > most + kImpactGain * exchanged;
 }
 
 ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
@@ -55,8 +57,11 @@ ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restore
   const double c = h / 2 * product(reaction, change);
   const double b = work(restored, before, h) - least - c;
   const double room = std::max(0.0, -least) + most;
-  if (!(c > 0)) return plain;
-  const double s = std::clamp((std::sqrt(b * b + 4 * c * room) - b) / (2 * c), 0.0, 1.0);
+  if (!(c > 0) || !std::isfinite(b) || !std::isfinite(c)) return plain;
+  // The root of s² + 2 β s = ρ: no square of b or c, which may overflow, and no cancellation.
+  const double beta = b / (2 * c), rho = room / c;
+  const double root = std::sqrt(beta * beta + rho);
+  const double s = std::clamp(beta > 0 ? rho / (beta + root) : root - beta, 0.0, 1.0);
   ImpactAnswer answer{.changes = added(plain.changes, change, s),
                       .reactions = added(plain.reactions, reaction, s),
                       .row_forces = plain.row_forces,

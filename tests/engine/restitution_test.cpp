@@ -168,4 +168,17 @@ TEST(RestitutionWork, IsTakenBackToNothing) {
   EXPECT_GT(gained, 30);
 }
 
+// What equations without a solution lead to may be beyond all numbers, or its square.
+TEST(Restitution, TakesNothingOfAnAnswerBeyondAllNumbers) {
+  const std::vector<Vector6d> before(1, Vector6d::Unit(0));
+  const ImpactAnswer plain{.changes = {Vector6d::Zero()}, .reactions = {Vector6d::Zero()}};
+  for (const double size : {1e100, 1e140, 1e160, 1e300}) {
+    const ImpactAnswer thrown{.changes = {size * Vector6d::Unit(1)},
+                              .reactions = {size * Vector6d::Unit(1)}};
+    ASSERT_TRUE(engine::gains(thrown, before, 1, 1)) << size;
+    const ImpactAnswer kept = engine::without_gain(plain, thrown, before, 1, 1);
+    EXPECT_LE(engine::work(kept, before, 1), 1 + tolerance(1e-9)) << size;
+  }
+}
+
 }  // namespace
