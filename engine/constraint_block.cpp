@@ -23,7 +23,7 @@ ConstraintBlock contact_block(const Contact& contact, const Vector3d& first, con
   ConstraintBlock block{.kind = ConstraintBlock::Kind::contact,
                         .bodies = {contact.pair.first, contact.pair.second},
                         .limit = contact.friction,
-                        .fastest = contact.stiffness.fastest};
+                        .fastest = stiffness.fastest};
   const Vector3d& normal = point.normal_W;
   const Vector3d tangent = normal.unitOrthogonal();
   const Vector3d axes[] = {normal, tangent, normal.cross(tangent)};

@@ -71,8 +71,7 @@
 /// energy under Newton's law; restitution.h takes that back.
 ///
 /// [Gre81] Greenhill. Determination of the greatest height consistent with stability that a
-/// vertical
-///         pole or mast can be made. Proc. Camb. Phil. Soc. 4 (1881) 65-73.
+///         vertical pole or mast can be made. Proc. Camb. Phil. Soc. 4 (1881) 65-73.
 
 namespace engine {
 

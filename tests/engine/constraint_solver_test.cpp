@@ -66,6 +66,16 @@ ConstraintBlock random_block(support::Random& random, const Island& island, Kind
   return block;
 }
 
+void add_random_contact(support::Random& random, Island& island) {
+  island.blocks.push_back(random_block(random, island, Kind::contact, 3));
+  island.blocks.back().limit = random.uniform(0, 0.5);
+}
+
+/// Two to six bodies, by the seed.
+Island random_bodies_of(unsigned seed, support::Random& random) {
+  return random_bodies(random, 2 + static_cast<int>(seed) % 5, 100);
+}
+
 /// What (E8) lacks for a block, in the velocities of a solution.
 Vector3d lacking(const Island& island, const ConstraintSolution& found, std::size_t k) {
   return PreparedBlock(island.blocks[k], island.bodies).missed(found.impulses[k], found.velocities);
@@ -155,10 +165,9 @@ TEST(ConstraintSolver, MeetsWhatBlocksOfAllKindsAskFor) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
     support::Random random(seed);
-    Island island = random_bodies(random, 2 + static_cast<int>(seed) % 5, 100);
+    Island island = random_bodies_of(seed, random);
     for (int i = 0; i < 6; ++i) {
-      island.blocks.push_back(random_block(random, island, Kind::contact, 3));
-      island.blocks.back().limit = random.uniform(0, 0.5);
+      add_random_contact(random, island);
       island.blocks.push_back(random_block(random, island, Kind::one_sided, 1));
       island.blocks.push_back(random_block(random, island, Kind::bounded, 1));
       island.blocks.back().limit = random.uniform(0, 0.2);
@@ -173,10 +182,9 @@ TEST(ConstraintSolver, PushesContactsNoFasterThanTheyMayPart) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
     support::Random random(seed);
-    Island island = random_bodies(random, 2 + static_cast<int>(seed) % 5, 100);
+    Island island = random_bodies_of(seed, random);
     for (int i = 0; i < 6; ++i) {
-      island.blocks.push_back(random_block(random, island, Kind::contact, 3));
-      island.blocks.back().limit = random.uniform(0, 0.5);
+      add_random_contact(random, island);
       island.blocks.back().fastest = random.uniform(0, 0.3);
     }
     const ConstraintSolution found = island.solved();
