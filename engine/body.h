@@ -21,6 +21,8 @@ struct Environment {
   double level = 0;                 ///< Height of the water at rest; 0 without water [m].
   double highest = 0;               ///< Height that the water surface never exceeds [m].
   double lowest = 0;                ///< Height that the water surface never falls below [m].
+
+  bool uneven() const { return highest > lowest; }  ///< The surface is not flat at all times.
 };
 
 Environment make_environment(const SimulationSpec& spec);

@@ -7,6 +7,7 @@
 #include "engine/constants.h"
 #include "engine/constraint_solver.h"
 #include "engine/restitution.h"
+#include "engine/state_checks.h"
 #include "hydro/decompositions.h"
 
 namespace engine {
@@ -39,19 +40,16 @@ Matrix6d mobility_matrix(const Matrix6d& S, const DofMask& locked) {
   return inverse;
 }
 
-Pushed make_pushed(const SubstepBody& c, double time, double h) {
-  const EffectiveLoad effective = effective_load(*c.moving, c.midpoint, c.predicted, time, h);
-  const hydro::BodyState& state = c.halfway.state;
+Pushed make_pushed(const SubstepBody& c, double time, double h, hydro::Pieces pieces) {
+  const EffectiveLoad effective =
+      effective_load(*c.moving, c.midpoint, c.predicted, time, h, pieces);
   const Vector6d jump = c.midpoint.after - c.midpoint.before;
-  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
-  Pushed pushed{.S = effective.inertia,
-                .mobility = mobility_matrix(effective.inertia, c.body().spec->locked),
-                .load = effective.load + effective.inertia * jump / h,
-                .before = velocity(state, still),
-                .jump = jump,
-                .implicit = effective.implicit};
-  check_state(*c.moving, with_velocity(state, pushed.unconstrained(h), still));
-  return pushed;
+  return {.S = effective.inertia,
+          .mobility = mobility_matrix(effective.inertia, c.body().spec->locked),
+          .load = effective.load + effective.inertia * jump / h,
+          .before = velocity(c.halfway.state, Eigen::Vector3d::Zero()),
+          .jump = jump,
+          .implicit = effective.implicit};
 }
 
 /// The constraints of an island for one linearisation of its loads.
@@ -308,22 +306,34 @@ void keep(const Problem& problem, const Answer& answer) {
   island.reactions = answer.joints;
 }
 
-}  // namespace
+/// The state that the loads alone lead a body to.
+hydro::BodyState unconstrained_state(const SubstepBody& c, const Pushed& b, double h) {
+  return with_velocity(c.halfway.state, b.unconstrained(h), Eigen::Vector3d::Zero());
+}
 
-void constrained_update(const StepContext& context, Island& island, double time, double h) {
+/// Solves (E7) for loads that are linearised about the last answer, until both agree; where they
+/// lead away from each other, the nearest answer counts.
+/// @return true if they agree
+bool linearise(const StepContext& context, Island& island, double time, double h,
+               hydro::Pieces pieces) {
   std::vector<Pushed> pushed(island.bodies.size());
   const Problem problem{.context = context, .island = island, .bodies = pushed, .h = h};
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostLinearisations; ++i) {
     parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
-      pushed[k] = make_pushed(*island.bodies[k], time, h);
+      pushed[k] = make_pushed(*island.bodies[k], time, h, pieces);
     });
+    for (std::size_t k = 0; k < pushed.size(); ++k) {
+      const hydro::BodyState state = unconstrained_state(*island.bodies[k], pushed[k], h);
+      if (i > 0 && state_fault(state)) return false;
+      check_state(*island.bodies[k]->moving, state);
+    }
     const Answer answer = solve(problem);
     const bool done = has_converged(problem, answer);
-    // Where the linearisations lead away, the nearest one counts.
     const double off = missed(problem, answer);
     if (done || !(off >= least)) keep(problem, answer);
-    if (done || off > kLedAway * least) break;
+    if (done) return true;
+    if (off > kLedAway * least) return false;
     least = std::min(least, off);
     for (std::size_t k = 0; k < pushed.size(); ++k) {
       // Where Newton's method alternates, the mean is nearer.
@@ -331,6 +341,20 @@ void constrained_update(const StepContext& context, Island& island, double time,
       const Vector6d& change = answer.changes[k];
       predicted = i < kFullNewtonSteps ? change : Vector6d((predicted + change) / 2);
     }
+  }
+  return false;
+}
+
+}  // namespace
+
+void constrained_update(const StepContext& context, Island& island, double time, double h) {
+  std::vector<Vector6d> expected;
+  for (const SubstepBody* c : island.bodies) expected.push_back(c->predicted);
+  const bool agree = linearise(context, island, time, h, hydro::Pieces::coarse);
+  // The Jacobian may have missed what is wet of a thin body in waves.
+  if (!agree && island.bodies.front()->body().environment.uneven()) {
+    for (std::size_t k = 0; k < expected.size(); ++k) island.bodies[k]->predicted = expected[k];
+    linearise(context, island, time, h, hydro::Pieces::fine);
   }
   for (SubstepBody* c : island.bodies) c->predicted = c->update.change;
 }

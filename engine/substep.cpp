@@ -56,7 +56,7 @@ void expect_added_mass(SubstepBody& b, double end, double h) {
 /// does not tell how the added mass changes with the pose.
 bool ends_as_expected(const SubstepBody& b) {
   const Environment& environment = b.body().environment;
-  if (environment.highest > environment.lowest || b.end.held) return false;
+  if (environment.uneven() || b.end.held) return false;
   const double off = pose_distance(b.body(), b.added_at, b.end.state);
   const double way = dip_distance(b.body(), b.start, b.added_at);
   const double change = scaled_change(b.body(), b.added_B, b.added_B - b.halfway.added());
@@ -181,8 +181,8 @@ void let_water_in(SubstepBody& b, double time, double h) {
   let_water_run(b.body(), time, h, b.end);
   b.inflow_work = 0;
   const Environment& environment = b.body().environment;
-  const bool uneven = environment.highest > environment.lowest && must_not_gain_energy(b.body());
-  if (!uneven || b.end.held == held) return;
+  const bool judged = environment.uneven() && must_not_gain_energy(b.body());
+  if (!judged || b.end.held == held) return;
   Motion before = b.end;
   before.held = held;
   const double brought = potential_energy(b.body(), b.end) - potential_energy(b.body(), before);

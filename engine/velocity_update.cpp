@@ -215,8 +215,7 @@ Solution implicit_change(const UpdateContext& s, bool with_lift, Pieces pieces) 
 /// would turn the motion farther in the step than can be followed is left out: from iterations that
 /// do not converge with it a body could take any speed.
 Vector6d implicit_change(const UpdateContext& s) {
-  const Environment& environment = s.body.environment;
-  const bool uneven = environment.highest > environment.lowest;
+  const bool uneven = s.body.environment.uneven();
   Solution whole = implicit_change(s, true, Pieces::coarse);
   if (!whole.converged && uneven) whole = implicit_change(s, true, Pieces::fine);
   if (whole.converged) return whole.change;
@@ -311,16 +310,16 @@ VelocityUpdate resolve_with_inertia(MovingBody& moving, const MidpointState& mid
 }
 
 EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
-                             const Vector6d& expected, double time, double h) {
+                             const Vector6d& expected, double time, double h, Pieces pieces) {
   const UpdateContext s{.moving = moving, .midpoint = midpoint, .time = time, .h = h};
   Vector6d at = s.u + expected / 2;
   EffectiveLoad result{.inertia = s.S(), .load = s.with_memory(s.loads(at))};
   result.implicit = is_stiff(s, at, s.u + expected + h * s.accelerated(result.load));
   if (!result.implicit) return result;
-  hydro::LoadJacobian J = jacobian(s, at, Pieces::coarse);
+  hydro::LoadJacobian J = jacobian(s, at, pieces);
   const double part = theta(largest_stiffness(s, J.drag));
   at = s.u + part * expected;
-  J = jacobian(s, at, Pieces::coarse);
+  J = jacobian(s, at, pieces);
   result.inertia = with_waterplane(s, J.waterplane) - h * part * J.drag;
   result.load = s.with_memory(s.loads(at)) - part * J.drag * expected;
   return result;

@@ -2,6 +2,7 @@
 
 #include "engine/moving_body.h"
 #include "engine/wave_memory.h"
+#include "hydro/loads/load_jacobian.h"
 
 /// @file
 /// The change of a body's velocity by loads over a substep of length h, at its pose halfway.
@@ -87,7 +88,8 @@ struct EffectiveLoad {
 };
 
 /// (E5) or, where the loads are stiff, (E6) linearised about u + θ·expected.
+/// @param pieces   Those of the Jacobian.
 EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
-                             const Vector6d& expected, double time, double h);
+                             const Vector6d& expected, double time, double h, hydro::Pieces pieces);
 
 }  // namespace engine
