@@ -34,14 +34,16 @@ TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& file,
     : names_(std::move(names)), file_(file, kHeader, kept) {}
 
 void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& states) {
-  fmt::memory_buffer rows;
-  const auto to = std::back_inserter(rows);
+  const std::string at = fmt::format("{},", time);
+  rows_.clear();
+  const auto to = std::back_inserter(rows_);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    fmt::format_to(to, FMT_COMPILE("{},{}"), time, names_[i]);
+    rows_.append(at);
+    rows_.append(names_[i]);
     for (const double n : row_of(states[i])) fmt::format_to(to, FMT_COMPILE(",{}"), n);
-    rows.push_back('\n');
+    rows_.push_back('\n');
   }
-  file_.add(rows);
+  file_.add(rows_);
 }
 
 Trajectory read_trajectory_csv(const std::filesystem::path& file) {
