@@ -36,6 +36,15 @@ bool starts(const MovingBody& moving) {
          (moving.body.reduced_joint || may_be_wet(moving.body, moving.motion.state));
 }
 
+/// Asks for the memory of an object that is soon read. Bodies are more than a cache holds, and
+/// waiting for it was a tenth of the time of 10,000 bodies.
+template <class T>
+void prefetch(const T& object) {
+  constexpr std::size_t kCacheLine = 64;
+  const char* const start = reinterpret_cast<const char*>(&object);
+  for (std::size_t k = 0; k < sizeof(T); k += kCacheLine) __builtin_prefetch(start + k);
+}
+
 template <class T>
 void append(const std::vector<T>& more, std::vector<T>& all) {
   all.insert(all.end(), more.begin(), more.end());
@@ -386,6 +395,9 @@ void LoneBodies::advance(std::size_t part, double time, double length) const {
   const std::size_t last = std::min(first + kLoneBodies, bodies_.size());
   GroupStepper stepper(context_, bodies_[first], step_);
   for (std::size_t i = first; i < last; ++i) {
+    if (i + 2 < last) prefetch(context_.bodies[bodies_[i + 2].id]);
+    if (i + 1 < last) prefetch(*context_.bodies[bodies_[i + 1].id].body.spec);
+    if (i + 1 < last && bodies_[i + 1].limiter) prefetch(*bodies_[i + 1].limiter);
     stepper.take(bodies_[i]);
     stepper.advance(time, length);
   }
