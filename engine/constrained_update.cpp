@@ -319,7 +319,9 @@ bool linearise(const StepContext& context, Island& island, double time, double h
   std::vector<Pushed> pushed(island.bodies.size());
   const Problem problem{.context = context, .island = island, .bodies = pushed, .h = h};
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostLinearisations; ++i) {
+  // On fine pieces, half steps lead no nearer.
+  const int most = pieces == hydro::Pieces::fine ? kFullNewtonSteps : kMostLinearisations;
+  for (int i = 0; i < most; ++i) {
     parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
       pushed[k] = make_pushed(*island.bodies[k], time, h, pieces);
     });
