@@ -29,7 +29,7 @@ class TrajectoryWriter {
  private:
   std::vector<std::string> names_;
   RowFile file_;
-  fmt::memory_buffer rows_;  ///< It keeps its memory: new pages took 2 % of a run of 10,000 bodies.
+  fmt::memory_buffer rows_;  ///< Of the last time; it keeps its memory.
 };
 
 /// Reads a trajectory, which may have no rows. A last line without an end is dropped.
