@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/constants.h"
+#include "engine/prefetch.h"
 #include "engine/processing_correction.h"
 #include "engine/step_controller.h"
 #include "engine/substep_limit.h"
@@ -34,15 +35,6 @@ const std::vector<EnergyLimiter*> kNoLimiters;
 bool starts(const MovingBody& moving) {
   return moving.motion.accelerations.empty() && shows_trend(moving.body, moving.motion) &&
          (moving.body.reduced_joint || may_be_wet(moving.body, moving.motion.state));
-}
-
-/// Asks for the memory of an object that is soon read. Bodies are more than a cache holds, and
-/// waiting for it was a tenth of the time of 10,000 bodies.
-template <class T>
-void prefetch(const T& object) {
-  constexpr std::size_t kCacheLine = 64;
-  const char* const start = reinterpret_cast<const char*>(&object);
-  for (std::size_t k = 0; k < sizeof(T); k += kCacheLine) __builtin_prefetch(start + k);
 }
 
 template <class T>
