@@ -33,9 +33,10 @@
 /// also taken to meet if they could move by more than half the thickness of the thinner one in that
 /// time, as an impact may turn them round.
 ///
-/// In a heap of more than kMostImpactPairs pairs the motion of a body depends on all its contacts
-/// more than on the time of one, so heaps take whole steps. At most kMostImpacts shorten substeps
-/// in a step of a group: bodies that rattle cannot stall it.
+/// An impact shortens the substeps of all bodies of its group, so groups of more than
+/// kMostImpactPairs pairs that touch take whole steps, as a shorter step gets them nearer in the
+/// same time. At most kMostImpacts shorten substeps in a step of a group: bodies that rattle cannot
+/// stall it.
 
 namespace engine {
 
