@@ -44,7 +44,7 @@ class Experiment:
     exact: Callable[[np.ndarray, Measured | None], Path] | None = None  # On the mesh that is run.
     needs_probe: bool = False  # `exact` takes what the program says of the mesh.
     exact_shape: Callable[[np.ndarray], Path] | None = None  # Of the shape that meshes tend to.
-    baseline: bool = True  # False: the plain method does not know what moves this scene.
+    baseline: bool = True  # False: the plain method tends to another motion.
 
 
 def icospheres(counts: range) -> tuple[Mesh, ...]:
@@ -123,4 +123,6 @@ kExperiments = (
                keys={"hydro.added_mass": "none", "hydro.lift": False}, mesh_kind="shape"),
     Experiment("colliding_crates", "Colliding crates", "benchmark/colliding_crates.yaml",
                False, 1.0, (Mesh(144, {}),), 0),
+    Experiment("falling_heap", "Falling heap of buoys", "benchmark/falling_heap.yaml",
+               False, 1.0, (Mesh(34560, {}),), 0, baseline=False),
 )
