@@ -166,6 +166,10 @@ class CostOfARun(unittest.TestCase):
         cost = Cost(wall=11e-3, processor=25e-3)  # It started faster than the other.
         self.assertAlmostEqual(cost.seconds_of(100, self.start_up), 10e-3, delta=1e-12)
 
+    def test_is_not_nothing_where_the_process_started_much_faster_than_the_other(self):
+        cost = Cost(wall=12.1e-3, processor=21.2e-3)
+        self.assertGreater(cost.seconds_of(100, self.start_up), 10e-3)
+
 
 class Rotations(unittest.TestCase):
     def test_vectors_and_quaternions_are_inverse(self):

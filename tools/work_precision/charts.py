@@ -127,8 +127,8 @@ def _order(findings: list[Finding]):
     shown = [f for f in findings if series_of(f, "default")]
     if not shown:
         return None
-    figure, panels = _panels(len(shown), 5 if len(shown) > 8 else 4, "error of the trajectory",
-                             "step [s]")
+    fullest = min((4, 5), key=lambda columns: -len(shown) % columns)
+    figure, panels = _panels(len(shown), fullest, "error of the trajectory", "step [s]")
     limits = _limits(shown)
     for axes, finding in zip(panels, shown):
         for place, name in enumerate(("baseline", "default")):

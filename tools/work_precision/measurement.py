@@ -74,7 +74,8 @@ class Cost:
         """Of the physics, as if every step cost as much as those after the first."""
         part = steps / (steps - 1) if steps > 1 else 0.0
         wall, processor = self.wall - start_up.wall, self.processor - start_up.processor
-        return part * max(0.0, wall if wall < kShort else min(wall, processor))
+        blurred = wall < kShort or processor < kShort / 2
+        return part * max(0.0, wall if blurred else min(wall, processor))
 
 
 @dataclass
