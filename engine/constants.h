@@ -235,6 +235,9 @@ inline constexpr double kImpactBegun = 1.0 / 8;
 /// hundreds of bodies cost more, for no better error than a shorter step has in the same time;
 /// smaller: heaps of tens of bodies are off by five times as much.
 inline constexpr std::size_t kMostImpactPairs = 256;
+/// The same of a group under joints. Larger: bodies that start inside each other under joints that
+/// contradict each other may be thrown with more than their overlaps hold.
+inline constexpr std::size_t kMostJointedImpactPairs = 4;
 inline constexpr int kMostImpacts = 4;     ///< Impacts in a step of a group that end a substep.
 inline constexpr int kMostOnsetLooks = 4;  ///< Collisions to find the onset of an impact.
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].

@@ -87,7 +87,7 @@ std::optional<std::vector<Pair>> Impacts::meetings(double h) const {
 }
 
 std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching) {
-  const bool resolved = touching.size() <= kMostImpactPairs && count_ < kMostImpacts;
+  const bool resolved = touching.size() <= most_pairs() && count_ < kMostImpacts;
   ExpectedWays ways(*context_);
   std::vector<Onset> found;
   if (resolved) found = onsets(h);
@@ -115,6 +115,10 @@ std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching)
   }
   std::sort(will_touch_.begin(), will_touch_.end());
   return start > kImpactBegun * first ? start : std::min(h, first);
+}
+
+std::size_t Impacts::most_pairs() const {
+  return group_->joints.empty() ? kMostImpactPairs : kMostJointedImpactPairs;
 }
 
 double Impacts::earliest(const std::vector<Onset>& onsets) {

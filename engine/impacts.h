@@ -35,8 +35,9 @@
 ///
 /// An impact shortens the substeps of all bodies of its group, so groups of more than
 /// kMostImpactPairs pairs that touch take whole steps, as a shorter step gets them nearer in the
-/// same time. At most kMostImpacts shorten substeps in a step of a group: bodies that rattle cannot
-/// stall it.
+/// same time. So do groups under joints from kMostJointedImpactPairs on, as joints and overlaps
+/// that contradict each other would push in each of the substeps. At most kMostImpacts shorten
+/// substeps in a step of a group: bodies that rattle cannot stall it.
 
 namespace engine {
 
@@ -85,6 +86,8 @@ class Impacts {
     double linear = 0;
     double angular = 0;
   };
+  /// Pairs that touch, beyond which impacts do not shorten substeps.
+  std::size_t most_pairs() const;
   Speed meeting_speed(const Pair& pair) const;
   /// A bound of the relative speed of two points of a pair after an impact of one with another
   /// body [m/s].
