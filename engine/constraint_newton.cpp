@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/constants.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -91,8 +92,7 @@ class System {
   /// Overwrites a dense system by its factors.
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b) {
     factor_entries_ = dense_.size();
-    if (dense_.size() > 0)
-      return finite(Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(dense_).solve(b));
+    if (dense_.size() > 0) return finite(hydro::solve_dense(dense_, b));
     Eigen::SparseMatrix<double> matrix(size_, size_);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);

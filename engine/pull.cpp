@@ -1,7 +1,8 @@
 #include "engine/pull.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
+
+#include "hydro/decompositions.h"
 
 namespace engine {
 
@@ -12,7 +13,8 @@ hydro::Wrench wrench(const Pull& pull, const Matrix6d& inertia_W, const hydro::B
   const Vector3d speed = state.linear_velocity + state.angular_velocity.cross(r);
   Eigen::Matrix<double, 3, 6> J;
   J << Eigen::Matrix3d::Identity(), -cross_matrix(r);
-  const Eigen::Matrix3d mass = (J * inertia_W.llt().solve(J.transpose())).inverse();
+  const Eigen::Matrix3d mass =
+      (J * hydro::Cholesky6(inertia_W).inverse() * J.transpose()).inverse();
   const Vector3d force = mass * (pull.rate * pull.rate * off - 2 * pull.rate * speed);
   return {.force = force, .moment = r.cross(force)};
 }

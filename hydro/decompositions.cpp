@@ -1,23 +1,15 @@
 #include "hydro/decompositions.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 namespace hydro {
-
-Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix) {
-  assert(is_symmetric(matrix));
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-}
-
-Vector6d eigenvalues(const Matrix6d& matrix) {
-  assert(is_symmetric(matrix));
-  return Eigen::SelfAdjointEigenSolver<Matrix6d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
-}
-
 namespace {
 
 /// Each pair of indices once. Those of a round have none in common, so that no rotation waits for
@@ -82,6 +74,65 @@ EigenDecomposition6 eigen_decomposition(const Matrix6d& matrix, double negligibl
     }
   }
   return {left.diagonal(), vectors};
+}
+
+namespace {
+
+/// By the same method, of a matrix with zeros around it: no rotation has anything to do with them.
+template <int size>
+EigenDecomposition<size> decomposition_of(const Eigen::Matrix<double, size, size>& matrix) {
+  Matrix6d padded = Matrix6d::Zero();
+  padded.topLeftCorner<size, size>() = matrix;
+  const EigenDecomposition6 found = eigen_decomposition(padded);
+  std::array<int, size> order;
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return found.values[a] < found.values[b]; });
+  EigenDecomposition<size> sorted;
+  for (int i = 0; i < size; ++i) {
+    sorted.values[i] = found.values[order[static_cast<std::size_t>(i)]];
+    sorted.vectors.col(i) =
+        found.vectors.template block<size, 1>(0, order[static_cast<std::size_t>(i)]);
+  }
+  return sorted;
+}
+
+}  // namespace
+
+EigenDecomposition<2> eigen_decomposition(const Eigen::Matrix2d& matrix) {
+  return decomposition_of(matrix);
+}
+
+EigenDecomposition<3> eigen_decomposition(const Eigen::Matrix3d& matrix) {
+  return decomposition_of(matrix);
+}
+
+Eigen::Vector2d eigenvalues(const Eigen::Matrix2d& matrix) {
+  return decomposition_of(matrix).values;
+}
+
+Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix) {
+  return decomposition_of(matrix).values;
+}
+
+Vector6d eigenvalues(const Matrix6d& matrix) { return decomposition_of(matrix).values; }
+
+Eigen::MatrixXd solve_dense(Eigen::Ref<Eigen::MatrixXd> matrix, const Eigen::MatrixXd& side) {
+  return Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(matrix).solve(side);
+}
+
+Eigen::VectorXd solve_positive(Eigen::Ref<Eigen::MatrixXd> matrix, const Eigen::VectorXd& side) {
+  return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(matrix).solve(side);
+}
+
+// Twice the half-way rotation. Eigen's takes the axis from a singular value decomposition.
+Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const Eigen::Vector3d axis = a.cross(b);
+  const Eigen::Quaterniond turn(1 + a.dot(b), axis.x(), axis.y(), axis.z());
+  if (turn.norm() > 1e-12) return turn.normalized();
+  const Eigen::Vector3d across = a.unitOrthogonal();  // The directions are opposite.
+  return {0, across.x(), across.y(), across.z()};
 }
 
 // Eigen's factorisation, written for matrices of any size, takes twice the time.

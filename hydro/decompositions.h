@@ -3,14 +3,25 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// Decompositions of small symmetric matrices, compiled once because Eigen's templates for them
-/// dominate the compile time.
+/// Decompositions and solutions that are compiled once, because Eigen's templates for them dominate
+/// the compile time.
 
 namespace hydro {
 
 /// Eigenvalues of a symmetric matrix, ascending.
+Eigen::Vector2d eigenvalues(const Eigen::Matrix2d& matrix);
 Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& matrix);
 Vector6d eigenvalues(const Matrix6d& matrix);
+
+/// matrix = vectors · diag(values) · vectorsᵀ; vectors orthonormal columns, values ascending.
+template <int size>
+struct EigenDecomposition {
+  Eigen::Matrix<double, size, 1> values;
+  Eigen::Matrix<double, size, size> vectors;
+};
+/// @param matrix   Symmetric.
+EigenDecomposition<2> eigen_decomposition(const Eigen::Matrix2d& matrix);
+EigenDecomposition<3> eigen_decomposition(const Eigen::Matrix3d& matrix);
 
 /// matrix = vectors · diag(values) · vectorsᵀ; vectors orthonormal columns, in no order.
 struct EigenDecomposition6 {
@@ -49,5 +60,15 @@ class Cholesky6 {
   Vector6d inverse_diagonal_;  ///< 1 / L_jj
   bool positive_definite_;
 };
+
+/// matrix⁻¹ side, by LU decomposition with pivots. @param matrix   Square; overwritten.
+Eigen::MatrixXd solve_dense(Eigen::Ref<Eigen::MatrixXd> matrix, const Eigen::MatrixXd& side);
+
+/// matrix⁻¹ side, by Cholesky's decomposition.
+/// @param matrix   Symmetric, positive definite; only its lower half is read. Overwritten.
+Eigen::VectorXd solve_positive(Eigen::Ref<Eigen::MatrixXd> matrix, const Eigen::VectorXd& side);
+
+/// The rotation by the least angle that turns one direction into another. Lengths do not matter.
+Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace hydro

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "hydro/decompositions.h"
 #include "hydro/mesh/mirror_symmetry.h"
 
 namespace databases {
@@ -138,7 +138,7 @@ Eigen::MatrixXd spline_weights(const std::vector<Source>& nodes,
     jumps(i, i) -= 1 / left + 1 / right;
     jumps(i, after) += 1 / right;
   }
-  const Eigen::MatrixXd second = slopes_equal.partialPivLu().solve(jumps);
+  const Eigen::MatrixXd second = hydro::solve_dense(slopes_equal, jumps);
   Eigen::MatrixXd weights(n, static_cast<Index>(headings.size()));
   for (Index h = 0; h < weights.cols(); ++h) {
     double heading = headings[static_cast<std::size_t>(h)];

@@ -17,6 +17,7 @@
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/terminal_reporter.h"
+#include "hydro/decompositions.h"
 #include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/interior.h"
 #include "hydro/interior/places.h"
@@ -215,8 +216,7 @@ FloatingBody in_upright_axes(const FloatingBody& body) {
   if (axis == 2 && up_B[2] > 0) return body;
   const Eigen::Vector3d nearest = std::copysign(1.0, up_B[axis]) * Eigen::Vector3d::Unit(axis);
   const Eigen::Vector3d leaning = body.start * nearest;
-  const Eigen::Quaterniond to_vertical =
-      Eigen::Quaterniond::FromTwoVectors(leaning, Eigen::Vector3d::UnitZ());
+  const Eigen::Quaterniond to_vertical = hydro::shortest_turn(leaning, Eigen::Vector3d::UnitZ());
   const Eigen::Isometry3d X(hydro::with_heading(to_vertical * body.start, 0));
   FloatingBody turned = body;
   turned.mesh_B = hydro::transformed(body.mesh_B, X);

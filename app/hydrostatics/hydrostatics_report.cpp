@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "app/base/quoting.h"
 #include "app/hydrostatics/hydrostatics.h"
+#include "hydro/decompositions.h"
 
 namespace app {
 namespace {
@@ -38,8 +38,7 @@ void add_stability(const hydro::Flotation& f, std::vector<Quantity>& all) {
   const double keel = -f.draught - f.height;  // height of the lowest point, in G
   const double size = f.draught;
   const Eigen::Matrix2d gm = f.effective_metacentric_heights();
-  const Eigen::Vector2d principal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(gm, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector2d principal = hydro::eigenvalues(gm);
   const Eigen::Matrix2d& second = h.waterplane.second_moment;
   const double largest = second.trace();
   all.push_back({"second_moment_transverse", "m^4", {second(1, 1)}, largest});

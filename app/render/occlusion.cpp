@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "hydro/decompositions.h"
 #include "hydro/mesh/edge_table.h"
 #include "hydro/mesh/face_tree.h"
 #include "hydro/mesh/mesh_parts.h"
@@ -39,7 +40,7 @@ std::vector<Vector3d> directions(Index count) {
 
 float open_share(const hydro::FaceTree& tree, const Vector3d& start, const Vector3d& normal,
                  const std::vector<Vector3d>& rays) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal);
+  const Eigen::Quaterniond turn = hydro::shortest_turn(Vector3d::UnitZ(), normal);
   const auto free = std::count_if(rays.begin(), rays.end(), [&](const Vector3d& ray) {
     return tree.crossings(start, turn * ray, [](int) { return true; }) == 0;
   });

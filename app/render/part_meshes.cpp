@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "hydro/decompositions.h"
 #include "hydro/mesh/mesh_union.h"
 
 namespace render {
@@ -110,8 +111,7 @@ hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& 
     if (along.norm() < 1e-6) along = in;  // The line turns back.
     along.normalize();
     // The ring is turned with the line, so that the tube does not twist.
-    side = i == 0 ? normal_to(along)
-                  : Vector3d(Eigen::Quaterniond::FromTwoVectors(before, along) * side);
+    side = i == 0 ? normal_to(along) : Vector3d(hydro::shortest_turn(before, along) * side);
     before = along;
     const Vector3d other = along.cross(side);
     for (int j = 0; j < kTubeSides; ++j) {

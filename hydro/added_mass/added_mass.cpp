@@ -1,8 +1,5 @@
 #include "hydro/added_mass/added_mass.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +10,7 @@
 #include "hydro/added_mass/bem/collocation.h"
 #include "hydro/added_mass/bem/facet_error.h"
 #include "hydro/added_mass/bem/galerkin.h"
+#include "hydro/decompositions.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 
@@ -53,8 +51,12 @@ Matrix6d scale_of(const Matrix6d& matrix, const SolidProperties& solid) {
 
 /// The largest |x·difference·y| over vectors with x·scale·x = y·scale·y = 1.
 double largest_relative(const Matrix6d& difference, const Matrix6d& scale) {
-  const Matrix6d root = Matrix6d(scale.llt().matrixL()).inverse();
-  return (root * difference * root.transpose()).jacobiSvd().singularValues()[0];
+  const Cholesky6 root(scale);
+  Matrix6d relative;
+  for (int i = 0; i < 6; ++i) relative.col(i) = root.solve_lower(difference.col(i));
+  for (int i = 0; i < 6; ++i)
+    relative.row(i) = root.solve_lower(relative.row(i).transpose()).transpose();
+  return std::sqrt(eigenvalues(Matrix6d(relative.transpose() * relative))[5]);
 }
 
 Stage solve_on(bem::Split split, const SolidProperties& solid) {

@@ -1,10 +1,10 @@
 #include "hydro/added_mass/surface_patches.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/decompositions.h"
 #include "hydro/loads/clip.h"
 
 namespace hydro {
@@ -23,6 +23,9 @@ constexpr std::size_t kPointsAPatch = 12;
 
 /// Least mean square of a patch's functions over its points; over its area it is 1.
 constexpr double kLeastTold = 0.25;
+
+/// Eigenvalue of the products of functions, over the largest, that is none [-].
+constexpr double kNoProduct = 1e-12;
 
 /// Weight of the normal when triangles are grouped, in square roots of the wetted area. It assigns
 /// the sides of a thin plate, and the faces at an edge, to different patches.
@@ -91,6 +94,7 @@ std::array<Vector3d, 2> slopes_of(const Patch& patch) {
       const Vector3d offset = 0.5 * (panel.corners[i] + panel.corners[(i + 1) % 3]) - patch.centre;
       moments += panel.area / 3 * offset * offset.transpose();
     }
+  // Its vectors' signs decide where the nodes of radiation_equations.h lie on a patch.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> extents(moments / patch.area);
   std::array<Vector3d, 2> slopes;
   for (Index k = 0; k < 2; ++k) {
@@ -144,7 +148,13 @@ bool match_moments(const Patch& patch, std::vector<PatchPoint>& points) {
     missing -= point.weight * at;
     gram += point.weight * at * at.transpose();
   }
-  const Products change = gram.completeOrthogonalDecomposition().solve(missing);
+  // The least solution: a patch may lack a function.
+  const EigenDecomposition6 eigen = eigen_decomposition(gram);
+  const double least = kNoProduct * eigen.values.maxCoeff();
+  Products change = Products::Zero();
+  for (int i = 0; i < 6; ++i)
+    if (eigen.values[i] > least)
+      change += eigen.vectors.col(i).dot(missing) / eigen.values[i] * eigen.vectors.col(i);
   for (PatchPoint& point : points) point.weight *= 1 + change.dot(products(point.at));
   return std::all_of(points.begin(), points.end(),
                      [](const PatchPoint& point) { return point.weight > 0; });
@@ -157,8 +167,7 @@ bool tell_apart(const Patch& patch, const std::vector<PatchPoint>& points) {
     const Vector3d f = patch.functions(point.at);
     mean += point.weight / patch.area * f * f.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> found(mean, Eigen::EigenvaluesOnly);
-  return found.eigenvalues()[0] > kLeastTold;
+  return eigenvalues(mean)[0] > kLeastTold;
 }
 
 Patch make_patch(std::vector<Element> panels) {

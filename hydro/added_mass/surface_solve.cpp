@@ -1,10 +1,10 @@
 #include "hydro/added_mass/surface_solve.h"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "hydro/added_mass/patch_integrals.h"
 #include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/decompositions.h"
 #include "hydro/parallel.h"
 
 namespace hydro {
@@ -70,8 +70,7 @@ SurfaceSolution solve_under(const TriMesh& mesh_B, const WaterPlane& plane, int 
                 Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(unknowns, 6)};
   parallel_for(patches.size(),
                [&](std::size_t i) { fill_rows(patches, moments, plane, i, system); });
-  const Eigen::Matrix<double, Eigen::Dynamic, 6> psi =
-      Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(system.matrix).solve(system.side);
+  const Eigen::Matrix<double, Eigen::Dynamic, 6> psi = solve_dense(system.matrix, system.side);
   Matrix6d matrix = Matrix6d::Zero();
   for (std::size_t i = 0; i < patches.size(); ++i)
     matrix += psi.middleRows<3>(3 * static_cast<Index>(i)).transpose() * moments[i].load;

@@ -1,7 +1,8 @@
 #include "hydro/loads/bluntness.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "hydro/decompositions.h"
 
 namespace hydro {
 namespace {
@@ -20,7 +21,7 @@ Bluntness bluntness(const TriMesh& mesh) {
   }
   if (!(spread.trace() > 0)) return {};
   spread.diagonal() += kTieBreak * spread.trace() * Eigen::Vector3d(0, 1, 2);
-  Bluntness result{.axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors()};
+  Bluntness result{.axes = eigen_decomposition(spread).vectors};
   Eigen::Array3d projected = Eigen::Array3d::Zero(), weighted = Eigen::Array3d::Zero();
   for (Eigen::Index face = 0; face < mesh.face_count(); ++face) {
     const Eigen::Vector3d a = area_vector(mesh, face);

@@ -1,11 +1,11 @@
 #include "hydro/statics/equilibrium.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "hydro/decompositions.h"
 #include "hydro/interior/interior.h"
 #include "hydro/statics/trust_region.h"
 
@@ -49,9 +49,7 @@ Model model_of(const Flotation& flotation, Freedom freedom) {
   return model;
 }
 
-double lowest_eigenvalue(const Eigen::Matrix2d& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m, Eigen::EigenvaluesOnly).eigenvalues()[0];
-}
+double lowest_eigenvalue(const Eigen::Matrix2d& m) { return eigenvalues(m)[0]; }
 
 Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Vector2d& turn) {
   const double angle = turn.norm();

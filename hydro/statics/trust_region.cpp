@@ -1,8 +1,9 @@
 #include "hydro/statics/trust_region.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "hydro/decompositions.h"
 
 namespace hydro {
 namespace {
@@ -38,21 +39,21 @@ double sign_of_larger(const Eigen::Vector2d& v) {
 
 Eigen::Vector2d trust_region_step(const Eigen::Vector2d& gradient, const Eigen::Matrix2d& hessian,
                                   double radius, double negligible) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(hessian);
-  const Eigen::Vector2d& lambda = eigen.eigenvalues();  // ascending
-  Eigen::Vector2d g = eigen.eigenvectors().transpose() * gradient;
+  const EigenDecomposition<2> eigen = eigen_decomposition(hessian);
+  const Eigen::Vector2d& lambda = eigen.values;
+  Eigen::Vector2d g = eigen.vectors.transpose() * gradient;
   if (lambda[0] > 0) {
     const Eigen::Vector2d newton = shifted_step(g, lambda, 0);
-    if (newton.norm() <= radius) return eigen.eigenvectors() * newton;
+    if (newton.norm() <= radius) return eigen.vectors * newton;
   } else if (std::abs(g[0]) <= negligible) {
     g[0] = 0;
     Eigen::Vector2d s(0, g[1] == 0 ? 0 : -g[1] / (lambda[1] - lambda[0]));
     if (std::abs(s[1]) < radius) {
-      s[0] = std::sqrt(radius * radius - s[1] * s[1]) * sign_of_larger(eigen.eigenvectors().col(0));
-      return eigen.eigenvectors() * s;
+      s[0] = std::sqrt(radius * radius - s[1] * s[1]) * sign_of_larger(eigen.vectors.col(0));
+      return eigen.vectors * s;
     }
   }
-  return eigen.eigenvectors() * boundary_step(g, lambda, radius, std::max(0.0, -lambda[0]));
+  return eigen.vectors * boundary_step(g, lambda, radius, std::max(0.0, -lambda[0]));
 }
 
 }  // namespace hydro

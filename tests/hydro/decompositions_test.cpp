@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-/// Decompositions of 6×6 matrices, held against Eigen's.
+/// Decompositions and solutions, held against Eigen's.
 
 namespace {
 
@@ -50,8 +50,9 @@ void expect_decomposed(const Matrix6d& matrix) {
   EXPECT_LT((again - matrix).cwiseAbs().maxCoeff() / size, kRoundings) << matrix;
   Vector6d ascending = values;
   std::sort(ascending.begin(), ascending.end());
-  EXPECT_LT((ascending - hydro::eigenvalues(matrix)).cwiseAbs().maxCoeff() / size, kRoundings)
-      << matrix;
+  const Vector6d expected = Eigen::SelfAdjointEigenSolver<Matrix6d>(matrix).eigenvalues();
+  EXPECT_LT((ascending - expected).cwiseAbs().maxCoeff() / size, kRoundings) << matrix;
+  EXPECT_EQ(hydro::eigenvalues(matrix), ascending);
 }
 
 TEST_F(Decompositions, EigenvectorsAreThoseOfMatricesOfAllKinds) {
@@ -72,6 +73,60 @@ TEST_F(Decompositions, EigenvectorsAreThoseOfMatricesOfAllKinds) {
   expect_decomposed(Matrix6d::Zero());
   expect_decomposed(Matrix6d::Identity());
   expect_decomposed(Matrix6d::Ones());
+}
+
+template <int size>
+void expect_small_decomposed(const Eigen::Matrix<double, size, size>& matrix) {
+  const double largest = std::max(matrix.cwiseAbs().maxCoeff(), 1e-300);
+  const auto [values, V] = hydro::eigen_decomposition(matrix);
+  EXPECT_TRUE((V.transpose() * V).isIdentity(kRoundings));
+  EXPECT_LT((V * values.asDiagonal() * V.transpose() - matrix).cwiseAbs().maxCoeff() / largest,
+            kRoundings);
+  const auto expected =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>>(matrix).eigenvalues();
+  EXPECT_LT((values - expected).cwiseAbs().maxCoeff() / largest, kRoundings);  // ascending
+  EXPECT_EQ(hydro::eigenvalues(matrix), values);
+}
+
+TEST_F(Decompositions, OfSmallMatricesAreInAscendingOrder) {
+  for (int i = 0; i < 300; ++i) {
+    const Matrix6d X = symmetric();
+    expect_small_decomposed<3>(X.topLeftCorner<3, 3>());
+    expect_small_decomposed<2>(X.topLeftCorner<2, 2>());
+    expect_small_decomposed<3>(-X.topLeftCorner<3, 1>() * X.topLeftCorner<3, 1>().transpose());
+  }
+  expect_small_decomposed<3>(Eigen::Matrix3d::Zero());
+  expect_small_decomposed<2>(Eigen::Matrix2d::Identity());
+}
+
+TEST_F(Decompositions, DenseSystemsAreSolved) {
+  for (const int size : {1, 7, 90}) {
+    const auto random = [this] { return number(); };
+    const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(size, size, random);
+    const Eigen::MatrixXd side = Eigen::MatrixXd::NullaryExpr(size, 3, random);
+    Eigen::MatrixXd overwritten = A;
+    EXPECT_TRUE((A * hydro::solve_dense(overwritten, side)).isApprox(side, 1e-9));
+    const Eigen::MatrixXd S = A * A.transpose() + Eigen::MatrixXd::Identity(size, size);
+    overwritten = S.triangularView<Eigen::Lower>();
+    EXPECT_TRUE((S * hydro::solve_positive(overwritten, side.col(0))).isApprox(side.col(0), 1e-9));
+  }
+}
+
+// The axis is perpendicular to both directions, and the angle that between them.
+TEST_F(Decompositions, TheShortestTurnTakesOneDirectionToAnother) {
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector3d from = vector().head<3>(), any = vector().head<3>();
+    const Eigen::Vector3d across = from.cross(any).normalized() * from.norm();
+    for (const Eigen::Vector3d& to :
+         {any, Eigen::Vector3d(2 * from), Eigen::Vector3d(-from),
+          Eigen::Vector3d(-from + 1e-7 * across), Eigen::Vector3d(from + 1e-7 * across)}) {
+      const Eigen::Quaterniond turn = hydro::shortest_turn(from, to);
+      EXPECT_NEAR(turn.norm(), 1, kRoundings);
+      // Near the opposite direction the round-off of the sum of both counts over its length.
+      EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-8);
+      EXPECT_NEAR(turn.vec().dot(from.normalized()), 0, 1e-8);
+    }
+  }
 }
 
 TEST_F(Decompositions, ElementsThatAreNegligibleCountAsZero) {

@@ -1,9 +1,9 @@
 #include "hydro/added_mass/bem/collocation.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
+#include "hydro/decompositions.h"
 #include "hydro/parallel.h"
 
 namespace hydro::bem {
@@ -68,7 +68,7 @@ Potential collocate(const Surface& surface) {
     }
   });
   pin_cavities(surface, matrix);
-  return Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(matrix).solve(side);
+  return hydro::solve_dense(matrix, side);
 }
 
 }  // namespace hydro::bem
