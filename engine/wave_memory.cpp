@@ -1,6 +1,6 @@
 #include "engine/wave_memory.h"
 
-#include <Eigen/Cholesky>
+#include <cassert>
 #include <cmath>
 
 #include "engine/velocity_update.h"
@@ -14,11 +14,10 @@ const hydro::RadiationMemory& oscillators(const Body& body) {
 }
 
 WaveMemoryRule make_rule(const hydro::RadiationMemory& memory, double h) {
-  Eigen::MatrixXd G = h / 2 * memory.damping;
-  G.diagonal().array() += 1 + h * h / 4 * memory.frequencies.array().square();
-  const Eigen::Index m = memory.size();
-  WaveMemoryRule rule{.h = h, .inverse = G.llt().solve(Eigen::MatrixXd::Identity(m, m))};
-  rule.coupling = memory.port.transpose() * rule.inverse * memory.port;
+  const Eigen::VectorXd& d = memory.damping;
+  const auto square = memory.frequencies.array().square();
+  WaveMemoryRule rule{.h = h, .inverse = 1 / (1 + h / 2 * d.array() + h * h / 4 * square)};
+  rule.coupling = memory.port.transpose() * rule.inverse.asDiagonal() * memory.port;
   return rule;
 }
 
@@ -58,6 +57,7 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
                                           double time, double h, WaveMemoryRule& rule) {
   if (!body.has_memory) return std::nullopt;
   const Motion& motion = *midpoint.motion;
+  assert(fits_memory(body, motion) && h > 0);
   const hydro::RadiationMemory& memory = oscillators(body);
   if (rule.h != h) rule = make_rule(memory, h);
   MemoryEffect effect{.strength = port_strength(body, motion.state, time),
@@ -66,7 +66,7 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
   const double square = effect.strength * effect.strength;
   const Matrix6d C = square * rotate_tensor(effect.R_WH, rule.coupling);
   const Vector6d kept =
-      memory.port.transpose() * (rule.inverse * known_rate(memory, *motion.memory, h));
+      memory.port.transpose() * rule.inverse.cwiseProduct(known_rate(memory, *motion.memory, h));
   effect.inertia = h * h / 4 * C;
   effect.load =
       -effect.strength * rotate(effect.R_WH, kept) - h / 2 * C * (midpoint.mean() + effect.current);
@@ -76,13 +76,14 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
 void advance_memory(const Body& body, const MidpointState& midpoint, const Vector6d& change,
                     const WaveMemoryRule& rule, Motion& end) {
   if (!midpoint.memory) return;
+  assert(fits_memory(body, end) && rule.inverse.size() == end.memory->p.size());
   const MemoryEffect& effect = *midpoint.memory;
   const hydro::RadiationMemory& memory = oscillators(body);
   const Vector6d u = midpoint.mean() + change / 2 + effect.current;
   const Vector6d u_H = effect.strength * rotate(effect.R_WH.transpose(), u);
   WaveMemory& state = *end.memory;
   const Eigen::VectorXd mean =
-      rule.inverse * (known_rate(memory, state, rule.h) + rule.h / 2 * (memory.port * u_H));
+      rule.inverse.cwiseProduct(known_rate(memory, state, rule.h) + rule.h / 2 * memory.port * u_H);
   state.q += rule.h * mean;
   state.p = 2 * mean - state.p;
 }

@@ -10,7 +10,7 @@
 /// hydro/radiation/radiation_memory.h: a load that is linear in the body's velocity u relative to
 /// the current, with a state of its own. With p = q' and the port B turned to W,
 ///
-///     p' + D p + Ω² q = B u,      F = −Bᵀ p.
+///     p' + D p + Ω² q = B u,      F = −Bᵀ p,      D and Ω diagonal.
 ///
 /// A substep of length h takes it by the implicit midpoint rule. With G = 1 + ½h D + ¼h² Ω², C = Bᵀ
 /// G⁻¹ B and the means ū and p̄ of its two ends,
@@ -43,7 +43,7 @@ struct WaveMemory {
 /// What depends on the body and h alone.
 struct WaveMemoryRule {
   double h = 0;                          ///< [s]
-  Eigen::MatrixXd inverse;               ///< G⁻¹
+  Eigen::VectorXd inverse;               ///< The diagonal of G⁻¹.
   Matrix6d coupling = Matrix6d::Zero();  ///< C in H for water of density 1.
 };
 

@@ -70,7 +70,7 @@ void visit(Numbers&& numbers, double count, hydro::RadiationMemory& memory) {
   numbers(count);
   const auto m = static_cast<Eigen::Index>(count);
   memory.frequencies.resize(m);
-  memory.damping.resize(m, m);
+  memory.damping.resize(m);
   memory.port.resize(m, 6);
   numbers(memory.frequencies);
   numbers(memory.damping);

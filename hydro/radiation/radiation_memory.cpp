@@ -15,7 +15,6 @@ constexpr double kNoWaves = 1e-5;
 // Motions act on each other where their coupling is above this part of the geometric mean of their
 // own loads [-]. What is left out is as small as the error of a solution on patches.
 constexpr double kCoupled = 1e-2;
-constexpr double kWanted = 3e-3;  ///< Error of a fit, in the root mean square [-].
 
 void check_radiation(const RadiationData& data) {
   const std::size_t count = data.frequencies.size();
@@ -82,43 +81,14 @@ std::vector<std::vector<int>> independent_motions(const Matrix6d& largest, doubl
   return sets;
 }
 
-/// Responses with one more in the middle of each two frequencies, from the cubic in log ω through
-/// the four nearest ones: what a fit may do between the data is what the data lets expect.
-struct Densified {
-  std::vector<double> frequencies;
-  std::vector<Matrix6cd> H;
-};
-Densified densified(const std::vector<double>& frequencies, const std::vector<Matrix6cd>& H) {
-  if (H.size() < 4) return {frequencies, H};
-  Densified result;
-  for (std::size_t k = 0; k < H.size(); ++k) {
-    result.frequencies.push_back(frequencies[k]);
-    result.H.push_back(H[k]);
-    if (k + 1 == H.size()) break;
-    const double middle = std::sqrt(frequencies[k] * frequencies[k + 1]);
-    const std::size_t first = std::clamp<std::size_t>(k, 1, H.size() - 3) - 1;
-    Matrix6cd sum = Matrix6cd::Zero();
-    for (std::size_t i = first; i < first + 4; ++i) {
-      double weight = 1;
-      for (std::size_t j = first; j < first + 4; ++j)
-        if (j != i)
-          weight *= std::log(middle / frequencies[j]) / std::log(frequencies[i] / frequencies[j]);
-      sum += weight * H[i];
-    }
-    result.frequencies.push_back(middle);
-    result.H.push_back(sum);
-  }
-  return result;
-}
-
 /// Adds oscillators that drive these motions alone.
 void append_block(const Oscillators& block, const std::vector<int>& motions,
                   RadiationMemory& memory) {
   const Eigen::Index before = memory.size(), more = block.frequencies.size();
   memory.frequencies.conservativeResize(before + more);
   memory.frequencies.tail(more) = block.frequencies;
-  memory.damping.conservativeResizeLike(Eigen::MatrixXd::Zero(before + more, before + more));
-  memory.damping.bottomRightCorner(more, more) = block.damping;
+  memory.damping.conservativeResize(before + more);
+  memory.damping.tail(more) = block.damping;
   memory.port.conservativeResizeLike(Eigen::MatrixXd::Zero(before + more, 6));
   for (std::size_t i = 0; i < motions.size(); ++i)
     memory.port.col(motions[i]).tail(more) = block.port.col(static_cast<Eigen::Index>(i));
@@ -156,12 +126,11 @@ RadiationMemory fit_memory(const RadiationData& data) {
   check_radiation(data);
   const std::vector<Matrix6cd> H = responses(data);
   const Matrix6d largest = largest_entries(H);
-  const Densified all = densified(data.frequencies, H);
   RadiationMemory memory;
   for (const std::vector<int>& motions : independent_motions(largest, body_length(data, largest))) {
     std::vector<Eigen::MatrixXcd> block;
-    for (const Matrix6cd& at : all.H) block.push_back(at(motions, motions));
-    append_block(fit_oscillators(all.frequencies, block, kWanted), motions, memory);
+    for (const Matrix6cd& at : H) block.push_back(at(motions, motions));
+    append_block(fit_oscillators(data.frequencies, block), motions, memory);
   }
   set_errors(data.frequencies, H, memory);
   return memory;

@@ -10,16 +10,16 @@
 ///
 ///     H(iω) = B(ω) + iω (A(ω) − A∞).                                                        (1)
 ///
-/// m coupled oscillators q that the velocity drives through a port B have the same effect:
+/// m damped oscillators q that the velocity drives through a port B have the same effect:
 ///
-///     q'' + D q' + Ω² q = B u,      F = −Bᵀ q',      D = L Lᵀ,  Ω diagonal                  (2)
+///     q'' + D q' + Ω² q = B u,      F = −Bᵀ q',      D ≥ 0 and Ω diagonal                   (2)
 ///     Ĥ(s) = s Bᵀ (s² + s D + Ω²)⁻¹ B                                                       (3)
 ///
-/// For any Ω, L and B this is passive, as the energy ½ (q'² + q·Ω² q) shows, which grows by u·Bᵀq'
+/// For any Ω, D and B this is passive, as the energy ½ (q'² + q·Ω² q) shows, which grows by u·Bᵀq'
 /// − q'·D q': the body never gets back more than it has given. (3) is zero for a slow motion and
 /// decays as 1/s for a fast one, as the memory of any floating body does [PF08].
 ///
-/// Ω, L and B are fitted to (1) by least squares, apart for motions that do not act on each other.
+/// oscillator_fit.h fits them to (1), apart for motions that do not act on each other.
 /// The sign of i in the data's e^{−iωt} does not matter, as A and B are real.
 ///
 /// [PF08] Pérez and Fossen. Time- vs. frequency-domain identification of parametric radiation force
@@ -33,7 +33,7 @@ using Matrix6cd = Eigen::Matrix<std::complex<double>, 6, 6>;
 /// the root of the density.
 struct RadiationMemory {
   Eigen::VectorXd frequencies;                    ///< Ω, > 0 [rad/s].
-  Eigen::MatrixXd damping;                        ///< D, symmetric, ≥ 0 [1/s].
+  Eigen::VectorXd damping;                        ///< The diagonal of D, > 0 [1/s].
   Eigen::Matrix<double, Eigen::Dynamic, 6> port;  ///< B, a row for each oscillator.
 
   // Ĥ − H at the data's frequencies, over the root of the largest |H_ii| times the largest |H_jj|
@@ -47,10 +47,7 @@ struct RadiationMemory {
 /// (3) at s = iω, for water of density 1. @param frequency   ω [rad/s]
 Matrix6cd response(const RadiationMemory& memory, double frequency);
 
-/// The memory of a body with this data. It has no oscillators where the body makes no waves, and as
-/// few as give the accuracy that is wanted (0.3 % of the largest |H|, in the root mean square)
-/// where they can. Frequencies far above those of the damping count less. The result depends on the
-/// data alone.
+/// The memory of a body with this data; without oscillators where the body makes no waves.
 /// @throws std::invalid_argument if the data has no frequencies, if they do not ascend from above
 /// 0, or if a frequency lacks its matrices or a number is not finite.
 RadiationMemory fit_memory(const RadiationData& data);
