@@ -336,9 +336,6 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   for (std::string& note : database_notes(spec, radiation)) built.notes.push_back(std::move(note));
   for (RadiationChoice& choice : radiation)
     built.radiation.push_back({.choice = std::move(choice)});
-  if (scene.integrator.sleep > 0)
-    built.notes.emplace_back(
-        "integrator.sleep has no effect any more: bodies at rest move on like all others");
   return built;
 }
 

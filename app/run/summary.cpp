@@ -33,6 +33,12 @@ std::string digest_of(const hydro::TriMesh& mesh_B) {
 Json motion_summary(const engine::Counts& counts) {
   return {{"free_steps", counts.free},
           {"constrained_steps", counts.constrained},
+          {"substeps", counts.substeps},
+          {"implicit_substeps", counts.implicit},
+          {"sweeps", counts.iterations},
+          {"unconverged_substeps", counts.unconverged},
+          {"clamped_substeps", counts.clamped},
+          // The names of version 0.1, for one version more.
           {"pieces", counts.substeps},
           {"implicit_pieces", counts.implicit},
           {"constraint_solutions", counts.iterations},

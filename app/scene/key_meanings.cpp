@@ -27,10 +27,12 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"step",
      "Time step; the default is 1/60 s. The engine divides a step into substeps where the motion "
      "requires it, and takes drag or buoyancy implicitly where they are stiff. `summary.json` "
-     "counts both per body (`pieces`, `implicit_pieces`); where they are many, a shorter step is "
+     "counts both per body (`substeps`, `implicit_substeps`); where they are many, a shorter step "
+     "is "
      "more accurate. Where bodies collide with each other or with the ground, the step is "
      "divided at the time of first contact and continues in short substeps for these bodies "
-     "alone. Heaps in which more than four pairs touch take whole steps."},
+     "alone. Heaps in which more than 256 pairs touch take whole steps, as do bodies under joints "
+     "that are in contact in more than four pairs."},
     {"gravity", "Gravitational acceleration along −z."},
     {"integrator", "Options of the time stepping."},
     {"integrator.method",
@@ -45,9 +47,6 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "for free bodies and bodies under joints; steps of bodies in contact are divided at the "
      "time of first contact only. Without this key, steps are divided for stability and impacts "
      "only. Not allowed with `ode`."},
-    {"integrator.sleep",
-     "This key has no effect. It is accepted so that old scenes still run. Not allowed with "
-     "`ode`."},
     {"water", "The water. Without this block the scene is dry."},
     {"air",
      "The air above the water, which acts on the dry part of bodies. It needs `water`. Without "

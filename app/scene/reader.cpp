@@ -238,9 +238,7 @@ void read(MapReader& map, Integrator& integrator) {
   map.note_condition("method", "ode", {}, {"tolerance"});
   if (integrator.method == Method::ode && integrator.tolerance)
     map.fault("tolerance", "method ode takes whole steps only; expected method split with it");
-  map.optional("sleep", integrator.sleep, not_negative("m/s"));
-  if (integrator.method == Method::ode && integrator.sleep > 0)
-    map.fault("sleep", "method ode moves every body in every step; expected method split with it");
+  map.refuse_former("sleep", "has no effect: bodies at rest move on like all others; remove it");
 }
 
 void read(MapReader& map, Scene& scene) {

@@ -36,6 +36,11 @@ std::optional<Value> MapReader::find(const std::string& key, const std::string& 
   return std::nullopt;
 }
 
+void MapReader::refuse_former(const std::string& key, const std::string& reason) {
+  former_.push_back(key);
+  if (has(key)) fault(key, reason);
+}
+
 bool MapReader::is_list(const Value& value) {
   return value.node.is(YamlNode::Kind::list) || value.refuse("a list of maps");
 }
@@ -97,7 +102,8 @@ void MapReader::report_other_keys() {
     const Place place = reading_.place(entry.mark);
     if (!is_new)
       reading_.faults.add({place, child_path(entry.key), repetition(first->second)});
-    else if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
+    else if (std::find(known_.begin(), known_.end(), entry.key) == known_.end() &&
+             std::find(former_.begin(), former_.end(), entry.key) == former_.end())
       reading_.unknown_keys.push_back({place, path_, entry.key, known_});
   }
 }

@@ -137,6 +137,9 @@ class MapReader {
                       const std::vector<std::string>& needed,
                       const std::vector<std::string>& refused);
 
+  /// Refuses a key that an earlier version had, with the reason.
+  void refuse_former(const std::string& key, const std::string& reason);
+
   /// Adds a fault of one key of this map, or of the whole map if `key` is empty.
   void fault(const std::string& key, const std::string& message);
 
@@ -177,7 +180,8 @@ class MapReader {
   const YamlNode* map_;
   std::string path_;
   Reading& reading_;
-  std::vector<std::string> known_;  ///< Keys that were asked for.
+  std::vector<std::string> known_;   ///< Keys that were asked for.
+  std::vector<std::string> former_;  ///< Keys that an earlier version had.
 };
 
 }  // namespace scene

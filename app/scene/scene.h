@@ -50,7 +50,6 @@ struct Integrator {
   enum class Method { split, ode };
   Method method = Method::split;
   std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
-  double sleep = 0;                 ///< Accepted from old scenes [m/s]; has no effect.
 };
 
 struct Scene {

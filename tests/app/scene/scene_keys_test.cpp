@@ -29,7 +29,7 @@ std::string every_key() {
          "duration: 010\n"
          "step: +2.5e-3\n"
          "gravity: 1.62\n"
-         "integrator: {method: split, tolerance: 0.5, sleep: 2e-3}\n"
+         "integrator: {method: split, tolerance: 0.5}\n"
          "water:\n"
          "  density: 1025\n"
          "  viscosity: 1.2e-6\n"
@@ -160,7 +160,6 @@ TEST(SceneKeys, TopLevelIsRead) {
   EXPECT_EQ(scene.step, 2.5e-3);
   EXPECT_EQ(scene.gravity, 1.62);
   EXPECT_EQ(scene.integrator.tolerance, 0.5);
-  EXPECT_EQ(scene.integrator.sleep, 2e-3);
   EXPECT_EQ(scene.log_every, 0.5);
   EXPECT_TRUE(scene.log_forces);
   ASSERT_EQ(scene.probes.size(), 2u);
@@ -554,7 +553,6 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(scene.step, 1.0 / 60);
   EXPECT_EQ(scene.gravity, 9.80665);
   EXPECT_FALSE(scene.integrator.tolerance.has_value());
-  EXPECT_EQ(scene.integrator.sleep, 0);
   EXPECT_FALSE(scene.water.has_value());
   EXPECT_TRUE(std::holds_alternative<std::monostate>(scene.ground));
   EXPECT_TRUE(scene.bodies.empty());

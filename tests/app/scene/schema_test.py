@@ -33,7 +33,7 @@ UNSEEN = [
     r"looks (from|straight)", r"found a zero", r"found the principal moments",
     r"found the eigenvalue", r"expected a\s+symmetric", r"a perpendicular one",
     r"which is switched off", r"equilibrium needs", r"is only used with viscous_drag",
-    r"sleep: method ode", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
+    r"remove it", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
     r"in case alone", r"less than the depth", r"waves need gravity",
     r"tma needs water.depth", r"wind is horizontal", r"found a speed of",
     r"found a table", r"of a table is horizontal", r"expected a greater depth",

@@ -257,8 +257,8 @@ TEST_F(Survey, HasTheBodiesOfAllRuns) {
 }
 
 TEST_F(Survey, RefusesAValueThatIsWrongInAllRunsButNoCombination) {
-  EXPECT_NO_THROW(of({"integrator.method=split,ode", "integrator.sleep=0,0.1"}));
-  EXPECT_THROW(of({"integrator.method=split,euler", "integrator.sleep=0,0.1"}), scene::InputError);
+  EXPECT_NO_THROW(of({"gravity=9.8,0", "bodies[0].start=given,equilibrium"}));
+  EXPECT_THROW(of({"gravity=9.8,0", "bodies[0].start=given,floating"}), scene::InputError);
 }
 
 TEST(SlurmScript, QuotesWhatAShellWouldTakeApart) {
