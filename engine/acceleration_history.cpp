@@ -1,6 +1,7 @@
 #include "engine/acceleration_history.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/constants.h"
@@ -28,6 +29,7 @@ void AccelerationHistory::add(const Vector6d& acceleration_B, double h, double r
 }
 
 AccelerationHistory::Trend AccelerationHistory::trend() const {
+  assert(count_ >= 3);
   // Newton's form of the parabola, whose time counts from the end of the last substep.
   return {acceleration_ + age_[0] * slope_ + age_[0] * age_[1] * second_derivative_,
           slope_ + (age_[0] + age_[1]) * second_derivative_};

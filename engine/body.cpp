@@ -1,6 +1,7 @@
 #include "engine/body.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/constants.h"
@@ -31,6 +32,8 @@ hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
 /// A body without its hull.
 Body make_dry_body(const SimulationSpec& spec, const Environment& environment, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
+  assert(s.mass > 0 && hydro::is_symmetric(s.inertia_B) && is_unit(s.initial.orientation));
+  assert(s.mesh_B.face_count() > 0);
   const auto id = static_cast<BodyId>(index);
   Body body{.spec = &s,
             .environment = environment,

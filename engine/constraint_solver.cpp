@@ -1,6 +1,7 @@
 #include "engine/constraint_solver.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/anderson.h"
@@ -178,6 +179,7 @@ ConstraintSolution solve_constraints(const std::vector<ConstrainedBody>& bodies,
                                      const std::vector<ConstraintBlock>& blocks,
                                      const std::vector<Vector3d>& start, double size,
                                      bool newton_steps) {
+  assert(start.empty() || start.size() == blocks.size());
   std::vector<PreparedBlock> prepared;
   prepared.reserve(blocks.size());
   for (const ConstraintBlock& block : blocks) prepared.emplace_back(block, bodies);

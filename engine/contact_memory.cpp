@@ -1,6 +1,7 @@
 #include "engine/contact_memory.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace engine {
 
@@ -21,6 +22,7 @@ std::vector<ContactForce> remembered(const std::vector<Contact>& contacts,
 }
 
 std::span<const ContactForce> forces_of(const Pair& pair, const std::vector<ContactForce>& memory) {
+  assert(std::ranges::is_sorted(memory, {}, &ContactForce::pair));
   return {std::ranges::lower_bound(memory, pair, {}, &ContactForce::pair),
           std::ranges::upper_bound(memory, pair, {}, &ContactForce::pair)};
 }

@@ -1,6 +1,7 @@
 #include "engine/energy_limiter.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/constants.h"
@@ -72,6 +73,7 @@ void EnergyRange::extend(double energy, double potential) {
 
 EnergyLimiter::EnergyLimiter(std::vector<BodyId> group, const std::vector<MovingBody>& bodies)
     : group_(std::move(group)) {
+  assert(!group_.empty() && std::ranges::is_sorted(group_));
   for (const BodyId id : group_) {
     const Body& body = bodies[id].body;
     floor_ += least_energy_scale(body);
@@ -80,6 +82,7 @@ EnergyLimiter::EnergyLimiter(std::vector<BodyId> group, const std::vector<Moving
 }
 
 bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bool halves) {
+  assert(std::ranges::equal(members, group_, {}, &SubstepBody::id));
   excess_ = 0;
   next_ = range_;
   if (std::any_of(members.begin(), members.end(), [](const auto* b) { return b->touching; })) {
@@ -143,6 +146,7 @@ void EnergyLimiter::judge_joints(const std::vector<SubstepBody*>& members) {
 }
 
 void EnergyLimiter::clamp(const std::vector<SubstepBody*>& members) {
+  assert(std::ranges::equal(members, group_, {}, &SubstepBody::id));
   range_ = next_;
   if (!(excess_ > 0)) return;
   const bool enough = kinetic_ > excess_;

@@ -1,6 +1,7 @@
 #include "engine/free_motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -254,10 +255,13 @@ double turning_rate(const Matrix6d& S, const Vector6d& u) {
 
 hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& state,
                          const Vector3d& current, double time) {
+  assert(hydro::is_symmetric(inertia_B) && is_unit(state.orientation) && !(time < 0));
   const Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Vector6d u_B = rotate(R_WB.transpose(), velocity(state, current));
   DriftState m{.p = inertia_B * u_B, .q = state.orientation};
-  const Matrix6d S_inverse = hydro::Cholesky6(inertia_B).inverse();
+  const hydro::Cholesky6 S(inertia_B);
+  assert(S.positive_definite());
+  const Matrix6d S_inverse = S.inverse();
   const int count = count_parts(turning_rate(inertia_B, u_B), time);
   for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostDriftHalvings);
   hydro::BodyState next =
@@ -275,6 +279,7 @@ hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, do
 
 hydro::BodyState rotated_freely(const Matrix3d& inertia, const hydro::BodyState& state,
                                 double time) {
+  assert(hydro::is_symmetric(inertia) && is_unit(state.orientation));
   hydro::BodyState next = state;
   if (state.angular_velocity.isZero(0)) return next;
   const bool round =

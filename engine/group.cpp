@@ -1,5 +1,7 @@
 #include "engine/group.h"
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace engine {
@@ -8,6 +10,7 @@ std::vector<Group> make_groups(const std::vector<MovingBody>& bodies,
                                const std::vector<BodyId>& movable,
                                const std::vector<Pair>& connections,
                                const std::vector<Pair>& joints, const std::vector<Pair>& near) {
+  assert(std::ranges::is_sorted(movable) && std::ranges::is_sorted(near));
   std::vector<Group> groups;
   if (connections.empty()) return groups;
   std::vector<std::vector<BodyId>> connected = connected_components(movable, connections);

@@ -1,6 +1,7 @@
 #include "engine/group_stepper.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -69,6 +70,9 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       shortest_throw_((is_alone_ ? kShortestThrow : kShortestPart) * step),
       impacts_(context_, group_, past.touching, step),
       members_(group_.bodies.size()) {
+  assert(!group_.bodies.empty() && std::ranges::is_sorted(group_.bodies));
+  assert(std::ranges::is_sorted(group_.near) && std::ranges::is_sorted(past.touching));
+  assert(std::ranges::is_sorted(past.forces, {}, &ContactForce::pair));
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].id = group_.bodies[i];
     members_[i].moving = &context_.bodies[group_.bodies[i]];
@@ -105,6 +109,7 @@ void GroupStepper::take(const LoneBody& body) {
 
 GroupStepper::Member& GroupStepper::member(BodyId id) {
   const auto place = std::lower_bound(group_.bodies.begin(), group_.bodies.end(), id);
+  assert(place != group_.bodies.end() && *place == id);
   return members_[place - group_.bodies.begin()];
 }
 

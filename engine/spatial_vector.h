@@ -33,6 +33,9 @@ inline Matrix6d rotate_tensor(const Eigen::Matrix3d& R_AB, const Matrix6d& matri
   return result;
 }
 
+/// What assertions ask of an orientation. True for one that is not finite: that is told elsewhere.
+inline bool is_unit(const Eigen::Quaterniond& q) { return !(std::abs(q.squaredNorm() - 1) > 1e-6); }
+
 /// Norm of a velocity or acceleration whose angular part is multiplied by the radius [m].
 inline double scaled_norm(const Vector6d& six, double radius) {
   return std::sqrt(six.head<3>().squaredNorm() + radius * radius * six.tail<3>().squaredNorm());

@@ -1,5 +1,6 @@
 #include "engine/stepper.h"
 
+#include <cassert>
 #include <utility>
 
 #include "engine/impact_boxes.h"
@@ -90,6 +91,7 @@ StepperState Stepper::state() const {
 }
 
 void Stepper::restore(const StepperState& state) {
+  assert(fits(state));
   contacts_ = state.contacts;
   for (std::size_t i = 0; i < limiters_.size(); ++i) limiters_[i].restore(state.ranges[i]);
 }

@@ -1,6 +1,7 @@
 #include "engine/substep.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/constants.h"
 #include "engine/constrained_update.h"
@@ -229,6 +230,8 @@ void drift_halfway(SubstepBody& b, double time, double h) {
 }
 
 void take_substep(const StepContext& context, Island& island, double time, double h) {
+  assert(h > 0 && !island.bodies.empty());
+  assert(std::ranges::is_sorted(island.bodies, {}, &SubstepBody::id));
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
     constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);

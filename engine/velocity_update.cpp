@@ -1,6 +1,7 @@
 #include "engine/velocity_update.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -67,6 +68,7 @@ struct UpdateContext {
   /// S⁻¹ rhs in the free velocities.
   Vector6d accelerated(const Vector6d& rhs) const {
     if (body.locked || body.reduced_joint) return solve(S(), rhs);
+    assert(!has_more_inertia() || factor_of_S().positive_definite());
     if (has_more_inertia()) return factor_of_S().solve(rhs);
     const Eigen::Matrix3d& R_WB = midpoint.R_WB;
     return to_vector6(rhs.head<3>() / body.spec->mass,
