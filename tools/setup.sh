@@ -19,14 +19,16 @@ python_packages=(pybind11-dev python3-dev)
 report_packages=()
 command -v npm > /dev/null || report_packages+=(nodejs npm)
 
-# What only tests need, each skipped without it: Python's to read what the program writes, a browser
-# to open the page, a screen without a monitor for the window, and what makes and measures videos.
-# Ubuntu has no package of chromium that runs by itself.
+# What only tests need, each skipped without it: Python's to read what the program writes, and a
+# screen without a monitor for the window.
 test_packages=(
-  ffmpeg mypy python3-h5py python3-jsonschema python3-matplotlib python3-pandas python3-pil python3-pytest
-  python3-venv python3-yaml xvfb
+  python3-h5py python3-jsonschema python3-matplotlib python3-pandas python3-pil python3-pytest python3-yaml
+  xvfb
 )
-if grep -qs '^ID=debian' /etc/os-release; then test_packages+=(chromium); fi
+# What only those of tools/test --all need: clang's sanitizers, what makes and measures videos, and a
+# browser to open the page, of which Ubuntu has no package that runs by itself.
+thorough_packages=(clang-14 libclang-rt-14-dev ffmpeg mypy python3-venv)
+if grep -qs '^ID=debian' /etc/os-release; then thorough_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -63,17 +65,19 @@ install_missing() {
   rm -f "${TMPDIR:-/tmp}/plimsoll-apt.$$"
 }
 
-# build PRESET FOLDER TARGET [KNOWN]: configures where that has not been done, or was done before what
-# the target KNOWN (TARGET) needs was installed, and builds what has changed. Two at once in one
-# folder wait for each other.
+# build PRESET FOLDER TARGET [KNOWN [-DOPTION=ON|OFF]]: configures where that has not been done, or was
+# done before what the target KNOWN (TARGET) needs was installed, or with the option otherwise, and
+# builds what has changed. Two at once in one folder wait for each other.
 build() {
-  local preset=$1 folder=$root/$2 target=$3 known=${4:-$3}
+  local preset=$1 folder=$root/$2 target=$3 known=${4:-$3} option=${5:-}
+  local set=${option#-D}
   mkdir -p "$folder"
   exec 9> "$folder/.lock"
   flock 9
-  if [[ ! -f $folder/build.ninja ]] || ! ninja -C "$folder" -t query "$known" &> /dev/null; then
+  if [[ ! -f $folder/build.ninja ]] || ! ninja -C "$folder" -t query "$known" &> /dev/null ||
+    [[ -n $set ]] && ! grep -q "^${set%=*}:[A-Z]*=${set#*=}$" "$folder/CMakeCache.txt" 2> /dev/null; then
     say "plimsoll: configuring ($preset)"
-    (cd "$root" && cmake --preset "$preset" > "$folder/configure.log" 2>&1) || {
+    (cd "$root" && cmake --preset "$preset" $option > "$folder/configure.log" 2>&1) || {
       cat "$folder/configure.log" >&2
       exit 2
     }

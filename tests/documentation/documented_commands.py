@@ -41,8 +41,9 @@ NOT_RUN = {
     "tools/test": "is what runs this test",
     "tools/test -L unit": "is what runs this test",
     "tools/test -R Loads": "is what runs this test",
-    "build/hydro_tests --gtest_filter='PositivePart.*'": "ctest runs the same program",
-    "PLIMSOLL_TOL_SCALE=0 build/hydro_tests": "fails by intent, to show the errors",
+    "tools/test --all": "is what runs this test",
+    "build/checked/hydro_tests --gtest_filter='PositivePart.*'": "ctest runs the same program",
+    "PLIMSOLL_TOL_SCALE=0 build/checked/hydro_tests": "fails by intent, to show the errors",
     "cmake --install build --prefix /usr/local": "writes to the system; the label install has it",
     "cpack --config build/CPackConfig.cmake": "takes minutes; the label install has the same files",
     "plimsoll view SCENE [--set KEY.PATH=VALUE]… [--any-format] [--threads N]"

@@ -74,13 +74,23 @@ def write_rounded(source, target):
                             *(f"{float(number):.{DIGITS}g}" for number in row[2:])])
 
 
+def unsolved(out):
+    """@return the bodies of a run whose constraints missed their tolerance in some substep."""
+    bodies = json.loads((out / "summary.json").read_text())["bodies"]
+    return [name for name, body in bodies.items() if body["motion"]["unconverged_substeps"]]
+
+
 def check(program, golden, keep):
-    """@return true if a new run is the golden one within tolerance."""
+    """@return true if a new run is the golden one within tolerance and has solved its constraints."""
     scene = golden.name
     origin = json.loads((golden / "origin.json").read_text())
     with tempfile.TemporaryDirectory() as folder:
         out = run(program, scene, keep / scene if keep else folder, origin["every"])
         said, same = compare(program, golden, out / "trajectory.csv")
+        missed = unsolved(out)
+    if missed:
+        print(f"{scene}: constraints were not solved in all substeps of {', '.join(missed)}")
+        return False
     if not same:
         print(f"{scene} is no longer what {origin['version']} made by\n  {origin['command']}\n{said}")
         print(f"If that is meant: tools/golden renew {scene}")

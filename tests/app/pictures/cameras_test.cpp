@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using scene::Camera;
 
 /// A turn and a sum of coordinates below 20 m: a few ulp.
-const double kRoundOff = support::tolerance(1e-14);
+const double kCameraRoundOff = support::tolerance(1e-14);
 
 /// Two bodies, the second of which starts at (1, 2, 3).
 engine::SimulationSpec two_bodies() {
@@ -62,7 +62,7 @@ TEST(Camera, ThatOrbitsTurnsAboutTheVerticalThroughWhatItLooksAt) {
     const render::Camera view = camera_at(camera, two_bodies(), shot_at(time, {9, 9, 9}));
     const double angle = rate * time;  // from x to y is counter-clockwise from above
     EXPECT_LE((view.from - to - Vector3d(5 * std::cos(angle), 5 * std::sin(angle), 2)).norm(),
-              kRoundOff);
+              kCameraRoundOff);
     EXPECT_EQ(view.to, to);
   }
 }
@@ -72,8 +72,8 @@ TEST(Camera, ThatOrbitsABodyItFollowsTurnsAboutTheBody) {
   const Camera camera = {
       .from = start + away, .to = start, .follow = "b", .orbit = std::numbers::pi / 2};
   const render::Camera view = camera_at(camera, two_bodies(), shot_at(1, start + moved));
-  EXPECT_LE((view.from - start - moved - Vector3d(8, 0, 1)).norm(), kRoundOff);
-  EXPECT_LE((view.to - start - moved).norm(), kRoundOff);
+  EXPECT_LE((view.from - start - moved - Vector3d(8, 0, 1)).norm(), kCameraRoundOff);
+  EXPECT_LE((view.to - start - moved).norm(), kCameraRoundOff);
 }
 
 TEST(Cameras, OfASceneAreThoseWithNamesOrElseTheOneWithout) {

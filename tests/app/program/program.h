@@ -66,6 +66,9 @@ bool wait_for_bytes(const std::filesystem::path& file, std::uintmax_t bytes);
 /// @param words   Of the command line, without the program's name.
 std::string output_of(std::vector<std::string> words);
 
+/// Values of --threads: without a thread that writes files, and with one.
+inline constexpr const char* kWriterThreads[] = {"1", "2"};
+
 /// Lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 

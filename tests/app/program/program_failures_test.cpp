@@ -24,9 +24,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Without a thread that writes files, and with one.
-constexpr const char* kThreads[] = {"1", "2"};
-
 class ProgramFailures : public testing::Test {
  protected:
   /// Starts a run that would take hours and waits until it has logged some rows.
@@ -112,7 +109,7 @@ TEST_F(ProgramFailures, AFolderThatCannotBeMadeIsNamed) {
 TEST_F(ProgramFailures, ABodyThatExplodesIsNamedAndItsPastIsKept) {
   const std::string push = "bodies[0].forces=[{force: [1e+30, 0, 0], start: 0.5}]";
   here.write("box.yaml", falling_box("1"));
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const Outcome outcome =
         here.run({"run", "box.yaml", "--out", "o", "--quiet", "--threads", threads, "--set", push});
     EXPECT_EQ(outcome.code, 3);
@@ -129,7 +126,7 @@ TEST_F(ProgramFailures, ALogThatCannotBeWrittenComesBeforeALaterExplosion) {
   here.write("box.yaml", falling_box("1"));
   fs::create_directories(here / "o");
   fs::create_symlink("/dev/full", here / "o/trajectory.csv");
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const Outcome outcome =
         here.run({"run", "box.yaml", "--out", "o", "--threads", threads, "--set", push});
     EXPECT_EQ(outcome.code, 2);
@@ -146,7 +143,7 @@ TEST_F(ProgramFailures, AnExplosionIsDrawnUpToThere) {
 }
 
 TEST_F(ProgramFailures, CtrlCKeepsWhatWasDone) {
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const pid_t process = start_long_run("", threads);
     ::kill(process, SIGINT);
     const Outcome outcome = here.finish(process);
@@ -199,7 +196,7 @@ TEST_F(ProgramFailures, ASecondRunDoesNotMixItsFilesWithThoseOfTheFirst) {
 TEST_F(ProgramFailures, AFullDiskIsToldAtTheFirstRowLost) {
   here.write("box.yaml", falling_box("1"));
   for (const std::string log : {"trajectory.csv", "forces.csv"})
-    for (const std::string threads : kThreads) {
+    for (const std::string threads : support::kWriterThreads) {
       fs::remove_all(here / "o");
       fs::create_directories(here / "o");
       fs::create_symlink("/dev/full", here / "o" / log);
@@ -215,7 +212,7 @@ TEST_F(ProgramFailures, AFullDiskIsToldAtTheFirstRowLost) {
 // A limit on the size of files stands for a disk that fills up: both make a write come short.
 TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
   here.write("box.yaml", falling_box("100"));
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const Outcome outcome = here.shell(
         "trap '' XFSZ; ulimit -f 16; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
     EXPECT_EQ(outcome.code, 2);
@@ -232,7 +229,7 @@ TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
 
 TEST_F(ProgramFailures, APictureThatCannotBeWrittenIsTheLast) {
   here.write("box.yaml", falling_box("0.2", "render: {size: [640, 480], every: 0.02}\n"));
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const Outcome outcome = here.shell(
         "trap '' XFSZ; ulimit -f 32; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
     EXPECT_EQ(outcome.code, 2);

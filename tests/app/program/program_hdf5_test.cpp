@@ -26,8 +26,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Without a thread that writes files, and with one.
-constexpr const char* kThreads[] = {"1", "2"};
 constexpr std::size_t kChunk = 128;  ///< Rows that wait for one another.
 /// Less than the last rows take [bytes].
 constexpr std::size_t kCut = 100;
@@ -163,7 +161,7 @@ TEST_F(ProgramHdf5, IsReportedAsACsvIs) {
 
 TEST_F(ProgramHdf5, KeepsThePastOfABodyThatExplodes) {
   here.write("box.yaml", falling_box("3"));
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     EXPECT_EQ(run({"--threads", threads, "--set",
                    "bodies[0].forces=[{force: [1e+30, 0, 0], start: 2.5}]"})
                   .code,
@@ -173,7 +171,7 @@ TEST_F(ProgramHdf5, KeepsThePastOfABodyThatExplodes) {
 }
 
 TEST_F(ProgramHdf5, KeepsWhatWasDoneBeforeCtrlC) {
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const pid_t process = start_long_run(threads);
     ::kill(process, SIGINT);
     EXPECT_EQ(here.finish(process).code, 130);
@@ -184,7 +182,7 @@ TEST_F(ProgramHdf5, KeepsWhatWasDoneBeforeCtrlC) {
 // A limit on the size of files stands for a disk that fills up.
 TEST_F(ProgramHdf5, KeepsTheRowsBeforeTheDiskWasFull) {
   here.write("box.yaml", falling_box("10000"));
-  for (const std::string threads : kThreads) {
+  for (const std::string threads : support::kWriterThreads) {
     const Outcome outcome = here.shell(
         "trap '' XFSZ; ulimit -f 4000; exec $PLIMSOLL run box.yaml --quiet --out o --format hdf5 "
         "--threads " +
