@@ -75,7 +75,7 @@ build() {
   exec 9> "$folder/.lock"
   flock 9
   if [[ ! -f $folder/build.ninja ]] || ! ninja -C "$folder" -t query "$known" &> /dev/null ||
-    [[ -n $set ]] && ! grep -q "^${set%=*}:[A-Z]*=${set#*=}$" "$folder/CMakeCache.txt" 2> /dev/null; then
+    { [[ -n $set ]] && ! grep -q "^${set%=*}:[A-Z]*=${set#*=}$" "$folder/CMakeCache.txt"; }; then
     say "plimsoll: configuring ($preset)"
     (cd "$root" && cmake --preset "$preset" $option > "$folder/configure.log" 2>&1) || {
       cat "$folder/configure.log" >&2
