@@ -17,6 +17,7 @@ std::vector<Group> make_groups(const std::vector<MovingBody>& bodies,
   groups.reserve(connected.size());
   std::vector<Group*> home(bodies.size(), nullptr);
   for (std::vector<BodyId>& members : connected) {
+    assert(!members.empty() && std::ranges::is_sorted(members));
     groups.push_back({.bodies = std::move(members), .joints = {}, .near = {}});
     for (const BodyId id : groups.back().bodies) home[id] = &groups.back();
   }

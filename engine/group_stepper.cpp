@@ -70,9 +70,6 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       shortest_throw_((is_alone_ ? kShortestThrow : kShortestPart) * step),
       impacts_(context_, group_, past.touching, step),
       members_(group_.bodies.size()) {
-  assert(!group_.bodies.empty() && std::ranges::is_sorted(group_.bodies));
-  assert(std::ranges::is_sorted(group_.near) && std::ranges::is_sorted(past.touching));
-  assert(std::ranges::is_sorted(past.forces, {}, &ContactForce::pair));
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].id = group_.bodies[i];
     members_[i].moving = &context_.bodies[group_.bodies[i]];

@@ -62,7 +62,7 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
   const Eigen::Vector3d moment_B = R_WB.transpose() * load.moment;
   hydro::BodyState next = state;
   next.linear_velocity += step / body.mass * load.force;
-  next.angular_velocity += step * (R_WB * body.inertia_B.inverse() * moment_B);
+  next.angular_velocity += step * (R_WB * (body.inertia_B.inverse() * moment_B));
   next.position += step * next.linear_velocity;
   return state_fault(next);
 }
