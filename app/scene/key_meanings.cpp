@@ -28,8 +28,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Time step; the default is 1/60 s. The engine divides a step into substeps where the motion "
      "requires it, and takes drag or buoyancy implicitly where they are stiff. `summary.json` "
      "counts both per body (`substeps`, `implicit_substeps`); where they are many, a shorter step "
-     "is "
-     "more accurate. Where bodies collide with each other or with the ground, the step is "
+     "is more accurate. Where bodies collide with each other or with the ground, the step is "
      "divided at the time of first contact and continues in short substeps for these bodies "
      "alone. Heaps in which more than 256 pairs touch take whole steps, as do bodies under joints "
      "that are in contact in more than four pairs."},
