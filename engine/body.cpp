@@ -138,7 +138,8 @@ Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, doub
                            double ahead) {
   if (!body.has_flow || body.reduced_joint) return body.current();
   const hydro::Sea& sea = *body.environment.sea;
-  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Matrix3d R_WB =
+      rotated(state.orientation, ahead * state.angular_velocity).toRotationMatrix();
   const Eigen::Matrix3d half = R_WB * (body.box_B.sizes() / 2).asDiagonal();
   Eigen::Vector3d p = state.position + ahead * state.linear_velocity + R_WB * body.box_B.center();
   const double reach = half.row(2).cwiseAbs().sum();
