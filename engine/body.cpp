@@ -29,6 +29,16 @@ hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
   return with_velocity(motion.state, projected, Eigen::Vector3d::Zero());
 }
 
+/// The inertia of the water in a body's pockets, in B.
+Matrix6d carried_inertia(const HeldWater* held) {
+  return held ? held->inertia_B : Matrix6d(Matrix6d::Zero());
+}
+
+/// The part of A that turns with the body. The rest is constant in W and exerts no moment.
+Matrix6d added_in_drift(const Body& body, const Motion& motion) {
+  return body.rolls_free ? carried_inertia(motion.held.get()) : motion.added();
+}
+
 /// A body without its hull.
 Body make_dry_body(const SimulationSpec& spec, const Environment& environment, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
@@ -49,6 +59,8 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
             .has_memory = spec.sea && s.radiation && s.radiation->memory().size() > 0 &&
                           !immovable(s.locked) &&
                           spec.integrator.method == Integrator::Method::split,
+            .rolls_free = spec.sea && s.radiation &&
+                          s.radiation->slides() == hydro::WaveFrameRule::Slides::all,
             .movable = !immovable(s.locked),
             .locked = partly_locked(s.locked),
             .jointed = std::any_of(
@@ -152,7 +164,7 @@ hydro::BodyState state_after_drift(const Body& body, const Motion& motion,
                                    const Eigen::Vector3d& flow, double time) {
   if (!body.reduced_joint && !body.locked && !motion.added_B)
     return drifted(*body.spec, motion.state, time);
-  const Matrix6d S = body.rigid_B + motion.added();
+  const Matrix6d S = body.rigid_B + added_in_drift(body, motion);
   if (body.reduced_joint) return advance_on_joint(*body.reduced_joint, S, motion.state, time);
   if (!body.locked) return drifted(S, motion.state, flow, time);
   return project_onto_locks(body.spec->locked, body.spec->initial,
@@ -162,7 +174,11 @@ hydro::BodyState state_after_drift(const Body& body, const Motion& motion,
 void drift(const Body& body, Motion& motion, double time) {
   std::optional<Motion> before;
   if (motion.work) before = motion;
+  const Eigen::Quaterniond R_WB = motion.state.orientation;
   motion.state = state_after_drift(body, motion, motion.flow, time);
+  if (motion.added_B)
+    motion.added_B = after_turn(body, *motion.added_B, motion.held.get(),
+                                R_WB.conjugate() * motion.state.orientation);
   if (before) record_drift(body, *before, time, motion);
 }
 
@@ -191,6 +207,13 @@ Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldW
   if (body.spec->added_mass) added = body.spec->added_mass->at(state, *body.environment.sea, time);
   if (held) added += held->inertia_B;
   return added;
+}
+
+Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const HeldWater* held,
+                    const Eigen::Quaterniond& turn) {
+  if (!body.rolls_free) return added_B;
+  const Matrix6d carried = carried_inertia(held);
+  return carried + rotate_tensor(turn.conjugate().toRotationMatrix(), added_B - carried);
 }
 
 void set_added_mass(Motion& motion, const Matrix6d& added_B) {

@@ -43,6 +43,7 @@ struct Body {
   bool has_wave_load = false;   ///< Waves accelerate the water about it, or are scattered.
   bool hollow = false;          ///< It may have pockets.
   bool has_memory = false;      ///< Waves that it has made act on it.
+  bool rolls_free = false;      ///< It turns without the water outside: a ball with radiation.
   bool has_flow = false;        ///< The water about it may not move with `current()`.
   bool movable = true;          ///< At least one degree of freedom is not locked.
   bool locked = false;          ///< At least one degree of freedom is locked.
@@ -109,6 +110,11 @@ double contact_fall(const Body& body, const Motion& motion);
 /// @param held   Null: it has none.
 Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldWater* held,
                     double time);
+
+/// A after a turn of the body, in its new axes: the same unless the water outside takes no part.
+/// @param turn   Of the body, in its axes: from the old orientation to the new one.
+Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const HeldWater* held,
+                    const Eigen::Quaterniond& turn);
 
 /// Sets A of the motion.
 void set_added_mass(Motion& motion, const Matrix6d& added_B);

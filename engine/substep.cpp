@@ -42,6 +42,13 @@ void begin_constrained(SubstepBody& b, double h) {
   b.predicted = smooth ? change_by_history(b.halfway, h) : Vector6d(Vector6d::Zero());
 }
 
+/// A in a state at or near the end of the substep, in the axes of the body halfway.
+Matrix6d added_mass_halfway(const SubstepBody& b, const Matrix6d& added_B,
+                            const hydro::BodyState& at) {
+  return after_turn(b.body(), added_B, b.halfway.held.get(),
+                    at.orientation.conjugate() * b.halfway.state.orientation);
+}
+
 /// Finds A where the body is expected at the end of the substep: one in contact goes on as it did.
 void expect_added_mass(SubstepBody& b, double end, double h) {
   const Stopwatch stopwatch(b.moving->cache.seconds);
@@ -49,7 +56,8 @@ void expect_added_mass(SubstepBody& b, double end, double h) {
   const Vector6d change = b.touching ? Vector6d(h * b.moving->motion.acceleration_W) : b.predicted;
   const Vector6d u = velocity(halfway, Eigen::Vector3d::Zero()) + change;
   b.added_at = displaced(b.body(), halfway, h / 2 * u);
-  b.added_B = added_mass(b.body(), b.added_at, b.halfway.held.get(), end);
+  const Matrix6d added_B = added_mass(b.body(), b.added_at, b.halfway.held.get(), end);
+  b.added_B = added_mass_halfway(b, added_B, b.added_at);
 }
 
 /// True if the body has ended so near to the pose of `added_B` that its added mass is the same, if
@@ -164,11 +172,12 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   for (SubstepBody* b : island.bodies) {
     if (!b->body().has_added_mass || ends_as_expected(*b)) continue;
     const Stopwatch stopwatch(b->moving->cache.seconds);
-    const Matrix6d found_B = added_mass(b->body(), b->end.state, b->end.held.get(), time);
+    const Matrix6d added_B = added_mass(b->body(), b->end.state, b->end.held.get(), time);
+    const Matrix6d found_B = added_mass_halfway(*b, added_B, b->end.state);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
     worst = std::max(worst, match);
-    if (last_pass) b->end = share_momentum(b->body(), b->end, found_B);
+    if (last_pass) b->end = share_momentum(b->body(), b->end, added_B);
     b->added_B = found_B;
     b->added_at = b->end.state;
   }

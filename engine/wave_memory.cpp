@@ -28,11 +28,6 @@ double port_strength(const Body& body, const hydro::BodyState& state, double tim
   return std::sqrt(sea.density * body.spec->radiation->presence(state, sea, time));
 }
 
-Eigen::Matrix3d R_WH(const Body& body, const hydro::BodyState& state) {
-  const hydro::MeanPose& pose = body.spec->radiation->data().pose;
-  return (state.orientation * pose.orientation.conjugate()).toRotationMatrix();
-}
-
 /// p − ½h Ω² q
 Eigen::VectorXd known_rate(const hydro::RadiationMemory& memory, const WaveMemory& state,
                            double h) {
@@ -61,15 +56,15 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
   const hydro::RadiationMemory& memory = oscillators(body);
   if (rule.h != h) rule = make_rule(memory, h);
   MemoryEffect effect{.strength = port_strength(body, motion.state, time),
-                      .R_WH = R_WH(body, motion.state)};
+                      .frame = body.spec->radiation->frame(motion.state.orientation)};
   effect.current = to_vector6(motion.flow - body.current(), Eigen::Vector3d::Zero());
   const double square = effect.strength * effect.strength;
-  const Matrix6d C = square * rotate_tensor(effect.R_WH, rule.coupling);
+  const Matrix6d C = square * effect.frame.tensor_out(rule.coupling);
   const Vector6d kept =
       memory.port.transpose() * rule.inverse.cwiseProduct(known_rate(memory, *motion.memory, h));
   effect.inertia = h * h / 4 * C;
-  effect.load =
-      -effect.strength * rotate(effect.R_WH, kept) - h / 2 * C * (midpoint.mean() + effect.current);
+  effect.load = -effect.strength * effect.frame.load_out(kept) -
+                h / 2 * C * (midpoint.mean() + effect.current);
   return effect;
 }
 
@@ -80,7 +75,7 @@ void advance_memory(const Body& body, const MidpointState& midpoint, const Vecto
   const MemoryEffect& effect = *midpoint.memory;
   const hydro::RadiationMemory& memory = oscillators(body);
   const Vector6d u = midpoint.mean() + change / 2 + effect.current;
-  const Vector6d u_H = effect.strength * rotate(effect.R_WH.transpose(), u);
+  const Vector6d u_H = effect.strength * effect.frame.velocity_in(u);
   WaveMemory& state = *end.memory;
   const Eigen::VectorXd mean =
       rule.inverse.cwiseProduct(known_rate(memory, state, rule.h) + rule.h / 2 * memory.port * u_H);
@@ -97,7 +92,8 @@ double memory_energy(const Body& body, const Motion& motion) {
 Vector6d memory_load(const Body& body, const Motion& motion, double time) {
   if (!motion.memory) return Vector6d::Zero();
   const Vector6d load_H = oscillators(body).port.transpose() * motion.memory->p;
-  return -port_strength(body, motion.state, time) * rotate(R_WH(body, motion.state), load_H);
+  return -port_strength(body, motion.state, time) *
+         body.spec->radiation->frame(motion.state.orientation).load_out(load_H);
 }
 
 }  // namespace engine

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/spatial_vector.h"
+#include "hydro/radiation/wave_frame.h"
 
 /// @file
 /// The waves that a floating body has made and that still act on it, as the damped oscillators q of
@@ -24,9 +25,9 @@
 /// Stability. The energy ½ (p² + q·Ω² q) of the memory grows by h (p̄·B ū − p̄·D p̄), exactly and for
 /// any h, of which the first term is what F̄ takes from the body.
 ///
-/// B turns with the body from its mean pose, and so no wave turns a tilted body of revolution about
-/// its own axis. As the body leaves the water B is multiplied by the root of its presence
-/// (hydro/radiation/floating_body.h), and the oscillators move on without it.
+/// B is that of the frame H, which follows the body's wetted shape (hydro/radiation/wave_frame.h).
+/// As the body leaves the water B is multiplied by the root of its presence (floating_body.h
+/// there), and the oscillators move on without it.
 
 namespace engine {
 
@@ -49,11 +50,11 @@ struct WaveMemoryRule {
 
 /// What a body's memory does in an update, in W.
 struct MemoryEffect {
-  double strength = 0;   ///< Of the port, by density and presence.
-  Eigen::Matrix3d R_WH;  ///< The turn from the mean pose.
-  Matrix6d inertia;      ///< ¼h² C
-  Vector6d load;         ///< f
-  Vector6d current;      ///< Velocity relative to the current less that of the update.
+  double strength = 0;     ///< Of the port, by density and presence.
+  hydro::WaveFrame frame;  ///< H
+  Matrix6d inertia;        ///< ¼h² C
+  Vector6d load;           ///< f
+  Vector6d current;        ///< Velocity relative to the current less that of the update.
 
   /// h F̄ for the change Δu of the velocity.
   Vector6d impulse(const Vector6d& change, double h) const { return h * load - inertia * change; }

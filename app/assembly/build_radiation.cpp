@@ -17,20 +17,34 @@ using FloatingModel = std::shared_ptr<const hydro::FloatingBody>;
 /// Models by their data, which bodies with equal meshes and mean poses share.
 using FloatingModels = std::map<const hydro::RadiationData*, FloatingModel>;
 
-FloatingModel floating_model(const engine::BodySpec& body, const hydro::Sea& sea,
+FloatingModel floating_model(const hydro::TriMesh& mesh_B, const hydro::Sea& sea,
                              const hydro::RadiationData& data,
                              const hydro::RadiationMemory* memory) {
   hydro::FloatingBody::Diffraction diffraction;
   if (hydro::has_airy_waves(sea))
     diffraction = [load = std::make_shared<const hydro::DiffractionLoad>(data)](
-                      const hydro::BodyState& state, const hydro::Sea& water, double time) {
-      return load->at(state, water, time);
-    };
+                      const hydro::BodyState& state, const hydro::WaveFrame& frame,
+                      const hydro::Sea& water,
+                      double time) { return load->at(state.position, frame, water, time); };
   if (!memory)
-    return std::make_shared<const hydro::FloatingBody>(outside_B(body), data,
-                                                       std::move(diffraction));
-  return std::make_shared<const hydro::FloatingBody>(outside_B(body), data, *memory,
-                                                     std::move(diffraction));
+    return std::make_shared<const hydro::FloatingBody>(mesh_B, data, std::move(diffraction));
+  return std::make_shared<const hydro::FloatingBody>(mesh_B, data, *memory, std::move(diffraction));
+}
+
+// Difference between the damping by the pressure on the hull and by the waves far away.
+constexpr double kDoubtfulMismatch = 0.1;  ///< [-]
+constexpr double kUselessMismatch = 0.3;   ///< [-]
+
+/// Judges a solution by its own measure of its error.
+/// @throws std::invalid_argument for one that tells nothing.
+void check_mismatch(const std::string& name, double mismatch, app::Reporter& reporter) {
+  const std::string text = fmt::format(
+      "the damping by the pressure on the hull and by the waves far away differ by "
+      "{:.0f} %, as on a hull too slender or too thin for its panels",
+      100 * mismatch);
+  if (mismatch > kUselessMismatch) throw std::invalid_argument("its solution is useless: " + text);
+  if (mismatch > kDoubtfulMismatch)
+    reporter.warning(fmt::format("radiation of {}: {}", name, text));
 }
 
 /// The added mass in the mean pose, where the body is present in full.

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "hydro/airy_waves.h"
-#include "hydro/radiation/floating_body.h"
 
 namespace hydro {
 namespace {
@@ -124,7 +123,7 @@ struct DiffractionLoad::Waves {
   }
 };
 
-DiffractionLoad::DiffractionLoad(const RadiationData& data) : pose_(data.pose), water_(data.water) {
+DiffractionLoad::DiffractionLoad(const RadiationData& data) : water_(data.water) {
   check_diffraction(data);
   if (data.headings.empty()) return;
   frequencies_ = data.frequencies;
@@ -197,12 +196,13 @@ const DiffractionLoad::Waves& DiffractionLoad::waves_of(const Sea& sea) const {
   return *waves.release();
 }
 
-Wrench DiffractionLoad::at(const BodyState& state, const Sea& sea, double time) const {
+Wrench DiffractionLoad::at(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea,
+                           double time) const {
   if (frequencies_.empty() || !has_airy_waves(sea)) return {};
   const auto& surface = std::get<WaveSurface>(sea.surface);
   const Waves& waves = waves_of(sea);
-  const double psi = heading(pose_, state.orientation);
-  const Complex turn = std::polar(1.0, psi);
+  const Eigen::Vector3d origin = position + frame.origin;
+  const Complex turn = std::polar(1.0, frame.heading());
   Eigen::VectorXd harmonics(waves.columns);
   harmonics[0] = 1;
   Complex power = 1;
@@ -216,14 +216,14 @@ Wrench DiffractionLoad::at(const BodyState& state, const Sea& sea, double time) 
     const WaveComponent& w = surface.components[i];
     const HeadingTable& table = waves.tables[i];
     if (w.amplitude == 0 || table.cols() == 0) continue;
-    const double theta = w.kx * state.position.x() + w.ky * state.position.y() +
-                         std::remainder(w.phase - w.omega * time, 2 * M_PI);
+    const double theta =
+        w.kx * origin.x() + w.ky * origin.y() + std::remainder(w.phase - w.omega * time, 2 * M_PI);
     const Eigen::Matrix<double, 12, 1> X = table.lazyProduct(harmonics.head(table.cols()));
     load += w.amplitude * (std::cos(theta) * X.head<6>() - std::sin(theta) * X.tail<6>());
   }
   load *= sea.density * amplitude_factor(surface, time);
-  const Eigen::Quaterniond turned = state.orientation * pose_.orientation.conjugate();
-  return {turned * Eigen::Vector3d(load.head<3>()), turned * Eigen::Vector3d(load.tail<3>())};
+  const Vector6d load_W = frame.load_out(load);
+  return {load_W.head<3>(), load_W.tail<3>()};
 }
 
 }  // namespace hydro

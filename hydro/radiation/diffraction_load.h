@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "hydro/radiation/radiation_data.h"
+#include "hydro/radiation/wave_frame.h"
 #include "hydro/sea.h"
 
 /// @file
 /// The load of the waves that a floating body scatters.
 ///
-/// Over the sea's Airy waves, with the phase θ = k·x − ωt + φ at the body's centre of mass and the
-/// heading ψ of the body (floating_body.h),
+/// Over the sea's Airy waves, with the phase θ = k·x − ωt + φ at the origin of the frame H and its
+/// heading ψ (wave_frame.h),
 ///
-///     F = Σ Re{ρ X_D(σ, β − ψ) a e^{iθ}}  in H,                                              (1)
+///     F = Σ Re{ρ X_D(σ, β − ψ) a e^{iθ}}  in H.                                              (1)
 ///
-/// turned to W as the body is turned from its mean pose: no pressure turns a body of revolution
-/// about its own axis, however it is tilted. X_D is known without current, so σ is the frequency of
+/// X_D is known without current, so σ is the frequency of
 /// a wave for an observer who drifts with the water (airy_waves.h). The amplitudes are those of the
 /// ramp at the time.
 ///
@@ -45,8 +45,10 @@ class DiffractionLoad {
   DiffractionLoad& operator=(const DiffractionLoad&) = delete;
 
   /// The load (1) on a body about its centre of mass, W axes [N, N m]; zero where the sea has no
-  /// Airy waves. Of the state, position and orientation matter.
-  Wrench at(const BodyState& state, const Sea& sea, double time) const;
+  /// Airy waves.
+  /// @param position   That of the centre of mass.
+  Wrench at(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea,
+            double time) const;
 
   /// X_D for ρ = 1 at a frequency [rad/s] and a direction of travel in H [rad], by the series and
   /// the interpolant above.
@@ -63,7 +65,6 @@ class DiffractionLoad {
   Series below_lowest(double k) const;
   const Waves& waves_of(const Sea& sea) const;
 
-  MeanPose pose_;
   LinearWater water_;
   std::vector<double> frequencies_;
   std::vector<Series> over_k_;  ///< X_D/k at the frequencies.

@@ -13,20 +13,12 @@ namespace {
 // gives its momentum to the whole A∞ there: at a fiftieth of the draught it has little.
 constexpr double kFullPresence = 0.02;
 
-/// A matrix with the axes of H in those of B.
-Matrix6d in_body_axes(const MeanPose& pose, const Matrix6d& matrix_H) {
-  const Eigen::Matrix3d R_BH = pose.orientation.conjugate().toRotationMatrix();
-  Matrix6d turn = Matrix6d::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R_BH;
-  return turn * matrix_H * turn.transpose();
+/// A tensor in axes of B from one in other axes.
+Matrix6d turned(const Eigen::Quaterniond& turn, const Matrix6d& matrix) {
+  return WaveFrame{.R_WH = turn}.tensor_out(matrix);
 }
 
 }  // namespace
-
-double heading(const MeanPose& pose, const Eigen::Quaterniond& orientation) {
-  const Eigen::Quaterniond from_mean = orientation * pose.orientation.conjugate();
-  return 2 * std::atan2(from_mean.z(), from_mean.w());
-}
 
 FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction)
     : FloatingBody(std::move(mesh_B), data, fit_memory(data), std::move(diffraction)) {}
@@ -37,7 +29,9 @@ FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory m
       memory_(std::move(memory)),
       diffraction_(std::move(diffraction)),
       vertices_B_(std::move(mesh_B.vertices)),
-      added_B_(in_body_axes(data_.pose, semi_definite_part(data_.infinite_added_mass))) {
+      added_H_(semi_definite_part(data_.infinite_added_mass)),
+      frame_(data_.pose, vertices_B_, added_H_),
+      added_B_(turned(data_.pose.orientation.conjugate(), added_H_)) {
   const Eigen::RowVectorXd z =
       (data_.pose.orientation.toRotationMatrix() * vertices_B_).row(2).array() + data_.pose.height;
   Eigen::Index lowest = 0;
@@ -62,13 +56,16 @@ double FloatingBody::presence(const BodyState& state, const Sea& sea, double tim
 }
 
 Matrix6d FloatingBody::at(const BodyState& state, const Sea& sea, double time) const {
-  return presence(state, sea, time) * sea.density * added_B_;
+  const double mass = presence(state, sea, time) * sea.density;
+  if (slides() == WaveFrameRule::Slides::none || mass == 0) return mass * added_B_;
+  return mass *
+         turned(state.orientation.conjugate(), frame_.at(state.orientation).tensor_out(added_H_));
 }
 
 Wrench FloatingBody::wave_load(const BodyState& state, const Sea& sea, double time) const {
   if (!diffraction_) return {};
   const double w = presence(state, sea, time);
-  return w > 0 ? w * diffraction_(state, sea, time) : Wrench{};
+  return w > 0 ? w * diffraction_(state, frame(state.orientation), sea, time) : Wrench{};
 }
 
 }  // namespace hydro

@@ -5,24 +5,22 @@
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/mesh/mesh.h"
 #include "hydro/radiation/radiation_memory.h"
+#include "hydro/radiation/wave_frame.h"
 
 namespace hydro {
-
-/// The horizontal angle of the frame H of radiation_data.h, counter-clockwise from W's x axis, for
-/// a body of this mean pose and orientation: that of the rotation about the vertical in the body's
-/// rotation from its mean pose [rad].
-double heading(const MeanPose& pose, const Eigen::Quaterniond& orientation);
 
 /// A floating body as linear theory sees it: the added mass A∞ of its mean pose, the memory of the
 /// waves that it makes, and the load of those that it scatters.
 ///
-/// All three hold near the mean pose. They are the same in other poses, but vanish as the body
-/// leaves the water: A∞ is multiplied by the body's presence w, and so is the diffraction; the
-/// memory's port by √w, so that it stays passive however w changes.
+/// All three hold near the mean pose. In other poses they are the same in the frame H, which
+/// follows the wetted shape (wave_frame.h), but vanish as the body leaves the water: A∞ is
+/// multiplied by the body's presence w, and so is the diffraction; the memory's port by √w, so that
+/// it stays passive however w changes.
 class FloatingBody final : public AddedMassModel {
  public:
   /// The load of scattered waves, before its presence: W axes, moment about the centre of mass.
-  using Diffraction = std::function<Wrench(const BodyState&, const Sea&, double time)>;
+  using Diffraction =
+      std::function<Wrench(const BodyState&, const WaveFrame&, const Sea&, double time)>;
 
   /// @param mesh_B        Its origin the centre of mass.
   /// @param diffraction   Empty: none.
@@ -42,6 +40,11 @@ class FloatingBody final : public AddedMassModel {
   /// w times the diffraction.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
+  /// The frame H.
+  WaveFrame frame(const Eigen::Quaterniond& R_WB) const { return frame_.at(R_WB); }
+  /// How H follows the body.
+  WaveFrameRule::Slides slides() const { return frame_.slides(); }
+
   const RadiationData& data() const { return data_; }
   const RadiationMemory& memory() const { return memory_; }
 
@@ -51,7 +54,9 @@ class FloatingBody final : public AddedMassModel {
   Diffraction diffraction_;
   Eigen::Matrix3Xd vertices_B_;  ///< The lowest one of the mean pose first.
   double depth_ = 0;             ///< Of full presence [m].
-  Matrix6d added_B_;             ///< A∞ for ρ = 1.
+  Matrix6d added_H_;             ///< A∞ for ρ = 1, positive semidefinite.
+  WaveFrameRule frame_;
+  Matrix6d added_B_;  ///< A∞ in the mean pose, and in all poses if H turns with the body.
 };
 
 }  // namespace hydro

@@ -70,6 +70,13 @@ BodyState state_of(const RadiationData& data, double heading, const Vector3d& po
   return {.position = position, .orientation = turn(heading) * data.pose.orientation};
 }
 
+/// The load on a body whose frame H turns with it.
+Wrench load_on(const DiffractionLoad& load, const RadiationData& data, const BodyState& state,
+               const Sea& sea, double time) {
+  return load.at(state.position, {.R_WH = state.orientation * data.pose.orientation.conjugate()},
+                 sea, time);
+}
+
 TEST(DiffractionLoad, IsTheDataAtTheirFrequenciesAndHeadings) {
   support::Random random(1);
   for (const double depth : {3.0, std::numeric_limits<double>::infinity()}) {
@@ -179,7 +186,7 @@ TEST(DiffractionLoad, IsThatOfEveryWaveOfTheSea) {
   }
   Vector6d in_W;
   in_W << turn(psi) * Vector3d(expected.head<3>()), turn(psi) * Vector3d(expected.tail<3>());
-  EXPECT_LT((stacked(load.at(state, sea, time)) - in_W).norm(), 1e-12 * in_W.norm());
+  EXPECT_LT((stacked(load_on(load, data, state, sea, time)) - in_W).norm(), 1e-12 * in_W.norm());
 }
 
 TEST(DiffractionLoad, TurnsWithBodyAndWaves) {
@@ -191,7 +198,8 @@ TEST(DiffractionLoad, TurnsWithBodyAndWaves) {
   const auto load_at = [&](double by) {
     const Vector3d k = turn(by) * Vector3d(0.3, 0.4, 0);
     const Sea sea = sea_of(data, {{0.3, k.x(), k.y(), 2.2, 1}});
-    return load.at({.position = turn(by) * Vector3d(1, 2, 0.3),
+    return load_on(load, data,
+                   {.position = turn(by) * Vector3d(1, 2, 0.3),
                     .orientation = turn(by) * tilt * turn(0.5) * data.pose.orientation},
                    sea, 0.7);
   };
@@ -206,9 +214,23 @@ TEST(DiffractionLoad, DoesNotTurnABodyOfRevolutionAboutItsTiltedAxis) {
   data.pose.orientation.setIdentity();
   for (hydro::Loads6cd& loads : data.diffraction) loads.row(5).setZero();
   const Quaterniond tilted(Eigen::AngleAxisd(0.3, Vector3d(1, -2, 0).normalized()));
-  const Wrench load = DiffractionLoad(data).at({.orientation = tilted * turn(0.7)},
-                                               sea_of(data, {{0.3, 0.2, 0.1, 1.7, 0.4}}), 1.3);
+  const Wrench load = load_on(DiffractionLoad(data), data, {.orientation = tilted * turn(0.7)},
+                              sea_of(data, {{0.3, 0.2, 0.1, 1.7, 0.4}}), 1.3);
   EXPECT_LT(std::abs(load.moment.dot(tilted * Vector3d::UnitZ())), 1e-14 * load.moment.norm());
+}
+
+TEST(DiffractionLoad, ActsAboutTheOriginOfTheFrame) {
+  support::Random random(11);
+  const RadiationData data = some_data(random, 12, 4);
+  const DiffractionLoad load(data);
+  const Sea sea = sea_of(data, {{0.3, 0.2, 0.1, 1.7, 0.4}});
+  const Vector3d from_centre(0.3, -0.2, 0.5), place(4, 5, 0.6);
+  const Wrench about_origin = load.at(place, {.R_WH = turn(0.4)}, sea, 2);
+  const Wrench about_centre =
+      load.at(place - from_centre, {.R_WH = turn(0.4), .origin = from_centre}, sea, 2);
+  EXPECT_LT((about_centre.force - about_origin.force).norm(), 1e-12 * about_origin.force.norm());
+  const Vector3d moment = about_origin.moment + from_centre.cross(about_origin.force);
+  EXPECT_LT((about_centre.moment - moment).norm(), 1e-12 * moment.norm());
 }
 
 TEST(DiffractionLoad, FollowsTheRampAndHasTheFrequencyOfTheWaterThatDrifts) {
@@ -219,18 +241,18 @@ TEST(DiffractionLoad, FollowsTheRampAndHasTheFrequencyOfTheWaterThatDrifts) {
   const BodyState state = state_of(data, 0.4, {1, 2, 0});
   auto& surface = std::get<WaveSurface>(sea.surface);
   surface.components = {hydro::linear_wave(sea, 0.2, 0.3, 0.9, 0.1)};
-  const Vector6d still = stacked(load.at(state, sea, 0));
+  const Vector6d still = stacked(load_on(load, data, state, sea, 0));
   // Without a time that passes, the current changes the frequency at the spot alone.
   sea.current = {1.5, -0.5, 0};
   surface.components = {hydro::linear_wave(sea, 0.2, 0.3, 0.9, 0.1)};
-  EXPECT_EQ(stacked(load.at(state, sea, 0)), still);
+  EXPECT_EQ(stacked(load_on(load, data, state, sea, 0)), still);
   surface.ramp = 8;
-  EXPECT_TRUE(stacked(load.at(state, sea, 0)).isZero(0));
-  const Vector6d whole = stacked(load.at(state, sea, 8));
-  const Vector6d half = stacked(load.at(state, sea, 4));
+  EXPECT_TRUE(stacked(load_on(load, data, state, sea, 0)).isZero(0));
+  const Vector6d whole = stacked(load_on(load, data, state, sea, 8));
+  const Vector6d half = stacked(load_on(load, data, state, sea, 4));
   surface.ramp = 0;
-  EXPECT_EQ(stacked(load.at(state, sea, 8)), whole);
-  EXPECT_LT((2 * half - stacked(load.at(state, sea, 4))).norm(), 1e-14 * whole.norm());
+  EXPECT_EQ(stacked(load_on(load, data, state, sea, 8)), whole);
+  EXPECT_LT((2 * half - stacked(load_on(load, data, state, sea, 4))).norm(), 1e-14 * whole.norm());
 }
 
 TEST(DiffractionLoad, IsZeroWithoutAiryWavesOrHeadings) {
@@ -238,11 +260,11 @@ TEST(DiffractionLoad, IsZeroWithoutAiryWavesOrHeadings) {
   RadiationData data = some_data(random, 6, 2);
   Sea sea = sea_of(data, {{0.3, 0.2, 0.1, 1.7, 0.4}});
   std::get<WaveSurface>(sea.surface).kinematics = hydro::Kinematics::hydrostatic;
-  EXPECT_TRUE(stacked(DiffractionLoad(data).at({}, sea, 1)).isZero(0));
-  EXPECT_TRUE(stacked(DiffractionLoad(data).at({}, Sea{}, 1)).isZero(0));
+  EXPECT_TRUE(stacked(DiffractionLoad(data).at({}, {}, sea, 1)).isZero(0));
+  EXPECT_TRUE(stacked(DiffractionLoad(data).at({}, {}, Sea{}, 1)).isZero(0));
   data.headings.clear();
   std::get<WaveSurface>(sea.surface).kinematics = hydro::Kinematics::airy;
-  EXPECT_TRUE(stacked(DiffractionLoad(data).at({}, sea, 1)).isZero(0));
+  EXPECT_TRUE(stacked(DiffractionLoad(data).at({}, {}, sea, 1)).isZero(0));
 }
 
 TEST(DiffractionLoad, RefusesHeadingsThatAreNotEven) {
@@ -309,7 +331,7 @@ TEST(DiffractionLoad, HasThePhaseOfThePressureOfTheWave) {
                                        {.branches = true, .wave_tolerance = 0})
                       .buoyancy) -
           stacked(hydro::compute_loads(hull, state, still, time, coefficients).buoyancy);
-      const Vector6d expected = stacked(load.at(state, sea, time));
+      const Vector6d expected = stacked(load_on(load, data, state, sea, time));
       // One point a face of 1/16 of the draught is wrong by some 1e-3.
       EXPECT_LT((change - expected).norm(), tolerance(3e-3) * 1000 * gravity * 1.6 * amplitude)
           << change.transpose() << "\n"

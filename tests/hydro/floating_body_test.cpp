@@ -68,20 +68,21 @@ TEST(FloatingBody, TurnsItsAddedMassToTheAxesOfTheMesh) {
   EXPECT_NEAR(A(2, 2), data.infinite_added_mass(0, 0), 1e-12);
 }
 
-TEST(FloatingBody, HeadingIsTheTurnAboutTheVertical) {
-  hydro::MeanPose pose{.orientation = Quaterniond(AngleAxisd(0.3, Vector3d::UnitY()))};
-  EXPECT_EQ(heading(pose, pose.orientation), 0);
-  for (const double turn : {-3.0, 0.7, 3.1}) {
-    const Quaterniond yaw(AngleAxisd(turn, Vector3d::UnitZ()));
-    EXPECT_NEAR(heading(pose, yaw * pose.orientation), turn, 1e-14);
-    // A small roll about any horizontal axis does not change it.
-    const Quaterniond roll(AngleAxisd(0.2, Vector3d(0.6, 0.8, 0)));
-    EXPECT_NEAR(heading(pose, roll * yaw * pose.orientation), turn, 1e-14);
-  }
+// The water that a ball moves does not know how it is turned: its matrix in W is that of the mean
+// pose.
+TEST(FloatingBody, KeepsTheAddedMassOfABallThatRolls) {
+  const RadiationData data = support::radiating_sphere(1);
+  const FloatingBody body(hydro::make_icosphere(1, 3), data);
+  EXPECT_EQ(body.slides(), hydro::WaveFrameRule::Slides::all);
+  const Quaterniond rolled(AngleAxisd(2.1, Vector3d(0.6, -0.3, 0.2).normalized()));
+  const Matrix6d in_W = hydro::WaveFrame{.R_WH = rolled}.tensor_out(
+      body.at({.orientation = rolled}, {.density = 1}, 0));
+  EXPECT_LT((in_W - data.infinite_added_mass).norm(), 1e-14);
 }
 
 TEST(FloatingBody, ScattersWavesWhileItIsInTheWater) {
-  const auto diffraction = [](const BodyState&, const Sea& sea, double time) {
+  const auto diffraction = [](const BodyState&, const hydro::WaveFrame&, const Sea& sea,
+                              double time) {
     return hydro::Wrench{.force = {sea.density * time, 0, 0}};
   };
   const FloatingBody body(hydro::make_icosphere(1, 3), support::radiating_sphere(1), diffraction);

@@ -110,9 +110,9 @@ std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body
   hydro::FloatingBody::Diffraction diffraction;
   if (hydro::has_airy_waves(sea))
     diffraction = [load = std::make_shared<hydro::DiffractionLoad>(data)](
-                      const hydro::BodyState& state, const hydro::Sea& water, double time) {
-      return load->at(state, water, time);
-    };
+                      const hydro::BodyState& state, const hydro::WaveFrame& frame,
+                      const hydro::Sea& water,
+                      double time) { return load->at(state.position, frame, water, time); };
   return std::make_shared<hydro::FloatingBody>(outside_B(body), data, std::move(diffraction));
 }
 
