@@ -16,7 +16,7 @@ namespace assembly {
 
 /// This version must be raised whenever `hydro::solve_radiation` or `hydro::fit_memory` gives other
 /// numbers; files of older versions are ignored.
-inline constexpr int kRadiationVersion = 4;
+inline constexpr int kRadiationVersion = 5;
 
 /// What a solution depends on.
 struct RadiationProblem {
@@ -55,9 +55,13 @@ class RadiationStore {
   std::map<std::string, StoredRadiation> known_;  ///< The key is the file's identity.
 };
 
-/// Returns the pose with its numbers rounded to 1e-7 of the body's radius and 1e-7 rad, so that
-/// bodies whose equilibrium differs by round-off share a solution.
-hydro::MeanPose rounded(const hydro::MeanPose& pose, double radius);
+/// Relative step of the numbers of a pose: far above the round-off of an equilibrium, some 1e-14,
+/// and far below what changes a solution.
+inline constexpr double kPoseStep = 1e-7;
+
+/// Returns the pose with its numbers rounded to this part of the body's radius and of a radian, so
+/// that bodies whose equilibrium differs by round-off share a solution.
+hydro::MeanPose rounded(const hydro::MeanPose& pose, double radius, double step = kPoseStep);
 
 /// Returns the solution of a problem, which is computed and stored if the store lacks it. If
 /// several processes need it at once, one computes it and the others wait.

@@ -109,7 +109,7 @@ py::dict radiation(const TriMesh& mesh, const py::object& height, const py::obje
   pose.height = height.is_none() ? com.z() : height.cast<double>();
   hydro::RadiationOptions options{.headings = headings};
   if (!frequencies.is_none()) options.frequencies = frequencies.cast<std::vector<double>>();
-  if (headings < 2 || headings % 2 != 0) throw py::value_error("headings: expected an even number");
+  if (headings < 0 || headings % 2 != 0) throw py::value_error("headings: expected an even number");
   for (std::size_t i = 0; i < options.frequencies.size(); ++i)
     if (!(options.frequencies[i] > (i == 0 ? 0 : options.frequencies[i - 1])))
       throw py::value_error("frequencies: expected positive, ascending numbers");
@@ -357,7 +357,7 @@ void bind_hydro(py::module_& module) {
              "The waves that a floating body makes and scatters, by boundary elements.\n\n"
              "height: of the centre of mass above the still water [m], by default its z in the "
              "mesh; frequencies: ascending [rad/s], by default sixteen that suit the body; depth "
-             "[m]; headings: an even number.\n\n"
+             "[m]; headings: an even number, by default at least 36 and enough for the body.\n\n"
              "Returns frequencies (F,), headings (H,) [rad], added_mass and damping (F, 6, 6), "
              "infinite_added_mass (6, 6), froude_krylov and diffraction (F, H, 6), complex, per "
              "metre of amplitude, for time as exp(-i omega t). They are about the centre of mass.");

@@ -231,10 +231,16 @@ double wetted_volume(const TriMesh& mesh_B, const WaterPlane& plane) {
   return volume;
 }
 
-std::vector<Patch> wetted_patches(const TriMesh& mesh_B, const WaterPlane& plane, int count) {
+double wetted_area(const TriMesh& mesh_B, const WaterPlane& plane) {
   double area = 0;
+  for_each_wet_part(mesh_B, plane,
+                    [&](const PanelPart& part) { area += area_vector(part.panel).norm(); });
+  return area;
+}
+
+std::vector<Patch> wetted_patches(const TriMesh& mesh_B, const WaterPlane& plane, int count) {
+  const double area = wetted_area(mesh_B, plane);
   const std::vector<Panel> wet = wet_parts(mesh_B, plane);
-  for (const Panel& panel : wet) area += area_vector(panel).norm();
   std::vector<Element> panels;
   for (const Panel& panel : wet) add_split(panel, area / (kPanelsAPatch * count), panels);
   std::vector<Patch> patches;

@@ -57,6 +57,9 @@ struct Patch {
 /// Volume of a closed mesh below a plane [m^3]; the whole volume in unbounded fluid.
 double wetted_volume(const TriMesh& mesh_B, const WaterPlane& plane);
 
+/// Area of a mesh below a plane [m^2].
+double wetted_area(const TriMesh& mesh_B, const WaterPlane& plane);
+
 /// Returns the wetted part of a closed mesh in about `count` patches; empty if the mesh is dry.
 std::vector<Patch> wetted_patches(const TriMesh& mesh_B, const WaterPlane& plane, int count);
 

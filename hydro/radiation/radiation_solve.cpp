@@ -24,6 +24,14 @@ using SixColumnsC = Eigen::Matrix<Complex, Eigen::Dynamic, 6>;
 /// Panels above which those of a hull have one point each in (3), not three.
 constexpr std::size_t kManyPanels = 3000;
 
+/// Largest wave number times the root of a patch's mean area [-]: with 2.4 the damping of a hull of
+/// 7 : 1 has errors as large as itself, with 1.6 of 5 %.
+constexpr double kResolved = 1.6;
+
+/// Harmonics of (4) over the heading beyond k times the length that are not yet nothing.
+constexpr int kMoreHarmonics = 8;
+constexpr int kLeastHeadings = 36;
+
 /// Distance within which vertices are mirror images, over the mesh's size [-].
 constexpr double kSymmetric = 1e-6;
 
@@ -190,9 +198,10 @@ void check_wet(const RadiationEquations& p) {
 }  // namespace
 
 std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose& pose,
-                                          const LinearWater& water) {
+                                          const LinearWater& water, int patches) {
   constexpr int kCount = 16;
-  const Eigen::Matrix3Xd at = turned(mesh_B, pose).vertices;
+  const TriMesh mesh_H = turned(mesh_B, pose);
+  const Eigen::Matrix3Xd& at = mesh_H.vertices;
   const Eigen::Vector2d sizes =
       at.topRows<2>().rowwise().maxCoeff() - at.topRows<2>().rowwise().minCoeff();
   const double draught = -pose.height - at.row(2).minCoeff();
@@ -200,11 +209,21 @@ std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose&
     return std::sqrt(water.gravity * k * std::tanh(k * water.depth));
   };
   const double lowest = frequency(0.1 / std::max(sizes.maxCoeff(), 2 * draught));
-  const double highest = frequency(10 / sizes.minCoeff());
+  const double patch = std::sqrt(wetted_area(mesh_H, {.height = -pose.height}) / patches);
+  const double highest = frequency(std::min(10 / sizes.minCoeff(), kResolved / patch));
   std::vector<double> frequencies;
   for (int i = 0; i < kCount; ++i)
     frequencies.push_back(lowest * std::pow(highest / lowest, i / (kCount - 1.0)));
   return frequencies;
+}
+
+int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const LinearWater& water,
+                       double highest_frequency) {
+  const Eigen::Matrix2Xd at = turned(mesh_B, pose).vertices.topRows<2>();
+  const double length = (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
+  const double k = IncidentWave(highest_frequency, water).k;
+  const int half = static_cast<int>(std::ceil((k * length + kMoreHarmonics) / 2));
+  return std::max(kLeastHeadings, 2 * half);
 }
 
 RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
@@ -218,12 +237,16 @@ RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
   RadiationData& data = solution.data;
   solution.unknowns = static_cast<int>(p.unknowns());
   data.volume = wetted_volume(mesh_H, plane);
-  data.frequencies = options.frequencies.empty() ? radiation_frequencies(mesh_B, pose, water)
-                                                 : options.frequencies;
-  data.headings = evenly_spaced(options.headings);
+  data.frequencies = options.frequencies.empty()
+                         ? radiation_frequencies(mesh_B, pose, water, options.patches)
+                         : options.frequencies;
+  const int headings = options.headings > 0
+                           ? options.headings
+                           : radiation_headings(mesh_B, pose, water, data.frequencies.back());
+  data.headings = evenly_spaced(headings);
   data.infinite_added_mass = added_mass_without_waves(mesh_H, plane, water.depth, options.patches);
   const std::size_t count = data.frequencies.size();
-  const Loads6cd none = Loads6cd::Zero(6, options.headings);
+  const Loads6cd none = Loads6cd::Zero(6, headings);
   data.added_mass.resize(count);
   data.damping.resize(count);
   data.froude_krylov.assign(count, none);

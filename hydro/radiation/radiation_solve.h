@@ -38,8 +38,8 @@ namespace hydro {
 
 struct RadiationOptions {
   std::vector<double> frequencies;  ///< Ascending, > 0 [rad/s]; none: `radiation_frequencies`.
-  int headings = 36;                ///< Number of headings, evenly spaced; even.
-  int patches = 250;                ///< About so many patches.
+  int headings = 0;   ///< Number of headings, evenly spaced; even; 0: `radiation_headings`.
+  int patches = 250;  ///< About so many patches.
 };
 
 struct RadiationSolution {
@@ -54,9 +54,17 @@ struct RadiationSolution {
 /// half-length, or its draught if that is larger, to waves of 1.26 times its half-breadth. In
 /// longer waves B is small, and A and X_D/k are near their limits; shorter waves are reflected as
 /// by a wall, and A is near A∞. Pitch and waves along a hull have the scale of its length, roll and
-/// heave that of its breadth: the range has both.
+/// heave that of its breadth: the range has both. It ends earlier, at waves of 3.9 patches, where
+/// patches of a slender hull resolve no shorter ones.
 std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose& pose,
-                                          const LinearWater& water);
+                                          const LinearWater& water,
+                                          int patches = RadiationOptions().patches);
+
+/// Number of headings, at least 36, with which (4) is exact for the interference of waves from both
+/// ends of a hull at all frequencies: over the heading it has harmonics up to the product of wave
+/// number and length.
+int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const LinearWater& water,
+                       double highest_frequency);
 
 /// @param mesh_B   Closed; its origin is the centre of mass.
 /// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.

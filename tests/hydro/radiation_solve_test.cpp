@@ -193,6 +193,18 @@ TEST(RadiationSolve, OfAFloatingSphereInShallowWaterIsThatOfAnotherMethod) {
   }
 }
 
+// The waves from both ends of a slender hull interfere, in short ones over a few degrees: with 36
+// headings the damping of these hulls differed by 18 and 89 % from that by the pressure.
+TEST(RadiationSolve, OfASlenderHullAgreesWithItsWavesFarAway) {
+  for (const double length : {7.0, 30.0}) {
+    const TriMesh hull = hydro::make_box({length, 1, 1}, 4);
+    const RadiationSolution solution = hydro::solve_radiation(hull, {}, {});
+    EXPECT_LT(solution.mismatch, 0.1) << length;
+    EXPECT_GE(static_cast<double>(solution.data.headings.size()),
+              std::pow(solution.data.frequencies.back(), 2) / kGravity * length);
+  }
+}
+
 TEST(RadiationSolve, TurnsWithTheBody) {
   // A body whose mesh is turned by 30° has the loads of waves that come from 30° less.
   const TriMesh mesh = hydro::make_box({3, 1, 1}, 2);

@@ -236,7 +236,7 @@ def radiation(
     density: float = 1000.0,
     gravity: float = 9.80665,
     depth: float = ...,
-    headings: int = 36,
+    headings: int = 0,
     threads: int = 0,
 ) -> Dict[str, Any]: ...
 def hydrostatics(
