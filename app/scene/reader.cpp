@@ -100,6 +100,17 @@ void check_waves(MapReader& map, const Scene& scene) {
     map.fault("water.surface", "waves need gravity, which is 0 in this scene");
 }
 
+/// Refuses lines and machines under ODE's own step, which does not know them.
+void check_method(MapReader& map, const Scene& scene) {
+  if (scene.integrator.method != Integrator::Method::ode) return;
+  for (const char* list : {"springs", "ropes", "moorings", "propellers", "rudders", "sails"})
+    if (map.has(list))
+      return map.fault("integrator.method",
+                       fmt::format("method ode knows no lines and machines, and the scene has {}; "
+                                   "expected split",
+                                   list));
+}
+
 void name_nameless_joints(std::vector<Joint>& joints) {
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (joints[i].name.empty()) joints[i].name = fmt::format("joint{}", i);
@@ -293,6 +304,7 @@ void read(MapReader& map, Scene& scene) {
   check_starts(map, scene);
   check_waves(map, scene);
   check_air(map, scene);
+  check_method(map, scene);
   check_rig(map, scene);
 }
 
