@@ -116,6 +116,11 @@ class Plimsoll:
         text = self._call("addedmass", str(file), "--json", "--no-store", *options)
         return next(iter(json.loads(text)["bodies"].values()))
 
+    def radiation(self, scene: Path) -> dict:
+        """Waves that the scene's only body makes and scatters, as the program prints them."""
+        text = self._call("radiation", str(scene), "--json")
+        return next(iter(json.loads(text)["bodies"].values()))
+
     def run(self, scene: str | Path, name: str,
             overrides: dict | None = None) -> tuple[dict[str, Track], dict]:
         """Trajectories by body, and the summary; `name` is the folder of the run."""
