@@ -320,6 +320,9 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
     spec.contacts.push_back(build_contact(scene, contact));
   log.faults.throw_if_any();
   build_rig(built, log);
+  log.faults.throw_if_any();
+  put_to_rest(spec, log);
+  heel_over(spec, log);
   std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
   read_databases(scene, spec, radiation, log.faults);
   log.faults.throw_if_any();

@@ -141,7 +141,10 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
   SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     engine::BodySpec& body = built.spec.bodies[i];
-    if (body.radiation) continue;
+    const std::optional<engine::BodyId>& lead = built.radiation[i].choice.lead;
+    // The hull that a body is a part of has the added mass of all of it.
+    if (body.radiation || (lead && built.spec.bodies[static_cast<std::size_t>(*lead)].radiation))
+      continue;
     const scene::AddedMass& added_mass = scene.bodies[i].hydro.added_mass;
     const Model model = model_of(scene.bodies[i], body);
     if (model == Model::matrix) built.added_mass[i] = add_matrix(added_mass, body);

@@ -69,19 +69,21 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
     if (!report.choice.pose) continue;
     engine::BodySpec& body = built.spec.bodies[i];
     const hydro::Sea& sea = *built.spec.sea;
+    const hydro::TriMesh& mesh_B = radiating_mesh(report.choice, body);
     try {
       if (!report.choice.database)
         report.stored = solved_radiation(body.name,
-                                         {.mesh_B = outside_B(body),
+                                         {.mesh_B = mesh_B,
                                           .pose = *report.choice.pose,
                                           .water = {.gravity = sea.gravity, .depth = sea.depth}},
                                          store, reporter);
+      if (report.stored) check_mismatch(body.name, report.stored->solution->mismatch, reporter);
       const hydro::RadiationData& data = report.choice.database ? report.choice.database->found.data
                                                                 : report.stored->solution->data;
       FloatingModel& model = models[&data];
       if (!model)
-        model =
-            floating_model(body, sea, data, report.stored ? report.stored->memory.get() : nullptr);
+        model = floating_model(mesh_B, sea, data,
+                               report.stored ? report.stored->memory.get() : nullptr);
       report.model = model;
       body.radiation = model;
       body.added_mass = model;
@@ -91,6 +93,8 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
       report.choice.reason = error.what();
       if (report.choice.written)
         faults.add(scene.places, fmt::format("bodies[{}].hydro.radiation", i), error.what());
+      else
+        reporter.warning(fmt::format("{} has no radiation: {}", body.name, error.what()));
     }
   }
   faults.throw_if_any();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/assembly/build_interior.h"
+#include "app/assembly/rest_states.h"
 #include "app/assembly/rigid_group.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
@@ -42,22 +43,16 @@ bool is_built(const RigidGroup& group, const engine::SimulationSpec& spec) {
   });
 }
 
-/// Adds a fault if something holds the group.
-bool may_settle(const RigidGroup& group, BodyId lead, const engine::SimulationSpec& spec,
-                BuildLog& log) {
-  std::string held;
-  if (!group.joint_to_world.empty())
-    held = fmt::format("the joint {} fixes it to the world", group.joint_to_world);
-  for (const BodyId id : group.bodies) {
+/// True if the water alone may carry a group, until the rig is there.
+bool floats_free(const engine::SimulationSpec& spec, const RigidGroup& group) {
+  return std::ranges::all_of(group.bodies, [&](BodyId id) {
     const engine::DofMask& locked = spec.bodies[id].locked;
-    if (id != lead && (locked[2] || locked[3] || locked[4]))
-      held = fmt::format("lock holds z, roll or pitch of {}, which fixed joints hold to it",
-                         spec.bodies[id].name);
-  }
-  if (!held.empty())
-    log.faults.add(log.scene.places, start_path(lead),
-                   fmt::format("equilibrium needs z, roll and pitch to be free, but {}", held));
-  return held.empty();
+    const bool held = std::ranges::any_of(spec.joints, [&](const engine::JointSpec& joint) {
+      return std::min(joint.first, joint.second) == engine::kWorld &&
+             std::max(joint.first, joint.second) == id;
+    });
+    return !held && !locked[2] && !locked[3] && !locked[4];
+  });
 }
 
 /// Moves the bodies of a group to where it floats. @param com_M   Of the lead.
@@ -92,6 +87,38 @@ void settle(const RigidGroup& group, BodyId lead, const Eigen::Vector3d& com_M,
   }
 }
 
+/// Moves a group to its rest. Joints between its bodies go with them, and keep their coordinates:
+/// that of a hinge or slider is zero in the pose that the scene gives.
+void move_to(const Rest& rest, const HeldGroup& group, engine::SimulationSpec& spec) {
+  for (std::size_t j = 0; j < spec.joints.size(); ++j) {
+    engine::JointSpec& joint = spec.joints[j];
+    const BodyId id = std::max(joint.first, joint.second);
+    if (std::ranges::count(group.bodies, id) == 0) continue;
+    joint.drive.rest -= rest.coordinates[j];
+    if (joint.drive.limits)
+      for (double& limit : *joint.drive.limits) limit -= rest.coordinates[j];
+    if (std::min(joint.first, joint.second) == engine::kWorld) continue;
+    const hydro::BodyState &from = spec.bodies[joint.first].initial, &to = rest.states[joint.first];
+    const Eigen::Quaterniond turn = to.orientation * from.orientation.conjugate();
+    joint.anchor_W = to.position + turn * (joint.anchor_W - from.position);
+    joint.axis_W = turn * joint.axis_W;
+    joint.axis2_W = turn * joint.axis2_W;
+  }
+  for (const BodyId id : group.bodies) {
+    spec.bodies[id].initial.position = rest.states[id].position;
+    spec.bodies[id].initial.orientation = rest.states[id].orientation;
+  }
+}
+
+/// The name of a joint between a group and others; empty if there is none.
+std::string joint_of(const engine::SimulationSpec& spec, const RigidGroup& group) {
+  for (const engine::JointSpec& joint : spec.joints)
+    if (std::ranges::count(group.bodies, joint.first) !=
+        std::ranges::count(group.bodies, joint.second))
+      return joint.name;
+  return "";
+}
+
 }  // namespace
 
 std::string why_not_afloat(double mass, double volume, double density) {
@@ -121,9 +148,55 @@ void put_afloat(const std::vector<Eigen::Vector3d>& centers_of_mass, engine::Sim
   if (!log.scene.water) return;
   for (const RigidGroup& group : rigid_groups(spec)) {
     const std::optional<BodyId> lead = lead_of(group, log);
-    if (lead && is_built(group, spec) && may_settle(group, *lead, spec, log))
+    if (lead && !group.joint_to_world.empty())
+      log.faults.add(log.scene.places, start_path(*lead),
+                     fmt::format("equilibrium needs z, roll or pitch to be free, but the joint {} "
+                                 "fixes it to the world",
+                                 group.joint_to_world));
+    if (lead && is_built(group, spec) && floats_free(spec, group))
       settle(group, *lead, centers_of_mass[*lead], spec, log);
   }
+}
+
+void put_to_rest(engine::SimulationSpec& spec, BuildLog& log) {
+  if (!log.scene.water) return;
+  for (const HeldGroup& group : held_groups(spec)) {
+    const auto lead = std::ranges::find_if(group.bodies, [&](BodyId id) {
+      return log.scene.bodies[id].start == scene::Start::equilibrium;
+    });
+    if (lead == group.bodies.end() || group.holder.empty()) continue;
+    if (const std::optional<Rest> rest = find_rest(spec, group))
+      move_to(*rest, group, spec);
+    else
+      log.faults.add(log.scene.places, start_path(*lead),
+                     fmt::format("{}, held by {}, does not come to rest within ten of its radii",
+                                 spec.bodies[*lead].name, group.holder));
+  }
+}
+
+void heel_over(engine::SimulationSpec& spec, BuildLog& log) {
+  for (const RigidGroup& group : rigid_groups(spec))
+    for (const BodyId lead : group.bodies) {
+      const scene::Heel& heel = log.scene.bodies[lead].heel;
+      if (heel.roll == 0 && heel.pitch == 0) continue;
+      if (const std::string joint = joint_of(spec, group); !joint.empty()) {
+        log.faults.add(log.scene.places, fmt::format("bodies[{}].heel", lead),
+                       fmt::format("the joint {} holds {}; expected a body that no joint holds",
+                                   joint, spec.bodies[lead].name));
+        continue;
+      }
+      const hydro::BodyState about = spec.bodies[lead].initial;
+      const Eigen::Quaterniond yaw(
+          Eigen::AngleAxisd(hydro::euler_angles(about.orientation)[2], Eigen::Vector3d::UnitZ()));
+      const Eigen::Quaterniond turn =
+          yaw * Eigen::AngleAxisd(heel.pitch, Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(heel.roll, Eigen::Vector3d::UnitX()) * yaw.conjugate();
+      for (const BodyId id : group.bodies) {
+        hydro::BodyState& state = spec.bodies[id].initial;
+        state.position = about.position + turn * (state.position - about.position);
+        state.orientation = (turn * state.orientation).normalized();
+      }
+    }
 }
 
 }  // namespace assembly

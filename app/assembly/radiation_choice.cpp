@@ -3,30 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "app/assembly/build_interior.h"
 #include "app/assembly/build_start.h"
-#include "app/assembly/radiation_store.h"
-#include "engine/broad_phase.h"
+#include "app/assembly/mean_pose.h"
 #include "engine/locks.h"
 #include "hydro/mesh/mass_properties.h"
-#include "hydro/statics/equilibrium.h"
 
 namespace assembly {
 namespace {
 
-// Bounds of what starts afloat. Beyond them the start is a launch or a drop, of which linear theory
-// knows little.
-constexpr double kMassMismatch = 0.25;             ///< Of the displaced mass [-].
-constexpr double kTiltMismatch = 15 * M_PI / 180;  ///< [rad]
-constexpr double kLargestFroudeNumber = 0.1;       ///< Below it encounter effects are small [-].
+constexpr double kLargestTilt = 45 * M_PI / 180;  ///< Of a start from the rest [rad].
 
-/// Part of the body's radius by which its centre of mass would sink against that of buoyancy on the
-/// way to an attitude that does not matter [-]: a sphere of 50 slices has 4e-4.
-constexpr double kNeutral = 5e-4;
+/// Height of a start over draught or freeboard [-]: a model that is let go where it just touches
+/// the water is within.
+constexpr double kLargestLift = 1.02;
+
+// Of the start of a hull that is held from its rest. An angle of 15° in a scene is within, also at
+// a hinge that lies a little beside the hull's middle.
+constexpr double kHeldTilt = 16 * M_PI / 180;  ///< [rad]
+constexpr double kHeldVolume = 0.25;           ///< Of the displaced volume [-].
+
+/// Below it encounter effects are small [-].
+constexpr double kLargestFroudeNumber = 0.1;
 
 // Waves of half the body's length, and the added mass, feel a bottom that is nearer than these.
 constexpr double kDraughtsToGround = 4;
@@ -42,10 +44,12 @@ struct Extent {
   // Height of the vertices over the centre of mass [m].
   double lowest = 0;
   double highest = 0;
+
+  double height() const { return highest - lowest; }
 };
 
-Extent extent_of(const engine::BodySpec& body, const Eigen::Quaterniond& orientation) {
-  const Eigen::Matrix3Xd at = orientation.toRotationMatrix() * outside_B(body).vertices;
+Extent extent_of(const hydro::TriMesh& mesh_B, const Eigen::Quaterniond& orientation) {
+  const Eigen::Matrix3Xd at = orientation.toRotationMatrix() * mesh_B.vertices;
   const Eigen::Vector3d sides = at.rowwise().maxCoeff() - at.rowwise().minCoeff();
   return {.radius = std::sqrt(at.colwise().squaredNorm().maxCoeff()),
           .length = std::max(sides.x(), sides.y()),
@@ -54,13 +58,6 @@ Extent extent_of(const engine::BodySpec& body, const Eigen::Quaterniond& orienta
 }
 
 using Source = scene::Radiation::Source;
-
-/// Angle between the verticals of two attitudes [rad].
-double tilt_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  const Eigen::Vector3d up_a = a.conjugate() * Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d up_b = b.conjugate() * Eigen::Vector3d::UnitZ();
-  return std::atan2(up_a.cross(up_b).norm(), up_a.dot(up_b));
-}
 
 /// Froude number of a body's start, by its speed in the water [-].
 double froude_number(const engine::SimulationSpec& spec, const engine::BodySpec& body,
@@ -73,47 +70,83 @@ double froude_number(const engine::SimulationSpec& spec, const engine::BodySpec&
 class Chooser {
  public:
   Chooser(const scene::Scene& scene, const engine::SimulationSpec& spec)
-      : scene_(scene), spec_(spec), has_neighbour_(spec.bodies.size()) {
-    std::vector<double> radii;
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const engine::BodySpec& body : spec.bodies) {
-      const Eigen::Matrix3Xd& vertices = outside_B(body).vertices;
-      radii.push_back(vertices.cols() > 0 ? std::sqrt(vertices.colwise().squaredNorm().maxCoeff())
-                                          : 0);
-      const Eigen::Array3d at = body.initial.position;
-      boxes.emplace_back(at - radii.back(), at + radii.back());
-    }
-    for (const auto& [i, j] : engine::overlapping(boxes)) {
-      const double distance =
-          (spec.bodies[i].initial.position - spec.bodies[j].initial.position).norm();
-      if (distance < radii[i] + radii[j]) has_neighbour_[i] = has_neighbour_[j] = true;
-    }
-  }
+      : scene_(scene), spec_(spec), poses_(spec) {}
 
-  RadiationChoice choose(std::size_t i) const {
-    const Source wanted = scene_.bodies[i].hydro.radiation.source;
-    RadiationChoice choice{.written = wanted != Source::by_default};
-    const bool other =
-        scene_.bodies[i].hydro.added_mass.model != scene::AddedMass::Model::automatic;
-    if (wanted == Source::none || (other && !choice.written)) return choice;
-    choice.reason = impossible(i);
-    if (!choice.reason.empty()) return choice;
-    if (!choice.written) choice.reason = not_free_and_afloat(i);
-    if (!choice.reason.empty()) return choice;
-    const engine::BodySpec& body = spec_.bodies[i];
-    choice.pose = mean_pose(body);
-    const Extent extent = extent_of(body, choice.pose->orientation);
-    choice.draught = -(choice.pose->height + extent.lowest);
-    choice.length = extent.length;
-    choice.reason = choice.written ? pose_fault(choice, body) : far_from_mean(choice, i);
+  /// Sets the choices of the bodies of a group, of which one leads.
+  void choose(const RigidGroup& group, std::vector<RadiationChoice>& choices) {
+    const engine::BodyId lead = lead_of(group);
+    const std::size_t i = index(lead);
+    RadiationChoice choice{.written = hydro(lead).radiation.source != Source::by_default};
+    if (wants_none(group, lead)) return;
+    choice.reason = impossible(group, lead);
+    if (choice.reason.empty()) choose_pose(group, lead, choice);
     if (!choice.reason.empty()) choice.pose.reset();
-    return choice;
+    choices[i] = std::move(choice);
+    for (const engine::BodyId id : group.bodies)
+      if (id != lead)
+        choices[index(id)] = {
+            .lead = lead,
+            .reason = choices[i].reason.empty()
+                          ? fmt::format("{} carries that of their hull", body(lead).name)
+                          : choices[i].reason};
   }
 
  private:
-  /// Why a body cannot have radiation; empty if it can.
-  std::string impossible(std::size_t i) const {
-    const engine::BodySpec& body = spec_.bodies[i];
+  static std::size_t index(engine::BodyId id) { return static_cast<std::size_t>(id); }
+  const scene::Hydro& hydro(engine::BodyId id) const { return scene_.bodies[index(id)].hydro; }
+  const engine::BodySpec& body(engine::BodyId id) const { return spec_.bodies[index(id)]; }
+
+  /// The first body of a group with the key, or else the first.
+  engine::BodyId lead_of(const RigidGroup& group) const {
+    const auto asks = [&](engine::BodyId id) {
+      const Source source = hydro(id).radiation.source;
+      return source == Source::automatic || source == Source::file;
+    };
+    const auto found = std::ranges::find_if(group.bodies, asks);
+    return found == group.bodies.end() ? group.bodies.front() : *found;
+  }
+
+  /// True if the keys say that the hull has no radiation.
+  bool wants_none(const RigidGroup& group, engine::BodyId lead) const {
+    if (hydro(lead).radiation.source == Source::none) return true;
+    if (hydro(lead).radiation.source != Source::by_default) return false;
+    return std::ranges::any_of(group.bodies, [&](engine::BodyId id) {
+      return hydro(id).radiation.source == Source::none ||
+             hydro(id).added_mass.model != scene::AddedMass::Model::automatic;
+    });
+  }
+
+  void choose_pose(const RigidGroup& group, engine::BodyId lead, RadiationChoice& choice) {
+    const bool immovable = engine::immovable(body(lead).locked) || !group.joint_to_world.empty();
+    if (immovable && !choice.written) {
+      choice.reason = "it is held in all six";
+      return;
+    }
+    const RadiatingHull hull = radiating_hull(spec_, group, lead);
+    choice.held = poses_.holder(hull);
+    if (choice.held.empty())
+      choice.reason = why_not_afloat(hull.mass, hydro::solid_properties(hull.mesh_B).volume,
+                                     spec_.sea->density);
+    if (!choice.reason.empty()) return;
+    const std::optional<scene::Radiation::Pose>& wanted = hydro(lead).radiation.pose;
+    const FoundPose found = poses_.find(hull, wanted);
+    choice.pose = found.pose;
+    const Extent extent = extent_of(hull.mesh_B, found.pose.orientation);
+    choice.draught = -(found.pose.height + extent.lowest);
+    choice.length = extent.length;
+    choice.reason = pose_fault(found.pose, extent);
+    if (!choice.reason.empty()) return;
+    WetSurface wet = wet_surface(spec_, hull, found.pose);
+    choice.reason = wet.fault;
+    if (choice.reason.empty() && !wanted) choice.reason = held_away(found);
+    if (choice.reason.empty() && !choice.written) choice.reason = far_from(found, extent, lead);
+    choice.unexpected = !choice.reason.empty() && found.start_volume > 0;
+    if (group.bodies.size() > 1)
+      choice.joined_B = std::make_shared<const hydro::TriMesh>(std::move(wet.mesh_B));
+  }
+
+  /// Why a hull cannot have radiation in this scene; empty if it can.
+  std::string impossible(const RigidGroup& group, engine::BodyId lead) const {
     if (!spec_.sea) return "the scene has no water";
     const hydro::Sea& sea = *spec_.sea;
     if (sea.gravity == 0) return "there is no gravity";
@@ -124,80 +157,53 @@ class Chooser {
     const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
     if (waves && waves->kinematics == hydro::Kinematics::hydrostatic)
       return "kinematics: hydrostatic has no waves that a body could scatter";
-    if (!body.wet || !body.coefficients.buoyancy) return "hydro.buoyancy is switched off";
-    if (engine::immovable(body.locked)) return "the body is held in all six";
-    if (scene_.bodies[i].hydro.added_mass.model != scene::AddedMass::Model::automatic)
+    for (const engine::BodyId id : group.bodies)
+      if (!body(id).wet || !body(id).coefficients.buoyancy) return "hydro.buoyancy is switched off";
+    if (hydro(lead).added_mass.model != scene::AddedMass::Model::automatic)
       return "hydro.added_mass is given, and with radiation it is that of the mean pose";
-    return why_not_afloat(mass_afloat(body, sea.density),
-                          hydro::solid_properties(outside_B(body)).volume, sea.density);
+    return "";
   }
 
-  std::string not_free_and_afloat(std::size_t i) const {
-    const engine::BodySpec& body = spec_.bodies[i];
-    if (body.locked[2]) return "its height is locked";
-    for (const engine::JointSpec& joint : spec_.joints)
-      if (joint.first == static_cast<engine::BodyId>(i) ||
-          joint.second == static_cast<engine::BodyId>(i))
-        return fmt::format("it hangs on {}", joint.name);
-    const hydro::TriMesh mesh_G =
-        hydro::transformed(outside_B(body), Eigen::Isometry3d(body.initial.orientation));
-    const double volume =
-        hydro::hydrostatics(mesh_G, body.initial.position.z() - spec_.sea->level).volume;
-    if (volume == 0) return "it starts dry";
-    const double ratio = spec_.sea->density * volume / mass_afloat(body, spec_.sea->density);
-    if (std::abs(ratio - 1) > kMassMismatch)
-      return fmt::format("at its start it displaces {:.3g} of its mass", ratio);
-    return has_neighbour_[i] ? "another body starts within its radius and their own" : "";
+  /// A hull that is held may be out of the water or below its surface, and a deep one on its
+  /// bottom.
+  std::string pose_fault(const hydro::MeanPose& pose, const Extent& extent) const {
+    const double draught = -(pose.height + extent.lowest);
+    if (draught <= 0) return "it is dry in its mean pose";
+    if (draught >= spec_.sea->depth)
+      return fmt::format("its draught of {:.4g} m reaches the bottom", draught);
+    return pose.height + extent.highest <= 0 ? "it is submerged in its mean pose" : "";
   }
 
-  hydro::MeanPose mean_pose(const engine::BodySpec& body) const {
-    const hydro::BodyState& start = body.initial;
-    hydro::MeanPose pose{.orientation = start.orientation,
-                         .height = start.position.z() - spec_.sea->level};
-    if (!body.locked[2]) {
-      const hydro::Flotation rest = at_rest(body);
-      pose = {.orientation = rest.orientation, .height = rest.height};
-    }
-    pose.orientation = hydro::with_heading(pose.orientation, 0);
-    return rounded(pose, extent_of(body, pose.orientation).radius);
+  /// Why a hull that is held starts too far from its rest; empty if it does not.
+  static std::string held_away(const FoundPose& found) {
+    const bool near =
+        found.start_tilt <= kHeldTilt && std::abs(found.start_volume - 1) <= kHeldVolume;
+    if (found.holder.empty() || near) return "";
+    return fmt::format(
+        "held by {}, it comes to rest {:.0f}° from its start, where it displaces {:.3g} of what it "
+        "does there: pose: equilibrium takes the rest as the mean pose, and pose: start the start",
+        found.holder, found.start_tilt * 180 / M_PI, found.start_volume);
   }
 
-  /// The body as it floats at rest; in its attitude at the start if that is locked or neutral.
-  hydro::Flotation at_rest(const engine::BodySpec& body) const {
-    const double density = spec_.sea->density;
-    const double volume = mass_afloat(body, density) / density;
-    const std::vector<hydro::Tank> tanks = tanks_of(body);
-    const Eigen::Quaterniond& start = body.initial.orientation;
-    const hydro::Flotation held = hydro::afloat(outside_B(body), volume, start, tanks);
-    if (body.locked[3] || body.locked[4]) return held;
-    const hydro::Flotation rest = hydro::equilibrium(outside_B(body), volume, start, tanks);
-    const double sinks = rest.effective_centre().z() - held.effective_centre().z();
-    const bool neutral = sinks < kNeutral * extent_of(body, start).radius;
-    return neutral && tilt_between(start, rest.orientation) > kTiltMismatch ? held : rest;
-  }
-
-  /// A body whose height is locked may be out of the water, and a deep one on its bottom.
-  std::string pose_fault(const RadiationChoice& choice, const engine::BodySpec& body) const {
-    if (choice.draught <= 0) return "its height is locked where it is dry";
-    if (choice.draught >= spec_.sea->depth)
-      return fmt::format("its draught of {:.4g} m reaches the bottom", choice.draught);
-    const double highest = choice.pose->height + extent_of(body, choice.pose->orientation).highest;
-    return highest <= 0 ? "its height is locked where it is submerged" : "";
-  }
-
-  std::string far_from_mean(const RadiationChoice& choice, std::size_t i) const {
-    const engine::BodySpec& body = spec_.bodies[i];
-    if (std::string fault = pose_fault(choice, body); !fault.empty()) return fault;
-    const double tilt = tilt_between(body.initial.orientation, choice.pose->orientation);
-    if (tilt > kTiltMismatch)
+  /// Why linear theory about the mean pose says little of what follows from the start.
+  std::string far_from(const FoundPose& found, const Extent& extent, engine::BodyId lead) const {
+    const hydro::BodyState& start = body(lead).initial;
+    if (found.start_tilt > kLargestTilt)
       return fmt::format("it starts {:.0f}° from the attitude at which it floats at rest",
-                         tilt * 180 / M_PI);
-    const double froude = froude_number(spec_, body, choice.length);
-    if (froude > kLargestFroudeNumber)
-      return fmt::format("it starts with a Froude number of {:.2g}", froude);
-    const double bound =
-        std::max(kDraughtsToGround * choice.draught, kLengthsToGround * choice.length);
-    if (depth_over(body.initial.position, choice.length) < std::min(bound, spec_.sea->depth))
+                         found.start_tilt * 180 / M_PI);
+    const double off = std::abs(start.position.z() - spec_.sea->level - found.pose.height);
+    const double speed = std::hypot(start.linear_velocity.z(),
+                                    extent.radius * start.angular_velocity.head<2>().norm());
+    const double lift = off + speed * speed / (2 * spec_.sea->gravity);
+    const double draught = -(found.pose.height + extent.lowest);
+    if (lift > kLargestLift * std::max(draught, extent.height() - draught))
+      return fmt::format(
+          "from its start it is thrown or falls {:.3g} m to its rest, farther than "
+          "from where it would touch the water",
+          lift);
+    const double bound = std::max(kDraughtsToGround * -(found.pose.height + extent.lowest),
+                                  kLengthsToGround * extent.length);
+    if (depth_over(start.position, extent.length) < std::min(bound, spec_.sea->depth))
       return "ground is near";
     return "";
   }
@@ -225,18 +231,18 @@ class Chooser {
 
   const scene::Scene& scene_;
   const engine::SimulationSpec& spec_;
-  std::vector<bool> has_neighbour_;  ///< Another starts within its radius and the other's.
+  MeanPoses poses_;
 };
 
 /// Tells where a body's waves come from.
 std::string described(const RadiationChoice& choice, const engine::BodySpec& body,
                       const hydro::Sea& sea) {
   if (!choice.database)
-    return fmt::format("{} frequencies at a draught of {:.4g} m",
-                       hydro::radiation_frequencies(outside_B(body), *choice.pose,
+    return fmt::format("{} frequencies at a draught of {:.4g} m{}",
+                       hydro::radiation_frequencies(radiating_mesh(choice, body), *choice.pose,
                                                     {.gravity = sea.gravity, .depth = sea.depth})
                            .size(),
-                       choice.draught);
+                       choice.draught, choice.held.empty() ? "" : ", held by " + choice.held);
   const hydro::RadiationData& data = choice.database->found.data;
   return fmt::format("{} frequencies and {} headings of {} ({}, body {}) at a draught of {:.4g} m",
                      data.frequencies.size(), data.headings.size(),
@@ -244,16 +250,39 @@ std::string described(const RadiationChoice& choice, const engine::BodySpec& bod
                      choice.database->body, choice.draught);
 }
 
+/// A warning of the first of several bodies, of which each has numbers and names of its own in it.
+struct AlikeWarning {
+  std::string kind;
+  std::string text;
+  std::size_t first;
+  int more = 0;
+};
+
+/// Adds a warning of body i, or counts it with those that differ in numbers and names of bodies.
+void add_warning(const std::string& text, const engine::SimulationSpec& spec, std::size_t i,
+                 std::vector<AlikeWarning>& warnings) {
+  std::string kind = text;
+  for (const engine::BodySpec& body : spec.bodies)
+    if (kind.starts_with(body.name + " ")) kind.erase(0, body.name.size());
+  std::erase_if(kind,
+                [](char c) { return std::isdigit(static_cast<unsigned char>(c)) || c == '.'; });
+  const auto known = std::ranges::find(warnings, kind, &AlikeWarning::kind);
+  if (known == warnings.end())
+    warnings.push_back({.kind = kind, .text = text, .first = i});
+  else
+    ++known->more;
+}
+
 }  // namespace
 
 std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
                                                const engine::SimulationSpec& spec,
                                                scene::Faults& faults) {
-  const Chooser chooser(scene, spec);
-  std::vector<RadiationChoice> choices;
-  for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
-    choices.push_back(chooser.choose(i));
-    const RadiationChoice& choice = choices.back();
+  Chooser chooser(scene, spec);
+  std::vector<RadiationChoice> choices(spec.bodies.size());
+  for (const RigidGroup& group : rigid_groups(spec)) chooser.choose(group, choices);
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const RadiationChoice& choice = choices[i];
     if (choice.written && !choice.reason.empty())
       faults.add(
           scene.places, fmt::format("bodies[{}].hydro.radiation", i),
@@ -266,29 +295,35 @@ std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
 
 std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
                                             const std::vector<RadiationChoice>& choices) {
-  std::vector<std::string> lines;
+  std::vector<AlikeWarning> warnings;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (!choices[i].written || !choices[i].pose) continue;
-    const std::string key = fmt::format("bodies[{}].hydro.radiation", i);
+    if (choices[i].unexpected) add_warning("no radiation: " + choices[i].reason, spec, i, warnings);
+    if (!choices[i].pose) continue;
     const double froude = froude_number(spec, spec.bodies[i], choices[i].length);
     if (froude > kLargestFroudeNumber)
-      lines.push_back(fmt::format(
-          "{}: {} starts with a Froude number of {:.2g}, and the waves of a body are known without "
-          "forward speed; expected at most {:g}",
-          key, spec.bodies[i].name, froude, kLargestFroudeNumber));
-    for (std::size_t j = 0; j < choices.size(); ++j) {
-      if (i == j || !choices[j].pose || (choices[j].written && j < i)) continue;
+      add_warning(
+          fmt::format("it starts with a Froude number of {:.2g}, and the waves of a body are known "
+                      "without forward speed; expected at most {:g}",
+                      froude, kLargestFroudeNumber),
+          spec, i, warnings);
+    for (std::size_t j = i + 1; j < choices.size(); ++j) {
+      if (!choices[j].pose) continue;
       const double distance =
           (spec.bodies[i].initial.position - spec.bodies[j].initial.position).norm();
       const double bound = kLengthsApart * std::max(choices[i].length, choices[j].length);
       if (distance >= bound) continue;
-      lines.push_back(fmt::format(
-          "{}: {} and {} are {:.3g} m apart, and neither feels the waves of the other, which "
-          "count up to some {:.3g} m",
-          key, spec.bodies[i].name, spec.bodies[j].name, distance, bound));
+      add_warning(fmt::format("{} is {:.3g} m away, and neither feels the waves of the other, "
+                              "which count up to some {:.3g} m",
+                              spec.bodies[j].name, distance, bound),
+                  spec, i, warnings);
       break;  // One neighbour tells it.
     }
   }
+  std::vector<std::string> lines;
+  for (const AlikeWarning& warning : warnings)
+    lines.push_back(fmt::format(
+        "bodies[{}].hydro.radiation: {}{}: {}", warning.first, spec.bodies[warning.first].name,
+        warning.more > 0 ? fmt::format(" and {} more", warning.more) : "", warning.text));
   return lines;
 }
 

@@ -15,18 +15,21 @@
 /// @file
 /// Which bodies make waves, by `hydro.radiation`.
 ///
-/// Linear theory knows the waves of a body that moves little about the pose in which it floats at
-/// rest, on water of one depth, without forward speed and with no other body near. With `auto` or a
-/// file the body must be able to float. Without the key it has radiation unless its added mass is
-/// given, if it starts
-/// - free, without joints;
-/// - displacing its mass within a quarter, and at most 15° from the attitude at which it comes to
-///   rest; a sphere, to which the attitude does not matter, keeps that of its start;
-/// - slower than a Froude number of 0.1 in the water, by its length on the water;
-/// - over ground that is at or below `water.depth`, or deeper than four of its draughts and half
-/// its
-///   length;
-/// - with no other body within its radius and the other's.
+/// Linear theory knows the waves of a hull that moves little about its mean pose, in which it
+/// floats at rest, on water of one depth, without forward speed and with no other body near. Away
+/// from the mean pose its terms are still nearer to the truth than none, and they vanish as the
+/// hull leaves the water. Bodies that fixed joints hold together are one hull, of which the first
+/// carries them.
+///
+/// With `auto` or a file the hull must be able to float, or be held in the water. Without the key
+/// it has radiation unless its added mass is given, if
+/// - it is not held in all six degrees of freedom;
+/// - it starts at most 45° from its attitude at rest, and no higher or faster than from where it
+///   would just touch the water with its keel or deck: it is not dropped or thrown;
+/// - it starts within 15° of the rest, displacing there a quarter more or less at most, if
+/// something
+///   else than the water holds it: joints, lines, locks or constant loads;
+/// - ground is at or below `water.depth`, or deeper than four of its draughts and half its length.
 
 namespace assembly {
 
@@ -41,8 +44,15 @@ struct RadiationDatabase {
 /// Whether a body makes waves.
 struct RadiationChoice {
   std::optional<hydro::MeanPose> pose;  ///< The mean pose; none: the body makes no waves.
-  bool written = false;                 ///< The scene has the key for the body.
-  std::string reason;  ///< Why it makes none; empty if this key or `added_mass` says so.
+  /// The surface of the hull that the body leads, in its frame; null: its own alone.
+  std::shared_ptr<const hydro::TriMesh> joined_B;
+  std::optional<engine::BodyId>
+      lead;              ///< The body that carries the waves of the hull in its place.
+  bool written = false;  ///< The scene has the key for the body.
+  std::string reason;    ///< Why it makes none; empty if this key or `added_mass` says so.
+  /// The reason lies in how the scene starts, so that its author may expect waves.
+  bool unexpected = false;
+  std::string held;    ///< What holds it in the mean pose besides the water; empty: nothing.
   double draught = 0;  ///< In the mean pose [m].
   double length = 0;   ///< Largest horizontal extent in the mean pose [m].
   std::shared_ptr<const RadiationDatabase> database;  ///< Of its file (radiation_database.h).
@@ -55,8 +65,15 @@ std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
                                                const engine::SimulationSpec& spec,
                                                scene::Faults& faults);
 
-/// Returns warnings of bodies whose written `radiation` assumes what does not hold: forward speed,
-/// and other bodies that make waves within ten of their lengths.
+/// The surface that makes the waves of a body, in its frame.
+inline const hydro::TriMesh& radiating_mesh(const RadiationChoice& choice,
+                                            const engine::BodySpec& body) {
+  return choice.joined_B ? *choice.joined_B : outside_B(body);
+}
+
+/// Returns warnings of bodies whose radiation assumes what does not hold, forward speed and other
+/// bodies that make waves within ten of their lengths, and of bodies that have none only for how
+/// they start.
 std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
                                             const std::vector<RadiationChoice>& choices);
 

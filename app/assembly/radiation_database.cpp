@@ -20,8 +20,8 @@ std::shared_ptr<const RadiationDatabase> known(const scene::Scene& scene,
                                                const std::vector<RadiationChoice>& choices,
                                                std::size_t i) {
   for (std::size_t j = 0; j < i; ++j) {
-    const hydro::TriMesh &a = engine::outside_B(spec.bodies[i]),
-                         &b = engine::outside_B(spec.bodies[j]);
+    const hydro::TriMesh &a = radiating_mesh(choices[i], spec.bodies[i]),
+                         &b = radiating_mesh(choices[j], spec.bodies[j]);
     if (choices[j].database && choices[j].pose == choices[i].pose && a.vertices == b.vertices &&
         a.faces == b.faces &&
         scene.bodies[j].hydro.radiation.database == scene.bodies[i].hydro.radiation.database)
@@ -48,7 +48,7 @@ void read_databases(const scene::Scene& scene, const engine::SimulationSpec& spe
           .format = read.format,
           .body = read.body,
           .found = databases::fit_to_body(read, source,
-                                          {.mesh_B = engine::outside_B(spec.bodies[i]),
+                                          {.mesh_B = radiating_mesh(choice, spec.bodies[i]),
                                            .pose = *choice.pose,
                                            .water = {.gravity = sea.gravity, .depth = sea.depth},
                                            .waves = hydro::has_airy_waves(sea)})});

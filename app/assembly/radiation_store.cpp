@@ -21,10 +21,6 @@ constexpr std::uint64_t kRadiationMagic = 0x504c494d52414431;  // PLIMRAD1
 
 constexpr const char* kRadiationKind = "radiation";
 
-/// Relative step of the numbers of a pose: far above the round-off of an equilibrium, some 1e-14,
-/// and far below what changes a solution.
-constexpr double kPoseStep = 1e-7;
-
 std::string identity_of(const RadiationProblem& problem) {
   std::string bytes;
   app::append(bytes, kRadiationMagic);
@@ -181,9 +177,9 @@ StoredRadiation RadiationStore::keep(const RadiationProblem& problem, RadiationS
   return known_.insert_or_assign(identity, stored).first->second;
 }
 
-hydro::MeanPose rounded(const hydro::MeanPose& pose, double radius) {
-  const auto to_step = [](double number) {
-    return std::round(number / kPoseStep) * kPoseStep + 0.0;
+hydro::MeanPose rounded(const hydro::MeanPose& pose, double radius, double step) {
+  const auto to_step = [&](double number) {
+    return std::round(number / step) * step + 0.0;
   };  // −0 is 0
   Eigen::Vector4d q = pose.orientation.coeffs();
   // A rotation has two quaternions; that with a positive largest entry is taken.

@@ -72,7 +72,10 @@ std::string named_bodies(const std::vector<std::string>& names, std::size_t all)
 
 /// Explains why a body has no added mass.
 std::string reason_for_no_added_mass(const engine::SimulationSpec& spec,
-                                     const engine::BodySpec& body) {
+                                     const engine::BodySpec& body,
+                                     const assembly::RadiationChoice& choice) {
+  if (choice.lead && spec.bodies[static_cast<std::size_t>(*choice.lead)].radiation)
+    return choice.reason;
   if (spec.integrator.method == engine::Integrator::Method::ode) return "method ode has none";
   if (!body.wet) return "no load of the water acts on it";
   if (engine::immovable(body.locked)) return "held in all six";
@@ -104,7 +107,8 @@ std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
     for (const std::string& load : unused_loads(body))
       note_omission(load, "switched off", body.name, omissions);
     if (!built.added_mass[i])
-      note_omission("added mass", reason_for_no_added_mass(spec, body), body.name, omissions);
+      note_omission("added mass", reason_for_no_added_mass(spec, body, built.radiation[i].choice),
+                    body.name, omissions);
     else if (!built.radiation[i].model && !built.radiation[i].choice.reason.empty())
       note_omission("radiation", built.radiation[i].choice.reason, body.name, omissions);
   }

@@ -78,7 +78,13 @@ struct Radiation {
     none,
     file  ///< Read from `database`.
   };
+  /// The mean pose.
+  enum class Pose {
+    equilibrium,  ///< At rest with joints, lines, locks and constant loads in place.
+    start         ///< As it starts.
+  };
   Source source = Source::by_default;
+  std::optional<Pose> pose;  ///< None: `equilibrium`, if that is near the start.
   RadiationFile database;
 };
 
@@ -95,6 +101,12 @@ enum class Collision { automatic, mesh, box, sphere, none };
 enum class Start {
   given,       ///< The pose given by `position` and `orientation`.
   equilibrium  ///< The equilibrium afloat that this pose leads to.
+};
+
+/// Turn of a body from its equilibrium, R = Ry(pitch)·Rx(roll) in axes of its heading [rad].
+struct Heel {
+  double roll = 0;
+  double pitch = 0;
 };
 
 /// What water does in the hollows of a body.
@@ -128,6 +140,7 @@ struct Body {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Mesh frame's origin, in W.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Start start = Start::given;
+  Heel heel;  ///< With `start: equilibrium` only.
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   Interior interior = Interior::flooding;

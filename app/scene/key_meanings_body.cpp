@@ -73,9 +73,15 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "solved on its mesh in its mean pose, that in which it floats at rest, and kept for later "
      "runs; a block takes them from a database that another program has written. The body's added "
      "mass is then that of this pose in waves of high frequency, so the key excludes "
-     "`added_mass`. Without both keys it is `auto` for a body that starts afloat near its mean "
-     "pose, free and alone on open water, and otherwise `none`; `plimsoll check` tells which, and "
-     "why ([below](#radiation))."},
+     "`added_mass`. Without both keys it is `auto` for a body that floats at rest near its start, "
+     "in water of one depth, and otherwise `none`; the table before a run tells which, and why "
+     "([below](#radiation))."},
+    {"hydro.radiation.pose",
+     "The mean pose. `equilibrium` is that in which the body comes to rest in still water with its "
+     "joints, lines, locks and constant loads in place; where it does not come to rest within ten "
+     "of its radii, as at a slack line, it is the start. `start` is the pose of the start. "
+     "Without the key it is `equilibrium`, and for a body that something else than the water "
+     "holds it must then be within 15° and a quarter of the displacement of the start."},
     {"hydro.radiation.file",
      "A database of added mass, damping and loads of waves, relative to the scene file: "
      "Capytaine's "
@@ -164,11 +170,19 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"bodies[].orientation.angle_deg", "Angle of the rotation about `axis`."},
     {"bodies[].start",
      "Pose at time 0. `given` takes `position` and `orientation`. `equilibrium` puts the body "
-     "afloat, where it comes to rest from its `orientation` in still water at `water.level` "
-     "under weight and buoyancy alone. Then x, y and the heading of its x axis are those given, "
-     "and z, roll and pitch follow. Bodies that `fixed` joints hold to it count as one with it and "
-     "are taken along; only one body of them has this key. The body must be lighter than water, "
-     "and z, roll and pitch must not be locked, nor may a fixed joint hold it to the world."},
+     "where "
+     "it comes to rest from its `orientation` in still water at `water.level`, under its weight, "
+     "buoyancy, joints, springs, ropes, moorings, locks and constant `forces`. A body that the "
+     "water alone carries keeps x, y and the heading of its x axis; z, roll and pitch follow. "
+     "Bodies that `fixed` joints hold to it count as one with it and are taken along; only one "
+     "body of them has this key. A body that does not float, or does not come to rest within ten "
+     "of its radii, is a fault."},
+    {"bodies[].heel",
+     "Turn from the equilibrium, about the centre of mass and in the axes of the heading, with "
+     "which the body starts: a decay in roll is `start: equilibrium, heel: {roll_deg: 10}`. No "
+     "joint may hold the body."},
+    {"bodies[].heel.roll_deg", "Roll of R = Ry(pitch)·Rx(roll)."},
+    {"bodies[].heel.pitch_deg", "Pitch of R."},
     {"bodies[].linear_velocity", "Velocity of the centre of mass in world axes."},
     {"bodies[].angular_velocity", "Angular velocity in world axes."},
     {"bodies[].interior",

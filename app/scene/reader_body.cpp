@@ -151,14 +151,26 @@ const ChoiceRule<Collision> kCollisions = {{{"mesh", Collision::mesh},
 
 const ChoiceRule<Start> kStarts = {{{"given", Start::given}, {"equilibrium", Start::equilibrium}}};
 
-/// Checks that a body with `start: equilibrium` has buoyancy and is free to heave, roll and pitch.
+/// Checks that a body with `start: equilibrium` has buoyancy and is free to heave, roll or pitch.
 void check_start(MapReader& map, const Body& body) {
-  if (body.start != Start::equilibrium) return;
-  if (body.locked[2] || body.locked[3] || body.locked[4])
-    map.fault("start", "equilibrium needs z, roll and pitch to be free, but lock holds them");
+  if (body.start != Start::equilibrium) {
+    if (map.has("heel")) map.fault("heel", "is only used with start: equilibrium");
+    return;
+  }
+  if (body.locked[2] && body.locked[3] && body.locked[4])
+    map.fault("start", "equilibrium needs z, roll or pitch to be free, but lock holds all three");
   if (!body.hydro.buoyancy)
     map.fault("start", "equilibrium needs buoyancy, which is false for this body");
 }
+
+}  // namespace
+
+void read(MapReader& map, Heel& heel) {
+  map.optional("roll_deg", heel.roll, degrees());
+  map.optional("pitch_deg", heel.pitch, degrees());
+}
+
+namespace {
 
 const ChoiceRule<bool> kFrames = {{{"world", false}, {"body", true}}};
 
@@ -171,6 +183,8 @@ void read(MapReader& map, Body& body) {
   map.optional("position", body.position, number("m"));
   map.block("orientation", body.orientation);
   map.optional("start", body.start, kStarts);
+  map.note_condition("heel", "", {"start"}, {});
+  map.block("heel", body.heel);
   map.optional("linear_velocity", body.linear_velocity, number("m/s"));
   map.optional("angular_velocity", body.angular_velocity, number("rad/s"));
   read_interior(map, body);

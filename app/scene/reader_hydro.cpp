@@ -123,7 +123,7 @@ using Source = Radiation::Source;
 
 /// Reads a word, or a block with a file.
 void read_radiation(MapReader& map, Radiation& radiation) {
-  const std::string expected = "auto, none, or {file}";
+  const std::string expected = "auto, none, {pose}, or {file}";
   const std::string before = radiation.source == Source::none        ? "none"
                              : radiation.source == Source::automatic ? "auto"
                              : radiation.source == Source::file      ? "a file"
@@ -132,12 +132,15 @@ void read_radiation(MapReader& map, Radiation& radiation) {
                                            {words_shape({"auto", "none"})});
   if (!value) return;
   if (value->node.is_word("auto"))
-    radiation = {.source = Source::automatic, .database = {}};
+    radiation = {.source = Source::automatic};
   else if (value->node.is_word("none"))
-    radiation = {.source = Source::none, .database = {}};
+    radiation = {.source = Source::none};
   else
     value->refuse(expected);
 }
+
+using Pose = Radiation::Pose;
+const ChoiceRule<Pose> kPoses = {{{"equilibrium", Pose::equilibrium}, {"start", Pose::start}}};
 
 /// Reads a body of a database: a name, or its number.
 void read_database_body(MapReader& map, std::string& body) {
@@ -219,9 +222,18 @@ void read(MapReader& map, AddedMass& added_mass) {
 
 /// Reads a block that replaces all earlier settings, as a word does.
 void read(MapReader& map, Radiation& radiation) {
-  radiation = {.source = Source::file, .database = {}};
+  radiation = {.source = Source::file};
   RadiationFile& database = radiation.database;
-  map.required("file", database.file, FileRule{});
+  map.optional("pose", radiation.pose, kPoses);
+  map.optional("file", database.file, FileRule{});
+  for (const char* key : {"body", "reference_point", "center_of_mass", "heading_deg", "length"})
+    map.note_condition(key, "", {"file"}, {});
+  if (!map.has("file")) {
+    radiation.source = Source::automatic;
+    for (const char* key : {"body", "reference_point", "center_of_mass", "heading_deg", "length"})
+      if (map.has(key) && map.has("pose")) map.fault(key, "is only used with file");
+    if (!map.has("pose")) map.fault("file", "missing, expected a file, or pose");
+  }
   read_database_body(map, database.body);
   map.optional("reference_point", database.reference_point, number("m"));
   map.optional("center_of_mass", database.center_of_mass, number("m"));

@@ -13,6 +13,7 @@
 #include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
+#include "hydro/statics/equilibrium.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -570,6 +571,63 @@ TEST(Assemble, ASpectrumInAFileIsThatOfTheSea) {
   EXPECT_THAT(built.notes, ElementsAre(HasSubstr("spectrum.csv has a significant height of 2.713 m "
                                                  "and a peak period of 5 s in 3 rows")));
   EXPECT_NEAR(built.irregular_sea->significant_height, 4 * std::sqrt(0.46), tolerance(1e-14));
+}
+
+/// A raft of 4 x 2 x 1 m that floats with its middle at the water, with more keys and blocks.
+std::string settling_raft(const std::string& keys, const std::string& blocks = "") {
+  return "plimsoll: 1\nduration: 1\nwater: {density: 1000}\nbodies:\n  - {name: a, box: {size: "
+         "[4, 2, 1]}, density: 500, collision: none, start: equilibrium, " +
+         keys + "}\n" + blocks;
+}
+
+TEST(Equilibrium, CountsLinesAndLoads) {
+  // A spring of the raft's own stiffness in heave, 8 m2 of waterplane, that is 0.2 m too short.
+  const double stiffness = 1000 * 9.80665 * 8;
+  const std::string spring = fmt::format(
+      "springs: [{{name: s, bodies: [a, world], points: [[0, 0, 0], [0, 0, -3]], length: 2.8,"
+      " stiffness: {}}}]\n",
+      stiffness);
+  EXPECT_NEAR(body_of(settling_raft("position: [0, 0, 0.3]", spring)).initial.position.z(), -0.1,
+              1e-6);
+  const BodySpec loaded = body_of(settling_raft(
+      fmt::format("position: [0, 0, 0.3], forces: [{{force: [0, 0, {}]}}]", -0.1 * stiffness)));
+  EXPECT_NEAR(loaded.initial.position.z(), -0.1, 1e-6);
+}
+
+// A hinge along y through the middle of one side at the water, where the raft is at rest level; it
+// is let go at 10°.
+TEST(Equilibrium, CountsJoints) {
+  const double a = 10 * M_PI / 180;
+  const BodySpec body = body_of(
+      settling_raft(fmt::format("position: [{}, 0, {}], orientation: {{euler_deg: [0, 10, 0]}}",
+                                2 * std::cos(a), -2 * std::sin(a)),
+                    "joints: [{type: hinge, name: pin, bodies: [world, a], anchor: [0, 0, 0],"
+                    " axis: [0, 1, 0]}]\n"));
+  EXPECT_LT(body.initial.orientation.angularDistance(Eigen::Quaterniond::Identity()), 1e-6);
+  EXPECT_LT((body.initial.position - Vector3d(2, 0, 0)).norm(), 1e-6);
+}
+
+TEST(Equilibrium, KeepsALockedRollAndFindsTheRest) {
+  const BodySpec body = body_of(
+      settling_raft("position: [0, 0, 0.4], orientation: {euler_deg: [8, 5, 0]}, lock: [roll]"));
+  const Vector3d angles = hydro::euler_angles(body.initial.orientation);
+  EXPECT_NEAR(angles[0], 8 * M_PI / 180, 1e-3);
+  // A locked rotation is a condition on the velocity, so that the rest is not exactly level.
+  EXPECT_NEAR(angles[1], 0, 2e-4);
+  EXPECT_NEAR(body.initial.position.z(), 0, 1e-4);
+}
+
+TEST(Equilibrium, IsLeftByTheHeelThatTheSceneGives) {
+  const BodySpec body = body_of(settling_raft(
+      "position: [0, 0, 0.4], orientation: {euler_deg: [3, 2, 30]}, heel: {roll_deg: 12}"));
+  const Vector3d angles = hydro::euler_angles(body.initial.orientation);
+  EXPECT_LT((angles - Vector3d(12, 0, 30) * M_PI / 180).norm(), 1e-9);
+  EXPECT_NEAR(body.initial.position.z(), 0, 1e-9);
+}
+
+TEST(Equilibrium, OfABodyThatNothingNearHoldsIsAFault) {
+  EXPECT_THAT(faults_of(settling_raft("position: [0, 0, 0], forces: [{force: [500, 0, 0]}]")),
+              ElementsAre(HasSubstr("held by a constant load, does not come to rest within ten")));
 }
 
 }  // namespace
