@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/analysis/analysis_report.h"
+#include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/scene/diagnostics.h"
 
@@ -14,10 +15,11 @@ int analyse(const AnalyseOptions& options) {
                                                 *options.to, *options.from));
   const RunAnalysis analysis = analysis_of(read_signals(options), options);
   if (options.json)
-    fmt::print("{}\n", json_of(analysis).dump(2, ' ', false,
-                                              nlohmann::ordered_json::error_handler_t::replace));
+    print(fmt::format(
+        "{}\n",
+        json_of(analysis).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
   else
-    fmt::print("{}", text_of(analysis));
+    print(text_of(analysis));
   return kDone;
 }
 

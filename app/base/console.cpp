@@ -9,7 +9,15 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "app/base/quoting.h"
+
 namespace app {
+namespace {
+
+/// Control characters that lines and columns are made of.
+constexpr const char* kLayout = "\n\t";
+
+}  // namespace
 
 void open_standard_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
@@ -17,9 +25,14 @@ void open_standard_streams() {
 }
 
 void say(const std::string& line) {
-  const std::string text = line + '\n';
+  const std::string text = shown(line, kLayout) + '\n';
   std::fflush(stdout);  // What was printed before stands before it; `flush_output` tells of faults.
   std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void print(const std::string& text) {
+  const std::string safe = shown(text, kLayout);
+  std::fwrite(safe.data(), 1, safe.size(), stdout);
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

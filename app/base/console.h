@@ -12,8 +12,13 @@ namespace app {
 /// takes its descriptor.
 void open_standard_streams();
 
-/// Writes a line to standard error and ignores errors.
+/// Writes a line to standard error and ignores errors. Control characters but line breaks and tabs
+/// stand as escapes, here and in what `print` writes, since names and texts of scenes may hold some
+/// that a terminal would obey.
 void say(const std::string& line);
+
+/// Writes a text to standard output; `flush_output` tells of errors.
+void print(const std::string& text);
 
 /// Returns a count with its noun: `1 body`, `2 bodies`.
 std::string counted(std::size_t count, const std::string& one, const std::string& many);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/base/quoting.h"
+
 namespace app {
 namespace {
 
@@ -45,7 +47,8 @@ void ProgressLine::show(const std::string& text) {
   // A line wider than the terminal would wrap into a second line, which nothing erases. The last
   // column stays free.
   const std::size_t width = screen_width();
-  const std::string line = width > 1 ? text.substr(0, width - 1) : text;
+  const std::string safe = shown(text);
+  const std::string line = width > 1 ? safe.substr(0, width - 1) : safe;
   std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
   shown_ = true;

@@ -11,6 +11,12 @@ namespace app {
 /// Returns a text with U+FFFD for each byte that does not belong to UTF-8.
 std::string valid_utf8(std::string_view text);
 
+/// Returns a text that a terminal shows and does not obey: a control character stands as `\n`,
+/// `\x1b` or, beyond ASCII's first 32, `\u009b`, which JSON understands as well; a byte that does
+/// not belong to UTF-8 stands as `\xff`.
+/// @param kept   Control characters of ASCII that stay.
+std::string shown(std::string_view text, std::string_view kept = "");
+
 /// Returns a text for the content of an element of XML or an attribute in double quotes. Characters
 /// that XML cannot hold, such as control characters, become U+FFFD.
 std::string xml_text(std::string_view text);

@@ -1,7 +1,6 @@
 #include "app/cli/completion.h"
 
-#include <fmt/format.h>
-
+#include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/scene/key_catalogue.h"
 
@@ -80,7 +79,7 @@ std::vector<CompletedKey> completed_keys() {
 }
 
 int completion(const CLI::App& program, const std::string& shell) {
-  fmt::print("{}", shell == "bash" ? bash_completion(program) : zsh_completion(program));
+  print(shell == "bash" ? bash_completion(program) : zsh_completion(program));
   return kDone;
 }
 

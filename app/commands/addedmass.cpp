@@ -148,10 +148,9 @@ int addedmass(const AddedMassCommand& command) {
     else
       text += table_of(body, found);
   }
-  fmt::print("{}",
-             command.json
-                 ? Json{{"bodies", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                 : text);
+  print(command.json
+            ? Json{{"bodies", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+            : text);
   flush_output();
   return kDone;
 }

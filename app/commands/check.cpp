@@ -14,20 +14,20 @@ namespace {
 void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
   Eigen::Index triangles = 0;
   for (const engine::BodySpec& body : built.spec.bodies) triangles += body.mesh_B.face_count();
-  fmt::print("{}: ok: {}, {} triangles, {}\n", scene.file.string(),
-             counted(built.spec.bodies.size(), "body", "bodies"), triangles,
-             counted(built.spec.joints.size(), "joint", "joints"));
-  for (const std::string& line : BodyTables(scene, built).sizes()) fmt::print("{}\n", line);
+  print(fmt::format("{}: ok: {}, {} triangles, {}\n", scene.file.string(),
+                    counted(built.spec.bodies.size(), "body", "bodies"), triangles,
+                    counted(built.spec.joints.size(), "joint", "joints")));
+  for (const std::string& line : BodyTables(scene, built).sizes()) print(fmt::format("{}\n", line));
   std::vector<assembly::RadiationChoice> radiation;
   for (const assembly::RadiationReport& report : built.radiation)
     radiation.push_back(report.choice);
   if (built.spec.sea)
     for (const std::string& line : assembly::radiation_lines(built.spec, radiation))
-      fmt::print("{}: {}\n", scene.file.string(), line);
+      print(fmt::format("{}: {}\n", scene.file.string(), line));
   for (const std::string& note : built.notes)
-    fmt::print("{}: note: {}\n", scene.file.string(), note);
+    print(fmt::format("{}: note: {}\n", scene.file.string(), note));
   for (const std::string& warning : built.warnings)
-    fmt::print("{}: warning: {}\n", scene.file.string(), warning);
+    print(fmt::format("{}: warning: {}\n", scene.file.string(), warning));
 }
 
 }  // namespace
@@ -51,7 +51,8 @@ int check(const std::vector<std::filesystem::path>& scenes,
 int print_expanded(const std::vector<std::filesystem::path>& scenes,
                    const std::vector<scene::Override>& overrides) {
   for (const std::filesystem::path& file : scenes)
-    fmt::print("{}{}", scenes.size() > 1 ? "---\n" : "", scene::resolved_text(file, overrides));
+    print(fmt::format("{}{}", scenes.size() > 1 ? "---\n" : "",
+                      scene::resolved_text(file, overrides)));
   flush_output();
   return kDone;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/base/atomic_file.h"
+#include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/scene/diagnostics.h"
 
@@ -89,10 +90,10 @@ int new_scene(const fs::path& name) {
   const std::string title = quoted(file.stem().string());
   write_whole(fs::absolute(file),
               fmt::format(fmt::runtime(kStarterScene), fmt::arg("title", title)));
-  fmt::print(
-      "{0}: wrote a scene of a buoy and a crate in waves\n"
-      "Every key is in scenes/README.md. Next: plimsoll run {0}\n",
-      file.string());
+  print(
+      fmt::format("{0}: wrote a scene of a buoy and a crate in waves\n"
+                  "Every key is in scenes/README.md. Next: plimsoll run {0}\n",
+                  file.string()));
   return kDone;
 }
 

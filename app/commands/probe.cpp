@@ -7,6 +7,7 @@
 
 #include "app/assembly/build.h"
 #include "app/assembly/build_interior.h"
+#include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/json_rows.h"
 #include "app/base/terminal_reporter.h"
@@ -133,7 +134,7 @@ int probe(const std::filesystem::path& file, const std::vector<scene::Override>&
     bodies[body.name] = probe_body(body, built.spec.sea);
   Json json = {{"bodies", bodies}};
   add_tables(built.spec, json);
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  print(fmt::format("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)));
   return kDone;
 }
 

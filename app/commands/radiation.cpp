@@ -305,10 +305,9 @@ int radiation(const RadiationCommand& command) {
     else
       text += command.csv ? csv_of(solved) : table_of(solved);
   }
-  fmt::print("{}",
-             command.json
-                 ? Json{{"bodies", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                 : text);
+  print(command.json
+            ? Json{{"bodies", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+            : text);
   flush_output();
   return kDone;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 #include "app/base/atomic_file.h"
@@ -27,15 +28,16 @@ namespace fs = std::filesystem;
 /// True if the output is a terminal and NO_COLOR is not set.
 bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
 
-void print(const Comparison& comparison, const ComparedFiles& files,
-           const std::optional<Provenance>& provenance, bool json) {
+void print_comparison(const Comparison& comparison, const ComparedFiles& files,
+                      const std::optional<Provenance>& provenance, bool json) {
   if (json) {
     const auto all = json_of(comparison, files, provenance);
-    fmt::print("{}\n", all.dump(2, ' ', false, decltype(all)::error_handler_t::replace));
+    print(fmt::format("{}\n", all.dump(2, ' ', false, decltype(all)::error_handler_t::replace)));
     return;
   }
-  fmt::print("{}{}\n{}", names_text(files), provenance ? text_of(*provenance) : "",
-             table_of(comparison, files, in_color()));
+  print(names_text(files) + (provenance ? text_of(*provenance) : "") + "\n");
+  // `print` would show the escapes of colours, too.
+  std::fputs(table_of(comparison, files, in_color()).c_str(), stdout);
 }
 
 int compare_two(const CompareOptions& options) {
@@ -46,7 +48,7 @@ int compare_two(const CompareOptions& options) {
   const ComparedRun b = read_compared(options.b);
   const Comparison comparison = compare_runs(a, b, tolerances);
   const std::optional<Provenance> provenance = provenance_of(a, b);
-  print(comparison, files, provenance, options.json);
+  print_comparison(comparison, files, provenance, options.json);
   if (!options.junit.empty())
     write_whole(options.junit, junit_file_of({junit_suite_of(comparison, files)}));
   if (!options.html.empty()) {

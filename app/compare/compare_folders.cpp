@@ -126,13 +126,13 @@ void print_lines(const std::vector<RunVerdict>& verdicts, const ComparedFiles& f
     width = std::max(width, verdict.name.size());
     different += !verdict.same;
   }
-  fmt::print("{}\n", names_text(files));
+  print(fmt::format("{}\n", names_text(files)));
   for (const RunVerdict& verdict : verdicts)
-    fmt::print("{:<{}}  {}\n", verdict.name, width, verdict.text);
+    print(fmt::format("{:<{}}  {}\n", verdict.name, width, verdict.text));
   if (different == 0)
-    fmt::print("{}: {}\n", counted(verdicts.size(), "run", "runs"), verdict_text(true));
+    print(fmt::format("{}: {}\n", counted(verdicts.size(), "run", "runs"), verdict_text(true)));
   else
-    fmt::print("{} of {} different\n", different, counted(verdicts.size(), "run", "runs"));
+    print(fmt::format("{} of {} different\n", different, counted(verdicts.size(), "run", "runs")));
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ int compare_folders(const CompareOptions& options, const std::vector<std::string
   if (options.json) {
     Json json = {{"a", files.a}, {"b", files.b}, {"same", same}, {"runs", Json::object()}};
     for (const RunVerdict& verdict : verdicts) json["runs"][verdict.name] = verdict.json;
-    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    print(fmt::format("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)));
   } else {
     print_lines(verdicts, files);
   }

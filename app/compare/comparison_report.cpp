@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/base/console.h"
+#include "app/base/quoting.h"
 
 namespace app {
 namespace {
@@ -38,9 +39,10 @@ Widths widths_of(const Comparison& comparison) {
 }
 
 std::string row_of(const std::string& name, const Difference& d, const Widths& widths, bool color) {
-  return fmt::format("{:<{}}  {:<{}} {:>11.4g} {:>11.4g} {:<6} {:>8.3f} {:>11}  {}\n", name,
-                     widths.name, d.quantity, widths.quantity, d.largest, d.rms, d.unit,
-                     d.when_largest, limits_text(d), colored(verdict(d), d, color));
+  const std::string row = fmt::format("{:<{}}  {:<{}} {:>11.4g} {:>11.4g} {:<6} {:>8.3f} {:>11}  ",
+                                      name, widths.name, d.quantity, widths.quantity, d.largest,
+                                      d.rms, d.unit, d.when_largest, limits_text(d));
+  return shown(row) + colored(verdict(d), d, color) + "\n";
 }
 
 /// Returns what to say of a name besides its quantities.
@@ -51,7 +53,7 @@ std::string notes_of(const BodyComparison& body, const ComparedFiles& files, con
   if (body.interpolated > 0)
     text += fmt::format("{:<{}}  interpolated at {} of {} times\n", body.name, widths.name,
                         body.interpolated, body.times.size());
-  return text;
+  return shown(text, "\n");
 }
 
 /// Counts the quantities of a table: judged, and beyond their tolerance.
@@ -73,8 +75,9 @@ Count count_of(const TableComparison& table) {
 std::string lines_of(const TableComparison& table, const ComparedFiles& files, const Widths& widths,
                      bool color) {
   if (table.in != In::both)
-    return fmt::format("{}: {}{}\n", table.name, only_in(table.in, files),
-                       table.judged ? "" : ", not judged");
+    return shown(fmt::format("{}: {}{}", table.name, only_in(table.in, files),
+                             table.judged ? "" : ", not judged")) +
+           "\n";
   std::string text;
   const Count count = count_of(table);
   text += fmt::format("{}: {} of {}, {} judged, {} beyond tolerance\n", table.name,

@@ -41,7 +41,8 @@ std::string verdict_text(bool same);
 std::string names_text(const ComparedFiles& files);
 
 /// Returns a line per body and quantity of the motion, and of each table the quantities that are
-/// beyond their tolerance and a line about the others. @param color   Use a terminal's colours.
+/// beyond their tolerance and a line about the others. Control characters in names stand as
+/// escapes. @param color Use a terminal's colours.
 std::string table_of(const Comparison& comparison, const ComparedFiles& files, bool color);
 
 /// Returns `{"a": …, "b": …, "same": …, "differs": …, "bodies": {NAME: {"same": …, QUANTITY:

@@ -277,9 +277,9 @@ int hydrostatics(const HydrostaticsOptions& options) {
   for (const FloatingBody& body : floating_bodies(options))
     reports.push_back(floating_report(body, options.heels));
   check_that_one_floats(reports, options.file);
-  fmt::print("{}", options.json  ? floating_json(reports)
-                   : options.csv ? floating_csv(reports)
-                                 : floating_table(reports));
+  print(options.json  ? floating_json(reports)
+        : options.csv ? floating_csv(reports)
+                      : floating_table(reports));
   flush_output();
   return kDone;
 }

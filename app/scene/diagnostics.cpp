@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "app/base/quoting.h"
+
 namespace scene {
 
 namespace {
@@ -48,7 +50,7 @@ std::string to_string(const Fault& fault) {
   // A text quoted from the file may hold line breaks, but a fault is one line.
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
+  return app::shown(text, "\t");
 }
 
 InputError::InputError(std::vector<Fault> faults)

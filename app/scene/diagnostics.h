@@ -33,7 +33,7 @@ struct Fault {
 };
 
 /// Formats a fault as `FILE:LINE:COLUMN: KEY.PATH: message` without the parts that are unknown. A
-/// fault of an override reads `--set KEY.PATH: message`.
+/// fault of an override reads `--set KEY.PATH: message`. Control characters stand as escapes.
 std::string to_string(const Fault& fault);
 
 /// Reports every fault of an input; `what()` has one line per fault.

@@ -13,6 +13,7 @@ namespace {
 
 using app::csv_field;
 using app::shell_word;
+using app::shown;
 using app::valid_utf8;
 using app::xml_text;
 
@@ -47,6 +48,21 @@ TEST(Quoting, OfUtf8ReplacesForeignBytesOneByOne) {
   EXPECT_EQ(valid_utf8("\xed\xa0\x80"), mark + mark + mark);  // half of a surrogate pair
   EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), mark + mark + mark + mark);
   EXPECT_EQ(valid_utf8("é\xc3"), "é" + mark);
+}
+
+TEST(Quoting, OfTerminalsLeavesNothingToObey) {
+  EXPECT_EQ(shown("\x1b]0;owned\a\x1b[31mred"), "\\x1b]0;owned\\x07\\x1b[31mred");
+  EXPECT_EQ(shown("\xc2\x9b"
+                  "31m"),
+            "\\u009b31m");  // a control sequence in one character
+  EXPECT_EQ(shown("\x9b"
+                  "31m"),
+            "\\x9b31m");  // and in one byte, which is no UTF-8
+  EXPECT_EQ(shown("\x7f"), "\\u007f");
+  EXPECT_EQ(shown("a\nb\r\tc"), "a\\nb\\r\\tc");
+  EXPECT_EQ(shown("a\nb\tc\r", "\n\t"), "a\nb\tc\\r");
+  EXPECT_EQ(shown("é≤😀 \xc2\xa0"), "é≤😀 \xc2\xa0");
+  for (const std::string& name : kNames) EXPECT_EQ(valid_utf8(shown(name)), shown(name));
 }
 
 TEST(Quoting, OfCsvFollowsRfc4180) {

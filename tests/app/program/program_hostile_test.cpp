@@ -98,6 +98,25 @@ TEST_F(ProgramHostile, AFileNameInATableIsQuoted) {
   EXPECT_THAT(table.out, Not(HasSubstr("\na,")));
 }
 
+TEST_F(ProgramHostile, EscapesOfSceneFileNameAndLogReachNoTerminal) {
+  const std::string scene =
+      work.write("\x1b[1m.yaml", "plimsoll: 1\nduration: 0\n\"\\e]0;owned\\a\\e[31mred\": 1\n");
+  const Outcome fault = work.run({"check", scene});
+  EXPECT_THAT(fault.err, HasSubstr("\\x1b[1m.yaml:3:1: \\x1b]0;owned\\x07\\x1b[31mred: unknown"));
+  const std::string mesh = work.write("\x1b[31m\xc2\x9b.obj", kTetrahedronObj);
+  const Outcome table = work.run({"hydrostatics", mesh, "--mass", "10"});
+  const Outcome json = work.run({"hydrostatics", mesh, "--mass", "10", "--json"});
+  EXPECT_THAT(table.out, HasSubstr("\\x1b[31m\\u009b"));
+  EXPECT_THAT(json.out, HasSubstr("\\u001b[31m\\u009b"));
+  const std::string row = "0,\x1b[31mred,0,0,0,1,0,0,0,0,0,0,0,0,0\n";
+  work.write("a.csv", support::kTrajectoryHeader + row);
+  const Outcome compared = work.run({"compare", "a.csv", "a.csv"});
+  EXPECT_THAT(compared.out, HasSubstr("\\x1b[31mred"));
+  for (const Outcome& outcome : {fault, table, json, compared})
+    EXPECT_THAT(outcome.out + outcome.err,
+                Not(testing::AnyOf(HasSubstr("\x1b"), HasSubstr("\a"), HasSubstr("\x9b"))));
+}
+
 TEST_F(ProgramHostile, AFileNameThatIsNoUtf8DoesNotEndACommand) {
   const std::string mesh = work.write("a\xff.obj", kTetrahedronObj);
   const Outcome printed = work.run({"hydrostatics", mesh, "--mass", "10", "--json"});
