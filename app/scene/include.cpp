@@ -127,7 +127,8 @@ class Inclusion {
     const fs::path from_scene = (folder / name.text).lexically_normal();
     const fs::path file = (scene_.parent_path() / from_scene).lexically_normal();
     std::error_code error;
-    if (!fs::is_regular_file(file, error))
+    // The system takes a path to its first NUL.
+    if (name.text.find('\0') != std::string::npos || !fs::is_regular_file(file, error))
       refuse(name, fmt::format("found {}, expected a file; there is none of this name (relative to "
                                "the folder of the file that includes it)",
                                name.text));

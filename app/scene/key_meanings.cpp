@@ -194,7 +194,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"log.every", "Time between logged states. With 0 or without this key every step is logged."},
     {"log.probes", "Probes, which are read for `probes.csv` with every row of the trajectory."},
     {"log.probes[].name",
-     "Name of the probe in the log. It must not contain a comma, double quote or line break."},
+     "Name of the probe in the log. It must not contain a comma, double quote or control "
+     "character."},
     {"log.probes[].wave",
      "Place x, y in the world frame of a gauge of the water's elevation. Exactly one of `wave` and "
      "`body` is required."},

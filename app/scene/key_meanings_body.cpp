@@ -103,7 +103,7 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "The length by which WAMIT's files are without dimension (ULEN); other files have units."},
     {"bodies[].name",
      "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
-     "a double quote or a line break."},
+     "a double quote or a control character."},
     {"bodies[].mesh", "A closed triangle mesh from a file. Its normals point out of the solid."},
     {"bodies[].mesh.file",
      "A mesh file, relative to the scene file: .obj, .stl, .ply, .off, .gltf or .glb, and with the "

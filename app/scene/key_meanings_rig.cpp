@@ -37,7 +37,10 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
     {"bodies[].forces[].interpolation",
      "Value between the rows of `file`: on a line between them, or with `step` that of the row "
      "before."},
-    {"joints[].name", "Name of the joint. The default is `joint` and its index, counted from 0."},
+    {"joints[].name",
+     "Name of the joint in logs and controls. The default is `joint` and its index, counted from "
+     "0. "
+     "It must not contain a comma, a double quote or a control character."},
     {"joints[].type",
      "Type of the joint. A ball joint leaves all rotations free, a hinge the rotation about one "
      "axis, a slider the translation along one axis, a fixed joint nothing, and a universal "
@@ -86,7 +89,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "slider."},
     {"springs[].name",
      "Name of the spring in logs and controls, unique among the springs. It must not contain a"
-     " comma, a double quote, a bracket or a line break."},
+     " comma, a double quote, a bracket or a control character."},
     {"springs[].bodies", "The two bodies at its ends."},
     {"springs[].points",
      "Its ends, each in the mesh frame of its body, or in the world for `world`."},
@@ -99,7 +102,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "Tension at which it breaks for good. Without this key it does not break."},
     {"ropes[].name",
      "Name of the rope in logs and controls, unique among the ropes. It must not contain a "
-     "comma, a double quote, a bracket or a line break."},
+     "comma, a double quote, a bracket or a control character."},
     {"ropes[].bodies", "The two bodies at its ends."},
     {"ropes[].points",
      "Its ends, each in the mesh frame of its body, or in the world for `world`."},
@@ -117,7 +120,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
     {"ropes[].shortest", "Least length to which the winch hauls in."},
     {"moorings[].name",
      "Name of the mooring in logs and controls, unique among the moorings. It must not contain"
-     " a comma, a double quote, a bracket or a line break."},
+     " a comma, a double quote, a bracket or a control character."},
     {"moorings[].body", "Body that is moored."},
     {"moorings[].fairlead", "Upper end of the line, in the mesh frame of the body."},
     {"moorings[].anchor",
@@ -145,7 +148,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "one for all."},
     {"propellers[].name",
      "Name of the propeller in logs and controls, unique among the propellers. It must not "
-     "contain a comma, a double quote, a bracket or a line break."},
+     "contain a comma, a double quote, a bracket or a control character."},
     {"propellers[].body", "Body that it drives."},
     {"propellers[].at", "Centre of its disc, in the mesh frame of the body."},
     {"propellers[].axis",
@@ -196,7 +199,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "Moment of inertia of screw and shaft about the axis, for their gyroscopic torque."},
     {"rudders[].name",
      "Name in logs and controls, unique among the rudders and sails. It must not contain a "
-     "comma, a double quote, a bracket or a line break."},
+     "comma, a double quote, a bracket or a control character."},
     {"rudders[].body", "Body that carries it."},
     {"rudders[].at", "Point where its force acts, in the mesh frame of the body."},
     {"rudders[].span", "Length along `axis`."},

@@ -57,8 +57,6 @@ bool read_direction(MapReader& map, const std::string& key, Eigen::Vector3d& axi
 /// Reads what acts along the coordinate of a joint. @param type   None: it is not known.
 void read_drive(MapReader& map, std::optional<Joint::Type> type, JointDrive& drive);
 
-/// Reads the name of a line or machine. @param list   Key of the list that it stands in.
-void read_rig_name(MapReader& map, std::string& name, const std::string& list);
 void read(MapReader& map, Spring& spring);
 void read(MapReader& map, Rope& rope);
 void read(MapReader& map, Mooring& mooring);
@@ -93,9 +91,6 @@ void read(MapReader& map, Integrator& integrator);
 void read(MapReader& map, Probe& probe);
 /// Checks what the probes need from other blocks: their bodies, and water that is deep enough.
 void check_probes(MapReader& map, const Scene& scene);
-
-/// True if a name can be a cell of a CSV file and a key of an override.
-bool fits_in_csv(const std::string& name);
 
 /// Reads the whole file.
 void read(MapReader& map, Scene& scene);

@@ -20,10 +20,8 @@ void read(MapReader& map, Calibration& calibration) {
 }
 
 void read_name(MapReader& map, std::string& name) {
-  if (!map.required("name", name, TextRule{"a text, unique among the bodies"})) return;
+  map.required("name", name, NameRule{"bodies"});
   if (name == "world") map.fault("name", "found world, which stands for the world in joints");
-  if (!fits_in_csv(name))
-    map.fault("name", "expected a name without commas, double quotes and line breaks");
 }
 
 /// Round-off of the principal moments, relative to the largest.

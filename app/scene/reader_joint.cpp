@@ -107,7 +107,7 @@ bool read_direction(MapReader& map, const std::string& key, Eigen::Vector3d& axi
 }
 
 void read(MapReader& map, Joint& joint) {
-  map.optional("name", joint.name, TextRule{"a text, unique among the joints"});
+  map.optional("name", joint.name, NameRule{"joints"});
   const bool typed = map.required("type", joint.type, kTypes);
   read_pair(map, joint.bodies);
   map.optional("anchor", joint.anchor, number("m"));

@@ -23,7 +23,7 @@ void read_points(MapReader& map, std::array<Eigen::Vector3d, 2>& points) {
 
 /// Reads the keys that springs and ropes share.
 void read_tether(MapReader& map, Tether& tether, const char* among) {
-  read_rig_name(map, tether.name, among);
+  map.required("name", tether.name, NameRule{among, false});
   read_pair(map, tether.bodies);
   read_points(map, tether.points);
   map.optional("length", tether.length, not_negative("m"));
@@ -57,7 +57,7 @@ void read(MapReader& map, Rope& rope) {
 }
 
 void read(MapReader& map, Mooring& mooring) {
-  read_rig_name(map, mooring.name, "moorings");
+  map.required("name", mooring.name, NameRule{"moorings", false});
   map.required("body", mooring.body, TextRule{"the name of a body"});
   map.required("fairlead", mooring.fairlead, number("m"));
   map.required("anchor", mooring.anchor, number("m"));

@@ -104,7 +104,7 @@ void check_law(MapReader& map, FoilLaw law) {
 }
 
 void read_foil(MapReader& map, Foil& foil, const char* among) {
-  read_rig_name(map, foil.name, among);
+  map.required("name", foil.name, NameRule{among, false});
   map.required("body", foil.body, TextRule{"the name of a body"});
   map.required("at", foil.at, number("m"));
   map.required("span", foil.foil.span, positive("m"));
@@ -125,12 +125,6 @@ void read_foil(MapReader& map, Foil& foil, const char* among) {
 }
 
 }  // namespace
-
-void read_rig_name(MapReader& map, std::string& name, const std::string& list) {
-  if (!map.required("name", name, TextRule{"a text, unique among the " + list})) return;
-  if (!fits_in_csv(name) || name.find_first_of("[]") != std::string::npos)
-    map.fault("name", "expected a name without commas, double quotes, brackets and line breaks");
-}
 
 void read(MapReader& map, hydro::WageningenB& screw) {
   map.optional("blades", screw.blades, between(2, 7));
@@ -164,7 +158,7 @@ void read(MapReader& map, hydro::Foil::Table& table) {
 }
 
 void read(MapReader& map, Propeller& propeller) {
-  read_rig_name(map, propeller.name, "propellers");
+  map.required("name", propeller.name, NameRule{"propellers", false});
   map.required("body", propeller.body, TextRule{"the name of a body"});
   map.required("at", propeller.at, number("m"));
   read_direction(map, "axis", propeller.axis);

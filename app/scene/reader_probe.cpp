@@ -30,16 +30,8 @@ void check_gauge(MapReader& map, const Scene& scene, const Probe& probe, const s
 
 }  // namespace
 
-bool fits_in_csv(const std::string& name) {
-  return std::none_of(name.begin(), name.end(), [](char c) {
-    return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-  });
-}
-
 void read(MapReader& map, Probe& probe) {
-  if (map.required("name", probe.name, TextRule{"a text, unique among the probes"}) &&
-      !fits_in_csv(probe.name))
-    map.fault("name", "expected a name without commas, double quotes and line breaks");
+  map.required("name", probe.name, NameRule{"probes"});
   map.exactly_one_of({"wave", "body"});
   map.optional("wave", probe.wave, number("m"));
   map.optional("depth", probe.depth, not_negative("m"));

@@ -6,6 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+
+#include "app/base/utf8.h"
 
 namespace scene {
 
@@ -39,6 +42,15 @@ bool accept(const Value& value, std::errc error, bool allowed, const std::string
     return false;
   }
   return (error == std::errc{} && allowed) || value.refuse(expected);
+}
+
+bool is_name(std::string_view text, const NameRule& rule) {
+  if (text.find_first_of(rule.brackets ? ",\"" : ",\"[]") != std::string_view::npos) return false;
+  for (std::size_t length = 0; !text.empty(); text.remove_prefix(length)) {
+    length = app::utf8_length(text);
+    if (length == 0 || app::is_control(text.substr(0, length))) return false;
+  }
+  return true;
 }
 
 std::string range_text(const NumberRule& rule) {
@@ -206,6 +218,18 @@ bool Field<TextRule, std::string>::read(const Value& value, const TextRule& rule
   return true;
 }
 
+bool Field<NameRule, std::string>::read(const Value& value, const NameRule& rule,
+                                        std::string& target) {
+  // A refused name is kept, so that what refers to it is no fault of its own.
+  if (!Field<TextRule, std::string>::read(value, {expected(rule)}, target)) return false;
+  if (is_name(target, rule)) return true;
+  value.fault(
+      fmt::format("expected a name without commas, double quotes, {}line breaks and other "
+                  "control characters",
+                  rule.brackets ? "" : "brackets, "));
+  return false;
+}
+
 bool Field<TruthRule, bool>::read(const Value& value, const TruthRule& rule, bool& target) {
   if (!value.node.is_truth(true) && !value.node.is_truth(false))
     return value.refuse(expected(rule));
@@ -217,6 +241,8 @@ bool Field<FileRule, std::filesystem::path>::read(const Value& value, const File
                                                   std::filesystem::path& target) {
   if (!value.node.is(YamlNode::Kind::scalar) || value.node.text.empty())
     return value.refuse(expected(rule));
+  // The system takes a path to its first NUL.
+  if (value.node.text.find('\0') != std::string::npos) return value.refuse(expected(rule));
   const auto path = (value.reading.file.parent_path() / value.node.text).lexically_normal();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))

@@ -85,6 +85,12 @@ NumberRule degrees_between(double lo, double hi);
 struct TextRule {
   std::string expected = "a text";
 };
+/// A name of an entry of a list. It is a cell of tables and a word in messages, and so a text
+/// without commas, double quotes and control characters.
+struct NameRule {
+  std::string list;      ///< Key of the list, within which the name is unique.
+  bool brackets = true;  ///< Brackets are allowed.
+};
 /// `true` or `false`
 struct TruthRule {};
 /// A file that exists, relative to the scene's folder.
@@ -186,6 +192,16 @@ struct Field<TextRule, std::string> {
   static ValueShape shape(const TextRule&) { return {.kind = ValueShape::Kind::text}; }
   static std::string text(const TextRule&, const std::string& v) { return v; }
   static bool read(const Value& value, const TextRule& rule, std::string& target);
+};
+
+template <>
+struct Field<NameRule, std::string> {
+  static std::string expected(const NameRule& rule) {
+    return "a text, unique among the " + rule.list;
+  }
+  static ValueShape shape(const NameRule&) { return {.kind = ValueShape::Kind::text}; }
+  static std::string text(const NameRule&, const std::string& v) { return v; }
+  static bool read(const Value& value, const NameRule& rule, std::string& target);
 };
 
 template <>

@@ -485,6 +485,24 @@ TEST(SceneKeys, JointsAreRead) {
   EXPECT_EQ(joints[1].axis2, std::nullopt);
 }
 
+TEST(SceneKeys, NamesAreOfLettersOfAnyScriptSpacesAndSigns) {
+  const std::vector<std::string> names = {"Blåhaj the 鯊", "a/b %é", "mast 2.0", "a[0]",
+                                          "it's; <b>"};
+  std::string text = "plimsoll: 1\nduration: 1\nbodies:\n";
+  for (const std::string& name : names)
+    text += "  - {name: \"" + name + "\", box: {size: [1, 1, 1]}, density: 5}\n";
+  text += "joints:\n";
+  for (const std::string& name : names)
+    text += "  - {name: \"" + name + "\", type: ball, bodies: [\"" + name +
+            "\", world], anchor: [0, 0, 0]}\n";
+  const scene::Scene scene = read_scene_text(text);
+  ASSERT_EQ(scene.joints.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(scene.bodies[i].name, names[i]);
+    EXPECT_EQ(scene.joints[i].name, names[i]);
+  }
+}
+
 TEST(SceneKeys, FrictionAndRestitutionAreRead) {
   const scene::Scene scene = read_scene_text(every_key());
   EXPECT_EQ(scene.ground_friction, 0.25);
