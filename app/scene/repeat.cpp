@@ -42,7 +42,8 @@ std::vector<Copy> copies_of(const Repeat& repeat) {
   return copies;
 }
 
-Variables with_copy(Variables variables, const Copy& copy) {
+/// Sets the variables that tell a copy from others.
+void set_copy(const Copy& copy, Variables& variables) {
   std::map<std::string, double>& numbers = variables.numbers;
   numbers["i"] = copy.number;
   numbers["ix"] = copy.cell[0];
@@ -51,7 +52,6 @@ Variables with_copy(Variables variables, const Copy& copy) {
   numbers["dx"] = copy.shift.x();
   numbers["dy"] = copy.shift.y();
   numbers["dz"] = copy.shift.z();
-  return variables;
 }
 
 class Expansion {
@@ -59,7 +59,7 @@ class Expansion {
   explicit Expansion(Reading& reading) : reading_(reading) {}
 
   void expand(const Variables& variables, YamlNode& node, const std::string& path) {
-    if (++values_ > kMostValues) return;
+    if (++values_ > kMostValues || text_ > kMostText) return;
     if (node.is(Kind::scalar)) return substitute_in(variables, node, path);
     for (YamlEntry& entry : node.entries)
       expand(variables, entry.value, path.empty() ? entry.key : path + "." + entry.key);
@@ -70,16 +70,20 @@ class Expansion {
     node.items = std::move(items);
   }
 
-  /// Adds a fault if there were more values than a scene may have.
+  /// Adds a fault if there were more values or text than a scene may have.
   void finish() {
     if (values_ > kMostValues)
       reading_.fault("", fmt::format("with all copies there are more than {} values", kMostValues));
+    else if (text_ > kMostText)
+      reading_.fault(
+          "", fmt::format("with all copies there are more than {} MiB of text", kMostText >> 20));
   }
 
  private:
   void substitute_in(const Variables& variables, YamlNode& scalar, const std::string& path) {
     try {
-      substitute(variables, scalar);
+      substitute(variables, scalar, kMostText - text_);
+      text_ += scalar.text.size();
     } catch (const VariableFault& fault) {
       reading_.faults.add({reading_.place(fault.mark), path, fault.message});
     }
@@ -106,11 +110,13 @@ class Expansion {
     MapReader reader(&block, path + ".repeat", reading_);
     read(reader, repeat);
     reader.report_other_keys();
+    Variables own = variables;
     for (const Copy& copy : copies_of(repeat)) {
-      if (values_ > kMostValues) return;
+      if (values_ > kMostValues || text_ > kMostText) return;
       YamlNode& made = items.emplace_back(item);
       number_name(made, copy);
-      expand(with_copy(variables, copy), made, path);
+      set_copy(copy, own);
+      expand(own, made, path);
       if (list == "bodies") shift(made, copy);
     }
   }
@@ -141,6 +147,7 @@ class Expansion {
 
   Reading& reading_;
   std::size_t values_ = 0;
+  std::size_t text_ = 0;  ///< Of the values [bytes].
 };
 
 }  // namespace

@@ -78,10 +78,16 @@ YamlNode value_of(const Variables& variables, const std::string& expression, con
 
 bool has_variables(const std::string& text) { return text.find("${") != std::string::npos; }
 
-void substitute(const Variables& variables, YamlNode& scalar) {
+void substitute(const Variables& variables, YamlNode& scalar, std::size_t most) {
   if (!has_variables(scalar.text)) return;
   const std::string text = scalar.text;
   std::string result;
+  const auto check_length = [&](std::size_t length) {
+    if (length > most)
+      throw VariableFault{scalar.mark, fmt::format("with its variables the scene has more than {} "
+                                                   "MiB of text",
+                                                   kMostText >> 20)};
+  };
   for (std::size_t i = 0; i < text.size();) {
     if (text.compare(i, 3, "$${") == 0) {
       result += "${";
@@ -95,6 +101,7 @@ void substitute(const Variables& variables, YamlNode& scalar) {
     const std::size_t end = text.find('}', i);
     if (end == std::string::npos) throw VariableFault{scalar.mark, "has a ${ without its }"};
     YamlNode value = value_of(variables, text.substr(i + 2, end - i - 2), scalar.mark);
+    check_length(result.size() + value.text.size());
     if (i == 0 && end + 1 == text.size()) {
       scalar = std::move(value);
       return;
@@ -109,6 +116,7 @@ Variables read_variables(const YamlNode& map) {
   if (!map.is(YamlNode::Kind::map))
     throw VariableFault{map.mark, "expected a map of names with numbers and texts"};
   Variables variables;
+  std::size_t left = kMostText;
   for (const YamlEntry& entry : map.entries) {
     if (!is_name(entry.key))
       throw VariableFault{entry.mark,
@@ -127,10 +135,11 @@ Variables read_variables(const YamlNode& map) {
                                       describe(value)),
                           entry.key};
     try {
-      substitute(variables, value);
+      substitute(variables, value, left);
     } catch (const VariableFault& fault) {
       throw VariableFault{fault.mark, fault.message, entry.key};
     }
+    left -= std::min(left, value.text.size());
     const std::optional<double> number = plain_number(value);
     variables.texts.erase(entry.key);
     variables.numbers.erase(entry.key);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 
@@ -30,11 +31,12 @@ bool has_variables(const std::string& text);
 /// of numbers gives (formula.h, without the time). A scalar that is one `${…}` and nothing else
 /// becomes what that is, number, text or truth value, even in quotes; otherwise the values become
 /// parts of the text. `$${` stands for `${`.
+/// @param most   Longest text to make [bytes].
 /// @throws VariableFault
-void substitute(const Variables& variables, YamlNode& scalar);
+void substitute(const Variables& variables, YamlNode& scalar, std::size_t most = kMostText);
 
 /// Reads the map of variables in its order; each may use those before it.
-/// @throws VariableFault
+/// @throws VariableFault, also if all texts together are longer than kMostText
 Variables read_variables(const YamlNode& map);
 
 }  // namespace scene

@@ -49,6 +49,14 @@ std::size_t count_nodes(const YamlNode& node) {
   return count;
 }
 
+/// Returns the length of all scalars and keys [bytes].
+std::size_t text_size(const YamlNode& node) {
+  std::size_t size = node.text.size();
+  for (const YamlNode& item : node.items) size += text_size(item);
+  for (const YamlEntry& entry : node.entries) size += entry.key.size() + text_size(entry.value);
+  return size;
+}
+
 std::size_t depth_of(const YamlNode& node) {
   std::size_t deepest = 0;
   for (const YamlNode& item : node.items) deepest = std::max(deepest, depth_of(item));
@@ -104,6 +112,9 @@ class TreeBuilder : public YAML::EventHandler {
     if (found == anchors_.end())
       throw Refusal{to_mark(mark), "this alias stands inside the block that it repeats"};
     count(count_nodes(found->second), mark);
+    repeated_text_ += text_size(found->second);
+    if (repeated_text_ > kMostText)
+      throw Refusal{to_mark(mark), fmt::format("more than {} MiB of text here", kMostText >> 20)};
     check_depth(open_.size() + depth_of(found->second), mark);
     finish(found->second, 0);
   }
@@ -212,6 +223,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::map<YAML::anchor_t, YamlNode> anchors_;
   Mark last_quoted_;
   std::size_t nodes_ = 0;
+  std::size_t repeated_text_ = 0;  ///< Of aliases [bytes].
   int documents_ = 0;
 };
 

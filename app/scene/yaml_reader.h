@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,6 +11,10 @@
 /// counted from 1, quotes, repeated keys, and scalars as they are written.
 
 namespace scene {
+
+/// Bounds what the texts of one scene grow to by aliases, variables and copies [bytes]. A scene of
+/// ten thousand bodies has a few MiB.
+constexpr std::size_t kMostText = std::size_t{64} << 20;
 
 /// A place in the text, counted from 1; line 0: not from a file.
 struct Mark {
@@ -55,7 +60,8 @@ std::string read_text(const std::filesystem::path& file);
 /// Parses one YAML document; text without content gives a null node.
 /// @param file   File named in faults.
 /// @throws InputError if it is not valid YAML, has several documents, nests deeper than 60 levels,
-///     grows beyond 500 000 values through its aliases, or has keys that are not plain words.
+///     grows beyond 500 000 values or kMostText through its aliases, or has keys that are not plain
+///     words.
 YamlNode parse_yaml(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace scene

@@ -68,6 +68,19 @@ TEST(SceneFaults, AFaultIsOneLineWhateverTheFileHolds) {
   EXPECT_THAT(faults_of("? |\n  a\n  b\n: 1\n").front(), testing::Not(testing::HasSubstr("\n")));
 }
 
+TEST(SceneFaults, AFaultHasNoEscapeForATerminal) {
+  EXPECT_THAT(faults_of(std::string(kSmallScene) + "\"\\e]0;owned\\a\\e[31mred\": 1\n"),
+              ElementsAre(testing::StartsWith("7:1: \\x1b]0;owned\\x07\\x1b[31mred: unknown key")));
+}
+
+TEST(SceneFaults, LongTextsThatAliasesRepeatAreAFaultBeforeTheyFillTheMemory) {
+  const std::string mebibyte(1 << 20, 'a');
+  std::string aliases;
+  for (int i = 0; i < 65; ++i) aliases += i == 0 ? "*t" : ",*t";
+  EXPECT_THAT(faults_of("x-text: &t " + mebibyte + "\nx-all: [" + aliases + "]\n"),
+              ElementsAre("2:201: more than 64 MiB of text here"));
+}
+
 TEST(SceneFaults, MissingFileIsAFault) {
   EXPECT_THAT(faults_of_file("nowhere.yaml"), ElementsAre("there is no such file"));
 }

@@ -145,6 +145,18 @@ TEST(SceneRepeat, AFaultOfAllCopiesIsToldOnce) {
       "short.yaml:4:15: bodies[0].densty: unknown key; did you mean density?");
 }
 
+TEST(SceneRepeat, LongTextsOfManyCopiesAreAFaultBeforeTheyFillTheMemory) {
+  const std::string mebibyte(1 << 20, 'a');
+  EXPECT_THAT(faults_of("plimsoll: 1\nduration: 1\nbodies:\n  - {name: " + mebibyte +
+                        ", box: {size: [1, 1, 1]}, density: 5, repeat: {count: 100000}}\n"),
+              ElementsAre("1:1: with all copies there are more than 64 MiB of text"));
+  EXPECT_THAT(faults_of("plimsoll: 1\nduration: 1\nvariables: {text: " + mebibyte +
+                        "}\nbodies:\n  - {name: \"${text}${i}\", box: {size: [1, 1, 1]}, "
+                        "density: 5, repeat: {count: 100000}}\n")
+                  .front(),
+              testing::EndsWith("with its variables the scene has more than 64 MiB of text"));
+}
+
 TEST(SceneRepeat, WhatIsNotSoundIsToldAtItsPlace) {
   const auto faults = [](const std::string& repeat) {
     return faults_in_short("bodies:\n  - {repeat: " + repeat + ", name: b, " + kBox + "}\n");
