@@ -7,8 +7,9 @@
 namespace app {
 
 /// A temporary file beside another one, which `rename` replaces by it; without that call the
-/// destructor removes it. The constructor also removes temporary files for the same extension that
-/// killed processes left in the folder at least a day ago.
+/// destructor removes it. The file is locked until then, by which others know that its process is
+/// alive. The constructor also removes temporary files for the same extension that killed processes
+/// left in the folder.
 class PartFile {
  public:
   /// @throws std::runtime_error, as `write` and `rename` do, that names the file and the reason
@@ -24,11 +25,19 @@ class PartFile {
   void rename();
 
  private:
+  /// Makes and locks the file. @return false if there is another one of this name
+  bool make();
+
   std::filesystem::path file_;
   std::string name_;
   int handle_ = -1;
   bool renamed_ = false;
 };
+
+/// Removes temporary files that killed processes left in a folder. On a file system without locks
+/// they are those of yesterday and before.
+/// @param extension   Extension of the files that they were for; empty: any.
+void remove_left_parts(const std::filesystem::path& folder, const std::string& extension = "");
 
 /// Writes a file and the missing folders above it. The file is complete or unchanged even after a
 /// full disk, a power failure or a concurrent write by another process.

@@ -1,23 +1,13 @@
 #include "app/base/file_lock.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <system_error>
 
+#include "app/base/open_file.h"
+
 namespace app {
-namespace {
-
-/// True if the open file still has this name: the previous holder of a lock removes its file.
-bool has_name(int handle, const std::filesystem::path& name) {
-  struct stat open = {};
-  struct stat named = {};
-  return ::fstat(handle, &open) == 0 && ::stat(name.c_str(), &named) == 0 &&
-         open.st_ino == named.st_ino && open.st_dev == named.st_dev;
-}
-
-}  // namespace
 
 FileLock::FileLock(const std::filesystem::path& file) : file_(file) {
   if (file_.empty()) return;
@@ -37,6 +27,7 @@ bool FileLock::try_lock() {
     waited_ = true;
     locked = lock_.wait_for_lock();
   }
+  // The previous holder of a lock removes its file.
   if (locked && has_name(lock_.descriptor(), file_)) return true;
   lock_ = LockedFile();
   return !locked;

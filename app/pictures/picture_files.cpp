@@ -11,8 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// True for a picture whose name begins so, and for one that a killed run left in part
+/// (render::write_png).
 bool is_png(const fs::path& file, const char* begin) {
-  return file.filename().string().starts_with(begin) && file.extension() == ".png";
+  return file.filename().string().starts_with(begin) &&
+         (file.extension() == ".png" ||
+          (file.stem().extension() == ".png" && file.extension().string().starts_with(".part-")));
 }
 
 std::vector<fs::path> entries_of(const fs::path& folder) {
@@ -47,7 +51,7 @@ fs::path video_file(const fs::path& file, const std::string& camera) {
 
 void remove_pictures(const fs::path& folder) {
   for (const fs::path& file : entries_of(folder))
-    if (file.filename() == kSheetFile || is_png(file, "sheet_")) fs::remove(file);
+    if (is_png(file, "sheet_") || is_png(file, kSheetFile)) fs::remove(file);
   for (const fs::path& entry : entries_of(folder / kFramesFolder))
     if (fs::is_directory(entry) && !fs::is_symlink(entry)) remove_frames(entry);
   remove_frames(folder / kFramesFolder);

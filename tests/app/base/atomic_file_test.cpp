@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -102,6 +103,21 @@ TEST_F(FileWrittenWhole, IsThatOfOneOfTwoWhoWriteAtOnce) {
   }
   other.join();
   EXPECT_THAT(files_in(folder), ElementsAre("a.csv"));
+}
+
+TEST_F(FileWrittenWhole, RemovesTheTemporaryFilesOfTheDeadOnly) {
+  for (const char* left : {"b.csv.part-1-0", "c.txt.part-1-0", "d.csv.part-mine", "part-1-0"})
+    std::ofstream(folder / left) << "x";
+  app::PartFile alive(folder / "e.csv");
+  app::write_whole(folder / "a.csv", "a\n");
+  const std::string name = fs::path(alive.name()).filename().string();
+  EXPECT_THAT(files_in(folder),
+              ElementsAre("a.csv", "c.txt.part-1-0", "d.csv.part-mine", name, "part-1-0"));
+  app::remove_left_parts(folder);
+  EXPECT_THAT(files_in(folder), ElementsAre("a.csv", "d.csv.part-mine", name, "part-1-0"));
+  alive.write("e\n");
+  alive.rename();
+  EXPECT_EQ(bytes_in(folder / "e.csv"), "e\n");
 }
 
 /// The fault of writing a file.
