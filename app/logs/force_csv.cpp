@@ -12,7 +12,7 @@ namespace app {
 std::string force_header() { return fmt::format("time,body,{}", fmt::join(force_columns(), ",")); }
 
 ForceWriter::ForceWriter(const std::filesystem::path& file, std::vector<std::string> names,
-                         const std::optional<std::uint64_t>& kept)
+                         const std::optional<FilePosition>& kept)
     : names_(std::move(names)), file_(file, force_header(), kept) {}
 
 void ForceWriter::add(double time, const std::vector<engine::BodyForces>& forces) {

@@ -19,16 +19,18 @@ std::string force_header();
 /// Writes forces during a run. Rows are in the file when `add` returns.
 class ForceWriter {
  public:
-  /// Replaces the file, or keeps the first `kept` bytes of it (row_file.h). @throws InputError
+  /// Replaces the file, or keeps what it had at a position (row_file.h). @throws InputError
   ForceWriter(const std::filesystem::path& file, std::vector<std::string> names,
-              const std::optional<std::uint64_t>& kept = {});
+              const std::optional<FilePosition>& kept = {});
 
   /// Adds one row per body, in the order of the names, with digits that read back to the same
   /// numbers. @throws OutputError if the disk is full.
   void add(double time, const std::vector<engine::BodyForces>& forces);
 
   /// See RowFile::save.
-  std::uint64_t save() { return file_.save(); }
+  FilePosition save() { return file_.save(); }
+  /// See RowFile::check_place.
+  void check_place() const { file_.check_place(); }
 
  private:
   std::vector<std::string> names_;

@@ -28,7 +28,8 @@ void Hdf5Writer::add_texts(const std::string&, const std::vector<std::string>&) 
 std::size_t Hdf5Writer::add_series(const Hdf5Series&, const std::array<std::size_t, 2>&) {
   return 0;
 }
-std::size_t Hdf5Writer::find_series(const Hdf5Series&, std::size_t) { return 0; }
+std::size_t Hdf5Writer::find_series(const Hdf5Series&, std::size_t, std::uint64_t) { return 0; }
+std::uint64_t Hdf5Writer::hash_of(std::size_t) const { return 0; }
 void Hdf5Writer::reserve(std::size_t) {}
 void Hdf5Writer::append(std::size_t, std::span<const double>) {}
 void Hdf5Writer::flush() {}

@@ -13,7 +13,9 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/hdf5_library.h"
+#include "app/base/open_file.h"
 #include "app/base/output_error.h"
+#include "app/base/running_hash.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -107,6 +109,10 @@ bool write_text(hid_t object, const std::string& name, const std::string& text) 
   return write_attribute(object, name, space, {text});
 }
 
+std::span<const char> bytes_of(std::span<const double> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
+}
+
 }  // namespace
 
 std::string why_no_hdf5() { return ""; }
@@ -118,6 +124,33 @@ struct Hdf5Writer::File {
     std::size_t numbers = 1;         ///< Numbers of a row.
     hsize_t rows = 0;                ///< Rows that have been appended or kept.
     hsize_t in_file = 0;             ///< No fewer than those.
+    RunningHash hash;                ///< Of those rows.
+
+    /// Selects a part of the rows in the file.
+    Handle part(hsize_t from, hsize_t count) const {
+      Extents first(shape.size() + 1, 0);
+      first[0] = from;
+      Handle space(H5Dget_space(dataset), H5Sclose);
+      H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr,
+                          shape_of(count, shape).data(), nullptr);
+      return space;
+    }
+
+    /// Adds the rows that are kept to the hash. @return false if they cannot be read
+    bool hash_rows() {
+      constexpr hsize_t kMostNumbers = 1 << 17;
+      const hsize_t most = std::max<hsize_t>(1, kMostNumbers / std::max<std::size_t>(1, numbers));
+      std::vector<double> read;
+      for (hsize_t row = 0; row < rows; row += most) {
+        const hsize_t count = std::min(most, rows - row);
+        read.resize(count * numbers);
+        if (H5Dread(dataset, H5T_NATIVE_DOUBLE, space_of(shape_of(count, shape)), part(row, count),
+                    H5P_DEFAULT, read.data()) < 0)
+          return false;
+        hash.add(bytes_of(read));
+      }
+      return true;
+    }
   };
 
   /// Gives up all objects without closing them, because the library would write more.
@@ -249,7 +282,8 @@ std::size_t Hdf5Writer::add_series(const Hdf5Series& series,
   return file_->series.size() - 1;
 }
 
-std::size_t Hdf5Writer::find_series(const Hdf5Series& series, std::size_t rows) {
+std::size_t Hdf5Writer::find_series(const Hdf5Series& series, std::size_t rows,
+                                    std::uint64_t hash) {
   prepare_library();
   Handle dataset(H5Dopen2(file_->file, series.name.c_str(), write_through()), H5Dclose);
   const auto refuse = [&](const char* why) {
@@ -263,24 +297,28 @@ std::size_t Hdf5Writer::find_series(const Hdf5Series& series, std::size_t rows) 
     refuse("is not that of the checkpoint");
   std::size_t numbers = 1;
   for (const std::size_t length : series.shape) numbers *= length;
-  file_->series.push_back({std::move(dataset), series.shape, numbers, rows, shape[0]});
+  file_->series.push_back({std::move(dataset), series.shape, numbers, rows, shape[0], {}});
+  if (!file_->series.back().hash_rows()) refuse("cannot be read");
+  if (file_->series.back().hash.value() != hash)
+    refuse("has changed since its checkpoint was written");
   return file_->series.size() - 1;
+}
+
+std::uint64_t Hdf5Writer::hash_of(std::size_t series) const {
+  return file_->series[series].hash.value();
 }
 
 void Hdf5Writer::append(std::size_t number, std::span<const double> numbers) {
   prepare_library();
   File::Series& series = file_->series[number];
   const hsize_t rows = numbers.size() / series.numbers;
-  const Extents count = shape_of(rows, series.shape);
-  Extents first(count.size(), 0);
-  first[0] = series.rows;
+  const hsize_t first = series.rows;
   series.rows += rows;
   series.in_file = std::max(series.in_file, series.rows);
   file_->check(H5Dset_extent(series.dataset, shape_of(series.in_file, series.shape).data()) >= 0);
-  const Handle to(H5Dget_space(series.dataset), H5Sclose);
-  H5Sselect_hyperslab(to, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
-  file_->check(H5Dwrite(series.dataset, H5T_NATIVE_DOUBLE, space_of(count), to, H5P_DEFAULT,
-                        numbers.data()) >= 0);
+  file_->check(H5Dwrite(series.dataset, H5T_NATIVE_DOUBLE, space_of(shape_of(rows, series.shape)),
+                        series.part(first, rows), H5P_DEFAULT, numbers.data()) >= 0);
+  series.hash.add(bytes_of(numbers));
 }
 
 void Hdf5Writer::reserve(std::size_t bytes) {
@@ -298,6 +336,7 @@ void Hdf5Writer::flush() {
   flush_in_copy(file_->file);
   file_->check(H5Fflush(file_->file, H5F_SCOPE_LOCAL) >= 0);
   file_->name_it();
+  if (!has_name(file_->descriptor(), file_->path)) file_->fail(kGone);
 }
 
 void Hdf5Writer::close() {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -34,8 +35,8 @@ using Hdf5Attributes = std::vector<std::pair<std::string, std::string>>;
 /// rows: whenever the program is killed, the file holds at least those of the last `flush` that has
 /// ended. Of a machine without power the file may be damaged.
 ///
-/// All functions but the constructor throw OutputError if the file cannot be written. The file then
-/// keeps the state of the last `flush`.
+/// All functions but the constructor throw OutputError if the file cannot be written, and `flush`
+/// if it has been removed or replaced. The file then keeps the state of the last `flush`.
 class Hdf5Writer {
  public:
   enum class Mode {
@@ -61,8 +62,13 @@ class Hdf5Writer {
   /// Finds a series of a file that is extended. The rows that are appended follow its first `rows`
   /// rows; they replace others that come after these, which remain until then. (To drop rows writes
   /// over what the structure on the disk refers to, until the next flush.)
-  /// @return the series' number. @throws InputError if it is missing or shorter.
-  std::size_t find_series(const Hdf5Series& series, std::size_t rows);
+  /// @param hash   What `hash_of` gave for these rows.
+  /// @return the series' number. @throws InputError if it is missing or shorter, or has other
+  /// numbers
+  std::size_t find_series(const Hdf5Series& series, std::size_t rows, std::uint64_t hash);
+
+  /// Returns the RunningHash of the rows of a series.
+  std::uint64_t hash_of(std::size_t series) const;
 
   /// Reserves disk space for `bytes` more bytes of numbers. If there is none, all earlier rows are
   /// flushed before the function throws.

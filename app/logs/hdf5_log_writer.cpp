@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "app/base/output_error.h"
@@ -46,7 +47,7 @@ std::size_t chunk_rows(const LogSubject& subject) {
 }  // namespace
 
 Hdf5Log::Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,
-                 const std::optional<std::size_t>& kept)
+                 const std::optional<LogPosition>& kept)
     : subject_(subject),
       chunk_(chunk_rows(subject)),
       file_(file, kept ? Hdf5Writer::Mode::extend : Hdf5Writer::Mode::replace) {
@@ -89,10 +90,15 @@ void Hdf5Log::make_structure() {
   started_ = true;
 }
 
-void Hdf5Log::find_structure(std::size_t kept) {
-  times_.number = file_.find_series({"time", "s", {}, {}}, kept);
-  list_series([&](const Hdf5Series& series) { return file_.find_series(series, kept); });
-  written_ = kept;
+void Hdf5Log::find_structure(const LogPosition& kept) {
+  auto hash = kept.hdf5_hashes.begin();
+  const auto find = [&](const Hdf5Series& series) {
+    if (hash == kept.hdf5_hashes.end()) throw std::runtime_error("a series has no hash");
+    return file_.find_series(series, kept.rows, *hash++);
+  };
+  times_.number = find({"time", "s", {}, {}});
+  list_series(find);
+  written_ = kept.rows;
   started_ = true;
 }
 
@@ -165,7 +171,12 @@ LogPosition Hdf5Log::save() {
     ended_ = true;
     throw;
   }
-  return {.rows = written_};
+  LogPosition position{.rows = written_};
+  position.hdf5_hashes.push_back(file_.hash_of(times_.number));
+  for (const Series& series : series_) position.hdf5_hashes.push_back(file_.hash_of(series.number));
+  for (const std::vector<Series>& table : tables_)
+    for (const Series& series : table) position.hdf5_hashes.push_back(file_.hash_of(series.number));
+  return position;
 }
 
 void Hdf5Log::finish() {

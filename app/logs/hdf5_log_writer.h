@@ -19,11 +19,12 @@ namespace app {
 /// writes the rest. A killed program loses the rows of the last second.
 class Hdf5Log : public Log {
  public:
-  /// Replaces the file, or keeps its first `kept` rows. Those after them, which a killed run has
-  /// logged, remain until they are written again with the same numbers.
-  /// @throws InputError if the file cannot be written, or the program has no HDF5
+  /// Replaces the file, or keeps its rows up to a position. Those after them, which a killed run
+  /// has logged, remain until they are written again with the same numbers.
+  /// @throws InputError if the file cannot be written or holds other rows, or the program has no
+  ///     HDF5
   Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,
-          const std::optional<std::size_t>& kept = {});
+          const std::optional<LogPosition>& kept = {});
   /// Writes the buffered rows if possible.
   ~Hdf5Log() override;
 
@@ -42,7 +43,7 @@ class Hdf5Log : public Log {
 
   void list_series(const AddSeries& number_of);
   void make_structure();
-  void find_structure(std::size_t kept);
+  void find_structure(const LogPosition& kept);
   void wait(const LogEntry& entry);
   void write_waiting();
   void flush();

@@ -39,9 +39,9 @@ int id_from(double number, const std::filesystem::path& file, int line) {
 }  // namespace
 
 InteriorWriter::InteriorWriter(std::filesystem::path file, std::vector<std::string> names,
-                               const std::optional<std::uint64_t>& kept)
+                               const std::optional<FilePosition>& kept)
     : file_(std::move(file)), names_(std::move(names)) {
-  if (kept.value_or(0) > 0)
+  if (kept && kept->bytes > 0)
     rows_.emplace(file_, kInteriorHeader, kept);
   else
     std::filesystem::remove(file_);

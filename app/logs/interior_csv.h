@@ -22,15 +22,19 @@ namespace app {
 /// pockets has none.
 class InteriorWriter {
  public:
-  /// Removes the file, or keeps the first `kept` bytes of it (row_file.h). @throws InputError
+  /// Removes the file, or keeps what it had at a position (row_file.h). @throws InputError
   InteriorWriter(std::filesystem::path file, std::vector<std::string> names,
-                 const std::optional<std::uint64_t>& kept = {});
+                 const std::optional<FilePosition>& kept = {});
 
   /// @param interiors   Of each body, in the order of the names. @throws OutputError
   void add(double time, const std::vector<engine::InteriorState>& interiors);
 
-  /// See RowFile::save; 0 without a file.
-  std::uint64_t save() { return rows_ ? rows_->save() : 0; }
+  /// See RowFile::save; nothing without a file.
+  FilePosition save() { return rows_ ? rows_->save() : FilePosition(); }
+  /// See RowFile::check_place.
+  void check_place() const {
+    if (rows_) rows_->check_place();
+  }
 
  private:
   std::filesystem::path file_;

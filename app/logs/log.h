@@ -25,13 +25,14 @@ struct LogSubject {
   std::string title;
 };
 
-/// The length of a log, up to which a resumed run keeps it.
+/// The part of a log that a resumed run keeps.
 struct LogPosition {
-  std::uint64_t rows = 0;                        ///< Number of logged times.
-  std::uint64_t trajectory_bytes = 0;            ///< Length of trajectory.csv.
-  std::uint64_t forces_bytes = 0;                ///< Length of forces.csv.
-  std::uint64_t interior_bytes = 0;              ///< Length of interior.csv.
-  std::vector<std::uint64_t> tables_bytes = {};  ///< Lengths of the tables' files.
+  std::uint64_t rows = 0;                       ///< Number of logged times.
+  FilePosition trajectory;                      ///< Of trajectory.csv.
+  FilePosition forces;                          ///< Of forces.csv.
+  FilePosition interior;                        ///< Of interior.csv.
+  std::vector<FilePosition> tables = {};        ///< Of the tables' files.
+  std::vector<std::uint64_t> hdf5_hashes = {};  ///< Of the rows of each series of run.h5.
 };
 
 /// What is logged of an instant.
@@ -56,7 +57,8 @@ class Log {
   /// @throws OutputError
   virtual LogPosition save() = 0;
 
-  /// Writes all rows and ends the log. @throws OutputError
+  /// Writes all rows and ends the log. @throws OutputError, also if a file has been removed or
+  /// replaced
   virtual void finish() = 0;
 };
 

@@ -20,14 +20,12 @@ class CsvLog : public Log {
   CsvLog(const LogSubject& subject, const std::filesystem::path& folder,
          const std::optional<LogPosition>& resumed)
       : rows_(resumed ? resumed->rows : 0),
-        states_(folder / kTrajectoryLog, subject.bodies,
-                kept(resumed, &LogPosition::trajectory_bytes)) {
+        states_(folder / kTrajectoryLog, subject.bodies, kept(resumed, &LogPosition::trajectory)) {
     if (subject.forces)
-      forces_.emplace(folder / kForceLog, subject.bodies,
-                      kept(resumed, &LogPosition::forces_bytes));
+      forces_.emplace(folder / kForceLog, subject.bodies, kept(resumed, &LogPosition::forces));
     for (std::size_t i = 0; i < subject.tables.size(); ++i)
       tables_.emplace_back(folder, subject.tables[i],
-                           resumed ? std::optional(resumed->tables_bytes.at(i)) : std::nullopt);
+                           resumed ? std::optional(resumed->tables.at(i)) : std::nullopt);
   }
 
   void add(const LogEntry& entry) override {
@@ -39,18 +37,22 @@ class CsvLog : public Log {
 
   LogPosition save() override {
     LogPosition position{.rows = rows_,
-                         .trajectory_bytes = states_.save(),
-                         .forces_bytes = forces_ ? forces_->save() : 0};
-    for (TableWriter& table : tables_) position.tables_bytes.push_back(table.save());
+                         .trajectory = states_.save(),
+                         .forces = forces_ ? forces_->save() : FilePosition()};
+    for (TableWriter& table : tables_) position.tables.push_back(table.save());
     return position;
   }
 
-  void finish() override {}
+  void finish() override {
+    states_.check_place();
+    if (forces_) forces_->check_place();
+    for (const TableWriter& table : tables_) table.check_place();
+  }
 
  private:
-  static std::optional<std::uint64_t> kept(const std::optional<LogPosition>& resumed,
-                                           std::uint64_t LogPosition::*bytes) {
-    return resumed ? std::optional((*resumed).*bytes) : std::nullopt;
+  static std::optional<FilePosition> kept(const std::optional<LogPosition>& resumed,
+                                          FilePosition LogPosition::*position) {
+    return resumed ? std::optional((*resumed).*position) : std::nullopt;
   }
 
   std::uint64_t rows_;
@@ -66,7 +68,7 @@ class LogWithInteriors : public Log {
                    const std::filesystem::path& folder, const std::optional<LogPosition>& resumed)
       : rest_(std::move(rest)),
         interiors_(folder / kInteriorLog, subject.bodies,
-                   resumed ? std::optional(resumed->interior_bytes) : std::nullopt) {}
+                   resumed ? std::optional(resumed->interior) : std::nullopt) {}
 
   void add(const LogEntry& entry) override {
     rest_->add(entry);
@@ -75,11 +77,14 @@ class LogWithInteriors : public Log {
 
   LogPosition save() override {
     LogPosition position = rest_->save();
-    position.interior_bytes = interiors_.save();
+    position.interior = interiors_.save();
     return position;
   }
 
-  void finish() override { rest_->finish(); }
+  void finish() override {
+    rest_->finish();
+    interiors_.check_place();
+  }
 
  private:
   std::unique_ptr<Log> rest_;
@@ -95,9 +100,7 @@ std::unique_ptr<Log> log_of_motion(LogFormat format, const LogSubject& subject,
                                    const std::filesystem::path& folder,
                                    const std::optional<LogPosition>& resumed) {
   if (format == LogFormat::csv) return std::make_unique<CsvLog>(subject, folder, resumed);
-  return std::make_unique<Hdf5Log>(
-      subject, folder / kHdf5Log,
-      resumed ? std::optional<std::size_t>(resumed->rows) : std::nullopt);
+  return std::make_unique<Hdf5Log>(subject, folder / kHdf5Log, resumed);
 }
 
 }  // namespace

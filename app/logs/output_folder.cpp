@@ -9,6 +9,9 @@
 #include <system_error>
 #include <thread>
 
+#include "app/base/atomic_file.h"
+#include "app/base/open_file.h"
+#include "app/base/output_error.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -37,6 +40,14 @@ OutputFolder::OutputFolder(const std::filesystem::path& path, Use use) : path_(p
     throw scene::InputError(path_,
                             "another run is writing to this folder; name another with --out");
   }
+  remove_left_parts(path_);
+}
+
+bool OutputFolder::is_in_place() const { return has_name(lock_.descriptor(), path_); }
+
+void OutputFolder::check_place() const {
+  if (!is_in_place())
+    throw OutputError(fmt::format("{}: cannot be written: {}", path_.string(), kGone));
 }
 
 }  // namespace app

@@ -34,7 +34,7 @@ std::size_t TableLayout::column(const std::string& name) const {
 }
 
 TableWriter::TableWriter(const std::filesystem::path& folder, const LogTable& table,
-                         const std::optional<std::uint64_t>& kept)
+                         const std::optional<FilePosition>& kept)
     : names_(table.names),
       width_(table.layout.width()),
       file_(folder / table.layout.file, table.layout.header(), kept) {}

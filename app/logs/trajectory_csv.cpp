@@ -30,7 +30,7 @@ void read_row(std::string_view text, const std::filesystem::path& file, int line
 
 TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& file,
                                    std::vector<std::string> names,
-                                   const std::optional<std::uint64_t>& kept)
+                                   const std::optional<FilePosition>& kept)
     : names_(std::move(names)), file_(file, kHeader, kept) {}
 
 void TrajectoryWriter::add(double time, const std::vector<hydro::BodyState>& states) {

@@ -20,7 +20,32 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 5;
+constexpr int kFormat = 6;
+
+Json to_json(const FilePosition& position) {
+  return {{"bytes", position.bytes}, {"hash", position.hash}};
+}
+
+FilePosition position_from(const Json& json) {
+  return {.bytes = json.at("bytes").get<std::uint64_t>(),
+          .hash = json.at("hash").get<std::uint64_t>()};
+}
+
+Json tables_of(const LogPosition& log) {
+  Json tables = Json::array();
+  for (const FilePosition& table : log.tables) tables.push_back(to_json(table));
+  return tables;
+}
+
+LogPosition log_from(const Json& head) {
+  LogPosition log{.rows = head.at("rows").get<std::uint64_t>(),
+                  .trajectory = position_from(head.at("trajectory")),
+                  .forces = position_from(head.at("forces")),
+                  .interior = position_from(head.at("interior")),
+                  .hdf5_hashes = head.at("hdf5_hashes").get<std::vector<std::uint64_t>>()};
+  for (const Json& table : head.at("tables")) log.tables.push_back(position_from(table));
+  return log;
+}
 
 Json to_json(const Checkpoint& c) {
   return {{"checkpoint", kFormat},
@@ -34,10 +59,11 @@ Json to_json(const Checkpoint& c) {
           {"video", c.choices.video.file.string()},
           {"fps", c.choices.video.fps},
           {"rows", c.log.rows},
-          {"trajectory_bytes", c.log.trajectory_bytes},
-          {"forces_bytes", c.log.forces_bytes},
-          {"interior_bytes", c.log.interior_bytes},
-          {"tables_bytes", c.log.tables_bytes},
+          {"trajectory", to_json(c.log.trajectory)},
+          {"forces", to_json(c.log.forces)},
+          {"interior", to_json(c.log.interior)},
+          {"tables", tables_of(c.log)},
+          {"hdf5_hashes", c.log.hdf5_hashes},
           {"shots", c.shots},
           {"warnings", c.warnings},
           {"rig", c.rig.state()}};
@@ -152,11 +178,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
     return {.source = source_from(head.at("source")),
             .inputs = head.at("inputs").get<std::string>(),
             .choices = choices_from(head),
-            .log = {.rows = head.at("rows").get<std::uint64_t>(),
-                    .trajectory_bytes = head.at("trajectory_bytes").get<std::uint64_t>(),
-                    .forces_bytes = head.at("forces_bytes").get<std::uint64_t>(),
-                    .interior_bytes = head.at("interior_bytes").get<std::uint64_t>(),
-                    .tables_bytes = head.at("tables_bytes").get<std::vector<std::uint64_t>>()},
+            .log = log_from(head),
             .shots = head.at("shots").get<long>(),
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .rig = rig_from(head.at("rig")),

@@ -77,6 +77,9 @@ class Run {
     summary_.pictures_skipped = reason_for_no_pictures(code);
     if (summary_.pictures_skipped.empty()) code = draw(code);
     progress_.clear();
+    // The summary would make a folder anew that was removed.
+    if (code == kDone) folder_.check_place();
+    if (!folder_.is_in_place()) return code;
     summary_.wall = built_.added_mass_seconds + clock_.seconds();
     if (!options_.quiet) report(code);
     write_summary(summary_, summary_file());
@@ -154,12 +157,18 @@ class Run {
           save_checkpoint();
       }
     } catch (const engine::SimulationError& error) {
-      log_.finish();
+      finish_log();
       return failed(kCannotGoOn, error.what());
     }
     if (options_.checkpoint > 0 && interrupt_.interrupted()) save_checkpoint();
-    log_.finish();
+    finish_log();
     return simulation_.steps() < steps ? interrupted() : kDone;
+  }
+
+  /// @throws OutputError, also if no one will find the log
+  void finish_log() {
+    folder_.check_place();
+    log_.finish();
   }
 
   /// Saves the rows and shots so far, then the checkpoint.

@@ -6,14 +6,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/logs/hdf5_file.h"
 #include "app/logs/hdf5_reader.h"
+#include "app/scene/diagnostics.h"
 #include "tests/support/repeats.h"
 
-/// What a killed program leaves of an HDF5 file.
+/// What a killed program leaves of an HDF5 file, and how another one goes on.
 
 namespace {
 
@@ -36,6 +38,40 @@ app::Hdf5Series numbered_series(int i) {
     file.flush();
     if (::write(told, &rows, sizeof rows) != sizeof rows) ::_exit(1);
   }
+}
+
+TEST(Hdf5Extended, GoesOnAfterTheSameNumbersOnly) {
+  if (!app::why_no_hdf5().empty()) GTEST_SKIP() << app::why_no_hdf5();
+  const fs::path path = fs::temp_directory_path() / ("hash" + std::to_string(::getpid()) + ".h5");
+  const std::vector<double> rows = {1, 2, 3, 4, 5, 6};
+  std::uint64_t two = 0, three = 0;
+  {
+    app::Hdf5Writer file(path);
+    file.add_series(numbered_series(0), {16, 2});
+    file.append(0, std::span(rows).first(4));
+    two = file.hash_of(0);
+    file.append(0, std::span(rows).subspan(4));
+    three = file.hash_of(0);
+    file.close();
+  }
+  using Mode = app::Hdf5Writer::Mode;
+  // The library takes what it has open of a file for its content.
+  const fs::path copy = path.string() + "-copy";
+  fs::copy_file(path, copy);
+  EXPECT_THROW(app::Hdf5Writer(copy, Mode::extend).find_series(numbered_series(0), 3, two),
+               scene::InputError);
+  {
+    app::Hdf5Writer file(path, Mode::extend);
+    file.find_series(numbered_series(0), 2, two);
+    file.append(0, std::vector<double>{5, 6});
+    EXPECT_EQ(file.hash_of(0), three);
+    file.append(0, std::vector<double>{7, 8});
+    file.close();
+  }
+  EXPECT_EQ(app::Hdf5Reader(path, {"s0"}).numbers("s0", {2}),
+            (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+  fs::remove(path);
+  fs::remove(copy);
 }
 
 TEST(Hdf5Killed, AtAnyMomentHasTheRowsOfTheLastFlush) {

@@ -167,6 +167,27 @@ TEST(ProgramCheckpoint, WhatCannotBeResumedIsToldInOneLine) {
   EXPECT_EQ(place.run({"run"}).code, 2);
 }
 
+TEST(ProgramCheckpoint, ALogThatHasChangedSinceIsRefused) {
+  const Workplace place;
+  const std::string scene = place.write("scene.yaml", long_scene());
+  ASSERT_EQ(stop_by(place, SIGTERM, {"run", scene}).code, 130);
+  for (const std::string log : {"trajectory.csv", "forces.csv", "probes.csv"}) {
+    const std::string whole = place.read(place / "cut" / log);
+    std::string changed = whole;
+    char& digit = changed[changed.find_first_of("123456789", 1000)];
+    digit = digit == '1' ? '2' : '1';
+    place.write("cut/" + log, changed);
+    const Outcome refused = place.run({"run", "--resume", "cut"});
+    EXPECT_EQ(refused.code, 2) << log;
+    EXPECT_NE(refused.err.find("cut/" + log + ": has changed since its checkpoint was written"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(place.read(place / "cut" / log), changed);
+    place.write("cut/" + log, whole);
+  }
+  EXPECT_EQ(place.run({"run", "--resume", "cut", "--quiet"}).code, 0);
+}
+
 TEST(ProgramCheckpoint, ACheckpointCutShortAtAnyPlaceIsRefused) {
   const Workplace place;
   const std::string scene = place.write("scene.yaml", long_scene());

@@ -9,6 +9,7 @@
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory.h"
 #include "tests/app/program/program.h"
+#include "tests/support/files.h"
 
 /// What the program does when it cannot do what it was asked for: exit codes, messages, and what is
 /// left on disk.
@@ -240,6 +241,51 @@ TEST_F(ProgramFailures, APictureThatCannotBeWrittenIsTheLast) {
     EXPECT_FALSE(fs::exists(here / "o/sheet.png"));
     EXPECT_EQ(expect_whole_log(), 21u);
   }
+}
+
+TEST_F(ProgramFailures, AFolderThatIsRemovedMeanwhileIsToldAndNotMadeAnew) {
+  for (const std::string threads : support::kWriterThreads) {
+    const pid_t process = start_long_run("", threads);
+    fs::remove_all(here / "o");
+    ::kill(process, SIGINT);
+    const Outcome outcome = here.finish(process);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err,
+                EndsWith("\nerror: o: cannot be written: it was removed or replaced during the "
+                         "run\n"));
+    EXPECT_FALSE(fs::exists(here / "o"));
+  }
+}
+
+TEST_F(ProgramFailures, ALogThatIsReplacedMeanwhileIsTold) {
+  for (const std::string threads : support::kWriterThreads) {
+    const pid_t process = start_long_run("", threads);
+    fs::rename(here / "o/trajectory.csv", here / "o/moved.csv");
+    here.write("o/trajectory.csv", "another\n");
+    ::kill(process, SIGINT);
+    const Outcome outcome = here.finish(process);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err,
+                HasSubstr("\nerror: o/trajectory.csv: cannot be written: it was removed "
+                          "or replaced during the run\n"));
+    EXPECT_EQ(summary()["ended"], "failed");
+    EXPECT_EQ(here.read("o/trajectory.csv"), "another\n");
+  }
+}
+
+TEST_F(ProgramFailures, WhatAKilledRunLeftInPartIsRemovedByTheNext) {
+  here.write("box.yaml", falling_box("0.1", "render: {size: [64, 48]}\n"));
+  here.write("o/summary.json.part-999999999-0", "{");
+  here.write("o/box.mp4.part-999999999-1", "");
+  here.write("o/frames/frame_0007.png.part-999999999", "");
+  here.write("o/my.csv.part-one", "");
+  const Outcome outcome = here.run({"run", "box.yaml", "--out", "o", "--quiet"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(support::files_in(here / "o"),
+              testing::ElementsAre("frames", "my.csv.part-one", "sheet.png", "summary.json",
+                                   "trajectory.csv"));
+  for (const std::string& frame : support::files_in(here / "o/frames"))
+    EXPECT_THAT(frame, EndsWith(".png"));
 }
 
 TEST_F(ProgramFailures, OutputThatCannotBeWrittenIsTold) {
