@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -47,6 +48,8 @@ void say_faults(const scene::InputError& error, const std::string& command) {
 int main(int argc, char** argv) {
   keep_freed_memory();
   app::open_standard_streams();
+  // A write beyond the limit of a file's size is then an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run_command(argc, argv);
   } catch (const scene::InputError& error) {

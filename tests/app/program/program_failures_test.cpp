@@ -214,8 +214,8 @@ TEST_F(ProgramFailures, AFullDiskIsToldAtTheFirstRowLost) {
 TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
   here.write("box.yaml", falling_box("100"));
   for (const std::string threads : support::kWriterThreads) {
-    const Outcome outcome = here.shell(
-        "trap '' XFSZ; ulimit -f 16; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
+    const Outcome outcome =
+        here.shell("ulimit -f 16; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(support::after_scene(outcome.err),
                 StartsWith("error: o/trajectory.csv: cannot be written: File too large"));
@@ -231,8 +231,8 @@ TEST_F(ProgramFailures, ADiskThatFillsUpKeepsTheRowsBefore) {
 TEST_F(ProgramFailures, APictureThatCannotBeWrittenIsTheLast) {
   here.write("box.yaml", falling_box("0.2", "render: {size: [640, 480], every: 0.02}\n"));
   for (const std::string threads : support::kWriterThreads) {
-    const Outcome outcome = here.shell(
-        "trap '' XFSZ; ulimit -f 32; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
+    const Outcome outcome =
+        here.shell("ulimit -f 32; exec $PLIMSOLL run box.yaml --out o --threads " + threads);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(support::after_scene(outcome.err),
                 StartsWith("error: o/frames/frame_0000.png: cannot write the picture: "));
