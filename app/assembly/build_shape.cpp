@@ -115,7 +115,10 @@ std::pair<hydro::TriMesh, MeshSource> mesh_from_file(const scene::Mesh& mesh,
   MeshSource source{.file = mesh.file, .frame = {}};
   try {
     auto found = log.read.find(mesh.file);
-    if (found == log.read.end())
+      if (const std::string note = note_of_dropped(found->second); !note.empty())
+        log.notes.push_back(fmt::format("{}: {}", key_path, note));
+    }
+    if (found == log.read.end()) {
       found = log.read.emplace(mesh.file, read_welded(mesh.file, log.scene.mesh_formats)).first;
     const MeshFile& read = found->second;
     source.frame = applied_frame(read.frame, mesh);

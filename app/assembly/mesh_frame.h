@@ -29,6 +29,7 @@ struct MeshFile {
   hydro::TriMesh mesh;
   StatedFrame frame;
   Rounding rounding = Rounding::of_floats;
+  Eigen::Index dropped = 0;  ///< Faces without area that `read_welded` dropped.
 };
 
 /// Whose word an axis or a unit is.

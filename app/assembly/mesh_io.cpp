@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/assembly/mesh_reader_process.h"
+#include "app/base/console.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/weld.h"
@@ -31,10 +32,19 @@ double weld_distance(const MeshFile& read) {
 MeshFile read_welded(const fs::path& file, scene::MeshFormats formats) {
   MeshFile read = read_mesh_file(file, formats);
   if (read.mesh.face_count() == 0) throw scene::InputError(file, "the file holds no triangles");
+  const Eigen::Index faces = read.mesh.face_count();
   read.mesh = welded(read.mesh, weld_distance(read));
+  read.dropped = faces - read.mesh.face_count();
   if (read.mesh.face_count() == 0)
     throw scene::InputError(file, "all triangles of the file are degenerate");
   return read;
+}
+
+std::string note_of_dropped(const MeshFile& read) {
+  if (read.dropped == 0) return "";
+  return app::counted(static_cast<std::size_t>(read.dropped), "face without area was",
+                      "faces without area were") +
+         " dropped";
 }
 
 TriMesh read_mesh(const fs::path& file, scene::MeshFormats formats, const scene::MeshFrame& frame) {
@@ -45,12 +55,14 @@ TriMesh read_mesh(const fs::path& file, scene::MeshFormats formats, const scene:
 TriMesh read_solid(const fs::path& file, app::Reporter& reporter, scene::MeshFormats formats,
                    const scene::MeshFrame& frame) {
   MeshFile read = read_welded(file, formats);
+  const std::string dropped = note_of_dropped(read);
   const MeshSource source{file, applied_frame(read.frame, frame)};
   hydro::RepairedMesh repaired = hydro::repaired(in_mesh_frame(std::move(read.mesh), source.frame));
   std::vector<scene::Fault> faults;
   for (const std::string& fault : hydro::describe(repaired.report))
     faults.push_back({{file}, "", fault});
   if (!faults.empty()) throw scene::InputError(std::move(faults));
+  if (!dropped.empty()) reporter.note(file.string() + ": note: " + dropped);
   for (const std::string& note : repaired.notes) reporter.note(file.string() + ": note: " + note);
   if (!source.frame.changes_nothing())
     reporter.note(fmt::format("{}: note: {}", file.string(), description(source.frame)));

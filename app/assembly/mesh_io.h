@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "app/assembly/mesh_parser.h"
 #include "app/base/reporter.h"
@@ -21,10 +22,13 @@ namespace assembly {
 /// one step of a float there; if the coordinates are not rounded to floats, of the size of the mesh
 /// where that is less. Formats that list the corners of each triangle repeat them bit for bit, and
 /// only seams that were computed twice (cos 0 and cos 2π) need a tolerance. Triangles that lose a
-/// corner are dropped.
+/// corner have no area and are dropped.
 /// @param formats   Formats besides the common ones are read on request only.
 /// @throws InputError if the file cannot be read, has no triangle or a vertex that is not finite.
 MeshFile read_welded(const std::filesystem::path& file, scene::MeshFormats formats);
+
+/// Tells how many faces were dropped; empty if none was.
+std::string note_of_dropped(const MeshFile& read);
 
 /// Reads a mesh file as read_welded and brings it into its mesh frame (mesh_frame.h).
 /// @param frame   The author's word on axes and unit.

@@ -33,11 +33,13 @@ void PolygonMesh::add_polygon(std::span<const std::int64_t> corners, std::uint64
   corners_.insert(corners_.end(), corners.begin(), corners.end());
 }
 
+std::size_t PolygonMesh::end_of(std::size_t polygon) const {
+  return polygon + 1 < polygons_.size() ? polygons_[polygon + 1].first : corners_.size();
+}
+
 std::vector<int> PolygonMesh::corners_of(std::size_t polygon) const {
-  const std::size_t end =
-      polygon + 1 < polygons_.size() ? polygons_[polygon + 1].first : corners_.size();
   std::vector<int> corners;
-  for (std::size_t i = polygons_[polygon].first; i < end; ++i) {
+  for (std::size_t i = polygons_[polygon].first; i < end_of(polygon); ++i) {
     if (corners_[i] < first_number_ || corners_[i] - first_number_ >= vertex_count())
       fault(polygons_[polygon].place,
             fmt::format("a face names vertex {}, the file has {} vertices, counted from {}",
@@ -52,9 +54,13 @@ std::vector<int> PolygonMesh::corners_of(std::size_t polygon) const {
 hydro::TriMesh PolygonMesh::triangles() const {
   std::vector<Eigen::Vector3i> faces;
   faces.reserve(polygons_.size());
-  for (std::size_t i = 0; i < polygons_.size(); ++i)
-    if (const std::vector<int> corners = corners_of(i); corners.size() >= 3)
+  for (std::size_t i = 0; i < polygons_.size(); ++i) {
+    const std::vector<int> corners = corners_of(i);
+    if (corners.size() >= 3)
       cut_polygon(vertices_, corners, faces);
+    else if (end_of(i) - polygons_[i].first >= 3)
+      faces.emplace_back(corners.front(), corners.back(), corners.back());
+  }
   hydro::TriMesh mesh;
   if (!vertices_.empty())
     mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(vertices_.front().data(), 3,

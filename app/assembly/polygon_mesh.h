@@ -38,7 +38,9 @@ class PolygonMesh {
   std::int64_t vertex_count() const { return static_cast<std::int64_t>(vertices_.size()); }
 
   /// Cuts the polygons into triangles (polygon_cut.h). Corners that repeat the one before are left
-  /// out, and so are polygons with less than three others, which are points and lines.
+  /// out, and so are polygons of one or two corners, which are points and lines. One of more
+  /// corners that has less than three others is a triangle without area, which names a vertex
+  /// twice.
   /// @throws InputError if a polygon names a vertex that is missing
   hydro::TriMesh triangles() const;
 
@@ -50,6 +52,7 @@ class PolygonMesh {
     std::uint64_t place = 0;  ///< A line or a byte.
   };
 
+  std::size_t end_of(std::size_t polygon) const;  ///< Of its corners.
   /// Returns the corners of a polygon, counted from 0, without repetitions.
   std::vector<int> corners_of(std::size_t polygon) const;
 

@@ -173,9 +173,29 @@ TEST_F(MeshIo, ASeamComputedTwiceIsWelded) {
         if (v < 3) v += 24;
     write_obj(out, open);
   });
-  const TriMesh mesh = assembly::read_mesh(file);
-  EXPECT_EQ(mesh.vertex_count(), 24);
-  EXPECT_TRUE(check_mesh(mesh).sound());
+  const assembly::MeshFile read = assembly::read_welded(file, scene::MeshFormats::common);
+  EXPECT_EQ(read.mesh.vertex_count(), 24);
+  EXPECT_TRUE(check_mesh(read.mesh).sound());
+  EXPECT_EQ(read.dropped, 0);
+  EXPECT_EQ(assembly::note_of_dropped(read), "");
+}
+
+/// Keeps the notes that it receives.
+class Notes : public app::Reporter {
+ public:
+  void note(const std::string& message) override { all.push_back(message); }
+  std::vector<std::string> all;
+};
+
+TEST_F(MeshIo, FacesThatLoseACornerAreToldOf) {
+  const fs::path file = write("fin.obj", [](std::ostream& out) {
+    write_obj(out, hydro::make_box(Eigen::Vector3d::Ones()));
+    out << "f 1 2 2\n";
+  });
+  Notes notes;
+  EXPECT_EQ(assembly::read_solid(file, notes).face_count(), 12);
+  EXPECT_EQ(notes.all,
+            std::vector<std::string>{file.string() + ": note: 1 face without area was dropped"});
 }
 
 /// A tetrahedron of edge 1 that two nodes place: one moved and turned, the other mirrored.
