@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "app/assembly/build_added_mass.h"
+#include "app/assembly/build_body.h"
 #include "app/assembly/build_interior.h"
 #include "app/assembly/build_radiation.h"
 #include "app/assembly/build_rig.h"
@@ -25,7 +25,6 @@
 #include "app/base/wall_clock.h"
 #include "engine/body_check.h"
 #include "hydro/added_mass/surface_added_mass.h"
-#include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/terrain.h"
 
 namespace assembly {
@@ -50,71 +49,6 @@ engine::Ground build_ground(const scene::Ground& ground, BuildLog& log) {
       return engine::MeshGround{std::move(mesh)};
   }
   return {};
-}
-
-engine::CollisionShape collision_shape(const scene::Body& body) {
-  switch (body.collision) {
-    case scene::Collision::none:
-      return engine::CollisionShape::none;
-    case scene::Collision::mesh:
-      return engine::CollisionShape::mesh;
-    case scene::Collision::box:
-      return engine::CollisionShape::box;
-    case scene::Collision::sphere:
-      return engine::CollisionShape::sphere;
-    case scene::Collision::automatic:
-      break;
-  }
-  if (std::holds_alternative<scene::Box>(body.shape)) return engine::CollisionShape::box;
-  if (std::holds_alternative<scene::Sphere>(body.shape) ||
-      std::holds_alternative<scene::Icosphere>(body.shape))
-    return engine::CollisionShape::sphere;
-  return engine::CollisionShape::mesh;
-}
-
-/// Mass, centre of mass (mesh frame) and inertia about it, body axes.
-struct MassProperties {
-  double mass = 0;
-  Eigen::Vector3d center_of_mass = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
-};
-
-Eigen::Matrix3d to_matrix(const scene::Inertia& i) {
-  Eigen::Matrix3d m;
-  m << i.xx, i.xy, i.xz,  //
-      i.xy, i.yy, i.yz,   //
-      i.xz, i.yz, i.zz;
-  return m;
-}
-
-/// Returns the mass properties that a scene gives a body, and for the rest those of a solid of
-/// uniform density.
-MassProperties mass_properties(const scene::Body& body, const hydro::SolidProperties& solid) {
-  MassProperties p;
-  p.mass = body.density ? *body.density * solid.volume : body.mass.value_or(0);
-  p.center_of_mass = body.center_of_mass.value_or(solid.centroid);
-  p.inertia = body.inertia ? to_matrix(*body.inertia)
-                           : Eigen::Matrix3d(p.mass / solid.volume * solid.inertia);
-  return p;
-}
-
-/// True if a closed mesh is needed, for the loads of the water or for a mass property that the
-/// scene omits.
-bool needs_solid(const scene::Body& body, bool wet) {
-  return wet || body.density || !body.inertia || !body.center_of_mass;
-}
-
-/// Returns false and adds a fault for masses that double precision cannot carry through a step.
-bool mass_is_usable(const MassProperties& p, const std::string& path, BuildLog& log) {
-  const bool usable = std::isfinite(p.mass) && p.mass > 1e-30 && p.mass < 1e30 &&
-                      p.inertia.allFinite() && p.inertia.diagonal().minCoeff() > 1e-60;
-  if (!usable)
-    log.faults.add(
-        log.scene.places, path,
-        fmt::format("its mass comes to {:.3g} kg and its least inertia to {:.3g} kg m^2; "
-                    "expected a mesh and a density of a usable size",
-                    p.mass, p.inertia.diagonal().minCoeff()));
-  return usable;
 }
 
 /// Adds a fault for a body that the engine refuses, for example one that starts out of bounds.
@@ -143,89 +77,6 @@ void check_ground(const engine::Ground& ground, BuildLog& log) {
   } catch (const std::invalid_argument& error) {
     log.faults.add(log.scene.places, "ground", error.what());
   }
-}
-
-engine::AppliedLoad applied_load(const scene::AppliedLoad& load, const Eigen::Vector3d& com_M) {
-  engine::AppliedLoad applied{.force = load.force,
-                              .torque = load.torque,
-                              .in_body_frame = load.in_body_frame,
-                              .at_B = load.at ? Eigen::Vector3d(*load.at - com_M)
-                                              : Eigen::Vector3d(Eigen::Vector3d::Zero()),
-                              .start = load.start,
-                              .end = load.end};
-  if (load.sine)
-    applied.sine = engine::Sine{.frequency = load.sine->frequency, .phase = load.sine->phase};
-  return applied;
-}
-
-/// Completes the coefficients from the mesh. A calibration takes the place of the shape's K.
-hydro::Coefficients build_coefficients(const scene::Body& body, const hydro::TriMesh& mesh_B,
-                                       const std::string& path, BuildLog& log) {
-  const double viscosity = log.scene.water.value_or(scene::Water{}).viscosity;
-  hydro::Coefficients coefficients = hydro::for_mesh(body.hydro, mesh_B, viscosity);
-  if (!body.calibrated_drag) return coefficients;
-  coefficients.drag_shape.setIdentity();
-  try {
-    coefficients.calibration =
-        hydro::calibrate_drag(mesh_B, coefficients.pressure_drag, *body.calibrated_drag);
-  } catch (const std::invalid_argument& error) {
-    log.faults.add(log.scene.places, path + ".calibrate.drag", error.what());
-  }
-  return coefficients;
-}
-
-/// True if the water acts on a body.
-bool feels_water(const scene::Body& body, const scene::Scene& scene) {
-  using Model = scene::AddedMass::Model;
-  const Model model = body.hydro.added_mass.model;
-  const bool asks_for_added_mass = model != Model::automatic && model != Model::none;
-  return scene.water && (asks_for_added_mass || !hydro::no_load(body.hydro));
-}
-
-/// The mesh of the added mass.
-CenteredMesh centered_mesh(const hydro::TriMesh& mesh_B) {
-  const Eigen::Vector3d centroid_B = hydro::solid_properties(mesh_B).centroid;
-  return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
-}
-
-engine::BodySpec build_body(const scene::Body& body, std::size_t index, BuildLog& log,
-                            Eigen::Vector3d& com_M, CenteredMesh& centered) {
-  const std::string path = body_path(index);
-  engine::BodySpec spec{.name = body.name,
-                        .wet = feels_water(body, log.scene),
-                        .collision = collision_shape(body),
-                        .friction = body.friction,
-                        .restitution = body.restitution,
-                        .locked = body.locked};
-  hydro::TriMesh mesh = shape_mesh(body.shape, path, log);
-  const Soundness needed = needs_solid(body, spec.wet) ? Soundness::closed : Soundness::surface;
-  if (!make_sound(mesh, needed, shape_key_path(body.shape, path), log)) return spec;
-  const hydro::SolidProperties solid =
-      needed == Soundness::closed ? hydro::solid_properties(mesh) : hydro::SolidProperties{};
-  const MassProperties p = mass_properties(body, solid);
-  if (!mass_is_usable(p, path, log)) return spec;
-  if (needed == Soundness::closed && std::holds_alternative<scene::Mesh>(body.shape))
-    doubt(log.sources.front().file, shape_key_path(body.shape, path),
-          density_warning(p.mass, solid.volume, log.sources.front()), log);
-  com_M = p.center_of_mass;
-  if (needed == Soundness::closed)
-    centered = {hydro::translated(mesh, -solid.centroid), com_M - solid.centroid};
-  spec.mesh_B = hydro::translated(std::move(mesh), -com_M);
-  spec.mass = p.mass;
-  spec.inertia_B = p.inertia;
-  spec.initial = {.position = body.position + body.orientation * com_M,
-                  .orientation = body.orientation,
-                  .linear_velocity = body.linear_velocity,
-                  .angular_velocity = body.angular_velocity};
-  build_interior(body, spec);
-  fill_interior(body, com_M, path, spec, log);
-  spec.coefficients = build_coefficients(body, engine::outside_B(spec), path, log);
-  spec.summation.wave_tolerance = body.hydro.wave_tolerance;
-  for (const scene::AppliedLoad& load : body.forces)
-    spec.loads.push_back(applied_load(load, com_M));
-  if (needed == Soundness::closed && spec.closed_mesh_B)
-    centered = centered_mesh(engine::outside_B(spec));
-  return spec;
 }
 
 /// Returns a unit vector normal to `axis`, nearest to the world axis that is the least parallel to
@@ -304,14 +155,7 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   check_ground(spec.ground, log);
   spec.ground_friction = scene.ground_friction;
   spec.ground_restitution = scene.ground_restitution;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    Eigen::Vector3d com_M = Eigen::Vector3d::Zero();
-    CenteredMesh centered;
-    spec.bodies.push_back(build_body(scene.bodies[i], i, log, com_M, centered));
-    built.centers_of_mass.push_back(com_M);
-    built.mesh_sources.push_back(std::exchange(log.sources, {}));
-    built.solids.push_back(std::move(centered));
-  }
+  build_bodies(built, log);
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
   put_afloat(built.centers_of_mass, spec, log);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)

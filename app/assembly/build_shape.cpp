@@ -86,9 +86,9 @@ hydro::TriMesh union_mesh(const scene::Shapes& shapes, const std::string& key, B
   return {};
 }
 
-/// Adds a warning, or a fault, if a body of so many triangles takes more memory than is free. What
-/// earlier bodies take is no longer free. @return false after a fault
-bool has_memory(double triangles, const std::string& key, BuildLog& log) {
+}  // namespace
+
+bool has_memory(double triangles, const std::string& key_path, BuildLog& log) {
   // To ask the system takes longer than to build a small body, and there may be thousands of them.
   constexpr double kSmallBody = 64e6;  // [bytes]
   if (body_bytes(triangles) < kSmallBody) return true;
@@ -96,13 +96,11 @@ bool has_memory(double triangles, const std::string& key, BuildLog& log) {
   if (!verdict) return true;
   const std::string text = fmt::format("{}: {:.3g} triangles", verdict->text, triangles);
   if (verdict->fault)
-    log.faults.add(log.scene.places, key, text);
+    log.faults.add(log.scene.places, key_path, text);
   else
-    log.warnings.push_back(fmt::format("{}: {}", key, text));
+    log.warnings.push_back(fmt::format("{}: {}", key_path, text));
   return !verdict->fault;
 }
-
-}  // namespace
 
 std::string shape_key_path(const scene::Shape& shape, const std::string& key_path) {
   constexpr const char* kNames[] = {"mesh",      "box",      "sphere", "icosphere",
@@ -115,11 +113,11 @@ std::pair<hydro::TriMesh, MeshSource> mesh_from_file(const scene::Mesh& mesh,
   MeshSource source{.file = mesh.file, .frame = {}};
   try {
     auto found = log.read.find(mesh.file);
+    if (found == log.read.end()) {
+      found = log.read.emplace(mesh.file, read_welded(mesh.file, log.scene.mesh_formats)).first;
       if (const std::string note = note_of_dropped(found->second); !note.empty())
         log.notes.push_back(fmt::format("{}: {}", key_path, note));
     }
-    if (found == log.read.end()) {
-      found = log.read.emplace(mesh.file, read_welded(mesh.file, log.scene.mesh_formats)).first;
     const MeshFile& read = found->second;
     source.frame = applied_frame(read.frame, mesh);
     if (!has_memory(static_cast<double>(read.mesh.face_count()), key_path + ".file", log))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "app/assembly/build_interior.h"
 #include "app/assembly/radiation_store.h"
@@ -28,6 +29,10 @@ constexpr double kNeutralTilt = 15 * M_PI / 180;
 /// the engine leaves of the motion is less.
 constexpr double kHeldStep = 1e-5;
 
+/// Latest bodies with which one is compared that may float alike: more than there are kinds in a
+/// scene of many bodies.
+constexpr std::ptrdiff_t kMostRests = 64;
+
 double radius_of(const hydro::TriMesh& mesh) {
   return std::sqrt(mesh.vertices.colwise().squaredNorm().maxCoeff());
 }
@@ -43,15 +48,9 @@ double displaced_volume(const hydro::TriMesh& mesh_B, const Quaterniond& R, doub
   return hydro::hydrostatics(hydro::transformed(mesh_B, Eigen::Isometry3d(R)), height).volume;
 }
 
-/// Attitude of a hull, and height of its lead's centre of mass over the water.
-struct FreeRest {
-  Quaterniond orientation;
-  double height;
-};
-
 /// A hull at rest that the water alone carries, in its attitude at the start if that does not
 /// matter to it.
-FreeRest free_rest(const RadiatingHull& hull, const Quaterniond& start, double density) {
+FreeRest found_rest(const RadiatingHull& hull, const Quaterniond& start, double density) {
   const double volume = hull.mass / density;
   hydro::TriMesh mesh = hull.mesh_B;  // about the centre of mass of the whole
   std::vector<hydro::Tank> tanks = hull.tanks_B;
@@ -66,7 +65,14 @@ FreeRest free_rest(const RadiatingHull& hull, const Quaterniond& start, double d
   const double sinks = rest.effective_centre().z() - held.effective_centre().z();
   const bool neutral = sinks < kNeutral * radius_of(mesh);
   if (neutral && tilt_between(start, rest.orientation) > kNeutralTilt) rest = held;
-  return {rest.orientation, rest.height - (rest.orientation * hull.com_B).z()};
+  return {hull.lead, rest.orientation, rest.height - (rest.orientation * hull.com_B).z()};
+}
+
+/// True if two bodies float alike at rest, as copies do.
+bool float_alike(const engine::BodySpec& a, const engine::BodySpec& b) {
+  return a.mass == b.mass && a.interior_water.empty() && b.interior_water.empty() &&
+         a.initial.orientation.coeffs() == b.initial.orientation.coeffs() &&
+         hydro::same_mesh(outside_B(a), outside_B(b));
 }
 
 }  // namespace
@@ -137,6 +143,17 @@ std::string MeanPoses::holder(const RadiatingHull& hull) const {
   return groups_[group_of_[static_cast<std::size_t>(hull.lead)]].holder;
 }
 
+FreeRest MeanPoses::free_rest(const RadiatingHull& hull) {
+  const engine::BodySpec& body = spec_.bodies[static_cast<std::size_t>(hull.lead)];
+  const bool single = hull.group.bodies.size() == 1;
+  if (single)
+    for (const FreeRest& rest : known_ | std::views::reverse | std::views::take(kMostRests))
+      if (float_alike(spec_.bodies[static_cast<std::size_t>(rest.lead)], body)) return rest;
+  const FreeRest rest = found_rest(hull, body.initial.orientation, spec_.sea->density);
+  if (single) known_.push_back(rest);
+  return rest;
+}
+
 FoundPose MeanPoses::find(const RadiatingHull& hull,
                           const std::optional<scene::Radiation::Pose>& wanted) {
   const auto lead = static_cast<std::size_t>(hull.lead);
@@ -150,7 +167,7 @@ FoundPose MeanPoses::find(const RadiatingHull& hull,
   double height = start.position.z() - level, step = kPoseStep;
   if (wanted != scene::Radiation::Pose::start && !immovable) {
     if (found.holder.empty()) {
-      const FreeRest rest = free_rest(hull, start.orientation, spec_.sea->density);
+      const FreeRest rest = free_rest(hull);
       orientation = rest.orientation;
       height = rest.height;
       found.at_rest = true;

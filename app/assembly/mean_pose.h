@@ -50,6 +50,13 @@ struct FoundPose {
   double start_volume = 0;  ///< Displaced at the start over that displaced here [-].
 };
 
+/// Attitude of a hull that floats at rest, and height of its lead's centre of mass over the water.
+struct FreeRest {
+  engine::BodyId lead = 0;
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  double height = 0;  ///< [m]
+};
+
 /// Finds mean poses; a group that is held comes to rest once for all of its bodies.
 class MeanPoses {
  public:
@@ -66,7 +73,11 @@ class MeanPoses {
   /// The state of the hull's lead at rest; none where it does not come to rest near its start.
   std::optional<hydro::BodyState> held_rest(const RadiatingHull& hull, std::size_t group);
 
+  /// The rest of a hull that the water alone carries. Bodies that float alike share it.
+  FreeRest free_rest(const RadiatingHull& hull);
+
   const engine::SimulationSpec& spec_;
+  std::vector<FreeRest> known_;  ///< Of single bodies, one of those that float alike.
   std::vector<HeldGroup> groups_;
   std::vector<std::size_t> group_of_;  ///< Per body, an index of `groups_`.
   std::map<std::size_t, std::optional<Rest>> rests_;

@@ -23,6 +23,7 @@ namespace scene {
 /// The six entries of an inertia matrix about the centre of mass, body axes [kg m^2].
 struct Inertia {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  bool operator==(const Inertia&) const = default;
 };
 
 struct AppliedLoad {

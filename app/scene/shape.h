@@ -27,6 +27,7 @@ struct MeshFrame {
   std::optional<UpAxis> up;
   std::optional<double> unit;  ///< Length of the file's unit [m].
   double scale = 1;            ///< Factor after the unit, > 0.
+  bool operator==(const MeshFrame&) const = default;
 };
 
 /// The words of a scene and of the command line for axes, and those for units [m].
@@ -39,30 +40,36 @@ std::string name_of_unit(double unit);
 
 struct Mesh : MeshFrame {
   std::filesystem::path file;  ///< Resolved against the scene's folder.
+  bool operator==(const Mesh&) const = default;
 };
 struct Box {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m]
   int divisions = 1;                               ///< Divisions along each edge.
+  bool operator==(const Box&) const = default;
 };
 struct Sphere {
   double radius = 1;
   int slices = 50;
   int stacks = 50;
+  bool operator==(const Sphere&) const = default;
 };
 struct Icosphere {
   double radius = 1;
   int subdivisions = 4;
+  bool operator==(const Icosphere&) const = default;
 };
 struct Ellipsoid {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
   int slices = 50;
   int stacks = 50;
+  bool operator==(const Ellipsoid&) const = default;
 };
 struct Cylinder {
   double radius = 1;
   double height = 2;
   int slices = 48;
   int stacks = 8;
+  bool operator==(const Cylinder&) const = default;
 };
 using SingleShape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylinder>;
 
@@ -71,10 +78,12 @@ struct PlacedShape {
   SingleShape shape;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the shape's own origin [m].
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  bool operator==(const PlacedShape&) const = default;
 };
 /// Shapes that lie apart or touch; their union is the body.
 struct Shapes {
   std::vector<PlacedShape> parts;
+  bool operator==(const Shapes&) const = default;
 };
 using Shape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylinder, Shapes>;
 

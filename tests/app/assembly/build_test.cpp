@@ -205,6 +205,66 @@ TEST(Assemble, AMeshTurnedInwardIsTurnedOutwardAndNoted) {
                                        "all faces were turned over"));
 }
 
+TEST(Assemble, CopiesOfABodyAreMadeOnce) {
+  const BuiltScene built =
+      assembled(wet_scene(data_mesh("inward.obj") + ", density: 500, repeat: {count: 3}"));
+  ASSERT_EQ(built.spec.bodies.size(), 3u);
+  EXPECT_EQ(built.notes.size(), 1u);  // on the mesh, which is turned over once
+}
+
+/// A teapot, which is hollow, with more keys.
+std::string teapot(const std::string& keys) {
+  return fmt::format("mesh: {{file: {}/scenes/meshes/teapot.obj}}, {}", PLIMSOLL_SOURCE_DIR, keys);
+}
+
+TEST(Assemble, ABodyIsTheSameAfterOnesThatAreAlikeInPartOrInWhole) {
+  const std::vector<std::string> bodies = {
+      teapot("density: 500"),
+      teapot("density: 500, position: [9, 2, 3], forces: [{force: [1, 0, 0]}], lock: [z]"),
+      teapot("density: 500, position: [0, 9, 0], orientation: {euler_deg: [180, 0, 0]}"),
+      teapot("density: 700"),
+      teapot("density: 500, interior: wet"),
+      teapot("density: 500, hydro: {pressure_drag: {front: 1}}"),
+      teapot("mass: 3, center_of_mass: [0, 0, 0.01]"),
+      teapot("density: 500, position: [1, 1, 0]")};
+  std::string text = "plimsoll: 1\nduration: 1\nwater: {}\nbodies:\n";
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    text += fmt::format("  - {{name: b{}, {}}}\n", i, bodies[i]);
+  const BuiltScene together = assembled(text);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BuiltScene alone = assembled(wet_scene(bodies[i]));
+    const BodySpec &a = together.spec.bodies[i], &b = alone.spec.bodies[0];
+    EXPECT_EQ(a.name, fmt::format("b{}", i));
+    EXPECT_TRUE(hydro::same_mesh(a.mesh_B, b.mesh_B)) << i;
+    EXPECT_TRUE(hydro::same_mesh(engine::outside_B(a), engine::outside_B(b))) << i;
+    EXPECT_TRUE(hydro::same_mesh(together.solids[i].mesh_C, alone.solids[0].mesh_C)) << i;
+    EXPECT_EQ(together.solids[i].com_C, alone.solids[0].com_C) << i;
+    EXPECT_EQ(together.centers_of_mass[i], alone.centers_of_mass[0]) << i;
+    EXPECT_EQ(together.mesh_sources[i].size(), 1u) << i;
+    EXPECT_EQ(a.mass, b.mass) << i;
+    EXPECT_EQ(a.inertia_B, b.inertia_B) << i;
+    EXPECT_EQ(a.interior, b.interior) << i;
+    EXPECT_TRUE(a.initial == b.initial) << i;
+    EXPECT_EQ(a.locked, b.locked) << i;
+    EXPECT_EQ(a.loads.size(), b.loads.size()) << i;
+    EXPECT_EQ(a.coefficients.drag_shape, b.coefficients.drag_shape) << i;
+    EXPECT_TRUE(a.coefficients.pressure_drag == b.coefficients.pressure_drag) << i;
+    EXPECT_TRUE(a.coefficients.viscous_drag == b.coefficients.viscous_drag) << i;
+    EXPECT_EQ(together.radiation[i].choice.reason, alone.radiation[0].choice.reason) << i;
+  }
+}
+
+TEST(Assemble, FacesWithoutAreaAreDroppedWithANote) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "fins.obj";
+  std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\n"
+                         "f 2 3 4\nf 1 2 5\nf 3 3 4\n";
+  const std::string body =
+      fmt::format("mesh: {{file: {}}}, density: 500, repeat: {{count: 2}}", file.string());
+  EXPECT_THAT(assembled(wet_scene(body)).notes,
+              ElementsAre("bodies[0].mesh: 2 faces without area were dropped"));
+  std::filesystem::remove(file);
+}
+
 TEST(Assemble, MeshesThatBoundNoSolidAreRefused) {
   const auto fault = [](const std::string& file) {
     return testing::PrintToString(faults_of(wet_scene(data_mesh(file) + ", density: 500")));
