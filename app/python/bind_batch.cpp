@@ -34,7 +34,7 @@ std::vector<engine::SimulationSpec> specs_of(const py::object& scene, std::size_
       scenes.push_back(scene_from(py::cast(base), own));
     }
   }
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   SceneSource::build_together(scenes, threads);
   std::vector<engine::SimulationSpec> specs;
   for (const auto& source : scenes) {
@@ -77,7 +77,7 @@ class PyBatch {
       some = chosen(which);
       if (some.empty()) return;
     }
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const std::lock_guard lock(busy_);
     constexpr long kPortion = 64;
     SignalCheck check_signals;
@@ -152,6 +152,16 @@ class PyBatch {
 };
 
 }  // namespace
+}  // namespace python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<python::PyBatch> : python::MadeCaster<python::PyBatch> {};
+
+}  // namespace pybind11::detail
+
+namespace python {
 
 void bind_batch(py::module_& module) {
   using B = PyBatch;

@@ -52,6 +52,21 @@ void translate(std::exception_ptr pointer) {
   }
 }
 
+/// A file's name may be no text, and so stands as bytes.
+py::tuple saved_fault(const scene::Fault& fault) {
+  return py::make_tuple(py::bytes(fault.place.file.string()), fault.place.line, fault.place.column,
+                        fault.key_path, fault.message);
+}
+
+scene::Fault restored_fault(const py::tuple& saved) {
+  if (saved.size() != 5) throw py::value_error("these are not the values of a fault");
+  return {.place = {.file = saved[0].cast<std::string>(),
+                    .line = saved[1].cast<int>(),
+                    .column = saved[2].cast<int>()},
+          .key_path = saved[3].cast<std::string>(),
+          .message = saved[4].cast<std::string>()};
+}
+
 }  // namespace
 
 void bind_errors(py::module_& module) {
@@ -67,6 +82,7 @@ void bind_errors(py::module_& module) {
           "Counted from 1; 0 if there is none.")
       .def_readonly("path", &scene::Fault::key_path, "Path of the key: `bodies[1].mass`.")
       .def_readonly("text", &scene::Fault::message, "What was found and what was expected.")
+      .def(py::pickle(&saved_fault, &restored_fault))
       .def("__str__", [](const scene::Fault& fault) { return scene::to_string(fault); })
       .def("__repr__",
            [](const scene::Fault& fault) { return "<Fault " + scene::to_string(fault) + ">"; });

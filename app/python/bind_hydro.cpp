@@ -60,7 +60,7 @@ Eigen::Vector3d center_of(const TriMesh& mesh, const py::object& center) {
 /// Runs `work` without the GIL on some threads.
 template <class Work>
 auto computed(int threads, Work&& work) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return shared_threads(threads).execute(std::forward<Work>(work));
 }
 
@@ -148,7 +148,7 @@ py::object hydrostatics(const TriMesh& mesh, double mass, double density, const 
   if (!orientation.is_none()) body.start = to_rotation(orientation.cast<Array>(), "orientation");
   std::string text;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     text = app::floating_json({app::floating_report(body, heels)});
   }
   return py::module_::import("json").attr("loads")(text)["bodies"]["body"];
@@ -175,7 +175,7 @@ Water water_from(const TriMesh& mesh_B, const py::object& water, const py::objec
   if (!air.is_none()) scene["air"] = air;
   scene["bodies"] = bodies;
   const std::shared_ptr<SceneSource> source = scene_from(scene, py::none());
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   const assembly::BuiltScene built = assembly::build_without_added_mass(source->scene());
   return {.sea = *built.spec.sea,
           .coefficients = hydro::for_mesh(source->scene().bodies.front().hydro, mesh_B,
@@ -199,7 +199,7 @@ py::dict loads(const TriMesh& mesh, const py::object& position, const py::object
   const Water around = water_from(mesh_B, water, air, hydro_block);
   hydro::Loads found;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     found = hydro::compute_loads(hydro::make_hull(mesh_B), state, around.sea, time,
                                  around.coefficients);
   }
@@ -236,7 +236,7 @@ TriMesh loaded(const std::filesystem::path& file, bool any_format,
   const scene::MeshFrame frame{.up = chosen(up, "up", scene::up_axes()),
                                .unit = chosen(unit, "unit", scene::length_units()),
                                .scale = scale};
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return assembly::read_solid(file, app::quiet(), formats_from(any_format), frame);
 }
 

@@ -64,7 +64,7 @@ std::shared_ptr<SceneSource> scene_from(const py::object& source, const py::obje
     return std::make_shared<SceneSource>(to_yaml(source), file, std::move(set), formats);
   }
   const auto file = source.cast<std::filesystem::path>();
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_shared<SceneSource>(file, std::move(set), formats);
 }
 
@@ -102,8 +102,9 @@ engine::SetPointId set_point_index(const engine::SimulationSpec& spec, const std
 std::unique_lock<std::mutex> locked(std::mutex& mutex) {
   std::unique_lock lock(mutex, std::try_to_lock);
   if (lock.owns_lock()) return lock;
-  const py::gil_scoped_release unlocked;
+  Unlocked unlocked;
   lock.lock();
+  if (!unlocked.will_return()) lock.unlock();
   return lock;
 }
 
@@ -113,6 +114,7 @@ void SignalCheck::operator()() {
   if (last_ == 0) last_ = now;
   if (now - last_ < 0.05) return;
   last_ = now;
+  if (is_overtaken()) throw std::runtime_error("Python has ended");
   const py::gil_scoped_acquire locked;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }

@@ -22,7 +22,7 @@ namespace {
 
 /// The specification of a scene's simulation on some threads.
 engine::SimulationSpec spec_of(SceneSource& source, int threads, bool forces) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   engine::SimulationSpec spec = source.built(threads).spec;
   spec.threads = app::thread_count(threads);
   spec.record_work = forces || source.scene().log_forces;
@@ -64,7 +64,7 @@ class PySimulation {
 
   void step(long count) {
     if (count < 0) throw py::value_error("step: expected a number of steps >= 0");
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const std::lock_guard lock(busy_);
     const Showing showing{held_};
     SignalCheck check_signals;
@@ -122,7 +122,7 @@ class PySimulation {
     std::vector<double> row;
     {
       const auto lock = wait();
-      const py::gil_scoped_release unlocked;
+      const Unlocked unlocked;
       row = app::force_row(engine().forces()[id]);
     }
     return wrenches(row);
@@ -191,7 +191,7 @@ class PySimulation {
     render::Image image;
     {
       const auto lock = wait();
-      const py::gil_scoped_release unlocked;
+      const Unlocked unlocked;
       if (!snapshots_) snapshots_.emplace(source_->scene(), source_->built(1));
       image = snapshots_->draw(engine(), view, pixels);
     }
@@ -250,6 +250,21 @@ class PySimulation {
 struct Control {
   PySimulation& simulation;
 };
+
+}  // namespace
+}  // namespace python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<python::PySimulation> : python::MadeCaster<python::PySimulation> {};
+template <>
+struct type_caster<python::Control> : python::MadeCaster<python::Control> {};
+
+}  // namespace pybind11::detail
+
+namespace python {
+namespace {
 
 void bind_control(py::module_& module) {
   const auto names = [](const Control& control) {

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "app/python/scene_source.h"
+#include "app/python/unlocked.h"
+#include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
+#include "hydro/mesh/mesh.h"
 
 /// @file
 /// The parts of the Python module; plimsoll/_core.pyi tells their signatures. Everything that
@@ -17,6 +20,34 @@
 namespace python {
 
 namespace py = pybind11;
+
+/// Refuses an object whose __init__ has not been called, as `Simulation.__new__(Simulation)`, by a
+/// TypeError. By itself pybind11 gives it memory in which nothing has been made.
+template <class T>
+struct MadeCaster : py::detail::type_caster_base<T> {
+  bool load(py::handle source, bool convert) {
+    if (py::isinstance<T>(source)) {
+      auto* const instance = reinterpret_cast<py::detail::instance*>(source.ptr());
+      if (instance->owned && !instance->get_value_and_holder().holder_constructed()) return false;
+    }
+    return py::detail::type_caster_base<T>::load(source, convert);
+  }
+};
+
+}  // namespace python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<scene::Fault> : python::MadeCaster<scene::Fault> {};
+template <>
+struct type_caster<python::SceneSource> : python::MadeCaster<python::SceneSource> {};
+template <>
+struct type_caster<hydro::TriMesh> : python::MadeCaster<hydro::TriMesh> {};
+
+}  // namespace pybind11::detail
+
+namespace python {
 
 void bind_errors(py::module_& module);
 void bind_scene(py::module_& module);
@@ -48,7 +79,9 @@ engine::SetPointId set_point_index(const engine::SimulationSpec& spec, const std
 std::unique_lock<std::mutex> locked(std::mutex& mutex);
 
 /// Lets Python handle signals, so that Ctrl-C ends a long computation. To be called without the
-/// GIL; at most twenty times a second it takes it. @throws py::error_already_set
+/// GIL; at most twenty times a second it takes it.
+/// @throws py::error_already_set, and std::runtime_error in a thread that Python's end has
+/// overtaken
 class SignalCheck {
  public:
   void operator()();

@@ -21,6 +21,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of plimsoll.";
   module.attr("__version__") = PLIMSOLL_VERSION;
   app::look_for_program_files_in(package_folder() / "share");
+  python::bind_end(module);
   python::bind_errors(module);
   python::bind_scene(module);
   python::bind_simulation(module);

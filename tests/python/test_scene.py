@@ -2,6 +2,7 @@
 
 import json
 import os
+import pickle
 
 import numpy as np
 import pytest
@@ -144,3 +145,17 @@ def test_set_points_have_the_names_of_the_scene(tug):
 def test_a_key_that_cannot_be_set_is_a_fault(key):
     with pytest.raises(pl.SceneError):
         pl.Scene.load(BUOY, set={key: 1})
+
+
+def test_an_error_survives_pickling_with_its_faults():
+    with pytest.raises(pl.SceneError) as caught:
+        pl.Scene.load({"plimsoll": 1, "duration": -1, "stepp": 2, "bodies": []})
+    error = caught.value
+    for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+        back = pickle.loads(pickle.dumps(error, protocol))
+        assert type(back) is pl.SceneError
+        assert str(back) == str(error)
+        assert [str(fault) for fault in back.faults] == [str(fault) for fault in error.faults]
+        assert [(f.file, f.line, f.column, f.path, f.text) for f in back.faults] == [
+            (f.file, f.line, f.column, f.path, f.text) for f in error.faults]
+    assert [fault.path for fault in back.faults] == ["duration", "stepp"]
