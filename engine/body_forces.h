@@ -45,6 +45,8 @@ struct Works {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
            wind + interior + lines + machines + added_mass + applied + weight + constraint + brake;
   }
+  /// Part of the works, summed up in size, that the energy limiter has done [-].
+  double clamped_share() const;
 };
 
 /// The loads on a body at an instant: moments about the centre of mass, in W.

@@ -29,7 +29,6 @@ World::Placed placed(const SubstepBody& b) {
 }
 
 constexpr std::size_t kLoneBodies = 16;  // Of a part.
-
 const std::vector<EnergyLimiter*> kNoLimiters;
 
 /// True if the motion has no history yet and is about to get one.
@@ -38,8 +37,8 @@ bool starts(const MovingBody& moving) {
          (moving.body.reduced_joint || may_be_wet(moving.body, moving.motion.state));
 }
 
-template <class T>
-void append(const std::vector<T>& more, std::vector<T>& all) {
+template <class Range, class T>
+void append(const Range& more, std::vector<T>& all) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
@@ -82,10 +81,7 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
   if (is_alone_)
     islands_.push_back({.bodies = {&members_.front()}, .contacts = {}, .constrained = false});
   else
-    for (const Pair& pair : group_.near) {
-      const std::span<const ContactForce> known = forces_of(pair, past.forces);
-      forces_.insert(forces_.end(), known.begin(), known.end());
-    }
+    for (const Pair& pair : group_.near) append(forces_of(pair, past.forces), forces_);
 }
 
 GroupStepper::GroupStepper(const StepContext& context, const LoneBody& body, double step)
@@ -176,6 +172,7 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
     ends.push_back(stepper->contacts());
     append(stepper->record_.rows, record_.rows);
     append(stepper->record_.reactions, record_.reactions);
+    append(stepper->overlaps_, overlaps_);
   }
   PastContacts end = joined(ends);
   impacts_.end_with(std::move(end.touching));
@@ -262,6 +259,7 @@ void GroupStepper::accept(double time, double h) {
     if (m.island) m.moving->motion = m.end;
   for (const Island& island : islands_) Rig::add(island, h, record_);
   if (is_alone_) return;
+  add_overlaps(contacts_.points, time + h / 2, overlaps_);
   keep_forces();
   std::vector<LoneBody> others;
   for (const Member& m : members_)
@@ -278,7 +276,8 @@ GroupStepper::Snapshot GroupStepper::snapshot() const {
                     .impacts = impacts_,
                     .forces = forces_,
                     .rows = record_.rows.size(),
-                    .reactions = record_.reactions.size()};
+                    .reactions = record_.reactions.size(),
+                    .overlaps = overlaps_.size()};
   for (const Member& m : members_) snapshot.motions.push_back(m.moving->motion);
   for (const Judged& judged : judged_) snapshot.ranges.push_back(judged.limiter->range());
   return snapshot;
@@ -293,6 +292,7 @@ void GroupStepper::restore(const Snapshot& snapshot) {
   forces_ = snapshot.forces;
   record_.rows.resize(snapshot.rows);
   record_.reactions.resize(snapshot.reactions);
+  overlaps_.resize(snapshot.overlaps);
 }
 
 double GroupStepper::next_length(double time, double rest, bool starting) {
@@ -351,15 +351,14 @@ StateOf GroupStepper::halfway_states() {
 
 void GroupStepper::keep_forces() {
   std::vector<Contact> contacts;
-  for (const Island& island : islands_)
-    contacts.insert(contacts.end(), island.contacts.begin(), island.contacts.end());
+  for (const Island& island : islands_) append(island.contacts, contacts);
   std::ranges::stable_sort(contacts, {}, &Contact::pair);
   forces_ = remembered(contacts, halfway_states());
 }
 
 void GroupStepper::find_islands() {
   std::vector<Pair> pairs = group_.joints;
-  pairs.insert(pairs.end(), contacts_.pairs.begin(), contacts_.pairs.end());
+  append(contacts_.pairs, pairs);
   islands_.clear();
   for (Member& m : members_) m.island.reset();
   for (const std::vector<BodyId>& connected : connected_components(group_.bodies, pairs)) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/constraint_errors.h"
 #include "engine/contact_memory.h"
 #include "engine/energy_limiter.h"
 #include "engine/impacts.h"
@@ -54,6 +55,8 @@ class GroupStepper {
   void advance(double time, double length);
 
   PastContacts contacts() const { return {impacts_.touching(), forces_}; }
+  /// The overlaps of all substeps so far.
+  const std::vector<Overlap>& overlaps() const { return overlaps_; }
 
  private:
   friend class LoneBodies;
@@ -76,6 +79,7 @@ class GroupStepper {
     Impacts impacts;
     std::vector<ContactForce> forces;
     std::size_t rows, reactions;  ///< Of the record.
+    std::size_t overlaps;
   };
 
   Member& member(BodyId id);
@@ -120,6 +124,7 @@ class GroupStepper {
   std::vector<Judged> judged_;   ///< Ascending by their first bodies.
   std::vector<Island> islands_;  ///< Of the present substep.
   Rig::Record record_;           ///< Of the substeps since advance() was called.
+  std::vector<Overlap> overlaps_;
 };
 
 /// Bodies that are groups of their own, in parts that may be advanced at once.

@@ -1,6 +1,8 @@
 #include "engine/joint_rows.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 #include "engine/constants.h"
 
@@ -56,7 +58,50 @@ Vector3d turn_vector(const Eigen::Quaterniond& turn) {
   return whole.angle() * whole.axis();
 }
 
+/// A joint in a state, in W.
+struct PlacedJoint {
+  std::array<Vector3d, 2> arms;  ///< From the centres of mass to its points [m].
+  std::array<Vector3d, 2> axes;
+  Vector3d apart;            ///< The first body's point from the second's [m].
+  Eigen::Quaterniond ahead;  ///< Turn of the first body from where the second one is.
+};
+
+PlacedJoint placed(const JointFrames& joint, const hydro::BodyState& first,
+                   const hydro::BodyState& second) {
+  PlacedJoint p{.arms = {first.orientation * joint.points[0], second.orientation * joint.points[1]},
+                .axes = {first.orientation * joint.axes[0], second.orientation * joint.axes[1]},
+                .apart = {},
+                .ahead = first.orientation * joint.turn * second.orientation.conjugate()};
+  p.apart = first.position + p.arms[0] - second.position - p.arms[1];
+  return p;
+}
+
 }  // namespace
+
+JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
+                const hydro::BodyState& second) {
+  const PlacedJoint p = placed(joint, first, second);
+  const Vector3d& axis = p.axes[0];
+  JointGap gap{.separation = p.apart.norm()};
+  switch (joint.type) {
+    case Type::ball:
+      break;
+    case Type::hinge:
+      gap.turn = std::atan2(axis.cross(p.axes[1]).norm(), axis.dot(p.axes[1]));
+      break;
+    case Type::universal:
+      gap.turn = std::abs(std::asin(std::clamp(axis.dot(p.axes[1]), -1.0, 1.0)));
+      break;
+    case Type::slider:
+      gap.separation = (p.apart - p.apart.dot(axis) * axis).norm();
+      gap.turn = turn_vector(p.ahead).norm();
+      break;
+    case Type::fixed:
+      gap.turn = turn_vector(p.ahead).norm();
+      break;
+  }
+  return gap;
+}
 
 JointFrames joint_frames(const JointSpec& joint, std::size_t index,
                          const std::array<BodyId, 2>& bodies, const hydro::BodyState& first,
@@ -81,10 +126,7 @@ JointFrames joint_frames(const JointSpec& joint, std::size_t index,
 void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
                       const hydro::BodyState& second, double h,
                       std::vector<ConstraintBlock>& blocks) {
-  const Vector3d arms[] = {first.orientation * joint.points[0],
-                           second.orientation * joint.points[1]};
-  const Vector3d axes[] = {first.orientation * joint.axes[0], second.orientation * joint.axes[1]};
-  const Vector3d apart = first.position + arms[0] - second.position - arms[1];
+  const auto [arms, axes, apart, ahead] = placed(joint, first, second);
   if (joint.type == Type::slider) {
     // The second body's point is where the first one's would be, slid along the axis.
     const Vector3d at = second.position + arms[1];
@@ -106,8 +148,6 @@ void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
     }
     case Type::slider:
     case Type::fixed:
-      const Eigen::Quaterniond ahead =
-          first.orientation * joint.turn * second.orientation.conjugate();
       add_turn(joint, {all_directions(), turn_vector(ahead)}, h, blocks);
   }
 }

@@ -39,6 +39,15 @@ JointFrames joint_frames(const JointSpec& joint, std::size_t index,
                          const std::array<BodyId, 2>& bodies, const hydro::BodyState& first,
                          const hydro::BodyState& second);
 
+/// What has come between the two sides of a joint, without what it leaves free.
+struct JointGap {
+  double separation = 0;  ///< Distance of its points, on a slider across the axis [m].
+  double turn = 0;        ///< Between its axes or bodies; 0 for a ball joint [rad].
+};
+/// @param first, second   States of its bodies, of W for kWorld.
+JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
+                const hydro::BodyState& second);
+
 /// Adds the blocks of a joint in a state. @param first, second   Of W for kWorld.
 void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
                       const hydro::BodyState& second, double h,

@@ -18,7 +18,7 @@ void apply_loads(World& world, MovingBody& moving, BodyId id, double time, doubl
 
 }  // namespace
 
-void ode_step(const StepContext& context, double time, double step) {
+std::vector<Overlap> ode_step(const StepContext& context, double time, double step) {
   World& world = context.world;
   std::vector<MovingBody>& bodies = context.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -45,6 +45,9 @@ void ode_step(const StepContext& context, double time, double step) {
     ++moving.counts.constrained;
     ++moving.counts.substeps;
   }
+  std::vector<Overlap> overlaps;
+  add_overlaps(world.contacts().points, time, overlaps);
+  return overlaps;
 }
 
 }  // namespace engine

@@ -80,7 +80,7 @@ struct Simulation::Impl {
   RigReadings readings() const;
   void begin_step();
   void move_lines();
-  void accept_step();
+  void accept_step(const std::vector<Overlap>& overlaps);
   void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
 
@@ -96,6 +96,7 @@ struct Simulation::Impl {
   bool broken = false;  ///< A step stopped halfway.
   Timings timings;
   double loads_so_far = 0;  ///< Seconds of all bodies' loads after the last step.
+  ConstraintErrors errors;
   std::optional<SimulationState> start;
 };
 
@@ -117,6 +118,7 @@ Simulation::Impl::Impl(SimulationSpec description)
               .tolerance = spec.integrator.tolerance},
       stepper(context, spec.step) {
   for (const MovingBody& moving : bodies) states.push_back(moving.motion.state);
+  errors.joints.resize(spec.joints.size());
   start = state();
 }
 
@@ -176,7 +178,7 @@ void Simulation::Impl::move_lines() {
   rig.follow(ends);
 }
 
-void Simulation::Impl::accept_step() {
+void Simulation::Impl::accept_step(const std::vector<Overlap>& overlaps) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     states[i] = bodies[i].motion.state;
     bodies[i].inputs.loads.clear();
@@ -184,7 +186,9 @@ void Simulation::Impl::accept_step() {
   for (const std::size_t line : rig.end_step(states, time(), spec.step))
     for (const BodyId body : {spec.lines[line].first.body, spec.lines[line].second.body})
       if (body != kWorld) stepper.forget(body);
+  errors.add(overlaps);
   ++steps;
+  errors.add(world.frames_of_joints(), states, time());
 }
 
 std::vector<BodyForces> Simulation::Impl::forces() {
@@ -209,6 +213,7 @@ SimulationState Simulation::Impl::state() const {
                                                : std::nullopt});
   data->stepper = stepper.state();
   data->rig = rig.state();
+  data->errors = errors;
   return SimulationState(std::move(data));
 }
 
@@ -237,6 +242,7 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
   stepper.restore(data.stepper);
   steps = data.steps;
   rig.restore(data.rig, time(), spec.step);
+  errors = data.errors;
   broken = false;
 }
 
@@ -269,6 +275,14 @@ double Simulation::time() const { return impl_->time(); }
 long Simulation::steps() const { return impl_->steps; }
 const std::vector<hydro::BodyState>& Simulation::states() const { return impl_->states; }
 std::vector<BodyForces> Simulation::forces() const { return impl_->forces(); }
+
+std::vector<Works> Simulation::works() const {
+  std::vector<Works> works;
+  for (const MovingBody& moving : impl_->bodies)
+    if (moving.motion.work) works.push_back(works_of(moving.body, moving.motion));
+  return works;
+}
+
 std::vector<InteriorState> Simulation::interiors() const {
   std::vector<InteriorState> interiors;
   for (const MovingBody& moving : impl_->bodies)
@@ -277,6 +291,8 @@ std::vector<InteriorState> Simulation::interiors() const {
 }
 RigReadings Simulation::rig() const { return impl_->readings(); }
 const Timings& Simulation::timings() const { return impl_->timings; }
+
+const ConstraintErrors& Simulation::constraint_errors() const { return impl_->errors; }
 
 Skips Simulation::skips() const {
   const auto feels_water = [](const MovingBody& moving) {
@@ -360,12 +376,13 @@ void Simulation::step() {
   impl.begin_step();
   const double collision_before = impl.world.collision_seconds();
   double wall = 0;
+  std::vector<Overlap> overlaps;
   try {
     const Stopwatch stopwatch(wall);
     if (impl.spec.integrator.method == Integrator::Method::split)
-      impl.stepper.advance(time());
+      overlaps = impl.stepper.advance(time());
     else
-      ode_step(impl.context, time(), impl.spec.step);
+      overlaps = ode_step(impl.context, time(), impl.spec.step);
     impl.move_lines();
   } catch (const MoorDynFault& fault) {
     throw SimulationError(time(), "", fault.what());
@@ -375,7 +392,7 @@ void Simulation::step() {
     impl.give_up(fault);
   }
   impl.book_time(wall, impl.world.collision_seconds() - collision_before);
-  impl.accept_step();
+  impl.accept_step(overlaps);
   impl.broken = false;
 }
 

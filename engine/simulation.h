@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/body_forces.h"
+#include "engine/constraint_errors.h"
 #include "engine/counts.h"
 #include "engine/interior_water.h"
 #include "engine/pull.h"
@@ -64,6 +65,8 @@ class Simulation {
   /// What acts on each body in its present state, and the works so far.
   /// @throws std::logic_error unless the specification asks for a record of work.
   std::vector<BodyForces> forces() const;
+  /// The works of forces(), per body; empty unless the specification asks for a record of work.
+  std::vector<Works> works() const;
   /// The pockets of each body and their water, in the present state.
   std::vector<InteriorState> interiors() const;
   /// Lines, joints, machines and set points in the present state.
@@ -71,6 +74,8 @@ class Simulation {
   const Timings& timings() const;
   Skips skips() const;
   std::vector<Counts> counts() const;  ///< Per body.
+  /// The largest overlaps and errors of joints so far.
+  const ConstraintErrors& constraint_errors() const;
 
   /// Adds a load that acts in the next step only. Calls add up.
   /// @param wrench   Force [N] at the point, and torque [N m] beside it, in the axes of `frame`.

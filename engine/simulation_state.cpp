@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 7";
+constexpr std::string_view kMagic = "plimsoll state 8";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -83,6 +83,16 @@ template <class Archive, class T>
 void visit(Archive& a, std::vector<T>& values) {
   values.resize(a.count(values.size()));
   for (T& value : values) visit(a, value);
+}
+template <class Archive, class Key, class Value>
+void visit(Archive& a, std::map<Key, Value>& map) {
+  std::vector<std::pair<Key, Value>> entries(map.begin(), map.end());
+  entries.resize(a.count(entries.size()));
+  for (auto& [key, value] : entries) {
+    visit(a, key);
+    visit(a, value);
+  }
+  map = std::map<Key, Value>(entries.begin(), entries.end());
 }
 template <class Archive, class... T>
 void visit_all(Archive& a, T&... parts) {
@@ -162,9 +172,12 @@ void visit(auto& a, MoorDynState& m) {
 void visit(auto& a, RigState& rig) {
   visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.moordyn);
 }
+void visit(auto& a, Peak& peak) { visit_all(a, peak.value, peak.time); }
+void visit(auto& a, JointError& joint) { visit_all(a, joint.separation, joint.turn); }
 void visit(auto& a, SimulationState::Data& data) {
   visit_all(a, data.steps, data.bodies, data.stepper.contacts.touching,
-            data.stepper.contacts.forces, data.stepper.ranges, data.rig);
+            data.stepper.contacts.forces, data.stepper.ranges, data.rig, data.errors.overlaps,
+            data.errors.joints);
 }
 
 }  // namespace

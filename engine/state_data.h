@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/constraint_errors.h"
 #include "engine/moving_body.h"
 #include "engine/rig.h"
 #include "engine/simulation_state.h"
@@ -22,6 +23,7 @@ struct SimulationState::Data {
   std::vector<BodyRecord> bodies;
   StepperState stepper;
   RigState rig;
+  ConstraintErrors errors;
 };
 
 }  // namespace engine

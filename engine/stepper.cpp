@@ -28,10 +28,11 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
     if (limiter.group().size() == 1) own_limiters_[limiter.group().front()] = &limiter;
 }
 
-void Stepper::advance(double time) {
+std::vector<Overlap> Stepper::advance(double time) {
   std::vector<Group> groups = find_groups(near_pairs());
   const LoneBodies lone(context_, lone_bodies(groups), step_);
   std::vector<PastContacts> ends(groups.size());
+  std::vector<std::vector<Overlap>> found(groups.size());
   parallel_for_rethrow(context_.parallel_for, groups.size() + lone.parts(), [&](std::size_t i) {
     if (i >= groups.size()) return lone.advance(i - groups.size(), time, step_);
     for (const BodyId id : groups[i].bodies) context_.bodies[id].unsolved_entries = 0;
@@ -39,8 +40,13 @@ void Stepper::advance(double time) {
                          step_);
     stepper.advance(time, step_);
     ends[i] = stepper.contacts();
+    found[i] = stepper.overlaps();
   });
   contacts_ = joined(ends);
+  std::vector<Overlap> overlaps;
+  for (const std::vector<Overlap>& of_group : found)
+    overlaps.insert(overlaps.end(), of_group.begin(), of_group.end());
+  return overlaps;
 }
 
 std::vector<Pair> Stepper::near_pairs() {

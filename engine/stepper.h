@@ -27,8 +27,8 @@ class Stepper {
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// @throws MotionFault, OdeFault
-  void advance(double time);
+  /// @return the overlaps in its substeps. @throws MotionFault, OdeFault
+  std::vector<Overlap> advance(double time);
 
   StepperState state() const;
   /// True if the state has as many energy ranges as there are limiters.

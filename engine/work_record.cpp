@@ -1,5 +1,7 @@
 #include "engine/work_record.h"
 
+#include <cmath>
+
 #include "engine/energy.h"
 #include "engine/velocity_update.h"
 
@@ -171,13 +173,28 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
   record.works.constraint += rest.dot(w);
 }
 
+double Works::clamped_share() const {
+  double sum = 0;
+  for (const double work :
+       {buoyancy, pressure_drag, viscous_drag, lift, wave_inertia, diffraction, radiation, wind,
+        interior, lines, machines, added_mass, applied, weight, constraint, brake})
+    sum += std::abs(work);
+  return brake == 0 ? 0 : std::abs(brake) / sum;
+}
+
+Works works_of(const Body& body, const Motion& motion) {
+  Works works = motion.work->works;
+  works.added_mass += motion.work->added_energy_at_start - added_kinetic_energy(body, motion);
+  return works;
+}
+
 BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, double time,
                      double step) {
   const Body& body = moving.body;
   const Motion& motion = moving.motion;
   const hydro::BodyState& state = motion.state;
   const WorkRecord& record = *motion.work;
-  BodyForces forces{.works = record.works};
+  BodyForces forces{.works = works_of(body, motion)};
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
   forces.radiation = to_wrench(memory_load(body, motion, time));
   forces.lines = lines + to_wrench(record.row_impulse / step);
@@ -194,7 +211,6 @@ BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, doubl
   forces.added_kinetic_energy = added_kinetic_energy(body, motion);
   forces.potential_energy =
       body.spec->mass * body.environment.gravity * (state.position.z() - body.environment.level);
-  forces.works.added_mass += record.added_energy_at_start - forces.added_kinetic_energy;
   return forces;
 }
 

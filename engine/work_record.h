@@ -49,6 +49,9 @@ void record_clamp(const Body& body, const Motion& before, Motion& after);
 void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,
                      Motion& after);
 
+/// The works on a body that has a record.
+Works works_of(const Body& body, const Motion& motion);
+
 /// The forces on a body that has a record. @param step   Length of the last step [s].
 /// @param lines   Load of lines and drives in the present state, without rows.
 BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, double time,

@@ -94,6 +94,9 @@ class World {
   /// The joints of these bodies, which ascend, in the order of the specification.
   std::vector<JointFrames> joints_of(const std::vector<BodyId>& bodies) const;
 
+  /// All joints of which one body at least can move.
+  const std::vector<JointFrames>& frames_of_joints() const { return frames_; }
+
   /// Pairs of bodies and kWorld that joints connect, of which one at least can move.
   const std::vector<Pair>& joints() const { return joints_; }
   /// Pairs of indices of bodies, or the number of bodies for the ground, as pairs that may touch:
@@ -163,7 +166,7 @@ class World {
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Pairs of bodies, ascending.
   std::vector<Pair> joints_;
-  std::vector<JointFrames> frames_;  ///< Of joints of which one body at least can move.
+  std::vector<JointFrames> frames_;
   std::size_t joint_count_ = 0;
   dxGeom* ground_ = nullptr;
   ContactSurfaces surfaces_;

@@ -69,6 +69,44 @@ TEST(JointRows, AreMetAtTheStartAndLeaveTheFreedomOfTheJoint) {
   }
 }
 
+/// A state carried along with another one: turned about its centre of mass, and shifted, in W.
+BodyState carried(BodyState state, const Eigen::Quaterniond& turn, const Vector3d& about,
+                  const Vector3d& shift) {
+  state.position = about + turn * (state.position - about) + shift;
+  state.orientation = turn * state.orientation;
+  return state;
+}
+
+TEST(JointRows, TheGapOfAJointIsWhatItDoesNotLeaveFree) {
+  support::Random random(5);
+  const double angle = 0.02, way = 0.3;
+  for (const auto& [type, count] : kRows) {
+    SCOPED_TRACE(count);
+    const BodyState first = random.state(1, 1), second = random.state(1, 1);
+    const JointSpec spec = joint_of(type);
+    const auto joint = engine::joint_frames(spec, 0, {0, 1}, first, second);
+    const Vector3d across = spec.axis_W.unitOrthogonal();
+    const Vector3d at =
+        type == Type::slider || type == Type::fixed ? second.position : spec.anchor_W;
+    const auto gap = [&](const Vector3d& axis, double turn, const Vector3d& shift) {
+      return engine::gap_of(
+          joint, first,
+          carried(second, Eigen::Quaterniond(Eigen::AngleAxisd(turn, axis)), at, shift));
+    };
+    const Vector3d none = Vector3d::Zero();
+    const bool turns = type == Type::ball || type == Type::hinge || type == Type::universal;
+    const auto free = gap(spec.axis_W, turns ? angle : 0,
+                          type == Type::slider ? Vector3d(way * spec.axis_W) : none);
+    EXPECT_LT(free.separation + free.turn, tolerance(1e-12));
+    EXPECT_NEAR(gap(across, 0, way * across).separation, way, tolerance(1e-12));
+    // A universal joint resists a turn about the normal of its axes.
+    const Vector3d held =
+        type == Type::universal ? Vector3d(spec.axis_W.cross(spec.axis2_W)) : across;
+    EXPECT_NEAR(gap(held, angle, none).turn, type == Type::ball ? 0 : angle, tolerance(1e-12));
+    EXPECT_LT(gap(held, angle, none).separation, tolerance(1e-12));
+  }
+}
+
 // What two bodies come apart by in a short time is what their rows are asked to take back.
 TEST(JointRows, TakeBackWhatTheirVelocitiesBringBetweenTheBodies) {
   support::Random random(2);

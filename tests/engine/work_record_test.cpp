@@ -79,6 +79,13 @@ TEST(WorkRecord, OfTheLimiterIsTheEnergyThatItTakes) {
               1e-13 * box.kinetic(box.motion()));
 }
 
+TEST(WorkRecord, TellsWhichShareOfAllWorksTheLimiterHas) {
+  EXPECT_EQ((engine::Works{.buoyancy = 3, .weight = -4}.clamped_share()), 0);
+  EXPECT_EQ((engine::Works{.buoyancy = 3, .weight = -4, .brake = -1}.clamped_share()), 1.0 / 8);
+  EXPECT_EQ((engine::Works{.brake = -1}.clamped_share()), 1);
+  EXPECT_EQ(engine::Works{}.clamped_share(), 0);
+}
+
 TEST(WorkRecord, OfAGainOfAddedMassIsTheEnergyThatTheWaterTakes) {
   Recorded box(200);
   const Matrix6d more = 2 * box.motion().added();
