@@ -27,9 +27,6 @@ constexpr double kLargestLift = 1.02;
 constexpr double kHeldTilt = 16 * M_PI / 180;  ///< [rad]
 constexpr double kHeldVolume = 0.25;           ///< Of the displaced volume [-].
 
-/// Below it encounter effects are small [-].
-constexpr double kLargestFroudeNumber = 0.1;
-
 // Waves of half the body's length, and the added mass, feel a bottom that is nearer than these.
 constexpr double kDraughtsToGround = 4;
 constexpr double kLengthsToGround = 0.5;
@@ -58,13 +55,6 @@ Extent extent_of(const hydro::TriMesh& mesh_B, const Eigen::Quaterniond& orienta
 }
 
 using Source = scene::Radiation::Source;
-
-/// Froude number of a body's start, by its speed in the water [-].
-double froude_number(const engine::SimulationSpec& spec, const engine::BodySpec& body,
-                     double length) {
-  return (body.initial.linear_velocity - spec.sea->current).norm() /
-         std::sqrt(spec.sea->gravity * length);
-}
 
 /// The choices of one scene.
 class Chooser {
@@ -275,6 +265,10 @@ void add_warning(const std::string& text, const engine::SimulationSpec& spec, st
 
 }  // namespace
 
+double froude_number(const hydro::Sea& sea, double speed, double length) {
+  return speed / std::sqrt(sea.gravity * length);
+}
+
 std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
                                                const engine::SimulationSpec& spec,
                                                scene::Faults& faults) {
@@ -299,13 +293,6 @@ std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (choices[i].unexpected) add_warning("no radiation: " + choices[i].reason, spec, i, warnings);
     if (!choices[i].pose) continue;
-    const double froude = froude_number(spec, spec.bodies[i], choices[i].length);
-    if (froude > kLargestFroudeNumber)
-      add_warning(
-          fmt::format("it starts with a Froude number of {:.2g}, and the waves of a body are known "
-                      "without forward speed; expected at most {:g}",
-                      froude, kLargestFroudeNumber),
-          spec, i, warnings);
     for (std::size_t j = i + 1; j < choices.size(); ++j) {
       if (!choices[j].pose) continue;
       const double distance =

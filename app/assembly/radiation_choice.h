@@ -33,6 +33,12 @@
 
 namespace assembly {
 
+/// Largest Froude number of a body with radiation: below it encounter effects are small [-].
+inline constexpr double kLargestFroudeNumber = 0.1;
+
+/// Froude number of a body at a speed in the water [m/s], by its length on it [m].
+double froude_number(const hydro::Sea& sea, double speed, double length);
+
 /// A database of `hydro.radiation.file` for one body.
 struct RadiationDatabase {
   std::filesystem::path file;
@@ -71,9 +77,8 @@ inline const hydro::TriMesh& radiating_mesh(const RadiationChoice& choice,
   return choice.joined_B ? *choice.joined_B : outside_B(body);
 }
 
-/// Returns warnings of bodies whose radiation assumes what does not hold, forward speed and other
-/// bodies that make waves within ten of their lengths, and of bodies that have none only for how
-/// they start.
+/// Returns warnings of bodies that make waves within ten of their lengths of each other, and of
+/// bodies that have no radiation only for how they start.
 std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
                                             const std::vector<RadiationChoice>& choices);
 

@@ -18,6 +18,10 @@ RunFolder::RunFolder(const scene::Scene& scene, const assembly::BuiltScene& buil
 
 void RunFolder::finish(const engine::Simulation& simulation) {
   log_.finish();
+  const app::RunErrors errors{simulation.constraint_errors(), simulation.works()};
+  std::vector<std::string> warnings = built_.warnings;
+  for (std::string& warning : app::error_warnings(built_.spec, errors))
+    warnings.push_back(std::move(warning));
   app::write_summary({.scene = scene_,
                       .built = built_,
                       .overrides = overrides_,
@@ -27,7 +31,8 @@ void RunFolder::finish(const engine::Simulation& simulation) {
                       .skips = simulation.skips(),
                       .counts = simulation.counts(),
                       .rig = totals_,
-                      .warnings = built_.warnings,
+                      .errors = errors,
+                      .warnings = warnings,
                       .wall = clock_.seconds(),
                       .wall_log = log_.seconds(),
                       .pictures_skipped = "another program stepped the simulation"},

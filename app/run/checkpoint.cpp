@@ -66,7 +66,8 @@ Json to_json(const Checkpoint& c) {
           {"hdf5_hashes", c.log.hdf5_hashes},
           {"shots", c.shots},
           {"warnings", c.warnings},
-          {"rig", c.rig.state()}};
+          {"rig", c.rig.state()},
+          {"watch", c.watch}};
 }
 
 CheckpointChoices choices_from(const Json& head) {
@@ -182,6 +183,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
             .shots = head.at("shots").get<long>(),
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .rig = rig_from(head.at("rig")),
+            .watch = head.at("watch"),
             .state = engine::SimulationState::from_bytes(bytes)};
   } catch (const std::exception& error) {
     throw scene::InputError(file, fmt::format("cannot be resumed: {}", error.what()));

@@ -35,6 +35,7 @@ struct Checkpoint {
   long shots = 0;                     ///< Number of states to be drawn up to the checkpoint.
   std::vector<std::string> warnings;  ///< Warnings of the run up to the checkpoint.
   RigTotals rig;                      ///< Of the steps up to the checkpoint.
+  nlohmann::ordered_json watch;       ///< State of the watch of its motion (motion_watch.h).
   engine::SimulationState state;
 };
 

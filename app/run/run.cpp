@@ -17,7 +17,6 @@
 #include "app/base/terminal_reporter.h"
 #include "app/base/thread_count.h"
 #include "app/base/wall_clock.h"
-#include "app/base/words.h"
 #include "app/logs/hdf5_file.h"
 #include "app/logs/output_folder.h"
 #include "app/logs/run_files.h"
@@ -28,14 +27,14 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
+#include "app/run/closing_lines.h"
 #include "app/run/constraint_warning.h"
 #include "app/run/log_subject.h"
-#include "app/run/radiation_warning.h"
+#include "app/run/motion_watch.h"
 #include "app/run/resolved_scene.h"
 #include "app/run/run_need.h"
 #include "app/run/state_log.h"
 #include "app/run/summary.h"
-#include "app/run/wave_warning.h"
 #include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
 
@@ -55,6 +54,7 @@ class Run {
         summary_{.scene = scene, .built = built, .overrides = options.overrides},
         progress_(options.quiet),
         simulation_(built.spec),
+        watch_(built),
         log_(scene, built, options.format, folder.path(), built.spec.threads,
              last ? std::optional(last->log) : std::nullopt),
         shots_(scene.render ? scene.render->every : 0, scene.duration,
@@ -97,6 +97,7 @@ class Run {
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
     summary_.rig = last.rig;
+    watch_.restore(last.watch);
   }
 
   void introduce() const {
@@ -135,8 +136,11 @@ class Run {
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
     summary_.counts = simulation_.counts();
+    summary_.errors = {simulation_.constraint_errors(), simulation_.works()};
     if (auto warning = constraint_warning(built_.spec, summary_.counts))
       summary_.warnings.push_back(std::move(*warning));
+    for (std::string& warning : error_warnings(built_.spec, summary_.errors))
+      summary_.warnings.push_back(std::move(warning));
     summary_.wall_log = log_.seconds();
     return code;
   }
@@ -150,7 +154,7 @@ class Run {
       while (simulation_.steps() < steps && !interrupt_.interrupted()) {
         log_.before_step(simulation_.states());
         simulation_.step();
-        check_waves();
+        watch();
         keep();
         if (progress_.due()) show_progress();
         if (options_.checkpoint > 0 && since_checkpoint_.seconds() > options_.checkpoint)
@@ -185,6 +189,7 @@ class Run {
                                       .shots = static_cast<long>(shots_.shots().size()),
                                       .warnings = summary_.warnings,
                                       .rig = summary_.rig,
+                                      .watch = watch_.state(),
                                       .state = simulation_.state()});
     since_checkpoint_ = WallClock();
   }
@@ -203,13 +208,9 @@ class Run {
     return code;
   }
 
-  /// Warns once of a step that is too long for the waves that bodies meet, or of a body that has
-  /// left the motions for which its own waves are known, whichever comes first.
-  void check_waves() {
-    if (summary_.warnings.size() > built_.warnings.size()) return;
-    auto warning = wave_warning(built_.spec, simulation_.states());
-    if (!warning) warning = radiation_warning(built_.spec, simulation_.states());
-    if (warning) summary_.warnings.push_back(*warning);
+  void watch() {
+    for (std::string& warning : watch_.after_step(simulation_.time(), simulation_.states()))
+      summary_.warnings.push_back(std::move(warning));
   }
 
   /// Logs the state and stores it for a picture, if either is due.
@@ -268,17 +269,7 @@ class Run {
       say("no video was made; plimsoll render can make it from the log");
     say_warnings({summary_.warnings.begin() + static_cast<long>(built_.warnings.size()),
                   summary_.warnings.end()});
-    const engine::Timings& t = summary_.timings;
-    say(
-        fmt::format("{}: {} steps, {:g} s simulated in {:.2f} s "
-                    "(hydro {:.2f}, collision {:.2f}, engine {:.2f}, log {:.2f}, pictures {:.2f})",
-                    folder_.path().string(), summary_.steps, summary_.simulated, summary_.wall,
-                    t.hydro, t.collision, t.engine, summary_.wall_log, summary_.wall_render));
-    if (!summary_.pictures) return;
-    if (const auto& names = summary_.pictures->cameras; !names.empty())
-      say(fmt::format("{}: {} pictures, by the cameras {}", folder_.path().string(),
-                      summary_.pictures->frames, enumerate(names, "and")));
-    for (const std::string& line : videos_made(*summary_.pictures)) say(line);
+    for (const std::string& line : closing_lines(summary_, folder_.path())) say(line);
   }
 
   const RunOptions& options_;
@@ -291,6 +282,7 @@ class Run {
   ProgressLine progress_;
   InterruptGuard interrupt_;
   engine::Simulation simulation_;
+  MotionWatch watch_;
   StateLog log_;
   ShotSelector shots_;
 };

@@ -106,6 +106,9 @@ Json to_json(const assembly::RadiationReport& report) {
 
 Json body_summary(const RunSummary& summary, std::size_t i) {
   const engine::BodySpec& body = summary.built.spec.bodies[i];
+  Json motion = motion_summary(summary.counts[i]);
+  if (i < summary.errors.works.size())
+    motion["clamped_work_share"] = summary.errors.works[i].clamped_share();
   return {{"triangles", body.mesh_B.face_count()},
           {"mass", body.mass},
           {"mesh_digest", digest_of(body.mesh_B)},
@@ -113,7 +116,7 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"drag_shape", json_rows(body.coefficients.drag_shape)},
           {"steps_above_water", summary.counts[i].dry},
           {"steps_at_rest", summary.counts[i].resting},
-          {"motion", motion_summary(summary.counts[i])},
+          {"motion", motion},
           {"added_mass", to_json(summary.built.added_mass[i])},
           {"radiation", to_json(summary.built.radiation[i])}};
 }
@@ -202,6 +205,8 @@ Json to_json(const RunSummary& s) {
          {"controls", spec.controls.empty()},
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}}});
   json["bodies"] = body_summaries(s);
+  if (!s.skips.collision) json["overlaps"] = overlaps_summary(spec, s.errors.constraints);
+  if (!spec.joints.empty()) json["joints"] = joints_summary(spec, s.errors.constraints);
   if (!spec.lines.empty() || spec.moordyn) json["lines"] = s.rig.lines(spec);
   if (const std::string moorings = model_of_moorings(spec); !moorings.empty())
     json["moorings"] = moorings;

@@ -6,6 +6,7 @@
 
 #include "app/assembly/built_scene.h"
 #include "app/pictures/pictures.h"
+#include "app/run/constraint_errors.h"
 #include "app/run/rig_totals.h"
 #include "app/scene/reader.h"
 #include "engine/simulation.h"
@@ -25,6 +26,7 @@ struct RunSummary {
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
   RigTotals rig;                       ///< Of lines and machines.
+  RunErrors errors;                    ///< Errors of joints and contacts, and works.
   std::vector<std::string> warnings;   ///< Those of the scene, then those of the run.
   double wall = 0;                     ///< Total, including the added mass [s].
   double wall_log = 0;                 ///< [s]

@@ -244,8 +244,6 @@ TEST(RadiationChoice, WarnsOfWhatLinearTheoryLeavesOut) {
   EXPECT_THAT(unsolved(raft() + second + " position: [0, 30, 0]}\n").warnings,
               ElementsAre(HasSubstr("raft: other is 30 m away")));
   EXPECT_THAT(unsolved(raft() + second + " position: [0, 41, 0]}\n").warnings, IsEmpty());
-  EXPECT_THAT(unsolved(raft("linear_velocity: [1, 0, 0]")).warnings,
-              ElementsAre(HasSubstr("raft: it starts with a Froude number of 0.16")));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <nlohmann/json.hpp>
 
 #include "tests/app/program/program.h"
 #include "tests/support/repeats.h"
@@ -9,6 +10,7 @@
 
 namespace {
 
+using nlohmann::json;
 using support::Outcome;
 using support::Workplace;
 
@@ -96,7 +98,11 @@ TEST(ProgramCheckpoint, AKilledRunGoesOnToTheSameBytes) {
     EXPECT_GT(place.read(place / "whole" / table).size(), 10000u) << table;
     EXPECT_EQ(place.read(place / "cut" / table), place.read(place / "whole" / table)) << table;
   }
-  EXPECT_NE(place.read(place / "cut/summary.json").find("resumed_at_seconds"), std::string::npos);
+  const json cut = json::parse(place.read(place / "cut/summary.json"));
+  const json whole = json::parse(place.read(place / "whole/summary.json"));
+  EXPECT_TRUE(cut.contains("resumed_at_seconds"));
+  EXPECT_GT(whole["overlaps"]["pairs"], 0);
+  for (const char* key : {"overlaps", "joints", "warnings"}) EXPECT_EQ(cut[key], whole[key]) << key;
   EXPECT_FALSE(std::filesystem::exists(place / "cut/checkpoint.bin"));
 }
 

@@ -393,6 +393,7 @@ TEST_F(ProgramRun, SaysNothingWhenQuietAndShowsNoProgressOutsideATerminal) {
   const Outcome loud = here.run({"run", "box.yaml"});
   EXPECT_THAT(loud.err, HasSubstr("out/box: 50 steps, 0.5 s simulated in "));
   EXPECT_THAT(loud.err, Not(HasSubstr("\r")));
+  EXPECT_THAT(loud.err, HasSubstr(" s (added mass and radiation "));
   EXPECT_EQ(loud.out, "");
   const Outcome quiet = here.run({"run", "box.yaml", "--quiet"});
   EXPECT_EQ(quiet.out + quiet.err, "");

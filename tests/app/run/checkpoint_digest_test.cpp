@@ -25,8 +25,9 @@ TEST(CheckpointDigest, TellsWhetherTheWavesOfABodyHaveChanged) {
 }
 
 std::string digest_with(std::vector<double> values, scene::Interpolation interpolation) {
-  return app::digest_of(
-      {.controls = {{.source = assembly::table_signal({0, 1}, values, interpolation)}}});
+  engine::SimulationSpec spec;
+  spec.controls.emplace_back().source = assembly::table_signal({0, 1}, values, interpolation);
+  return app::digest_of(spec);
 }
 
 TEST(CheckpointDigest, TellsWhetherTheTableOfAControlHasChanged) {

@@ -1,0 +1,154 @@
+#include "app/run/motion_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/run/radiation_warning.h"
+#include "app/run/wave_warning.h"
+#include "engine/locks.h"
+#include "hydro/mesh/mass_properties.h"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kPeriodsOfMean = 2;  ///< More: a speed is told later; fewer: swell counts as one.
+constexpr double kLeastOfHighest = 0.1;  ///< Amplitude of waves that count, over the largest.
+
+/// Returns the period of the longest wave [s]; 0 without waves.
+double longest_period(const hydro::Sea& sea) {
+  const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
+  double highest = 0, longest = 0;
+  if (!waves) return 0;
+  for (const hydro::WaveComponent& wave : waves->components)
+    highest = std::max(highest, std::abs(wave.amplitude));
+  for (const hydro::WaveComponent& wave : waves->components)
+    if (std::abs(wave.amplitude) >= kLeastOfHighest * highest)
+      longest = std::max(longest, 2 * std::numbers::pi / std::abs(wave.omega));
+  return longest;
+}
+
+/// Returns true if something beside the water and other bodies moves the body.
+bool is_driven(const engine::SimulationSpec& spec, engine::BodyId id) {
+  const auto on_it = [id](const auto& machine) { return machine.body == id; };
+  const auto between = [id](const auto& joint) { return joint.first == id || joint.second == id; };
+  const auto held = [id](const engine::LineSpec& line) {
+    return line.first.body == id || line.second.body == id;
+  };
+  return !spec.bodies[static_cast<std::size_t>(id)].loads.empty() ||
+         std::ranges::any_of(spec.propellers, on_it) || std::ranges::any_of(spec.foils, on_it) ||
+         std::ranges::any_of(spec.joints, between) || std::ranges::any_of(spec.lines, held) ||
+         (spec.moordyn && std::ranges::any_of(spec.moordyn->points, on_it));
+}
+
+/// Returns true if the body is lighter than the water that it can displace.
+bool can_float(const engine::BodySpec& body, const hydro::Sea& sea) {
+  return body.wet && body.coefficients.buoyancy && !engine::immovable(body.locked) &&
+         body.mass < sea.density * hydro::solid_properties(engine::outside_B(body)).volume;
+}
+
+/// Returns true if the still water level cuts the body.
+bool is_in_surface(const engine::BodySpec& body, const hydro::BodyState& state, double level) {
+  const Eigen::RowVector3d up = state.orientation.toRotationMatrix().row(2);
+  const Eigen::RowVectorXd z = up * body.mesh_B.vertices;
+  return state.position.z() + z.minCoeff() < level && level < state.position.z() + z.maxCoeff();
+}
+
+Eigen::Vector2d speed_in_water(const hydro::Sea& sea, const hydro::BodyState& state) {
+  return (state.linear_velocity - sea.current).head<2>();
+}
+
+}  // namespace
+
+MotionWatch::MotionWatch(const assembly::BuiltScene& built) : built_(built) {
+  const engine::SimulationSpec& spec = built.spec;
+  if (!spec.sea || spec.sea->gravity == 0) return;
+  const hydro::Sea& sea = *spec.sea;
+  const double period = longest_period(sea);
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+    const engine::BodySpec& body = spec.bodies[i];
+    const Eigen::Matrix3Xd at =
+        body.initial.orientation.toRotationMatrix() * engine::outside_B(body).vertices;
+    const Eigen::Vector3d sides = at.rowwise().maxCoeff() - at.rowwise().minCoeff();
+    const double length = std::max(sides.x(), sides.y());
+    const double own_period = std::sqrt(2 * std::numbers::pi * length / sea.gravity);
+    Speed speed{
+        .length = length,
+        .memory = kPeriodsOfMean * std::max(period, own_period),
+        .makes_waves = body.radiation != nullptr,
+        .is_driven = can_float(body, sea) && is_driven(spec, static_cast<engine::BodyId>(i)),
+        .mean = speed_in_water(sea, body.initial)};
+    // Such a start is told with the scene.
+    if (speed.makes_waves &&
+        assembly::froude_number(sea, speed.mean.norm(), length) > assembly::kLargestFroudeNumber)
+      speed.makes_waves = false;
+    speeds_.push_back(speed);
+  }
+}
+
+std::vector<std::string> MotionWatch::after_step(double time,
+                                                 const std::vector<hydro::BodyState>& states) {
+  std::vector<std::string> warnings;
+  const engine::SimulationSpec& spec = built_.spec;
+  if (!waves_told_) {
+    auto warning = wave_warning(spec, states);
+    if (!warning) warning = radiation_warning(spec, states);
+    waves_told_ = warning.has_value();
+    if (warning) warnings.push_back(*std::move(warning));
+  }
+  for (std::size_t i = 0; i < speeds_.size(); ++i)
+    if (speeds_[i].makes_waves || speeds_[i].is_driven)
+      add_speed_warnings(i, time, states[i], warnings);
+  return warnings;
+}
+
+void MotionWatch::add_speed_warnings(std::size_t body, double time, const hydro::BodyState& state,
+                                     std::vector<std::string>& warnings) {
+  const hydro::Sea& sea = *built_.spec.sea;
+  Speed& speed = speeds_[body];
+  const double part = -std::expm1(-built_.spec.step / speed.memory);
+  speed.mean += part * (speed_in_water(sea, state) - speed.mean);
+  const double froude = assembly::froude_number(sea, speed.mean.norm(), speed.length);
+  const auto told = [&](double bound) {
+    return fmt::format(
+        "body '{}' goes through the water at {:.2g} m/s at {:.4g} s, a Froude number "
+        "above {:g}",
+        built_.spec.bodies[body].name, speed.mean.norm(), time, bound);
+  };
+  if (speed.makes_waves && froude > assembly::kLargestFroudeNumber) {
+    speed.makes_waves = false;
+    warnings.push_back(told(assembly::kLargestFroudeNumber) +
+                       ", and its waves are known without forward speed: hydro.radiation: none "
+                       "leaves them out");
+  }
+  if (speed.is_driven && froude > kWaveMakingFroudeNumber &&
+      is_in_surface(built_.spec.bodies[body], state, sea.level)) {
+    speed.is_driven = false;
+    warnings.push_back(told(kWaveMakingFroudeNumber) +
+                       ": the resistance by the waves that a hull makes is not computed, and it "
+                       "goes too fast for its drive");
+  }
+}
+
+Json MotionWatch::state() const {
+  Json speeds = Json::array();
+  for (const Speed& speed : speeds_)
+    speeds.push_back({speed.makes_waves, speed.is_driven, speed.mean.x(), speed.mean.y()});
+  return {{"waves_told", waves_told_}, {"speeds", speeds}};
+}
+
+void MotionWatch::restore(const Json& state) {
+  waves_told_ = state.at("waves_told").get<bool>();
+  const Json& speeds = state.at("speeds");
+  for (std::size_t i = 0; i < speeds_.size(); ++i) {
+    speeds_[i].makes_waves = speeds.at(i).at(0).get<bool>();
+    speeds_[i].is_driven = speeds.at(i).at(1).get<bool>();
+    speeds_[i].mean = {speeds.at(i).at(2).get<double>(), speeds.at(i).at(3).get<double>()};
+  }
+}
+
+}  // namespace app
