@@ -93,7 +93,7 @@ RunVerdict compare_one(const std::string& name, const CompareOptions& options) {
     const bool same = comparison.same();
     return {.name = name,
             .same = same,
-            .text = verdict_text(same) + (same ? "" : ": " + worst_of(comparison, files)) +
+            .text = verdict_text(comparison) + (same ? "" : ": " + worst_of(comparison, files)) +
                     changes_text(provenance),
             .json = json_of(comparison, files, provenance),
             .junit = junit_suite_of(comparison, files)};

@@ -109,6 +109,7 @@ Json comparison_data(const ComparedPage& page, const ComparisonLimits& limits) {
           {"a", files.a},
           {"b", files.b},
           {"same", comparison.same()},
+          {"verdict", verdict_text(comparison)},
           {"differs", provenance ? json_of(*provenance) : Json(nullptr)},
           {"columns", motion_columns()},
           {"bodies", all},

@@ -1,6 +1,7 @@
 #include "app/compare/comparison_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +155,48 @@ std::string limits_text(const Difference& d) {
   return fmt::format("{:.4g}{}{}", d.peak_limit, rms.empty() ? "" : ", ", rms);
 }
 
+JudgedQuantities judged_quantities(const Comparison& comparison) {
+  std::vector<std::pair<std::string, bool>> all;
+  const auto add = [&all](const std::string& name, bool judged) {
+    const auto known = std::ranges::find(all, name, &std::pair<std::string, bool>::first);
+    if (known == all.end())
+      all.emplace_back(name, judged);
+    else
+      known->second = known->second || judged;
+  };
+  for (const BodyComparison& body : comparison.bodies)
+    for (const Difference& d : body.differences) add(d.quantity, d.judged());
+  for (const TableComparison& table : comparison.tables) {
+    const Count count = count_of(table);
+    std::size_t quantities = 0;
+    for (const BodyComparison& name : table.names) quantities += name.differences.size();
+    if (table.in == In::both && quantities == 0) continue;
+    const bool in_parts = table.in == In::both && count.judged > 0 && count.judged < quantities;
+    if (!in_parts) add(table.name, table.judged && (count.judged > 0 || table.in != In::both));
+    for (const BodyComparison& name : table.names)
+      for (const Difference& d : name.differences)
+        if (in_parts) add(d.quantity, d.judged());
+  }
+  JudgedQuantities quantities;
+  for (const auto& [name, judged] : all)
+    (judged ? quantities.judged : quantities.not_judged).push_back(name);
+  return quantities;
+}
+
 std::string verdict_text(bool same) { return same ? "the same within tolerance" : "different"; }
+
+std::string verdict_text(const Comparison& comparison) {
+  const JudgedQuantities quantities = judged_quantities(comparison);
+  const std::string verdict = verdict_text(comparison.same());
+  if (quantities.not_judged.empty()) return verdict;
+  if (quantities.judged.empty() && comparison.same())
+    return "nothing was judged: none of the tolerances is of what both runs have";
+  return fmt::format("{} by {}; not judged: {}", verdict,
+                     quantities.judged.empty()
+                         ? "what only one run has"
+                         : fmt::format("{}", fmt::join(quantities.judged, ", ")),
+                     fmt::join(quantities.not_judged, ", "));
+}
 
 std::string names_text(const ComparedFiles& files) {
   return fmt::format("A: {}\nB: {}\n", files.a, files.b);
@@ -170,12 +212,17 @@ std::string table_of(const Comparison& comparison, const ComparedFiles& files, b
     for (const Difference& d : body.differences) table += row_of(body.name, d, widths, color);
   }
   for (const TableComparison& one : comparison.tables) table += lines_of(one, files, widths, color);
-  return table + verdict_text(comparison.same()) + "\n";
+  return table + verdict_text(comparison) + "\n";
 }
 
 Json json_of(const Comparison& comparison, const ComparedFiles& files,
              const std::optional<Provenance>& provenance) {
-  Json all = {{"a", files.a}, {"b", files.b}, {"same", comparison.same()}};
+  const JudgedQuantities quantities = judged_quantities(comparison);
+  Json all = {{"a", files.a},
+              {"b", files.b},
+              {"same", comparison.same()},
+              {"judged", quantities.judged},
+              {"not_judged", quantities.not_judged}};
   if (provenance) all["differs"] = json_of(*provenance);
   Json& bodies = all["bodies"] = Json::object();
   for (const BodyComparison& body : comparison.bodies) bodies[body.name] = json_of(body, files);

@@ -34,8 +34,17 @@ std::string limits_text(const Difference& difference);
 /// Returns a number as JSON; null for one that is infinite, which JSON does not have.
 nlohmann::ordered_json finite_or_null(double number);
 
+/// Names of quantities, or of tables for all of theirs, of all bodies together.
+struct JudgedQuantities {
+  std::vector<std::string> judged;
+  std::vector<std::string> not_judged;  ///< They have no tolerance.
+};
+JudgedQuantities judged_quantities(const Comparison& comparison);
+
 /// Returns `the same within tolerance` or `different`.
 std::string verdict_text(bool same);
+/// Does so and tells what was judged if that is not everything.
+std::string verdict_text(const Comparison& comparison);
 
 /// Returns which run is A and which B.
 std::string names_text(const ComparedFiles& files);
@@ -45,8 +54,9 @@ std::string names_text(const ComparedFiles& files);
 /// escapes. @param color Use a terminal's colours.
 std::string table_of(const Comparison& comparison, const ComparedFiles& files, bool color);
 
-/// Returns `{"a": …, "b": …, "same": …, "differs": …, "bodies": {NAME: {"same": …, QUANTITY:
-/// {"largest": …, …}}}, "tables": {TABLE: {"same": …, "names": {NAME: {…}}}}}`.
+/// Returns `{"a": …, "b": …, "same": …, "judged": […], "not_judged": […], "differs": …, "bodies":
+/// {NAME: {"same": …, QUANTITY: {"largest": …, …}}}, "tables": {TABLE: {"same": …, "names": {NAME:
+/// {…}}}}}`.
 /// @param provenance   Of two run folders.
 nlohmann::ordered_json json_of(const Comparison& comparison, const ComparedFiles& files,
                                const std::optional<Provenance>& provenance);

@@ -23,7 +23,7 @@ const log = (label, name) =>
 // The body with the most of something of a quantity.
 const most = (bodies, of) => bodies.reduce((best, body) => best && of(best) >= of(body) ? best : body, null);
 
-const showHead = ({a, b, same, bodies, program}) => {
+const showHead = ({a, b, same, verdict, bodies, program}) => {
   document.title = `${a} and ${b} – Plimsoll`;
   const compared = bodies.filter((body) => body.differences);
   const different = bodies.filter((body) => !body.same);
@@ -44,7 +44,7 @@ const showHead = ({a, b, same, bodies, program}) => {
   at("head").append(
     element("div", {className: "title"}, element("h1", {textContent: "Comparison"}),
       element("span", {id: "verdict", className: same ? "state completed" : "state",
-                       textContent: same ? "the same within tolerance" : "different"}),
+                       textContent: verdict}),
       log("A", a), log("B", b), element("span", {className: "origin", textContent: `Plimsoll ${program}`})),
     tiles);
 };

@@ -188,6 +188,25 @@ TEST_F(ProgramCompare, OfTheSameIsCodeZero) {
   EXPECT_THAT(outcome.out, EndsWith("the same within tolerance\n"));
 }
 
+TEST_F(ProgramCompare, SaysWhatWasJudged) {
+  const auto verdict = [&](const std::string& tolerance) {
+    const Outcome outcome = compare({"0,p,1"}, {"0,p,1"}, {"--tol", tolerance});
+    EXPECT_EQ(outcome.code, 0);
+    return lines_of(outcome.out).back();
+  };
+  EXPECT_EQ(verdict("position=1"),
+            "the same within tolerance by position; not judged: orientation_deg, linear_velocity, "
+            "angular_velocity");
+  EXPECT_EQ(verdict("position=1,orientation_deg=1,linear_velocity=1,angular_velocity.rms=1"),
+            "the same within tolerance");
+  EXPECT_EQ(verdict("forces.buoyancy=1"),
+            "nothing was judged: none of the tolerances is of what both runs have");
+  const Outcome outcome = compare({"0,p,1"}, {"0,p,1"}, {"--tol", "position=1", "--json"});
+  const json told = json::parse(outcome.out);
+  EXPECT_EQ(told["judged"], json({"position"}));
+  EXPECT_EQ(told["not_judged"], json({"orientation_deg", "linear_velocity", "angular_velocity"}));
+}
+
 TEST_F(ProgramCompare, BeyondToleranceIsCodeOneWithTheLargestAndTheFirst) {
   const std::vector<std::string> a = {"0,p,0", "1,p,0", "2,p,0", "3,p,0"};
   const std::vector<std::string> b = {"0,p,0", "1,p,0.01", "2,p,0.5", "3,p,0.3"};
@@ -197,7 +216,8 @@ TEST_F(ProgramCompare, BeyondToleranceIsCodeOneWithTheLargestAndTheFirst) {
   EXPECT_THAT(
       lines_of(outcome.out)[4],
       testing::MatchesRegex("p +position +0\\.5 +0\\.2916 m +2\\.000 +0\\.1  exceeds it from 2 s"));
-  EXPECT_THAT(outcome.out, EndsWith("different\n"));
+  EXPECT_THAT(outcome.out, EndsWith("different by position; not judged: orientation_deg, "
+                                    "linear_velocity, angular_velocity\n"));
   EXPECT_EQ(compare(a, b, {"--tol", "position=0.51"}).code, 0);
   EXPECT_EQ(compare(a, b, {"--tol", "linear_velocity=0,angular_velocity=0"}).code, 0);
 }

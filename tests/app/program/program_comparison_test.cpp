@@ -221,6 +221,10 @@ TEST_F(ProgramRuns, ComparesTheTablesOfFolders) {
   EXPECT_THAT(here.read("j.xml"), HasSubstr("classname=\"helm\" name=\"controls.value\">"));
   EXPECT_EQ(compare("a b --tol controls.value=0.5").code, 0);
   EXPECT_EQ(compare("a b --tol position=0").code, 0);  // others are not judged
+  EXPECT_EQ(data("a b --tol position=0", 0)["verdict"],
+            "the same within tolerance by position; not judged: orientation_deg, linear_velocity, "
+            "angular_velocity, controls");
+  EXPECT_EQ(data("a b", 1)["verdict"], "different");
   EXPECT_EQ(compare("a/trajectory.csv b/trajectory.csv").code, 0);
   const json table = data("a b", 1)["tables"][0];
   EXPECT_EQ(table["beyond"][0]["differences"][0]["largest"], 0.5);
