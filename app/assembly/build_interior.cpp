@@ -134,10 +134,14 @@ std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec) {
   return warnings;
 }
 
-double mass_afloat(const engine::BodySpec& spec, double density) {
-  double mass = spec.mass;
+double mass_of_water_in(const engine::BodySpec& spec, double density) {
+  double mass = 0;
   for (const engine::WaterAtStart& water : spec.interior_water) mass += density * water.volume;
   return mass;
+}
+
+double mass_afloat(const engine::BodySpec& spec, double density) {
+  return spec.mass + mass_of_water_in(spec, density);
 }
 
 std::vector<hydro::Tank> tanks_of(const engine::BodySpec& spec) {

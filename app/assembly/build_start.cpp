@@ -60,8 +60,11 @@ void settle(const RigidGroup& group, BodyId lead, const Eigen::Vector3d& com_M,
             engine::SimulationSpec& spec, BuildLog& log) {
   const scene::Water& water = *log.scene.water;
   const FloatingGroup floating = floating_group(spec, group, lead);
-  double mass = 0;
-  for (const BodyId id : group.bodies) mass += mass_afloat(spec.bodies[id], water.density);
+  MassAfloat mass;
+  for (const BodyId id : group.bodies) {
+    mass.body += spec.bodies[id].mass;
+    mass.water += mass_of_water_in(spec.bodies[id], water.density);
+  }
   const std::string reason =
       why_not_afloat(mass, hydro::solid_properties(floating.mesh_G).volume, water.density);
   if (!reason.empty())
@@ -70,7 +73,7 @@ void settle(const RigidGroup& group, BodyId lead, const Eigen::Vector3d& com_M,
         group.bodies.size() == 1 ? reason : "with all that is fixed to it, " + reason);
   const Eigen::Quaterniond given = spec.bodies[lead].initial.orientation;
   const hydro::Flotation rest =
-      hydro::equilibrium(floating.mesh_G, mass / water.density, given, floating.tanks);
+      hydro::equilibrium(floating.mesh_G, mass.sum() / water.density, given, floating.tanks);
   const Eigen::Quaterniond R_WG =
       hydro::with_heading(rest.orientation, hydro::euler_angles(given)[2]);
   const auto place =
@@ -121,15 +124,17 @@ std::string joint_of(const engine::SimulationSpec& spec, const RigidGroup& group
 
 }  // namespace
 
-std::string why_not_afloat(double mass, double volume, double density) {
+std::string why_not_afloat(const MassAfloat& mass, double volume, double density) {
   const double most = density * volume;
   // Round-off of a mesh's volume is larger than that of a double; within 1e-12 the masses are
   // equal.
-  if (mass < (1 - 1e-12) * most) return "";
+  if (mass.sum() < (1 - 1e-12) * most) return "";
+  const std::string water =
+      mass.water > 0 ? fmt::format(", the water in it weighs {:.7g} kg,", mass.water) : "";
   return fmt::format(
-      "it {}: its mass is {:.7g} kg and its volume of {:.7g} m^3 displaces {:.7g} kg",
-      mass > (1 + 1e-12) * most ? "sinks" : "hovers in the water, as heavy as it", mass, volume,
-      most);
+      "it {}: its mass is {:.7g} kg{} and its volume of {:.7g} m^3 displaces {:.7g} kg",
+      mass.sum() > (1 + 1e-12) * most ? "sinks" : "hovers in the water, as heavy as it", mass.body,
+      water, volume, most);
 }
 
 std::vector<bool> starts_afloat(const scene::Scene& scene, const engine::SimulationSpec& spec) {

@@ -29,8 +29,16 @@ void heel_over(engine::SimulationSpec& spec, BuildLog& log);
 /// its pose.
 std::vector<bool> starts_afloat(const scene::Scene& scene, const engine::SimulationSpec& spec);
 
+/// What a body weighs afloat [kg].
+struct MassAfloat {
+  double body = 0;
+  double water = 0;  ///< The water inside.
+
+  double sum() const { return body + water; }
+};
+
 /// Explains why a body of this mass does not float in water of this density; empty if it floats.
 /// @param volume   Volume of the body [m^3].
-std::string why_not_afloat(double mass, double volume, double density);
+std::string why_not_afloat(const MassAfloat& mass, double volume, double density);
 
 }  // namespace assembly

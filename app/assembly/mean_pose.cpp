@@ -51,7 +51,7 @@ double displaced_volume(const hydro::TriMesh& mesh_B, const Quaterniond& R, doub
 /// A hull at rest that the water alone carries, in its attitude at the start if that does not
 /// matter to it.
 FreeRest found_rest(const RadiatingHull& hull, const Quaterniond& start, double density) {
-  const double volume = hull.mass / density;
+  const double volume = (hull.mass + hull.water) / density;
   hydro::TriMesh mesh = hull.mesh_B;  // about the centre of mass of the whole
   std::vector<hydro::Tank> tanks = hull.tanks_B;
   if (!hull.com_B.isZero(0)) {
@@ -82,7 +82,6 @@ RadiatingHull radiating_hull(const engine::SimulationSpec& spec, const RigidGrou
   RadiatingHull hull{.group = group, .lead = lead};
   const hydro::BodyState& base = spec.bodies[static_cast<std::size_t>(lead)].initial;
   const Quaterniond to_lead = base.orientation.conjugate();
-  double mass = 0;
   for (const BodyId id : group.bodies) {
     const engine::BodySpec& part = spec.bodies[static_cast<std::size_t>(id)];
     Eigen::Isometry3d X_LB = Eigen::Isometry3d::Identity();
@@ -91,15 +90,15 @@ RadiatingHull radiating_hull(const engine::SimulationSpec& spec, const RigidGrou
       X_LB.translation() = to_lead * (part.initial.position - base.position);
     }
     hull.parts_B.push_back(hydro::transformed(outside_B(part), X_LB));
-    hull.mass += mass_afloat(part, spec.sea->density);
+    hull.mass += part.mass;
+    hull.water += mass_of_water_in(part, spec.sea->density);
     hull.com_B += part.mass * X_LB.translation();
-    mass += part.mass;
     for (hydro::Tank& tank : tanks_of(part))
       hull.tanks_B.push_back(
           {.hull = hydro::make_hull(hydro::transformed(tank.hull.mesh_B, X_LB), tank.hull.boundary),
            .volume = tank.volume});
   }
-  hull.com_B /= mass;
+  hull.com_B /= hull.mass;
   hull.mesh_B = hydro::side_by_side(hull.parts_B);
   return hull;
 }

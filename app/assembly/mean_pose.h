@@ -23,7 +23,8 @@ struct RadiatingHull {
   engine::BodyId lead = 0;
   std::vector<hydro::TriMesh> parts_B;  ///< The surfaces that the sea outside sees, a body each.
   hydro::TriMesh mesh_B;                ///< All of them, side by side.
-  double mass = 0;                      ///< With the water inside [kg].
+  double mass = 0;                      ///< Without the water inside [kg].
+  double water = 0;                     ///< Mass of that water [kg].
   /// Centre of mass without that water [m].
   Eigen::Vector3d com_B = Eigen::Vector3d::Zero();
   std::vector<hydro::Tank> tanks_B;  ///< That water.

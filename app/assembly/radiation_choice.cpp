@@ -115,8 +115,8 @@ class Chooser {
     const RadiatingHull hull = radiating_hull(spec_, group, lead);
     choice.held = poses_.holder(hull);
     if (choice.held.empty())
-      choice.reason = why_not_afloat(hull.mass, hydro::solid_properties(hull.mesh_B).volume,
-                                     spec_.sea->density);
+      choice.reason = why_not_afloat(
+          {hull.mass, hull.water}, hydro::solid_properties(hull.mesh_B).volume, spec_.sea->density);
     if (!choice.reason.empty()) return;
     const std::optional<scene::Radiation::Pose>& wanted = hydro(lead).radiation.pose;
     const FoundPose found = poses_.find(hull, wanted);

@@ -255,8 +255,8 @@ FloatingReport floating_report(const FloatingBody& body, const std::vector<doubl
   FloatingReport report{.body = body,
                         .upright = in_upright_axes(body),
                         .volume = hydro::solid_properties(body.mesh_B).volume};
-  report.not_afloat =
-      assembly::why_not_afloat(body.density * body.displaced(), report.volume, body.density);
+  report.not_afloat = assembly::why_not_afloat({body.mass, body.density * body.water_inside()},
+                                               report.volume, body.density);
   if (!report.not_afloat.empty()) return report;
   const hydro::Flotation rest =
       hydro::equilibrium(body.mesh_B, body.displaced(), body.start, body.tanks);

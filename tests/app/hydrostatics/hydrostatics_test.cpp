@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/assembly/build.h"
+#include "app/assembly/build_start.h"
 #include "tests/app/program/program.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
@@ -348,6 +349,13 @@ TEST(StartInEquilibrium, IsAskedForBodyByBody) {
   EXPECT_NEAR((given.position - given.orientation * Vector3d(0, 0, 0.5)).z(), 40, kRoundOff);
   EXPECT_GT(net_load(built, 0).force.norm(), 1e6);
   EXPECT_LT(net_load(built, 1).force.norm(), support::tolerance(1e-12) * 9e4);
+}
+
+TEST(StartInEquilibrium, TellsTheMassOfABodyAndOfTheWaterInItApart) {
+  EXPECT_EQ(assembly::why_not_afloat({.body = 1e5, .water = 32500}, 132, 1000),
+            "it sinks: its mass is 100000 kg, the water in it weighs 32500 kg, and its volume of "
+            "132 m^3 displaces 132000 kg");
+  EXPECT_EQ(assembly::why_not_afloat({.body = 1e5, .water = 32500}, 133, 1000), "");
 }
 
 TEST(StartInEquilibrium, OfABodyThatSinksIsAFaultAtItsPlace) {
