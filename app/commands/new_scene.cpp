@@ -36,18 +36,19 @@ water:
 # A sea floor.
 # ground: {{z: -4}}
 
-# Coefficients of all bodies; each may have a `hydro` block of its own.
-hydro:
-  added_mass: deep              # none: no solve before the run, but bodies accelerate too fast
+# Coefficients of all bodies; each may have a `hydro` block of its own. Without it bodies that start
+# afloat make waves, which take a solve before the first run.
+# hydro: {{radiation: none}}      # no waves of the bodies: less damping, and no such solve
 
 bodies:
   - name: buoy
-    cylinder: {{radius: 0.6, height: 1.4}}
+    cylinder: {{radius: 0.6, height: 1.4, slices: 24, stacks: 6}}
     # mesh: {{file: hull.obj, scale: 1}}         # OBJ, STL or PLY in place of the cylinder
     mass: 700                   # or a density instead, as for the crate
-    center_of_mass: [0, 0, -0.35]              # a low one, so that it floats upright
-    position: [0, 0, 1.1]
-    orientation: {{euler_deg: [15, 10, 0]}}      # roll, pitch, yaw
+    center_of_mass: [0, 0, -0.45]              # a low one, so that it floats upright
+    start: equilibrium          # as it floats at rest, at the x and y of a position
+    # position: [0, 0, 1.1]     # in place of start, as for the crate
+    # orientation: {{euler_deg: [15, 10, 0]}}    # roll, pitch, yaw
     # linear_velocity: [1, 0, 0]
     # lock: [x, y, yaw]
     # forces: [{{force: [200, 0, 0], start: 2, end: 4}}]
@@ -55,7 +56,7 @@ bodies:
   - name: crate
     box: {{size: [0.8, 0.8, 0.5]}}
     density: 300
-    position: [1.8, 0.6, 0.8]
+    position: [1.8, 0.6, 0.1]
 
 # Joints tie two bodies to each other, or one to the `world`.
 # joints:

@@ -22,6 +22,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class ProgramNew : public testing::Test {
@@ -48,10 +49,19 @@ TEST_F(ProgramNew, WritesASceneThatRuns) {
   const Outcome made = here.run({"new", "my \"first\" buoy"});
   EXPECT_EQ(made.code, 0);
   EXPECT_THAT(made.out, StartsWith("my \"first\" buoy.yaml: "));
-  const Outcome ran = here.run({"run", "my \"first\" buoy.yaml", "--set", "duration=0.1",
-                                "--no-render", "--set", "hydro.added_mass=none", "--out", "out"});
+  const Outcome ran =
+      here.run({"run", "my \"first\" buoy.yaml", "--set", "duration=0.1", "--no-render", "--set",
+                "hydro={added_mass: none}", "--out", "out"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(fs::exists(here / "out/trajectory.csv"));
+}
+
+TEST_F(ProgramNew, WritesASceneWhoseBodiesMakeWaves) {
+  here.run({"new", "a.yaml"});
+  const Outcome outcome = here.run({"check", "a.yaml"});
+  EXPECT_THAT(outcome.out, HasSubstr("buoy: radiation: "));
+  EXPECT_THAT(outcome.out, HasSubstr("crate: radiation: "));
+  EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("no radiation")));
 }
 
 TEST_F(ProgramNew, ShowsKeysThatAreRight) {
