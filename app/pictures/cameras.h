@@ -16,6 +16,10 @@ namespace app {
 /// need none.
 std::vector<scene::Camera> cameras_of(const scene::Render& render);
 
+/// Returns a camera at time 0. A place that the scene does not give is such that all bodies are
+/// seen at their start.
+render::Camera camera_at_start(const scene::Camera& camera, const engine::SimulationSpec& spec);
+
 /// Returns a camera at the time of a shot. A camera that follows a body is displaced as far as the
 /// body's centre of mass from its start; an orbiting camera turns about the vertical through the
 /// point it looks at.

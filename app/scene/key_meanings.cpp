@@ -216,8 +216,11 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "every second, fourth and so on."},
     {"render.camera",
      "The camera. Up in the picture is +z, so the camera cannot look straight up or down."},
-    {"render.camera.from", "Position of the camera."},
-    {"render.camera.to", "Point at which the camera looks."},
+    {"render.camera.from",
+     "Position of the camera. By default it is on the side of [6, -8, 3] from `to`, as far away as "
+     "it takes to see all bodies at the start."},
+    {"render.camera.to",
+     "Point at which the camera looks, by default the middle of all bodies at the start."},
     {"render.camera.fov_deg", "Vertical field of view."},
     {"render.camera.follow",
      "Body that the camera follows. `from` and `to` are those of time 0 and move with its centre "

@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastSideways = 1e-6;
 
 void check_view(MapReader& map, const Camera& camera) {
-  const Eigen::Vector3d view = camera.to - camera.from;
+  const Eigen::Vector3d view = *camera.to - *camera.from;
   if (view.isZero(0))
     map.fault("", "looks from a point to the same point, expected two different ones");
   else if (view.head<2>().stableNorm() <= kLeastSideways * view.stableNorm())
@@ -54,13 +54,13 @@ void check_camera_names(MapReader& map, const std::vector<Camera>& cameras) {
 }  // namespace
 
 void read(MapReader& map, Camera& camera) {
-  const bool from = map.optional("from", camera.from, number("m")) || !map.has("from");
-  const bool to = map.optional("to", camera.to, number("m")) || !map.has("to");
+  map.optional("from", camera.from, number("m"));
+  map.optional("to", camera.to, number("m"));
   map.optional("fov_deg", camera.field_of_view, degrees_between(1, 170));
   map.optional("follow", camera.follow, TextRule{"the name of a body"});
   map.optional("orbit", camera.orbit,
                NumberRule{.unit = "deg/s", .factor = std::numbers::pi / 180});
-  if (from && to) check_view(map, camera);
+  if (camera.from && camera.to) check_view(map, camera);
 }
 
 void read(MapReader& map, std::vector<Camera>& cameras) {

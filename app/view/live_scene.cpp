@@ -16,26 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Extent of the bodies as a fraction of the visible extent at their distance.
-constexpr double kFilled = 0.55;
-
 }  // namespace
-
-render::Camera framing(const engine::SimulationSpec& spec) {
-  Eigen::AlignedBox3d box;
-  for (const engine::BodySpec& body : spec.bodies) {
-    const double radius = body.mesh_B.vertices.colwise().norm().maxCoeff();
-    for (const double side : {-radius, radius})
-      box.extend(body.initial.position + Eigen::Vector3d::Constant(side));
-  }
-  render::Camera camera;
-  if (box.isEmpty()) return camera;
-  const Eigen::Vector3d direction = camera.from.normalized();
-  const double half_height = std::tan(camera.field_of_view / 2);
-  camera.to = box.center();
-  camera.from = camera.to + box.sizes().norm() / 2 / (kFilled * half_height) * direction;
-  return camera;
-}
 
 LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& built)
     : scene_(scene),

@@ -14,9 +14,6 @@
 
 namespace app {
 
-/// Returns a camera that shows all bodies at their start.
-render::Camera framing(const engine::SimulationSpec& spec);
-
 /// A scene that is played: its simulation and pictures of its present state.
 class LiveScene {
  public:

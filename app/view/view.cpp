@@ -30,9 +30,8 @@ std::string title_of(const scene::Scene& scene) {
   return "Plimsoll: " + (scene.title.empty() ? scene.file.stem().string() : scene.title);
 }
 
-render::Camera first_camera(const scene::Scene& scene) {
-  const scene::Camera camera = cameras_of(*scene.render).front();
-  return {camera.from, camera.to, camera.field_of_view};
+render::Camera first_camera(const scene::Scene& scene, const assembly::BuiltScene& built) {
+  return camera_at_start(cameras_of(*scene.render).front(), built.spec);
 }
 
 /// A window in which a scene runs until the user closes it.
@@ -43,7 +42,7 @@ class LiveView {
       : options_(options),
         window_(window),
         live_(scene, built),
-        controls_(first_camera(scene), scene.step,
+        controls_(first_camera(scene, built), scene.step,
                   [this](const Ray& ray) {
                     const engine::Simulation& simulation = live_.simulation();
                     return first_hit(ray, simulation.spec().bodies, simulation.states());
@@ -120,19 +119,13 @@ int view(const ViewOptions& options) {
     return kWrongInput;
   }
   scene::Scene scene = scene::read(options.scene, options.overrides, options.formats);
-  const bool has_camera = scene.render.has_value();
-  if (!has_camera) scene.render.emplace();
+  if (!scene.render) scene.render.emplace();
   Window window(title_of(scene), scene.render->size[0], scene.render->size[1]);
   TerminalReporter reporter(false);
   assembly::AddedMassStore store(assembly::cache_folder());
   assembly::BuiltScene built =
       assembly::build_on_threads(thread_count(options.threads), scene, store, reporter);
   built.spec.record_work = false;
-  if (!has_camera) {
-    const render::Camera camera = framing(built.spec);
-    scene.render->camera = {
-        .from = camera.from, .to = camera.to, .field_of_view = camera.field_of_view};
-  }
   const int code = LiveView(options, scene, built, window).execute();
   assembly::keep_solutions(built, store, reporter);
   return code;

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/render/view.h"
 #include "hydro/mesh/primitives.h"
 
 namespace {
@@ -76,21 +75,6 @@ TEST(LiveScene, ShowsTheForcesAndCentresOfTheScene) {
     app::LiveScene live(ball.scene, ball.built);
     EXPECT_NE(live.picture({}, 240, 180, ""), without);
   }
-}
-
-TEST(Framing, ShowsAllBodies) {
-  Ball ball;
-  engine::BodySpec other = ball.built.spec.bodies[0];
-  other.initial.position = {30, -12, 4};
-  ball.built.spec.bodies.push_back(other);
-  const render::View view = render::make_view(app::framing(ball.built.spec), 960, 720);
-  for (const engine::BodySpec& body : ball.built.spec.bodies)
-    for (const Vector3d& side : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)})
-      for (const double sign : {-1.0, 1.0}) {
-        const Vector3d p_E = body.initial.position + sign * side - view.eye_W;
-        const Eigen::Vector4d clip = view.clip_from_E * p_E.homogeneous();
-        EXPECT_LT(clip.head<2>().cwiseAbs().maxCoeff(), clip.w());
-      }
 }
 
 }  // namespace

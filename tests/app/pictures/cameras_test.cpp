@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "app/pictures/picture_files.h"
+#include "app/render/view.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -36,22 +38,22 @@ app::Shot shot_at(double time, const Vector3d& second_body) {
 }
 
 TEST(Camera, StaysWhereItIsPutUnlessToldToMove) {
-  const Camera camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .field_of_view = 0.5};
+  const Camera camera = {.from = Vector3d(6, -8, 3), .to = Vector3d(0, 1, 2), .field_of_view = 0.5};
   const render::Camera view = camera_at(camera, two_bodies(), shot_at(7, {9, 9, 9}));
-  EXPECT_EQ(view.from, camera.from);
-  EXPECT_EQ(view.to, camera.to);
+  EXPECT_EQ(view.from, *camera.from);
+  EXPECT_EQ(view.to, *camera.to);
   EXPECT_EQ(view.field_of_view, 0.5);
   EXPECT_EQ(camera_at(camera, two_bodies(), shot_at(8, {1, 2, 3})), view);
 }
 
 TEST(Camera, ThatFollowsMovesByAsMuchAsTheBodyHas) {
-  const Camera camera = {.from = {6, -8, 3}, .to = {0, 1, 2}, .follow = "b"};
+  const Camera camera = {.from = Vector3d(6, -8, 3), .to = Vector3d(0, 1, 2), .follow = "b"};
   const render::Camera first = camera_at(camera, two_bodies(), shot_at(0, {1, 2, 3}));
-  EXPECT_EQ(first.from, camera.from);
-  EXPECT_EQ(first.to, camera.to);
+  EXPECT_EQ(first.from, *camera.from);
+  EXPECT_EQ(first.to, *camera.to);
   const render::Camera later = camera_at(camera, two_bodies(), shot_at(5, {1.5, 0, 4}));
-  EXPECT_EQ(later.from, camera.from + Vector3d(0.5, -2, 1));
-  EXPECT_EQ(later.to, camera.to + Vector3d(0.5, -2, 1));
+  EXPECT_EQ(later.from, *camera.from + Vector3d(0.5, -2, 1));
+  EXPECT_EQ(later.to, *camera.to + Vector3d(0.5, -2, 1));
 }
 
 TEST(Camera, ThatOrbitsTurnsAboutTheVerticalThroughWhatItLooksAt) {
@@ -74,6 +76,54 @@ TEST(Camera, ThatOrbitsABodyItFollowsTurnsAboutTheBody) {
   const render::Camera view = camera_at(camera, two_bodies(), shot_at(1, start + moved));
   EXPECT_LE((view.from - start - moved - Vector3d(8, 0, 1)).norm(), kCameraRoundOff);
   EXPECT_LE((view.to - start - moved).norm(), kCameraRoundOff);
+}
+
+/// A barge of 40 m and a buoy beside it.
+engine::SimulationSpec barge_and_buoy() {
+  engine::SimulationSpec spec = two_bodies();
+  spec.bodies[0].mesh_B = hydro::make_box({40, 10, 4});
+  spec.bodies[1].mesh_B = hydro::make_sphere(1, 12, 8);
+  spec.bodies[1].initial.position = {30, -12, 4};
+  return spec;
+}
+
+/// True if all vertices of all bodies at their start are in the picture.
+bool shows_all(const render::Camera& camera, const engine::SimulationSpec& spec) {
+  const render::View view = render::make_view(camera, 960, 720);
+  bool all = true;
+  for (const engine::BodySpec& body : spec.bodies)
+    for (const auto& vertex : body.mesh_B.vertices.colwise()) {
+      const Vector3d p_E = body.initial.position + vertex - view.eye_W;
+      const Eigen::Vector4d clip = view.clip_from_E * p_E.homogeneous();
+      all = all && clip.head<2>().cwiseAbs().maxCoeff() < clip.w();
+    }
+  return all;
+}
+
+TEST(Camera, WithoutAPlaceShowsAllBodies) {
+  const engine::SimulationSpec spec = barge_and_buoy();
+  EXPECT_FALSE(shows_all({}, spec));  // it stands in the barge
+  for (const Camera& camera : {Camera{}, Camera{.field_of_view = 0.2},
+                               Camera{.to = Vector3d(10, 5, 0)}, Camera{.follow = "b"}})
+    EXPECT_TRUE(shows_all(app::camera_at_start(camera, spec), spec));
+}
+
+TEST(Camera, StandsAndLooksWhereTheSceneSaysAndChoosesTheRest) {
+  const engine::SimulationSpec spec = barge_and_buoy();
+  const Vector3d place(10, 5, -3), middle = app::camera_at_start({}, spec).to;
+  const render::Camera from = app::camera_at_start({.from = place}, spec);
+  EXPECT_EQ(from.from, place);
+  EXPECT_EQ(from.to, middle);
+  EXPECT_EQ(app::camera_at_start({.to = place}, spec).to, place);
+  // Not along the vertical, which is up in pictures.
+  const render::Camera above = app::camera_at_start({.from = middle + Vector3d(0, 0, 50)}, spec);
+  EXPECT_EQ(above.from, middle + Vector3d(0, 0, 50));
+  EXPECT_GT((above.to - above.from).head<2>().norm(), 0.1);
+}
+
+TEST(Camera, OfASceneWithoutBodiesStandsSomewhere) {
+  const render::Camera camera = app::camera_at_start({}, {});
+  EXPECT_EQ(camera, render::Camera{});
 }
 
 TEST(Cameras, OfASceneAreThoseWithNamesOrElseTheOneWithout) {

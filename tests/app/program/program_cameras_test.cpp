@@ -23,7 +23,8 @@ using testing::HasSubstr;
 
 const std::string kOne = "render: {size: [160, 120], every: 0.2}\n";
 const std::string kTwo =
-    "render: {size: [160, 120], every: 0.2, cameras: {side: {follow: box}, "
+    "render: {size: [160, 120], every: 0.2, cameras: {"
+    "side: {from: [6, -8, 3], to: [0, 0, 0], follow: box}, "
     "Top-1: {from: [1, 0, 9], orbit: 90}}}\n";
 
 class ProgramCameras : public testing::Test {
