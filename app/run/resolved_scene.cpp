@@ -105,7 +105,8 @@ std::vector<Omission> body_omissions(const assembly::BuiltScene& built) {
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     const engine::BodySpec& body = spec.bodies[i];
     for (const std::string& load : unused_loads(body))
-      note_omission(load, "switched off", body.name, omissions);
+      if (load != "lift")  // It is off unless it is asked for.
+        note_omission(load, "switched off", body.name, omissions);
     if (!built.added_mass[i])
       note_omission("added mass", reason_for_no_added_mass(spec, body, built.radiation[i].choice),
                     body.name, omissions);

@@ -22,7 +22,7 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"hydro.preset",
      "Set of coefficients, which the other keys override. `fitted` is fitted to the tabulated "
      "drag of blunt and slender bodies (`hydro/README.md`). `thesis` is the set of the 2014 "
-     "thesis: C_p = 0.6316 on both sides, `blunt: 0` and `viscous_drag: thesis`."},
+     "thesis: C_p = 0.6316 on both sides, `blunt: 0`, `lift: 0.01` and `viscous_drag: thesis`."},
     {"hydro.buoyancy", "Hydrostatic pressure. `false` switches the load off."},
     {"hydro.pressure_drag",
      "Pressure drag coefficient C_p. One number holds for all panels; `false` switches the load "
@@ -34,7 +34,9 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "is a flat face, 0.5 a sphere, 0.13 an ellipsoid of 4:1. Where the mesh is more slender, the "
      "drag falls with the third power of the bluntness (`hydro/README.md`). With 0 it counts in "
      "full everywhere; so it does with `calibrate`."},
-    {"hydro.lift", "Lift coefficient C_l. `false` switches the load off."},
+    {"hydro.lift",
+     "Lift coefficient C_l of the 2014 thesis. Its load raises every hull that moves, where hulls "
+     "sink in their own waves, so it is off unless it is asked for."},
     {"hydro.viscous_drag",
      "Friction coefficient C_v. `false` switches the load off. `thesis` depends on the local "
      "tangential speed v: 0.1 below 1 m/s, 0.2 − 0.1·v from 1 to 2 m/s, 0 above. `ittc57` is the "

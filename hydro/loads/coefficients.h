@@ -45,7 +45,7 @@ struct ViscousDrag {
 struct Coefficients {
   bool buoyancy = true;
   PressureDrag pressure_drag;
-  double lift = 0.01;  ///< C_l [-].
+  double lift = 0;  ///< C_l [-].
   ViscousDrag viscous_drag;
   /// K of bluntness.h in body axes: symmetric, with eigenvalues from 0 to 1 [-].
   Eigen::Matrix3d drag_shape = Eigen::Matrix3d::Identity();
@@ -55,7 +55,9 @@ struct Coefficients {
 /// The coefficients of the 2014 thesis: C_p = 0.6316 on both sides of any body, C_l = 0.01, its
 /// C_v.
 inline Coefficients thesis_coefficients() {
-  return {.pressure_drag = {0.6316, 0.6316, 0}, .viscous_drag = {.law = ViscousDrag::Law::thesis}};
+  return {.pressure_drag = {0.6316, 0.6316, 0},
+          .lift = 0.01,
+          .viscous_drag = {.law = ViscousDrag::Law::thesis}};
 }
 
 /// Coefficients with what the shape of a body gives them: the length of the ITTC line, unless it is

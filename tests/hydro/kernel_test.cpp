@@ -153,7 +153,7 @@ TEST(Kernel, AgreesWithThePlainSumInWaves) {
         const BodyState state = state_near_surface(hull, random);
         SCOPED_TRACE(testing::Message()
                      << hull.mesh_B.face_count() << " faces, waves " << static_cast<int>(waves));
-        const Coefficients slender{.drag_shape = random.drag_shape()};
+        const Coefficients slender{.lift = 0.01, .drag_shape = random.drag_shape()};
         const Loads plain = hydro::plain_loads(hull, state, sea, 1.5, slender);
         if (hull.mesh_B.face_count() == 12) {
           // Its faces are split, where of two equally long edges roundings choose the one: both
@@ -215,7 +215,7 @@ TEST(Kernel, TakesBranchesInWavesWithinTheTolerance) {
           sea.density * sea.gravity * hydro::solid_properties(hull.mesh_B).volume;
       for (int i = 0; i < support::repeats(8); ++i) {
         const BodyState state = state_near_surface(hull, random);
-        const Coefficients slender{.drag_shape = random.drag_shape()};
+        const Coefficients slender{.lift = 0.01, .drag_shape = random.drag_shape()};
         const Loads each =
             hydro::compute_loads(hull, state, sea, 1.5, slender, {.branches = false});
         for (const double wanted : {1e-2, 1e-4, 1e-6}) {

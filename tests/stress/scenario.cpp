@@ -25,11 +25,11 @@ hydro::Coefficients coefficients(const std::string& name) {
     c.pressure_drag = {0, 0};
     c.viscous_drag.law = hydro::ViscousDrag::Law::none;
   } else if (name == "lift") {
-    c.lift = hydro::Coefficients().lift;
+    c.lift = hydro::thesis_coefficients().lift;
   } else if (name == "x100" || name == "x100lift") {
     c.pressure_drag = {100 * c.pressure_drag.front, 100 * c.pressure_drag.back};
     c.viscous_drag = {.law = hydro::ViscousDrag::Law::constant, .coefficient = 10};
-    c.lift = name == "x100" ? 0 : 100 * hydro::Coefficients().lift;
+    c.lift = name == "x100" ? 0 : 100 * hydro::thesis_coefficients().lift;
   } else {
     throw std::invalid_argument(fmt::format("'{}' is no set of coefficients", name));
   }

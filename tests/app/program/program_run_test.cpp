@@ -284,8 +284,9 @@ TEST_F(ProgramRun, WritesTheForcesBesideTheTrajectory) {
 
 TEST_F(ProgramRun, LogsForcesAsProbeFindsThem) {
   here.write("box.yaml", falling_box("0", "log: {forces: true}\n"));
-  const std::vector<std::string> under = {"--set", "bodies[box].position=[0, 0, -0.3]", "--set",
-                                          "bodies[box].linear_velocity=[1, 0, -2]"};
+  const std::vector<std::string> under = {"--set", "bodies[box].position=[0, 0, -0.3]",
+                                          "--set", "bodies[box].linear_velocity=[1, 0, -2]",
+                                          "--set", "hydro.lift=0.01"};
   const auto with = [&](std::vector<std::string> words) {
     words.insert(words.end(), under.begin(), under.end());
     return here.run(words);
@@ -392,8 +393,8 @@ TEST_F(ProgramRun, SaysNothingWhenQuietAndShowsNoProgressOutsideATerminal) {
   here.write("box.yaml", falling_box("0.5"));
   const Outcome loud = here.run({"run", "box.yaml"});
   EXPECT_THAT(loud.err, HasSubstr("out/box: 50 steps, 0.5 s simulated in "));
-  EXPECT_THAT(loud.err, Not(HasSubstr("\r")));
   EXPECT_THAT(loud.err, HasSubstr(" s (added mass and radiation "));
+  EXPECT_THAT(loud.err, Not(HasSubstr("\r")));
   EXPECT_EQ(loud.out, "");
   const Outcome quiet = here.run({"run", "box.yaml", "--quiet"});
   EXPECT_EQ(quiet.out + quiet.err, "");

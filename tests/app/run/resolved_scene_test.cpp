@@ -40,11 +40,12 @@ std::vector<std::string> told_of(const std::string& text, const std::string& no_
 const std::string kHead = "plimsoll: 1\nduration: 2\nstep: 0.01\n";
 
 TEST(RunReport, TellsWhatABodyIs) {
-  const auto lines = told_of(kHead +
-                             "water: {density: 1025, level: 1}\n"
-                             "bodies:\n"
-                             "  - {name: raft, box: {size: [3, 2, 1]}, density: 500,"
-                             " position: [0, 0, 1.1], hydro: {added_mass: none, lift: false}}\n");
+  const auto lines =
+      told_of(kHead +
+              "water: {density: 1025, level: 1}\n"
+              "bodies:\n"
+              "  - {name: raft, box: {size: [3, 2, 1]}, density: 500,"
+              " position: [0, 0, 1.1], hydro: {added_mass: none, viscous_drag: false}}\n");
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_THAT(lines[0],
               HasSubstr(": 1 body; 2 s in steps of 0.01 s; water of 1025 kg/m^3 (flat); 1 thread"));
@@ -52,8 +53,8 @@ TEST(RunReport, TellsWhatABodyIs) {
   EXPECT_EQ(lines[2], "raft 12 3 x 2 x 1 6 3000 given 0.4 0.6");
   EXPECT_EQ(
       lines[3],
-      "not computed: collisions (nothing can collide); lift of raft (switched off); added mass "
-      "of raft (added_mass: none)");
+      "not computed: collisions (nothing can collide); viscous_drag of raft (switched off); added "
+      "mass of raft (added_mass: none)");
 }
 
 TEST(RunReport, TellsTheAxisAndTheUnitOfAMeshFileThatIsTurnedOrScaled) {

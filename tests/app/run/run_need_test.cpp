@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kScene =
-    "plimsoll: 1\nduration: 3\nstep: 0.01\nwater: {}\nhydro: {added_mass: none}\n"
+    "plimsoll: 1\nduration: 3\nstep: 0.01\nwater: {}\n"
+    "hydro: {added_mass: none, lift: 0.01}\n"
     "log: {forces: true}\nbodies:\n"
     "  - {name: first, box: {size: [1, 1, 1]}, density: 500, angular_velocity: [0.1, 0.2, 0.3]}\n"
     "  - {name: second, box: {size: [1, 1, 1]}, density: 700, position: [3, 0, 0]}\n"

@@ -586,7 +586,7 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_FALSE(wet.log_every.has_value());
   EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.71, 0.30, 0.36}));
   EXPECT_EQ(wet.bodies[0].hydro.viscous_drag.law, hydro::ViscousDrag::Law::ittc57);
-  EXPECT_EQ(wet.bodies[0].hydro.lift, 0.01);
+  EXPECT_EQ(wet.bodies[0].hydro.lift, 0);
   EXPECT_EQ(wet.bodies[0].hydro.added_mass.model, scene::AddedMass::Model::automatic);
 }
 
