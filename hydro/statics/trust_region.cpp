@@ -47,6 +47,8 @@ Eigen::Vector2d trust_region_step(const Eigen::Vector2d& gradient, const Eigen::
     if (newton.norm() <= radius) return eigen.vectors * newton;
   } else if (std::abs(g[0]) <= negligible) {
     g[0] = 0;
+    // The difference of two equal eigenvalues is 0, so noise would make a step without bounds.
+    if (std::abs(g[1]) <= negligible) g[1] = 0;
     Eigen::Vector2d s(0, g[1] == 0 ? 0 : -g[1] / (lambda[1] - lambda[0]));
     if (std::abs(s[1]) < radius) {
       s[0] = std::sqrt(radius * radius - s[1] * s[1]) * sign_of_larger(eigen.vectors.col(0));
