@@ -47,21 +47,24 @@ struct Box {
   int divisions = 1;                               ///< Divisions along each edge.
   bool operator==(const Box&) const = default;
 };
+/// By default the volume is 0.8 % below that of the smooth sphere, and the added mass 0.7 to 1.1 %;
+/// 50 by 50 halve that, and take twelve times as long to solve.
 struct Sphere {
   double radius = 1;
-  int slices = 50;
-  int stacks = 50;
+  int slices = 40;
+  int stacks = 24;
   bool operator==(const Sphere&) const = default;
 };
+/// By default the volume is 0.9 % below that of the smooth sphere, and so is the added mass.
 struct Icosphere {
   double radius = 1;
-  int subdivisions = 4;
+  int subdivisions = 3;
   bool operator==(const Icosphere&) const = default;
 };
 struct Ellipsoid {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
-  int slices = 50;
-  int stacks = 50;
+  int slices = 40;
+  int stacks = 24;
   bool operator==(const Ellipsoid&) const = default;
 };
 struct Cylinder {

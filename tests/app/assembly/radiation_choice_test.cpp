@@ -201,7 +201,7 @@ TEST(RadiationChoice, KeepsTheAttitudeOfABodyToWhichItDoesNotMatter) {
         choice("plimsoll: 1\nduration: 1\nwater: {}\nbodies:\n  - {name: ball, " +
                std::string(shape) + ", density: 500, orientation: {euler_deg: [40, 30, 0]}}\n");
     ASSERT_TRUE(c.pose) << c.reason;
-    EXPECT_NEAR(c.draught, 5, 0.02);  // Of a polyhedron.
+    EXPECT_NEAR(c.draught, 5, 0.03);  // Of a polyhedron.
   }
 }
 
