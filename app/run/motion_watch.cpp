@@ -32,16 +32,20 @@ double longest_period(const hydro::Sea& sea) {
   return longest;
 }
 
-/// Returns true if something beside the water and other bodies moves the body.
+/// Returns true if something beside the water moves the body; a pin in the world holds it.
 bool is_driven(const engine::SimulationSpec& spec, engine::BodyId id) {
   const auto on_it = [id](const auto& machine) { return machine.body == id; };
-  const auto between = [id](const auto& joint) { return joint.first == id || joint.second == id; };
+  const auto pulls = [id](const engine::JointSpec& joint) {
+    const bool pins = joint.type != engine::JointSpec::Type::slider &&
+                      (joint.first == engine::kWorld || joint.second == engine::kWorld);
+    return (joint.first == id || joint.second == id) && !pins;
+  };
   const auto held = [id](const engine::LineSpec& line) {
     return line.first.body == id || line.second.body == id;
   };
   return !spec.bodies[static_cast<std::size_t>(id)].loads.empty() ||
          std::ranges::any_of(spec.propellers, on_it) || std::ranges::any_of(spec.foils, on_it) ||
-         std::ranges::any_of(spec.joints, between) || std::ranges::any_of(spec.lines, held) ||
+         std::ranges::any_of(spec.joints, pulls) || std::ranges::any_of(spec.lines, held) ||
          (spec.moordyn && std::ranges::any_of(spec.moordyn->points, on_it));
 }
 

@@ -120,7 +120,15 @@ TEST(MotionWatch, CountsHullsThatMachinesLinesAndJointsDrive) {
   EXPECT_TRUE(told([](auto& spec) { spec.propellers = {{.name = "main", .body = 0}}; }));
   EXPECT_TRUE(told([](auto& spec) { spec.foils = {{.name = "sail", .body = 0}}; }));
   EXPECT_TRUE(told([](auto& spec) { spec.lines = {{.name = "tow", .first = {.body = 0}}}; }));
-  EXPECT_TRUE(told([](auto& spec) { spec.joints = {{.name = "rail", .second = 0}}; }));
+  using Type = engine::JointSpec::Type;
+  const auto joined = [](Type type, engine::BodyId other) {
+    return [type, other](engine::SimulationSpec& spec) {
+      spec.joints = {{.type = type, .first = other, .second = 0}};
+    };
+  };
+  EXPECT_TRUE(told(joined(Type::slider, engine::kWorld)));
+  EXPECT_TRUE(told(joined(Type::hinge, 1)));
+  EXPECT_FALSE(told(joined(Type::hinge, engine::kWorld)));  // a gate in a stream
 }
 
 TEST(MotionWatch, GoesOnFromItsState) {
