@@ -1,7 +1,9 @@
 """The steady part of a response is found in motions that are made of known parts."""
 
 import importlib.util
+import os
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -66,6 +68,23 @@ class StillSeaTest(unittest.TestCase):
         self.assertAlmostEqual(wave.amplitude * wave.number, 0.05)
         with self.assertRaisesRegex(RuntimeError, "against the current"):
             StillSea(current=(-4, 0, 0)).wave(5, 0, 1)
+
+    @unittest.skipUnless(os.environ.get("PLIMSOLL"), "PLIMSOLL names no program")
+    def test_is_that_of_the_scene_with_its_variables_and_includes(self):
+        from still_sea import sea_of
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "sea.yaml").write_text(
+                "gravity: 9.7\nwater: {depth: '${2 * half}', current: {depths: [0, 3],"
+                " velocities: [[0.4, 0.3, 0], [0, 0, 0]]}}\n")
+            scene = Path(folder) / "scene.yaml"
+            scene.write_text("plimsoll: 1\nduration: 1\nvariables: {half: 3}\ninclude: sea.yaml\n"
+                             "bodies: [{name: a, box: {size: [1, 1, 1]}, density: 500}]\n")
+            program = os.environ["PLIMSOLL"]
+            sea = sea_of(program, scene, [])
+            self.assertEqual((sea.gravity, sea.depth, sea.current), (9.7, 6, (0.4, 0.3, 0)))
+            self.assertEqual(sea_of(program, scene, ["variables.half=4"]).depth, 8)
+            with self.assertRaisesRegex(RuntimeError, "none.yaml"):
+                sea_of(program, Path(folder) / "none.yaml", [])
 
 
 if __name__ == "__main__":

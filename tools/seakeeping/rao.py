@@ -18,6 +18,7 @@ from harmonics import Response, kWindow, response
 from still_sea import Wave, sea_of
 
 kRoot = Path(__file__).resolve().parents[2]
+kProgram = os.environ.get("PLIMSOLL", str(kRoot / "build/plimsoll"))
 kMotions = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 kTurns = kMotions[3:]
 kSteady = 0.01  # Change of an operator from one third of a run to the next, below which it is steady:
@@ -110,8 +111,8 @@ def run_scene(arguments: argparse.Namespace, wave: Wave, cycles: int) -> Path:
     options = [part for key, value in settings.items()
                for part in ("--set", f"{key}={json.dumps(value)}")]
     options += [part for setting in arguments.set for part in ("--set", setting)]
-    command = [os.environ.get("PLIMSOLL", str(kRoot / "build/plimsoll")), "run",
-               str(arguments.scene), "--no-render", "--quiet", "--out", str(folder), *options]
+    command = [kProgram, "run", str(arguments.scene), "--no-render", "--quiet", "--out",
+               str(folder), *options]
     result = subprocess.run(command, capture_output=True, text=True)
     if result.returncode != 0:
         raise RuntimeError(result.stderr.strip() or f"{' '.join(command)} failed")
@@ -272,7 +273,7 @@ def main() -> int:
     arguments = parse_arguments()
     arguments.out.mkdir(parents=True, exist_ok=True)
     reference = read_reference(arguments.reference) if arguments.reference else None
-    sea = sea_of(arguments.scene, arguments.set)
+    sea = sea_of(kProgram, arguments.scene, arguments.set)
     waves = [sea.wave(period, arguments.heading, arguments.amplitude, arguments.slope)
              for period in arguments.periods]
     rows: list[Row] = []

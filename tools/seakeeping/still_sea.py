@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -58,20 +59,19 @@ class StillSea:
         return high
 
 
-def sea_of(scene: Path, settings: list[str]) -> StillSea:
-    """Of a scene file with overrides KEY.PATH=VALUE. Faults are left to the program to tell."""
-    try:
-        read = yaml.safe_load(scene.read_text(encoding="utf-8"))
-        for setting in settings:
-            path, _, value = setting.partition("=")
-            *parents, last = path.split(".")
-            if parents in ([], ["water"]):
-                at = read.setdefault("water", {}) if parents else read
-                at[last] = yaml.safe_load(value)
-        water = read.get("water") or {}
-        given = {"gravity": read.get("gravity"), "depth": water.get("depth")}
-        numbers = {key: float(value) for key, value in given.items() if value is not None}
-        current = tuple(map(float, water.get("current") or (0, 0, 0)))
-    except (OSError, AttributeError, TypeError, ValueError, yaml.YAMLError):
-        return StillSea()
-    return StillSea(current=current, **numbers)
+def sea_of(program: str, scene: Path, settings: list[str]) -> StillSea:
+    """Of a scene as the program reads it: with its includes, variables and overrides
+    KEY.PATH=VALUE. Raises the program's faults; those of values are left for a run to tell."""
+    command = [program, "check", str(scene), "--expand"]
+    command += [part for setting in settings for part in ("--set", setting)]
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode != 0:
+        raise RuntimeError(result.stderr.strip() or f"{' '.join(command)} failed")
+    read = yaml.safe_load(result.stdout)
+    water = read.get("water") or {}
+    given = {"gravity": read.get("gravity"), "depth": water.get("depth")}
+    numbers = {key: float(value) for key, value in given.items() if value is not None}
+    current = water.get("current") or (0, 0, 0)
+    if isinstance(current, dict):  # By depth: waves travel on the current of the surface.
+        current = current["velocities"][0]
+    return StillSea(current=tuple(map(float, current)), **numbers)
