@@ -30,6 +30,21 @@ std::shared_ptr<const RadiationDatabase> known(const scene::Scene& scene,
   return nullptr;
 }
 
+/// Limits a database to `frequencies`. @return false after a fault
+bool within_range(const scene::Scene& scene, std::size_t i, databases::Database& read,
+                  scene::Faults& faults) {
+  const auto& range = scene.bodies[i].hydro.radiation.database.frequencies;
+  if (!range) return true;
+  const double first = read.frequencies.front(), last = read.frequencies.back();
+  const std::size_t left = databases::limit_frequencies((*range)[0], (*range)[1], read);
+  if (left >= 2) return true;
+  faults.add(scene.places, fmt::format("bodies[{}].hydro.radiation.frequencies", i),
+             fmt::format("found [{:g}, {:g}], in which lie {} of the file's frequencies, {:.4g} to "
+                         "{:.4g} rad/s; expected at least 2",
+                         (*range)[0], (*range)[1], left, first, last));
+  return false;
+}
+
 }  // namespace
 
 void read_databases(const scene::Scene& scene, const engine::SimulationSpec& spec,
@@ -42,7 +57,8 @@ void read_databases(const scene::Scene& scene, const engine::SimulationSpec& spe
     const scene::RadiationFile& source = scene.bodies[i].hydro.radiation.database;
     const hydro::Sea& sea = *spec.sea;
     try {
-      const databases::Database read = databases::read_database(source, sea.gravity);
+      databases::Database read = databases::read_database(source, sea.gravity);
+      if (!within_range(scene, i, read, faults)) continue;
       choice.database = std::make_shared<const RadiationDatabase>(RadiationDatabase{
           .file = source.file,
           .format = read.format,

@@ -58,6 +58,23 @@ std::vector<hydro::Matrix6d> matrices(const Body& body, const std::string& name)
   return all;
 }
 
+/// The columns of the other bodies' surge, sway and heave, summed; none without others.
+std::vector<Eigen::Matrix<double, 6, 3>> neighbours(const Body& body) {
+  const auto cube = find_cube(body, "added_mass/all", 6 * (body.index + 1));
+  const std::size_t bodies = cube ? cube->array.shape[1] / 6 : 1;
+  if (bodies < 2) return {};
+  std::vector<Eigen::Matrix<double, 6, 3>> all(body.omega.size(),
+                                               Eigen::Matrix<double, 6, 3>::Zero());
+  const double unit = body.scaled ? 1 / body.density : 1;
+  for (std::size_t f = 0; f < all.size(); ++f)
+    for (std::size_t other = 0; other < bodies; ++other)
+      for (std::size_t i = 0; i < 6 && other != body.index; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          all[f](static_cast<Index>(i), static_cast<Index>(j)) +=
+              unit * cube->array.numbers[cube->at(i, 6 * other + j, f)];
+  return all;
+}
+
 /// Loads of waves for ρ = 1 and e^{−iωt}; none if they are missing or, as BEMIO does for programs
 /// that do not tell them, not numbers.
 std::vector<hydro::Loads6cd> loads(const Body& body, const std::string& name) {
@@ -140,6 +157,7 @@ Database read_bemio(const scene::RadiationFile& source) {
   d.headings = body.headings;
   d.added_mass = matrices(body, "added_mass/all");
   d.damping = matrices(body, "radiation_damping/all");
+  d.neighbours = neighbours(body);
   for (std::size_t f = 0; f < body.omega.size(); ++f) {
     if (body.scaled) d.added_mass[f] /= body.density;
     d.damping[f] *= body.scaled ? 1 / body.density : body.omega[f];

@@ -22,6 +22,16 @@ std::vector<T> in_order(const std::vector<T>& given, const std::vector<std::size
   return sorted;
 }
 
+/// Puts the frequencies in an order, which may lack some.
+void take(const std::vector<std::size_t>& order, Database& d) {
+  d.frequencies = in_order(d.frequencies, order);
+  d.added_mass = in_order(d.added_mass, order);
+  d.damping = in_order(d.damping, order);
+  d.neighbours = in_order(d.neighbours, order);
+  for (auto* loads : {&d.excitation, &d.froude_krylov, &d.diffraction})
+    *loads = in_order(*loads, order);
+}
+
 template <class Derived>
 void check_finite(const Database& d, const char* what, double frequency,
                   const Eigen::MatrixBase<Derived>& matrix) {
@@ -84,17 +94,27 @@ void settle(Database& d) {
                                   d.frequencies.size()));
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return d.frequencies[a] < d.frequencies[b]; });
-  d.frequencies = in_order(d.frequencies, order);
-  d.added_mass = in_order(d.added_mass, order);
-  d.damping = in_order(d.damping, order);
-  for (auto* loads : {&d.excitation, &d.froude_krylov, &d.diffraction})
-    *loads = in_order(*loads, order);
+  take(order, d);
   const auto twice = std::adjacent_find(d.frequencies.begin(), d.frequencies.end());
   if (twice != d.frequencies.end())
     refuse(d, fmt::format("has the frequency {:g} rad/s twice", *twice));
   if (d.frequencies.size() < 2)
     refuse(d, fmt::format("has {} frequencies above 0, expected at least 2", d.frequencies.size()));
   check_finite(d);
+}
+
+void keep_frequencies(const std::vector<bool>& kept, Database& d) {
+  std::vector<std::size_t> order;
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (kept[f]) order.push_back(f);
+  take(order, d);
+}
+
+std::size_t limit_frequencies(double least, double greatest, Database& d) {
+  std::vector<bool> kept;
+  for (const double omega : d.frequencies) kept.push_back(omega >= least && omega <= greatest);
+  keep_frequencies(kept, d);
+  return d.frequencies.size();
 }
 
 std::size_t index_of_body(const scene::RadiationFile& source,

@@ -27,6 +27,9 @@ struct Database {
   std::vector<hydro::Matrix6d> added_mass;
   std::vector<hydro::Matrix6d> damping;
   std::optional<hydro::Matrix6d> infinite_added_mass;
+  /// Added mass by which surge, sway and heave of all other bodies at once act on this one; one a
+  /// frequency, empty where the file has no others or does not tell it.
+  std::vector<Eigen::Matrix<double, 6, 3>> neighbours;
   /// Directions in which waves travel, from the file's x axis, in the file's order [rad].
   std::vector<double> headings;
   // Loads of waves: one a frequency, a column for each heading; empty where the file has none. The
@@ -69,6 +72,12 @@ Database read_nemoh(const scene::RadiationFile& source);
 /// @throws InputError for a frequency that is given twice or negative, if fewer than two remain, or
 ///     for an entry that is not finite
 void settle(Database& database);
+
+/// Leaves out the frequencies that are not kept. @param kept   One for each.
+void keep_frequencies(const std::vector<bool>& kept, Database& database);
+
+/// Leaves out the frequencies outside a range [rad/s]. @return how many are left
+std::size_t limit_frequencies(double least, double greatest, Database& database);
 
 /// Returns the index of the body that `body` names or counts from 1; of the only one if it is
 /// empty.

@@ -199,7 +199,13 @@ void add_loads(const Database& d, const Move& move, const FloatingMesh& body,
     return;
   }
   auto [froude_krylov, diffraction] = both_loads(d, move, body, result.notes);
-  check_loads_by_mesh(d, body, froude_krylov, diffraction, lever, result);
+  Neighbours neighbours;
+  if (!d.neighbours.empty())
+    neighbours = [&](std::size_t f) -> Eigen::Matrix<double, 6, 3> {
+      const Matrix3d turn = move.to_H.topLeftCorner<3, 3>();
+      return move.to_H * move.by_center.transpose() * d.neighbours[f] * turn.transpose();
+    };
+  check_loads_by_mesh(d, body, froude_krylov, diffraction, neighbours, lever, result);
   try {
     const std::string how = complete_circle(symmetry, {&froude_krylov, &diffraction});
     if (!how.empty()) result.notes.push_back(how);

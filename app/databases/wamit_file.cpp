@@ -108,10 +108,17 @@ void take_radiation(const scene::RadiationFile& source, const RadiationRows& fou
       d.frequencies.push_back(omega);
       d.added_mass.emplace_back(hydro::Matrix6d::Zero());
       d.damping.emplace_back(hydro::Matrix6d::Zero());
+      if (found.motions > 6) d.neighbours.emplace_back(Eigen::Matrix<double, 6, 3>::Zero());
     }
     const Index i = motion(source.file, row, 1) - first, j = motion(source.file, row, 2) - first;
-    if (i < 0 || i >= 6 || j < 0 || j >= 6) continue;
-    const double scale = std::pow(source.length, 3 + moments(i, j));
+    if (i < 0 || i >= 6) continue;
+    const double scale = std::pow(source.length, 3 + moments(i, j + first));
+    if (j < 0 || j >= 6) {
+      const Index motion_of_other = (j + first) % 6;
+      if (motion_of_other < 3)
+        d.neighbours[place->second](i, motion_of_other) += scale * row.numbers[3];
+      continue;
+    }
     d.added_mass[place->second](i, j) = scale * row.numbers[3];
     if (std::isfinite(omega) && omega > 0)
       d.damping[place->second](i, j) = scale * omega * row.numbers[4];

@@ -67,6 +67,8 @@ struct RadiationFile {
   std::optional<Eigen::Vector3d> center_of_mass;   ///< [m]
   double heading = 0;  ///< Of the file's x axis in the body's frame without heading [rad].
   double length = 1;   ///< Of WAMIT's numbers without dimension [m].
+  /// Least and greatest frequency that are taken from the file [rad/s].
+  std::optional<std::array<double, 2>> frequencies;
 
   bool operator==(const RadiationFile&) const = default;
 };

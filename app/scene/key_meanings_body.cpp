@@ -103,6 +103,9 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "Direction of the file's x axis as the body sees it, counter-clockwise from its own x axis."},
     {"hydro.radiation.length",
      "The length by which WAMIT's files are without dimension (ULEN); other files have units."},
+    {"hydro.radiation.frequencies",
+     "The least and the greatest frequency that are taken from the file. The default is all of "
+     "them; a bad end of a file is left out by itself ([below](#databases))."},
     {"bodies[].name",
      "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
      "a double quote or a control character."},

@@ -239,6 +239,11 @@ void read(MapReader& map, Radiation& radiation) {
   map.optional("center_of_mass", database.center_of_mass, number("m"));
   map.optional("heading_deg", database.heading, degrees());
   map.optional("length", database.length, positive("m"));
+  std::optional<std::array<double, 2>>& range = database.frequencies;
+  if (map.optional("frequencies", range, not_negative("rad/s")) && !((*range)[0] < (*range)[1]))
+    map.fault("frequencies", fmt::format("found [{:g}, {:g}], expected the least and then the "
+                                         "greatest frequency",
+                                         (*range)[0], (*range)[1]));
 }
 
 void read(MapReader& map, Hydro& hydro) {

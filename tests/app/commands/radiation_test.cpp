@@ -96,6 +96,11 @@ TEST(RadiationCommand, ReadsWhatItHasWritten) {
   EXPECT_THAT(radiation_of({by_file, set}), HasSubstr("2 frequencies and 36 headings of"));
   EXPECT_THAT(radiation_of({by_file, set, "--frequencies", "1"}),
               HasSubstr("--frequencies: is for bodies that are solved"));
+  const std::string narrow =
+      "--set=bodies[buoy].hydro.radiation={file: " + dataset + ", frequencies: [0.5, 1.5]}";
+  EXPECT_THAT(radiation_of({by_file, narrow}),
+              HasSubstr("hydro.radiation.frequencies: found [0.5, 1.5], in which lie 1 of the "
+                        "file's frequencies, 1 to 2.215 rad/s; expected at least 2"));
   EXPECT_THAT(radiation_of({by_file, "--plot", "buoy.png"}),
               HasSubstr("--plot: found buoy.png, expected a file .svg"));
   std::ifstream drawn(picture);

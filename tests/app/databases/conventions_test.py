@@ -140,8 +140,9 @@ def write_capytaine(file, f, names=("",), alphabetical=False):
         array("disp_mass", RHO * f.volume * np.array([1, 10][:n]), ("body",))
 
 
-def write_bemio(file, f, scaled, scattering=True, body=1):
-    """For e^{+iωt}; the file's reference point is the centre of gravity."""
+def write_bemio(file, f, scaled, scattering=True, body=1, coupling=0):
+    """For e^{+iωt}; the file's reference point is the centre of gravity. coupling: matrices of the
+    other bodies' columns, over the body's own."""
     with h5py.File(file, "w") as out:
         p = "simulation_parameters/"
         out[p + "w"], out[p + "wave_dir"] = f.omega[:, None], np.degrees(f.beta)[:, None]
@@ -151,8 +152,8 @@ def write_bemio(file, f, scaled, scattering=True, body=1):
         for b in range(1, body + 1):
             g = f"body{b}/hydro_coeffs/"
             factor = 1 if b == body else 7
-            wide = lambda M: np.concatenate([0 * M] * (b - 1) + [factor * M] +
-                                            [0 * M] * (body - b), axis=-1)
+            wide = lambda M: np.concatenate([coupling * M] * (b - 1) + [factor * M] +
+                                            [coupling * M] * (body - b), axis=-1)
             out[g + "added_mass/all"] = wide(f.A / unit).transpose(1, 2, 0)
             out[g + "added_mass/inf_freq"] = wide(f.A_inf / unit)
             B = f.B if scaled else f.B / (RHO * f.omega[:, None, None])
@@ -277,6 +278,15 @@ class Conventions(unittest.TestCase):
         # The program that solved took the forces at the points of its patches.
         self.expect_truth(body, 1e-9, loads=3e-3)
         self.assertIn("Froude-Krylov forces: those on the mesh", body["notes"])
+
+    def test_the_other_bodies_of_bemio_push_in_long_waves(self):
+        hydro = ("{file: pair.h5, body: hull2, heading_deg: 30, "
+                 f"center_of_mass: [1.5, -0.7, {self.truth.height}]}}")
+        write_bemio(self.folder / "pair.h5", self.turned, False, scattering=False, body=2)
+        self.expect_truth(self.numbers(hydro), 1e-9, loads=3e-3)
+        # The excitation lacks what this coupling would add to it.
+        write_bemio(self.folder / "pair.h5", self.turned, False, scattering=False, body=2, coupling=3)
+        self.assertIn("excitation in long waves at 0.6 rad/s", self.call(hydro).stderr)
 
     def test_wamit_with_a_length(self):
         write_wamit(self.folder / "box", self.turned, 2.5, first=7)

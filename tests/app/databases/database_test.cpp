@@ -6,6 +6,7 @@
 #include <fstream>
 #include <functional>
 
+#include "app/databases/bad_ends.h"
 #include "app/databases/fit_to_body.h"
 #include "app/databases/heading_grid.h"
 #include "app/databases/ogilvie.h"
@@ -252,6 +253,98 @@ TEST_F(RadiationDatabase, WhatContradictsItselfIsRefused) {
   EXPECT_THAT(fault({.file = file("ball.nc")}),
               testing::AllOf(HasSubstr("added mass at 0.990"), HasSubstr("row 1, column 2"),
                              HasSubstr("expected a symmetric matrix")));
+}
+
+TEST_F(RadiationDatabase, ABadEndIsLeftOutAndNoted) {
+  RadiationData data = sphere_data(24);
+  data.damping[0](2, 2) = data.damping[11](2, 2) = -0.5;
+  data.added_mass[9](0, 1) = 1;
+  databases::write_capytaine(file("ball.nc"), written(data));
+  const BodyData found = read({.file = file("ball.nc")});
+  ASSERT_EQ(found.data.frequencies.size(), 8u);
+  EXPECT_EQ(found.data.frequencies[0], data.frequencies[1]);
+  EXPECT_LT((found.data.added_mass[7] - data.added_mass[8]).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((found.data.diffraction[7] - data.diffraction[8]).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_THAT(found.notes, Contains(testing::AllOf(testing::StartsWith(
+                               "4 of 12 frequencies are left out, those below 0.7002 and "
+                               "above 3.284 rad/s; damping at 0.442869 rad/s: has an"))));
+}
+
+TEST_F(RadiationDatabase, ABadEndOfItsLoadsIsLeftOut) {
+  RadiationData data = sphere_data(24);
+  for (const std::size_t f : {8, 9, 11}) data.diffraction[f] *= 30;  // A quarter of all.
+  databases::write_capytaine(file("ball.nc"), written(data));
+  const BodyData found = read({.file = file("ball.nc")});
+  EXPECT_EQ(found.data.frequencies,
+            std::vector<double>(data.frequencies.begin(), data.frequencies.begin() + 8));
+  EXPECT_THAT(found.notes, Contains(HasSubstr("4 of 12 frequencies contradict Haskind's")));
+}
+
+TEST(BadEnds, BeginAtTheFirstOrLastEntryAndAreBadForHalf) {
+  using Marks = std::vector<bool>;
+  EXPECT_EQ(databases::bad_ends(Marks{1, 0, 0, 0, 0, 0, 0, 0, 0}),
+            (Marks{1, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(databases::bad_ends(Marks{0, 0, 1, 0, 0, 0, 1, 0, 1}),
+            (Marks{0, 0, 0, 0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(databases::bad_ends(Marks{0, 0, 0, 1, 0, 1, 1, 1, 1}),  // Of these a third at most.
+            (Marks{0, 0, 0, 0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(databases::bad_ends({}), Marks{});
+}
+
+TEST_F(RadiationDatabase, HeldNeighboursPushTheBodyInLongWaves) {
+  databases::write_wamit(file("ball"), written(sphere_data(24)));
+  const scene::RadiationFile source{.file = file("ball.1"),
+                                    .reference_point = Eigen::Vector3d(0, 0, 0)};
+  Database d = databases::read_database(source, 9.80665);
+  ASSERT_TRUE(d.neighbours.empty());
+  const auto fitted = [&] {
+    return databases::fit_to_body(d, source, {.mesh_B = mesh_, .pose = {}, .water = {}});
+  };
+  const auto error_of = [](const BodyData& found) {
+    for (const databases::Check& check : found.checks)
+      if (check.name == "excitation in long waves against the mesh") return check.value;
+    return -1.0;
+  };
+  const double alone = error_of(fitted());
+  EXPECT_GT(alone, 0);
+  // The frequency that is compared is 1.627 rad/s, at which the waves are 23 radii long.
+  const double g = 9.80665, k = d.frequencies[4] * d.frequencies[4] / g, heave = 4.5;
+  d.neighbours.assign(d.frequencies.size(), Eigen::Matrix<double, 6, 3>::Zero());
+  d.neighbours[4](2, 2) = heave;
+  d.excitation[4].row(2).array() -= heave * g * k;
+  EXPECT_NEAR(error_of(fitted()), alone, 0.02);
+  d.neighbours.clear();
+  try {
+    fitted();
+    FAIL();
+  } catch (const scene::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("excitation in long waves at 1.627 rad/s, row 3"));
+  }
+}
+
+TEST_F(RadiationDatabase, WamitsColumnsOfOtherBodiesAreSummed) {
+  write("hulls.1",
+        " 0 7 7 2.0\n 3.0 7 7 2.5 0.1\n 3.0 7 1 0.5 0.1\n 3.0 7 13 0.25 0.1\n"
+        " 3.0 7 4 8 0.1\n 2.0 7 7 2.5 0.1\n 2.0 13 13 1 0.1\n");
+  const Database d = databases::read_database({.file = file("hulls.1"), .body = "2"}, 9.8);
+  ASSERT_EQ(d.neighbours.size(), 2u);
+  EXPECT_EQ(d.neighbours[0](0, 0), 0.75);
+  EXPECT_EQ(d.neighbours[0].sum(), 0.75);
+  EXPECT_EQ(d.neighbours[1].norm(), 0);
+}
+
+TEST_F(RadiationDatabase, ARangeOfFrequenciesLimitsWhatIsTaken) {
+  RadiationData data = sphere_data(24);
+  data.damping[6](2, 2) = -0.5;
+  databases::write_capytaine(file("ball.nc"), written(data));
+  Database d = databases::read_database({.file = file("ball.nc")}, 9.80665);
+  EXPECT_EQ(databases::limit_frequencies(data.frequencies[1], data.frequencies[5], d), 5u);
+  const BodyData found = databases::fit_to_body(d, {.file = file("ball.nc")},
+                                                {.mesh_B = mesh_, .pose = {}, .water = {}});
+  EXPECT_EQ(found.data.frequencies,
+            std::vector<double>(data.frequencies.begin() + 1, data.frequencies.begin() + 6));
+  EXPECT_LT((found.data.damping[4] - data.damping[5]).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(databases::limit_frequencies(90, 99, d), 0u);
 }
 
 TEST_F(RadiationDatabase, SmallFaultsAreNotedAndTakenOut) {

@@ -67,7 +67,7 @@ std::string every_key() {
          " radiation: {file: " +
          folder +
          "/shore.obj, body: 2, reference_point: [1, 2, 3], center_of_mass: [4, 5, 6],"
-         " heading_deg: 90, length: 7},"
+         " heading_deg: 90, length: 7, frequencies: [0.5, 2]},"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
@@ -387,6 +387,7 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   EXPECT_EQ(radiation.database.center_of_mass, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(radiation.database.heading, M_PI / 2);
   EXPECT_EQ(radiation.database.length, 7);
+  EXPECT_EQ(radiation.database.frequencies, (std::array<double, 2>{0.5, 2}));
   EXPECT_EQ(scene.bodies[1].hydro.radiation.source, scene::Radiation::Source::none);
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
   EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
@@ -691,7 +692,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
            {"hydro.radiation={file: " + support::data_folder().string() +
             "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
-            " heading_deg: 1, length: 2}"},
+            " heading_deg: 1, length: 2, frequencies: [1, 2]}"},
            kCameras,
            rigs(),
            {"moorings={moordyn: " + support::data_folder().string() +

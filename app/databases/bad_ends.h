@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+namespace databases {
+
+/// Marks the low and the high end of a list that are bad: at most a third of the list each, from
+/// its first or last entry to a bad one, with bad ones for half of it or more. Panel methods fail
+/// so at frequencies for which the panels are too large, or the numbers too small.
+std::vector<bool> bad_ends(const std::vector<bool>& bad);
+
+}  // namespace databases
