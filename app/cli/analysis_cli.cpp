@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/cli/common_options.h"
+#include "app/cli/number_series.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -124,6 +125,30 @@ void add_radiation(CLI::App& program, AnalysisArguments& a, std::vector<std::str
       ->type_name("FILE");
 }
 
+void add_rao(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
+  CLI::App* command = program.add_subcommand(
+      "rao", "Response amplitude operators of a scene's bodies by linear theory");
+  RaoCommand& o = a.rao;
+  command->add_option("scene", o.scene, "Scene file (YAML)")->type_name("FILE")->required();
+  command
+      ->add_option("--headings", a.headings,
+                   "Directions in which the waves travel, from +x [deg], or a list A,B,…")
+      ->type_name("FIRST:LAST:STEP")
+      ->capture_default_str();
+  command->add_option("--periods", a.periods, "Periods of the waves [s], or a list A,B,…")
+      ->type_name("FIRST:LAST:STEP")
+      ->capture_default_str();
+  command->add_option("--body", o.body, "The only body to be taken [all that make waves]")
+      ->type_name("NAME");
+  add_sets(command, sets);
+  add_any_format(command, o.formats);
+  command->add_flag_callback(
+      "--no-store", [&o] { o.store = false; }, "Solve anew and keep nothing for later runs");
+  CLI::Option* json = command->add_flag("--json", o.json, "Print JSON");
+  command->add_flag("--csv", o.csv, "Print CSV, one wave per row")->excludes(json);
+  command->add_option("--out", o.out, "Write the CSV to a file")->type_name("FILE");
+}
+
 void add_analyse(CLI::App& program, AnalyseOptions& o) {
   CLI::App* command = program.add_subcommand(
       "analyse", "Statistics, spectra, decays and responses to waves of a run");
@@ -150,15 +175,22 @@ void add_analyses(CLI::App& program, AnalysisArguments& a, std::vector<std::stri
   add_hydrostatics(program, a, sets);
   add_addedmass(program, a, sets);
   add_radiation(program, a, sets);
+  add_rao(program, a, sets);
   add_analyse(program, a.analyse);
 }
 
 std::optional<int> run_analysis(const CLI::App& program, AnalysisArguments& a,
                                 const std::vector<scene::Override>& overrides) {
-  a.hydrostatics.overrides = a.addedmass.overrides = a.radiation.overrides = overrides;
+  a.hydrostatics.overrides = a.addedmass.overrides = overrides;
+  a.radiation.overrides = a.rao.overrides = overrides;
   if (program.got_subcommand("addedmass")) return addedmass(a.addedmass);
   if (program.got_subcommand("analyse")) return analyse(a.analyse);
   if (program.got_subcommand("radiation")) return radiation(a.radiation);
+  if (program.got_subcommand("rao")) {
+    a.rao.headings = parse_series("--headings", a.headings);
+    a.rao.periods = parse_series("--periods", a.periods);
+    return rao(a.rao);
+  }
   if (!program.got_subcommand("hydrostatics")) return std::nullopt;
   const std::vector<double>& com = a.center_of_mass;
   a.hydrostatics.heels = parse_heels(a.heels);

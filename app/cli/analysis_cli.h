@@ -7,6 +7,7 @@
 #include "app/analysis/analyse.h"
 #include "app/commands/addedmass.h"
 #include "app/commands/radiation.h"
+#include "app/commands/rao.h"
 #include "app/hydrostatics/hydrostatics.h"
 
 namespace CLI {
@@ -23,11 +24,14 @@ struct AnalysisArguments {
   std::string heels = "0:60:5";
   AddedMassCommand addedmass;
   RadiationCommand radiation;
+  RaoCommand rao;
+  std::string headings = "0:180:45";  ///< Of `rao` [deg].
+  std::string periods = "4:20:1";     ///< Of `rao` [s].
   AnalyseOptions analyse;
 };
 
-/// Adds the commands `hydrostatics`, `addedmass`, `radiation` and `analyse`. @param sets Arguments
-/// of --set.
+/// Adds the commands `hydrostatics`, `addedmass`, `radiation`, `rao` and `analyse`.
+/// @param sets   Arguments of --set.
 void add_analyses(CLI::App& program, AnalysisArguments& arguments, std::vector<std::string>& sets);
 
 /// Runs the one that was given. @return its exit code; none if another command was given

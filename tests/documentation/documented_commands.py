@@ -91,6 +91,10 @@ EXAMPLES = {
         " --frequencies 1,2 --up z --unit m --scale 1 --any-format --no-store --json"
         " --wamit o/box --capytaine o/box.nc --plot o/box.svg",
         "plimsoll radiation box.obj --frequencies 1 --csv"],
+    "plimsoll rao SCENE": [
+        "plimsoll rao box.yaml --headings 0:180:90 --periods 2,3 --body box"
+        " --set bodies[box].hydro.radiation=auto --any-format --no-store --json --out o/rao.csv",
+        "plimsoll rao box.yaml --periods 2:3:0.5 --set bodies[box].hydro.radiation=auto --csv"],
     "plimsoll probe SCENE": ["plimsoll probe box.yaml --set bodies[box].density=700 --any-format"],
 }
 
