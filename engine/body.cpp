@@ -42,6 +42,10 @@ Matrix6d added_in_drift(const Body& body, const Motion& motion) {
 /// A body without its hull.
 Body make_dry_body(const SimulationSpec& spec, const Environment& environment, std::size_t index) {
   const BodySpec& s = spec.bodies[index];
+  const bool movable = !immovable(s.locked);
+  // Nobody needs the loads of a body that cannot move, unless they are logged.
+  const bool loaded = spec.sea && (movable || spec.record_work);
+  const bool split = spec.integrator.method == Integrator::Method::split;
   assert(s.mass > 0 && hydro::is_symmetric(s.inertia_B) && is_unit(s.initial.orientation));
   assert(s.mesh_B.face_count() > 0);
   const auto id = static_cast<BodyId>(index);
@@ -51,28 +55,23 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
             .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
             .rigid_B = rigid_inertia(s),
             .inverse_inertia_B = s.inertia_B.inverse(),
-            .wet = spec.sea && s.wet && !hydro::no_load(s.coefficients) && !immovable(s.locked),
-            .has_added_mass = spec.sea && s.added_mass && !immovable(s.locked),
-            .has_wave_load = spec.sea && s.added_mass && !immovable(s.locked) &&
-                             hydro::has_airy_waves(*spec.sea) &&
-                             spec.integrator.method == Integrator::Method::split,
-            .has_memory = spec.sea && s.radiation && s.radiation->memory().size() > 0 &&
-                          !immovable(s.locked) &&
-                          spec.integrator.method == Integrator::Method::split,
+            .wet = loaded && s.wet && !hydro::no_load(s.coefficients),
+            .has_added_mass = loaded && s.added_mass,
+            .has_wave_load = loaded && s.added_mass && hydro::has_airy_waves(*spec.sea) && split,
+            .has_memory = loaded && s.radiation && s.radiation->memory().size() > 0 && split,
             .rolls_free = spec.sea && s.radiation &&
                           s.radiation->slides() == hydro::WaveFrameRule::Slides::all,
-            .movable = !immovable(s.locked),
+            .movable = movable,
             .locked = partly_locked(s.locked),
             .jointed = std::any_of(
                 spec.joints.begin(), spec.joints.end(),
                 [id](const JointSpec& joint) { return joint.first == id || joint.second == id; }),
             .reduced_joint = find_reduced_joint(spec, index)};
-  body.hollow = body.wet && s.interior == Interior::flooding && s.coefficients.buoyancy &&
+  body.hollow = spec.sea && s.wet && s.interior == Interior::flooding && s.coefficients.buoyancy &&
                 !hydro::is_convex(s.mesh_B);
-  const bool carries_water = body.hollow && spec.integrator.method == Integrator::Method::split;
+  const bool carries_water = body.hollow && loaded && split;
   body.has_added_mass = body.has_added_mass || carries_water;
-  const bool in_shear = spec.sea && !spec.sea->profile.empty() && (body.wet || s.added_mass) &&
-                        spec.integrator.method == Integrator::Method::split;
+  const bool in_shear = loaded && !spec.sea->profile.empty() && (body.wet || s.added_mass) && split;
   body.has_flow = body.has_wave_load || in_shear;
   if (spec.sea)
     body.displacement = spec.sea->density * std::abs(hydro::solid_properties(water_mesh(s)).volume);
@@ -130,6 +129,7 @@ bool may_be_wet(const Body& body, const hydro::BodyState& state) {
 }
 
 Mobility mobility(const Body& body, const hydro::BodyState& state) {
+  if (body.held()) return {.locked = kAllDofs};
   if (body.reduced_joint) return {.subspace = motion_subspace(*body.reduced_joint, state)};
   if (body.locked) return {.locked = body.spec->locked};
   return {};
@@ -148,7 +148,7 @@ Matrix6d inertia_W(const Body& body, const Motion& motion, const Eigen::Matrix3d
 
 Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
                            double ahead) {
-  if (!body.has_flow || body.reduced_joint) return body.current();
+  if (!body.has_flow || (body.reduced_joint && !body.held())) return body.current();
   const hydro::Sea& sea = *body.environment.sea;
   const Eigen::Matrix3d R_WB =
       rotated(state.orientation, ahead * state.angular_velocity).toRotationMatrix();

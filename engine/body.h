@@ -37,7 +37,7 @@ struct Body {
   double displacement = 0;  ///< Mass of the water that the whole body displaces [kg].
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass.
   Eigen::Matrix3d inverse_inertia_B = Eigen::Matrix3d::Identity();
-  bool wet = false;             ///< The water has loads on it.
+  bool wet = false;             ///< The water has loads on it that somebody needs.
   bool feels_air = false;       ///< Wet, and the air has a load on its dry part.
   bool has_added_mass = false;  ///< A may not be zero.
   bool has_wave_load = false;   ///< Waves accelerate the water about it, or are scattered.
@@ -52,6 +52,10 @@ struct Body {
   bool driven_by_rows = false;  ///< The constraint solver finds a part of what they do.
   std::optional<ReducedJoint> reduced_joint;
 
+  /// All six locks or a fixed joint to what cannot move hold it where it is.
+  bool held() const {
+    return !movable || (reduced_joint && reduced_joint->type == JointSpec::Type::fixed);
+  }
   /// Velocity of the water without its waves; in a current that changes with depth, of its surface.
   Eigen::Vector3d current() const {
     return environment.sea ? environment.sea->current : Eigen::Vector3d::Zero();
@@ -85,7 +89,7 @@ Matrix6d inertia_W(const Body& body, const Motion& motion);
 
 /// Velocity of the water about the body: that of current and waves, in the mean over the body's box
 /// and in the middle of its wet height, at a time [s] after `ahead` [s] more; that of `current()`
-/// without `has_flow` or at a reduced joint.
+/// without `has_flow` or at a reduced joint that leaves it a motion.
 Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
                            double ahead);
 

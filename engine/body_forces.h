@@ -60,8 +60,8 @@ struct BodyForces {
   hydro::Wrench lines;
   hydro::Wrench machines;  ///< Of propellers and foils.
   // These two are means over the last step, zero before the first one, since impacts change the
-  // velocity at once; the limiter's impulse is in neither. The constraint of a body that cannot
-  // move balances the other forces.
+  // velocity at once; the limiter's impulse is in neither. The constraint of a body that is held
+  // balances the other forces.
   hydro::Wrench added_mass;
   hydro::Wrench constraint;  ///< Contacts, joints and locks together.
 

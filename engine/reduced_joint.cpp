@@ -27,12 +27,14 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
     if (only) return std::nullopt;
     only = &joint;
   }
-  if (!only || only->type == Type::fixed || only->type == Type::universal) return std::nullopt;
+  if (!only || only->type == Type::universal) return std::nullopt;
   const BodyId other = only->first == id ? only->second : only->first;
   const bool grounded = other == kWorld || immovable(spec.bodies[other].locked);
   const bool in_current =
       spec.sea && body.added_mass && !(spec.sea->current.isZero(0) && spec.sea->profile.empty());
-  if (!grounded || in_current || partly_locked(body.locked)) return std::nullopt;
+  const bool left_a_motion = only->type != Type::fixed;
+  if (!grounded || (left_a_motion && (in_current || partly_locked(body.locked))))
+    return std::nullopt;
   return ReducedJoint{.type = only->type,
                       .anchor_W = only->anchor_W,
                       .axis_W = only->axis_W,
@@ -42,6 +44,7 @@ std::optional<ReducedJoint> find_reduced_joint(const SimulationSpec& spec, std::
 }
 
 Subspace motion_subspace(const ReducedJoint& joint, const hydro::BodyState& state) {
+  if (joint.type == Type::fixed) return Subspace(6, 0);
   const Vector3d r = joint.anchor_W - state.position;
   if (joint.type == Type::ball) return turning_about(r);
   if (joint.type == Type::hinge) return to_vector6(r.cross(joint.axis_W), joint.axis_W);
@@ -50,6 +53,7 @@ Subspace motion_subspace(const ReducedJoint& joint, const hydro::BodyState& stat
 
 hydro::BodyState project_onto_joint(const ReducedJoint& joint, hydro::BodyState state) {
   const hydro::BodyState& start = joint.initial;
+  if (joint.type == Type::fixed) return project_onto_locks(kAllDofs, start, state);
   const Vector3d& e = joint.axis_W;
   if (!joint.turns()) {
     state.orientation = start.orientation;

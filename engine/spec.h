@@ -30,6 +30,7 @@ enum class CollisionShape {
 
 /// Degrees of freedom of a body in world axes: x, y, z, roll, pitch, yaw.
 using DofMask = std::array<bool, 6>;
+inline constexpr DofMask kAllDofs = {true, true, true, true, true, true};
 
 /// sin(2π·frequency·t + phase)
 struct Sine {

@@ -11,7 +11,10 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
   const std::vector<MovingBody>& bodies = context_.bodies;
   const auto is_reduced = [&](BodyId id) { return id != kWorld && bodies[id].body.reduced_joint; };
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].body.movable) movable_.push_back(static_cast<BodyId>(i));
+    if (bodies[i].body.movable)
+      movable_.push_back(static_cast<BodyId>(i));
+    else if (bodies[i].motion.work || bodies[i].body.hollow)
+      watched_.push_back({static_cast<BodyId>(i), nullptr});
   for (const Pair& pair : context_.world.joints())
     if (!is_reduced(pair.first) && !is_reduced(pair.second)) joints_.push_back(pair);
   const std::vector<Pair>& lines = context_.rig.couplings();
@@ -84,7 +87,7 @@ std::vector<LoneBody> Stepper::lone_bodies(const std::vector<Group>& groups) con
   std::vector<bool> alone(context_.bodies.size(), true);
   for (const Group& group : groups)
     for (const BodyId id : group.bodies) alone[id] = false;
-  std::vector<LoneBody> lone;
+  std::vector<LoneBody> lone = watched_;
   for (const BodyId id : movable_)
     if (alone[id]) lone.push_back({id, own_limiters_[id]});
   return lone;

@@ -43,13 +43,14 @@ class Stepper {
   /// Groups of bodies that joints, lines or nearness connect.
   std::vector<Group> find_groups(const std::vector<Pair>& near) const;
   std::vector<EnergyLimiter*> limiters_of(const Group& group);
-  /// Movable bodies that are in no group.
+  /// Bodies that are advanced and in no group.
   std::vector<LoneBody> lone_bodies(const std::vector<Group>& groups) const;
 
   StepContext context_;
   double step_;
-  std::vector<BodyId> movable_;  ///< Ascending.
-  std::vector<Pair> joints_;     ///< That are not reduced, and couplings by lines.
+  std::vector<BodyId> movable_;    ///< Ascending.
+  std::vector<LoneBody> watched_;  ///< Those that cannot move but have loads or pockets.
+  std::vector<Pair> joints_;       ///< That are not reduced, and couplings by lines.
   std::vector<EnergyLimiter> limiters_;
   std::vector<std::size_t> limiter_of_;       ///< Per body.
   std::vector<EnergyLimiter*> own_limiters_;  ///< Per body; null for one that judges others, too.

@@ -104,7 +104,8 @@ bool may_be_thrown(const Body& body, const Motion& before, const Motion& after, 
   const BodySpec& spec = *body.spec;
   const bool damped = spec.added_mass || !spec.coefficients.pressure_drag.none() ||
                       !spec.coefficients.viscous_drag.none();
-  if (damped || !spec.coefficients.buoyancy || must_not_gain_energy(body)) return false;
+  if (damped || body.held() || !spec.coefficients.buoyancy || must_not_gain_energy(body))
+    return false;
   const SurfaceCrossing c = surface_crossing(body, before.state, after.state);
   const double density = body.environment.sea->density;
   const double lift = density * body.environment.gravity * body.box_B.volume();

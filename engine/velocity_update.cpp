@@ -288,6 +288,7 @@ Matrix6d inertia_W(const Body& body, const MidpointState& midpoint) {
 VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, double time,
                            double h) {
   const Body& body = moving.body;
+  if (body.held()) return {.load = to_vector6(find_loads(moving, midpoint.motion->state, time))};
   if (!body.wet && !body.has_added_mass && !body.locked && !body.reduced_joint &&
       !moving.inputs.pull && !midpoint.rig_inertia && !moving.machines)
     return {.change = dry_change(moving, midpoint, time, h)};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/energy.h"
+#include "engine/locks.h"
 #include "engine/velocity_update.h"
 
 namespace engine {
@@ -61,6 +62,21 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   return sum;
 }
 
+/// Puts what (E4) leaves out in the components that locks hold into the impulse of an update: the
+/// water that a body gains there comes to move with the body, and the locks hold against that.
+void complete_locked(const Body& body, const MidpointState& midpoint, const Vector6d& u,
+                     const Motion& after, Vector6d& impulse) {
+  const Motion& before = *midpoint.motion;
+  const DofMask locked = mobility(body, before.state).locked;
+  if (!partly_locked(locked) || after.added() == before.added()) return;
+  const Matrix6d change = rotate_tensor(midpoint.R_WB, after.added() - before.added());
+  const InertiaChange whole =
+      inertia_change(inertia_W(body, before, midpoint.R_WB), change, {}, midpoint.before);
+  const Vector6d all = whole.inertia * (u - whole.velocity);
+  for (int i = 0; i < 6; ++i)
+    if (locked[i]) impulse[i] = all[i];
+}
+
 /// True if locks or a reduced joint constrain the body by projection, not by reactions.
 bool is_projected(const Body& body) { return body.locked || body.reduced_joint; }
 
@@ -81,7 +97,8 @@ void record_update(const MovingBody& moving, const MidpointState& midpoint,
   const Vector6d u = midpoint.after + update.change;
   const Vector6d mean = (midpoint.before + u) / 2;
   const Vector6d w = mean + to_vector6(after.flow, Eigen::Vector3d::Zero());
-  const Vector6d impulse = S * update.change;
+  Vector6d impulse = S * update.change;
+  if (!update.reaction) complete_locked(body, midpoint, u, after, impulse);
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
   if (midpoint.memory) {
     const Vector6d memory = midpoint.memory->impulse(update.change, update.h);
@@ -204,9 +221,10 @@ BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, doubl
     forces.water = water_loads(body, motion, state, time);
   forces.added_mass = to_wrench(record.added_impulse / step);
   forces.constraint = to_wrench(record.constraint_impulse / step);
-  if (!body.movable)
-    forces.constraint = -1.0 * (forces.weight + forces.applied + forces.water.total() +
-                                forces.lines + forces.machines);
+  if (body.held())
+    forces.constraint =
+        -1.0 * (forces.weight + forces.applied + forces.water.total() + forces.radiation +
+                forces.lines + forces.machines + forces.added_mass);
   forces.kinetic_energy = own_kinetic_energy(body, motion);
   forces.added_kinetic_energy = added_kinetic_energy(body, motion);
   forces.potential_energy =

@@ -184,6 +184,12 @@ TEST(ReducedJoint, IsThatOfABodyWithOneJointToTheWorldAlone) {
     with_added_mass(s);
     s.sea->current = {1, 0, 0};
   }));
+  EXPECT_FALSE(without([&](SimulationSpec& s) {
+    with_added_mass(s);
+    s.sea->current = {1, 0, 0};
+    s.bodies[0].locked[0] = true;
+    s.joints[0].type = Type::fixed;
+  }));
 }
 
 TEST(ReducedJoint, GivesWayToContacts) {
