@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "app/assembly/memory_need.h"
 #include "app/base/machine.h"
 #include "app/scene/diagnostics.h"
+#include "engine/locks.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
@@ -17,11 +17,10 @@ namespace {
 
 using Model = scene::AddedMass::Model;
 
-/// Returns the model of a body; `none` if the water does not act on it or all its degrees of
-/// freedom are locked.
-Model model_of(const scene::Body& body, const engine::BodySpec& spec) {
-  const bool held = std::all_of(spec.locked.begin(), spec.locked.end(), [](bool is) { return is; });
-  if (!spec.wet || held) return Model::none;
+/// Returns the model of a body; `none` if the water does not act on it, or all its degrees of
+/// freedom are locked and nobody asks for its loads.
+Model model_of(const scene::Body& body, const engine::BodySpec& spec, bool forces) {
+  if (!spec.wet || (engine::immovable(spec.locked) && !forces)) return Model::none;
   const Model model = body.hydro.added_mass.model;
   return model == Model::automatic ? Model::deep : model;
 }
@@ -146,7 +145,7 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
     if (body.radiation || (lead && built.spec.bodies[static_cast<std::size_t>(*lead)].radiation))
       continue;
     const scene::AddedMass& added_mass = scene.bodies[i].hydro.added_mass;
-    const Model model = model_of(scene.bodies[i], body);
+    const Model model = model_of(scene.bodies[i], body, built.spec.record_work);
     if (model == Model::matrix) built.added_mass[i] = add_matrix(added_mass, body);
     if (model == Model::surface)
       built.added_mass[i] =

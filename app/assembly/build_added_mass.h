@@ -21,8 +21,8 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
                                   app::Reporter& reporter);
 
 /// Sets the model of added mass of each body, unless it has radiation, its model is `none`, the
-/// water does not act on it, or it is locked in all six degrees of freedom; the method `ode` has
-/// none. Bodies with equal meshes share a solution.
+/// water does not act on it, or it is locked in all six degrees of freedom and forces are not
+/// logged; the method `ode` has none. Bodies with equal meshes share a solution.
 /// @throws InputError for a mesh that has no solution
 void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore& store,
                     app::Reporter& reporter);

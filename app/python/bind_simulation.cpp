@@ -23,7 +23,7 @@ namespace {
 /// The specification of a scene's simulation on some threads.
 engine::SimulationSpec spec_of(SceneSource& source, int threads, bool forces) {
   const Unlocked unlocked;
-  engine::SimulationSpec spec = source.built(threads).spec;
+  engine::SimulationSpec spec = source.spec(threads, forces);
   spec.threads = app::thread_count(threads);
   spec.record_work = forces || source.scene().log_forces;
   return spec;

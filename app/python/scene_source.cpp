@@ -1,10 +1,12 @@
 #include "app/python/scene_source.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/assembly/build.h"
 #include "app/python/threads.h"
 #include "engine/hulls.h"
+#include "engine/locks.h"
 
 namespace python {
 
@@ -21,6 +23,23 @@ const assembly::BuiltScene& SceneSource::built(int threads) {
   assembly::AddedMassStore store(assembly::cache_folder());
   engine::Hulls hulls;
   return built_with(store, hulls, threads);
+}
+
+engine::SimulationSpec SceneSource::spec(int threads, bool forces) {
+  const engine::SimulationSpec& known = built(threads).spec;
+  const bool lacks = std::ranges::any_of(known.bodies, [](const engine::BodySpec& body) {
+    return engine::immovable(body.locked) && body.wet && !body.added_mass;
+  });
+  if (!forces || scene_.log_forces || !lacks) return known;
+  const std::lock_guard lock(building_);
+  if (!with_forces_) {
+    scene::Scene asking = scene_;
+    asking.log_forces = true;
+    assembly::AddedMassStore store(assembly::cache_folder());
+    with_forces_ =
+        shared_threads(threads).execute([&] { return assembly::build(asking, store).spec; });
+  }
+  return *with_forces_;
 }
 
 void SceneSource::build_together(const std::vector<std::shared_ptr<SceneSource>>& scenes,

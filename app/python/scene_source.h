@@ -33,7 +33,11 @@ class SceneSource {
   /// @throws scene::InputError
   const assembly::BuiltScene& built(int threads);
 
-  /// The same for each of several scenes, whose bodies of one mesh share a hull and a solution.
+  /// Returns the specification of a simulation. @param forces   Its loads will be asked for, though
+  /// the scene may not log them: a body that is held in all six has its added mass then.
+  engine::SimulationSpec spec(int threads, bool forces);
+
+  /// As built() for each of several scenes, whose bodies of one mesh share a hull and a solution.
   static void build_together(const std::vector<std::shared_ptr<SceneSource>>& scenes, int threads);
 
  private:
@@ -44,6 +48,7 @@ class SceneSource {
   std::vector<scene::Override> overrides_;
   std::mutex building_;
   std::optional<assembly::BuiltScene> built_;
+  std::optional<engine::SimulationSpec> with_forces_;  ///< Where that differs.
 };
 
 }  // namespace python

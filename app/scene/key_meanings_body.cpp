@@ -55,8 +55,8 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "Added mass of the body. `deep` is that of the body in unbounded fluid, of which the wetted "
      "panels contribute their share; it is solved once per mesh and kept for later runs. A body "
      "without loads of the water has added mass only if this key asks for it, and a body locked "
-     "in all six degrees of freedom has none. Without this key, a body with `radiation` has the "
-     "added mass of its mean pose."},
+     "in all six degrees of freedom only where `log.forces` asks for its loads. Without this key, "
+     "a body with `radiation` has the added mass of its mean pose."},
     {"hydro.added_mass.model",
      "Model of the added mass. `none` and `deep` are the same as the words alone. `surface` sets "
      "the potential to 0 on the water surface, the limit of high frequency (`hydro/README.md`); "

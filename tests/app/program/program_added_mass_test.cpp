@@ -132,6 +132,11 @@ TEST_F(ProgramAddedMass, IsNotSolvedForWhereNothingNeedsIt) {
   EXPECT_FALSE(fs::exists(here / "cache"));
 }
 
+TEST_F(ProgramAddedMass, IsSolvedForAHeldBodyWhoseForcesAreLogged) {
+  run_box({"bodies[0].lock=all", kDeep, "log={forces: true}"});
+  EXPECT_GT(of_box()["matrix"][2][2], 0);
+}
+
 TEST_F(ProgramAddedMass, IsThatOfTheWettedPart) {
   EXPECT_EQ(probe({kDeep, "bodies[0].position=[0, 0, 5]"})[2][2], 0);
   const json whole = probe({kDeep, "bodies[0].position=[0, 0, -5]"});
