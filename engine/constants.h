@@ -142,6 +142,9 @@ inline constexpr double kLargestTrendTurn = 1;
 /// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 8°.
 /// Smaller: pockets are searched for more often.
 inline constexpr double kKnownAttitude = 0.9903;
+/// Halvings of the way in a substep on which a body leaves its known attitudes [-]. Fewer: what is
+/// found there depends on the length of the substep.
+inline constexpr int kAttitudeBisections = 40;
 /// Difference of spill heights over the radius, and of volumes over that of the box, up to which
 /// pockets are kept [-]. Smaller: hulls with rounded rims are divided anew more often.
 inline constexpr double kKeptSpill = 1e-3;
@@ -151,6 +154,10 @@ inline constexpr double kKeptVolume = 5e-4;  ///< The same of volumes, over that
 inline constexpr double kJoinedHead = 0.25;
 /// Water in a pocket, over its capacity or the cube of the radius, that is none [-].
 inline constexpr double kLastWater = 1e-12;
+/// Parts in which water runs for a substep in which a sill or opening crosses its surface, or
+/// nearly does, or a pocket becomes a part of the sea [-]. Fewer: what runs depends more on the
+/// substep.
+inline constexpr int kWaterParts = 8;
 /// Change of the water's mass in a substep, over the inertia, after which accelerations so far tell
 /// nothing of the next ones [-].
 inline constexpr double kMassJump = 0.01;

@@ -6,6 +6,7 @@
 #include "engine/body.h"
 #include "engine/constants.h"
 #include "engine/pocket_search.h"
+#include "engine/substep_way.h"
 #include "hydro/airy_waves.h"
 
 namespace engine {
@@ -40,6 +41,9 @@ class Flooding {
         held_(held) {}
 
   void run(double h);
+  /// True if the water over a sill or opening is another by more than half of its height there, as
+  /// where it crosses the surface. The sea's slope between is left out.
+  bool differs(const hydro::BodyState& there, double later) const;
 
  private:
   using Sill = std::vector<hydro::SillEdge>::const_iterator;
@@ -274,6 +278,29 @@ void Flooding::part() {
   }
 }
 
+bool Flooding::differs(const hydro::BodyState& there, double later) const {
+  const auto sea_over = [&](const hydro::BodyState& s, double time) {
+    return hydro::surface_height(sea_, s.position.x(), s.position.y(), time) - s.position.z();
+  };
+  const double rise = sea_over(there, time_ + later) - sea_over(state_, time_);
+  const Eigen::RowVector3d up_there = there.orientation.toRotationMatrix().row(2);
+  const auto differs = [&](const Eigen::Vector3d& p_B, int space) {
+    const Eigen::Vector3d r = R_WB_ * p_B;
+    const double over = level(space, r) - r.z();
+    const double over_there = over + r.z() - up_there.dot(p_B) + (is_sea(space) ? rise : 0);
+    return std::max(over, over_there) > 0 && std::abs(over_there - over) > std::abs(over) / 2;
+  };
+  const Eigen::Matrix3Xd& vertices = body_.spec->mesh_B.vertices;
+  for (const hydro::SillEdge& edge : division_.sills)
+    for (const int v : {edge.from, edge.to})
+      if (differs(vertices.col(v), edge.pocket) || differs(vertices.col(v), edge.other))
+        return true;
+  for (std::size_t i = 0; i < held_.openings.size(); ++i)
+    for (const int space : held_.openings[i])
+      if (differs(body_.spec->openings[i].at_B, space)) return true;
+  return false;
+}
+
 void Flooding::run(double h) {
   part();
   for (std::size_t i = 0; i < held_.pockets.size(); ++i)
@@ -288,11 +315,13 @@ void Flooding::run(double h) {
   for (std::size_t i = 0; i < held_.openings.size(); ++i) run_through(i, h);
 }
 
-/// True if water may run.
-bool may_run(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
+/// True if water may run for a time h about the end of a way.
+bool may_run(const Body& body, const HeldWater& held, const SubstepWay& way, double h) {
   if (!held.interior) return false;
-  return held.holds() || !held.openings.empty() ||
-         lowest_sill(body, held, state) < body.environment.highest;
+  const auto dips = [&](double time) {
+    return lowest_sill(body, held, way.at(time)) < body.environment.highest;
+  };
+  return held.holds() || !held.openings.empty() || dips(0) || dips(-h / 2) || dips(h / 2);
 }
 
 /// Updates the surfaces, and the places of masses of which the body has turned far since.
@@ -310,6 +339,25 @@ void settle(const Eigen::Matrix3d& R_WB, HeldWater& held) {
   }
 }
 
+/// The water after it has run for a time h about the end of a way at `time` [s].
+std::shared_ptr<HeldWater> run_water(const Body& body, const SubstepWay& way, double time, double h,
+                                     const HeldWater& held) {
+  auto water = std::make_shared<HeldWater>(held);
+  const hydro::BodyState end = way.at(0);
+  Flooding whole(body, end, time, *water);
+  if (!whole.differs(way.at(-h / 2), -h / 2) && !whole.differs(way.at(h / 2), h / 2)) {
+    whole.run(h);
+    constexpr auto flooded = &PocketContent::flooded;
+    if (std::ranges::equal(held.pockets, water->pockets, {}, flooded, flooded)) return water;
+  }
+  *water = held;
+  for (int i = 0; i < kWaterParts; ++i) {
+    const double since = ((i + 0.5) / kWaterParts - 0.5) * h;
+    Flooding(body, way.at(since), time + since, *water).run(h / kWaterParts);
+  }
+  return water;
+}
+
 }  // namespace
 
 double weir_flow(double upstream, double downstream, double gravity) {
@@ -325,18 +373,19 @@ double limited_flow(double volume, double equalising) {
   return volume - volume * volume / (4 * equalising);
 }
 
-void let_water_run(const Body& body, double time, double h, Motion& motion) {
+void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
+                   Motion& motion) {
   if (!motion.held || (!motion.held->holds() && !may_be_wet(body, motion.state))) return;
-  const std::shared_ptr<const HeldWater> before = motion.held;
-  motion.held = divided_for(body, motion.state, time, before);
-  if (may_run(body, *motion.held, motion.state)) {
-    auto after = std::make_shared<HeldWater>(*motion.held);
-    Flooding(body, motion.state, time, *after).run(h);
+  const std::shared_ptr<const HeldWater> old = motion.held;
+  motion.held = divided_for(body, before, motion.state, time, old);
+  const SubstepWay way(before, motion.state, h);
+  if (may_run(body, *motion.held, way, h)) {
+    const auto after = run_water(body, way, time, h, *motion.held);
     settle(motion.state.orientation.toRotationMatrix(), *after);
     after->inertia_B = water_inertia(after->pockets, body.environment.sea->density);
     if (after->pockets != motion.held->pockets) motion.held = after;
   }
-  const Matrix6d change = motion.held->inertia_B - before->inertia_B;
+  const Matrix6d change = motion.held->inertia_B - old->inertia_B;
   if (!body.has_added_mass || change.isZero(0)) return;
   const double jump = std::abs(change(0, 0)) / (body.rigid_B + motion.added()).diagonal()[0];
   motion = share_momentum(body, motion, motion.added() + change);

@@ -23,6 +23,13 @@
 /// Pressure is continuous where levels agree. Water goes from high to low, and what comes in shares
 /// the momentum of the body, so still water gives no energy.
 ///
+/// The loads of the next substep are those of its middle, so what runs is that of a time h about
+/// the end of this one: by the state of the end or, where the water over a sill or opening changes
+/// by more than half of its height in this time, as where the sill crosses the surface, or a pocket
+/// joins the sea or parts from it, in kWaterParts parts on the way of the body (substep_way.h). So
+/// a rim that dips for a part of a substep takes what it takes in shorter ones, and the volume at
+/// which a pocket joins the sea hardly depends on h.
+///
 /// The pockets are searched for anew where the body has turned; those that are found are taken only
 /// if they spill at another height or hold another volume than the ones at hand. As long as all
 /// sills are above the sea and the water inside, nothing of this is computed.
@@ -37,8 +44,9 @@ double weir_flow(double upstream, double downstream, double gravity);
 /// ΔV of (E21) [m^3].
 double limited_flow(double volume, double equalising);
 
-/// The water of a body after a substep of length h [s] that ends in this motion at `time` [s], and
-/// what its mass does to the velocity.
-void let_water_run(const Body& body, double time, double h, Motion& motion);
+/// The water of a body after a substep of length h [s] that has led it from the state `before` to
+/// this motion at `time` [s], and what its mass does to the velocity.
+void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
+                   Motion& motion);
 
 }  // namespace engine

@@ -45,9 +45,10 @@ bool same_height(double a, double b, double error) {
 
 /// True if the pockets at hand are those that a search finds in an attitude.
 bool agree(const Body& body, const hydro::Interior& interior, const hydro::Pockets& found,
-           const Eigen::Matrix3d& R_WB) {
+           const Eigen::Vector3d& up_B) {
   const hydro::TriMesh& mesh_B = body.spec->mesh_B;
-  const Eigen::Vector3d up_B = R_WB.row(2);
+  const Eigen::Matrix3d R_WB =
+      Eigen::Quaterniond::FromTwoVectors(up_B, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const std::vector<double> spill = spill_heights(mesh_B, interior.division, up_B);
   const double error = kKeptVolume * body.box_B.volume();
   std::vector<double> capacity(spill.size());
@@ -140,6 +141,48 @@ bool is_sheltered(const Body& body, const hydro::BodyState& state, const HeldWat
          lowest_sill(body, held, state) >= body.environment.highest;
 }
 
+/// True if a search in an attitude near this one has found the pockets at hand.
+bool is_known(const HeldWater& held, const Eigen::Vector3d& up_B) {
+  return std::any_of(
+      held.known_up_B.rbegin(), held.known_up_B.rend(),
+      [&](const Eigen::Vector3d& known) { return known.dot(up_B) > kKnownAttitude; });
+}
+
+/// The first vertical in B that is not known on the way between two states, of which the second one
+/// is not; the second one if the first is not known either.
+Eigen::Vector3d first_unknown(const HeldWater& held, const hydro::BodyState& before,
+                              const hydro::BodyState& after) {
+  const auto up_B = [&](double part) -> Eigen::Vector3d {
+    return before.orientation.slerp(part, after.orientation).toRotationMatrix().row(2);
+  };
+  double known = 0, unknown = 1;
+  if (!is_known(held, up_B(known))) return up_B(unknown);
+  for (int i = 0; i < kAttitudeBisections; ++i) {
+    const double middle = (known + unknown) / 2;
+    (is_known(held, up_B(middle)) ? known : unknown) = middle;
+  }
+  return up_B(unknown);
+}
+
+/// The water with the pockets that a search in the attitude `up_B` finds: that at hand, if it is
+/// right there, too.
+std::shared_ptr<const HeldWater> searched(const Body& body, const Eigen::Vector3d& up_B,
+                                          const hydro::BodyState& state, double time,
+                                          const std::shared_ptr<const HeldWater>& held) {
+  const hydro::Pockets found = hydro::find_pockets(body.spec->mesh_B, up_B);
+  const bool right =
+      held->interior ? agree(body, *held->interior, found, up_B) : found.pockets.empty();
+  std::shared_ptr<HeldWater> next;
+  if (right) {
+    next = std::make_shared<HeldWater>(*held);
+    next->known_up_B.push_back(up_B);
+  } else {
+    next = dry_pockets(body, up_B);
+    take_over(body, state, time, *held, *next);
+  }
+  return next;
+}
+
 }  // namespace
 
 double lowest_sill(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
@@ -152,27 +195,15 @@ double lowest_sill(const Body& body, const HeldWater& held, const hydro::BodySta
   return state.position.z() + lowest;
 }
 
-std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& state,
-                                             double time,
+std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& before,
+                                             const hydro::BodyState& after, double time,
                                              const std::shared_ptr<const HeldWater>& held) {
-  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const Eigen::Vector3d up_B = R_WB.row(2);
-  const auto near = [&](const Eigen::Vector3d& known) { return known.dot(up_B) > kKnownAttitude; };
-  if (std::any_of(held->known_up_B.rbegin(), held->known_up_B.rend(), near) ||
-      is_all_sea(body, state, *held) || is_sheltered(body, state, *held))
-    return held;
-  const hydro::Pockets found = hydro::find_pockets(body.spec->mesh_B, up_B);
-  const bool right =
-      held->interior ? agree(body, *held->interior, found, R_WB) : found.pockets.empty();
-  std::shared_ptr<HeldWater> next;
-  if (right) {
-    next = std::make_shared<HeldWater>(*held);
-    next->known_up_B.push_back(up_B);
-  } else {
-    next = dry_pockets(body, up_B);
-    take_over(body, state, time, *held, *next);
-  }
-  return next;
+  const Eigen::Vector3d last_B = after.orientation.toRotationMatrix().row(2);
+  std::shared_ptr<const HeldWater> water = held;
+  while (!is_known(*water, last_B) && !is_all_sea(body, after, *water) &&
+         !is_sheltered(body, after, *water))
+    water = searched(body, first_unknown(*water, before, after), after, time, water);
+  return water;
 }
 
 }  // namespace engine

@@ -188,7 +188,7 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
 /// above the still water level, and then brings energy.
 void let_water_in(SubstepBody& b, double time, double h) {
   const std::shared_ptr<const HeldWater> held = b.end.held;
-  let_water_run(b.body(), time, h, b.end);
+  let_water_run(b.body(), b.moving->motion.state, time, h, b.end);
   b.inflow_work = 0;
   const Environment& environment = b.body().environment;
   const bool judged = environment.uneven() && must_not_gain_energy(b.body());

@@ -273,7 +273,7 @@ TEST(Flooding, PocketsPartFullToTheirRimAndNotToTheWallBetweenThem) {
   engine::Motion motion = bodies[0].motion;
   const auto run_at = [&](double height) {
     motion.state.position.z() = height;
-    engine::let_water_run(bodies[0].body, 0, 1.0 / 60, motion);
+    engine::let_water_run(bodies[0].body, motion.state, 0, 1.0 / 60, motion);
     return motion.held->pockets;
   };
   const auto flooded = [](const engine::PocketContent& pocket) { return pocket.flooded; };
@@ -334,7 +334,7 @@ TEST(PocketSearch, AKeptDivisionGivesTheLoadsOfANewSearch) {
       state.position.z() = random.uniform(-0.3, 1.2);
       moving.motion.state = state;
       const auto before = moving.motion.held;
-      moving.motion.held = engine::divided_for(moving.body, state, 0, before);
+      moving.motion.held = engine::divided_for(moving.body, state, state, 0, before);
       const bool same = before->interior == moving.motion.held->interior;
       kept += same;
       // Both start dry and only a sea below the sills is compared.
