@@ -285,7 +285,8 @@ class Conventions(unittest.TestCase):
         write_bemio(self.folder / "pair.h5", self.turned, False, scattering=False, body=2)
         self.expect_truth(self.numbers(hydro), 1e-9, loads=3e-3)
         # The excitation lacks what this coupling would add to it.
-        write_bemio(self.folder / "pair.h5", self.turned, False, scattering=False, body=2, coupling=3)
+        write_bemio(self.folder / "pair.h5", self.turned, False, scattering=False, body=2,
+                    coupling=30)
         self.assertIn("excitation in long waves at 0.6 rad/s", self.call(hydro).stderr)
 
     def test_wamit_with_a_length(self):
