@@ -28,6 +28,8 @@ constexpr Bounds kWaterplane = {0.02, 0.2};
 constexpr Bounds kHaskind = {0.05, 0.3};
 /// Part of the frequencies that may contradict Haskind's relation and be left out [-].
 constexpr double kMostDropped = 0.2;
+/// This part may, where all of them lie at the ends (bad_ends.h) [-].
+constexpr double kMostAtEnds = 1.0 / 3;
 constexpr Bounds kFroudeKrylov = {0.05, 0.3};
 constexpr Bounds kLongWaves = {0.1, 0.3};
 
@@ -230,14 +232,13 @@ void check_loads(const Database& d, double lever, BodyData& found) {
     std::vector<bool> bad;
     for (const Mismatch& each : mismatches) bad.push_back(each.error > kHaskind.refused * largest);
     const std::vector<bool> ends = bad_ends(bad);
-    std::vector<bool> kept;
-    double within = 0;  // Number of bad ones that are in no end.
-    for (std::size_t f = 0; f < bad.size(); ++f) {
-      kept.push_back(!bad[f] && !ends[f]);
-      if (bad[f] && !ends[f]) ++within;
-    }
+    const bool at_ends = std::equal(bad.begin(), bad.end(), ends.begin(),
+                                    [](bool is_bad, bool in_end) { return !is_bad || in_end; });
+    std::vector<bool> kept = at_ends ? ends : bad;
+    kept.flip();
     const auto dropped = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
-    if (within > kMostDropped * static_cast<double>(kept.size()))
+    if (static_cast<double>(dropped) >
+        (at_ends ? kMostAtEnds : kMostDropped) * static_cast<double>(kept.size()))
       refuse(d, fmt::format("damping at {:g} rad/s, row {}, column {}: differs by {:.2g} % of the "
                             "largest from that of the loads of waves (Haskind's relation), and at "
                             "{} of {} frequencies by more than {:g} %",

@@ -92,12 +92,16 @@ TEST_F(DatabaseChecks, ABadEndIsLeftOutAndNoted) {
 
 TEST_F(DatabaseChecks, ABadEndOfItsLoadsIsLeftOut) {
   RadiationData data = sphere_data(24);
-  for (const std::size_t f : {8, 9, 11}) data.diffraction[f] *= 30;  // A quarter of all.
+  for (const std::size_t f : {8, 9, 11}) data.diffraction[f] *= 30;
   databases::write_capytaine(file("ball.nc"), written(data));
   const BodyData found = read({.file = file("ball.nc")});
   EXPECT_EQ(found.data.frequencies,
             std::vector<double>(data.frequencies.begin(), data.frequencies.begin() + 8));
   EXPECT_THAT(found.notes, Contains(HasSubstr("4 of 12 frequencies contradict Haskind's")));
+  data = sphere_data(24);
+  for (const std::size_t f : {7, 8, 9}) data.diffraction[f] *= 30;  // In the middle, too.
+  databases::write_capytaine(file("ball.nc"), written(data));
+  EXPECT_THAT(fault({.file = file("ball.nc")}), HasSubstr("and at 3 of 12 frequencies by more"));
 }
 
 TEST(BadEnds, BeginAtTheFirstOrLastEntryAndAreBadForHalf) {
