@@ -82,11 +82,13 @@ LinearMotions motions_of(const assembly::BuiltScene& built, std::size_t i,
                          assembly::RadiationStore& store, Reporter& reporter) {
   const engine::BodySpec& spec = built.spec.bodies[i];
   const assembly::RadiationChoice& choice = built.radiation[i].choice;
+  const hydro::WaveFrame frame{.R_WH =
+                                   spec.initial.orientation * choice.pose->orientation.conjugate()};
   LinearMotions motions{.name = spec.name,
                         .mesh_B = engine::outside_B(spec),
                         .pose = *choice.pose,
                         .sea = *built.spec.sea,
-                        .heading = hydro::heading(*choice.pose, spec.initial.orientation)};
+                        .heading = frame.heading()};
   const hydro::Sea& sea = motions.sea;
   assembly::StoredRadiation stored;
   if (!choice.database)

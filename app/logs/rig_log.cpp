@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRadiansADegree = std::numbers::pi / 180;
 
 /// The numbers of a table at a time, row after row.
 class Numbers {
@@ -87,11 +87,14 @@ std::vector<double> machines_of(const engine::SimulationSpec& spec,
     const engine::PropellerReading& r = readings.propellers[i];
     const auto body = static_cast<std::size_t>(spec.propellers[i].body);
     numbers
-        .add({r.speed, r.azimuth / kDegree, r.thrust, r.torque, r.advance, r.wetted, kNone, kNone})
+        .add({r.speed, r.azimuth / kRadiansADegree, r.thrust, r.torque, r.advance, r.wetted, kNone,
+              kNone})
         .add(thrust_W(spec.propellers[i], r, states[body]));
   }
   for (const engine::FoilReading& r : readings.foils)
-    numbers.add({kNone, r.angle / kDegree, kNone, kNone, kNone, kNone, r.attack / kDegree, r.speed})
+    numbers
+        .add({kNone, r.angle / kRadiansADegree, kNone, kNone, kNone, kNone,
+              r.attack / kRadiansADegree, r.speed})
         .add(r.force_W);
   return numbers.take();
 }

@@ -9,7 +9,7 @@
 namespace {
 
 /// The open box of 2 × 1 × 1 m, its rim half a metre above its centre, in still water.
-SimulationSpec open_box() {
+SimulationSpec scene_of_open_box() {
   BodySpec box;
   box.name = "box";
   box.mesh_B = hydro::translated(support::open_box(), {0, 0, -0.5});
@@ -34,7 +34,7 @@ BodyState dipping(double time, double middle) {
 
 /// The water that a dip has left in the box, in substeps of a length [s].
 double water_of_a_dip(double middle, double h) {
-  const SimulationSpec spec = open_box();
+  const SimulationSpec spec = scene_of_open_box();
   std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
   engine::Motion& motion = bodies[0].motion;
   const long count = support::steps_in(0.4, h);
@@ -58,7 +58,7 @@ TEST(Flooding, ARimThatDipsForAPartOfAStepTakesTheWaterOfShortSteps) {
 
 /// The verticals in which a box has been searched that has turned by 1 rad in so many substeps.
 std::vector<Vector3d> searched_in(int substeps) {
-  const SimulationSpec spec = open_box();
+  const SimulationSpec spec = scene_of_open_box();
   std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
   engine::MovingBody& box = bodies[0];
   const auto tilted = [](double angle) {

@@ -232,7 +232,7 @@ TEST(HeldBody, OneLockHoldsAgainstTheWaterThatRisesAlongTheBody) {
 TEST(HeldBody, IsPushedByTheWavesThatItScatters) {
   BodySpec ball = support::sphere_body("ball", 1, 500, {0, 0, 0});
   ball.wet = true;
-  const auto push = [](const BodyState&, const hydro::Sea&, double time) {
+  const auto push = [](const BodyState&, const hydro::WaveFrame&, const hydro::Sea&, double time) {
     return Wrench{.force = {100 * time, 0, 0}};
   };
   ball.radiation =

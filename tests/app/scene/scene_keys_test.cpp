@@ -67,7 +67,7 @@ std::string every_key() {
          " radiation: {file: " +
          folder +
          "/shore.obj, body: 2, reference_point: [1, 2, 3], center_of_mass: [4, 5, 6],"
-         " heading_deg: 90, length: 7, frequencies: [0.5, 2]},"
+         " heading_deg: 90, length: 7, frequencies: [0.5, 2], pose: start},"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
@@ -364,10 +364,13 @@ TEST(SceneKeys, OrientationsAreRead) {
 }
 
 TEST(SceneKeys, StartIsReadAndGivenByDefault) {
-  const scene::Scene scene = read_scene_text(every_key(), {"bodies[c].start=equilibrium"});
+  const scene::Scene scene = read_scene_text(
+      every_key(), {"bodies[c].start=equilibrium", "bodies[c].heel={roll_deg: 10, pitch_deg: -5}"});
   EXPECT_EQ(scene.bodies[0].start, scene::Start::given);
   EXPECT_EQ(scene.bodies[1].start, scene::Start::given);
   EXPECT_EQ(scene.bodies[2].start, scene::Start::equilibrium);
+  EXPECT_NEAR(scene.bodies[2].heel.roll, 10 * M_PI / 180, kRoundOff);
+  EXPECT_NEAR(scene.bodies[2].heel.pitch, -5 * M_PI / 180, kRoundOff);
 }
 
 TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
@@ -381,6 +384,7 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   EXPECT_EQ(scene.bodies[1].hydro.wave_tolerance, 2e-3);
   const scene::Radiation& radiation = scene.bodies[0].hydro.radiation;
   EXPECT_EQ(radiation.source, scene::Radiation::Source::file);
+  EXPECT_EQ(radiation.pose, scene::Radiation::Pose::start);
   EXPECT_EQ(radiation.database.file.filename(), "shore.obj");
   EXPECT_EQ(radiation.database.body, "2");
   EXPECT_EQ(radiation.database.reference_point, Eigen::Vector3d(1, 2, 3));
@@ -690,9 +694,10 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             " highest_frequency_hz: 3, components: 5}}"},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           {"bodies[c].start=equilibrium", "bodies[c].heel={roll_deg: 1, pitch_deg: 2}"},
            {"hydro.radiation={file: " + support::data_folder().string() +
             "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
-            " heading_deg: 1, length: 2, frequencies: [1, 2]}"},
+            " heading_deg: 1, length: 2, frequencies: [1, 2], pose: equilibrium}"},
            kCameras,
            rigs(),
            {"moorings={moordyn: " + support::data_folder().string() +
