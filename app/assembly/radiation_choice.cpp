@@ -18,9 +18,8 @@ namespace {
 
 constexpr double kLargestTilt = 45 * M_PI / 180;  ///< Of a start from the rest [rad].
 
-/// Height of a start over draught or freeboard [-]: a model that is let go where it just touches
-/// the water is within.
-constexpr double kLargestLift = 1.02;
+/// Distance to the surface, over the draught, at which a body still touches it [-].
+constexpr double kTouching = 0.02;
 
 // Of the start of a hull that is held from its rest. An angle of 15° in a scene is within, also at
 // a hinge that lies a little beside the hull's middle.
@@ -41,8 +40,6 @@ struct Extent {
   // Height of the vertices over the centre of mass [m].
   double lowest = 0;
   double highest = 0;
-
-  double height() const { return highest - lowest; }
 };
 
 Extent extent_of(const hydro::TriMesh& mesh_B, const Eigen::Quaterniond& orientation) {
@@ -129,7 +126,8 @@ class Chooser {
     WetSurface wet = wet_surface(spec_, hull, found.pose);
     choice.reason = wet.fault;
     if (choice.reason.empty() && !wanted) choice.reason = held_away(found);
-    if (choice.reason.empty() && !choice.written) choice.reason = far_from(found, extent, lead);
+    if (choice.reason.empty() && !choice.written)
+      choice.reason = far_from(found, hull.mesh_B, extent, lead);
     choice.unexpected = !choice.reason.empty() && found.start_volume > 0;
     if (group.bodies.size() > 1)
       choice.joined_B = std::make_shared<const hydro::TriMesh>(std::move(wet.mesh_B));
@@ -176,21 +174,25 @@ class Chooser {
   }
 
   /// Why linear theory about the mean pose says little of what follows from the start.
-  std::string far_from(const FoundPose& found, const Extent& extent, engine::BodyId lead) const {
+  std::string far_from(const FoundPose& found, const hydro::TriMesh& mesh_B, const Extent& extent,
+                       engine::BodyId lead) const {
     const hydro::BodyState& start = body(lead).initial;
     if (found.start_tilt > kLargestTilt)
       return fmt::format("it starts {:.0f}° from the attitude at which it floats at rest",
                          found.start_tilt * 180 / M_PI);
-    const double off = std::abs(start.position.z() - spec_.sea->level - found.pose.height);
+    const double draught = -(found.pose.height + extent.lowest);
+    const Extent at_start = extent_of(mesh_B, start.orientation);
+    const Eigen::Vector3d& p = start.position;
+    const double height = p.z() - hydro::surface_height(*spec_.sea, p.x(), p.y(), 0);
     const double speed = std::hypot(start.linear_velocity.z(),
                                     extent.radius * start.angular_velocity.head<2>().norm());
-    const double lift = off + speed * speed / (2 * spec_.sea->gravity);
-    const double draught = -(found.pose.height + extent.lowest);
-    if (lift > kLargestLift * std::max(draught, extent.height() - draught))
+    const double beyond = std::max(height + at_start.lowest, -(height + at_start.highest)) +
+                          speed * speed / (2 * spec_.sea->gravity);
+    if (beyond > kTouching * draught)
       return fmt::format(
-          "from its start it is thrown or falls {:.3g} m to its rest, farther than "
-          "from where it would touch the water",
-          lift);
+          "it starts as if it were let go {:.3g} m beyond where it would just touch "
+          "the surface",
+          beyond);
     const double bound = std::max(kDraughtsToGround * -(found.pose.height + extent.lowest),
                                   kLengthsToGround * extent.length);
     if (depth_over(start.position, extent.length) < std::min(bound, spec_.sea->depth))
@@ -294,7 +296,7 @@ std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
     if (choices[i].unexpected) add_warning("no radiation: " + choices[i].reason, spec, i, warnings);
     if (!choices[i].pose) continue;
     for (std::size_t j = i + 1; j < choices.size(); ++j) {
-      if (!choices[j].pose) continue;
+      if (!choices[j].pose || !(choices[i].written || choices[j].written)) continue;
       const double distance =
           (spec.bodies[i].initial.position - spec.bodies[j].initial.position).norm();
       const double bound = kLengthsApart * std::max(choices[i].length, choices[j].length);

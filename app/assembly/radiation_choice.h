@@ -77,8 +77,8 @@ inline const hydro::TriMesh& radiating_mesh(const RadiationChoice& choice,
   return choice.joined_B ? *choice.joined_B : outside_B(body);
 }
 
-/// Returns warnings of bodies that make waves within ten of their lengths of each other, and of
-/// bodies that have no radiation only for how they start.
+/// Returns warnings of bodies with a written `radiation` that make waves within ten of their
+/// lengths of each other, and of bodies that have no radiation only for how they start.
 std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
                                             const std::vector<RadiationChoice>& choices);
 

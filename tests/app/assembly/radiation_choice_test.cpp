@@ -85,11 +85,11 @@ TEST(RadiationChoice, IsMadeWhereverABodyStartsNearItsRest) {
 }
 
 TEST(RadiationChoice, IsNotMadeWhereABodyIsThrownOrDroppedUnlessItIsWritten) {
-  EXPECT_THAT(reason("position: [0, 0, 1.1]"), HasSubstr("is thrown or falls 1.1 m to its rest"));
-  EXPECT_THAT(reason("position: [0, 0, -9]"), HasSubstr("falls 9 m"));
-  EXPECT_THAT(reason("linear_velocity: [0, 0, 5]"), HasSubstr("falls 1.27 m"));
+  EXPECT_THAT(reason("position: [0, 0, 1.1]"), HasSubstr("let go 0.6 m beyond"));
+  EXPECT_THAT(reason("position: [0, 0, -9]"), HasSubstr("let go 8.5 m beyond"));
+  EXPECT_THAT(reason("linear_velocity: [0, 0, 5]"), HasSubstr("let go 0.775 m beyond"));
   // √(2² + 1² + ½²) m at 2 rad/s: the farthest corner.
-  EXPECT_THAT(reason("angular_velocity: [2, 0, 0]"), HasSubstr("falls 1.07 m"));
+  EXPECT_THAT(reason("angular_velocity: [2, 0, 0]"), HasSubstr("let go 0.571 m beyond"));
   EXPECT_EQ(reason("angular_velocity: [0, 0, 9]"), "");
   EXPECT_THAT(reason("orientation: {euler_deg: [0, 46, 0]}"), HasSubstr("it starts 46° from"));
   for (const char* keys : {"position: [0, 0, 1.1]", "orientation: {euler_deg: [0, 46, 0]}"})
@@ -97,7 +97,7 @@ TEST(RadiationChoice, IsNotMadeWhereABodyIsThrownOrDroppedUnlessItIsWritten) {
   EXPECT_THAT(unsolved(raft("position: [0, 0, 1.1]")).warnings, IsEmpty());
   EXPECT_THAT(
       unsolved(raft("position: [0, 0, -1]")).warnings,
-      ElementsAre(HasSubstr("raft: no radiation: from its start it is thrown or falls 1 m")));
+      ElementsAre(HasSubstr("raft: no radiation: it starts as if it were let go 0.5 m beyond")));
 }
 
 TEST(RadiationChoice, NeedsOpenWaterOfOneDepthUnlessItIsWritten) {
@@ -235,15 +235,17 @@ TEST(RadiationChoice, IsToldOnceForBodiesThatAreAlike) {
   EXPECT_THAT(
       assembly::radiation_lines(built.spec, choices),
       ElementsAre("raft: no radiation: of a cause",
-                  "high and 1 more: no radiation: from its start it is thrown or falls 4 m to its "
-                  "rest, farther than from where it would touch the water"));
+                  "high and 1 more: no radiation: it starts as if it were let go 3 m beyond where "
+                  "it would just touch the surface"));
 }
 
 TEST(RadiationChoice, WarnsOfWhatLinearTheoryLeavesOut) {
   const std::string second = "  - {name: other, box: {size: [4, 2, 1]}, density: 500,";
-  EXPECT_THAT(unsolved(raft() + second + " position: [0, 30, 0]}\n").warnings,
+  EXPECT_THAT(unsolved(raft() + second + " position: [0, 30, 0]}\n").warnings, IsEmpty());
+  const std::string written = " hydro: {radiation: auto}";
+  EXPECT_THAT(unsolved(raft(written) + second + " position: [0, 30, 0]}\n").warnings,
               ElementsAre(HasSubstr("raft: other is 30 m away")));
-  EXPECT_THAT(unsolved(raft() + second + " position: [0, 41, 0]}\n").warnings, IsEmpty());
+  EXPECT_THAT(unsolved(raft(written) + second + " position: [0, 41, 0]}\n").warnings, IsEmpty());
 }
 
 }  // namespace
