@@ -46,7 +46,8 @@ UNSEEN = [
     r"there is no quantity", r"has no quantity", r"at least low", r"no set point named",
     r"not used by a (hinge|slider) joint", r"table from 0", r"rising values",
     r"expected wageningen, open_water", r"at most the length", r"there is no propeller",
-    r"is a propeller of", r"needs air, and",
+    r"is a propeller of", r"needs air, and", r"a\.obj\\x00b", r"knows no lines and machines",
+    r"more than 64 MiB of text",
 ]
 
 
