@@ -36,7 +36,7 @@ commands=$("$program" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]\+\) .*/\1/
 expect "${commands% }" plimsoll ''
 for command in $commands; do expect_all_options "$command"; done
 
-expect 'run render report radiation' plimsoll r
+expect 'run render report radiation rao' plimsoll r
 expect '--help --version' plimsoll --
 expect 'teapot_drop.yaml' plimsoll run teap
 expect 'teapot_drop.yaml' plimsoll run --quiet teap
