@@ -116,9 +116,10 @@ class Plimsoll:
         text = self._call("addedmass", str(file), "--json", "--no-store", *options)
         return next(iter(json.loads(text)["bodies"].values()))
 
-    def radiation(self, scene: Path) -> dict:
+    def radiation(self, scene: Path, frequencies: list[float]) -> dict:
         """Waves that the scene's only body makes and scatters, as the program prints them."""
-        text = self._call("radiation", str(scene), "--json")
+        text = self._call("radiation", str(scene), "--json", "--frequencies",
+                          *(f"{frequency:.12g}" for frequency in frequencies))
         return next(iter(json.loads(text)["bodies"].values()))
 
     def run(self, scene: str | Path, name: str,
