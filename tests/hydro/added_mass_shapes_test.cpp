@@ -130,9 +130,7 @@ std::vector<Shape> shapes() {
   return all;
 }
 
-std::string reference_file() {
-  return std::string(PLIMSOLL_SOURCE_DIR) + "/tests/data/added_mass_shapes.csv";
-}
+std::string reference_file() { return PLIMSOLL_SOURCE_DIR "/tests/data/added_mass_shapes.csv"; }
 
 void renew_reference() {
   std::ofstream file(reference_file());
