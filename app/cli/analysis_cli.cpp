@@ -127,7 +127,7 @@ void add_radiation(CLI::App& program, AnalysisArguments& a, std::vector<std::str
 
 void add_rao(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
   CLI::App* command = program.add_subcommand(
-      "rao", "Response amplitude operators of a scene's bodies by linear theory");
+      "rao", "Response amplitude operators of a scene's bodies by linear theory and in runs");
   RaoCommand& o = a.rao;
   command->add_option("scene", o.scene, "Scene file (YAML)")->type_name("FILE")->required();
   command
@@ -140,6 +140,11 @@ void add_rao(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& 
       ->capture_default_str();
   command->add_option("--body", o.body, "The only body to be taken [all that make waves]")
       ->type_name("NAME");
+  command->add_flag("--runs", o.runs,
+                    "Measure them in runs, too, with drag and all nonlinear loads");
+  command->add_option("--slope", o.slope, "Amplitude times wave number of the waves of runs")
+      ->type_name("KA")
+      ->capture_default_str();
   add_sets(command, sets);
   add_any_format(command, o.formats);
   command->add_flag_callback(

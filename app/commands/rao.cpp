@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -16,6 +17,7 @@
 #include "app/base/table.h"
 #include "app/base/terminal_reporter.h"
 #include "app/commands/linear_motions.h"
+#include "app/commands/measured_motions.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -33,16 +35,20 @@ constexpr double kNoMotion = 1e-9;
 /// Amplitude that a table shows at least [m/m, deg/m].
 constexpr double kSmallest = 5e-5;
 
+/// Change of a response in a run above which it is told [-].
+constexpr double kSteady = 0.02;
+
 /// A wave and the motions of one body in it.
 struct Response {
   RegularWave wave;
   hydro::Vector6d amplitude;  ///< [m/m, deg/m]
   hydro::Vector6d lead;       ///< Phase by which it leads the crest, within ±180; 0 at rest [deg].
+  std::string source = "linear";  ///< Or `run`.
 };
 
 struct BodyResponses {
   LinearMotions body;
-  std::vector<Response> responses;  ///< By heading, then by period.
+  std::vector<Response> responses;  ///< By heading, then by period; that of a run after the other.
 };
 
 Response response_of(const RegularWave& wave, const hydro::Vector6cd& motion) {
@@ -52,7 +58,7 @@ Response response_of(const RegularWave& wave, const hydro::Vector6cd& motion) {
     if (found.amplitude[i] < kNoMotion) found.amplitude[i] = 0;
     // The motion |ξ| cos(ωt − arg ξ) leads the crest by −arg ξ.
     else
-      found.lead[i] = -std::arg(motion[i]) * kDegrees;
+      found.lead[i] = -std::arg(motion[i]) * kDegrees + 0.0;
   }
   return found;
 }
@@ -82,6 +88,33 @@ std::vector<BodyResponses> responses_of(const RaoCommand& o, Reporter& reporter)
   return all;
 }
 
+/// Measures the responses to the waves of all bodies, behind those of linear theory.
+void add_runs(const RaoCommand& o, std::vector<BodyResponses>& all, Reporter& reporter) {
+  const scene::Scene scene = scene::read(o.scene, o.overrides, o.formats);
+  assembly::AddedMassStore store(o.store ? assembly::cache_folder() : std::nullopt);
+  std::vector<LinearMotions> bodies;
+  for (const BodyResponses& each : all) bodies.push_back(each.body);
+  std::vector<std::vector<Response>> rows(all.size());
+  const std::size_t waves = all.front().responses.size();
+  for (std::size_t w = 0; w < waves; ++w) {
+    const RegularWave wave = all.front().responses[w].wave;
+    reporter.working_on(fmt::format("run {} of {}: {:g} s from {:g} deg", w + 1, waves, wave.period,
+                                    wave.heading * kDegrees));
+    const auto found = measured_motions(scene, wave, o.slope, bodies, store, reporter);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      rows[i].push_back(all[i].responses[w]);
+      rows[i].push_back(response_of(wave, found[i].first));
+      rows[i].back().source = "run";
+      if (found[i].change > kSteady)
+        reporter.warning(fmt::format(
+            "{} in waves of {:g} s: the response still changes by {:.2g} of the largest in ten "
+            "periods",
+            bodies[i].name, wave.period, found[i].change));
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].responses = std::move(rows[i]);
+}
+
 std::vector<std::string> assumed(const hydro::Sea& sea) {
   std::vector<std::string> all =
       assembly::assumptions({.gravity = sea.gravity, .depth = sea.depth});
@@ -95,13 +128,13 @@ std::string csv_of(const std::vector<BodyResponses>& all) {
   std::string text = "body,heading_deg,period,omega,wavelength";
   for (std::size_t i = 0; i < 6; ++i)
     text += fmt::format(",{0}{1},{0}_phase_deg", kAxes[i], unit_suffix(i));
-  text += "\n";
+  text += ",source\n";
   for (const BodyResponses& each : all)
     for (const Response& r : each.responses) {
       text += fmt::format("{},{},{},{},{}", csv_field(each.body.name), r.wave.heading * kDegrees,
                           r.wave.period, r.wave.frequency, 2 * pi / r.wave.wave_number);
       for (Eigen::Index i = 0; i < 6; ++i) text += fmt::format(",{},{}", r.amplitude[i], r.lead[i]);
-      text += "\n";
+      text += "," + r.source + "\n";
     }
   return text;
 }
@@ -118,6 +151,7 @@ Json to_json(const BodyResponses& each) {
       row[kAxes[i] + std::string(unit_suffix(i))] = r.amplitude[at];
       row[kAxes[i] + std::string("_phase_deg")] = r.lead[at];
     }
+    row["source"] = r.source;
     rows.push_back(std::move(row));
   }
   return {{"assumed", assumed(each.body.sea)},
@@ -132,7 +166,13 @@ std::string table_of(const BodyResponses& each) {
       each.body.name, fmt::join(assumed(each.body.sea), ", "));
   if (!each.body.left_out.empty())
     text += fmt::format("  left out: {}\n", fmt::join(each.body.left_out, ", "));
+  const bool runs = std::ranges::any_of(
+      each.responses, [](const Response& response) { return response.source == "run"; });
   std::vector<Cells> rows = {{"heading", "period", "length"}, {"deg", "s", "m"}};
+  if (runs) {
+    rows[0].emplace_back("by");
+    rows[1].emplace_back("");
+  }
   for (std::size_t i = 0; i < 6; ++i) {
     rows[0].insert(rows[0].end(), {kAxes[i], "phase"});
     rows[1].insert(rows[1].end(), {i < 3 ? "m/m" : "deg/m", "deg"});
@@ -140,9 +180,11 @@ std::string table_of(const BodyResponses& each) {
   for (const Response& r : each.responses) {
     Cells row = {fmt::format("{:g}", r.wave.heading * kDegrees), fmt::format("{:g}", r.wave.period),
                  fmt::format("{:.4g}", 2 * pi / r.wave.wave_number)};
+    if (runs) row.push_back(r.source);
     for (Eigen::Index i = 0; i < 6; ++i) {
       row.push_back(fmt::format("{:.4f}", r.amplitude[i]));
-      row.push_back(r.amplitude[i] >= kSmallest ? fmt::format("{:.0f}", r.lead[i]) : "");
+      row.push_back(r.amplitude[i] >= kSmallest ? fmt::format("{:.0f}", std::round(r.lead[i]) + 0.0)
+                                                : "");
     }
     rows.push_back(std::move(row));
   }
@@ -154,6 +196,9 @@ void check(const RaoCommand& o) {
   if (!(o.periods.front() > 0))
     throw scene::InputError(
         "--periods", fmt::format("found {:g}, expected positive numbers [s]", o.periods.front()));
+  if (!(o.slope > 0 && o.slope < 0.4))
+    throw scene::InputError(
+        "--slope", fmt::format("found {:g}, expected a slope above 0 and below 0.4", o.slope));
   if (!o.out.empty() && o.out.extension() != ".csv")
     throw scene::InputError("--out", fmt::format("found {}, expected a file .csv", o.out.string()));
 }
@@ -163,7 +208,8 @@ void check(const RaoCommand& o) {
 int rao(const RaoCommand& command) {
   check(command);
   TerminalReporter reporter(false);
-  const std::vector<BodyResponses> all = responses_of(command, reporter);
+  std::vector<BodyResponses> all = responses_of(command, reporter);
+  if (command.runs && !all.empty()) add_runs(command, all, reporter);
   if (!command.out.empty()) write_whole(command.out, csv_of(all));
   if (command.json) {
     Json bodies = Json::object();

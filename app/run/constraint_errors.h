@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/body_forces.h"
 #include "engine/constraint_errors.h"
 #include "engine/spec.h"
 

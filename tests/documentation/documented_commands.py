@@ -94,7 +94,9 @@ EXAMPLES = {
     "plimsoll rao SCENE": [
         "plimsoll rao box.yaml --headings 0:180:90 --periods 2,3 --body box"
         " --set bodies[box].hydro.radiation=auto --any-format --no-store --json --out o/rao.csv",
-        "plimsoll rao box.yaml --periods 2:3:0.5 --set bodies[box].hydro.radiation=auto --csv"],
+        "plimsoll rao box.yaml --periods 2:3:0.5 --set bodies[box].hydro.radiation=auto --csv",
+        "plimsoll rao box.yaml --headings 0 --periods 2 --runs --slope 0.01"
+        " --set bodies[box].hydro.radiation=auto"],
     "plimsoll probe SCENE": ["plimsoll probe box.yaml --set bodies[box].density=700 --any-format"],
 }
 

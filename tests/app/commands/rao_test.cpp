@@ -3,14 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/assembly/build.h"
-#include "engine/simulation.h"
 #include "tests/app/program/program.h"
 #include "tests/app/scene_text.h"
 
@@ -114,38 +111,21 @@ TEST(RaoCommand, LockedMotionsAreZeroAndSpringsAreFelt) {
   EXPECT_NEAR(number(held[0], "heave"), number(locked[0], "heave"), 1e-3);
 }
 
-/// Amplitude of the first harmonic of values over whole periods, evenly spaced.
-double harmonic(const std::vector<double>& values, int per_period) {
-  std::complex<double> sum = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    sum += values[i] * std::polar(1.0, 2 * M_PI * static_cast<double>(i) / per_period);
-  return 2 * std::abs(sum) / static_cast<double>(values.size());
-}
-
+// Runs have the loads of linear theory, waves of finite height, and a hull of which they wet more
+// or less.
 TEST(RaoCommand, AgreesWithRunsInSmallWaves) {
-  constexpr int kPerPeriod = 240, kPeriods = 25, kFitted = 5;
-  constexpr double kAmplitude = 0.01;
-  for (const double period : {3.2, 5.0}) {
-    const std::string wave =
-        fmt::format(", surface: {{waves: [{{amplitude: {}, period: {}, heading_deg: 180}}]}}",
-                    kAmplitude, period);
-    const std::string scene = barge("", wave);
-    const json row = responses(scene, "180", fmt::format("{}", period))[0];
-    assembly::AddedMassStore store{std::nullopt};
-    assembly::BuiltScene built = assembly::build(support::read_scene_text(scene), store);
-    built.spec.step = period / kPerPeriod;
-    engine::Simulation simulation(built.spec);
-    std::vector<double> heave, pitch;
-    for (int i = 0; i < kPeriods * kPerPeriod; ++i) {
-      simulation.step();
-      if (i < (kPeriods - kFitted) * kPerPeriod) continue;
-      const hydro::BodyState& state = simulation.states()[0];
-      heave.push_back(state.position.z());
-      pitch.push_back(2 * std::asin(state.orientation.y()) * 180 / M_PI);
-    }
-    EXPECT_NEAR(harmonic(heave, kPerPeriod) / kAmplitude / number(row, "heave"), 1, 0.01) << period;
-    EXPECT_NEAR(harmonic(pitch, kPerPeriod) / kAmplitude / number(row, "pitch_deg"), 1, 0.01)
-        << period;
+  const json rows = responses(barge(", hydro: {pressure_drag: false, viscous_drag: false}"),
+                              "0,180", "3.2,5", {"--runs", "--slope", "0.005"});
+  ASSERT_EQ(rows.size(), 8u);
+  for (std::size_t i = 0; i < rows.size(); i += 2) {
+    const json &linear = rows[i], &run = rows[i + 1];
+    EXPECT_EQ(linear["source"], "linear");
+    EXPECT_EQ(run["source"], "run");
+    EXPECT_EQ(linear["period"], run["period"]);
+    for (const char* motion : {"surge", "heave", "pitch_deg"})
+      EXPECT_NEAR(number(run, motion) / number(linear, motion), 1, 0.01) << i << motion;
+    for (const char* phase : {"surge_phase_deg", "heave_phase_deg", "pitch_phase_deg"})
+      EXPECT_NEAR(number(run, phase), number(linear, phase), 2) << i << phase;
   }
 }
 
@@ -180,6 +160,7 @@ TEST(RaoCommand, RefusesWhatIsWrong) {
   EXPECT_THAT(fault("--headings", "180:0:45"),
               HasSubstr("--headings: found 180:0:45, expected FIRST <= LAST and STEP > 0"));
   EXPECT_THAT(fault("--out", "rao.png"), HasSubstr("--out: found rao.png, expected a file .csv"));
+  EXPECT_THAT(fault("--slope", "0"), HasSubstr("--slope: found 0, expected a slope above 0"));
   EXPECT_THAT(fault("--body", "bargee"), HasSubstr("did you mean barge?"));
   EXPECT_THAT(fault("--set", "bodies[0].density=1500"),
               HasSubstr("no body has motions by linear theory; barge: "));
