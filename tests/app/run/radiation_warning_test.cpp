@@ -48,6 +48,12 @@ TEST(RadiationWarning, IsNotOfBodiesThatAreRoundOrWithoutRadiation) {
   spec.bodies[0].radiation =
       std::make_shared<const hydro::FloatingBody>(spec.bodies[0].mesh_B, data);
   EXPECT_FALSE(app::radiation_warning(spec, {heeled_by(180)}));
+  // One with ballast below its middle.
+  const hydro::WaveFrame middle{.origin = {0, 0, 0.2}};
+  data.infinite_added_mass = middle.tensor_out(data.infinite_added_mass);
+  const hydro::TriMesh raised = hydro::translated(spec.bodies[0].mesh_B, {0, 0, 0.2});
+  spec.bodies[0].radiation = std::make_shared<const hydro::FloatingBody>(raised, data);
+  EXPECT_FALSE(app::radiation_warning(spec, {heeled_by(180)}));
   spec.bodies[0].radiation.reset();
   EXPECT_FALSE(app::radiation_warning(spec, {heeled_by(180)}));
 }
