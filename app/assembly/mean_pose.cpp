@@ -80,15 +80,10 @@ bool float_alike(const engine::BodySpec& a, const engine::BodySpec& b) {
 RadiatingHull radiating_hull(const engine::SimulationSpec& spec, const RigidGroup& group,
                              BodyId lead) {
   RadiatingHull hull{.group = group, .lead = lead};
-  const hydro::BodyState& base = spec.bodies[static_cast<std::size_t>(lead)].initial;
-  const Quaterniond to_lead = base.orientation.conjugate();
-  for (const BodyId id : group.bodies) {
-    const engine::BodySpec& part = spec.bodies[static_cast<std::size_t>(id)];
-    Eigen::Isometry3d X_LB = Eigen::Isometry3d::Identity();
-    if (id != lead) {
-      X_LB.linear() = (to_lead * part.initial.orientation).toRotationMatrix();
-      X_LB.translation() = to_lead * (part.initial.position - base.position);
-    }
+  const std::vector<Eigen::Isometry3d> poses = poses_in_lead(spec.bodies, group, lead);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const engine::BodySpec& part = spec.bodies[static_cast<std::size_t>(group.bodies[i])];
+    const Eigen::Isometry3d& X_LB = poses[i];
     hull.parts_B.push_back(hydro::transformed(outside_B(part), X_LB));
     hull.mass += part.mass;
     hull.water += mass_of_water_in(part, spec.sea->density);

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
-#include "engine/broad_phase.h"
+#include "app/assembly/rigid_group.h"
 #include "engine/simulation.h"
 
 namespace assembly {
@@ -185,18 +185,14 @@ class Settling {
 }  // namespace
 
 std::vector<HeldGroup> held_groups(const engine::SimulationSpec& spec) {
-  std::vector<BodyId> bodies(spec.bodies.size());
-  std::iota(bodies.begin(), bodies.end(), BodyId{0});
-  // A pair of a body with itself makes a group of each.
   std::vector<engine::Pair> pairs;
-  for (const BodyId body : bodies) pairs.emplace_back(body, body);
   for (const engine::JointSpec& joint : spec.joints)
     pairs.push_back(std::minmax(joint.first, joint.second));
   for (const engine::LineSpec& line : spec.lines)
     pairs.push_back(std::minmax(line.first.body, line.second.body));
   const std::vector<std::string> holder_of = holders(spec);
   std::vector<HeldGroup> groups;
-  for (std::vector<BodyId>& members : engine::connected_components(bodies, pairs)) {
+  for (std::vector<BodyId>& members : groups_by(std::move(pairs), spec.bodies.size())) {
     HeldGroup group{.bodies = std::move(members), .holder = {}};
     for (const BodyId id : group.bodies)
       if (group.holder.empty()) group.holder = holder_of[static_cast<std::size_t>(id)];

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "app/assembly/build_interior.h"
-#include "engine/broad_phase.h"
 #include "hydro/mesh/mesh_union.h"
 
 namespace assembly {
@@ -17,9 +16,10 @@ bool is_fixed(const engine::JointSpec& joint) {
   return joint.type == engine::JointSpec::Type::fixed;
 }
 
-/// Poses of the bodies in the axes of the lead, about its centre of mass.
-std::vector<Eigen::Isometry3d> poses(const std::vector<engine::BodySpec>& bodies,
-                                     const RigidGroup& group, BodyId lead) {
+}  // namespace
+
+std::vector<Eigen::Isometry3d> poses_in_lead(const std::vector<engine::BodySpec>& bodies,
+                                             const RigidGroup& group, BodyId lead) {
   const hydro::BodyState& base = bodies[lead].initial;
   const Eigen::Quaterniond to_lead = base.orientation.conjugate();
   std::vector<Eigen::Isometry3d> X_LB;
@@ -34,20 +34,22 @@ std::vector<Eigen::Isometry3d> poses(const std::vector<engine::BodySpec>& bodies
   return X_LB;
 }
 
-}  // namespace
+std::vector<std::vector<BodyId>> groups_by(std::vector<engine::Pair> pairs, std::size_t count) {
+  std::vector<BodyId> bodies(count);
+  std::iota(bodies.begin(), bodies.end(), BodyId{0});
+  // A pair of a body with itself makes a group of each.
+  for (const BodyId body : bodies) pairs.emplace_back(body, body);
+  return engine::connected_components(bodies, pairs);
+}
 
 bool has_buoyancy(const engine::BodySpec& body) { return body.wet && body.coefficients.buoyancy; }
 
 std::vector<RigidGroup> rigid_groups(const engine::SimulationSpec& spec) {
-  std::vector<BodyId> bodies(spec.bodies.size());
-  std::iota(bodies.begin(), bodies.end(), BodyId{0});
-  // A pair of a body with itself makes a group of each.
   std::vector<engine::Pair> pairs;
-  for (const BodyId body : bodies) pairs.emplace_back(body, body);
   for (const engine::JointSpec& joint : spec.joints)
     if (is_fixed(joint)) pairs.push_back(std::minmax(joint.first, joint.second));
   std::vector<RigidGroup> groups;
-  for (std::vector<BodyId>& members : engine::connected_components(bodies, pairs)) {
+  for (std::vector<BodyId>& members : groups_by(std::move(pairs), spec.bodies.size())) {
     RigidGroup group{.bodies = std::move(members), .joint_to_world = {}};
     for (const engine::JointSpec& joint : spec.joints) {
       if (!is_fixed(joint) || std::min(joint.first, joint.second) != engine::kWorld) continue;
@@ -61,7 +63,7 @@ std::vector<RigidGroup> rigid_groups(const engine::SimulationSpec& spec) {
 
 FloatingGroup floating_group(const engine::SimulationSpec& spec, const RigidGroup& group,
                              BodyId lead) {
-  FloatingGroup joined{.mesh_G = {}, .tanks = {}, .X_GB = poses(spec.bodies, group, lead)};
+  FloatingGroup joined{.mesh_G = {}, .tanks = {}, .X_GB = poses_in_lead(spec.bodies, group, lead)};
   Vector3d moment = Vector3d::Zero();
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     const double mass = spec.bodies[group.bodies[i]].mass;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/broad_phase.h"
 #include "engine/spec.h"
 #include "hydro/statics/equilibrium.h"
 
@@ -20,6 +21,15 @@ struct RigidGroup {
   std::vector<engine::BodyId> bodies;  ///< Ascending.
   std::string joint_to_world;          ///< A fixed joint to the world; empty if there is none.
 };
+
+/// Bodies 0 … count − 1 in groups that pairs connect, in the order of their first bodies. A body
+/// without a pair is a group of its own; one of a pair with the world is not connected by it.
+std::vector<std::vector<engine::BodyId>> groups_by(std::vector<engine::Pair> pairs,
+                                                   std::size_t count);
+
+/// Poses of the bodies of a group at the start in the frame of one of them, which leads.
+std::vector<Eigen::Isometry3d> poses_in_lead(const std::vector<engine::BodySpec>& bodies,
+                                             const RigidGroup& group, engine::BodyId lead);
 
 /// Returns the groups in the order of their first bodies. A body without a fixed joint is a group
 /// of its own.
