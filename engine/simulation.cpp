@@ -7,13 +7,13 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/body_check.h"
-#include "engine/constants.h"
-#include "engine/locks.h"
-#include "engine/ode_step.h"
-#include "engine/rig.h"
+#include "engine/base/body_check.h"
+#include "engine/base/constants.h"
+#include "engine/base/stopwatch.h"
+#include "engine/motion/locks.h"
+#include "engine/rig/rig.h"
 #include "engine/state_data.h"
-#include "engine/stopwatch.h"
+#include "engine/step/ode_step.h"
 #include "hydro/parallel.h"
 
 namespace engine {

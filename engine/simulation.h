@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/body_forces.h"
-#include "engine/constraint_errors.h"
-#include "engine/counts.h"
-#include "engine/interior_water.h"
-#include "engine/pull.h"
-#include "engine/rig_readings.h"
+#include "engine/base/counts.h"
+#include "engine/base/rig_readings.h"
+#include "engine/base/spec.h"
+#include "engine/hollows/interior_water.h"
+#include "engine/motion/pull.h"
+#include "engine/record/body_forces.h"
+#include "engine/record/constraint_errors.h"
 #include "engine/simulation_state.h"
-#include "engine/spec.h"
 
 namespace engine {
 

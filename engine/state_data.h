@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "engine/constraint_errors.h"
-#include "engine/moving_body.h"
-#include "engine/rig.h"
+#include "engine/motion/moving_body.h"
+#include "engine/record/constraint_errors.h"
+#include "engine/rig/rig.h"
 #include "engine/simulation_state.h"
-#include "engine/stepper.h"
+#include "engine/step/stepper.h"
 
 namespace engine {
 

@@ -23,7 +23,7 @@
 #include "app/assembly/start_warnings.h"
 #include "app/base/schedule.h"
 #include "app/base/wall_clock.h"
-#include "engine/body_check.h"
+#include "engine/base/body_check.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/mesh/terrain.h"
 

@@ -7,7 +7,7 @@
 #include "app/assembly/memory_need.h"
 #include "app/base/machine.h"
 #include "app/scene/diagnostics.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/assembly/build_shape.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace assembly {
 

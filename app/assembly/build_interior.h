@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/assembly/build_shape.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "hydro/statics/equilibrium.h"
 
 namespace assembly {

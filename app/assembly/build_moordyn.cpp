@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "engine/moordyn_system.h"
+#include "engine/rig/moordyn/moordyn_system.h"
 
 namespace assembly {
 namespace {

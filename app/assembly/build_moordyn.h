@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/assembly/build_shape.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace assembly {
 

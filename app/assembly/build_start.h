@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/assembly/build_shape.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace assembly {
 

@@ -10,7 +10,7 @@
 #include "app/assembly/radiation_choice.h"
 #include "app/assembly/radiation_store.h"
 #include "app/scene/scene.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "hydro/measured_elevation.h"
 
 namespace hydro {

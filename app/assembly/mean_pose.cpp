@@ -8,7 +8,7 @@
 
 #include "app/assembly/build_interior.h"
 #include "app/assembly/radiation_store.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/mesh/mesh_union.h"
 #include "hydro/statics/equilibrium.h"
 

@@ -10,7 +10,7 @@
 
 #include "app/assembly/build_start.h"
 #include "app/assembly/mean_pose.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/mesh/mass_properties.h"
 
 namespace assembly {

@@ -9,7 +9,7 @@
 #include "app/databases/body_data.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/scene.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "hydro/radiation/radiation_data.h"
 
 /// @file

@@ -6,7 +6,7 @@
 #include "app/assembly/radiation_choice.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/scene.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace assembly {
 

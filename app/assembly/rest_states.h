@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Where bodies that something holds come to rest in still water.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/broad_phase.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
+#include "engine/contacts/broad_phase.h"
 #include "hydro/statics/equilibrium.h"
 
 /// @file

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/scene/rig.h"
-#include "engine/rig_spec.h"
+#include "engine/base/rig_spec.h"
 
 /// @file
 /// Functions of time for set points: formulas and tables.

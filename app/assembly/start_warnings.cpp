@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "engine/broad_phase.h"
-#include "engine/locks.h"
+#include "engine/contacts/broad_phase.h"
+#include "engine/motion/locks.h"
 #include "hydro/mesh/mesh_overlap.h"
 #include "hydro/mesh/primitives.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/base/words.h"
-#include "engine/line_pull.h"
+#include "engine/rig/line_pull.h"
 #include "hydro/airy_waves.h"
 #include "hydro/radiation/froude_krylov.h"
 #include "hydro/statics/hydrostatics.h"

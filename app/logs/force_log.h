@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/body_forces.h"
+#include "engine/record/body_forces.h"
 
 /// @file
 /// The forces on bodies over time, and the columns of their log.
@@ -16,7 +16,7 @@
 /// wave_inertia, added_mass, applied, weight and constraint; the columns of wind and its work come
 /// last, and after them those of diffraction, of radiation, of the water inside, of lines and of
 /// machines with theirs.
-/// engine/body_forces.h says what each means.
+/// engine/record/body_forces.h says what each means.
 
 namespace app {
 

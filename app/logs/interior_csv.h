@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "app/logs/row_file.h"
-#include "engine/interior_water.h"
+#include "engine/hollows/interior_water.h"
 
 /// @file
 /// The log of the water in the pockets of bodies as CSV, in runs of either format:
-/// `time,body,pocket` and the fields of engine/interior_water.h, with a row per pocket and time.
-/// `pocket` is its id. `level`, `x`, `y` and `z` are empty without water, `spill` in a void.
+/// `time,body,pocket` and the fields of engine/hollows/interior_water.h, with a row per pocket and
+/// time. `pocket` is its id. `level`, `x`, `y` and `z` are empty without water, `spill` in a void.
 /// `flooded` is 1 or 0.
 
 namespace app {

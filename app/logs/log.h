@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/logs/table_log.h"
-#include "engine/body_forces.h"
-#include "engine/interior_water.h"
+#include "engine/hollows/interior_water.h"
+#include "engine/record/body_forces.h"
 #include "hydro/spatial.h"
 
 /// @file

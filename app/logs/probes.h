@@ -7,7 +7,7 @@
 
 #include "app/logs/table_layouts.h"
 #include "app/scene/probe.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// The readings of the probes of a run, and the columns of their log.

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/logs/table_layouts.h"
-#include "engine/rig_readings.h"
-#include "engine/spec.h"
+#include "engine/base/rig_readings.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// The tables of lines, joints, machines and controls (table_log.h), in the units of their columns:

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/logs/trajectory.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Comparison of a logged trajectory with its scene.

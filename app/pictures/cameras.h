@@ -5,7 +5,7 @@
 #include "app/pictures/shot_spool.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Cameras of a scene.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/rig_readings.h"
-#include "engine/spec.h"
+#include "engine/base/rig_readings.h"
+#include "engine/base/spec.h"
 #include "hydro/spatial.h"
 
 /// @file

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/statics/equilibrium.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/pictures/pressure_range.h"
 #include "app/scene/render.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

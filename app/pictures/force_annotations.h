@@ -7,7 +7,7 @@
 #include "app/pictures/shot_spool.h"
 #include "app/render/annotation.h"
 #include "app/scene/scene.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "hydro/loads/loads.h"
 
 /// @file

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Places of slack lines in pictures.

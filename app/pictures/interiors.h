@@ -4,8 +4,8 @@
 
 #include "app/logs/interior_csv.h"
 #include "app/render/renderer.h"
-#include "engine/interior_water.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
+#include "engine/hollows/interior_water.h"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include "app/pictures/shot_spool.h"
 #include "app/render/color_scale.h"
 #include "app/scene/render.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Ends of a pressure scale for a sequence of pictures.

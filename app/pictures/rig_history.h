@@ -6,7 +6,7 @@
 
 #include "app/logs/table_log.h"
 #include "app/pictures/drawn_rig.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/pictures/drawn_rig.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "hydro/mesh/mesh.h"
 
 /// @file

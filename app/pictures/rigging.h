@@ -8,7 +8,7 @@
 #include "app/pictures/shot_spool.h"
 #include "app/render/annotation.h"
 #include "app/render/rigging.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Lines, joints, anchors and machines in the pictures of a scene.

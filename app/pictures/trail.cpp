@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/logs/interpolation.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 
 namespace app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/pictures/shot_spool.h"
 #include "app/render/rigging.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

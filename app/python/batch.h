@@ -16,7 +16,7 @@ namespace python {
 /// Each goes on exactly as it would alone.
 class Batch {
  public:
-  /// Makes a simulation of each specification; they should share hulls (engine/hulls.h).
+  /// Makes a simulation of each specification; they should share hulls (engine/motion/hulls.h).
   /// @throws std::invalid_argument if there is none, or if their bodies or set points have other
   ///     names or numbers than the first's
   Batch(std::vector<engine::SimulationSpec> specs, int threads);

@@ -5,8 +5,8 @@
 
 #include "app/assembly/build.h"
 #include "app/python/threads.h"
-#include "engine/hulls.h"
-#include "engine/locks.h"
+#include "engine/motion/hulls.h"
+#include "engine/motion/locks.h"
 
 namespace python {
 

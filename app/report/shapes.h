@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 

@@ -11,8 +11,8 @@
 #include "app/pictures/shot_selector.h"
 #include "app/pictures/video.h"
 #include "app/run/rig_totals.h"
+#include "engine/base/spec.h"
 #include "engine/simulation_state.h"
-#include "engine/spec.h"
 
 /// @file
 /// Checkpoint of a run, from which it can be resumed after it was killed.

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/body_forces.h"
-#include "engine/constraint_errors.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
+#include "engine/record/body_forces.h"
+#include "engine/record/constraint_errors.h"
 
 /// @file
 /// What a run tells of the errors of its constraints: how deep bodies have overlapped, how far

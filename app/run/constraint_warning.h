@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/counts.h"
-#include "engine/spec.h"
+#include "engine/base/counts.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

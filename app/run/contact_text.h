@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

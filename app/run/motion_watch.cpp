@@ -8,7 +8,7 @@
 
 #include "app/run/radiation_warning.h"
 #include "app/run/wave_warning.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/mesh/mass_properties.h"
 
 namespace app {

@@ -10,7 +10,7 @@
 #include "app/assembly/build_rig.h"
 #include "app/base/console.h"
 #include "app/base/table.h"
-#include "engine/moordyn_system.h"
+#include "engine/rig/moordyn/moordyn_system.h"
 
 namespace app {
 namespace {

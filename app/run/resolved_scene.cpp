@@ -12,7 +12,7 @@
 #include "app/run/contact_text.h"
 #include "app/run/resolved_rig.h"
 #include "app/run/summary.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 
 namespace app {
 namespace {

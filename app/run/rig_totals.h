@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/rig_readings.h"
-#include "engine/spec.h"
+#include "engine/base/rig_readings.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

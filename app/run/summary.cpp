@@ -13,7 +13,7 @@
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
 #include "app/logs/run_source.h"
-#include "engine/moordyn_system.h"
+#include "engine/rig/moordyn/moordyn_system.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/statics/equilibrium.h"
 

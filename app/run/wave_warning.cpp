@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 
 namespace app {
 namespace {

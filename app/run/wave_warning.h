@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/view/orbit.h"
-#include "engine/pull.h"
-#include "engine/spec.h"
+#include "engine/base/spec.h"
+#include "engine/motion/pull.h"
 
 /// @file
 /// Picking of bodies with the mouse, and the pull on a picked body.

@@ -7,7 +7,7 @@
 
 #include "app/assembly/build.h"
 #include "app/scene/reader.h"
-#include "engine/hulls.h"
+#include "engine/motion/hulls.h"
 #include "engine/simulation.h"
 #include "hydro/parallel.h"
 #include "tests/benchmarks/benches.h"

@@ -1,4 +1,4 @@
-#include "engine/acceleration_history.h"
+#include "engine/motion/acceleration_history.h"
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 #include <numbers>
 
-#include "engine/added_inertia.h"
-#include "engine/energy.h"
-#include "engine/free_motion.h"
+#include "engine/motion/added_inertia.h"
+#include "engine/motion/energy.h"
+#include "engine/motion/free_motion.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/prelude.h"
 #include "tests/support/repeats.h"

@@ -1,4 +1,4 @@
-#include "engine/body_check.h"
+#include "engine/base/body_check.h"
 
 #include <gmock/gmock.h>
 

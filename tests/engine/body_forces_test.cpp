@@ -1,4 +1,4 @@
-#include "engine/body_forces.h"
+#include "engine/record/body_forces.h"
 
 #include <algorithm>
 #include <memory>

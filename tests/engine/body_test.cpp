@@ -1,8 +1,8 @@
-#include "engine/body.h"
+#include "engine/motion/body.h"
 
 #include <memory>
 
-#include "engine/constants.h"
+#include "engine/base/constants.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/prelude.h"
 

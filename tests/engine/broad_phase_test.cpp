@@ -1,10 +1,10 @@
-#include "engine/broad_phase.h"
+#include "engine/contacts/broad_phase.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "engine/free_motion.h"
+#include "engine/motion/free_motion.h"
 #include "tests/support/random_pose.h"
 
 namespace {

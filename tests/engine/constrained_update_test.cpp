@@ -1,8 +1,8 @@
-#include "engine/constrained_update.h"
+#include "engine/step/constrained_update.h"
 
 #include <map>
 
-#include "engine/constants.h"
+#include "engine/base/constants.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/island.h"
 #include "tests/engine/prelude.h"

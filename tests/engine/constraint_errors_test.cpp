@@ -1,8 +1,8 @@
-#include "engine/constraint_errors.h"
+#include "engine/record/constraint_errors.h"
 
 #include <algorithm>
 
-#include "engine/contacts.h"
+#include "engine/contacts/contacts.h"
 #include "tests/engine/prelude.h"
 
 /// The largest errors of constraints against those of the states and contacts of a run.

@@ -1,7 +1,7 @@
-#include "engine/constraint_solver.h"
+#include "engine/constraints/constraint_solver.h"
 
-#include "engine/constants.h"
-#include "engine/prepared_block.h"
+#include "engine/base/constants.h"
+#include "engine/constraints/prepared_block.h"
 #include "tests/engine/prelude.h"
 
 /// (E8) and (E36) for blocks of all kinds between bodies with coupled inertias.

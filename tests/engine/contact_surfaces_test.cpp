@@ -1,4 +1,4 @@
-#include "engine/contact_surfaces.h"
+#include "engine/contacts/contact_surfaces.h"
 
 #include <functional>
 

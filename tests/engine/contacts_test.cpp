@@ -1,4 +1,4 @@
-#include "engine/contacts.h"
+#include "engine/contacts/contacts.h"
 
 #include <gmock/gmock.h>
 

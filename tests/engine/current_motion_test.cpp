@@ -1,4 +1,4 @@
-#include "engine/energy.h"
+#include "engine/motion/energy.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"

@@ -1,6 +1,6 @@
-#include "engine/energy_limiter.h"
+#include "engine/step/energy_limiter.h"
 
-#include "engine/substep.h"
+#include "engine/step/substep.h"
 #include "tests/engine/prelude.h"
 
 /// The limiter of the energy, by itself.

@@ -1,6 +1,6 @@
-#include "engine/flooding.h"
+#include "engine/hollows/flooding.h"
 
-#include "engine/pocket_search.h"
+#include "engine/hollows/pocket_search.h"
 #include "tests/engine/prelude.h"
 #include "tests/support/hollows.h"
 

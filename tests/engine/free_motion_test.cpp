@@ -1,4 +1,4 @@
-#include "engine/free_motion.h"
+#include "engine/motion/free_motion.h"
 
 #include <numbers>
 

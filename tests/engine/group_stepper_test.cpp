@@ -1,4 +1,4 @@
-#include "engine/group_stepper.h"
+#include "engine/step/group_stepper.h"
 
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"

@@ -1,4 +1,4 @@
-#include "engine/body.h"
+#include "engine/motion/body.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/airy_waves.h"

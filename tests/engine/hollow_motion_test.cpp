@@ -1,9 +1,9 @@
 #include <numbers>
 
-#include "engine/energy.h"
-#include "engine/flooding.h"
-#include "engine/moving_body.h"
-#include "engine/pocket_search.h"
+#include "engine/hollows/flooding.h"
+#include "engine/hollows/pocket_search.h"
+#include "engine/motion/energy.h"
+#include "engine/motion/moving_body.h"
 #include "engine/state_data.h"
 #include "hydro/interior/interior.h"
 #include "hydro/loads/loads.h"

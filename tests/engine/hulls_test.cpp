@@ -1,4 +1,4 @@
-#include "engine/hulls.h"
+#include "engine/motion/hulls.h"
 
 #include <gtest/gtest.h>
 

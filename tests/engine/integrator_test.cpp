@@ -1,4 +1,4 @@
-#include "engine/constants.h"
+#include "engine/base/constants.h"
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/airy_waves.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/substep.h"
+#include "engine/step/substep.h"
 #include "tests/engine/specs.h"
 
 namespace support {

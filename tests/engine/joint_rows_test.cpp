@@ -1,7 +1,7 @@
-#include "engine/joint_rows.h"
+#include "engine/constraints/joint_rows.h"
 
-#include "engine/constants.h"
-#include "engine/contact_memory.h"
+#include "engine/base/constants.h"
+#include "engine/contacts/contact_memory.h"
 #include "tests/engine/prelude.h"
 
 /// Rows of joints, contacts and lines against the velocities and separations that they stand for.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/force_row.h"
+#include "engine/constraints/force_row.h"
 #include "hydro/lines/catenary.h"
 #include "tests/engine/rig_specs.h"
 

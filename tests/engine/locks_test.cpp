@@ -1,4 +1,4 @@
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 
 #include "tests/engine/prelude.h"
 

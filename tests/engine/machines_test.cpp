@@ -1,4 +1,4 @@
-#include "engine/machines.h"
+#include "engine/machines/machines.h"
 
 #include <gtest/gtest.h>
 

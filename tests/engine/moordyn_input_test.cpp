@@ -1,4 +1,4 @@
-#include "engine/moordyn_input.h"
+#include "engine/rig/moordyn/moordyn_input.h"
 
 #include <gtest/gtest.h>
 

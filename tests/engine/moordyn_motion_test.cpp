@@ -2,7 +2,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "engine/moordyn_system.h"
+#include "engine/rig/moordyn/moordyn_system.h"
 #include "hydro/lines/catenary.h"
 #include "tests/engine/prelude.h"
 #include "tests/support/files.h"

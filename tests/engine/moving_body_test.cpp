@@ -1,4 +1,4 @@
-#include "engine/moving_body.h"
+#include "engine/motion/moving_body.h"
 
 #include <limits>
 #include <numbers>

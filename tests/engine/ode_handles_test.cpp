@@ -1,4 +1,4 @@
-#include "engine/ode_handles.h"
+#include "engine/contacts/ode_handles.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>

@@ -1,4 +1,4 @@
-#include "engine/passing.h"
+#include "engine/step/passing.h"
 
 #include "tests/engine/prelude.h"
 

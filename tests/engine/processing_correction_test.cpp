@@ -1,4 +1,4 @@
-#include "engine/processing_correction.h"
+#include "engine/motion/processing_correction.h"
 
 #include "engine/simulation_state.h"
 #include "engine/state_data.h"

@@ -1,4 +1,4 @@
-#include "engine/pull.h"
+#include "engine/motion/pull.h"
 
 #include "tests/engine/prelude.h"
 

@@ -1,8 +1,8 @@
 #include <complex>
 
-#include "engine/energy.h"
+#include "engine/motion/energy.h"
+#include "engine/motion/velocity_update.h"
 #include "engine/state_data.h"
-#include "engine/velocity_update.h"
 #include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"

@@ -1,6 +1,6 @@
-#include "engine/reduced_joint.h"
+#include "engine/motion/reduced_joint.h"
 
-#include "engine/added_inertia.h"
+#include "engine/motion/added_inertia.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/prelude.h"
 

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "engine/constants.h"
+#include "engine/base/constants.h"
 #include "tests/engine/prelude.h"
 
 namespace {

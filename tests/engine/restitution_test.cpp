@@ -1,6 +1,6 @@
-#include "engine/restitution.h"
+#include "engine/constraints/restitution.h"
 
-#include "engine/spatial_vector.h"
+#include "engine/base/spatial_vector.h"
 #include "tests/engine/prelude.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/set_points.h"
+#include "engine/machines/set_points.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/prelude.h"
 

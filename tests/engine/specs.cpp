@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/energy.h"
+#include "engine/motion/energy.h"
 #include "hydro/mesh/primitives.h"
 
 namespace support {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/moving_body.h"
+#include "engine/motion/moving_body.h"
 #include "engine/simulation.h"
 
 /// @file
@@ -30,7 +30,7 @@ engine::SimulationSpec dry_world(std::vector<engine::BodySpec> bodies, double st
 engine::SimulationSpec box_in_still_water(const Eigen::Vector3d& position);
 
 /// A specification with every joint to the world held a second time by one that asks for nothing
-/// more, so that it is left to the constraint solver (engine/reduced_joint.h).
+/// more, so that it is left to the constraint solver (engine/motion/reduced_joint.h).
 engine::SimulationSpec left_to_the_solver(engine::SimulationSpec spec);
 
 /// A square of ground through the origin that falls by `angle` [rad] in the direction `heading`

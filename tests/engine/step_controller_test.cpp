@@ -1,4 +1,4 @@
-#include "engine/step_controller.h"
+#include "engine/step/step_controller.h"
 
 #include "tests/engine/prelude.h"
 

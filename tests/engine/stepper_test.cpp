@@ -1,4 +1,4 @@
-#include "engine/stepper.h"
+#include "engine/step/stepper.h"
 
 #include "tests/engine/island.h"
 #include "tests/engine/prelude.h"

@@ -1,4 +1,4 @@
-#include "engine/world.h"
+#include "engine/contacts/world.h"
 #include "tests/engine/prelude.h"
 #include "tests/support/repeats.h"
 

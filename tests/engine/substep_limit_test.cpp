@@ -1,6 +1,6 @@
-#include "engine/substep_limit.h"
+#include "engine/step/substep_limit.h"
 
-#include "engine/constants.h"
+#include "engine/base/constants.h"
 #include "hydro/airy_waves.h"
 #include "tests/engine/prelude.h"
 

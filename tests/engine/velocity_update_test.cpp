@@ -1,8 +1,8 @@
-#include "engine/velocity_update.h"
+#include "engine/motion/velocity_update.h"
 
-#include "engine/anderson.h"
-#include "engine/constants.h"
-#include "engine/energy.h"
+#include "engine/base/constants.h"
+#include "engine/constraints/anderson.h"
+#include "engine/motion/energy.h"
 #include "hydro/airy_waves.h"
 #include "hydro/loads/load_jacobian.h"
 #include "hydro/mesh/primitives.h"

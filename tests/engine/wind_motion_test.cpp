@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "engine/energy.h"
+#include "engine/motion/energy.h"
 #include "hydro/airy_waves.h"
 #include "tests/engine/prelude.h"
 

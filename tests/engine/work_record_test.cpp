@@ -1,9 +1,9 @@
-#include "engine/work_record.h"
+#include "engine/motion/work_record.h"
 
 #include <memory>
 
-#include "engine/energy.h"
-#include "engine/velocity_update.h"
+#include "engine/motion/energy.h"
+#include "engine/motion/velocity_update.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/prelude.h"
 

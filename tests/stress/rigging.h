@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/body.h"
+#include "engine/motion/body.h"
 #include "tests/stress/scenario.h"
 
 /// @file

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 #include "tests/stress/run_name.h"
 
 /// @file

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// Shapes and added mass of the bodies of the stress test.

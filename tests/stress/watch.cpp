@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/energy.h"
-#include "engine/state_checks.h"
+#include "engine/base/state_checks.h"
+#include "engine/motion/energy.h"
 #include "engine/state_data.h"
 #include "tests/stress/rigging.h"
 #include "tests/stress/waters.h"

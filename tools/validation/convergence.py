@@ -10,7 +10,7 @@ from case import Row, compare, compare_all
 
 kSafety = 1.25  # Of an estimated error: what the next term of its series may add.
 kMeshOrder = 2
-kStepOrder = 2  # At least, of the time stepping: engine/stepper.h.
+kStepOrder = 2  # At least, of the time stepping: engine/step/stepper.h.
 kOrderTolerance = {"mesh": 0.05, "step": 0.1}
 
 

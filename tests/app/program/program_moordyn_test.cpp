@@ -6,7 +6,7 @@
 
 #include "app/logs/read_log.h"
 #include "app/logs/rig_log.h"
-#include "engine/moordyn_system.h"
+#include "engine/rig/moordyn/moordyn_system.h"
 #include "tests/app/program/program.h"
 #include "tests/support/files.h"
 #include "tests/support/repeats.h"

@@ -1,0 +1,170 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/base/constants.h"
+#include "engine/base/rig_spec.h"
+#include "hydro/added_mass/added_mass_model.h"
+#include "hydro/loads/loads.h"
+#include "hydro/radiation/floating_body.h"
+
+/// @file
+/// The constant description of a simulation, complete and already checked. SI units.
+
+namespace engine {
+
+/// The shape by which a body touches other bodies and the ground.
+enum class CollisionShape {
+  none,    ///< It passes through everything.
+  mesh,    ///< Its own triangles.
+  box,     ///< The axis-aligned box around its mesh, in B.
+  sphere,  ///< The smallest sphere about the centre of the mesh's bounding box that contains it.
+};
+
+/// Degrees of freedom of a body in world axes: x, y, z, roll, pitch, yaw.
+using DofMask = std::array<bool, 6>;
+inline constexpr DofMask kAllDofs = {true, true, true, true, true, true};
+
+/// sin(2π·frequency·t + phase)
+struct Sine {
+  double frequency = 0;  ///< [Hz]
+  double phase = 0;      ///< [rad]
+};
+
+/// A load given by the scene: constant or sinusoidal, between two times.
+struct AppliedLoad {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();       ///< [N]
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();      ///< [N m]
+  bool in_body_frame = false;                            ///< Force and torque turn with the body.
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();        ///< Where the force acts, in B [m].
+  double start = 0;                                      ///< [s], inclusive.
+  double end = std::numeric_limits<double>::infinity();  ///< [s], exclusive.
+  std::optional<Sine> sine;                              ///< Multiplies the load.
+  std::optional<SetPointId> factor;                      ///< Multiplies the load by this set point.
+};
+
+/// A hole through which water runs between the two spaces on its sides: the sea or pockets.
+struct Opening {
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< Its centre, near the wall that it is in [m].
+  double area = 0;                                 ///< [m^2]
+  double discharge = 0.6;                          ///< Coefficient of discharge [-].
+};
+
+/// Water in a pocket at time 0.
+struct WaterAtStart {
+  Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< A point above the pocket's surface [m].
+  double volume = 0;                               ///< [m^3]
+};
+
+/// What water does in the pockets of a body (hydro/interior).
+enum class Interior {
+  wet,      ///< All of its surface is in the sea, without pockets.
+  dry,      ///< The pockets of its start are closed by lids.
+  flooding  ///< They are dry until water comes in.
+};
+
+/// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
+struct BodySpec {
+  std::string name;
+  hydro::TriMesh mesh_B;  ///< Its surface for water and contacts.
+  /// What the water sees of it, shared by simulations of one body (hulls.h); null: the simulation
+  /// makes its own.
+  std::shared_ptr<const hydro::Hull> hull;
+  double mass = 0;                                          ///< [kg], > 0.
+  Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
+  hydro::BodyState initial;
+  hydro::Coefficients coefficients;  ///< `hydro::for_mesh` completes them from the mesh.
+  hydro::LoadAccuracy summation;     ///< Accuracy of the sums of its loads.
+  std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
+  /// The waves that the body makes and scatters; null: none. `added_mass` is then not null, as a
+  /// rule the same object.
+  std::shared_ptr<const hydro::FloatingBody> radiation;
+  bool wet = true;  ///< False: the water has no effect on it.
+  Interior interior = Interior::wet;
+  std::vector<Opening> openings;
+  std::vector<WaterAtStart> interior_water;
+  /// The mesh with the pockets of the start closed by lids; none without pockets.
+  std::optional<hydro::TriMesh> closed_mesh_B;
+  CollisionShape collision = CollisionShape::mesh;
+  double friction = kFriction;  ///< Coulomb's µ of its surface [-], >= 0 (contact_surfaces.h).
+  double restitution = 0;       ///< Of its surface [-], 0 … 1.
+  DofMask locked = {};          ///< They keep their initial value; all six make the body immovable.
+  std::vector<AppliedLoad> loads;
+};
+
+/// The surface of a body as the sea outside sees it at the start.
+inline const hydro::TriMesh& outside_B(const BodySpec& body) {
+  return body.closed_mesh_B && body.interior != Interior::wet ? *body.closed_mesh_B : body.mesh_B;
+}
+
+struct JointSpec {
+  enum class Type { ball, hinge, slider, fixed, universal };
+  std::string name;
+  Type type = Type::ball;
+  BodyId first = kWorld;
+  BodyId second = kWorld;
+  Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();  ///< At time 0 [m]; unused by slider, fixed.
+  /// Unit, at time 0; hinge, slider, universal.
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d axis2_W = Eigen::Vector3d::UnitX();  ///< Unit, normal to axis_W; universal.
+  JointDrive drive = {};                               ///< Of a hinge or slider.
+};
+
+/// The sea floor or shore: a horizontal plane or a mesh in W, whose faces look up.
+struct PlaneGround {
+  double z = 0;  ///< [m]
+};
+struct MeshGround {
+  hydro::TriMesh mesh_W;
+};
+using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
+
+/// What contacts of one pair of bodies have in place of the values that follow from the bodies'.
+struct ContactSpec {
+  BodyId first = kWorld;  ///< kWorld is the ground.
+  BodyId second = kWorld;
+  std::optional<double> friction;     ///< Coulomb's µ [-], >= 0.
+  std::optional<double> restitution;  ///< [-], 0 … 1.
+};
+
+/// The time integration.
+struct Integrator {
+  enum class Method {
+    split,  ///< Inertia, loads and constraints in turn, with added mass; second order.
+    ode     ///< ODE's own step without added mass, of first order, for comparison.
+  };
+  Method method = Method::split;
+  /// Largest error of a free body's pose in a second, over its radius and in rad; substeps are
+  /// shortened for it. 0: error is not controlled.
+  double tolerance = 0;
+};
+
+struct SimulationSpec {
+  Integrator integrator;
+  double step = 1.0 / 60;         ///< [s], > 0.
+  double gravity = 9.80665;       ///< Along −z [m/s^2].
+  std::optional<hydro::Sea> sea;  ///< None: a dry scene.
+  Ground ground;
+  double ground_friction = kFriction;  ///< Coulomb's µ of the ground [-], >= 0.
+  double ground_restitution = 0;       ///< Of the ground [-], 0 … 1.
+  std::vector<BodySpec> bodies;
+  std::vector<JointSpec> joints;
+  std::vector<LineSpec> lines;         ///< Springs, then ropes, then moorings.
+  std::optional<MoorDynSpec> moordyn;  ///< Lines beside those.
+  std::vector<PropellerSpec> propellers;
+  std::vector<FoilSpec> foils;
+  std::vector<SetPointSpec> set_points;
+  std::vector<ControlSpec> controls;  ///< Each set point is in at most one.
+  std::vector<ContactSpec> contacts;  ///< Each pair at most once.
+  int threads = 1;                    ///< At most this many; results do not depend on it.
+  bool record_work = false;           ///< Keep impulses and works, for Simulation::forces.
+};
+
+}  // namespace engine

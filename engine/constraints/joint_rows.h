@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/constraints/constraint_block.h"
+#include "engine/motion/joint_frames.h"
+
+/// @file
+/// The rows of ball joints, hinges, sliders, fixed and universal joints.
+///
+/// The rows of a joint ask for the velocities with which a part of what has come between the points
+/// and axes of its two bodies (joint_frames.h) is taken back in a substep of length h,
+///
+///     J u = −(kJointErp/h) e,                                                           (E38)
+///
+/// e being the separation of the points, along two normals of the axis for a slider, or the turn
+/// between the axes or bodies.
+
+namespace engine {
+
+/// What has come between the two sides of a joint, without what it leaves free.
+struct JointGap {
+  double separation = 0;  ///< Distance of its points, on a slider across the axis [m].
+  double turn = 0;        ///< Between its axes or bodies; 0 for a ball joint [rad].
+};
+/// @param first, second   States of its bodies, of W for kWorld.
+JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
+                const hydro::BodyState& second);
+
+/// Adds the blocks of a joint in a state. @param first, second   Of W for kWorld.
+void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
+                      const hydro::BodyState& second, double h,
+                      std::vector<ConstraintBlock>& blocks);
+
+}  // namespace engine

@@ -1,0 +1,80 @@
+#include "engine/constraints/restitution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/constants.h"
+
+namespace engine {
+namespace {
+
+double product(const std::vector<Vector6d>& a, const std::vector<Vector6d>& b) {
+  double total = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) total += a[i].dot(b[i]);
+  return total;
+}
+
+/// a + s b
+std::vector<Vector6d> added(const std::vector<Vector6d>& a, const std::vector<Vector6d>& b,
+                            double s) {
+  std::vector<Vector6d> result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] + s * b[i]);
+  return result;
+}
+
+}  // namespace
+
+bool restores(const std::vector<Contact>& contacts) {
+  return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
+    return contact.rebounds && contact.stiffness.speed > 0;
+  });
+}
+
+std::vector<Contact> without_restitution(std::vector<Contact> contacts) {
+  for (Contact& contact : contacts)
+    if (contact.rebounds) contact.stiffness.speed = 0;
+  return contacts;
+}
+
+double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h) {
+  return h * product(answer.reactions, added(before, answer.changes, 0.5));
+}
+
+bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most) {
+  const double exchanged =
+      h * (std::abs(product(answer.reactions, before)) + product(answer.reactions, answer.changes));
+  const double gain = work(answer, before, h) - answer.row_work;
+  // What is not solved may be beyond all numbers.
+  return !std::isfinite(gain) || gain > most + kImpactGain * exchanged;
+}
+
+ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
+                          const std::vector<Vector6d>& before, double h, double most) {
+  const std::vector<Vector6d> change = added(restored.changes, plain.changes, -1);
+  const std::vector<Vector6d> reaction = added(restored.reactions, plain.reactions, -1);
+  // W(s) = W(0) + b s + c s², where c = ½ h² Σ ΔR·S⁻¹ ΔR.
+  const double least = work(plain, before, h);
+  const double c = h / 2 * product(reaction, change);
+  const double b = work(restored, before, h) - least - c;
+  const double room = std::max(0.0, -least) + most;
+  if (!(c > 0) || !std::isfinite(b) || !std::isfinite(c)) return plain;
+  // The root of s² + 2 β s = ρ: no square of b or c, which may overflow, and no cancellation.
+  const double beta = b / (2 * c), rho = room / c;
+  const double root = std::sqrt(beta * beta + rho);
+  const double s = std::clamp(beta > 0 ? rho / (beta + root) : root - beta, 0.0, 1.0);
+  ImpactAnswer answer{.changes = added(plain.changes, change, s),
+                      .reactions = added(plain.reactions, reaction, s),
+                      .row_forces = plain.row_forces,
+                      .row_work = plain.row_work + s * (restored.row_work - plain.row_work),
+                      .joints = plain.joints,
+                      .solved = plain.solved && restored.solved};
+  for (std::size_t i = 0; i < answer.row_forces.size(); ++i)
+    answer.row_forces[i] += s * (restored.row_forces[i] - plain.row_forces[i]);
+  for (std::size_t i = 0; i < answer.joints.size(); ++i) {
+    answer.joints[i].force_W += s * (restored.joints[i].force_W - plain.joints[i].force_W);
+    answer.joints[i].moment_W += s * (restored.joints[i].moment_W - plain.joints[i].moment_W);
+  }
+  return answer;
+}
+
+}  // namespace engine

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/spatial_vector.h"
+#include "engine/constraints/joint_reaction.h"
+#include "engine/contacts/contacts.h"
+
+/// @file
+/// Keeps restitution, and the taking back of what joints have come apart, from giving energy.
+///
+/// One frictionless impact at a time loses (1 − e²) of what its normal motion has. Several at once
+/// with different e, or one with friction, whose impulses turn the body into each other's way, may
+/// gain under Newton's law. Joints that contradict each other, or that the island's pose leaves
+/// next to no freedom, may throw their bodies when their error is taken back (E38).
+///
+/// Let 0 and 1 denote the answers to an island's update without both, e = 0 and no error in joints,
+/// and with them. Every R = (1 − s) R₀ + s R₁ pushes, is within its limit of friction, lets nothing
+/// approach, and moves joints as their rows ask for s of the error; s = 1 is the whole. The work of
+/// the reactions over the substep,
+///
+///     W(s) = ½ h R·(u⁻ + u⁺),                                                            (E33)
+///
+/// u⁻ and u⁺ the velocities before and after the update, is the change of energy by them, and
+/// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)) + g, g being kJointWork of
+/// the motion's energy where there are joints, and else nothing.
+///
+/// An answer whose constraints are not solved, as of joints that contradict each other or a needle
+/// under a hundred times its mass, may throw its bodies. So that is bounded, too: the answer
+/// without any R takes the place of 0, and g is kJointWork of the motion's energy and what the
+/// overlap of the bodies holds; in a substep shorter than the time τ of a contact, h/τ of that, as
+/// the thousands of substeps in which a light body spins would else give it each.
+
+namespace engine {
+
+/// An answer to (E7): changes of velocity and reactions R of the bodies of an island, in W.
+struct ImpactAnswer {
+  std::vector<Vector6d> changes;
+  std::vector<Vector6d> reactions;
+  std::vector<double> row_forces;     ///< λ of the rows, a part of the reactions.
+  double row_work = 0;                ///< That of these in (E33) [J].
+  std::vector<JointReaction> joints;  ///< The same of joints.
+  bool solved = true;                 ///< Its constraints are.
+};
+
+/// True if contacts leave an approaching body with a speed of its own.
+bool restores(const std::vector<Contact>& contacts);
+
+/// The contacts with e = 0 in (E30).
+std::vector<Contact> without_restitution(std::vector<Contact> contacts);
+
+/// (E33) over a substep of length h [J].
+/// @param before   Velocities of the bodies before the update, in W.
+double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h);
+
+/// True if W of an answer, less the work of lines and drives, is more than `most` and round-off.
+bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most);
+
+/// The answer at the largest s. @param most   g [J]
+ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
+                          const std::vector<Vector6d>& before, double h, double most);
+
+}  // namespace engine

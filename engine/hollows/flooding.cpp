@@ -1,0 +1,398 @@
+#include "engine/hollows/flooding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/constants.h"
+#include "engine/hollows/pocket_search.h"
+#include "engine/motion/body.h"
+#include "engine/motion/substep_way.h"
+#include "hydro/airy_waves.h"
+
+namespace engine {
+namespace {
+
+using hydro::kSea;
+
+/// The points of Gauss' rule of degree 5 between 0 and 1, and their weights.
+constexpr double kPoint[] = {0.1127016653792583, 0.5, 0.8872983346207417};
+constexpr double kWeight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+/// What runs between two spaces.
+struct Stream {
+  double rate = 0;           ///< Into the first one [m^3/s].
+  double sea_level = 0;      ///< Mean over its length, if the second one is the sea.
+  double lowest = HUGE_VAL;  ///< Of its sill or opening.
+  bool submerged = true;     ///< All of the sill is below the second one's level.
+  double length = 0;         ///< Of the sill under water [m].
+};
+
+/// Lets water run between the pockets of one body at one pose. Heights are above the centre of
+/// mass.
+class Flooding {
+ public:
+  Flooding(const Body& body, const hydro::BodyState& state, double time, HeldWater& held)
+      : body_(body),
+        sea_(*body.environment.sea),
+        state_(state),
+        time_(time),
+        R_WB_(state.orientation.toRotationMatrix()),
+        division_(held.interior->division),
+        held_(held) {}
+
+  void run(double h);
+  /// True if the water over a sill or opening is another by more than half of its height there, as
+  /// where it crosses the surface. The sea's slope between is left out.
+  bool differs(const hydro::BodyState& there, double later) const;
+
+ private:
+  using Sill = std::vector<hydro::SillEdge>::const_iterator;
+
+  bool is_sea(int space) const { return space == kSea || held_.pockets[space].flooded; }
+  double sea_level(const Eigen::Vector3d& r) const;
+  double level(int space, const Eigen::Vector3d& r) const;
+  Eigen::Vector3d vertex(int i) const { return R_WB_ * body_.spec->mesh_B.vertices.col(i); }
+  const hydro::Hull& hull(int pocket) const { return held_.interior->pockets[pocket]; }
+  double volume_up_to(int pocket, double level) const {
+    return hydro::water_up_to(hull(pocket), R_WB_, level).volume;
+  }
+
+  void add_edge(const hydro::SillEdge& edge, Stream& stream) const;
+  void run_over(Sill from, Sill to, double h);
+  void run_through(std::size_t opening, double h);
+  double head(int space, const Eigen::Vector3d& r) const;
+  double equalising(int from, int to, const Stream& stream) const;
+  void exchange(int first, int second, const Stream& stream, double h);
+  bool is_joined(int pocket, const Stream& stream) const;
+  void set_volume(int pocket, double volume);
+  void flood(int pocket);
+  void part();
+  double spill_of(const std::vector<int>& group, bool into_sea = false) const;
+
+  const Body& body_;
+  const hydro::Sea& sea_;
+  const hydro::BodyState& state_;
+  double time_;
+  Eigen::Matrix3d R_WB_;
+  const hydro::Pockets& division_;
+  HeldWater& held_;
+};
+
+double Flooding::sea_level(const Eigen::Vector3d& r) const {
+  const Eigen::Vector3d p = state_.position + r;
+  return sea_.level - state_.position.z() + hydro::surface_elevation(sea_, p.x(), p.y(), time_);
+}
+
+double Flooding::level(int space, const Eigen::Vector3d& r) const {
+  if (is_sea(space)) return sea_level(r);
+  const PocketContent& content = held_.pockets[space];
+  return content.volume > 0 ? content.surface.level : -HUGE_VAL;
+}
+
+/// Adds what runs over an edge of a sill.
+void Flooding::add_edge(const hydro::SillEdge& edge, Stream& stream) const {
+  const std::array<Eigen::Vector3d, 2> end = {vertex(edge.from), vertex(edge.to)};
+  std::array<double, 2> first, second, head;
+  for (int i = 0; i < 2; ++i) {
+    first[i] = level(edge.pocket, end[i]) - end[i].z();
+    second[i] = level(edge.other, end[i]) - end[i].z();
+    head[i] = std::max(first[i], second[i]);
+    stream.lowest = std::min(stream.lowest, end[i].z());
+    stream.submerged = stream.submerged && second[i] > 0;
+  }
+  if (std::max(head[0], head[1]) <= 0) return;
+  // The part of the edge under water.
+  double from = 0, to = 1;
+  if (head[0] < 0) from = std::isfinite(head[0]) ? head[0] / (head[0] - head[1]) : 1;
+  if (head[1] < 0) to = std::isfinite(head[1]) ? head[0] / (head[0] - head[1]) : 0;
+  const double length = (to - from) * (end[1] - end[0]).head<2>().norm();
+  for (int k = 0; k < 3 && length > 0; ++k) {
+    const double s = from + kPoint[k] * (to - from);
+    const auto at = [s](const std::array<double, 2>& ends) {
+      return std::isfinite(ends[0] + ends[1]) ? ends[0] + s * (ends[1] - ends[0]) : -HUGE_VAL;
+    };
+    const double in = weir_flow(at(second), at(first), sea_.gravity);
+    const double out = weir_flow(at(first), at(second), sea_.gravity);
+    const double weight = kWeight[k] * length;
+    stream.rate += weight * (at(second) > at(first) ? in : -out);
+    stream.length += weight;
+    stream.sea_level += weight * (at(second) + end[0].z() + s * (end[1].z() - end[0].z()));
+  }
+}
+
+void Flooding::run_over(Sill from, Sill to, double h) {
+  const int first = from->pocket, second = from->other;
+  if (is_sea(first) && is_sea(second)) return;
+  Stream stream;
+  for (Sill edge = from; edge != to; ++edge) add_edge(*edge, stream);
+  if (!(stream.length > 0)) return;
+  stream.sea_level /= stream.length;
+  if (is_sea(first)) {
+    // The other pocket is the one that may be flooded.
+    Stream turned = stream;
+    turned.rate = -stream.rate;
+    turned.sea_level = sea_level(vertex(from->from));
+    exchange(second, kSea, turned, h);
+    if (is_joined(second, turned)) flood(second);
+  } else {
+    exchange(first, second, stream, h);
+    if (is_sea(second) && is_joined(first, stream)) flood(first);
+  }
+}
+
+/// Head of the pressure on one side of an opening; 0 above the water.
+double Flooding::head(int space, const Eigen::Vector3d& r) const {
+  const double depth = level(space, r) - r.z();
+  if (!(depth > 0)) return 0;
+  if (!is_sea(space)) return depth;
+  return std::max(0.0, hydro::AiryWaves(sea_, time_).at(state_.position + r, depth).head);
+}
+
+void Flooding::run_through(std::size_t opening, double h) {
+  const auto [first, second] = held_.openings[opening];
+  if (first == second || (is_sea(first) && is_sea(second))) return;
+  const Opening& hole = body_.spec->openings[opening];
+  const Eigen::Vector3d r = R_WB_ * hole.at_B;
+  const int inner = is_sea(first) ? second : first, outer = is_sea(first) ? first : second;
+  const double difference = head(outer, r) - head(inner, r);
+  if (difference == 0) return;
+  Stream stream{
+      .rate = hole.discharge * hole.area *
+              std::copysign(std::sqrt(2 * sea_.gravity * std::abs(difference)), difference),
+      .lowest = r.z()};
+  if (is_sea(outer)) stream.sea_level = r.z() + head(outer, r);
+  exchange(inner, outer, stream, h);
+}
+
+/// The volume that makes the levels of two spaces equal, or the higher one that of the sill.
+double Flooding::equalising(int from, int to, const Stream& stream) const {
+  const auto level_of = [&](int space) {
+    return is_sea(space) ? stream.sea_level : held_.pockets[space].surface.level;
+  };
+  const bool filled = is_sea(to) || held_.pockets[to].volume > 0;
+  const double high = level_of(from);
+  const double low = std::max(stream.lowest, filled ? level_of(to) : -HUGE_VAL);
+  const double lacking =
+      is_sea(to) ? HUGE_VAL : std::max(0.0, volume_up_to(to, high) - held_.pockets[to].volume);
+  const double spare =
+      is_sea(from) ? HUGE_VAL : std::max(0.0, held_.pockets[from].volume - volume_up_to(from, low));
+  if (low > stream.lowest && std::isfinite(lacking) && std::isfinite(spare) && lacking + spare > 0)
+    return lacking * spare / (lacking + spare);
+  return std::min(lacking, spare);
+}
+
+/// Lets a stream run into the first space, a pocket, for a time h.
+void Flooding::exchange(int first, int second, const Stream& stream, double h) {
+  const bool in = stream.rate > 0;
+  const double whole = equalising(in ? second : first, in ? first : second, stream);
+  const double volume = limited_flow(std::abs(stream.rate) * h, whole);
+  if (volume > 0) {
+    const double change = in ? volume : -volume;
+    set_volume(first, held_.pockets[first].volume + change);
+    if (!is_sea(second)) set_volume(second, held_.pockets[second].volume - change);
+  }
+}
+
+/// True if the sea above a sill and the water in a full pocket behind it are one.
+bool Flooding::is_joined(int pocket, const Stream& stream) const {
+  const double over = stream.sea_level - stream.lowest;
+  const double level = held_.pockets[pocket].surface.level;
+  const bool near = std::abs(stream.sea_level - level) <= kJoinedHead * over;
+  const double whole = volume_up_to(pocket, spill_of({pocket}));
+  // A pocket whose mouth looks down holds nothing.
+  const bool turned = whole <= kLastWater * division_.pockets[pocket].capacity;
+  return over > 0 && (stream.submerged || near || turned) && held_.pockets[pocket].volume >= whole;
+}
+
+/// Gives a pocket another volume of water, and its mass another place if some has come in.
+void Flooding::set_volume(int pocket, double volume) {
+  PocketContent& content = held_.pockets[pocket];
+  const double before = content.volume;
+  // What runs out ever slower ends at nothing, and what is less than the round-off of a body's
+  // volumes has no surface that could be found.
+  const double size = std::max(division_.pockets[pocket].capacity, std::pow(body_.radius, 3));
+  if (volume <= kLastWater * size) volume = 0;
+  content.inflow += volume - before;
+  content.volume = volume;
+  if (!(volume > 0)) return;
+  const hydro::WaterInside water = hydro::water_of(hull(pocket), R_WB_, volume, content.surface);
+  content.surface = {water.level, water.area};
+  if (volume <= before) return;
+  const Eigen::Vector3d come = R_WB_.transpose() * hydro::centroid_of(hull(pocket), R_WB_, water);
+  content.centre_B = (before * content.centre_B + (volume - before) * come) / volume;
+  if (before == 0) content.up_B = R_WB_.row(2);
+}
+
+/// Makes a pocket part of the sea. It carries the most water that it has held, and would hold up to
+/// its spill height since.
+void Flooding::flood(int pocket) {
+  PocketContent& content = held_.pockets[pocket];
+  content.flooded = true;
+  content.surface.level = spill_of({pocket});
+  const double whole = volume_up_to(pocket, content.surface.level);
+  if (whole > content.volume) set_volume(pocket, whole);
+}
+
+/// The height above which a group of pockets overflows into others, or into the sea alone.
+double Flooding::spill_of(const std::vector<int>& group, bool into_sea) const {
+  double spill = HUGE_VAL;
+  for (const hydro::SillEdge& edge : division_.sills) {
+    const auto in = [&](int space) {
+      return std::find(group.begin(), group.end(), space) != group.end();
+    };
+    const int outside = in(edge.pocket) ? edge.other : edge.pocket;
+    if (in(edge.pocket) != in(edge.other) && (is_sea(outside) || !into_sea))
+      spill = std::min({spill, vertex(edge.from).z(), vertex(edge.to).z()});
+  }
+  return spill;
+}
+
+/// Parts flooded pockets from the sea that no water above a sill connects with it.
+void Flooding::part() {
+  const int n = static_cast<int>(held_.pockets.size());
+  std::vector<int> group(n);
+  for (int i = 0; i < n; ++i) group[i] = held_.pockets[i].flooded ? i : n;
+  const auto of = [&](int space) { return space == kSea ? kSea : group[space]; };
+  for (const hydro::SillEdge& edge : division_.sills) {
+    const int a = of(edge.pocket), b = of(edge.other);
+    if (a == n || b == n || a == b) continue;
+    const auto under_water = [&](int v) { return sea_level(vertex(v)) > vertex(v).z(); };
+    if (!under_water(edge.from) && !under_water(edge.to)) continue;
+    std::replace(group.begin(), group.end(), std::max(a, b), std::min(a, b));
+  }
+  std::vector<std::vector<int>> parted(n);
+  for (int i = 0; i < n; ++i)
+    if (0 <= group[i] && group[i] < n) parted[group[i]].push_back(i);
+  // Those that part at once are no longer sea for one another.
+  for (const std::vector<int>& pockets : parted)
+    for (const int i : pockets) held_.pockets[i].flooded = false;
+  for (const std::vector<int>& pockets : parted) {
+    if (pockets.empty()) continue;
+    // Over lower sills it runs into other pockets, not at once.
+    double spill = spill_of(pockets, true);
+    if (!std::isfinite(spill)) spill = spill_of(pockets);
+    for (const int i : pockets) {
+      held_.pockets[i].surface.level = spill;
+      set_volume(i, volume_up_to(i, spill));
+    }
+  }
+}
+
+bool Flooding::differs(const hydro::BodyState& there, double later) const {
+  const auto sea_over = [&](const hydro::BodyState& s, double time) {
+    return hydro::surface_height(sea_, s.position.x(), s.position.y(), time) - s.position.z();
+  };
+  const double rise = sea_over(there, time_ + later) - sea_over(state_, time_);
+  const Eigen::RowVector3d up_there = there.orientation.toRotationMatrix().row(2);
+  const auto differs = [&](const Eigen::Vector3d& p_B, int space) {
+    const Eigen::Vector3d r = R_WB_ * p_B;
+    const double over = level(space, r) - r.z();
+    const double over_there = over + r.z() - up_there.dot(p_B) + (is_sea(space) ? rise : 0);
+    return std::max(over, over_there) > 0 && std::abs(over_there - over) > std::abs(over) / 2;
+  };
+  const Eigen::Matrix3Xd& vertices = body_.spec->mesh_B.vertices;
+  for (const hydro::SillEdge& edge : division_.sills)
+    for (const int v : {edge.from, edge.to})
+      if (differs(vertices.col(v), edge.pocket) || differs(vertices.col(v), edge.other))
+        return true;
+  for (std::size_t i = 0; i < held_.openings.size(); ++i)
+    for (const int space : held_.openings[i])
+      if (differs(body_.spec->openings[i].at_B, space)) return true;
+  return false;
+}
+
+void Flooding::run(double h) {
+  part();
+  for (std::size_t i = 0; i < held_.pockets.size(); ++i)
+    if (held_.pockets[i].flooded) flood(static_cast<int>(i));
+  for (Sill from = division_.sills.begin(); from != division_.sills.end();) {
+    const Sill to = std::find_if(from, division_.sills.end(), [&](const hydro::SillEdge& edge) {
+      return edge.pocket != from->pocket || edge.other != from->other;
+    });
+    run_over(from, to, h);
+    from = to;
+  }
+  for (std::size_t i = 0; i < held_.openings.size(); ++i) run_through(i, h);
+}
+
+/// True if water may run for a time h about the end of a way.
+bool may_run(const Body& body, const HeldWater& held, const SubstepWay& way, double h) {
+  if (!held.interior) return false;
+  const auto dips = [&](double time) {
+    return lowest_sill(body, held, way.at(time)) < body.environment.highest;
+  };
+  return held.holds() || !held.openings.empty() || dips(0) || dips(-h / 2) || dips(h / 2);
+}
+
+/// Updates the surfaces, and the places of masses of which the body has turned far since.
+void settle(const Eigen::Matrix3d& R_WB, HeldWater& held) {
+  const Eigen::Vector3d up_B = R_WB.row(2);
+  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+    PocketContent& content = held.pockets[i];
+    if (content.flooded || !(content.volume > 0)) continue;
+    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume, content.surface);
+    content.surface = {water.level, water.area};
+    if (up_B.dot(content.up_B) > kKeptMassTurn) continue;
+    content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
+    content.up_B = up_B;
+  }
+}
+
+/// The water after it has run for a time h about the end of a way at `time` [s].
+std::shared_ptr<HeldWater> run_water(const Body& body, const SubstepWay& way, double time, double h,
+                                     const HeldWater& held) {
+  auto water = std::make_shared<HeldWater>(held);
+  const hydro::BodyState end = way.at(0);
+  Flooding whole(body, end, time, *water);
+  if (!whole.differs(way.at(-h / 2), -h / 2) && !whole.differs(way.at(h / 2), h / 2)) {
+    whole.run(h);
+    constexpr auto flooded = &PocketContent::flooded;
+    if (std::ranges::equal(held.pockets, water->pockets, {}, flooded, flooded)) return water;
+  }
+  *water = held;
+  for (int i = 0; i < kWaterParts; ++i) {
+    const double since = ((i + 0.5) / kWaterParts - 0.5) * h;
+    Flooding(body, way.at(since), time + since, *water).run(h / kWaterParts);
+  }
+  return water;
+}
+
+}  // namespace
+
+double weir_flow(double upstream, double downstream, double gravity) {
+  if (!(upstream > 0)) return 0;
+  const double free = std::pow(2.0 / 3, 1.5) * std::sqrt(gravity) * std::pow(upstream, 1.5);
+  if (!(downstream > 0)) return free;
+  if (downstream >= upstream) return 0;
+  return free * std::pow(1 - std::pow(downstream / upstream, 1.5), 0.385);
+}
+
+double limited_flow(double volume, double equalising) {
+  if (!(volume < 2 * equalising)) return equalising;
+  return volume - volume * volume / (4 * equalising);
+}
+
+void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
+                   Motion& motion) {
+  if (!motion.held || (!motion.held->holds() && !may_be_wet(body, motion.state))) return;
+  const std::shared_ptr<const HeldWater> old = motion.held;
+  motion.held = divided_for(body, before, motion.state, time, old);
+  const SubstepWay way(before, motion.state, h);
+  if (may_run(body, *motion.held, way, h)) {
+    const auto after = run_water(body, way, time, h, *motion.held);
+    settle(motion.state.orientation.toRotationMatrix(), *after);
+    after->inertia_B = water_inertia(after->pockets, body.environment.sea->density);
+    if (after->pockets != motion.held->pockets) motion.held = after;
+  }
+  const Matrix6d change = motion.held->inertia_B - old->inertia_B;
+  if (!body.has_added_mass || change.isZero(0)) return;
+  const double jump = std::abs(change(0, 0)) / (body.rigid_B + motion.added()).diagonal()[0];
+  motion = share_momentum(body, motion, motion.added() + change);
+  if (jump <= kMassJump) return;
+  // Accelerations and reactions of another mass tell nothing of the next ones.
+  motion.accelerations.clear();
+  motion.load_acceleration_W.reset();
+}
+
+}  // namespace engine

@@ -1,0 +1,167 @@
+#include "engine/motion/held_water.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/motion/body.h"
+#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/places.h"
+#include "hydro/statics/buoyancy_energy.h"
+
+namespace engine {
+namespace {
+
+/// A point of mass 1 at r, about the origin.
+Matrix6d unit_mass_at(const Eigen::Vector3d& r) {
+  Eigen::Matrix<double, 3, 6> J;
+  J.leftCols<3>().setIdentity();
+  J.rightCols<3>() << 0, r.z(), -r.y(),  //
+      -r.z(), 0, r.x(),                  //
+      r.y(), -r.x(), 0;
+  return J.transpose() * J;
+}
+
+/// Only the pressure of the water acts.
+hydro::Coefficients pressure_alone(const Body& body) {
+  hydro::Coefficients coefficients{.pressure_drag = {0, 0}, .lift = 0};
+  coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
+  coefficients.buoyancy = body.spec->coefficients.buoyancy;
+  return coefficients;
+}
+
+/// Puts the water of the specification into the pockets.
+void fill(const Body& body, const Eigen::Matrix3d& R_WB, HeldWater& held) {
+  const Eigen::Vector3d up_B = R_WB.row(2);
+  for (const WaterAtStart& water : body.spec->interior_water) {
+    const int pocket =
+        held.interior
+            ? hydro::pocket_under(body.spec->mesh_B, held.interior->division, water.at_B, up_B)
+            : hydro::kSea;
+    if (pocket == hydro::kSea)
+      throw std::invalid_argument(
+          fmt::format("body '{}': there is no pocket at the water inside", body.spec->name));
+    held.pockets[pocket].volume += water.volume;
+  }
+  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+    PocketContent& content = held.pockets[i];
+    if (!content.holds()) continue;
+    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume);
+    content.surface = {water.level, water.area};
+    content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
+    content.up_B = up_B;
+  }
+  held.inertia_B = water_inertia(held.pockets, body.environment.sea->density);
+}
+
+bool has_all_pockets(const Body& body, const HeldWater& held) {
+  return held.interior &&
+         hydro::is_convex(hydro::with_closed_mouths(body.spec->mesh_B, held.interior->division));
+}
+
+void find_sides(const Body& body, HeldWater& held) {
+  held.openings.clear();
+  if (!held.interior) return;
+  for (const Opening& opening : body.spec->openings) {
+    const auto [near, far] = hydro::wall_at(body.spec->mesh_B, opening.at_B).face;
+    const std::vector<int>& pocket_of = held.interior->division.pocket_of_face;
+    held.openings.push_back(
+        {near < 0 ? hydro::kSea : pocket_of[near], far < 0 ? hydro::kSea : pocket_of[far]});
+  }
+}
+
+}  // namespace
+
+bool HeldWater::holds() const {
+  return std::any_of(pockets.begin(), pockets.end(), [](const auto& p) { return p.holds(); });
+}
+
+bool holds_water(const Motion& motion) { return motion.held && motion.held->holds(); }
+
+std::shared_ptr<HeldWater> dry_pockets(const Body& body, const Eigen::Vector3d& up_B) {
+  if (!body.hollow) return nullptr;
+  auto held = std::make_shared<HeldWater>();
+  held->interior = hydro::make_interior(body.spec->mesh_B, up_B);
+  held->found_up_B = up_B;
+  held->known_up_B = {up_B};
+  if (held->interior) held->pockets.resize(held->interior->pockets.size());
+  for (PocketContent& pocket : held->pockets) pocket.id = held->next_id++;
+  find_sides(body, *held);
+  held->has_all = has_all_pockets(body, *held);
+  return held;
+}
+
+std::shared_ptr<const HeldWater> water_at_start(const Body& body, const hydro::BodyState& state) {
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const std::shared_ptr<HeldWater> held = dry_pockets(body, R_WB.row(2));
+  if (held) fill(body, R_WB, *held);
+  return held;
+}
+
+std::shared_ptr<const HeldWater> completed(const Body& body,
+                                           const std::shared_ptr<const HeldWater>& held) {
+  if (!held || held->interior || held->pockets.empty()) return held;
+  auto whole = std::make_shared<HeldWater>(*held);
+  whole->interior = hydro::make_interior(body.spec->mesh_B, held->found_up_B);
+  return whole;
+}
+
+bool fits_water(const Body& body, const Motion& motion) {
+  if (body.hollow != (motion.held != nullptr)) return false;
+  if (!body.hollow) return true;
+  const auto held = completed(body, motion.held);
+  return held->pockets.size() == (held->interior ? held->interior->pockets.size() : 0);
+}
+
+Matrix6d water_inertia(const std::vector<PocketContent>& pockets, double density) {
+  Matrix6d sum = Matrix6d::Zero();
+  for (const PocketContent& pocket : pockets)
+    if (pocket.volume > 0) sum += density * pocket.volume * unit_mass_at(pocket.centre_B);
+  return sum;
+}
+
+const hydro::Hull& sea_hull(const Body& body, const Motion& motion) {
+  return motion.held && motion.held->interior ? motion.held->interior->outside : *body.hull;
+}
+
+void add_held_loads(const Body& body, const HeldWater& held, const hydro::BodyState& state,
+                    double time, hydro::Loads& loads) {
+  const hydro::Sea& sea = *body.environment.sea;
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+    const PocketContent& content = held.pockets[i];
+    if (!content.holds()) continue;
+    const hydro::Hull& hull = held.interior->pockets[i];
+    if (content.flooded) {
+      loads +=
+          hydro::compute_loads(hull, state, sea, time, pressure_alone(body), body.spec->summation);
+    } else {
+      const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume, content.surface);
+      loads.interior += sea.density * sea.gravity * water.push;
+    }
+  }
+}
+
+double held_energy(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
+  const hydro::Sea& sea = *body.environment.sea;
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  double energy = 0;
+  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+    const PocketContent& content = held.pockets[i];
+    if (!content.holds()) continue;
+    const hydro::Hull& hull = held.interior->pockets[i];
+    if (content.flooded) {
+      energy += hydro::buoyancy_energy(hull, state, sea);
+    } else {
+      const double level = hydro::water_of(hull, R_WB, content.volume, content.surface).level;
+      const double height = state.position.z() + level - sea.level;
+      energy += sea.density * sea.gravity *
+                (content.volume * height - hydro::depth_moment(hull, R_WB, level));
+    }
+  }
+  return energy;
+}
+
+}  // namespace engine

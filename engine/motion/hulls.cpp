@@ -1,0 +1,26 @@
+#include "engine/motion/hulls.h"
+
+#include <algorithm>
+
+namespace engine {
+
+const hydro::TriMesh& water_mesh(const BodySpec& spec) {
+  return spec.interior == Interior::dry ? outside_B(spec) : spec.mesh_B;
+}
+
+std::shared_ptr<const hydro::Hull> Hulls::of(const BodySpec& spec) {
+  if (spec.hull) return spec.hull;
+  const hydro::TriMesh& mesh_B = water_mesh(spec);
+  const auto same = std::find_if(hulls_.begin(), hulls_.end(), [&](const auto& hull) {
+    return hydro::same_mesh(hull->mesh_B, mesh_B);
+  });
+  if (same != hulls_.end()) return *same;
+  return hulls_.emplace_back(std::make_shared<const hydro::Hull>(hydro::make_hull(mesh_B)));
+}
+
+void keep_hulls(SimulationSpec& spec, Hulls& hulls) {
+  for (BodySpec& body : spec.bodies)
+    if (body.wet && spec.sea) body.hull = hulls.of(body);
+}
+
+}  // namespace engine

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "engine/motion/acceleration_history.h"
+#include "engine/motion/held_water.h"
+#include "engine/motion/wave_memory.h"
+#include "engine/motion/work_record.h"
+
+/// @file
+/// The changing side of a body: everything that one step leaves to the next. A motion is a value; a
+/// copy of it restores the body.
+
+namespace engine {
+
+struct Motion {
+  hydro::BodyState state;
+  /// Velocity of the water about the body, constant for a substep, to which u is relative [m/s].
+  /// The substep sets it.
+  Eigen::Vector3d flow = Eigen::Vector3d::Zero();
+  // Motions are copied often, and most have no added mass.
+  std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
+  std::optional<WaveMemory> memory;       ///< Of a body that radiates waves.
+  std::shared_ptr<const HeldWater> held;  ///< Null: the body cannot have pockets.
+  AccelerationHistory accelerations;      ///< Empty after contacts and other jumps.
+  bool constrained = false;               ///< Joints or contacts acted in the last substep.
+  /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
+  /// [m/s^2]; none after a free substep.
+  std::optional<Eigen::Vector3d> load_acceleration_W;
+  /// Change of velocity a second by loads and reactions in the last substep, in W.
+  Vector6d acceleration_W = Vector6d::Zero();
+  /// Limit of the next substep by the last impact [s].
+  double longest_after_impact = std::numeric_limits<double>::infinity();
+  std::optional<WorkRecord> work;  ///< For a log of forces.
+
+  /// A in B.
+  const Matrix6d& added() const {
+    static const Matrix6d none = Matrix6d::Zero();
+    return added_B ? *added_B : none;
+  }
+};
+
+}  // namespace engine

@@ -1,0 +1,99 @@
+#include "engine/motion/moving_body.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/stopwatch.h"
+
+namespace engine {
+namespace {
+
+/// The load at a time: moment about the centre of mass, in W.
+hydro::Wrench wrench(const AppliedLoad& load, const hydro::BodyState& state, double time,
+                     const SetPoints* set_points) {
+  // A multiple of the step differs from the time as written by round-off.
+  const double later = time + 1e-12 * std::abs(time);
+  if (later < load.start || later >= load.end) return {};
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Eigen::Vector3d force = load.in_body_frame ? R_WB * load.force : load.force;
+  const Eigen::Vector3d torque = load.in_body_frame ? R_WB * load.torque : load.torque;
+  const hydro::Wrench whole{.force = force, .moment = torque + (R_WB * load.at_B).cross(force)};
+  if (load.factor) return set_points->value(*load.factor, time) * whole;
+  if (!load.sine) return whole;
+  return std::sin(2 * std::numbers::pi * load.sine->frequency * time + load.sine->phase) * whole;
+}
+
+}  // namespace
+
+std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
+                                         double time) {
+  std::vector<hydro::Wrench> loads;
+  for (const AppliedLoad& load : moving.body.spec->loads)
+    loads.push_back(wrench(load, state, time, moving.set_points));
+  for (const AppliedLoad& load : moving.inputs.loads)
+    loads.push_back(wrench(load, state, time, moving.set_points));
+  if (moving.inputs.pull) {
+    const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+    loads.push_back(
+        wrench(*moving.inputs.pull, inertia_W(moving.body, moving.motion, R_WB), state));
+  }
+  return loads;
+}
+
+hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
+                         double time) {
+  const hydro::Sea* sea = body.environment.sea;
+  hydro::Loads loads;
+  if (body.wet)
+    loads = hydro::compute_loads(sea_hull(body, motion), state, *sea, time, body.spec->coefficients,
+                                 body.spec->summation);
+  if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
+  if (!body.has_wave_load) return loads;
+  if (body.spec->radiation)
+    loads.diffraction = body.spec->radiation->wave_load(state, *sea, time);
+  else
+    loads.wave_inertia = body.spec->added_mass->wave_load(state, *sea, time);
+  return loads;
+}
+
+hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time) {
+  const BodySpec& spec = *moving.body.spec;
+  LoadCache& cache = moving.cache;
+  BodyLoads& loads = cache.loads;
+  loads.applied = applied_loads(moving, state, time);
+  loads.weight = {.force = {0, 0, -spec.mass * moving.body.environment.gravity}};
+  loads.lines = moving.rig_load;
+  if (moving.machines) loads.machines = moving.machines->load(moving.id, state, time);
+  const bool meets_water = moving.body.wet || moving.body.has_wave_load;
+  const bool stays_dry =
+      meets_water && !holds_water(moving.motion) && !may_be_wet(moving.body, state);
+  moving.counts.dry += stays_dry;
+  if (stays_dry && !moving.body.feels_air) {
+    loads.water = {};
+    cache.water_state.reset();
+  } else if (meets_water && cache.water_state == state && cache.held == moving.motion.held) {
+    ++moving.counts.resting;
+  } else if (meets_water) {
+    const Stopwatch stopwatch(cache.seconds);
+    loads.water = water_loads(moving.body, moving.motion, state, time);
+    cache.held = moving.motion.held;
+    cache.water_state.reset();
+    if (!hydro::changes_with_time(*moving.body.environment.sea)) cache.water_state = state;
+  }
+  const hydro::Wrench total = loads.total();
+  if (!total.force.allFinite() || !total.moment.allFinite())
+    throw MotionFault(moving.body, load_fault(loads));
+  return total;
+}
+
+void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state) {
+  moving.cache.water_state.reset();
+  if (water_state && moving.body.wet) find_loads(moving, *water_state, 0);
+}
+
+void check_state(const MovingBody& moving, const hydro::BodyState& state) {
+  if (const auto fault = state_fault(state))
+    throw MotionFault(moving.body, *fault + " after the step; " + largest_load(moving.cache.loads));
+}
+
+}  // namespace engine

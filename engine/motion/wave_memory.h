@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "engine/base/spatial_vector.h"
+#include "hydro/radiation/wave_frame.h"
+
+/// @file
+/// The waves that a floating body has made and that still act on it, as the damped oscillators q of
+/// hydro/radiation/radiation_memory.h: a load that is linear in the body's velocity u relative to
+/// the current, with a state of its own. With p = q' and the port B turned to W,
+///
+///     p' + D p + Ω² q = B u,      F = −Bᵀ p,      D and Ω diagonal.
+///
+/// A substep of length h takes it by the implicit midpoint rule. With G = 1 + ½h D + ¼h² Ω², C = Bᵀ
+/// G⁻¹ B and the means ū and p̄ of its two ends,
+///
+///     p̄ = G⁻¹ (p + ½h (B ū − Ω² q)),      q₁ = q + h p̄,      p₁ = 2p̄ − p                   (E18)
+///     F̄ = −Bᵀ p̄ = f − ¼h C Δu,      f = −BᵀG⁻¹ (p − ½h Ω² q) − ½h C ū₀                      (E19)
+///
+/// where ū₀ is ū without Δu. So S Δu = h (F + F̄) is (S + ¼h² C) Δu = h (F + f): the memory adds
+/// inertia to an update, and a load that is known before it.
+///
+/// Stability. The energy ½ (p² + q·Ω² q) of the memory grows by h (p̄·B ū − p̄·D p̄), exactly and for
+/// any h, of which the first term is what F̄ takes from the body.
+///
+/// B is that of the frame H, which follows the body's wetted shape (hydro/radiation/wave_frame.h).
+/// As the body leaves the water B is multiplied by the root of its presence (floating_body.h
+/// there), and the oscillators move on without it.
+
+namespace engine {
+
+struct Body;
+struct MidpointState;
+struct Motion;
+
+/// The oscillators' state.
+struct WaveMemory {
+  Eigen::VectorXd q;  ///< [√J s]
+  Eigen::VectorXd p;  ///< [√J]
+};
+
+/// What depends on the body and h alone.
+struct WaveMemoryRule {
+  double h = 0;                          ///< [s]
+  Eigen::VectorXd inverse;               ///< The diagonal of G⁻¹.
+  Matrix6d coupling = Matrix6d::Zero();  ///< C in H for water of density 1.
+};
+
+/// What a body's memory does in an update, in W.
+struct MemoryEffect {
+  double strength = 0;     ///< Of the port, by density and presence.
+  hydro::WaveFrame frame;  ///< H
+  Matrix6d inertia;        ///< ¼h² C
+  Vector6d load;           ///< f
+  Vector6d current;        ///< Velocity relative to the current less that of the update.
+
+  /// h F̄ for the change Δu of the velocity.
+  Vector6d impulse(const Vector6d& change, double h) const { return h * load - inertia * change; }
+};
+
+/// The memory of a body at rest; none for a body without one.
+std::optional<WaveMemory> still_memory(const Body& body);
+
+/// True if the motion's memory is one of this body.
+bool fits_memory(const Body& body, const Motion& motion);
+
+/// The effect of the memory; none for a body without one.
+/// @param time   Halfway through the substep [s].
+/// @param rule   Is made that of h.
+std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState& midpoint,
+                                          double time, double h, WaveMemoryRule& rule);
+
+/// Takes the memory of the motion `end` through the substep, with the change Δu of the velocity.
+void advance_memory(const Body& body, const MidpointState& midpoint, const Vector6d& change,
+                    const WaveMemoryRule& rule, Motion& end);
+
+/// ½ (p² + q·Ω² q) [J]; 0 without a memory.
+double memory_energy(const Body& body, const Motion& motion);
+
+/// F = −Bᵀ p at an instant [s], in W; zero without a memory.
+Vector6d memory_load(const Body& body, const Motion& motion, double time);
+
+}  // namespace engine

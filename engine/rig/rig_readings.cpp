@@ -1,0 +1,176 @@
+#include "engine/base/rig_readings.h"
+
+#include <cmath>
+
+#include "engine/rig/rig.h"
+
+namespace engine {
+namespace {
+
+using Eigen::Vector3d;
+using Quantity = Measurement::Quantity;
+
+/// Heading, pitch or roll of the body's axes: those of R = R_z(heading) R_y(pitch) R_x(roll).
+double attitude(Quantity quantity, const Eigen::Quaterniond& q) {
+  const Eigen::Matrix3d R = q.toRotationMatrix();
+  if (quantity == Quantity::heading) return std::atan2(R(1, 0), R(0, 0));
+  if (quantity == Quantity::pitch) return -std::asin(std::clamp(R(2, 0), -1.0, 1.0));
+  return std::atan2(R(2, 1), R(2, 2));
+}
+
+double of_body(Quantity quantity, const hydro::BodyState& state, double level) {
+  switch (quantity) {
+    case Quantity::x:
+      return state.position.x();
+    case Quantity::y:
+      return state.position.y();
+    case Quantity::z:
+      return state.position.z();
+    case Quantity::depth:
+      return level - state.position.z();
+    case Quantity::speed:
+      return (state.orientation * Vector3d::UnitX()).dot(state.linear_velocity);
+    case Quantity::sway:
+      return (state.orientation * Vector3d::UnitY()).dot(state.linear_velocity);
+    case Quantity::turn_rate:
+      return state.angular_velocity.z();
+    default:
+      return attitude(quantity, state.orientation);
+  }
+}
+
+}  // namespace
+
+LineEnd Rig::end_now(const AttachmentPoint& point,
+                     const std::vector<hydro::BodyState>& states) const {
+  if (point.body == kWorld) return {.place_W = point.at};
+  const hydro::BodyState& state = states[point.body];
+  const Vector3d r = state.orientation * point.at;
+  return {.place_W = state.position + r,
+          .velocity_W = state.linear_velocity + state.angular_velocity.cross(r)};
+}
+
+LinePull Rig::pull_now(std::size_t index, const std::vector<hydro::BodyState>& states,
+                       double time) const {
+  const LineSpec& line = spec_->lines[index];
+  return pull_of(line, length_at(index, time), end_now(line.first, states),
+                 end_now(line.second, states), sea_, time, lines_[index].pull);
+}
+
+/// Of a row the mean over the last step, as the state at one time does not tell it.
+double Rig::tension_now(std::size_t index, const LinePull& pull, double h) const {
+  if (lines_[index].broken) return 0;
+  return is_row_[index] ? lines_[index].impulse / h : pull.tension;
+}
+
+JointBodies Rig::joint_bodies(std::size_t joint,
+                              const std::vector<hydro::BodyState>& states) const {
+  const auto state = [&](BodyId body) { return body == kWorld ? nullptr : &states[body]; };
+  return {state(spec_->joints[joint].first), state(spec_->joints[joint].second)};
+}
+
+double Rig::measure(const Measurement& of, const std::vector<hydro::BodyState>& states, double time,
+                    double h) const {
+  const std::size_t i = of.index;
+  switch (of.quantity) {
+    case Quantity::joint:
+      return drives_[i].coordinate.value(joint_bodies(i, states));
+    case Quantity::joint_speed:
+      return drives_[i].coordinate.rate(joint_bodies(i, states));
+    case Quantity::tension:
+      return tension_now(i, pull_now(i, states, time), h);
+    case Quantity::line_length:
+      return pull_now(i, states, time).distance;
+    default:
+      return of_body(of.quantity, states[i], sea_ ? sea_->level : 0);
+  }
+}
+
+LineReading Rig::line_reading(std::size_t index, const std::vector<hydro::BodyState>& states,
+                              double time, double h) const {
+  const LineSpec& line = spec_->lines[index];
+  const LinePull pull = pull_now(index, states, time);
+  LineReading reading{.tension = tension_now(index, pull, h),
+                      .distance = pull.distance,
+                      .length = length_at(index, time).length,
+                      .broken = lines_[index].broken,
+                      .first_W = end_now(line.first, states).place_W,
+                      .second_W = end_now(line.second, states).place_W};
+  reading.taut = reading.tension != 0;
+  if (reading.broken) return reading;
+  if (pull.catenary) reading.resting = pull.catenary->resting;
+  reading.force_W = pull.force_W;
+  if (is_row_[index] && pull.distance > 0)
+    reading.force_W = reading.tension / pull.distance * (reading.second_W - reading.first_W);
+  return reading;
+}
+
+JointReading Rig::joint_reading(std::size_t index, const std::vector<hydro::BodyState>& states,
+                                double time, double h) const {
+  const JointSpec& joint = spec_->joints[index];
+  JointReading reading{.force_W = joints_[index].force / h,
+                       .moment_W = joints_[index].moment / h,
+                       .place_W = drives_[index].coordinate.place_W(joint_bodies(index, states)),
+                       .effort = joints_[index].effort / h};
+  const Drive& drive = drives_[index];
+  if (!drive.has_coordinate) return reading;
+  const JointBodies bodies = joint_bodies(index, states);
+  reading.coordinate = drive.coordinate.value(bodies);
+  reading.speed = drive.coordinate.rate(bodies);
+  reading.effort +=
+      drive_load(joint.drive, *set_points_, time, reading.coordinate, reading.speed, drive.stiff);
+  return reading;
+}
+
+std::vector<hydro::Wrench> Rig::loads_now(const std::vector<hydro::BodyState>& states,
+                                          double time) const {
+  std::vector<hydro::Wrench> loads(states.size());
+  const auto add = [&](BodyId body, const Vector3d& force, const Vector3d& at_W) {
+    if (body == kWorld) return;
+    loads[body].force += force;
+    loads[body].moment += (at_W - states[body].position).cross(force);
+  };
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (is_row_[i] || lines_[i].broken) continue;
+    const LineSpec& line = spec_->lines[i];
+    const Vector3d force = pull_now(i, states, time).force_W;
+    add(line.first.body, force, end_now(line.first, states).place_W);
+    add(line.second.body, -force, end_now(line.second, states).place_W);
+  }
+  for (std::size_t i = 0; moordyn_ && i < states.size(); ++i)
+    moordyn_->add_load(static_cast<BodyId>(i), states[i], time, loads[i]);
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    const JointSpec& joint = spec_->joints[i];
+    if (!drives_[i].has_coordinate || !joint.drive.acts()) continue;
+    const JointCoordinate& coordinate = drives_[i].coordinate;
+    const JointBodies bodies = joint_bodies(i, states);
+    const Vector3d push = drive_load(joint.drive, *set_points_, time, coordinate.value(bodies),
+                                     coordinate.rate(bodies), drives_[i].stiff) *
+                          coordinate.axis_W(bodies);
+    for (const auto& [body, sign] : {std::pair(joint.first, -1.0), std::pair(joint.second, 1.0)}) {
+      if (coordinate.turns() && body != kWorld) loads[body].moment += sign * push;
+      if (!coordinate.turns()) add(body, sign * push, coordinate.place_W(bodies));
+    }
+  }
+  return loads;
+}
+
+RigReadings Rig::readings(const std::vector<hydro::BodyState>& states, double time,
+                          double h) const {
+  RigReadings readings;
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    readings.lines.push_back(line_reading(i, states, time, h));
+  for (std::size_t i = 0; i < joints_.size(); ++i)
+    readings.joints.push_back(joint_reading(i, states, time, h));
+  for (std::size_t i = 0; i < turns_.size(); ++i) {
+    readings.propellers.push_back(machines_->propeller(i, states[spec_->propellers[i].body], time));
+    readings.propellers.back().turn = turns_[i];
+  }
+  for (std::size_t i = 0; i < spec_->foils.size(); ++i)
+    readings.foils.push_back(machines_->foil(i, states[spec_->foils[i].body], time));
+  if (moordyn_) readings.moordyn = moordyn_->readings();
+  readings.set_points = set_points_->readings();
+  return readings;
+}
+
+}  // namespace engine

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/constraints/island.h"
+#include "engine/step/step_context.h"
+
+/// @file
+/// The change of velocity of bodies under joints, locks, contacts, lines and drives.
+///
+/// With S the effective inertia of a body and F its loads (velocity_update.h), R the reactions,
+///
+///     S Δu = h (F + R),                                                                    (E7)
+///
+/// where u + Δu and R = Jᵀp/h, and the reactions of locks, obey the rows of all constraints (E8).
+/// Locks are no rows: they leave S⁻¹ the velocities that they allow.
+///
+/// The step does not depend on a lagged acceleration: S has the whole added mass. Where the loads
+/// are stiff they are linearised about the change that the constraints lead to, and the constraints
+/// solved anew until both agree. In waves where they do not, the loads are linearised on finer
+/// pieces of the hull; where they still do not, the answer that is nearest to its linearisation
+/// counts.
+
+namespace engine {
+
+/// Solves (E7) for a constrained island whose midpoints are made; sets the update and the reactions
+/// of each body. Several islands may be solved at once.
+/// @param time   Halfway through the substep [s].
+void constrained_update(const StepContext& context, Island& island, double time, double h);
+
+}  // namespace engine
