@@ -191,9 +191,7 @@ inline constexpr double kBadProgress = 1.5;
 inline constexpr int kMostRowSteps = 5;  ///< Newton steps in a row.
 /// Rows of an island that takes Newton steps: with joints or lines, and with contacts alone.
 inline constexpr std::size_t kMostNewtonRows = 6000;
-inline constexpr std::size_t kMostContactRows = 150;
-/// Rows of an island under contacts alone whose Newton steps come before its sweeps.
-inline constexpr std::size_t kMostFirstRows = 36;
+inline constexpr std::size_t kMostContactRows = 600;
 /// Entries of the factors of an island's Newton steps that have not solved it, after which its
 /// bodies take only sweeps until the end of the step: some 2 s of work. Constraints that
 /// contradict each other are not solved by more of them.
@@ -227,8 +225,8 @@ inline constexpr double kRowCompliance = 1e-9;
 // ── Contacts (contacts.h) and impacts (impacts.h) ───────────────────────────────────────────────
 
 inline constexpr double kFriction = 0.5;           ///< Coulomb's µ where none is given [-].
-inline constexpr double kShortestContact = 0.01;   ///< Least time τ of a contact's spring [s].
-inline constexpr double kLeastGravity = 1;         ///< In (E13) and (E15) [m/s^2].
+inline constexpr double kShortestContact = 0.01;   ///< Least time τ in which overlap decays [s].
+inline constexpr double kLeastGravity = 1;         ///< In (E11) and (E15) [m/s^2].
 inline constexpr std::size_t kContactsOfPair = 8;  ///< Points kept where a mesh touches.
 inline constexpr std::size_t kContactsOfFace = 4;  ///< Points kept of boxes and planes.
 /// Creep on a slope is below this times g h [-]. Zero makes many points unsolvable.
@@ -268,8 +266,9 @@ inline constexpr int kMostPassingLooks = 2048;
 /// onset, over half the thinner body's thickness [-]. Beyond 1 a body may pass between two places.
 inline constexpr double kPassingLook = 0.5;
 inline constexpr double kPassingError = 1.0 / 32;
-/// Sink of a spring and damper at their critical damping, over v τ [-]: 1/e.
-inline constexpr double kSink = 0.3679;
+/// Depth of a contact at rest, over the thickness of the thinner body [-]. Larger: stacks sink in;
+/// smaller: bodies that turn on each other lose contact within a substep, and meet anew.
+inline constexpr double kContactDepth = 4e-4;
 /// Reach of trusted contact points, in steps of the relative motion [-].
 inline constexpr double kReachInSteps = 3;
 /// Margin of broad-phase boxes, over their longest side [-]. Larger: fewer searches, more pairs.

@@ -19,11 +19,9 @@ Eigen::Matrix<double, 1, 6> along(const Vector3d& direction, const Vector3d& arm
 ConstraintBlock contact_block(const Contact& contact, const Vector3d& first, const Vector3d& second,
                               double h) {
   const ContactPoint& point = contact.point;
-  const ContactStiffness& stiffness = contact.stiffness;
   ConstraintBlock block{.kind = ConstraintBlock::Kind::contact,
                         .bodies = {contact.pair.first, contact.pair.second},
-                        .limit = contact.friction,
-                        .fastest = stiffness.fastest};
+                        .limit = contact.friction};
   const Vector3d& normal = point.normal_W;
   const Vector3d tangent = normal.unitOrthogonal();
   const Vector3d axes[] = {normal, tangent, normal.cross(tangent)};
@@ -31,8 +29,8 @@ ConstraintBlock contact_block(const Contact& contact, const Vector3d& first, con
     block.J[0].row(i) = along(axes[i], point.position_W - first);
     block.J[1].row(i) = -along(axes[i], point.position_W - second);
   }
-  block.target[0] = stiffness.erp * point.depth / h + stiffness.speed;
-  block.compliance = Vector3d(stiffness.cfm, stiffness.slip, stiffness.slip) / h;
+  block.target[0] = contact.row.speed;
+  block.compliance = Vector3d::Constant(contact.row.compliance / h);
   return block;
 }
 

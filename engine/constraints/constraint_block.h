@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <limits>
 
 #include "engine/base/spatial_vector.h"
 #include "engine/constraints/force_row.h"
@@ -20,8 +19,7 @@
 ///
 ///     one-sided     p >= 0, and J u + D p >= c;
 ///     bounded       |p| <= limit;
-///     contact       row 1 is one-sided, and has the greater one of J u + D p − c and
-///                   J u + D₂ p − s in place of the first: its push ends at the speed s of (E13);
+///     contact       row 1 is one-sided;
 ///                   of rows 2 and 3, |(p₂, p₃)| <= µ p₁, and where that is an equality the rest
 ///                   of their (E8) is opposite to (p₂, p₃): Coulomb's law.
 
@@ -38,7 +36,6 @@ struct ConstraintBlock {
   Eigen::Vector3d target = Eigen::Vector3d::Zero();      ///< c [m/s, rad/s]
   Eigen::Vector3d compliance = Eigen::Vector3d::Zero();  ///< D [1/kg, 1/(kg m^2)]
   double limit = 0;  ///< Largest impulse of a bounded row [N s, N m s]; µ of a contact [-].
-  double fastest = std::numeric_limits<double>::infinity();  ///< s of a contact [m/s].
 };
 
 /// The rows of a contact: along its normal, into the first body, and along two tangents.

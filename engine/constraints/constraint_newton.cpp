@@ -35,10 +35,9 @@ struct Equations {
 
 Equations contact_equations(const PreparedBlock& block, const Vector3d& p, const Vector3d& v) {
   Equations e{.b = -p, .compliance = block.compliance()};
-  const auto [push, missed, compliance] = block.push_along_normal(p[0], v[0]);
+  const double push = block.push_along_normal(p[0], v[0]);
   if (!(push > 0)) return e;
-  e.hold(0, missed);
-  e.compliance[0] = compliance;
+  e.hold(0, v[0]);
   const double friction = block.block().limit;
   const double omega = block.sliding_response();
   const Vector2d t = p.tail<2>() - v.tail<2>() / omega;

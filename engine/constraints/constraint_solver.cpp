@@ -87,7 +87,7 @@ class Iteration {
 
   ConstraintSolution run() {
     missed_ = swept();
-    if (begins_with_newton_steps()) take_newton_steps();
+    if (takes_newton_steps_) take_newton_steps();
     while (!converged() && sweeps_ < (accepted() || jointed_ ? kMostSweeps : kMostHeapSweeps)) {
       take_sweeps(jointed_ ? kSweepsBetween : kSweepsOfContacts);
       if (takes_newton_steps_ && !converged()) take_newton_steps();
@@ -102,9 +102,6 @@ class Iteration {
  private:
   using Kind = ConstraintBlock::Kind;
 
-  bool begins_with_newton_steps() const {
-    return takes_newton_steps_ && (jointed_ || 3 * it_.blocks.size() <= kMostFirstRows);
-  }
   bool accepted() const { return missed_ <= kAcceptedMiss * size_; }
   bool converged() const { return missed_ <= solved_; }
 

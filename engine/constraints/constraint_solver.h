@@ -22,9 +22,8 @@
 ///
 /// Sweeps take a time that grows with the number of blocks and get nearer at a rate that falls with
 /// the length of chains and the ratio of masses; a Newton step is exact as soon as it starts with
-/// the right rows, whatever the masses, in a time that grows faster. So islands under joints, and
-/// those of few contacts, take a Newton step after the first sweep, those of more contacts only
-/// where sweeps get on slowly.
+/// the right rows, whatever the masses, in a time that grows faster. So all islands but heaps of
+/// more than kMostContactRows take a Newton step after the first sweep.
 /// A Newton step counts only if the sweep after it moves the impulses by less than the sweep before
 /// it. The measure of that is the energy of the change of velocities: impulses that keep each other
 /// in balance, as those of many points of one face may, do not count. Nothing is random, and

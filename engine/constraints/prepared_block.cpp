@@ -37,7 +37,6 @@ PreparedBlock::PreparedBlock(const ConstraintBlock& block,
   const double least = largest > 0 ? kLeastCompliance * largest : 1;
   compliance_ = block.compliance.cwiseMax(Vector3d::Constant(least));
   for (int row = block.rows; row < 3; ++row) compliance_[row] = 1;
-  fast_response_ = response_(0, 0) + compliance_[1];
   response_.diagonal() += compliance_;
   scale_ = response_.diagonal().cwiseSqrt();
   if (kind() == Kind::bilateral) inverse_ = response_.inverse();
@@ -79,17 +78,9 @@ Vector3d PreparedBlock::solved(const Vector3d& now, const std::vector<Vector6d>&
   return now;
 }
 
-PreparedBlock::Push PreparedBlock::push_along_normal(double now, double missed) const {
-  const Push by_spring{now - missed / response_(0, 0), missed, compliance_[0]};
-  const double too_fast =
-      missed + block_->target[0] - block_->fastest + (compliance_[1] - compliance_[0]) * now;
-  const Push to_speed{now - too_fast / fast_response_, too_fast, compliance_[1]};
-  return to_speed.impulse < by_spring.impulse ? to_speed : by_spring;
-}
-
 Vector3d PreparedBlock::contact_solved(const Vector3d& now, const Vector3d& rest) const {
   Vector3d next = now;
-  next[0] = std::max(0.0, push_along_normal(now[0], rest[0]).impulse);
+  next[0] = std::max(0.0, push_along_normal(now[0], rest[0]));
   if (!(next[0] > 0)) return Vector3d::Zero();
   const Vector2d slip = rest.tail<2>() + response_.bottomLeftCorner<2, 1>() * (next[0] - now[0]);
   const Vector2d along = slide_axes_.transpose() * now.tail<2>();

@@ -40,15 +40,13 @@ class PreparedBlock {
   Eigen::Vector3d missed(const Eigen::Vector3d& impulses,
                          const std::vector<Vector6d>& velocities) const;
 
-  /// Row 1 of a contact: the one of its two equations that counts.
-  struct Push {
-    double impulse;     ///< With which it holds, those of all others held; below 0 if it is open.
-    double missed;      ///< What the impulse that is now misses.
-    double compliance;  ///< D or D₂
-  };
+  /// The impulse with which row 1 of a contact holds, those of all others held; below 0 if the
+  /// contact is open.
   /// @param now      Its impulse that is now.
   /// @param missed   J u + D p − c.
-  Push push_along_normal(double now, double missed) const;
+  double push_along_normal(double now, double missed) const {
+    return now - missed / response_(0, 0);
+  }
 
   /// The impulses with which (E8) holds for this block, those of all others held.
   /// @param impulses, velocities   That are now.
@@ -68,7 +66,6 @@ class PreparedBlock {
   Eigen::Matrix3d response_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d inverse_ = Eigen::Matrix3d::Zero();  ///< Of the response; bilateral.
   Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
-  double fast_response_ = 1;  ///< That of row 1 of a contact with D₂ in place of D.
   /// Eigenvalues and -vectors of the response along the tangents of a contact.
   Eigen::Vector2d slide_response_ = Eigen::Vector2d::Ones();
   Eigen::Matrix2d slide_axes_ = Eigen::Matrix2d::Identity();

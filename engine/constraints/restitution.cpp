@@ -26,13 +26,13 @@ std::vector<Vector6d> added(const std::vector<Vector6d>& a, const std::vector<Ve
 
 bool restores(const std::vector<Contact>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
-    return contact.rebounds && contact.stiffness.speed > 0;
+    return contact.rebounds && contact.row.speed > 0;
   });
 }
 
 std::vector<Contact> without_restitution(std::vector<Contact> contacts) {
   for (Contact& contact : contacts)
-    if (contact.rebounds) contact.stiffness.speed = 0;
+    if (contact.rebounds) contact.row.speed = 0;
   return contacts;
 }
 

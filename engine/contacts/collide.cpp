@@ -12,7 +12,6 @@
 #include "engine/base/stopwatch.h"
 #include "engine/contacts/ode_world.h"
 #include "engine/contacts/world.h"
-#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -128,7 +127,7 @@ void World::collide(double step) {
   dJointGroupEmpty(contact_joints_.get());
   for (const Contact& contact : contacts_.points)
     add_contact(world_.get(), contact_joints_.get(), contact, handle_of(contact.pair.first),
-                handle_of(contact.pair.second), step);
+                handle_of(contact.pair.second));
 }
 
 void World::set_contact_inertia(BodyId id, const Inertia& inertia) {
@@ -175,13 +174,17 @@ bool World::meets(BodyId body, const hydro::BodyState& place, const OrientedBox&
 
 bool World::is_ball(BodyId body) const { return body != kWorld && is_sphere(geom_of(body)); }
 
-double World::reach(const Pair& pair) const {
-  if (pair.first == kWorld && dGeomGetClass(ground_) == dPlaneClass)
-    return std::numeric_limits<double>::infinity();
+double World::thickness(const Pair& pair) const {
   double least = std::numeric_limits<double>::infinity();
   for (const BodyId id : {pair.first, pair.second})
     if (id != kWorld) least = std::min(least, bodies_[id].shape_B.sizes().minCoeff());
-  return least / 2;
+  return least;
+}
+
+double World::reach(const Pair& pair) const {
+  if (pair.first == kWorld && dGeomGetClass(ground_) == dPlaneClass)
+    return std::numeric_limits<double>::infinity();
+  return thickness(pair) / 2;
 }
 
 std::vector<Pair> World::touchable(
@@ -235,62 +238,26 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
       fall = std::max(fall, bodies_[id].inertia.fall);
     }
     const Surface surface = surfaces_.between(pair);
+    const ContactLaw law{.mass = mass,
+                         .points = points.size(),
+                         .rest = kContactDepth * thickness(pair),
+                         .fall = fall,
+                         .gravity = gravity_};
     for (const ContactPoint& point : points) {
       const double closing = -point.normal_W.dot(approach(pair, point.position_W, 0));
       Contact contact{.pair = pair,
                       .point = point,
-                      .stiffness = {},
+                      .row = contact_row(point.depth, law, step),
                       .friction = surface.friction,
                       .restitution = surface.restitution,
+                      .rebounds = closing > impact_speed(gravity_),
                       .sliding_W = approach(pair, point.position_W, step)};
-      contact.rebounds = rebounds(contact, points.size(), mass, closing, step);
-      ContactStiffness& stiffness = contact.stiffness;
-      if (contact.rebounds) {
-        stiffness = rebound_stiffness(mass, points.size(), step, surface.restitution * closing);
-      } else {
-        stiffness = contact_stiffness(mass, points.size(), step,
-                                      weights(pair, point, points.size(), mass, step));
-        stiffness.fastest = parting_speed(point.depth, fall, gravity_);
-        stiffness.speed *= closing;
-      }
+      if (contact.rebounds)
+        contact.row.speed = std::max(contact.row.speed, surface.restitution * closing);
       contacts.points.push_back(std::move(contact));
     }
   }
   return contacts;
-}
-
-bool World::rebounds(const Contact& contact, std::size_t points, double mass, double closing,
-                     double step) const {
-  if (closing <= impact_speed(gravity_)) return false;
-  if (contact.restitution > 0) return true;
-  const double sink = kSink * std::max(step, kShortestContact) * closing;
-  const double half = reach(contact.pair);
-  if (sink <= half) return false;
-  const std::optional<double> light = lightness(contact.pair, contact.point, mass);
-  return light && sink > half * std::max(1.0, *light / static_cast<double>(points));
-}
-
-ContactWeights World::weights(const Pair& pair, const ContactPoint& point, std::size_t points,
-                              double mass, double step) const {
-  if (step >= kShortestContact) return {};
-  const std::optional<double> light = lightness(pair, point, mass);
-  return light ? halfway_weights(points, step, *light) : ContactWeights{};
-}
-
-std::optional<double> World::lightness(const Pair& pair, const ContactPoint& point,
-                                       double mass) const {
-  double lightness = 0;
-  for (const BodyId id : {pair.first, pair.second}) {
-    if (!handle_of(id)) continue;
-    const std::optional<Matrix6d>& inertia_B = bodies_[id].inertia.matrix_B;
-    if (!inertia_B) return std::nullopt;
-    const hydro::BodyState now = state(id);
-    const Vector6d push =
-        rotate(now.orientation.conjugate().toRotationMatrix(),
-               to_vector6(point.normal_W, (point.position_W - now.position).cross(point.normal_W)));
-    lightness += mass * push.dot(hydro::Cholesky6(*inertia_B).solve(push));
-  }
-  return lightness;
 }
 
 Eigen::Vector3d World::velocity_without_contact(BodyId id, const Eigen::Vector3d& point_W,

@@ -80,35 +80,15 @@ std::vector<std::size_t> representative(const std::vector<ContactPoint>& points,
   return taken;
 }
 
-ContactWeights halfway_weights(std::size_t points, double step, double lightness) {
-  if (step >= kShortestContact) return {};
-  const double ratio = step / kShortestContact;
-  const double z = 2 * ratio * lightness / static_cast<double>(points);
-  // Below this z the first two terms of the series are exact.
-  const double exact = z < 1e-4 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
-  return {.spring = ratio, .damper = std::max(ratio, exact)};
-}
-
-ContactStiffness contact_stiffness(double mass, std::size_t points, double step,
-                                   const ContactWeights& weights) {
-  const double tau = std::max(step, kShortestContact);
-  const double time = weights.spring * step + 2 * weights.damper * tau;
-  const double share = static_cast<double>(points) / mass;
-  return {.erp = step / time,
-          .cfm = share * tau * tau / time,
-          .speed = 2 * (1 - weights.damper) * tau / time,
-          .slip = kSlip * step * share};
-}
-
 double impact_speed(double gravity) { return kShortestContact * std::max(gravity, kLeastGravity); }
 
-ContactStiffness rebound_stiffness(double mass, std::size_t points, double step, double rebound) {
-  const double slip = kSlip * step * static_cast<double>(points) / mass;
-  return {.erp = 0, .cfm = slip, .speed = rebound, .slip = slip};
-}
-
-double parting_speed(double depth, double fall, double gravity) {
-  return std::sqrt(fall * std::max(gravity, kLeastGravity) * depth / 2);
+ContactRow contact_row(double depth, const ContactLaw& law, double step) {
+  const double compliance = kSlip * step * static_cast<double>(law.points) / law.mass;
+  const double over = depth - law.rest;
+  const double speed = over / std::max(step, kShortestContact);
+  const double fall = law.fall * std::max(law.gravity, kLeastGravity);
+  return {.speed = std::min(speed, std::sqrt(std::max(0.0, fall * over / 2))),
+          .compliance = compliance};
 }
 
 }  // namespace engine

@@ -10,7 +10,7 @@
 namespace engine {
 namespace {
 
-dContact to_ode_contact(const Contact& contact, double step) {
+dContact to_ode_contact(const Contact& contact) {
   const ContactPoint& point = contact.point;
   dContact ode{};
   Eigen::Map<Eigen::Vector3d>(ode.geom.pos) = point.position_W;
@@ -19,12 +19,9 @@ dContact to_ode_contact(const Contact& contact, double step) {
   ode.surface.mode = dContactSoftERP | dContactSoftCFM | dContactMotionN | dContactSlip1 |
                      dContactSlip2 | dContactApprox1;
   ode.surface.mu = contact.friction;
-  // The force of a row of ODE cannot end at a speed; there (E13) bounds what the spring asks for.
-  ode.surface.soft_erp =
-      std::min(contact.stiffness.erp, step * contact.stiffness.fastest / point.depth);
-  ode.surface.soft_cfm = contact.stiffness.cfm;
-  ode.surface.motionN = contact.stiffness.speed;
-  ode.surface.slip1 = ode.surface.slip2 = contact.stiffness.slip;
+  ode.surface.soft_erp = 0;
+  ode.surface.motionN = contact.row.speed;
+  ode.surface.soft_cfm = ode.surface.slip1 = ode.surface.slip2 = contact.row.compliance;
 
   const Eigen::Vector3d& velocity = contact.sliding_W;
   const Eigen::Vector3d sliding = velocity - velocity.dot(point.normal_W) * point.normal_W;
@@ -48,8 +45,8 @@ void step_by_iteration(dxWorld* world, int iterations, double step) {
 }  // namespace
 
 void add_contact(dxWorld* world, dxJointGroup* group, const Contact& contact, dxBody* first,
-                 dxBody* second, double step) {
-  const dContact ode = to_ode_contact(contact, step);
+                 dxBody* second) {
+  const dContact ode = to_ode_contact(contact);
   dJointAttach(dJointCreateContact(world, group, &ode), first, second);
 }
 

@@ -13,7 +13,7 @@ namespace engine {
 
 /// Joins two bodies by a contact; null stands for what does not move.
 void add_contact(dxWorld* world, dxJointGroup* group, const Contact& contact, dxBody* first,
-                 dxBody* second, double step);
+                 dxBody* second);
 
 /// Puts an ODE body in a state.
 void place(dxBody* body, const hydro::BodyState& state);

@@ -69,7 +69,6 @@ class World {
     double mass = 0;  ///< Mass that resists contacts [kg].
     double fall = 1;  ///< Largest acceleration by weight and lift, over gravity [-].
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< Without contacts, in W [m/s^2].
-    std::optional<hydro::Matrix6d> matrix_B = {};            ///< M + A, for weights halfway (E12).
   };
   void set_contact_inertia(BodyId body, const Inertia& inertia);
 
@@ -108,6 +107,8 @@ class World {
   Eigen::AlignedBox3d ground_box() const;
   /// True if the shape is a sphere; false for kWorld.
   bool is_ball(BodyId body) const;
+  /// Thickness of the thinner of two bodies [m]: that of the box around its shape.
+  double thickness(const Pair& pair) const;
   /// Half the thickness of the thinner of two bodies [m]: that of the box around its shape, and of
   /// a ground mesh none, as it is a sheet. Infinite above plane ground, which nothing can pass.
   double reach(const Pair& pair) const;
@@ -142,15 +143,6 @@ class World {
   Eigen::Vector3d approach(const Pair& pair, const Eigen::Vector3d& point_W, double step) const;
   Eigen::Vector3d velocity_without_contact(BodyId body, const Eigen::Vector3d& point_W,
                                            double step) const;
-  /// Weights of one of so many points, whose contact has this mass.
-  ContactWeights weights(const Pair& pair, const ContactPoint& point, std::size_t points,
-                         double mass, double step) const;
-  /// m/µ of a point, whose contact has the mass m (E12); none without the bodies' inertia.
-  std::optional<double> lightness(const Pair& pair, const ContactPoint& point, double mass) const;
-  /// True if (E30) holds at one of so many points, whose contact has this mass.
-  /// @param closing   Speed at which it closes [m/s].
-  bool rebounds(const Contact& contact, std::size_t points, double mass, double closing,
-                double step) const;
 
   // Members are destroyed in the opposite order: contacts before the world, shapes before meshes.
   double gravity_;

@@ -24,8 +24,7 @@ World::Placed placed(const SubstepBody& b) {
           .inertia = {.mass = contact_mass(b.body(), motion),
                       .fall = contact_fall(b.body(), motion),
                       .acceleration = motion.load_acceleration_W.value_or(
-                          -b.body().environment.gravity * Eigen::Vector3d::UnitZ()),
-                      .matrix_B = b.body().rigid_B + motion.added()}};
+                          -b.body().environment.gravity * Eigen::Vector3d::UnitZ())}};
 }
 
 constexpr std::size_t kLoneBodies = 16;  // Of a part.

@@ -9,7 +9,6 @@
 namespace {
 
 using engine::ContactPoint;
-using engine::ContactStiffness;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -24,12 +23,6 @@ std::vector<ContactPoint> grid(int count) {
     }
   }
   return points;
-}
-
-TEST(PartingSpeed, IsHalfOfThatOfAFallThroughTheOverlap) {
-  EXPECT_NEAR(engine::parting_speed(0.5, 0.25, 9.81), std::sqrt(2 * 0.25 * 9.81 * 0.5) / 2,
-              tolerance(1e-12));
-  EXPECT_GT(engine::parting_speed(0.5, 1, 0), 0) << "without weight an overlap is left, too";
 }
 
 TEST(RepresentativeContacts, OfAFaceIncludeItsCorners) {
@@ -116,89 +109,35 @@ TEST(ContactArtefacts, ArePointsThatOnlyTouch) {
   EXPECT_THAT(engine::without_artefacts({ContactPoint{.depth = 0}}, 1, kNoBoxes), IsEmpty());
 }
 
-// The spring and damper that ERP and CFM stand for, found back from them.
-TEST(ContactStiffnesses, AreThoseOfACriticallyDampedSpringSharedByThePoints) {
-  const double mass = 700;
-  const double step = 0.002;
-  const ContactStiffness stiffness = engine::contact_stiffness(mass, 4, step);
-  const double spring = 4 * stiffness.erp / (step * stiffness.cfm);
-  const double damper = 4 * (1 - stiffness.erp) / stiffness.cfm;
-  EXPECT_NEAR(damper * damper / (4 * spring * mass), 1, tolerance(1e-12));
-  EXPECT_NEAR(mass / spring, 1e-4, tolerance(1e-15));  // τ² = (0.01 s)²
-}
+constexpr engine::ContactLaw kLaw{
+    .mass = 700, .points = 4, .rest = 1e-3, .fall = 0.25, .gravity = support::kGravity};
 
-TEST(ContactStiffnesses, SoftenWithLongSteps) {
-  const double step = 0.1;
-  const ContactStiffness stiffness = engine::contact_stiffness(1, 1, step);
-  EXPECT_NEAR(stiffness.erp, 1.0 / 3, tolerance(1e-15));
-  EXPECT_NEAR(stiffness.erp / (step * stiffness.cfm), 1 / (step * step), tolerance(1e-10));
-}
-
-TEST(ContactWeights, AreThoseOfTheEndInLongStepsAndOfTheMiddleInShortOnes) {
-  const engine::ContactWeights coarse = engine::halfway_weights(1, 0.02, 3);
-  EXPECT_EQ(coarse.spring, 1);
-  EXPECT_EQ(coarse.damper, 1);
-  const engine::ContactWeights fine = engine::halfway_weights(1, 1e-7, 3);
-  EXPECT_NEAR(fine.spring, 0, tolerance(1e-4));
-  EXPECT_NEAR(fine.damper, 0.5, tolerance(1e-4));
-  double last = 0.5;
-  for (double step = 1e-7; step < 0.01; step *= 1.1) {
-    const double weight = engine::halfway_weights(1, step, 3).damper;
-    EXPECT_GE(weight, last) << step;
-    EXPECT_LE(weight, 1) << step;
-    last = weight;
-  }
-}
-
-/// Depth of a mass that runs at 1 m/s into a contact, a time later [m], with half a drift, a update
-/// and half a drift in each step.
-double depth_after(double time, int steps, double mass, double resisting) {
-  const double step = time / steps;
-  double depth = 0, speed = -1;  // positive: parting
-  for (int i = 0; i < steps; ++i) {
-    depth -= step / 2 * speed;
-    const auto contact = engine::contact_stiffness(
-        mass, 1, step, engine::halfway_weights(1, step, mass / resisting));
-    // v⁺ + CFM f = ERP d/h + speed, f = µ (v⁺ − v⁻)/h
-    const double target = contact.erp * depth / step - contact.speed * speed;
-    const double ratio = contact.cfm * resisting / step;
-    speed = (target + ratio * speed) / (1 + ratio);
-    depth -= step / 2 * speed;
-  }
-  return depth;
-}
-
-TEST(ContactWeights, MakeTheMotionOfASpringAndDamperOfSecondOrder) {
-  const double tau = 0.01, time = 0.004;
-  // µ d'' + 2 m/τ d' + m/τ² d = 0, overdamped for µ < m: two decays.
-  for (const double lightness : {1.5, 6.0}) {
-    const double rate = lightness / tau;
-    const double root = std::sqrt(rate * rate - lightness / (tau * tau));
-    const double exact =
-        (std::exp((root - rate) * time) - std::exp(-(root + rate) * time)) / (2 * root);
-    const double coarse = depth_after(time, 20, 600, 600 / lightness) - exact;
-    const double fine = depth_after(time, 40, 600, 600 / lightness) - exact;
-    EXPECT_LT(std::abs(fine), 2e-3 * exact);
-    EXPECT_GT(std::log2(coarse / fine), 1.9);
-  }
-}
-
-TEST(ContactWeights, LetNothingBounceInAnyStep) {
-  for (const double step : {1e-4, 1e-3, 3e-3, 9.9e-3, 0.02, 0.1})
-    for (const double lightness : {1.0, 2.0, 6.0, 40.0}) {
-      double depth = 0, speed = -1;
-      const auto contact =
-          engine::contact_stiffness(1, 1, step, engine::halfway_weights(1, step, lightness));
-      for (int i = 0; i < 100 && depth >= 0; ++i) {
-        depth -= step / 2 * speed;
-        const double target = contact.erp * depth / step - contact.speed * speed;
-        const double ratio = contact.cfm / lightness / step;
-        speed = std::max(speed, (target + ratio * speed) / (1 + ratio));
-        depth -= step / 2 * speed;
-      }
-      // Critical damping leaves what overlap is left at the slower of two decays.
-      EXPECT_LT(speed, 0.2) << step << ' ' << lightness;
+TEST(ContactRow, LetsABodySettleAtItsDepthOfRestWhateverTheStep) {
+  for (const double step : {1e-4, 1e-3, 1.0 / 60, 0.1}) {
+    double depth = 0;
+    for (double time = 0; time < 20 * std::max(step, 0.01); time += step) {
+      const double speed = engine::contact_row(depth, kLaw, step).speed;
+      EXPECT_LE(speed, 0);
+      depth -= step * speed;
+      EXPECT_LE(depth, kLaw.rest * (1 + 1e-12)) << step;
     }
+    EXPECT_NEAR(depth, kLaw.rest, tolerance(1e-8)) << step;
+  }
+}
+
+TEST(ContactRow, TakesOverlapAwayWithinSomeTimeAndLeavesAQuarterOfAFallThroughIt) {
+  for (const double step : {1e-4, 1e-3, 1.0 / 60}) {
+    const double gravity = kLaw.fall * kLaw.gravity;
+    double depth = 0.3;
+    for (double time = 0; time < 2; time += step) {
+      const double speed = engine::contact_row(depth, kLaw, step).speed;
+      EXPECT_LE(speed * speed / 2, gravity * (depth - kLaw.rest) / 4 * (1 + 1e-12));
+      depth -= step * speed;
+    }
+    EXPECT_NEAR(depth, kLaw.rest, tolerance(1e-9)) << step;
+  }
+  EXPECT_GT(engine::contact_row(0.5, {.mass = 1, .rest = 1e-3}, 0.01).speed, 0)
+      << "without weight an overlap is left, too";
 }
 
 }  // namespace

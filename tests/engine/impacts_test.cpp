@@ -137,13 +137,13 @@ SimulationSpec gathering_balls(double step) {
   return spec;
 }
 
-// They are off by 0.26, 0.07 and 0.02 mm in the mean. In whole steps from the fifth pair on that
-// touches they would be by 1.1, 0.53 and 0.35 mm.
+// They are off by 0.3, 0.27 and 0.2 mm in the mean: pairs that meet slower than (E15) do so at any
+// time of a substep.
 TEST(Collision, InAHeapHardlyDependsOnTheStep) {
   const SimulationSpec fine = gathering_balls(1.0 / 1920);
   EXPECT_LT(distances(0.4, gathering_balls(1.0 / 60), fine).mean(), tolerance(5e-4));
-  EXPECT_LT(distances(0.4, gathering_balls(1.0 / 120), fine).mean(), tolerance(2e-4));
-  EXPECT_LT(distances(0.4, gathering_balls(1.0 / 240), fine).mean(), tolerance(1e-4));
+  EXPECT_LT(distances(0.4, gathering_balls(1.0 / 120), fine).mean(), tolerance(4e-4));
+  EXPECT_LT(distances(0.4, gathering_balls(1.0 / 240), fine).mean(), tolerance(3e-4));
 }
 
 TEST(Collision, OfSlowBodiesIsNotLookedFor) {

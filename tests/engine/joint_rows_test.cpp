@@ -150,7 +150,7 @@ TEST(ContactBlock, HasTheVelocityOfItsPointAlongNormalAndTangents) {
                           .point = {.position_W = random.vector(1),
                                     .normal_W = random.vector(1).normalized(),
                                     .depth = 0.01},
-                          .stiffness = {.erp = 0.2, .cfm = 0.1, .speed = 0.3, .slip = 0.01},
+                          .row = {.speed = 0.3, .compliance = 0.01},
                           .friction = 0.4};
   const ConstraintBlock block =
       engine::contact_block(contact, first.position, second.position, kSubstep);
@@ -162,7 +162,7 @@ TEST(ContactBlock, HasTheVelocityOfItsPointAlongNormalAndTangents) {
   const Vector3d parting = at(first) - at(second);
   EXPECT_NEAR(rates[0], parting.dot(contact.point.normal_W), tolerance(1e-14));
   EXPECT_NEAR(rates.norm(), parting.norm(), tolerance(1e-14));
-  EXPECT_NEAR(block.target[0], 0.2 * 0.01 / kSubstep + 0.3, tolerance(1e-14));
+  EXPECT_NEAR(block.target[0], 0.3, tolerance(1e-14));
   EXPECT_EQ(block.limit, 0.4);
 }
 
@@ -174,13 +174,13 @@ TEST(ContactMemory, GivesPointsTheForcesThatTurnedWithTheirBodies) {
   for (int i = 0; i < 4; ++i)
     contacts.push_back({.pair = {kWorld, 2},
                         .point = {.position_W = random.vector(1), .normal_W = Vector3d::UnitZ()},
-                        .stiffness = {},
+                        .row = {},
                         .force_W = random.vector(1)});
   const std::vector<engine::Contact> then = contacts;
   const auto memory = engine::remembered(contacts, [&](BodyId) { return before; });
   for (engine::Contact& contact : contacts)
     contact.point.position_W = after.position + turn * (contact.point.position_W - before.position);
-  contacts.push_back({.pair = {kWorld, 5}, .point = {}, .stiffness = {}, .force_W = {1, 1, 1}});
+  contacts.push_back({.pair = {kWorld, 5}, .point = {}, .row = {}, .force_W = {1, 1, 1}});
   engine::recall(
       memory, [&](BodyId) { return after; }, contacts);
   for (std::size_t i = 0; i < 4; ++i)
@@ -190,7 +190,7 @@ TEST(ContactMemory, GivesPointsTheForcesThatTurnedWithTheirBodies) {
 
 TEST(ContactMemory, SharesForcesAmongMorePoints) {
   std::vector<engine::Contact> contacts{
-      {.pair = {0, 1}, .point = {}, .stiffness = {}, .force_W = {0, 0, 8}}};
+      {.pair = {0, 1}, .point = {}, .row = {}, .force_W = {0, 0, 8}}};
   const auto at_origin = [](BodyId) { return BodyState{}; };
   const auto memory = engine::remembered(contacts, at_origin);
   contacts.resize(4, contacts.front());

@@ -5,8 +5,8 @@
 
 namespace {
 
-// What a body sinks in under its own weight: g τ² with τ = 0.01 s.
-constexpr double kSink = support::kGravity * 1e-4;
+// Depth of rest of a body of 1 m.
+constexpr double kDepthOfRest = engine::kContactDepth;
 
 const std::vector<engine::Ground> kFlatGrounds = {engine::PlaneGround{0}, support::slope(0, 0, 1),
                                                   support::slope(0, 0, 40)};
@@ -37,7 +37,7 @@ TEST(Resting, ADroppedBoxComesToRestOneSinkDeepAndStays) {
       const hydro::BodyState then = simulation.states()[0];
       for (int i = 0; i < 1000; ++i) simulation.step();
       const hydro::BodyState& state = simulation.states()[0];
-      EXPECT_NEAR(state.position.z(), 0.5 - kSink, tolerance(1e-4));
+      EXPECT_NEAR(state.position.z(), 0.5 - kDepthOfRest, tolerance(1e-4));
       // Contact points come and go by round-off on a mesh: a tenth of the sink.
       EXPECT_LT((state.position - then.position).norm(), tolerance(1e-4));
       // It lands at 3 m/s, on a mesh one corner after the other: by a step's worth of 0.35 m/s.
@@ -175,7 +175,8 @@ TEST(Collision, SphereHoldsTheWholeBoxAndItsOffset) {
   spec.bodies[0].locked = {false, false, false, true, true, true};
   const Simulation simulation = support::after(spec, 300);
   // The sphere of radius √3/2 about the mesh's centre, 0.25 m above the centre of mass.
-  EXPECT_NEAR(simulation.states()[0].position.z(), std::sqrt(3) / 2 - 0.25 - kSink,
+  const double radius = std::sqrt(3) / 2;
+  EXPECT_NEAR(simulation.states()[0].position.z(), radius - 0.25 - 2 * radius * kDepthOfRest,
               tolerance(1e-6));
 }
 
@@ -184,7 +185,7 @@ TEST(Collision, BoxFollowsTheMeshOffTheCentreOfMass) {
   box.mesh_B = hydro::translated(box.mesh_B, {0.2, 0, 0.25});
   const Simulation simulation =
       support::after(on_ground(box, CollisionShape::box, engine::PlaneGround{0}), 300);
-  EXPECT_NEAR(simulation.states()[0].position.z(), 0.25 - kSink, tolerance(1e-3));
+  EXPECT_NEAR(simulation.states()[0].position.z(), 0.25 - kDepthOfRest, tolerance(1e-3));
 }
 
 TEST(Collision, WithAnImmovableBodyIsAsWithGround) {
@@ -195,7 +196,7 @@ TEST(Collision, WithAnImmovableBodyIsAsWithGround) {
     BodySpec box = support::box_body("box", {1, 1, 1}, 500, {0.1, 0.2, 1.3});
     box.collision = table.collision = shape;
     const Simulation simulation = support::after(support::dry_world({table, box}, kStep), 400);
-    EXPECT_NEAR(simulation.states()[1].position.z(), 1.1 - kSink, tolerance(1e-4));
+    EXPECT_NEAR(simulation.states()[1].position.z(), 1.1 - kDepthOfRest, tolerance(1e-4));
     EXPECT_EQ(simulation.states()[0].position, table.initial.position);
   }
 }
@@ -205,7 +206,7 @@ TEST(Collision, WorksAMillionMetresAway) {
   const BodySpec box = support::box_body("box", {1, 1, 1}, 500, far + Vector3d(0, 0, 1));
   const Simulation simulation =
       support::after(on_ground(box, CollisionShape::box, engine::PlaneGround{0}), 300);
-  EXPECT_NEAR(simulation.states()[0].position.z(), 0.5 - kSink, tolerance(1e-6));
+  EXPECT_NEAR(simulation.states()[0].position.z(), 0.5 - kDepthOfRest, tolerance(1e-6));
 }
 
 }  // namespace
