@@ -85,7 +85,7 @@ double impact_speed(double gravity) { return kShortestContact * std::max(gravity
 ContactRow contact_row(double depth, const ContactLaw& law, double step) {
   const double compliance = kSlip * step * static_cast<double>(law.points) / law.mass;
   const double over = depth - law.rest;
-  const double speed = over / std::max(step, kShortestContact);
+  const double speed = over / (kContactRecovery * std::max(step, kShortestContact));
   const double fall = law.fall * std::max(law.gravity, kLeastGravity);
   return {.speed = std::min(speed, std::sqrt(std::max(0.0, fall * over / 2))),
           .compliance = compliance};

@@ -115,7 +115,7 @@ constexpr engine::ContactLaw kLaw{
 TEST(ContactRow, LetsABodySettleAtItsDepthOfRestWhateverTheStep) {
   for (const double step : {1e-4, 1e-3, 1.0 / 60, 0.1}) {
     double depth = 0;
-    for (double time = 0; time < 20 * std::max(step, 0.01); time += step) {
+    for (double time = 0; time < 40 * std::max(step, 0.01); time += step) {
       const double speed = engine::contact_row(depth, kLaw, step).speed;
       EXPECT_LE(speed, 0);
       depth -= step * speed;
