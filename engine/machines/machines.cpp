@@ -21,6 +21,11 @@ Vector3d turned(const Vector3d& v, double angle, const Vector3d& axis) {
   return Eigen::AngleAxisd(angle, axis) * v;
 }
 
+/// Angular momentum about its axis of a screw that turns `rate` times a second.
+double spun(const PropellerSpec& spec, double rate) {
+  return (spec.right_handed ? 1 : -1) * 2 * std::numbers::pi * spec.inertia * rate;
+}
+
 /// Part of a vertical extent about the height z that is below a level.
 double part_below(double z, double extent, double level) {
   if (extent <= 0) return z < level ? 1 : 0;
@@ -95,18 +100,26 @@ Machines::Screw Machines::screw(std::size_t index, const hydro::BodyState& state
   return screw;
 }
 
-hydro::Wrench Machines::load(const Screw& screw, std::size_t index, const hydro::BodyState& state,
+hydro::Wrench Machines::load(const Screw& screw, std::size_t index, const hydro::BodyState&,
                              double time) const {
   const PropellerSpec& spec = spec_.propellers[index];
   const Vector3d force = screw.load.thrust * screw.axis_W;
   const double hand = spec.right_handed ? 1 : -1;
   Vector3d moment = screw.at_W.cross(force) - hand * screw.load.torque * screw.axis_W;
-  if (spec.inertia > 0) {
-    const double spin = hand * 2 * std::numbers::pi * spec.inertia;
-    moment -= spin * screw.speed * state.angular_velocity.cross(screw.axis_W);
-    moment -= spin * set_points_.rate(spec.speed, time) * screw.axis_W;
-  }
+  if (spec.inertia > 0) moment -= spun(spec, set_points_.rate(spec.speed, time)) * screw.axis_W;
   return {.force = force, .moment = moment};
+}
+
+Vector3d Machines::rotors_B(BodyId body, double time) const {
+  Vector3d sum = Vector3d::Zero();
+  for (const std::size_t i : of_body_[body].propellers) {
+    const PropellerSpec& spec = spec_.propellers[i];
+    if (!(spec.inertia > 0)) continue;
+    const double azimuth = set_points_.value(spec.azimuth, time);
+    sum += spun(spec, set_points_.value(spec.speed, time)) *
+           turned(spec.axis_B, azimuth, spec.pivot_B);
+  }
+  return sum;
 }
 
 FoilReading Machines::foil(std::size_t index, const hydro::BodyState& state, double time,

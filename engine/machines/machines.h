@@ -12,10 +12,11 @@
 /// The water at a machine is that of waves and current at its point, undisturbed by bodies. With n
 /// the unit axis, V = n·(v − u_water) and T, Q of hydro/machines/propeller.h at the disc's wetted
 /// share, a propeller pushes its body with T n at its centre and turns it with ∓Q n, against the
-/// turn of a right-handed screw, and with −ω × (I 2πs n) − I 2πs' n for its spinning mass, s being
-/// the speed [1/s]. A foil (hydro/machines/foil.h) feels the flow u − v at its point, in the
-/// fraction of its span that is in its fluid; behind a propeller, the part of its span that the
-/// race covers feels the speed of the race along the propeller's axis.
+/// turn of a right-handed screw, and with −I 2πs' n for its spinning mass, s being the speed [1/s].
+/// The momentum I 2πs n of that is part of the drift (E1), which so has its gyroscopic moment. A
+/// foil (hydro/machines/foil.h) feels the flow u − v at its point, in the fraction of its span that
+/// is in its fluid; behind a propeller, the part of its span that the race covers feels the speed
+/// of the race along the propeller's axis.
 
 namespace engine {
 
@@ -25,6 +26,9 @@ class Machines {
   Machines(const SimulationSpec& spec, const SetPoints& set_points);
 
   bool drives(BodyId body) const { return !of_body_[body].empty(); }
+
+  /// H of (E1): the angular momentum of a body's spinning masses relative to it, in B [N m s].
+  Eigen::Vector3d rotors_B(BodyId body, double time) const;
 
   /// Load of all machines of a body: moment about the centre of mass, in W.
   hydro::Wrench load(BodyId body, const hydro::BodyState& state, double time) const;

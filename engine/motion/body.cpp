@@ -163,12 +163,14 @@ Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, doub
 hydro::BodyState state_after_drift(const Body& body, const Motion& motion,
                                    const Eigen::Vector3d& flow, double time) {
   if (!body.reduced_joint && !body.locked && !motion.added_B)
-    return drifted(*body.spec, motion.state, time);
+    return drifted(*body.spec, motion.state, time, motion.rotors_B);
   const Matrix6d S = body.rigid_B + added_in_drift(body, motion);
-  if (body.reduced_joint) return advance_on_joint(*body.reduced_joint, S, motion.state, time);
-  if (!body.locked) return drifted(S, motion.state, flow, time);
-  return project_onto_locks(body.spec->locked, body.spec->initial,
-                            drifted(S, body.spec->locked, motion.state, flow, time));
+  if (body.reduced_joint)
+    return advance_on_joint(*body.reduced_joint, S, motion.state, time, motion.rotors_B);
+  if (!body.locked) return drifted(S, motion.state, flow, time, motion.rotors_B);
+  return project_onto_locks(
+      body.spec->locked, body.spec->initial,
+      drifted(S, body.spec->locked, motion.state, flow, time, motion.rotors_B));
 }
 
 void drift(const Body& body, Motion& motion, double time) {

@@ -29,11 +29,19 @@ int count_parts(double rate, double time) {
       std::clamp(std::ceil(rate * time / kLargestTurn), 1.0, 1.0 * kMostDriftParts));
 }
 
-/// Momentum in B, displacement in W and orientation.
+/// Momentum in B with that of rotors, displacement in W and orientation.
 struct DriftState {
   Vector6d p;
   Vector3d x = Vector3d::Zero();
   Eigen::Quaterniond q;
+};
+
+/// S⁻¹ and H of (E1), in B.
+struct Inertia {
+  Matrix6d inverse;
+  Vector6d rotors;
+
+  Vector6d velocity(const Vector6d& p) const { return inverse * (p - rotors); }
 };
 
 /// Rate of change of p by (E1).
@@ -72,12 +80,12 @@ struct Mean {
 
 /// Solves (E2) from the momentum p by repeated substitution, or by Newton's method where that is
 /// slow. Returns nothing if neither converges.
-std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, double time) {
+std::optional<Mean> solve_mean(const Inertia& S, const Vector6d& p, double time) {
   Mean mean{.p = p};
   std::optional<Eigen::PartialPivLU<Matrix6d>> newton;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostDriftSolves; ++i) {
-    mean.u = S_inverse * mean.p;
+    mean.u = S.velocity(mean.p);
     const double speed = mean.u.tail<3>().norm();
     if (!(speed * time < kLargestSolvedTurn)) return std::nullopt;  // the tangent has a pole
     mean.a = half_step(speed, time);
@@ -85,13 +93,13 @@ std::optional<Mean> solve_mean(const Matrix6d& S_inverse, const Vector6d& p, dou
     const double size = rest.norm();
     if (size <= kDriftConverged * mean.p.norm()) return mean;
     if (size >= last && size <= kDriftRoundOff * mean.p.norm()) break;
-    if (size > kSlowConvergence * last) newton.emplace(slope(S_inverse, mean.p, mean.u, mean.a));
+    if (size > kSlowConvergence * last) newton.emplace(slope(S.inverse, mean.p, mean.u, mean.a));
     last = size;
     mean.p += newton ? newton->solve(rest) : rest;
   }
-  mean.u = S_inverse * mean.p;
-  const Vector6d end = 2 * mean.p - p;
-  const double before = p.dot(S_inverse * p), after = end.dot(S_inverse * end);
+  mean.u = S.velocity(mean.p);
+  const Vector6d own = p - S.rotors, end = 2 * mean.p - p - S.rotors;
+  const double before = own.dot(S.inverse * own), after = end.dot(S.inverse * end);
   // An exact solution keeps the energy.
   if (!(std::abs(after - before) <= kDriftEnergyKept * before)) return std::nullopt;
   return mean;
@@ -104,14 +112,14 @@ Eigen::Quaterniond renormalized(const Eigen::Quaterniond& q) {
 
 /// Applies (E2) and (E3), in halves where (E2) is too stiff to be solved. A half that is still too
 /// stiff keeps its velocity, and so its energy.
-void advance(const Matrix6d& S_inverse, DriftState& m, double time, int halvings) {
-  std::optional<Mean> mean = solve_mean(S_inverse, m.p, time);
+void advance(const Inertia& S, DriftState& m, double time, int halvings) {
+  std::optional<Mean> mean = solve_mean(S, m.p, time);
   if (!mean) {
     if (halvings > 0) {
-      advance(S_inverse, m, time / 2, halvings - 1);
-      return advance(S_inverse, m, time / 2, halvings - 1);
+      advance(S, m, time / 2, halvings - 1);
+      return advance(S, m, time / 2, halvings - 1);
     }
-    mean = {.p = m.p, .u = S_inverse * m.p};
+    mean = {.p = m.p, .u = S.velocity(m.p)};
   }
   m.x += m.q.toRotationMatrix() *
          displacement(mean->u, m.p.head<3>(), mean->p.head<3>(), mean->a, time);
@@ -122,28 +130,28 @@ void advance(const Matrix6d& S_inverse, DriftState& m, double time, int halvings
 /// Advances ω in B and the orientation by Euler's equations, with (E2) solved by repeated
 /// substitution. It converges for a body by itself. With added mass, one moment of inertia may be
 /// thousands of times another, and where it does not, (E2) is solved as that of a whole body.
-void turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, Vector3d& w,
-                      Eigen::Quaterniond& q, double time) {
-  const Vector3d L = inertia * w;
+void turn_by_midpoint(const Matrix3d& inertia, const Matrix3d& inverse, const Vector3d& rotors,
+                      Vector3d& w, Eigen::Quaterniond& q, double time) {
+  const Vector3d L = inertia * w + rotors;
   Vector3d mean = L;
   double change = 0;
   for (int i = 0; i < kMostDriftSolves; ++i) {
-    const Vector3d rate = inverse * mean;
+    const Vector3d rate = inverse * (mean - rotors);
     const Vector3d next = L + half_step(rate.norm(), time) * mean.cross(rate);
     change = (next - mean).squaredNorm();
     mean = next;
     if (change <= kDriftConverged * kDriftConverged * L.squaredNorm()) break;
   }
   if (change <= kDriftRoundOff * kDriftRoundOff * L.squaredNorm()) {
-    w = inverse * (2 * mean - L);
-    q = renormalized(q * exponential(time * (inverse * mean)));
+    w = inverse * (2 * mean - L - rotors);
+    q = renormalized(q * exponential(time * (inverse * (mean - rotors))));
     return;
   }
-  Matrix6d S_inverse = Matrix6d::Identity();
-  S_inverse.bottomRightCorner<3, 3>() = inverse;
+  Inertia S{.inverse = Matrix6d::Identity(), .rotors = to_vector6(Vector3d::Zero(), rotors)};
+  S.inverse.bottomRightCorner<3, 3>() = inverse;
   DriftState m{.p = to_vector6(Vector3d::Zero(), L), .q = q};
-  advance(S_inverse, m, time, kMostDriftHalvings);
-  w = inverse * m.p.tail<3>();
+  advance(S, m, time, kMostDriftHalvings);
+  w = inverse * (m.p.tail<3>() - rotors);
   q = m.q;
 }
 
@@ -152,33 +160,38 @@ Vector6d gyration(const Vector6d& u, const Vector6d& p) {
   return to_vector6(Vector3d::Zero(), -u.head<3>().cross(p.head<3>()));
 }
 
-/// Inertia in B and locks of a body.
-struct PartlyLockedBody {
-  const Matrix6d& inertia_B;
-  const DofMask& locked;
-
-  Matrix6d inertia_W(const Eigen::Quaterniond& q) const {
-    return rotate_tensor(q.toRotationMatrix(), inertia_B);
-  }
-};
-
-/// Its motion: the velocity is relative to the water, in W.
+/// The motion of a body with locks: its velocity is relative to the water, in W.
 struct LockedMotion {
   Eigen::Quaterniond q;
   Vector6d u;
 };
 
+/// Its inertia and the momentum of its rotors, in B, and its locks.
+struct PartlyLockedBody {
+  const Matrix6d& inertia_B;
+  const DofMask& locked;
+  const Vector3d& rotors_B;
+
+  Vector6d momentum(const Matrix6d& S, const LockedMotion& motion) const {
+    return S * motion.u + to_vector6(Vector3d::Zero(), motion.q * rotors_B);
+  }
+  Matrix6d inertia_W(const Eigen::Quaterniond& q) const {
+    return rotate_tensor(q.toRotationMatrix(), inertia_B);
+  }
+};
+
 /// Solves one midpoint step of (E1a) by repeated substitution; returns nothing if that diverges.
 std::optional<LockedMotion> solve_locked(const PartlyLockedBody& body, const LockedMotion& start,
                                          double time) {
-  const Vector6d p0 = body.inertia_W(start.q) * start.u;
+  const Vector6d p0 = body.momentum(body.inertia_W(start.q), start);
   LockedMotion end = start;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostDriftSolves; ++i) {
     const Vector6d mean = (start.u + end.u) / 2;
     end.q = (exponential(time * mean.tail<3>()) * start.q).normalized();
     const Matrix6d S = body.inertia_W(end.q);
-    const Vector6d rest = p0 + time * gyration(mean, (p0 + S * end.u) / 2) - S * end.u;
+    const Vector6d p1 = body.momentum(S, end);
+    const Vector6d rest = p0 + time * gyration(mean, (p0 + p1) / 2) - p1;
     const Vector6d change = solve_free(S, rest, {.locked = body.locked});
     end.u += change;
     const double size = change.norm(), speed = end.u.norm();
@@ -245,73 +258,76 @@ Eigen::Quaterniond rotated(const Eigen::Quaterniond& orientation, const Vector3d
   return renormalized(exponential(turn_W) * orientation);
 }
 
-double turning_rate(const Matrix6d& S, const Vector6d& u) {
+double turning_rate(const Matrix6d& S, const Vector6d& u, const Vector3d& rotors) {
   const Vector3d P = (S * u).head<3>();
   const double fastest = std::max(u.head<3>().norm(), P.norm() / S.diagonal().head<3>().minCoeff());
   const double bent = P.cross(u.head<3>()).norm() > 1e-12 * P.norm() * u.head<3>().norm() ? 1 : 0;
   const double munk = bent * P.norm() * fastest / S.diagonal().tail<3>().minCoeff();
-  return u.tail<3>().norm() + std::sqrt(munk);
+  return u.tail<3>().norm() + std::sqrt(munk) + rotors.norm() / S.diagonal().tail<3>().minCoeff();
 }
 
 hydro::BodyState drifted(const Matrix6d& inertia_B, const hydro::BodyState& state,
-                         const Vector3d& current, double time) {
+                         const Vector3d& current, double time, const Vector3d& rotors_B) {
   assert(hydro::is_symmetric(inertia_B) && is_unit(state.orientation) && !(time < 0));
   const Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Vector6d u_B = rotate(R_WB.transpose(), velocity(state, current));
-  DriftState m{.p = inertia_B * u_B, .q = state.orientation};
-  const hydro::Cholesky6 S(inertia_B);
-  assert(S.positive_definite());
-  const Matrix6d S_inverse = S.inverse();
-  const int count = count_parts(turning_rate(inertia_B, u_B), time);
-  for (int i = 0; i < count; ++i) advance(S_inverse, m, time / count, kMostDriftHalvings);
+  const hydro::Cholesky6 factor(inertia_B);
+  assert(factor.positive_definite());
+  const Inertia S{.inverse = factor.inverse(), .rotors = to_vector6(Vector3d::Zero(), rotors_B)};
+  DriftState m{.p = inertia_B * u_B + S.rotors, .q = state.orientation};
+  const int count = count_parts(turning_rate(inertia_B, u_B, rotors_B), time);
+  for (int i = 0; i < count; ++i) advance(S, m, time / count, kMostDriftHalvings);
   hydro::BodyState next =
-      with_velocity(state, rotate(m.q.toRotationMatrix(), Vector6d(S_inverse * m.p)), current);
+      with_velocity(state, rotate(m.q.toRotationMatrix(), S.velocity(m.p)), current);
   next.position += m.x + time * current;
   next.orientation = m.q;
   return next;
 }
 
-hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, double time) {
-  hydro::BodyState next = rotated_freely(body.inertia_B, state, time);
+hydro::BodyState drifted(const BodySpec& body, const hydro::BodyState& state, double time,
+                         const Vector3d& rotors_B) {
+  hydro::BodyState next = rotated_freely(body.inertia_B, state, time, rotors_B);
   next.position += time * state.linear_velocity;
   return next;
 }
 
-hydro::BodyState rotated_freely(const Matrix3d& inertia, const hydro::BodyState& state,
-                                double time) {
+hydro::BodyState rotated_freely(const Matrix3d& inertia, const hydro::BodyState& state, double time,
+                                const Vector3d& rotors_B) {
   assert(hydro::is_symmetric(inertia) && is_unit(state.orientation));
   hydro::BodyState next = state;
   if (state.angular_velocity.isZero(0)) return next;
-  const bool round =
-      inertia.isDiagonal(0) && inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
+  const bool round = rotors_B.isZero(0) && inertia.isDiagonal(0) &&
+                     inertia(0, 0) == inertia(1, 1) && inertia(1, 1) == inertia(2, 2);
   if (round) {
     next.orientation = rotated(state.orientation, time * state.angular_velocity);
     return next;
   }
   const Matrix3d inverse = inertia.inverse();
   Vector3d w_B = state.orientation.conjugate() * state.angular_velocity;
-  const int count = count_parts(w_B.norm(), time);
+  const double nutation = rotors_B.norm() / inertia.diagonal().minCoeff();
+  const int count = count_parts(w_B.norm() + nutation, time);
   for (int i = 0; i < count; ++i)
-    turn_by_midpoint(inertia, inverse, w_B, next.orientation, time / count);
+    turn_by_midpoint(inertia, inverse, rotors_B, w_B, next.orientation, time / count);
   next.angular_velocity = next.orientation * w_B;
   return next;
 }
 
 hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
-                         const hydro::BodyState& state, const Vector3d& current, double time) {
+                         const hydro::BodyState& state, const Vector3d& current, double time,
+                         const Vector3d& rotors_B) {
   hydro::BodyState next = state;
   if (state.angular_velocity.isZero(0) && locked[3] && locked[4] && locked[5]) {
     next.position += time * state.linear_velocity;
     return next;
   }
-  const PartlyLockedBody body{.inertia_B = inertia_B, .locked = locked};
+  const PartlyLockedBody body{.inertia_B = inertia_B, .locked = locked, .rotors_B = rotors_B};
   LockedMotion motion{.q = state.orientation, .u = velocity(state, current)};
   // Locks can make the body turn ever faster, so each part is chosen by the motion at its start.
   const double shortest = time / kMostDriftParts;
   double rest = time;
   while (rest > 0) {
     const Matrix3d R_BW = motion.q.conjugate().toRotationMatrix();
-    const int count = count_parts(turning_rate(inertia_B, rotate(R_BW, motion.u)), rest);
+    const int count = count_parts(turning_rate(inertia_B, rotate(R_BW, motion.u), rotors_B), rest);
     const double part = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
     next.position += advance_locked(body, motion, part, kMostDriftHalvings) + part * current;
     rest = count == 1 ? 0 : rest - part;

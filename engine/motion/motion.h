@@ -19,6 +19,9 @@ struct Motion {
   /// Velocity of the water about the body, constant for a substep, to which u is relative [m/s].
   /// The substep sets it.
   Eigen::Vector3d flow = Eigen::Vector3d::Zero();
+  /// Angular momentum of propellers' spinning masses relative to the body, in B, constant for a
+  /// substep [N m s]. The substep sets it.
+  Eigen::Vector3d rotors_B = Eigen::Vector3d::Zero();
   // Motions are copied often, and most have no added mass.
   std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
   std::optional<WaveMemory> memory;       ///< Of a body that radiates waves.

@@ -74,11 +74,11 @@ hydro::BodyState project_onto_joint(const ReducedJoint& joint, hydro::BodyState 
 }
 
 hydro::BodyState advance_on_joint(const ReducedJoint& joint, const Matrix6d& inertia_B,
-                                  hydro::BodyState state, double time) {
+                                  hydro::BodyState state, double time, const Vector3d& rotors_B) {
   if (joint.type == Type::ball) {
     const Subspace N_B = turning_about(joint.anchor_B);
-    return project_onto_joint(joint,
-                              rotated_freely(N_B.transpose() * inertia_B * N_B, state, time));
+    return project_onto_joint(
+        joint, rotated_freely(N_B.transpose() * inertia_B * N_B, state, time, rotors_B));
   }
   state.position += time * state.linear_velocity;
   state.orientation = exponential(time * state.angular_velocity) * state.orientation;

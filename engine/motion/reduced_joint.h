@@ -46,7 +46,9 @@ hydro::BodyState project_onto_joint(const ReducedJoint& joint, hydro::BodyState 
 
 /// The state on the joint after `time` [s] without loads.
 /// @param inertia_B   M + A about the centre of mass, body axes.
+/// @param rotors_B    H of (E1).
 hydro::BodyState advance_on_joint(const ReducedJoint& joint, const Matrix6d& inertia_B,
-                                  hydro::BodyState state, double time);
+                                  hydro::BodyState state, double time,
+                                  const Eigen::Vector3d& rotors_B = Eigen::Vector3d::Zero());
 
 }  // namespace engine

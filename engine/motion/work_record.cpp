@@ -144,7 +144,12 @@ void record_drift(const Body& body, const Motion& before, double time, Motion& a
   if (!projected && !before.added_B) return;
   const Vector6d u0 = velocity(before.state, after.flow);
   const Vector6d u1 = velocity(after.state, after.flow);
-  const Vector6d own = momentum(body.rigid_B, after, u1) - momentum(body.rigid_B, before, u0);
+  const auto spun = [](const Motion& motion) {
+    return to_vector6(Eigen::Vector3d::Zero(), motion.state.orientation * motion.rotors_B);
+  };
+  // The momentum that rotors lose to the body is no load's.
+  const Vector6d own = momentum(body.rigid_B, after, u1) - momentum(body.rigid_B, before, u0) +
+                       spun(after) - spun(before);
   after.work->works.added_mass += energy_by_flow(body, after) - energy_by_flow(body, before);
   if (!projected) return add_added_impulse(after.flow, own, *after.work);
   Vector6d water = Vector6d::Zero();

@@ -14,7 +14,11 @@ BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, doubl
   for (const hydro::Wrench& load : applied_loads(moving, state, time)) forces.applied += load;
   forces.radiation = to_wrench(memory_load(body, motion, time));
   forces.lines = lines + to_wrench(record.row_impulse / step);
-  if (moving.machines) forces.machines = moving.machines->load(moving.id, state, time);
+  if (moving.machines) {
+    forces.machines = moving.machines->load(moving.id, state, time);
+    const Eigen::Vector3d H = state.orientation * moving.machines->rotors_B(moving.id, time);
+    forces.machines.moment -= state.angular_velocity.cross(H);
+  }
   forces.weight.force.z() = -body.spec->mass * body.environment.gravity;
   if (body.feels_air || holds_water(motion) || may_be_wet(body, state))
     forces.water = water_loads(body, motion, state, time);

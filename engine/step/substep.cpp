@@ -20,11 +20,17 @@ Vector6d change_by_history(const Motion& halfway, double h) {
 }
 
 /// Drifts a free body to the middle of the substep, from its corrected state (E9).
+/// What a substep takes as constant: the water about a body, and its rotors.
+void hold_surroundings(const SubstepBody& b, double time, double h, Motion& motion) {
+  motion.flow = flow_about(b.body(), motion.state, time, h / 2);
+  if (b.moving->machines) motion.rotors_B = b.moving->machines->rotors_B(b.id, time + h / 2);
+}
+
 void begin_free(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
   if (b.halfway.constrained) b.halfway.accelerations.clear();
   b.halfway.constrained = false;
-  b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
+  hold_surroundings(b, time, h, b.halfway);
   b.correction = find_correction(b.body(), b.halfway, h);
   if (b.correction) correct(b.body(), *b.correction, 1, b.halfway);
   b.start = b.halfway.state;
@@ -233,7 +239,7 @@ void solve_constrained(const StepContext& context, Island& island, double time, 
 
 void drift_halfway(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
-  b.halfway.flow = flow_about(b.body(), b.halfway.state, time, h / 2);
+  hold_surroundings(b, time, h, b.halfway);
   drift(b.body(), b.halfway, h / 2);
   check_state(*b.moving, b.halfway.state);
 }

@@ -44,7 +44,7 @@ double swing_limit(const Body& body, const Motion& motion, double rest, double s
 double own_turning_rate(const Body& body, const Motion& motion) {
   const Eigen::Matrix3d R_BW = motion.state.orientation.conjugate().toRotationMatrix();
   return turning_rate(body.rigid_B + motion.added(),
-                      rotate(R_BW, velocity(motion.state, body.current())));
+                      rotate(R_BW, velocity(motion.state, body.current())), motion.rotors_B);
 }
 
 double turn_limit(const Body& body, const Motion& motion, double rest, double shortest) {

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "hydro/added_mass/constant_added_mass.h"
 #include "tests/engine/rig_specs.h"
 #include "tests/support/random_pose.h"
 
@@ -94,6 +95,83 @@ TEST(Propeller, DrivesABodyToTheSpeedAtWhichItPushesNoMore) {
   EXPECT_NEAR(screw.thrust, 0, 700);  // 1 % of the bollard pull
   EXPECT_NEAR(screw.advance, simulation.states()[0].linear_velocity.x() / 6, 1e-6);
   EXPECT_NEAR(screw.turn, 2 * std::numbers::pi * 3 * 200, 1e-6);
+}
+
+/// A rod in space whose shaft spins so fast that the rod nutates by `turn` [rad] a step.
+SimulationSpec with_flywheel(double turn) {
+  SimulationSpec spec =
+      support::dry_world({support::box_body("rod", {4, 1, 1}, 1000, {1, 2, 3})}, 1.0 / 60);
+  spec.gravity = 0;
+  engine::BodySpec& rod = spec.bodies[0];
+  rod.initial.orientation = support::Random(5).rotation();
+  rod.initial.angular_velocity = rod.initial.orientation * Vector3d(0, 0.5, 0);
+  engine::PropellerSpec flywheel{.name = "flywheel", .body = 0, .inertia = 3};
+  const double spin = turn / spec.step * rod.inertia_B(1, 1);
+  flywheel.speed = support::add_set_point(spec, "propellers[flywheel].speed_rps",
+                                          spin / (2 * std::numbers::pi * flywheel.inertia));
+  flywheel.azimuth = support::add_set_point(spec, "propellers[flywheel].azimuth_deg", 0);
+  spec.propellers = {flywheel};
+  return spec;
+}
+
+/// Angular momentum of all bodies about the origin, with that of the flywheel on the first one.
+Vector3d angular_momentum(const SimulationSpec& spec, const std::vector<hydro::BodyState>& states) {
+  const engine::SetPoints points(spec);
+  Vector3d sum = states[0].orientation * engine::Machines(spec, points).rotors_B(0, 0);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    sum += support::spin(spec.bodies[i], states[i]) +
+           spec.bodies[i].mass * states[i].position.cross(states[i].linear_velocity);
+  return sum;
+}
+
+TEST(Flywheel, LetsItsBodyNutateWithoutGainOrLossHoweverFastItSpins) {
+  for (const double turn : {0.01, 0.5, 5.0}) {
+    SCOPED_TRACE(turn);
+    SimulationSpec spec = with_flywheel(turn);
+    // The added mass takes another way through the drift.
+    for (const bool wet : {false, true}) {
+      if (wet) {
+        spec.sea = hydro::Sea{.density = 1e-30, .gravity = 0, .level = 100};  // no thrust
+        hydro::Matrix6d A = hydro::Matrix6d::Zero();
+        A.diagonal() << 0, 0, 0, 100, 900, 900;
+        spec.bodies[0].added_mass =
+            std::make_shared<hydro::ConstantAddedMass>(spec.bodies[0].mesh_B, A);
+      }
+      const double start = support::total_energy(spec, Simulation(spec).states());
+      const hydro::BodyState end = support::after(spec, 600).states()[0];
+      EXPECT_NEAR(support::total_energy(spec, {end}) / start, 1, 1e-9);
+      if (wet) continue;
+      const Vector3d momentum = angular_momentum(spec, {spec.bodies[0].initial});
+      EXPECT_LT((angular_momentum(spec, {end}) - momentum).norm(), 1e-9 * momentum.norm());
+    }
+  }
+}
+
+// I ω' = −ω × H
+TEST(Flywheel, LetsItsBodyNutateAtTheRateOfItsMomentumOverTheInertia) {
+  const SimulationSpec spec = with_flywheel(0.5);
+  const hydro::BodyState end = support::after(spec, 20).states()[0];
+  const Vector3d rate = end.orientation.conjugate() * end.angular_velocity;
+  // Parts of 0.1 rad have an error of 0.1²/12 of the phase.
+  EXPECT_LT((rate - 0.5 * Vector3d(0, std::cos(10.0), std::sin(10.0))).norm(), 0.5 * 10 * 1e-3);
+}
+
+TEST(Flywheel, OnOneOfTwoBodiesOfAJointGivesThemNothing) {
+  for (const auto type : {engine::JointSpec::Type::fixed, engine::JointSpec::Type::ball}) {
+    SimulationSpec spec = with_flywheel(2);
+    spec.bodies.push_back(support::box_body("weight", {1, 1, 1}, 1000, {1, 2, 5}));
+    spec.bodies[1].initial.angular_velocity = spec.bodies[0].initial.angular_velocity;
+    spec.bodies[1].initial.linear_velocity =
+        spec.bodies[1].initial.angular_velocity.cross(Vector3d(0, 0, 2));
+    spec.joints = {{.type = type, .first = 0, .second = 1, .anchor_W = {1, 2, 4}}};
+    Simulation simulation(spec);
+    simulation.step();
+    const double start = support::total_energy(spec, simulation.states());
+    for (int i = 0; i < 600; ++i) simulation.step();
+    const double end = support::total_energy(spec, simulation.states());
+    EXPECT_LE(end, start * (1 + 1e-9));
+    EXPECT_GT(end, 0.9 * start);
+  }
 }
 
 TEST(Rudder, OfAPositiveAngleTurnsTheShipToPort) {
