@@ -128,8 +128,9 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
   if (!drive.limits) return rows;
   const double below = (*drive.limits)[0] - s.q, above = s.q - (*drive.limits)[1];
   for (const auto& [beyond, sign] : {std::pair(below, 1.0), std::pair(above, -1.0)}) {
-    if (beyond < 0) continue;
-    rows.push_back(row_of(rigid_terms(beyond / s.step, mobility, h), sign, turns));
+    // Before a stop it may come as near as that by the middle of the next substep.
+    const double back = beyond < 0 ? beyond / h : beyond / s.step;
+    rows.push_back(row_of(rigid_terms(back, mobility, h), sign, turns));
     rows.back().one_sided = true;
   }
   return rows;
