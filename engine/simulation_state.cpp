@@ -155,9 +155,7 @@ void visit(auto& a, Counts& c) {
 void visit(auto& a, BodyRecord& body) {
   visit_all(a, body.motion, body.inputs.pull, body.inputs.loads, body.counts, body.water_state);
 }
-void visit(auto& a, EnergyRange& r) {
-  visit_all(a, r.lowest, r.highest, r.lowest_potential, r.given_by_joints);
-}
+void visit(auto& a, EnergyRange& r) { visit_all(a, r.lowest, r.highest, r.lowest_potential); }
 void visit(auto& a, StepValue& v) { visit_all(a, v.start, v.middle, v.end); }
 void visit(auto& a, SetPointState& s) {
   visit_all(a, s.value, s.outside, s.integral, s.measured, s.beyond);

@@ -23,7 +23,7 @@ inline constexpr double kSmallestSwing = 1e-6;
 /// Shortest substep that an oscillation asks for, over the step [-].
 inline constexpr double kShortestSwing = 1.0 / 8;
 /// Largest turn, by its own inertia, of a body under joints or contacts in a substep [rad]. Larger:
-/// joints drift apart, since their solver does not see that turn.
+/// chains that whip lose energy, since the solver of their joints does not see that turn.
 inline constexpr double kLargestConstrainedTurn = 0.25;
 /// Substeps that the motion can ask for in a step [-]. More: bodies that spin fast cost more.
 inline constexpr int kMostSubsteps = 64;
@@ -67,11 +67,6 @@ inline constexpr double kSmoothSwing = 0.3;
 /// Half the energy gain that still water may give, over the largest energy so far [-]. Larger:
 /// light bodies bounce on the surface; smaller: resolved motions are slowed.
 inline constexpr double kEnergyGain = 2.5e-4;
-/// Energy that joints may give a group in a substep that is not judged, over its kinetic energy
-/// [-]. Larger: gains too small to be noticed add up; smaller: more substeps are judged.
-inline constexpr double kUnjudgedJointGain = 1e-5;
-/// Energy that joints may have given a group in moving water, over its kinetic energy [-].
-inline constexpr double kJointGain = 0.1;
 
 // ── Drift by inertia (free_motion.h) ────────────────────────────────────────────────────────────
 
@@ -201,8 +196,16 @@ inline constexpr int kMostDenseRows = 400;  ///< Rows of a system that is solved
 /// that constrain the same motion twice are not solvable; larger: joints give way.
 inline constexpr double kLeastCompliance = 1e-11;
 inline constexpr std::size_t kAndersonDepth = 12;  ///< Differences that Anderson keeps.
-inline constexpr int kMostDiskSteps = 6;           ///< Newton steps for a friction at its limit.
-inline constexpr double kDiskError = 1e-6;         ///< Excess of such a friction, then taken [-].
+/// Error of joints at the end of a substep that is none, over the radius of the smaller body [-].
+inline constexpr double kClosedJoint = 1e-10;
+/// Rate of the error of joints that is none, over those that their bodies' velocities could make
+/// [-].
+inline constexpr double kStoppedJoint = 1e-10;
+/// Newton steps that close joints, and halvings of one that does not lead nearer.
+inline constexpr int kMostClosings = 10;
+inline constexpr double kLargestClosingTurn = 0.5;  ///< Turn of a body in one [rad].
+inline constexpr int kMostDiskSteps = 6;            ///< Newton steps for a friction at its limit.
+inline constexpr double kDiskError = 1e-6;          ///< Excess of such a friction, then taken [-].
 
 // ── Lines and drives (rig.h, force_row.h) ───────────────────────────────────────────────────────
 
@@ -247,10 +250,9 @@ inline constexpr int kMostImpacts = 4;     ///< Impacts in a step of a group tha
 inline constexpr int kMostOnsetLooks = 4;  ///< Collisions to find the onset of an impact.
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
 inline constexpr double kImpactGain = 1e-9;
-/// Work that taking back the errors of joints may do in a substep, over the energy of the motion
-/// and of what loads give it [-]. Larger: joints that contradict each other throw their bodies;
-/// smaller: chains that spin fast come apart.
-inline constexpr double kJointWork = 0.01;
+/// Work that the reactions of an island that is not solved may do in a substep, over the energy of
+/// the motion and of what loads give it [-].
+inline constexpr double kUnsolvedWork = 0.01;
 /// Motion of a pair in a step after which an impact may throw bodies far, over the thickness of the
 /// thinner one [-]. Smaller: groups of fast bodies are larger, and take short substeps together.
 inline constexpr double kFarImpact = 2;

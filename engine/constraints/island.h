@@ -32,8 +32,7 @@ struct SubstepBody {
   Vector6d reaction_B = Vector6d::Zero();          ///< R of joints and contacts, in B.
   std::optional<Eigen::Vector3d> load_acceleration_W;  ///< As that of Motion.
   Motion end;                                          ///< The result.
-  double reaction_work = 0;                            ///< Work of R over the substep [J].
-  double row_work = 0;                                 ///< That of rows, a part of it [J].
+  double row_work = 0;                                 ///< Work of rows over the substep [J].
   double inflow_work = 0;  ///< Energy that water has brought into its pockets [J].
   bool abrupt = false;     ///< Loads changed by much on the way: the substep is to be judged.
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/constants.h"
-
 namespace engine {
 namespace {
 
@@ -20,25 +18,24 @@ struct Rows {
 };
 
 void add_separation(const JointFrames& joint, const Rows& rows, const Vector3d& first_arm,
-                    const Vector3d& second_arm, double h, std::vector<ConstraintBlock>& blocks) {
+                    const Vector3d& second_arm, std::vector<ConstraintBlock>& blocks) {
   ConstraintBlock block{.rows = static_cast<int>(rows.directions.size()), .bodies = joint.bodies};
   for (int i = 0; i < block.rows; ++i) {
     const Vector3d& e = rows.directions[static_cast<std::size_t>(i)];
     block.J[0].row(i) = to_vector6(e, first_arm.cross(e)).transpose();
     block.J[1].row(i) = -to_vector6(e, second_arm.cross(e)).transpose();
-    block.target[i] = -kJointErp / h * e.dot(rows.apart);
+    block.target[i] = -e.dot(rows.apart);
   }
   blocks.push_back(block);
 }
 
-void add_turn(const JointFrames& joint, const Rows& rows, double h,
-              std::vector<ConstraintBlock>& blocks) {
+void add_turn(const JointFrames& joint, const Rows& rows, std::vector<ConstraintBlock>& blocks) {
   ConstraintBlock block{.rows = static_cast<int>(rows.directions.size()), .bodies = joint.bodies};
   for (int i = 0; i < block.rows; ++i) {
     const Vector3d& e = rows.directions[static_cast<std::size_t>(i)];
     block.J[0].row(i) = to_vector6(Vector3d::Zero(), e).transpose();
     block.J[1].row(i) = -block.J[0].row(i);
-    block.target[i] = -kJointErp / h * e.dot(rows.apart);
+    block.target[i] = -e.dot(rows.apart);
   }
   blocks.push_back(block);
 }
@@ -56,6 +53,13 @@ std::vector<Vector3d> normals(const Vector3d& axis) {
 Vector3d turn_vector(const Eigen::Quaterniond& turn) {
   const Eigen::AngleAxisd whole(turn);
   return whole.angle() * whole.axis();
+}
+
+/// The turn that takes one unit vector to another, as axis times angle.
+Vector3d turn_between(const Vector3d& from, const Vector3d& to) {
+  const Vector3d normal = from.cross(to);
+  const double sine = normal.norm();
+  return sine > 0 ? Vector3d(std::atan2(sine, from.dot(to)) / sine * normal) : normal;
 }
 
 /// A joint in a state, in W.
@@ -87,7 +91,7 @@ JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
     case Type::ball:
       break;
     case Type::hinge:
-      gap.turn = std::atan2(axis.cross(p.axes[1]).norm(), axis.dot(p.axes[1]));
+      gap.turn = turn_between(axis, p.axes[1]).norm();
       break;
     case Type::universal:
       gap.turn = std::abs(std::asin(std::clamp(axis.dot(p.axes[1]), -1.0, 1.0)));
@@ -103,32 +107,40 @@ JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
   return gap;
 }
 
+Vector6d joint_impulse(const JointFrames& joint, const std::vector<ConstraintBlock>& blocks,
+                       const std::vector<Vector3d>& impulses, std::size_t& next) {
+  // The force on the second body is opposite to that on the first.
+  const bool on_first = joint.seen_by() == joint.bodies[0];
+  Vector6d sum = Vector6d::Zero();
+  for (int i = 0; i < joint.blocks(); ++i, ++next)
+    sum += (on_first ? -1 : 1) * blocks[next].J[on_first ? 0 : 1].transpose() * impulses[next];
+  return sum;
+}
+
 void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
-                      const hydro::BodyState& second, double h,
-                      std::vector<ConstraintBlock>& blocks) {
+                      const hydro::BodyState& second, std::vector<ConstraintBlock>& blocks) {
   const auto [arms, axes, apart, ahead] = placed(joint, first, second);
   if (joint.type == Type::slider) {
     // The second body's point is where the first one's would be, slid along the axis.
     const Vector3d at = second.position + arms[1];
-    add_separation(joint, {normals(axes[0]), apart}, at - first.position, arms[1], h, blocks);
+    add_separation(joint, {normals(axes[0]), apart}, at - first.position, arms[1], blocks);
   } else {
-    add_separation(joint, {all_directions(), apart}, arms[0], arms[1], h, blocks);
+    add_separation(joint, {all_directions(), apart}, arms[0], arms[1], blocks);
   }
   switch (joint.type) {
     case Type::ball:
       break;
     case Type::hinge:
-      // A turn of the first body by a × b takes its axis a to that of the second, b.
-      add_turn(joint, {normals(axes[0]), axes[1].cross(axes[0])}, h, blocks);
+      add_turn(joint, {normals(axes[0]), turn_between(axes[1], axes[0])}, blocks);
       break;
     case Type::universal: {
       const Vector3d normal = axes[0].cross(axes[1]).normalized();
-      add_turn(joint, {{normal}, axes[0].dot(axes[1]) * normal}, h, blocks);
+      add_turn(joint, {{normal}, axes[0].dot(axes[1]) * normal}, blocks);
       break;
     }
     case Type::slider:
     case Type::fixed:
-      add_turn(joint, {all_directions(), turn_vector(ahead)}, h, blocks);
+      add_turn(joint, {all_directions(), turn_vector(ahead)}, blocks);
   }
 }
 

@@ -8,13 +8,13 @@
 /// @file
 /// The rows of ball joints, hinges, sliders, fixed and universal joints.
 ///
-/// The rows of a joint ask for the velocities with which a part of what has come between the points
-/// and axes of its two bodies (joint_frames.h) is taken back in a substep of length h,
+/// The rows of a joint ask for the displacements δ that take back what has come between the points
+/// and axes of its two bodies (joint_frames.h),
 ///
-///     J u = −(kJointErp/h) e,                                                           (E38)
+///     J δ = −e,                                                                         (E38)
 ///
 /// e being the separation of the points, along two normals of the axis for a slider, or the turn
-/// between the axes or bodies.
+/// between the axes or bodies. J u is the rate of e.
 
 namespace engine {
 
@@ -27,9 +27,13 @@ struct JointGap {
 JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
                 const hydro::BodyState& second);
 
+/// The impulse on the joint's second body, by blocks from `next` on, which it leads past them:
+/// moment about the centre of mass of `seen_by()`, in W.
+Vector6d joint_impulse(const JointFrames& joint, const std::vector<ConstraintBlock>& blocks,
+                       const std::vector<Eigen::Vector3d>& impulses, std::size_t& next);
+
 /// Adds the blocks of a joint in a state. @param first, second   Of W for kWorld.
 void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
-                      const hydro::BodyState& second, double h,
-                      std::vector<ConstraintBlock>& blocks);
+                      const hydro::BodyState& second, std::vector<ConstraintBlock>& blocks);
 
 }  // namespace engine

@@ -7,29 +7,26 @@
 #include "engine/contacts/contacts.h"
 
 /// @file
-/// Keeps restitution, and the taking back of what joints have come apart, from giving energy.
+/// Keeps restitution from giving energy.
 ///
 /// One frictionless impact at a time loses (1 − e²) of what its normal motion has. Several at once
 /// with different e, or one with friction, whose impulses turn the body into each other's way, may
-/// gain under Newton's law. Joints that contradict each other, or that the island's pose leaves
-/// next to no freedom, may throw their bodies when their error is taken back (E38).
+/// gain under Newton's law.
 ///
-/// Let 0 and 1 denote the answers to an island's update without both, e = 0 and no error in joints,
-/// and with them. Every R = (1 − s) R₀ + s R₁ pushes, is within its limit of friction, lets nothing
-/// approach, and moves joints as their rows ask for s of the error; s = 1 is the whole. The work of
-/// the reactions over the substep,
+/// Let 0 and 1 denote the answers to an island's update with e = 0 and with restitution. Every
+/// R = (1 − s) R₀ + s R₁ pushes, is within its limit of friction, lets nothing approach, and moves
+/// joints as they allow; s = 1 is the whole. The work of the reactions over the substep,
 ///
 ///     W(s) = ½ h R·(u⁻ + u⁺),                                                            (E33)
 ///
 /// u⁻ and u⁺ the velocities before and after the update, is the change of energy by them, and
-/// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)) + g, g being kJointWork of
-/// the motion's energy where there are joints, and else nothing.
+/// convex in s. s is the largest up to 1 for which W(s) <= max(0, W(0)).
 ///
 /// An answer whose constraints are not solved, as of joints that contradict each other or a needle
 /// under a hundred times its mass, may throw its bodies. So that is bounded, too: the answer
-/// without any R takes the place of 0, and g is kJointWork of the motion's energy and what the
-/// overlap of the bodies holds; in a substep shorter than the time τ of a contact, h/τ of that, as
-/// the thousands of substeps in which a light body spins would else give it each.
+/// without any R takes the place of 0, and W may be up to kUnsolvedWork of the motion's energy and
+/// what the overlap of the bodies holds; in a substep shorter than the time τ of a contact, h/τ of
+/// that, as the thousands of substeps in which a light body spins would else give it each.
 
 namespace engine {
 
@@ -56,7 +53,7 @@ double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, dou
 /// True if W of an answer, less the work of lines and drives, is more than `most` and round-off.
 bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most);
 
-/// The answer at the largest s. @param most   g [J]
+/// The answer at the largest s for which W(s) <= max(0, W(0)) + most.
 ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
                           const std::vector<Vector6d>& before, double h, double most);
 

@@ -100,8 +100,7 @@ Machines::Screw Machines::screw(std::size_t index, const hydro::BodyState& state
   return screw;
 }
 
-hydro::Wrench Machines::load(const Screw& screw, std::size_t index, const hydro::BodyState&,
-                             double time) const {
+hydro::Wrench Machines::load(const Screw& screw, std::size_t index, double time) const {
   const PropellerSpec& spec = spec_.propellers[index];
   const Vector3d force = screw.load.thrust * screw.axis_W;
   const double hand = spec.right_handed ? 1 : -1;
@@ -165,7 +164,7 @@ hydro::Wrench Machines::load(BodyId body, const hydro::BodyState& state, double 
   const Water water(spec_, time);
   hydro::Wrench sum;
   for (const std::size_t i : of_body_[body].propellers)
-    sum += load(screw(i, state, time, water), i, state, time);
+    sum += load(screw(i, state, time, water), i, time);
   for (const std::size_t i : of_body_[body].foils) {
     const Vector3d force = foil(i, state, time, water).force_W;
     sum += {.force = force, .moment = (state.orientation * spec_.foils[i].at_B).cross(force)};

@@ -49,8 +49,7 @@ class Machines {
               const Water& water) const;
   FoilReading foil(std::size_t index, const hydro::BodyState& state, double time,
                    const Water& water) const;
-  hydro::Wrench load(const Screw& screw, std::size_t index, const hydro::BodyState& state,
-                     double time) const;
+  hydro::Wrench load(const Screw& screw, std::size_t index, double time) const;
 
   const SimulationSpec& spec_;
   const SetPoints& set_points_;

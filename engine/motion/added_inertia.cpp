@@ -96,4 +96,18 @@ Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Mobility& mobility) {
   return hydro::Cholesky6(matrix).solve(rhs);
 }
 
+Matrix6d mobility_matrix(const Matrix6d& S, const DofMask& locked) {
+  Matrix6d unlocked = S;
+  for (int i = 0; i < 6; ++i) {
+    if (!locked[i]) continue;
+    unlocked.row(i).setZero();
+    unlocked.col(i).setZero();
+    unlocked(i, i) = 1;
+  }
+  Matrix6d inverse = hydro::Cholesky6(unlocked).inverse();
+  for (int i = 0; i < 6; ++i)
+    if (locked[i]) inverse(i, i) = 0;
+  return inverse;
+}
+
 }  // namespace engine

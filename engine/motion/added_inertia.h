@@ -55,4 +55,7 @@ InertiaChange inertia_change(const Matrix6d& inertia, const Matrix6d& change,
 /// definite.
 Vector6d solve_free(Matrix6d matrix, Vector6d rhs, const Mobility& mobility);
 
+/// The inverse of S in the velocities that locks leave, and zero in the others.
+Matrix6d mobility_matrix(const Matrix6d& S, const DofMask& locked);
+
 }  // namespace engine

@@ -21,6 +21,8 @@ struct JointFrames {
 
   /// Number of blocks that add_joint_blocks() adds (joint_rows.h).
   int blocks() const { return type == JointSpec::Type::ball ? 1 : 2; }
+  /// One that can move.
+  BodyId seen_by() const { return bodies[bodies[0] == kWorld ? 1 : 0]; }
 };
 
 /// @param bodies   kWorld for those that cannot move.

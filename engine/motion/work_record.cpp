@@ -18,6 +18,11 @@ Vector6d momentum(const Matrix6d& X_B, const Motion& motion, const Vector6d& u) 
   return rotate(R_WB, X_B * rotate(R_WB.transpose(), u));
 }
 
+/// K + E_A
+double moving_energy(const Body& body, const Motion& motion) {
+  return own_kinetic_energy(body, motion) + added_kinetic_energy(body, motion);
+}
+
 /// Adds an impulse of the water that moves with a body, by which water of a velocity does work.
 void add_added_impulse(const Eigen::Vector3d& flow, const Vector6d& impulse, WorkRecord& record) {
   record.added_impulse += impulse;
@@ -174,10 +179,22 @@ void record_added_mass(const Body& body, const Motion& before, Motion& after) {
 }
 
 void record_clamp(const Body& body, const Motion& before, Motion& after) {
-  const auto energy = [&](const Motion& motion) {
-    return own_kinetic_energy(body, motion) + added_kinetic_energy(body, motion);
-  };
-  after.work->works.brake += energy(after) - energy(before);
+  after.work->works.brake += moving_energy(body, after) - moving_energy(body, before);
+}
+
+void record_joints(const Body& body, const Motion& before, Motion& after) {
+  WorkRecord& record = *after.work;
+  const double weight = -body.spec->mass * body.environment.gravity *
+                        (after.state.position.z() - before.state.position.z());
+  record.works.weight += weight;
+  record.works.constraint += moving_energy(body, after) - moving_energy(body, before) - weight;
+  // A pose is put on a joint without an impulse.
+  if (before.state.orientation != after.state.orientation) return;
+  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+  const Vector6d change = velocity(after.state, still) - velocity(before.state, still);
+  const Vector6d added = momentum(after.added(), after, change);
+  record.constraint_impulse += momentum(body.rigid_B, after, change) + added;
+  record.added_impulse -= added;
 }
 
 void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,

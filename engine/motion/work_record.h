@@ -71,6 +71,8 @@ void record_drift(const Body& body, const Motion& before, double time, Motion& a
 void record_added_mass(const Body& body, const Motion& before, Motion& after);
 /// A change of velocity by the energy limiter.
 void record_clamp(const Body& body, const Motion& before, Motion& after);
+/// A projection of pose or velocity on joints.
+void record_joints(const Body& body, const Motion& before, Motion& after);
 /// A step of ODE's own by the last loads. @param constrained   Constraints acted.
 void record_ode_step(const MovingBody& moving, const Motion& before, double step, bool constrained,
                      Motion& after);

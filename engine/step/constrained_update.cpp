@@ -9,7 +9,6 @@
 #include "engine/constraints/constraint_solver.h"
 #include "engine/constraints/joint_rows.h"
 #include "engine/constraints/restitution.h"
-#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -25,21 +24,6 @@ struct Pushed {
 
   Vector6d unconstrained(double h) const { return before + h * mobility * load; }
 };
-
-/// S⁻¹ without the rows and columns of locks.
-Matrix6d mobility_matrix(const Matrix6d& S, const DofMask& locked) {
-  Matrix6d unlocked = S;
-  for (int i = 0; i < 6; ++i) {
-    if (!locked[i]) continue;
-    unlocked.row(i).setZero();
-    unlocked.col(i).setZero();
-    unlocked(i, i) = 1;
-  }
-  Matrix6d inverse = hydro::Cholesky6(unlocked).inverse();
-  for (int i = 0; i < 6; ++i)
-    if (locked[i]) inverse(i, i) = 0;
-  return inverse;
-}
 
 Pushed make_pushed(const SubstepBody& c, double time, double h, hydro::Pieces pieces) {
   const EffectiveLoad effective =
@@ -75,8 +59,14 @@ double motion_energy(const Problem& problem) {
 struct Constraints {
   const std::vector<JointFrames>& joints;
   const std::vector<Contact>& contacts;
-  double joint_error = 1;  ///< Part of the error of joints that is taken back.
 };
+
+/// u⁻ of a body; zero for what does not move.
+Vector6d velocity_before(const Problem& problem, BodyId id) {
+  const auto found = std::ranges::lower_bound(problem.island.bodies, id, {}, &SubstepBody::id);
+  if (found == problem.island.bodies.end() || (*found)->id != id) return Vector6d::Zero();
+  return problem.bodies[static_cast<std::size_t>(found - problem.island.bodies.begin())].before;
+}
 
 /// The rows of joints, then of contacts, then of lines and drives.
 std::vector<ConstraintBlock> blocks_of(const Problem& problem, const Constraints& constraints) {
@@ -90,8 +80,10 @@ std::vector<ConstraintBlock> blocks_of(const Problem& problem, const Constraints
   std::vector<ConstraintBlock> blocks;
   blocks.reserve(3 * constraints.joints.size() + constraints.contacts.size() + island.rows.size());
   for (const JointFrames& joint : constraints.joints)
-    add_joint_blocks(joint, state_of(joint.bodies[0]), state_of(joint.bodies[1]), h, blocks);
-  for (ConstraintBlock& block : blocks) block.target *= constraints.joint_error;
+    add_joint_blocks(joint, state_of(joint.bodies[0]), state_of(joint.bodies[1]), blocks);
+  for (ConstraintBlock& block : blocks)
+    block.target = -block.J[0] * velocity_before(problem, block.bodies[0]) -
+                   block.J[1] * velocity_before(problem, block.bodies[1]);
   for (const Contact& contact : constraints.contacts)
     blocks.push_back(contact_block(contact, state_of(contact.pair.first).position,
                                    state_of(contact.pair.second).position, h));
@@ -109,14 +101,9 @@ std::vector<JointReaction> joint_reactions(const Problem& problem,
   std::vector<JointReaction> reactions;
   std::size_t k = 0;
   for (const JointFrames& joint : joints) {
-    // The force on the second body is opposite to that on the first.
-    const bool on_first = joint.bodies[0] != kWorld;
-    const int side = on_first ? 0 : 1;
-    Vector6d load = Vector6d::Zero();
-    for (int i = 0; i < joint.blocks(); ++i, ++k)
-      load += (on_first ? -1 : 1) / problem.h * blocks[k].J[side].transpose() * impulses[k];
+    const Vector6d load = joint_impulse(joint, blocks, impulses, k) / problem.h;
     const auto body =
-        std::ranges::lower_bound(problem.island.bodies, joint.bodies[side], {}, &SubstepBody::id);
+        std::ranges::lower_bound(problem.island.bodies, joint.seen_by(), {}, &SubstepBody::id);
     reactions.push_back({.joint = joint.index,
                          .force_W = load.head<3>(),
                          .moment_W = load.tail<3>(),
@@ -241,15 +228,14 @@ std::vector<Vector6d> velocities_before(const Problem& problem) {
   return before;
 }
 
-/// The answer, less what corrections would give of energy (E33).
-Answer less_corrections(const Problem& problem, const std::vector<JointFrames>& joints,
+/// The answer, less what restitution would give of energy (E33).
+Answer less_restitution(const Problem& problem, const std::vector<JointFrames>& joints,
                         Answer answer) {
-  if (joints.empty() && !restores(problem.island.contacts)) return answer;
+  if (!restores(problem.island.contacts)) return answer;
   const std::vector<Vector6d> before = velocities_before(problem);
-  const double most = joints.empty() ? 0 : kJointWork * motion_energy(problem);
-  if (!gains(answer, before, problem.h, most)) return answer;
+  if (!gains(answer, before, problem.h, 0)) return answer;
   const std::vector<Contact> contacts = without_restitution(problem.island.contacts);
-  return without_gain(solve(problem, {joints, contacts, 0}), answer, before, problem.h, most);
+  return without_gain(solve(problem, {joints, contacts}), answer, before, problem.h, 0);
 }
 
 /// The answer; of one that is not solved only what no more than overlaps give of energy.
@@ -258,12 +244,12 @@ Answer solve(const Problem& problem) {
   for (const SubstepBody* b : problem.island.bodies) ids.push_back(b->id);
   const std::vector<JointFrames> joints = problem.context.world.joints_of(ids);
   Answer answer =
-      less_corrections(problem, joints, solve(problem, {joints, problem.island.contacts}));
+      less_restitution(problem, joints, solve(problem, {joints, problem.island.contacts}));
   if (answer.solved) return answer;
   const std::vector<Vector6d> before = velocities_before(problem);
   // What lasts for a contact's time or longer has the whole of it; many short substeps share it.
   const double part = problem.h / std::max(problem.h, kShortestContact);
-  const double most = part * (kJointWork * motion_energy(problem) + overlap_energy(problem));
+  const double most = part * (kUnsolvedWork * motion_energy(problem) + overlap_energy(problem));
   if (!gains(answer, before, problem.h, most)) return answer;
   return without_gain(without_reactions(problem, answer), answer, before, problem.h, most);
 }

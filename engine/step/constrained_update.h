@@ -10,8 +10,14 @@
 ///
 ///     S Δu = h (F + R),                                                                    (E7)
 ///
-/// where u + Δu and R = Jᵀp/h, and the reactions of locks, obey the rows of all constraints (E8).
-/// Locks are no rows: they leave S⁻¹ the velocities that they allow.
+/// where u⁺ = u + Δu and R = Jᵀp/h, and the reactions of locks, obey the rows of all constraints
+/// (E8). Locks are no rows: they leave S⁻¹ the velocities that they allow. Those of joints turn the
+/// velocity at the joint round,
+///
+///     J u⁺ = −J u⁻,                                                                       (E7a)
+///
+/// so that their work ½ p·J (u⁻ + u⁺) is none, and what the first half of the substep has brought
+/// between the sides of a joint closes in the second (joint_closing.h).
 ///
 /// The step does not depend on a lagged acceleration: S has the whole added mass. Where the loads
 /// are stiff they are linearised about the change that the constraints lead to, and the constraints

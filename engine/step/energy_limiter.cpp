@@ -52,17 +52,6 @@ bool is_suspect(const SubstepBody& b, double h) {
   return !is_smooth(b.end.accelerations, h);
 }
 
-/// True if taking back the errors of joints has given a group more than a negligible part of its
-/// energy.
-bool joints_gave(const std::vector<SubstepBody*>& members) {
-  double gain = 0, kinetic = 0;
-  for (const SubstepBody* b : members) gain += b->reaction_work - b->row_work;
-  if (gain <= 0) return false;
-  for (const SubstepBody* b : members)
-    kinetic += kinetic_energy(b->body(), b->end, b->body().current());
-  return gain > kUnjudgedJointGain * kinetic;
-}
-
 }  // namespace
 
 void EnergyRange::extend(double energy, double potential) {
@@ -85,6 +74,7 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
   assert(std::ranges::equal(members, group_, {}, &SubstepBody::id));
   excess_ = 0;
   next_ = range_;
+  if (!in_still_water_) return false;
   if (std::any_of(members.begin(), members.end(), [](const auto* b) { return b->touching; })) {
     next_ = {};
     return false;
@@ -93,12 +83,8 @@ bool EnergyLimiter::judge(const std::vector<SubstepBody*>& members, double h, bo
     next_.lowest = std::numeric_limits<double>::infinity();
   for (const SubstepBody* b : members) next_.lowest += b->row_work + b->inflow_work;
   const auto suspect = [h](const SubstepBody* b) { return is_suspect(*b, h); };
-  if (!halves && std::none_of(members.begin(), members.end(), suspect) && !joints_gave(members))
-    return false;
-  if (in_still_water_)
-    judge_energy(members, h);
-  else if (members.front()->end.constrained)
-    judge_joints(members);
+  if (!halves && std::none_of(members.begin(), members.end(), suspect)) return false;
+  judge_energy(members, h);
   return excess_ > allowed_;
 }
 
@@ -124,25 +110,6 @@ void EnergyLimiter::judge_energy(const std::vector<SubstepBody*>& members, doubl
   allowed_ = kEnergyGain * std::max(next_.highest - next_.lowest_potential, floor_);
   excess_ = energy - next_.lowest - allowed_;
   next_.extend(std::min(energy, energy - excess_), potential);
-}
-
-void EnergyLimiter::judge_joints(const std::vector<SubstepBody*>& members) {
-  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
-  double start = 0, end = 0, gain = 0;
-  for (const SubstepBody* b : members) {
-    start += kinetic_energy(b->body(), b->moving->motion, still);
-    end += kinetic_energy(b->body(), b->end, still);
-    gain += b->reaction_work - b->row_work;
-  }
-  // Drag may take at once what joints add; what loads take later they take of the gain, too.
-  if (gain > 0) gain = std::min(gain, std::max(0.0, end - start));
-  const double own = std::max(0.0, end - gain);
-  const double left = start > 0 ? std::min(1.0, own / start) : 1;
-  next_.given_by_joints = std::max(0.0, left * range_.given_by_joints + gain);
-  kinetic_ = end;
-  allowed_ = kJointGain * std::max({start, own, floor_});
-  excess_ = next_.given_by_joints - allowed_;
-  if (excess_ > 0) next_.given_by_joints -= std::min(excess_, end);
 }
 
 void EnergyLimiter::clamp(const std::vector<SubstepBody*>& members) {

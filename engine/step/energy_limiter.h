@@ -6,7 +6,7 @@
 #include "engine/constraints/island.h"
 
 /// @file
-/// Keeps still water, and joints, from giving energy to bodies that joints connect.
+/// Keeps still water from giving energy to bodies.
 ///
 /// In still water, level or under a height field, the energy of a group (energy.h) may exceed its
 /// minimum so far by 2·kEnergyGain of the largest so far. Beyond that the substep is halved and
@@ -14,16 +14,10 @@
 /// since their conditions on it are linear. Between one and two times kEnergyGain the velocity is
 /// scaled without halving. The work of rows, of stiff ropes, motors and stops, is what the solver
 /// has found, and moves the minimum, as what water brings does that runs into a hull from above the
-/// still water level. Substeps of a jointed group that resolve its motion are not judged, unless
-/// taking back the errors of joints gives it more than kUnjudgedJointGain. Where lift, applied
-/// loads, machines or lines that are loads drive a body, the energy is compared with that of the
-/// substep's start.
-///
-/// Water that moves may give energy, and so may wind. There only the work of joints is judged,
-/// which a joint without error does not do; taking back the error of a body that spins or is thrown
-/// does some. Where the group has gained by it more than kJointGain of its kinetic energy, less
-/// what loads have taken of both since, the substep is halved or the velocity scaled in the same
-/// way.
+/// still water level. Substeps of a jointed group that resolve its motion are not judged. Where
+/// lift, applied loads, machines or lines that are loads drive a body, the energy is compared with
+/// that of the substep's start. Water that moves may give energy, and so may wind: there nothing is
+/// judged. Joints do no work (joint_closing.h).
 ///
 /// Contacts dissipate by themselves: a group that touches something is not judged, and starts anew.
 
@@ -34,7 +28,6 @@ struct EnergyRange {
   double lowest = std::numeric_limits<double>::infinity();            ///< [J]
   double highest = -std::numeric_limits<double>::infinity();          ///< [J]
   double lowest_potential = std::numeric_limits<double>::infinity();  ///< [J]
-  double given_by_joints = 0;                                         ///< [J]
 
   void extend(double energy, double potential);
 };
@@ -62,7 +55,6 @@ class EnergyLimiter {
 
  private:
   void judge_energy(const std::vector<SubstepBody*>& members, double h);
-  void judge_joints(const std::vector<SubstepBody*>& members);
 
   std::vector<BodyId> group_;
   bool in_still_water_ = true;

@@ -8,6 +8,7 @@
 #include "engine/hollows/flooding.h"
 #include "engine/motion/energy.h"
 #include "engine/step/constrained_update.h"
+#include "engine/step/joint_closing.h"
 #include "engine/step/substep_limit.h"
 
 namespace engine {
@@ -19,13 +20,13 @@ Vector6d change_by_history(const Motion& halfway, double h) {
                     halfway.accelerations.expected(h / 2));
 }
 
-/// Drifts a free body to the middle of the substep, from its corrected state (E9).
 /// What a substep takes as constant: the water about a body, and its rotors.
 void hold_surroundings(const SubstepBody& b, double time, double h, Motion& motion) {
   motion.flow = flow_about(b.body(), motion.state, time, h / 2);
   if (b.moving->machines) motion.rotors_B = b.moving->machines->rotors_B(b.id, time + h / 2);
 }
 
+/// Drifts a free body to the middle of the substep, from its corrected state (E9).
 void begin_free(SubstepBody& b, double time, double h) {
   b.halfway = b.moving->motion;
   if (b.halfway.constrained) b.halfway.accelerations.clear();
@@ -133,11 +134,6 @@ Vector6d working_velocity(const SubstepBody& b) {
   return b.midpoint.after + b.update.change / 2 + to_vector6(b.end.flow, Eigen::Vector3d::Zero());
 }
 
-/// Work of the reactions on a body over the substep [J].
-double reaction_work(const SubstepBody& b, double h) {
-  return h * rotate(b.midpoint.R_WB, b.reaction_B).dot(working_velocity(b));
-}
-
 /// Work of the rows of an island on a body over the substep [J].
 double row_work(const Island& island, const SubstepBody& b, double h) {
   if (island.rows.empty()) return 0;
@@ -214,7 +210,6 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
   counts.unconverged += b.update.unsolved;
   counts.constrained += constrained;
   ++counts.substeps;
-  b.reaction_work = constrained ? reaction_work(b, h) : 0;
   b.row_work = constrained ? row_work(island, b, h) : 0;
   b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
                          : is_abrupt(b, h);
@@ -274,9 +269,11 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
                         : resolve_with_inertia(*b->moving, b->midpoint, b->update, time + h / 2, h);
     }
     for (SubstepBody* b : island.bodies) finish(island, *b, h);
+    if (constrained) close_joints(context, island);
     if (match == AddedMassMatch::near) break;
     match = match_added_mass(island, time + h, pass == most);
   }
+  if (constrained) stop_joints(context, island, h);
   for (SubstepBody* b : island.bodies) conclude(island, *b, time + h, h);
 }
 

@@ -33,7 +33,7 @@ struct Rows {
 };
 Rows rows_of(const engine::JointFrames& joint, const BodyState& first, const BodyState& second) {
   std::vector<ConstraintBlock> blocks;
-  engine::add_joint_blocks(joint, first, second, kSubstep, blocks);
+  engine::add_joint_blocks(joint, first, second, blocks);
   EXPECT_EQ(static_cast<int>(blocks.size()), joint.blocks());
   std::vector<double> rates, targets;
   for (const ConstraintBlock& block : blocks)
@@ -120,7 +120,7 @@ TEST(JointRows, TakeBackWhatTheirVelocitiesBringBetweenTheBodies) {
       const Rows before = rows_of(joint, first, second);
       const BodyState later = to_world ? second : moved(second, time);
       const Rows after = rows_of(joint, moved(first, time), later);
-      const Eigen::VectorXd expected = -engine::kJointErp / kSubstep * time * before.rates;
+      const Eigen::VectorXd expected = -time * before.rates;
       EXPECT_LT((after.targets - expected).norm(), tolerance(1e-3 * expected.norm() + 1e-12));
     }
 }

@@ -139,7 +139,8 @@ TEST(Flywheel, LetsItsBodyNutateWithoutGainOrLossHoweverFastItSpins) {
       }
       const double start = support::total_energy(spec, Simulation(spec).states());
       const hydro::BodyState end = support::after(spec, 600).states()[0];
-      EXPECT_NEAR(support::total_energy(spec, {end}) / start, 1, 1e-9);
+      // (E2) is solved to round-off of the whole momentum, of which the body's own is a small part.
+      EXPECT_NEAR(support::total_energy(spec, {end}) / start, 1, wet ? 1e-7 : 1e-9);
       if (wet) continue;
       const Vector3d momentum = angular_momentum(spec, {spec.bodies[0].initial});
       EXPECT_LT((angular_momentum(spec, {end}) - momentum).norm(), 1e-9 * momentum.norm());
