@@ -18,6 +18,7 @@
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
+#include "app/assembly/envelope.h"
 #include "app/assembly/radiation_database.h"
 #include "app/assembly/sea_warnings.h"
 #include "app/assembly/start_warnings.h"
@@ -137,9 +138,8 @@ engine::ContactSpec build_contact(const scene::Scene& scene, const scene::Contac
           .restitution = contact.restitution};
 }
 
-}  // namespace
-
-BuiltScene build_without_added_mass(const scene::Scene& scene) {
+/// All but added mass, and the warning that counts it.
+BuiltScene put_together(const scene::Scene& scene) {
   BuildLog log{.scene = scene};
   check_step_count(log);
   BuiltScene built;
@@ -186,8 +186,20 @@ BuiltScene build_without_added_mass(const scene::Scene& scene) {
   return built;
 }
 
+void warn_of_envelope(BuiltScene& built) {
+  if (auto warning = envelope_warning(built.spec)) built.warnings.push_back(std::move(*warning));
+}
+
+}  // namespace
+
+BuiltScene build_without_added_mass(const scene::Scene& scene) {
+  BuiltScene built = put_together(scene);
+  warn_of_envelope(built);
+  return built;
+}
+
 BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter& reporter) {
-  BuiltScene built = build_without_added_mass(scene);
+  BuiltScene built = put_together(scene);
   for (const std::string& note : built.notes)
     reporter.note(fmt::format("{}: note: {}", scene.file.string(), note));
   const app::WallClock clock;
@@ -195,6 +207,7 @@ BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter
   add_radiation(scene, built, radiation_store, reporter);
   add_added_mass(scene, built, store, reporter);
   built.added_mass_seconds = clock.seconds();
+  warn_of_envelope(built);
   return built;
 }
 

@@ -18,6 +18,9 @@ namespace {
 /// Height over length of the steepest wave on deep water, by Miche; times tanh kh on any depth.
 constexpr double kSteepestWave = 1.0 / 7;
 
+/// Slope of a height field that no water has: the crest of the steepest wave has 0.58, by Stokes.
+constexpr double kSteepestField = 1;
+
 /// Significant height over the length of a wave of the peak period on deep water in the steepest
 /// sea: half of the steepest wave's.
 constexpr double kSteepestSea = kSteepestWave / 2;
@@ -33,6 +36,27 @@ using Components = std::vector<hydro::WaveComponent>;
 
 double wave_number(const hydro::WaveComponent& w) { return std::hypot(w.kx, w.ky); }
 double wavelength(const hydro::WaveComponent& w) { return 2 * M_PI / wave_number(w); }
+
+/// Height over length from which on a wave breaks.
+double breaking_steepness(const hydro::WaveComponent& w, double depth) {
+  return kSteepestWave * std::tanh(wave_number(w) * depth);
+}
+
+bool wave_breaks(const hydro::WaveComponent& w, double depth) {
+  return w.amplitude != 0 && 2 * w.amplitude > breaking_steepness(w, depth) * wavelength(w);
+}
+
+/// Largest slope between neighbouring heights.
+double steepest_slope(const hydro::HeightField& field) {
+  const auto& z = field.heights;
+  double rise = 0;
+  if (z.cols() > 1)
+    rise = (z.rightCols(z.cols() - 1) - z.leftCols(z.cols() - 1)).cwiseAbs().maxCoeff();
+  if (z.rows() > 1)
+    rise = std::max(rise,
+                    (z.bottomRows(z.rows() - 1) - z.topRows(z.rows() - 1)).cwiseAbs().maxCoeff());
+  return rise / field.cell;
+}
 
 /// Returns the shortest wave that carries energy: shorter ones have less than kEnergyLeftOut of it.
 std::optional<hydro::WaveComponent> shortest_wave(Components waves) {
@@ -82,8 +106,8 @@ class SeaWarnings {
                   const std::string& length_key) {
     if (wave.amplitude == 0) return;
     const double k = wave_number(wave), length = wavelength(wave);
-    const double bound = kSteepestWave * std::tanh(k * sea_.depth);
-    if (2 * wave.amplitude > bound * length)
+    const double bound = breaking_steepness(wave, sea_.depth);
+    if (wave_breaks(wave, sea_.depth))
       lines_.push_back(fmt::format(
           "{}.amplitude: the height of the wave is {:.3g} of its length, and waves break from "
           "{:.3g} on; expected at most {:.3g} m",
@@ -168,9 +192,26 @@ class SeaWarnings {
 
 }  // namespace
 
+bool breaks(const hydro::Sea& sea) {
+  if (const auto* field = std::get_if<hydro::HeightField>(&sea.surface))
+    return steepest_slope(*field) > kSteepestField;
+  const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
+  return waves && std::ranges::any_of(waves->components,
+                                      [&](const auto& w) { return wave_breaks(w, sea.depth); });
+}
+
 std::vector<std::string> sea_warnings(const scene::Scene& scene, const BuiltScene& built) {
   const std::optional<hydro::Sea>& sea = built.spec.sea;
-  if (!sea || !std::holds_alternative<hydro::WaveSurface>(sea->surface)) return {};
+  if (!sea) return {};
+  if (const auto* field = std::get_if<hydro::HeightField>(&sea->surface)) {
+    if (!breaks(*sea)) return {};
+    return {
+        fmt::format("water.surface.heightfield: neighbouring heights differ by {:.3g} of the cell, "
+                    "and no water "
+                    "is so steep; expected at most {:g}",
+                    steepest_slope(*field), kSteepestField)};
+  }
+  if (!std::holds_alternative<hydro::WaveSurface>(sea->surface)) return {};
   return SeaWarnings(scene, built).all();
 }
 

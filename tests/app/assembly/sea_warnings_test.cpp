@@ -94,18 +94,31 @@ TEST(SeaWarnings, ASeaBeyondLinearTheoryIsNamed) {
   EXPECT_THAT(of_spectrum(1.1, 7, "depth: 3, "), IsEmpty());
 }
 
+TEST(SeaWarnings, AFixedSurfaceThatIsTooSteepIsNamed) {
+  const auto with_cells = [](double cell) {
+    return of_water(
+        fmt::format("surface: {{heightfield: {{file: {}/tests/data/heights/step.csv, cell: {}}}}}",
+                    PLIMSOLL_SOURCE_DIR, cell));
+  };
+  EXPECT_THAT(with_cells(0.9),
+              ElementsAre("water.surface.heightfield: neighbouring heights differ by 1.11 of the "
+                          "cell, and no water is so steep; expected at most 1"));
+  EXPECT_THAT(with_cells(1.1), IsEmpty());
+}
+
 TEST(SeaWarnings, AStepTooLongForTheShortestWaveIsNamed) {
   const auto with_step = [](double step, const std::string& waves) {
     return warnings_of(fmt::format(
         "plimsoll: 1\nduration: 1\nstep: {}\nwater: {{surface: {{waves: [{}]}}}}\n", step, waves));
   };
-  const std::string swell = "{amplitude: 0.5, period: 8}", chop = "{amplitude: 0.2, period: 3}";
-  EXPECT_THAT(with_step(0.31, swell + ", " + chop),
-              ElementsAre("step: 0.31 s is 0.103 of the period of the shortest wave, 3 s; expected "
-                          "at most 0.3 s"));
-  EXPECT_THAT(with_step(0.29, swell + ", " + chop), IsEmpty());
+  const std::string swell = "{amplitude: 0.005, period: 0.8}";
+  const std::string chop = "{amplitude: 0.002, period: 0.3}";
+  EXPECT_THAT(with_step(0.031, swell + ", " + chop),
+              ElementsAre("step: 0.031 s is 0.103 of the period of the shortest wave, 0.3 s; "
+                          "expected at most 0.03 s"));
+  EXPECT_THAT(with_step(0.029, swell + ", " + chop), IsEmpty());
   // A ripple with 4 % of the energy needs no step of its own.
-  EXPECT_THAT(with_step(0.31, swell + ", {amplitude: 0.1, period: 3}"), IsEmpty());
+  EXPECT_THAT(with_step(0.031, swell + ", {amplitude: 0.001, period: 0.3}"), IsEmpty());
 }
 
 TEST(SeaWarnings, GroundThatDeepWaterWavesWouldFeelIsNamed) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/spec.h"
+
+/// @file
+/// The operating envelope: the descriptions for which the engine answers in full.
+///
+/// Inside it no run of the stress test may gain energy, leave, stall or stop (tests/stress).
+/// Outside it a run has finite states or stops with the body, the time and the reason, and its work
+/// is bounded. The bounds are on what a scene says, not on what comes of it:
+///
+/// | size of a body (the longest edge of the box around its mesh)      | 5 mm … 500 m         |
+/// | mass over the mass of the water that it displaces wholly immersed | 0.01 … 20            |
+/// | speed at the start                                                | at most 50 m/s       |
+/// | spin at the start                                                 | at most 50 rad/s     |
+/// | added mass in its largest direction, wholly immersed, over mass   | at most 100          |
+/// | step                                                              | 1/1000 … 1/20 s      |
+/// | sea                                                               | that does not break  |
+///
+/// A body without freedom is not judged, and the mass of a dry one is not.
+
+namespace assembly {
+
+/// Returns what of bodies and step lies outside the envelope, each with value and bound: `body 'a':
+/// size 0.002 m, expected at least 0.005 m`. Waves that break are left to sea_warnings.h.
+std::vector<std::string> outside_envelope(const engine::SimulationSpec& spec);
+
+/// Returns outside_envelope in one line, which counts what is too much for a line; none inside it.
+std::optional<std::string> envelope_warning(const engine::SimulationSpec& spec);
+
+/// True if bodies, step and sea lie inside the envelope.
+bool inside_envelope(const engine::SimulationSpec& spec);
+
+}  // namespace assembly
