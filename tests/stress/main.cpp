@@ -24,6 +24,7 @@ struct Options {
   std::string part;
   std::string out;
   std::string also;
+  std::string only;
   std::string program;
   std::size_t random = 0;
   unsigned seed = 1;
@@ -46,6 +47,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "Folder of stress.csv; what it holds is not run again")
       ->take_last();
   app.add_option("--also", options.also, "File of more runs by their names, one a line");
+  app.add_option("--only", options.only, "File of runs by their names in place of the matrix");
   app.add_flag("--fresh", options.fresh, "With --out: forgets what it holds");
 }
 
@@ -66,9 +68,11 @@ std::vector<RunName> listed_runs(const fs::path& file) {
 }
 
 std::vector<RunName> chosen_runs(const Options& options) {
-  std::vector<RunName> runs = options.random > 0 ? stress::random_runs(options.random, options.seed)
-                              : options.subset   ? stress::subset()
-                                                 : stress::whole_matrix();
+  std::vector<RunName> runs = !options.only.empty() ? listed_runs(options.only)
+                              : options.random > 0
+                                  ? stress::random_runs(options.random, options.seed)
+                              : options.subset ? stress::subset()
+                                               : stress::whole_matrix();
   if (!options.also.empty())
     for (const RunName& run : listed_runs(options.also))
       if (std::find(runs.begin(), runs.end(), run) == runs.end()) runs.push_back(run);
@@ -96,7 +100,8 @@ int do_one(const Options& options) {
                    state.linear_velocity.z());
       });
   fmt::print("{}\n", stress::table({{run, outcome}}));
-  fmt::print("{}\n", outcome.fault.empty() ? "passed" : "FAILED " + outcome.fault);
+  fmt::print("{}\n{}\n", stress::envelope_line({{run, outcome}}),
+             outcome.fault.empty() ? "passed" : "FAILED " + outcome.fault);
   return outcome.fault.empty() ? 0 : 1;
 }
 
@@ -138,7 +143,7 @@ int do_many(const Options& options) {
   }
   const std::vector<Result> results = do_runs(runs, options);
   const std::string failed = stress::failures(results, options.program);
-  fmt::print("{}\n{}", stress::table(results), failed);
+  fmt::print("{}\n{}\n{}", stress::table(results), stress::envelope_line(results), failed);
   return failed.empty() ? 0 : 1;
 }
 

@@ -12,8 +12,11 @@
 namespace stress {
 namespace {
 
-constexpr std::size_t kHypercubeRuns = 1650;
-constexpr std::size_t kRiggedRuns = 400;
+constexpr std::size_t kInsideRuns = 1200;  ///< Of combinations inside the envelope, nearly all.
+constexpr std::size_t kExtremeRuns = 825;  ///< Of combinations of all values: one of six inside.
+constexpr std::size_t kRiggedRuns = 300;
+constexpr std::size_t kExtremeRiggedRuns = 100;
+constexpr double kWidePart = 0.2;  ///< Of the random runs: those not kept to the envelope.
 
 std::vector<RunName> bases() {
   std::vector<RunName> runs;
@@ -49,12 +52,12 @@ std::vector<RunName> one_at_a_time() {
 }
 
 /// Returns runs in random combinations, in which every value of a parameter occurs equally often.
-/// @param with   Values of `with`.
-std::vector<RunName> hypercube_with(std::size_t count, unsigned seed,
-                                    const std::vector<std::string>& with) {
+/// @param values   Of the parameters, in their order. @param with   Values of `with`.
+std::vector<RunName> hypercube(std::size_t count, unsigned seed, std::vector<Dimension> values,
+                               const std::vector<std::string>& with) {
   std::mt19937 random(seed);
   std::vector<RunName> runs(count);
-  for (Dimension dimension : dimensions()) {
+  for (Dimension& dimension : values) {
     if (dimension.key == Key::with) dimension.values = with;
     std::vector<std::size_t> order(runs.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -67,14 +70,46 @@ std::vector<RunName> hypercube_with(std::size_t count, unsigned seed,
   return runs;
 }
 
-std::vector<RunName> hypercube() {
-  std::vector<std::string> with;
-  for (const std::string& value : dimensions()[static_cast<std::size_t>(Key::with)].values)
-    if (!is_rigged(value)) with.push_back(value);
-  return hypercube_with(kHypercubeRuns, 20140601, with);
+const Dimension& dimension_of(Key key) { return dimensions()[static_cast<std::size_t>(key)]; }
+
+/// Returns the parameters with values to the bounds of the operating envelope. Light bodies with
+/// much added mass lie outside it still.
+const std::vector<Dimension>& inside_dimensions() {
+  static const std::vector<Dimension> inside = [] {
+    std::vector<Dimension> all = dimensions();
+    const auto limit = [&](Key key, std::vector<std::string> values) {
+      all[static_cast<std::size_t>(key)].values = std::move(values);
+    };
+    limit(Key::density, {"0.5", "0.01", "0.1", "0.99", "1.01", "2", "8", "20"});
+    limit(Key::size, {"1", "0.005", "0.02", "0.1", "10", "100", "500"});
+    limit(Key::speed, {"10", "0", "1", "30", "50"});
+    limit(Key::spin, {"0", "1", "10", "50"});
+    limit(Key::step, {"1/60", "1/20", "1/30", "1/120", "1/240", "1/1000"});
+    limit(Key::water, {"flat", "current", "swell", "steep", "short", "jonswap", "bumps"});
+    limit(Key::added, {"deep", "waves", "none", "0.5", "1", "10", "100"});
+    return all;
+  }();
+  return inside;
 }
 
-std::vector<RunName> with_rigs() { return hypercube_with(kRiggedRuns, 20261124, rigged()); }
+std::vector<std::string> not_rigged() {
+  std::vector<std::string> with = dimension_of(Key::with).values;
+  std::erase_if(with, is_rigged);
+  return with;
+}
+
+std::vector<RunName> inside() {
+  return hypercube(kInsideRuns, 20261128, inside_dimensions(), not_rigged());
+}
+std::vector<RunName> extremes() {
+  return hypercube(kExtremeRuns, 20140601, dimensions(), not_rigged());
+}
+std::vector<RunName> rigs_inside() {
+  return hypercube(kRiggedRuns, 20261129, inside_dimensions(), rigged());
+}
+std::vector<RunName> rigs_at_extremes() {
+  return hypercube(kExtremeRiggedRuns, 20261124, dimensions(), rigged());
+}
 
 /// Returns runs of a minute in the water with A/m far below and above one.
 std::vector<RunName> heavy_water() {
@@ -111,7 +146,8 @@ using Part = std::vector<RunName> (*)();
 
 /// Parts of the matrix and their strides: one of so many runs is in the subset.
 constexpr std::pair<Part, std::size_t> kParts[] = {
-    {one_at_a_time, 8}, {hypercube, 17}, {heavy_water, 6}, {great_teapots, 6}, {with_rigs, 17}};
+    {one_at_a_time, 8}, {inside, 17},      {extremes, 34},        {heavy_water, 6},
+    {great_teapots, 6}, {rigs_inside, 17}, {rigs_at_extremes, 34}};
 
 std::vector<RunName> every_once(std::vector<std::size_t> strides) {
   std::vector<RunName> runs;
@@ -143,13 +179,12 @@ class Dice {
   const std::string& one_of(const std::vector<std::string>& values) {
     return values[random_() % values.size()];
   }
-  const std::string& value(Key key) {
-    return one_of(dimensions()[static_cast<std::size_t>(key)].values);
+  const std::string& value(Key key, const std::vector<Dimension>& dimensions) {
+    return one_of(dimensions[static_cast<std::size_t>(key)].values);
   }
-
- private:
   double part() { return static_cast<double>(random_()) / 4294967296.0; }
 
+ private:
   std::mt19937 random_;  ///< Its numbers are the same everywhere, those of distributions are not.
 };
 
@@ -158,11 +193,13 @@ RunName random_run(Dice& dice) {
   const std::vector<std::string> shapes = {"cube",   "ball", "shell", "plate",
                                            "needle", "tub",  "tank",  "teapot"};
   run = run.with(Key::shape, dice.one_of(shapes));
-  run = run.with(Key::size, dice.number(1e-4, 60)).with(Key::density, dice.number(0.002, 40));
-  run = run.with(Key::speed, dice.number_or_zero(0.01, 100));
-  run = run.with(Key::spin, dice.number_or_zero(0.01, 30));
+  const bool wide = dice.part() < kWidePart;
+  run = run.with(Key::size, wide ? dice.number(1e-4, 1000) : dice.number(5e-3, 500));
+  run = run.with(Key::density, wide ? dice.number(0.001, 40) : dice.number(0.01, 20));
+  run = run.with(Key::speed, dice.number_or_zero(0.01, wide ? 300 : 50));
+  run = run.with(Key::spin, dice.number_or_zero(0.01, wide ? 300 : 50));
   for (const Key key : {Key::entry, Key::pose, Key::start, Key::step, Key::added})
-    run = run.with(key, dice.value(key));
+    run = run.with(key, dice.value(key, wide ? dimensions() : inside_dimensions()));
   run = run.with(Key::water, dice.one_of({"flat", "flat", "flat", "bumps", "swell", "steep"}));
   run = run.with(Key::coefs, dice.one_of({"default", "none", "thesis", "x100"}));
   return run.with(Key::with, "free").with(Key::steps, "100");

@@ -32,13 +32,14 @@ std::vector<Result> read_results(const fs::path& file, const std::string& mark) 
 
 /// Line of the table for the runs with one value of a parameter.
 struct Line {
-  long runs = 0, failed = 0, judged = 0;
+  long runs = 0, inside = 0, failed = 0, judged = 0;
   double rise = 0;
   long substeps = 0, sweeps = 0;
   long unconverged = 0, clamped = 0;
 
   void add(const Outcome& outcome) {
     ++runs;
+    inside += outcome.inside;
     failed += !outcome.fault.empty();
     judged += outcome.judged;
     rise = std::max(rise, outcome.rise);
@@ -49,8 +50,8 @@ struct Line {
   }
   std::string text(const std::string& key, const std::string& value) const {
     return fmt::format(
-        "| {:8} | {:10} | {:5} | {:6} | {:6} | {:10.2e} | {:8} | {:9} | {:11} | {:7} |\n", key,
-        value, runs, failed, judged, rise, substeps, sweeps, unconverged, clamped);
+        "| {:8} | {:10} | {:5} | {:6} | {:6} | {:6} | {:10.2e} | {:8} | {:9} | {:11} | {:7} |\n",
+        key, value, runs, inside, failed, judged, rise, substeps, sweeps, unconverged, clamped);
   }
 };
 
@@ -87,9 +88,11 @@ void ResultFile::add(const Result& result) {
 
 std::string table(const std::vector<Result>& results) {
   std::string text =
-      "|          | value      |  runs | failed | judged | worst rise | substeps |    sweeps | "
+      "|          | value      |  runs | inside | failed | judged | worst rise | substeps |    "
+      "sweeps | "
       "unconverged | clamped |\n"
-      "| -------- | ---------- | ----: | -----: | -----: | ---------: | -------: | --------: | "
+      "| -------- | ---------- | ----: | -----: | -----: | -----: | ---------: | -------: | "
+      "--------: | "
       "----------: | ------: |\n";
   Line all;
   for (const Dimension& dimension : dimensions()) {
@@ -102,6 +105,18 @@ std::string table(const std::vector<Result>& results) {
   }
   for (const Result& result : results) all.add(result.outcome);
   return text + all.text("all", "");
+}
+
+std::string envelope_line(const std::vector<Result>& results) {
+  long runs[2] = {}, failed[2] = {}, stopped = 0;
+  for (const Result& result : results) {
+    ++runs[result.outcome.inside];
+    failed[result.outcome.inside] += !result.outcome.fault.empty();
+    stopped += result.outcome.stopped;
+  }
+  return fmt::format(
+      "inside the operating envelope: {} runs, {} failed; outside: {} runs, {} failed, {} stopped",
+      runs[1], failed[1], runs[0], failed[0], stopped);
 }
 
 std::string failures(const std::vector<Result>& results, const std::string& program) {

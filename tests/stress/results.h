@@ -34,9 +34,13 @@ class ResultFile {
   std::ofstream out_;
 };
 
-/// Returns for each value of each parameter: number of runs and failures, largest rise of energy,
-/// largest numbers of substeps and sweeps in a step.
+/// Returns for each value of each parameter: number of runs, of those inside the envelope, and of
+/// failures, largest rise of energy, largest numbers of substeps and sweeps in a step.
 std::string table(const std::vector<Result>& results);
+
+/// Returns in a line how many runs lay inside the operating envelope and outside it, and how many
+/// of each failed or, outside, stopped.
+std::string envelope_line(const std::vector<Result>& results);
 
 /// Returns every failure with the command that repeats it; empty if there is none.
 std::string failures(const std::vector<Result>& results, const std::string& program);

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "app/assembly/envelope.h"
 #include "tests/stress/arrangement.h"
 #include "tests/stress/rigging.h"
 #include "tests/stress/shapes.h"
@@ -89,6 +90,7 @@ Scenario make_scenario(const RunName& run) {
   scenario.spec.step = run.number(Key::step);
   scenario.spec.sea = make_water(run[Key::water], scenario.size);
   arrange(run[Key::with], make_body(run, shape, scenario.size, *scenario.spec.sea), scenario);
+  scenario.inside = assembly::inside_envelope(scenario.spec);
   const bool streams = !scenario.spec.sea->current.isZero(0);
   const bool freely = run[Key::with] == "free";
   scenario.passive = hydro::is_flat(*scenario.spec.sea) &&

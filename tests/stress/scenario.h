@@ -14,6 +14,7 @@ struct Scenario {
   double size = 0;                                 ///< Size of one body [m].
   double volume = 0;                               ///< Volume of one body [m^3].
   Eigen::Vector3d push = Eigen::Vector3d::Zero();  ///< Constant force on the first body, W [N].
+  bool inside = false;  ///< True: the operating envelope has it (app/assembly/envelope.h).
   /// True: energy cannot grow, since the water is still, there is no lift and nothing fixed stands
   /// in a current.
   bool passive = false;

@@ -49,7 +49,7 @@ Watch::Watch(const Scenario& scenario)
                environment_.gravity;
   }
   smallest_scale_ = kSmallestScale * weight_ * scenario_.size;
-  if (!scenario_.passive) return;
+  if (!judges_energy()) return;
   const Energy energy = find_energy(motions);
   energy_ = lowest_ = highest_ = energy.total() + energy.unseen;
   lowest_potential_ = energy.potential;
@@ -147,12 +147,13 @@ std::optional<std::string> Watch::stalled(const engine::Simulation& simulation) 
 std::optional<std::string> Watch::look(const engine::Simulation& simulation) {
   for (const hydro::BodyState& state : simulation.states())
     if (const auto fault = engine::state_fault(state)) return fault;
-  if (scenario_.passive) {
+  if (judges_energy()) {
     follow_energy(find_energy(motions_of(simulation)));
     if (worst_rise_ > kLargestRise)
       return fmt::format("energy rose by {:.3g} of the greatest so far", worst_rise_);
   }
-  if (auto fault = left(simulation)) return fault;
+  if (scenario_.inside)
+    if (auto fault = left(simulation)) return fault;
   return stalled(simulation);
 }
 

@@ -10,7 +10,8 @@
 #include "tests/stress/scenario.h"
 
 /// @file
-/// Criteria by which a run fails.
+/// Criteria by which a run fails. Of a run outside the operating envelope only that its states are
+/// finite and its work is bounded is asked.
 ///
 /// Let E = K + U be the energy of all bodies, K their kinetic energy with added mass and that in
 /// the memory of their waves, and U their potential energy (gravity, buoyancy, a constant push).
@@ -77,6 +78,7 @@ class Watch {
     double overlap = 0;  ///< C
     double total() const { return kinetic + potential; }
   };
+  bool judges_energy() const { return scenario_.inside && scenario_.passive; }
   Energy find_energy(const std::vector<engine::Motion>& motions);
   double overlap_energy(const std::vector<engine::Motion>& motions);
   void follow_energy(const Energy& energy);

@@ -47,7 +47,7 @@ TEST(StressWatch, FindsNothingInAFallIntoTheWater) {
 
 TEST(StressWatch, SeesThatThePlainMethodGainsEnergyFromStiffDrag) {
   Scenario scenario = stress::make_scenario(
-      stress::parse_run("density=0.01 speed=30 coefs=x100 step=1/15 start=deep added=none"));
+      stress::parse_run("density=0.01 speed=30 coefs=x100 step=1/20 start=deep added=none"));
   scenario.spec.integrator.method = engine::Integrator::Method::ode;
   EXPECT_NE(fault_of(scenario, scenario.spec), "");
 }
@@ -80,6 +80,31 @@ TEST(StressWatch, SeesABodyThatGoesFartherThanItsEnergyCarriesIt) {
   EXPECT_THAT(fault_of(scenario, pushed), HasSubstr("got"));
   pushed.bodies[0].loads.back().force = {0, 0, 30 * weight};
   EXPECT_THAT(fault_of(scenario, pushed), HasSubstr("rose"));
+}
+
+/// A cube that floats, and is pushed by a force that the watch does not know from 0.5 s on.
+Scenario pushed_cube(const std::string& more, double weights) {
+  Scenario scenario =
+      stress::make_scenario(stress::parse_run("speed=1 added=none steps=60 " + more));
+  const double weight = scenario.spec.bodies[0].mass * scenario.spec.gravity;
+  scenario.spec.bodies[0].loads.push_back({.force = {weights * weight, 0, 0}, .start = 0.5});
+  return scenario;
+}
+
+TEST(StressWatch, JudgesNoEnergyOutsideTheEnvelope) {
+  EXPECT_THAT(stress::run_through(pushed_cube("", 0.2)).fault, HasSubstr("energy rose"));
+  const Outcome outside = stress::run_through(pushed_cube("size=0.004", 0.2));
+  EXPECT_EQ(outside.fault, "");
+  EXPECT_FALSE(outside.inside);
+  EXPECT_FALSE(outside.judged);
+  EXPECT_FALSE(outside.stopped);
+}
+
+TEST(StressWatch, TakesAWordOfTheEngineAsAStopOutsideTheEnvelopeAlone) {
+  EXPECT_NE(stress::run_through(pushed_cube("", 1e12)).fault, "");
+  const Outcome outside = stress::run_through(pushed_cube("size=0.004", 1e12));
+  EXPECT_EQ(outside.fault, "");
+  EXPECT_TRUE(outside.stopped);
 }
 
 TEST(StressRuns, AreRepeatedByTheirName) {
@@ -120,13 +145,16 @@ TEST(StressRuns, RefuseNamesThatMeanNothing) {
 TEST(StressOutcome, ComesBackFromALine) {
   const Outcome outcome{.fault = "step 7: it fell, and so on",
                         .steps = 7,
+                        .inside = true,
                         .judged = true,
+                        .stopped = true,
                         .rise = 1.25e-3,
                         .substeps = 64,
                         .sweeps = 12,
                         .unconverged = 2,
                         .clamped = 1,
-                        .seconds = 0.5};
+                        .seconds = 0.5,
+                        .digest = 0xfedcba9876543210};
   const Outcome back = stress::outcome_from_csv(stress::to_csv(outcome));
   EXPECT_EQ(stress::to_csv(back), stress::to_csv(outcome));
   EXPECT_EQ(back.fault, "step 7: it fell; and so on");
@@ -143,6 +171,26 @@ TEST(StressPool, DoesEveryRunOnceInProcessesOfTheirOwn) {
     done.insert(outcome.steps);
   });
   EXPECT_EQ(done.size(), runs.size());
+}
+
+TEST(StressResults, RunsInsideAndOutsideTheEnvelopeAreCountedApart) {
+  const RunName run;
+  const Outcome in{.inside = true}, in_failed{.fault = "it fell", .inside = true};
+  const Outcome out, out_stopped{.stopped = true};
+  EXPECT_EQ(
+      stress::envelope_line({{run, in}, {run, in_failed}, {run, out}, {run, out_stopped}}),
+      "inside the operating envelope: 2 runs, 1 failed; outside: 2 runs, 0 failed, 1 stopped");
+}
+
+TEST(StressRuns, AreMostlyInsideTheEnvelope) {
+  long inside = 0, runs = 0;
+  for (const RunName& run : stress::subset()) {
+    // The others take seconds to solve for, and matter here for their numbers alone.
+    if (run[Key::added] == "waves" || run[Key::added] == "deep") continue;
+    ++runs;
+    inside += stress::make_scenario(run).inside;
+  }
+  EXPECT_GE(inside, 0.6 * static_cast<double>(runs));
 }
 
 TEST(StressResults, AFailureComesWithTheCommandThatRepeatsIt) {
