@@ -15,7 +15,11 @@ kNone = "none"  # As a value in a scene: the word.
 
 
 class ProgramError(RuntimeError):
-    """The program ended with an error; its message."""
+    """The program ended with an error; its message and exit code."""
+
+    def __init__(self, message: str, code: int):
+        super().__init__(message)
+        self.code = code
 
 
 @dataclass(frozen=True)
@@ -77,19 +81,23 @@ def _set_options(overrides: dict) -> list[str]:
 
 
 class Plimsoll:
-    """The program, the scenes that it runs, and the folder in which a case may write."""
+    """The program, the scenes that it runs, and the folder in which a case may write. Without an
+    environment it has that of this process."""
 
-    def __init__(self, program: Path, scenes: Path, work: Path):
+    def __init__(self, program: Path, scenes: Path, work: Path,
+                 environment: dict[str, str] | None = None):
         self.program = program
         self.scenes = scenes
         self.work = work
+        self._environment = environment
 
     def _call(self, *arguments: str) -> str:
         result = subprocess.run([str(self.program), *arguments], capture_output=True, text=True,
-                                check=False)
+                                check=False, env=self._environment)
         if result.returncode != 0:
             raise ProgramError(f"plimsoll {' '.join(arguments)}\nended with "
-                               f"{result.returncode}:\n{result.stderr.strip()}")
+                               f"{result.returncode}:\n{result.stderr.strip()}",
+                               result.returncode)
         return result.stdout
 
     def _scene(self, scene: str | Path) -> str:
@@ -128,7 +136,11 @@ class Plimsoll:
         out = self.work / name
         self._call("run", self._scene(scene), "--out", str(out), "--no-render", "--quiet",
                    "--threads", "1", *_set_options(overrides or {}))
-        return _tracks(out / "trajectory.csv"), json.loads((out / "summary.json").read_text())
+        return self.tracks(name), json.loads((out / "summary.json").read_text())
+
+    def tracks(self, name: str) -> dict[str, Track]:
+        """Trajectories of an earlier run by body."""
+        return _tracks(self.work / name / "trajectory.csv")
 
     def run_one(self, scene: str | Path, name: str, overrides: dict | None = None) -> Track:
         return next(iter(self.run(scene, name, overrides)[0].values()))
