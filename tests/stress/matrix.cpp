@@ -214,7 +214,9 @@ std::vector<RunName> random_runs(std::size_t count, unsigned seed) {
   return runs;
 }
 
-std::vector<RunName> whole_matrix() { return every_once({1, 1, 1, 1, 1}); }
+std::vector<RunName> whole_matrix() {
+  return every_once(std::vector<std::size_t>(std::size(kParts), 1));
+}
 
 std::vector<RunName> subset() {
   std::vector<std::size_t> strides;
