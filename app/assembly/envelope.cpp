@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/assembly/sea_warnings.h"
-#include "engine/locks.h"
+#include "engine/motion/locks.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/spec.h"
+#include "engine/base/spec.h"
 
 /// @file
 /// The operating envelope: the descriptions for which the engine answers in full.
