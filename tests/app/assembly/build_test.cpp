@@ -330,7 +330,11 @@ std::string large_mesh(const std::string& keys) {
 
 TEST(Assemble, AHullInMillimetresIsAWarningWithTheRemedy) {
   const auto warnings = [](const std::string& mesh, const std::string& mass) {
-    return assembled(wet_scene(mesh + ", " + mass + ", hydro: {radiation: none}")).warnings;
+    std::vector<std::string> lines =
+        assembled(wet_scene(mesh + ", " + mass + ", hydro: {radiation: none}")).warnings;
+    // Such sizes lie outside the envelope as well.
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with("outside the"); });
+    return lines;
   };
   EXPECT_THAT(warnings(large_mesh(""), "density: 500"),
               ElementsAre(AllOf(HasSubstr("bodies[0].mesh: hull_mm.obj is 3200 m long"),
