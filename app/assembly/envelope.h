@@ -21,7 +21,8 @@
 /// | step                                                              | 1/1000 … 1/20 s      |
 /// | sea                                                               | that does not break  |
 ///
-/// A body without freedom is not judged, and the mass of a dry one is not.
+/// A body without freedom is not judged, nor the mass of a dry one, nor the step where nothing
+/// moves.
 
 namespace assembly {
 
