@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/base/constants.h"
+
 namespace engine {
 
 using Eigen::Vector3d;
@@ -19,8 +21,10 @@ Eigen::Matrix<double, 1, 6> along(const Vector3d& direction, const Vector3d& arm
 ConstraintBlock contact_block(const Contact& contact, const Vector3d& first, const Vector3d& second,
                               double h) {
   const ContactPoint& point = contact.point;
+  const bool bounces = contact.rebounds && contact.restitution > 0;
   ConstraintBlock block{.kind = ConstraintBlock::Kind::contact,
                         .bodies = {contact.pair.first, contact.pair.second},
+                        .give = bounces ? 0 : kContactCompliance,
                         .limit = contact.friction};
   const Vector3d& normal = point.normal_W;
   const Vector3d tangent = normal.unitOrthogonal();

@@ -35,6 +35,7 @@ struct ConstraintBlock {
   std::array<Rows, 2> J{Rows::Zero(), Rows::Zero()};     ///< About the centres of mass, in W.
   Eigen::Vector3d target = Eigen::Vector3d::Zero();      ///< c [m/s, rad/s]
   Eigen::Vector3d compliance = Eigen::Vector3d::Zero();  ///< D [1/kg, 1/(kg m^2)]
+  double give = 0;   ///< Least compliance of row 1, over its response to its own impulse [-].
   double limit = 0;  ///< Largest impulse of a bounded row [N s, N m s]; µ of a contact [-].
 };
 

@@ -36,8 +36,7 @@ PreparedBlock::PreparedBlock(const ConstraintBlock& block,
   const double largest = response_.diagonal().maxCoeff();
   const double least = largest > 0 ? kLeastCompliance * largest : 1;
   compliance_ = block.compliance.cwiseMax(Vector3d::Constant(least));
-  if (kind() == Kind::contact)
-    compliance_[0] = std::max(compliance_[0], kContactCompliance * response_(0, 0));
+  compliance_[0] = std::max(compliance_[0], block.give * response_(0, 0));
   for (int row = block.rows; row < 3; ++row) compliance_[row] = 1;
   response_.diagonal() += compliance_;
   scale_ = response_.diagonal().cwiseSqrt();
