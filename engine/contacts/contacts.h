@@ -24,7 +24,8 @@
 ///
 /// Many points of a face share what they carry in many ways, so the row of the normal of one
 /// that does not bounce has a compliance of kContactCompliance of its response to its own impulse,
-/// by which a body under a thousand times its weight sinks half a millimetre deeper in steps of 1/60 s.
+/// by which a body under a thousand times its weight sinks half a millimetre deeper in steps of
+/// 1/60 s.
 ///
 /// Friction is Coulomb's with the µ of the pair (contact_surfaces.h), exactly in its cone. All rows
 /// of n points are regularised by
