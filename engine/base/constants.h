@@ -35,10 +35,6 @@ inline constexpr double kShortestPart = 1.0 / 256;
 /// Shortest substep that the energy or a tolerance asks for in a group under constraints, over the
 /// step [-]. Smaller: chains that spin solve their constraints thousands of times in a step.
 inline constexpr double kShortestConstrainedPart = 1.0 / 32;
-/// Shortest substep of a body on its own that loads throw through the water surface, over the step
-/// [-]. Larger: hulls of millimetres that weigh a millionth of their water leave waves a hundred
-/// times faster than buoyancy can make them.
-inline constexpr double kShortestThrow = 1.0 / 8192;
 /// Rest of a step that may be left out, over the step [-]: the round-off of a sum of substeps.
 inline constexpr double kRoundOffPart = 1e-12;
 
@@ -55,10 +51,6 @@ inline constexpr double kAbruptCrossing = 0.1;
 /// Rise by loads through the water surface, over the height, after which a substep is halved [-].
 /// Larger: plates a twentieth of a millimetre thick that spin in a swell are thrown out of it.
 inline constexpr double kLargestOvershoot = 1;
-/// Way that the largest buoyancy there can be may throw an undamped body in a substep, over its
-/// height, where no energy is judged [-]. Larger: of sixty plates, tubs and teapots of some 0.2 mm
-/// in a swell a third gain energy.
-inline constexpr double kLargestThrow = 0.5;
 /// Turn in a substep beyond which halves find a body's energy no better [rad].
 inline constexpr double kFollowedTurn = 8;
 /// Phase per substep below which those of a jointed group, or of a body in the water surface, are
@@ -187,11 +179,9 @@ inline constexpr int kMostRowSteps = 5;  ///< Newton steps in a row.
 /// Rows of an island that takes Newton steps: with joints or lines, and with contacts alone.
 inline constexpr std::size_t kMostNewtonRows = 6000;
 inline constexpr std::size_t kMostContactRows = 600;
-/// Entries of the factors of an island's Newton steps that have not solved it, after which its
-/// bodies take only sweeps until the end of the step: some 2 s of work. Constraints that
-/// contradict each other are not solved by more of them.
-inline constexpr long kMostUnsolvedEntries = 20'000'000;
-inline constexpr int kMostDenseRows = 400;  ///< Rows of a system that is solved as a dense one.
+/// Rows of a system that is solved as a dense one; and where all rows are of joints.
+inline constexpr int kMostDenseRows = 400;
+inline constexpr int kMostDenseBilateralRows = 24;
 /// Least compliance of a row, over the response of its block to its impulses [-]. Smaller: joints
 /// that constrain the same motion twice are not solvable; larger: joints give way.
 inline constexpr double kLeastCompliance = 1e-11;
@@ -220,7 +210,8 @@ inline constexpr double kResolvedLine = 0.7;
 inline constexpr double kUnresolvedLine = 2;
 /// Tension found, over that for which a line is held sideways, after which it is held for more [-].
 inline constexpr double kHeldTension = 1.5;
-/// Solutions of an island for that in a substep.
+/// Solutions of an island for that in a substep. Fewer: ropes throw a body a millionth as heavy as
+/// the one that it holds.
 inline constexpr int kMostHeldSolves = 4;
 /// Compliance of a stop or motor, times the mass that it holds, over a substep [-].
 inline constexpr double kRowCompliance = 1e-9;

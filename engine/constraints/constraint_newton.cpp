@@ -1,6 +1,7 @@
 #include "engine/constraints/constraint_newton.h"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <span>
@@ -35,7 +36,7 @@ struct Equations {
 
 Equations contact_equations(const PreparedBlock& block, const Vector3d& p, const Vector3d& v) {
   Equations e{.b = -p, .compliance = block.compliance()};
-  const double push = block.push_along_normal(p[0], v[0]);
+  const double push = block.wanted(p[0], v[0]);
   if (!(push > 0)) return e;
   e.hold(0, v[0]);
   const double friction = block.block().limit;
@@ -59,7 +60,7 @@ Equations contact_equations(const PreparedBlock& block, const Vector3d& p, const
 Equations equations(const PreparedBlock& block, const Vector3d& p, const Vector3d& v) {
   if (block.kind() == Kind::contact) return contact_equations(block, p, v);
   Equations e{.b = -p, .compliance = block.compliance()};
-  const double wanted = p[0] - v[0] / block.response()(0, 0);
+  const double wanted = block.wanted(p[0], v[0]);
   const double limit = block.block().limit;
   if (block.kind() == Kind::bilateral)
     for (int row = 0; row < block.block().rows; ++row) e.hold(row, v[row]);
@@ -73,8 +74,11 @@ Equations equations(const PreparedBlock& block, const Vector3d& p, const Vector3
 /// A system of 3×3 blocks, dense where it is small.
 class System {
  public:
-  explicit System(std::size_t blocks) : size_(3 * static_cast<Index>(blocks)) {
-    if (size_ <= kMostDenseRows) dense_.setZero(size_, size_);
+  /// @param bilateral   All rows are held, which makes the system symmetric and positive definite.
+  System(std::size_t blocks, bool bilateral)
+      : size_(3 * static_cast<Index>(blocks)), bilateral_(bilateral) {
+    if (size_ <= (bilateral ? kMostDenseBilateralRows : kMostDenseRows))
+      dense_.setZero(size_, size_);
   }
 
   void add(std::size_t row, std::size_t column, const Matrix3d& block) {
@@ -90,19 +94,18 @@ class System {
 
   /// Overwrites a dense system by its factors.
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b) {
-    factor_entries_ = dense_.size();
     if (dense_.size() > 0) return finite(hydro::solve_dense(dense_, b));
     Eigen::SparseMatrix<double> matrix(size_, size_);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
+    if (bilateral_) {
+      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt(matrix);
+      if (ldlt.info() != Eigen::Success) return std::nullopt;
+      return finite(ldlt.solve(b));
+    }
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
-    factor_entries_ = matrix.nonZeros();
     if (lu.info() != Eigen::Success) return std::nullopt;
-    factor_entries_ = lu.nnzL() + lu.nnzU();
     return finite(lu.solve(b));
   }
-
-  /// Entries of the factors of the last solution.
-  Index factor_entries() const { return factor_entries_; }
 
  private:
   static std::optional<Eigen::VectorXd> finite(Eigen::VectorXd x) {
@@ -111,7 +114,7 @@ class System {
   }
 
   Index size_;
-  Index factor_entries_ = 0;
+  bool bilateral_;
   Eigen::MatrixXd dense_;
   std::vector<Eigen::Triplet<double>> entries_;
 };
@@ -136,11 +139,11 @@ std::vector<Touch> touches(const std::vector<PreparedBlock>& blocks) {
 
 }  // namespace
 
-NewtonStep newton_step(const std::vector<PreparedBlock>& blocks,
-                       const std::vector<Vector3d>& impulses,
-                       const std::vector<Vector6d>& velocities) {
-  if (3 * blocks.size() > kMostNewtonRows) return {};
-  System system(blocks.size());
+std::optional<std::vector<Vector3d>> newton_step(const std::vector<PreparedBlock>& blocks,
+                                                 const std::vector<Vector3d>& impulses,
+                                                 const std::vector<Vector6d>& velocities) {
+  const auto bilateral = [](const PreparedBlock& b) { return b.kind() == Kind::bilateral; };
+  System system(blocks.size(), std::ranges::all_of(blocks, bilateral));
   std::vector<Equations> rows;
   rows.reserve(blocks.size());
   Eigen::VectorXd b(3 * static_cast<Index>(blocks.size()));
@@ -174,12 +177,11 @@ NewtonStep newton_step(const std::vector<PreparedBlock>& blocks,
     first = last;
   }
   const std::optional<Eigen::VectorXd> change = system.solve(b);
-  const long entries = system.factor_entries();
-  if (!change) return {.impulses = std::nullopt, .entries = entries};
+  if (!change) return std::nullopt;
   std::vector<Vector3d> next = impulses;
   for (std::size_t k = 0; k < blocks.size(); ++k)
     next[k] += change->segment<3>(3 * static_cast<Index>(k)).cwiseQuotient(blocks[k].scale());
-  return {.impulses = std::move(next), .entries = entries};
+  return next;
 }
 
 }  // namespace engine

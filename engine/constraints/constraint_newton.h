@@ -32,14 +32,9 @@
 
 namespace engine {
 
-struct NewtonStep {
-  /// p + δ; none if the island has too many rows, or the equations have no solution.
-  std::optional<std::vector<Eigen::Vector3d>> impulses;
-  long entries = 0;  ///< Of the factors of the equations: what the step costs.
-};
-
-NewtonStep newton_step(const std::vector<PreparedBlock>& blocks,
-                       const std::vector<Eigen::Vector3d>& impulses,
-                       const std::vector<Vector6d>& velocities);
+/// @return p + δ; none if the equations have no solution
+std::optional<std::vector<Eigen::Vector3d>> newton_step(
+    const std::vector<PreparedBlock>& blocks, const std::vector<Eigen::Vector3d>& impulses,
+    const std::vector<Vector6d>& velocities);
 
 }  // namespace engine

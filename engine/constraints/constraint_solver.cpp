@@ -74,13 +74,13 @@ void set_scaled(const Eigen::VectorXd& x, Iterate& it) {
 /// Sweeps, and between them Newton steps, until the velocities stay.
 class Iteration {
  public:
-  Iteration(Iterate& iterate, double size, bool newton_steps)
+  Iteration(Iterate& iterate, double size)
       : it_(iterate),
         size_(size),
         jointed_(std::ranges::any_of(
             it_.blocks, [](const PreparedBlock& block) { return block.kind() != Kind::contact; })),
         few_(3 * it_.blocks.size() <= (jointed_ ? kMostNewtonRows : kMostContactRows)),
-        takes_newton_steps_(few_ && newton_steps),
+        takes_newton_steps_(few_),
         solved_(size * (jointed_ ? kSolvedIsland
                         : few_   ? kSolvedContacts
                                  : kSolvedHeap)) {}
@@ -95,7 +95,6 @@ class Iteration {
     return {.velocities = std::move(it_.velocities),
             .impulses = std::move(it_.impulses),
             .sweeps = sweeps_,
-            .newton_entries = newton_entries_,
             .converged = accepted()};
   }
 
@@ -117,10 +116,9 @@ class Iteration {
     const double start = missed_;
     double least = start;
     for (int i = 0; i < kMostRowSteps && !converged(); ++i) {
-      NewtonStep next = newton_step(it_.blocks, it_.impulses, it_.velocities);
-      newton_entries_ += next.entries;
-      if (!next.impulses) break;
-      it_.impulses = *std::move(next.impulses);
+      auto next = newton_step(it_.blocks, it_.impulses, it_.velocities);
+      if (!next) break;
+      it_.impulses = *std::move(next);
       find_velocities(it_);
       missed_ = swept();
       if (!(missed_ < least)) continue;
@@ -167,15 +165,13 @@ class Iteration {
   double solved_;
   double missed_ = 0;  ///< What the last sweep changed.
   int sweeps_ = 0;
-  long newton_entries_ = 0;
 };
 
 }  // namespace
 
 ConstraintSolution solve_constraints(const std::vector<ConstrainedBody>& bodies,
                                      const std::vector<ConstraintBlock>& blocks,
-                                     const std::vector<Vector3d>& start, double size,
-                                     bool newton_steps) {
+                                     const std::vector<Vector3d>& start, double size) {
   assert(start.empty() || start.size() == blocks.size());
   std::vector<PreparedBlock> prepared;
   prepared.reserve(blocks.size());
@@ -186,7 +182,7 @@ ConstraintSolution solve_constraints(const std::vector<ConstrainedBody>& bodies,
                   .velocities = std::vector<Vector6d>(bodies.size())};
   iterate.impulses.resize(blocks.size(), Vector3d::Zero());
   find_velocities(iterate);
-  return Iteration(iterate, size, newton_steps).run();
+  return Iteration(iterate, size).run();
 }
 
 }  // namespace engine

@@ -43,17 +43,14 @@ struct ConstraintSolution {
   std::vector<Vector6d> velocities;       ///< u
   std::vector<Eigen::Vector3d> impulses;  ///< p of the blocks.
   int sweeps = 0;
-  long newton_entries = 0;  ///< Of the factors of all Newton steps (constraint_newton.h).
-  bool converged = false;   ///< The last sweep changed the impulses by less than the tolerance.
+  bool converged = false;  ///< The last sweep changed the impulses by less than the tolerance.
 };
 
 /// @param bodies         Ascending. A block of which neither body is here has no effect.
 /// @param start          Impulses to start from, as many as blocks; empty: none.
 /// @param size           Root of the energy of the motion, which errors are measured by [√J].
-/// @param newton_steps   False: sweeps alone.
 ConstraintSolution solve_constraints(const std::vector<ConstrainedBody>& bodies,
                                      const std::vector<ConstraintBlock>& blocks,
-                                     const std::vector<Eigen::Vector3d>& start, double size,
-                                     bool newton_steps = true);
+                                     const std::vector<Eigen::Vector3d>& start, double size);
 
 }  // namespace engine

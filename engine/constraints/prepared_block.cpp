@@ -69,10 +69,9 @@ Vector3d PreparedBlock::solved(const Vector3d& now, const std::vector<Vector6d>&
     case Kind::bilateral:
       return now - inverse_ * rest;
     case Kind::one_sided:
-      return Vector3d(std::max(0.0, now[0] - rest[0] / response_(0, 0)), 0, 0);
+      return Vector3d(std::max(0.0, wanted(now[0], rest[0])), 0, 0);
     case Kind::bounded:
-      return Vector3d(std::clamp(now[0] - rest[0] / response_(0, 0), -block_->limit, block_->limit),
-                      0, 0);
+      return Vector3d(std::clamp(wanted(now[0], rest[0]), -block_->limit, block_->limit), 0, 0);
     case Kind::contact:
       return contact_solved(now, rest);
   }
@@ -81,7 +80,7 @@ Vector3d PreparedBlock::solved(const Vector3d& now, const std::vector<Vector6d>&
 
 Vector3d PreparedBlock::contact_solved(const Vector3d& now, const Vector3d& rest) const {
   Vector3d next = now;
-  next[0] = std::max(0.0, push_along_normal(now[0], rest[0]));
+  next[0] = std::max(0.0, wanted(now[0], rest[0]));
   if (!(next[0] > 0)) return Vector3d::Zero();
   const Vector2d slip = rest.tail<2>() + response_.bottomLeftCorner<2, 1>() * (next[0] - now[0]);
   const Vector2d along = slide_axes_.transpose() * now.tail<2>();

@@ -40,13 +40,10 @@ class PreparedBlock {
   Eigen::Vector3d missed(const Eigen::Vector3d& impulses,
                          const std::vector<Vector6d>& velocities) const;
 
-  /// The impulse with which row 1 of a contact holds, those of all others held; below 0 if the
-  /// contact is open.
+  /// The impulse with which the first row would hold without a bound, those of all others held.
   /// @param now      Its impulse that is now.
   /// @param missed   J u + D p − c.
-  double push_along_normal(double now, double missed) const {
-    return now - missed / response_(0, 0);
-  }
+  double wanted(double now, double missed) const { return now - missed / response_(0, 0); }
 
   /// The impulses with which (E8) holds for this block, those of all others held.
   /// @param impulses, velocities   That are now.

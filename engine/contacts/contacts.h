@@ -7,7 +7,8 @@
 #include "engine/contacts/broad_phase.h"
 
 /// @file
-/// The model of a contact: which points are kept where two bodies overlap, and their stiffness.
+/// The model of a contact: which points are kept where two bodies overlap, and what their rows ask
+/// for.
 ///
 /// A contact is rigid, whatever it carries. With h the length of a substep, d the depth of a point
 /// halfway through it, τ = kShortestContact and r = kContactRecovery, the point parts after the

@@ -41,8 +41,6 @@ struct MovingBody {
   const Machines* machines = nullptr;     ///< Null: it has none.
   const SetPoints* set_points = nullptr;  ///< Those that its applied loads follow.
   LoadCache cache;
-  /// Of the Newton steps in this step for constraints that were not solved (constraint_solver.h).
-  long unsolved_entries = 0;
   Counts counts;
 };
 

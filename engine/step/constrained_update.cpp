@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/base/constants.h"
 #include "engine/base/state_checks.h"
@@ -61,20 +62,23 @@ struct Constraints {
   const std::vector<Contact>& contacts;
 };
 
-/// u⁻ of a body; zero for what does not move.
-Vector6d velocity_before(const Problem& problem, BodyId id) {
-  const auto found = std::ranges::lower_bound(problem.island.bodies, id, {}, &SubstepBody::id);
-  if (found == problem.island.bodies.end() || (*found)->id != id) return Vector6d::Zero();
-  return problem.bodies[static_cast<std::size_t>(found - problem.island.bodies.begin())].before;
+/// Index of a body in the island; none of what does not move.
+std::optional<std::size_t> place_in(const Island& island, BodyId id) {
+  const auto found = std::ranges::lower_bound(island.bodies, id, {}, &SubstepBody::id);
+  if (found == island.bodies.end() || (*found)->id != id) return std::nullopt;
+  return static_cast<std::size_t>(found - island.bodies.begin());
 }
 
 /// The rows of joints, then of contacts, then of lines and drives.
 std::vector<ConstraintBlock> blocks_of(const Problem& problem, const Constraints& constraints) {
   const Island& island = problem.island;
   const auto state_of = [&](BodyId id) {
-    const auto found = std::ranges::lower_bound(island.bodies, id, {}, &SubstepBody::id);
-    return found == island.bodies.end() || (*found)->id != id ? hydro::BodyState{}
-                                                              : (*found)->halfway.state;
+    const auto place = place_in(island, id);
+    return place ? island.bodies[*place]->halfway.state : hydro::BodyState{};
+  };
+  const auto velocity_before = [&](BodyId id) {
+    const auto place = place_in(island, id);
+    return place ? problem.bodies[*place].before : Vector6d::Zero();
   };
   const double h = problem.h;
   std::vector<ConstraintBlock> blocks;
@@ -82,8 +86,8 @@ std::vector<ConstraintBlock> blocks_of(const Problem& problem, const Constraints
   for (const JointFrames& joint : constraints.joints)
     add_joint_blocks(joint, state_of(joint.bodies[0]), state_of(joint.bodies[1]), blocks);
   for (ConstraintBlock& block : blocks)
-    block.target = -block.J[0] * velocity_before(problem, block.bodies[0]) -
-                   block.J[1] * velocity_before(problem, block.bodies[1]);
+    block.target = -block.J[0] * velocity_before(block.bodies[0]) -
+                   block.J[1] * velocity_before(block.bodies[1]);
   for (const Contact& contact : constraints.contacts)
     blocks.push_back(contact_block(contact, state_of(contact.pair.first).position,
                                    state_of(contact.pair.second).position, h));
@@ -102,12 +106,11 @@ std::vector<JointReaction> joint_reactions(const Problem& problem,
   std::size_t k = 0;
   for (const JointFrames& joint : joints) {
     const Vector6d load = joint_impulse(joint, blocks, impulses, k) / problem.h;
-    const auto body =
-        std::ranges::lower_bound(problem.island.bodies, joint.seen_by(), {}, &SubstepBody::id);
+    const std::size_t body = *place_in(problem.island, joint.seen_by());
     reactions.push_back({.joint = joint.index,
                          .force_W = load.head<3>(),
                          .moment_W = load.tail<3>(),
-                         .about_W = (*body)->halfway.state.position});
+                         .about_W = problem.island.bodies[body]->halfway.state.position});
   }
   return reactions;
 }
@@ -116,20 +119,17 @@ std::vector<JointReaction> joint_reactions(const Problem& problem,
 using Answer = ImpactAnswer;
 
 /// Forces of the rows of lines and drives, whose blocks come last, and their work.
-void add_rows(const Problem& problem, const std::vector<ConstrainedBody>& bodies,
-              const std::vector<ConstraintBlock>& blocks, const ConstraintSolution& found,
-              Answer& answer) {
+void add_rows(const Problem& problem, const std::vector<ConstraintBlock>& blocks,
+              const ConstraintSolution& found, Answer& answer) {
   const std::size_t rows = problem.island.rows.size();
   for (std::size_t k = blocks.size() - rows; k < blocks.size(); ++k) {
     const double impulse = found.impulses[k][0];
     answer.row_forces.push_back(impulse / problem.h);
     for (int side = 0; side < 2; ++side) {
-      const auto body =
-          std::ranges::lower_bound(bodies, blocks[k].bodies[side], {}, &ConstrainedBody::body);
-      if (body == bodies.end() || body->body != blocks[k].bodies[side]) continue;
-      const auto i = static_cast<std::size_t>(body - bodies.begin());
-      const Vector6d mean =
-          (problem.bodies[i].before + problem.bodies[i].jump + found.velocities[i]) / 2;
+      const auto place = place_in(problem.island, blocks[k].bodies[side]);
+      if (!place) continue;
+      const Pushed& body = problem.bodies[*place];
+      const Vector6d mean = (body.before + body.jump + found.velocities[*place]) / 2;
       answer.row_work += impulse * blocks[k].J[side].row(0).dot(mean);
     }
   }
@@ -160,13 +160,6 @@ void keep_forces(const std::vector<ConstraintBlock>& blocks,
   }
 }
 
-/// False if Newton steps have long been in vain in this step.
-bool may_be_solvable(const Island& island) {
-  return std::ranges::all_of(island.bodies, [](const SubstepBody* b) {
-    return b->moving->unsolved_entries < kMostUnsolvedEntries;
-  });
-}
-
 Answer solve(const Problem& problem, const Constraints& constraints) {
   const Island& island = problem.island;
   std::vector<ConstrainedBody> bodies;
@@ -178,7 +171,7 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
   const std::vector<ConstraintBlock> blocks = blocks_of(problem, constraints);
   const ConstraintSolution found =
       solve_constraints(bodies, blocks, expected_impulses(problem, constraints, blocks),
-                        std::sqrt(2 * motion_energy(problem)), may_be_solvable(island));
+                        std::sqrt(2 * motion_energy(problem)));
   keep_forces(blocks, found.impulses, problem);
   Answer answer{.joints = joint_reactions(problem, constraints.joints, blocks, found.impulses),
                 .solved = found.converged};
@@ -189,11 +182,9 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
     const Vector6d change = found.velocities[i] - b.before;
     answer.changes.push_back(change - b.jump);
     answer.reactions.push_back(b.S * change / problem.h - b.load);
-    MovingBody& moving = *island.bodies[i]->moving;
-    moving.counts.iterations += found.sweeps;
-    if (!found.converged) moving.unsolved_entries += found.newton_entries;
+    island.bodies[i]->moving->counts.iterations += found.sweeps;
   }
-  add_rows(problem, bodies, blocks, found, answer);
+  add_rows(problem, blocks, found, answer);
   return answer;
 }
 

@@ -65,7 +65,6 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
       whole_step_(step),
       step_(step),
       shortest_((is_alone_ ? kShortestPart : kShortestConstrainedPart) * step),
-      shortest_throw_((is_alone_ ? kShortestThrow : kShortestPart) * step),
       impacts_(context_, group_, past.touching, step),
       members_(group_.bodies.size()) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -238,16 +237,14 @@ bool GroupStepper::must_halve(double h, bool halves) {
     gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
   gained = gained && h / 2 >= shortest_;
-  const bool may_throw = is_alone_ && h / 2 >= shortest_;
   for (const Member& m : members_) {
     if (!m.island || !(gained || m.abrupt)) continue;
     const Motion& before = m.moving->motion;
     followed = followed && can_be_followed(m.body(), before, h);
     if (!m.abrupt || !m.body().wet) continue;
-    overshot = overshot || overshoots_surface(m.body(), before.state, m.end.state, h) ||
-               (may_throw && may_be_thrown(m.body(), before, m.end, h));
+    overshot = overshot || overshoots_surface(m.body(), before.state, m.end.state, h);
   }
-  return (overshot && h / 2 >= shortest_throw_) || (gained && followed);
+  return (overshot && h / 2 >= shortest_) || (gained && followed);
 }
 
 void GroupStepper::accept(double time, double h) {

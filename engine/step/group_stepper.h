@@ -115,7 +115,6 @@ class GroupStepper {
   const double whole_step_;  ///< The scene's [s].
   double step_;              ///< The same, or, of a lone body, the part of it that is advanced [s].
   double shortest_;          ///< Substep that is not halved any more for its energy or error [s].
-  double shortest_throw_;    ///< The same where loads throw a body through the surface [s].
   Impacts impacts_;
   World::Contacts contacts_;
   std::optional<std::pair<double, double>> found_;  ///< Time and h of the contacts [s].

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -38,7 +37,7 @@ class Linkage {
 
   /// (E38) until the error is below kClosedJoint, or no step leads nearer.
   void close() {
-    double before = error();
+    double before = error(states());
     for (int i = 0; i < kMostClosings && before > kClosedJoint; ++i) {
       const double after = try_closing(before);
       if (!(after < before)) return;
@@ -77,9 +76,17 @@ class Linkage {
     return found == links_.end() || found->id != id ? nullptr : &*found;
   }
 
-  hydro::BodyState state(BodyId id) const {
+  /// Of all links, in their order.
+  std::vector<hydro::BodyState> states() const {
+    std::vector<hydro::BodyState> states;
+    for (const Link& link : links_) states.push_back(link.motion->state);
+    return states;
+  }
+
+  /// That of a link, or of what does not move.
+  hydro::BodyState state(BodyId id, const std::vector<hydro::BodyState>& states) const {
     const Link* link = find(id);
-    return link ? link->motion->state : hydro::BodyState{};
+    return link ? states[static_cast<std::size_t>(link - links_.data())] : hydro::BodyState{};
   }
 
   /// The radius of the smaller of a joint's bodies.
@@ -92,19 +99,22 @@ class Linkage {
 
   /// Root of the sum of the squares of all separations, over their reach, and turns. Short steps of
   /// Newton's method make it less.
-  double error() const {
+  double error(const std::vector<hydro::BodyState>& states) const {
     double sum = 0;
     for (const JointFrames& joint : joints_) {
-      const JointGap gap = gap_of(joint, state(joint.bodies[0]), state(joint.bodies[1]));
+      const JointGap gap =
+          gap_of(joint, state(joint.bodies[0], states), state(joint.bodies[1], states));
       sum += std::pow(gap.separation / reach(joint), 2) + std::pow(gap.turn, 2);
     }
     return std::sqrt(sum);
   }
 
   std::vector<ConstraintBlock> blocks() const {
+    const std::vector<hydro::BodyState> states = this->states();
     std::vector<ConstraintBlock> blocks;
     for (const JointFrames& joint : joints_)
-      add_joint_blocks(joint, state(joint.bodies[0]), state(joint.bodies[1]), blocks);
+      add_joint_blocks(joint, state(joint.bodies[0], states), state(joint.bodies[1], states),
+                       blocks);
     return blocks;
   }
 
@@ -135,14 +145,8 @@ class Linkage {
 
   ConstraintSolution solve(const std::vector<ConstrainedBody>& bodies,
                            const std::vector<ConstraintBlock>& blocks, double size) {
-    const bool newton_steps = std::ranges::all_of(links_, [](const Link& link) {
-      return link.moving->unsolved_entries < kMostUnsolvedEntries;
-    });
-    ConstraintSolution found = solve_constraints(bodies, blocks, {}, size, newton_steps);
-    for (const Link& link : links_) {
-      link.moving->counts.iterations += found.sweeps;
-      if (!found.converged) link.moving->unsolved_entries += found.newton_entries;
-    }
+    ConstraintSolution found = solve_constraints(bodies, blocks, {}, size);
+    for (const Link& link : links_) link.moving->counts.iterations += found.sweeps;
     return found;
   }
 
@@ -157,34 +161,37 @@ class Linkage {
     double turn = 0;
     for (const Vector6d& d : way) turn = std::max(turn, d.tail<3>().norm());
     double part = turn > kLargestClosingTurn ? kLargestClosingTurn / turn : 1;
-    std::vector<Motion> starts;
-    for (const Link& link : links_) starts.push_back(*link.motion);
+    std::vector<hydro::BodyState> ends(links_.size());
     for (int i = 0; i <= kMostClosings; ++i, part /= 2) {
-      for (std::size_t k = 0; k < links_.size(); ++k) displace(links_[k], starts[k], part * way[k]);
-      const double after = error();
-      if (after < before) return after;
+      for (std::size_t k = 0; k < links_.size(); ++k)
+        ends[k] = displaced(links_[k].body(), links_[k].motion->state, part * way[k]);
+      const double after = error(ends);
+      if (!(after < before)) continue;
+      for (std::size_t k = 0; k < links_.size(); ++k) displace(links_[k], ends[k]);
+      return after;
     }
-    for (std::size_t k = 0; k < links_.size(); ++k) *links_[k].motion = starts[k];
     return before;
   }
 
-  /// Moves a body, which keeps its kinetic energy.
-  static void displace(const Link& link, const Motion& start, const Vector6d& way) {
+  /// Moves a body to the pose of a state. It keeps its kinetic energy.
+  static void displace(const Link& link, const hydro::BodyState& end) {
     const Body& body = link.body();
-    *link.motion = start;
     change(link, [&](Motion& motion) {
-      hydro::BodyState& state = motion.state = displaced(body, start.state, way);
-      const Eigen::Quaterniond turn = state.orientation * start.state.orientation.conjugate();
+      hydro::BodyState& state = motion.state;
+      const Eigen::Quaterniond start = state.orientation;
+      state = end;
+      const Eigen::Quaterniond turn = state.orientation * start.conjugate();
       if (!body.locked) state.angular_velocity = turn * state.angular_velocity;
       if (!motion.added_B) return;
       if (!body.locked)
         state.linear_velocity = motion.flow + turn * (state.linear_velocity - motion.flow);
       motion.added_B = after_turn(body, *motion.added_B, motion.held.get(),
-                                  start.state.orientation.conjugate() * state.orientation);
+                                  start.conjugate() * state.orientation);
     });
   }
 
-  static void change(const Link& link, const std::function<void(Motion&)>& apply) {
+  template <class Apply>
+  static void change(const Link& link, const Apply& apply) {
     Motion& motion = *link.motion;
     if (!motion.work) return apply(motion);
     const Motion before = motion;

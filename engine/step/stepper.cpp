@@ -39,7 +39,6 @@ std::vector<Overlap> Stepper::advance(double time) {
   std::vector<std::vector<Overlap>> found(groups.size());
   parallel_for_rethrow(context_.parallel_for, groups.size() + lone.parts(), [&](std::size_t i) {
     if (i >= groups.size()) return lone.advance(i - groups.size(), time, step_);
-    for (const BodyId id : groups[i].bodies) context_.bodies[id].unsolved_entries = 0;
     if (!groups[i].joints.empty()) begin_on_joints(context_, groups[i].bodies);
     GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), own_limiters_, contacts_,
                          step_);

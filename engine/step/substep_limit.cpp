@@ -100,16 +100,4 @@ bool overshoots_surface(const Body& body, const hydro::BodyState& before,
   return c.meets && std::min(way.norm(), thrown.norm()) > kLargestOvershoot * c.height;
 }
 
-bool may_be_thrown(const Body& body, const Motion& before, const Motion& after, double h) {
-  const BodySpec& spec = *body.spec;
-  const bool damped = spec.added_mass || !spec.coefficients.pressure_drag.none() ||
-                      !spec.coefficients.viscous_drag.none();
-  if (damped || body.held() || !spec.coefficients.buoyancy || must_not_gain_energy(body))
-    return false;
-  const SurfaceCrossing c = surface_crossing(body, before.state, after.state);
-  const double density = body.environment.sea->density;
-  const double lift = density * body.environment.gravity * body.box_B.volume();
-  return c.meets && h * h / 2 * lift > kLargestThrow * c.height * spec.mass;
-}
-
 }  // namespace engine

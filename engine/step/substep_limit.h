@@ -51,10 +51,4 @@ bool crosses_surface(const Body& body, const hydro::BodyState& before,
 bool overshoots_surface(const Body& body, const hydro::BodyState& before,
                         const hydro::BodyState& after, double h);
 
-/// True if nothing damps a body in the water and no energy bounds its motion (energy.h), and its
-/// buoyancy alone could throw it through the surface by more than kLargestThrow of its height in a
-/// time h [s]: one that is above the water halfway could else end below it without having felt it,
-/// and what it gains by that would add up.
-bool may_be_thrown(const Body& body, const Motion& before, const Motion& after, double h);
-
 }  // namespace engine

@@ -226,17 +226,6 @@ TEST(ConstrainedUpdate, OfJointsTakesOneNewtonStepWhateverTheAddedMass) {
   }
 }
 
-// Constraints that contradict each other cost a step no more than that.
-TEST(ConstrainedUpdate, TakesSweepsAloneOnceNewtonStepsHaveLongBeenInVain) {
-  SimulationSpec spec = two_boxes(7, 1);
-  spec.joints = {between(Type::hinge, 0, 1)};
-  support::IslandOfAll all(spec);
-  all.make_midpoints();
-  all.bodies[1].unsolved_entries = engine::kMostUnsolvedEntries;
-  engine::constrained_update(all.context, all.island, kSubstep / 2, kSubstep);
-  for (const engine::MovingBody& moving : all.bodies) EXPECT_GT(moving.counts.iterations, 2);
-}
-
 /// Three plates in a row, much lighter than the water that they are in, that meet pressure drag
 /// alone and move at random.
 SimulationSpec light_plates(Type type, double density, double step) {

@@ -28,9 +28,8 @@ struct Island {
   std::vector<ConstrainedBody> bodies;
   std::vector<ConstraintBlock> blocks;
 
-  ConstraintSolution solved(const std::vector<Vector3d>& start = {},
-                            bool newton_steps = true) const {
-    return engine::solve_constraints(bodies, blocks, start, size(), newton_steps);
+  ConstraintSolution solved(const std::vector<Vector3d>& start = {}) const {
+    return engine::solve_constraints(bodies, blocks, start, size());
   }
   double size() const {
     double energy = 0;
@@ -207,18 +206,6 @@ TEST(ConstraintSolver, HoldsAHeavyBodyOnLightOnes) {
   EXPECT_TRUE(found.converged);
   for (const Vector6d& u : found.velocities) EXPECT_LT(u.norm(), tolerance(1e-4));
   EXPECT_NEAR(found.impulses[0][0], 1e4 + 0.4, tolerance(0.1));
-}
-
-TEST(ConstraintSolver, TakesSweepsAloneWhereNewtonStepsAreNotWanted) {
-  support::Random random(7);
-  Island island = random_bodies(random, 4, 2);
-  for (int k = 0; k < 3; ++k)
-    island.blocks.push_back(random_block(random, island, Kind::bilateral, 2));
-  const ConstraintSolution with = island.solved(), without = island.solved({}, false);
-  EXPECT_GT(with.newton_entries, 0);
-  EXPECT_EQ(without.newton_entries, 0);
-  EXPECT_GT(without.sweeps, with.sweeps);
-  expect_solved(island, without);
 }
 
 TEST(ConstraintSolver, LetsContradictoryRowsCompromise) {

@@ -56,27 +56,4 @@ TEST(SubstepLimit, KnowsCrossingsAndOvershoots) {
   EXPECT_TRUE(engine::overshoots_surface(box.body, at(-0.2, 0), aside, 0.1));
 }
 
-TEST(SubstepLimit, KnowsWhatBuoyancyMayThrowWhereNoEnergyBoundsIt) {
-  SimulationSpec spec = support::box_in_still_water({0, 0, 0.2});
-  BodySpec& box = spec.bodies[0];
-  box.added_mass = nullptr;
-  box.coefficients.pressure_drag = {0, 0};
-  box.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
-  const auto may_be_thrown = [&](double h, double height = 0.2) {
-    const MovingBody moving = support::moving_bodies(spec)[0];
-    engine::Motion at = moving.motion;
-    at.state.position.z() = height;
-    return engine::may_be_thrown(moving.body, at, at, h);
-  };
-  // ρ V g h²/2m is half of the height of 1 m there.
-  const double longest = std::sqrt(box.mass / (spec.sea->density * spec.sea->gravity));
-  EXPECT_FALSE(may_be_thrown(1.001 * longest));  // The energy is judged in still water.
-  spec.sea->surface = hydro::WaveSurface{{hydro::deep_water_wave(0.1, 20, 0, 0, 9.81)}};
-  EXPECT_TRUE(may_be_thrown(1.001 * longest));
-  EXPECT_FALSE(may_be_thrown(0.999 * longest));
-  EXPECT_FALSE(may_be_thrown(1.001 * longest, 2));
-  box.coefficients.pressure_drag = {1, 0};
-  EXPECT_FALSE(may_be_thrown(1.001 * longest));
-}
-
 }  // namespace

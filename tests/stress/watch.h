@@ -23,14 +23,14 @@
 /// and the run fails if rise > kLargestRise · scale at any step. The scale does not depend on the
 /// zero of U; it is at most the largest energy so far relative to the lowest reachable position. C
 /// is, summed over the bodies, the weight of all bodies and their displaced water times the deepest
-/// overlap of any two: contacts are soft (engine/contacts/contacts.h) and push overlapping bodies
-/// apart again. Energy that was lost and returns counts as a rise, even if it stays below its
-/// initial value. Lines may give back what they have taken, and no more than ½ k e² of their
-/// stretch e. The state that is reported lies (h²/24) a off the one that is moved on
-/// (engine/motion/processing_correction.h), and may be dry where that touches the water: K is found
-/// with the added mass of the pose and with that of the last substep, and is the less of the two.
-/// With L the sum of the lines' energies and of the differences of the two, E(t) is counted as
-/// min(E + L, min E(s) over s < t) where E is less than that.
+/// overlap of any two: contacts push overlapping bodies apart (engine/contacts/contacts.h). Energy
+/// that was lost and returns counts as a rise, even if it stays below its initial value. Lines may
+/// give back what they have taken, and no more than ½ k e² of their stretch e. The state that is
+/// reported lies (h²/24) a off the one that is moved on (engine/motion/processing_correction.h),
+/// and may be dry where that touches the water: K is found with the added mass of the pose and with
+/// that of the last substep, and is the less of the two. With L the sum of the lines' energies and
+/// of the differences of the two, E(t) is counted as min(E + L, min E(s) over s < t) where E is
+/// less than that.
 ///
 /// No body may move farther than its energy allows. By lifting a body the water can add at most W =
 /// ρ g V (depth of its start below the highest water + size), gravity adds m g times the depth
