@@ -11,18 +11,9 @@
 ///
 /// Inside it no run of the stress test may gain energy, leave, stall or stop (tests/stress).
 /// Outside it a run has finite states or stops with the body, the time and the reason, and its work
-/// is bounded. The bounds are on what a scene says, not on what comes of it:
-///
-/// | size of a body (the longest edge of the box around its mesh)      | 5 mm … 500 m         |
-/// | mass over the mass of the water that it displaces wholly immersed | 0.01 … 20            |
-/// | speed at the start                                                | at most 50 m/s       |
-/// | spin at the start                                                 | at most 50 rad/s     |
-/// | added mass in its largest direction, wholly immersed, over mass   | at most 100          |
-/// | step                                                              | 1/1000 … 1/20 s      |
-/// | sea                                                               | that does not break  |
-///
-/// A body without freedom is not judged, nor the mass of a dry one, nor the step where nothing
-/// moves.
+/// is bounded. The bounds are on what a scene says, not on what comes of it; app/README.md lists
+/// them. A body without freedom is not judged, nor the mass of a dry one, nor the step where
+/// nothing moves.
 
 namespace assembly {
 
