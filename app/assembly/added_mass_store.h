@@ -28,7 +28,7 @@ namespace assembly {
 /// older versions are ignored.
 inline constexpr int kAddedMassVersion = 3;
 /// This version must be raised whenever `hydro::SurfaceAddedMass` gives other numbers.
-inline constexpr int kSurfaceVersion = 2;
+inline constexpr int kSurfaceVersion = 3;
 
 struct StoredAddedMass {
   std::shared_ptr<const hydro::AddedMassSolution> solution;

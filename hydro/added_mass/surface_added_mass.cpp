@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "hydro/added_mass/water_entry.h"
 #include "hydro/airy_waves.h"
 
 namespace hydro {
@@ -24,8 +25,13 @@ constexpr int kUnbounded = kPiercing + kSubmerged;
 /// is badly conditioned: it is 0 = 0 where body and image touch. Up to this draught (18 % of the
 /// volume) a solution is checked for two exact properties: it is symmetric, and added mass grows
 /// with draught. A solution that violates them by more than the discretisation error is replaced by
-/// its neighbour's, in proportion to the volume.
+/// its neighbour's, in proportion to that of a plate.
 constexpr int kShallow = 3;
+
+/// Draught up to which the ratio to a plate is interpolated; over the next step it goes over into
+/// the matrix itself.
+constexpr double kOfPlates = 2;
+
 constexpr double kMostAsymmetry = 0.05;
 constexpr double kMostExcess = 1.02;
 
@@ -67,11 +73,20 @@ Matrix6d SurfaceAddedMass::under(const WaterPlane& plane) const {
   if (draught <= 0) return Matrix6d::Zero();
   const int lower = std::min(static_cast<int>(draught), kUnbounded - 1);
   const double upper_part = draught - lower;
+  const double plain = std::clamp(draught - kOfPlates, 0.0, 1.0);
+  const double plate_here = plain < 1 ? waterplane(mesh_B_, risen(plane)).plate() : 0;
   Matrix6d sum = Matrix6d::Zero();
   for (const AttitudeGrid::Corner& corner : attitudes_.around(plane.up)) {
-    if (corner.weight == 0) continue;
-    if (upper_part < 1) sum += corner.weight * (1 - upper_part) * node(corner.node, lower);
-    if (upper_part > 0) sum += corner.weight * upper_part * node(corner.node, lower + 1);
+    const auto add = [&](int at, double weight) {
+      if (!(weight > 0)) return;
+      if (plain > 0) sum += plain * weight * node(corner.node, at);
+      if (plain == 1) return;
+      const int ratio = std::max(1, at);
+      sum +=
+          (1 - plain) * weight * plate_here / plate(corner.node, ratio) * node(corner.node, ratio);
+    };
+    add(lower, corner.weight * (1 - upper_part));
+    add(lower + 1, corner.weight * upper_part);
   }
   return sum;
 }
@@ -111,15 +126,32 @@ WaterPlane SurfaceAddedMass::plane_of(int attitude, int draught) const {
   return {up, body.high + radius_ * (1 / std::cbrt(1 - x * x) - 1)};
 }
 
+WaterPlane SurfaceAddedMass::risen(const WaterPlane& plane) const {
+  const Waterplane cut = waterplane(mesh_B_, plane);
+  const double fresh = std::max(0.0, 1 - 2 * cut.volume / volume_);
+  return {plane.up, plane.height + rise_at_entry(cut) * cut.draught * fresh * fresh};
+}
+
+double SurfaceAddedMass::plate(int attitude, int draught) const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = plates_.find({attitude, draught}); found != plates_.end())
+      return found->second;
+  }
+  const double plate = waterplane(mesh_B_, risen(plane_of(attitude, draught))).plate();
+  const std::lock_guard lock(mutex_);
+  return plates_.emplace(std::pair(attitude, draught), plate).first->second;
+}
+
 Matrix6d SurfaceAddedMass::solved(int attitude, int draught) const {
   if (draught == kUnbounded) return solve_under(mesh_B_, WaterPlane{}, patches_).matrix;
-  const SurfaceSolution own = solve_under(mesh_B_, plane_of(attitude, draught), patches_);
+  const SurfaceSolution own = solve_under(mesh_B_, risen(plane_of(attitude, draught)), patches_);
   if (draught > kShallow) return own.matrix;
   const auto weight = [](const Matrix6d& A) { return A.diagonal().head<3>().sum(); };
   const Matrix6d& deeper = node(attitude, draught + 1);
   if (own.symmetry_error < kMostAsymmetry && weight(own.matrix) <= kMostExcess * weight(deeper))
     return own.matrix;
-  return wetted_part(draught) / wetted_part(draught + 1) * deeper;
+  return std::min(1.0, plate(attitude, draught) / plate(attitude, draught + 1)) * deeper;
 }
 
 /// Two threads that miss the same node both solve it and find the same matrix, so neither waits in

@@ -23,6 +23,13 @@
 /// = (R/(R + d))³, because the effect of the image falls with the third power of the depth; nodes
 /// are at 1 − s = x². The last node is the body in unbounded fluid.
 ///
+/// A body that enters the water takes its first impact from small draughts, where added mass goes
+/// as that of a plate of the waterplane's shape (water_entry.h). So up to the second node, and in
+/// part up to the third, it is the ratio to that which is interpolated, and which is constant below
+/// the first. A body is taken as under the water that rises as it enters, by C h (1 − 2v)² with the
+/// C of water_entry.h: in full at the first touch, and none from half its volume on, as most bodies
+/// at rest are.
+///
 /// In waves the surface is taken as the level plane at the water's height over the centre of mass.
 
 namespace hydro {
@@ -61,9 +68,13 @@ class SurfaceAddedMass final : public AddedMassModel {
     double low, high;
   };
   Reach reach(const Eigen::Vector3d& up) const;
+  /// The plane of the water that rises as the body enters it.
+  WaterPlane risen(const WaterPlane& plane) const;
   double draught_of(const WaterPlane& plane) const;
   WaterPlane plane_of(int attitude, int draught) const;
   const Matrix6d& node(int attitude, int draught) const;
+  /// Waterplane::plate of a node [m^3].
+  double plate(int attitude, int draught) const;
   Matrix6d solved(int attitude, int draught) const;
 
   TriMesh mesh_B_;
@@ -75,6 +86,7 @@ class SurfaceAddedMass final : public AddedMassModel {
   RigidWaveLoad waves_;
   mutable std::mutex mutex_;                               ///< Guards the members below.
   mutable std::map<std::pair<int, int>, Matrix6d> nodes_;  ///< Entries never move.
+  mutable std::map<std::pair<int, int>, double> plates_;
   mutable int solves_ = 0;
 };
 
