@@ -1,4 +1,4 @@
-"""How a floating body's heave decays by the waves that it sends out."""
+"""How a floating body's heave, and a flap's swing, decay by the waves that they send out."""
 
 import numpy as np
 
@@ -15,6 +15,9 @@ kPeriodGoal, kTroughGoal = 0.006, 0.05
 kOesRadius, kOesDepth = 5, 2  # [m]
 kOesReleases = (1, 3, 5)  # [m]
 kOesGoal = 0.015
+
+kFlapScene = "validation/flap_decay.yaml"
+kFlapPeriodGoal, kFlapDampingGoal = 0.03, 0.20
 
 
 def height(track: Track, depth: float) -> np.ndarray:
@@ -68,6 +71,37 @@ def measure(plimsoll: Plimsoll) -> Result:
     return result
 
 
+def peaks(values: np.ndarray) -> np.ndarray:
+    """Sizes of the extrema between the first and the last row, by parabolas."""
+    before, at, after = values[:-2], values[1:-1], values[2:]
+    turns = (at - before) * (after - at) < 0
+    slope, bend = (after - before) / 2, before - 2 * at + after
+    return np.abs(at - slope**2 / (2 * bend))[turns]
+
+
+def measure_flap(plimsoll: Plimsoll) -> Result:
+    track = plimsoll.run_one(kFlapScene, "flap")
+    angle = np.degrees(2 * np.arctan2(track.quaternion[:, 2], track.quaternion[:, 0]))
+    at = np.flatnonzero(angle[:-1] * angle[1:] < 0)
+    rests = track.t[at] + ((track.t[at + 1] - track.t[at]) * angle[at]
+                           / (angle[at] - angle[at + 1]))
+    sizes = peaks(angle)
+    decrement = np.log(sizes[0] / sizes[-1]) / (len(sizes) - 1)
+    period, damping = value("decay.flap.period"), value("decay.flap.decrement")
+    result = Result([
+        compare("period", "s", period, 2 * np.mean(np.diff(rests)), kFlapPeriodGoal, kind="goal",
+                headline=True),
+        compare("logarithmic decrement of a half swing", "–", damping, decrement,
+                kFlapDampingGoal, kind="goal")])
+    t = track.t
+    envelope = angle[0] * np.exp(-damping * 2 * t / period)
+    result.plots.append(Plot("A bottom-hinged flap, let go", "time [s]", "angle [°]", [
+        Curve("ours", t, angle),
+        Curve("linear, by WAMIT's coefficients", t, envelope * np.cos(2 * np.pi * t / period),
+              "k--")]))
+    return result
+
+
 kCases = [
     Case("wave_decay", "Waves", "Decay of a heaving sphere by the waves that it sends out",
          "A sphere that floats half immersed is let go from 0.2, 0.6 and 1 radius above its rest. "
@@ -78,4 +112,12 @@ kCases = [
          "10 m: the trough of viscous flow in the comparison of the OES task 10 (Wendt et al., J. "
          "Mar. Sci. Eng. 7 (2019) 379), in which programs differ by 3 %. The tolerances are goals: "
          "0.6 % of the period, 5 % and 1.5 % of the trough.", [kScene], measure),
+    Case("flap_decay", "Waves", "Decay of a bottom-hinged flap",
+         "A flap of 18 by 1.8 m and 127 t on a hinge 8.9 m below the surface of water of 10.9 m is "
+         "let go at 5°. A box that ends 0.8 m above the bottom stands for the flap and the base "
+         "below it.",
+         "WEC-Sim's example OSWEC: the linear decay by the added mass and damping of flap and base "
+         "that WAMIT has found for it, and the hydrostatics of its mesh. The base is left out "
+         "here. The tolerances are goals: 3 % of the period and 20 % of the damping.", [kFlapScene],
+         measure_flap),
 ]
