@@ -160,9 +160,9 @@ hydro::Loads6cd LinearMotions::in(const std::vector<RegularWave>& waves) const {
       mesh_B, pose, {.gravity = sea.gravity, .depth = sea.depth}, intrinsic, {from_bow});
   const hydro::Matrix6cd turn = hydro::turn_of_heading(heading).cast<std::complex<double>>();
   for (std::size_t w = 0; w < waves.size(); ++w) {
-    const hydro::Vector6cd load =
-        sea.density *
-        (froude_krylov[w].col(0) + diffraction->coefficients(waves[w].intrinsic, from_bow));
+    const hydro::Vector6cd scattered = waves[w].frequency / waves[w].intrinsic *
+                                       diffraction->coefficients(waves[w].intrinsic, from_bow);
+    const hydro::Vector6cd load = sea.density * (froude_krylov[w].col(0) + scattered);
     const hydro::Matrix6cd waves_W =
         sea.density * turn * hydro::response(memory, waves[w].frequency) * turn.adjoint();
     found.col(static_cast<Eigen::Index>(w)) =

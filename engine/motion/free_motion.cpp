@@ -44,12 +44,6 @@ struct Inertia {
   Vector6d velocity(const Vector6d& p) const { return inverse * (p - rotors); }
 };
 
-/// Rate of change of p by (E1).
-Vector6d kirchhoff(const Vector6d& p, const Vector6d& u) {
-  const Vector3d P = p.head<3>(), L = p.tail<3>(), v = u.head<3>(), w = u.tail<3>();
-  return to_vector6(P.cross(w), L.cross(w) + P.cross(v));
-}
-
 /// Displacement of (E3), in the body axes of the start.
 Vector3d displacement(const Vector6d& u, const Vector3d& P0, const Vector3d& P, double a,
                       double time) {
@@ -256,6 +250,11 @@ Eigen::Quaterniond exponential(const Vector3d& turn) {
 
 Eigen::Quaterniond rotated(const Eigen::Quaterniond& orientation, const Vector3d& turn_W) {
   return renormalized(exponential(turn_W) * orientation);
+}
+
+Vector6d kirchhoff(const Vector6d& p, const Vector6d& u) {
+  const Vector3d P = p.head<3>(), L = p.tail<3>(), v = u.head<3>(), w = u.tail<3>();
+  return to_vector6(P.cross(w), L.cross(w) + P.cross(v));
 }
 
 double turning_rate(const Matrix6d& S, const Vector6d& u, const Vector3d& rotors) {

@@ -32,6 +32,10 @@
 
 namespace engine {
 
+/// The right-hand sides of (E1): the load, normal to u, that a momentum p = (P, L) brings to axes
+/// that move with the velocity u. Both in the same axes.
+Vector6d kirchhoff(const Vector6d& p, const Vector6d& u);
+
 /// Rate at which (E1) turns the velocity u in B and its momentum, with S and H in B [rad/s].
 double turning_rate(const Matrix6d& S, const Vector6d& u,
                     const Eigen::Vector3d& rotors = Eigen::Vector3d::Zero());

@@ -51,7 +51,7 @@ struct UpdateContext {
   bool has_more_inertia() const { return body.has_added_mass || midpoint.rig_inertia; }
   /// The load F with that of the memory.
   Vector6d with_memory(const Vector6d& F) const {
-    return midpoint.memory ? Vector6d(F + midpoint.memory->load) : F;
+    return midpoint.memory ? Vector6d(F + midpoint.memory->load + midpoint.memory->turning) : F;
   }
   double least_mass() const {
     return has_more_inertia() ? S().diagonal().head<3>().minCoeff() : body.spec->mass;

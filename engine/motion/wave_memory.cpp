@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/motion/free_motion.h"
 #include "engine/motion/velocity_update.h"
 #include "hydro/radiation/floating_body.h"
 
@@ -32,6 +33,24 @@ double port_strength(const Body& body, const hydro::BodyState& state, double tim
 Eigen::VectorXd known_rate(const hydro::RadiationMemory& memory, const WaveMemory& state,
                            double h) {
   return state.p - (h / 2 * memory.frequencies.array().square() * state.q.array()).matrix();
+}
+
+/// p̄ of (E18) for B ū with the velocity ū in H times the port's strength.
+Eigen::VectorXd mean_rate(const Body& body, const WaveMemory& state, const Vector6d& u_H,
+                          const WaveMemoryRule& rule) {
+  const hydro::RadiationMemory& memory = oscillators(body);
+  return rule.inverse.cwiseProduct(known_rate(memory, state, rule.h) +
+                                   rule.h / 2 * memory.port * u_H);
+}
+
+/// p of (E19a) in W.
+/// @param driven   Bᵀ q in W.
+/// @param stream   w − c
+Vector6d wave_momentum(const Body& body, const Motion& motion, const Vector6d& driven,
+                       const Vector6d& stream, double time) {
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  return driven + rotate_tensor(R_WB, motion.added()) * stream +
+         to_vector6(body.spec->radiation->wave_momentum(motion.state, *body.environment.sea, time));
 }
 
 }  // namespace
@@ -68,17 +87,30 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
   return effect;
 }
 
+Vector6d turning_load(const Body& body, const MidpointState& midpoint, double time,
+                      const WaveMemoryRule& rule) {
+  if (!body.spec->radiation->turns_water()) return Vector6d::Zero();
+  const MemoryEffect& effect = *midpoint.memory;
+  const Motion& motion = *midpoint.motion;
+  const Vector6d change = rule.h * rotate(midpoint.R_WB, motion.accelerations.expected(rule.h / 2));
+  const Vector6d u = midpoint.mean() + change / 2;
+  const Vector6d u_H = effect.strength * effect.frame.velocity_in(u + effect.current);
+  const Eigen::VectorXd q =
+      motion.memory->q + rule.h / 2 * mean_rate(body, *motion.memory, u_H, rule);
+  const Vector6d driven =
+      effect.strength * effect.frame.load_out(oscillators(body).port.transpose() * q);
+  return kirchhoff(wave_momentum(body, motion, driven, effect.current, time), u);
+}
+
 void advance_memory(const Body& body, const MidpointState& midpoint, const Vector6d& change,
                     const WaveMemoryRule& rule, Motion& end) {
   if (!midpoint.memory) return;
   assert(fits_memory(body, end) && rule.inverse.size() == end.memory->p.size());
   const MemoryEffect& effect = *midpoint.memory;
-  const hydro::RadiationMemory& memory = oscillators(body);
   const Vector6d u = midpoint.mean() + change / 2 + effect.current;
   const Vector6d u_H = effect.strength * effect.frame.velocity_in(u);
   WaveMemory& state = *end.memory;
-  const Eigen::VectorXd mean =
-      rule.inverse.cwiseProduct(known_rate(memory, state, rule.h) + rule.h / 2 * memory.port * u_H);
+  const Eigen::VectorXd mean = mean_rate(body, state, u_H, rule);
   state.q += rule.h * mean;
   state.p = 2 * mean - state.p;
 }
@@ -91,9 +123,16 @@ double memory_energy(const Body& body, const Motion& motion) {
 
 Vector6d memory_load(const Body& body, const Motion& motion, double time) {
   if (!motion.memory) return Vector6d::Zero();
-  const Vector6d load_H = oscillators(body).port.transpose() * motion.memory->p;
-  return -port_strength(body, motion.state, time) *
-         body.spec->radiation->frame(motion.state.orientation).load_out(load_H);
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> port = oscillators(body).port.transpose();
+  const double strength = port_strength(body, motion.state, time);
+  const hydro::WaveFrame frame = body.spec->radiation->frame(motion.state.orientation);
+  const Vector6d load = -strength * frame.load_out(port * motion.memory->p);
+  if (!body.spec->radiation->turns_water()) return load;
+  const Eigen::Vector3d flow = flow_about(body, motion.state, time, 0);
+  const Vector6d driven = strength * frame.load_out(port * motion.memory->q);
+  const Vector6d stream = to_vector6(flow - body.current(), Eigen::Vector3d::Zero());
+  return load +
+         kirchhoff(wave_momentum(body, motion, driven, stream, time), velocity(motion.state, flow));
 }
 
 }  // namespace engine

@@ -25,9 +25,26 @@
 /// Stability. The energy ½ (p² + q·Ω² q) of the memory grows by h (p̄·B ū − p̄·D p̄), exactly and for
 /// any h, of which the first term is what F̄ takes from the body.
 ///
+/// F is the rate, in the axes of H, at which the waves that the body makes lose their momentum
+/// Bᵀ q, and its diffraction is that of the waves that it scatters (diffraction_load.h). As these
+/// axes move with the velocity u = (v, ω) relative to the water about the body, that
+/// momentum exerts besides, as that of A by (E1),
+///
+///     (P × ω, L × ω + P × v),      (P, L) = Bᵀ q + p_D + A∞ (w − c),                      (E19a)
+///
+/// with the velocity w of that water, the current c and the momentum p_D of the scattered waves. It
+/// takes no power from u. With the A∞ u of (E1), P is the momentum of all waves that the body makes
+/// and scatters, which is small for one that follows a long wave: with a part of it alone, waves
+/// would exert mean forces. (E1) and (E19a) are strip theory's terms of forward speed [STF]: for a
+/// ship with the speed U that heaves at w₃, the moment U (A₃₃ + B₃₃/iω) w₃, and U F_D₃/iω of the
+/// diffraction. The load is found for the velocity expected halfway. A body that may turn
+/// without moving water has none: its waves would turn it.
+///
 /// B is that of the frame H, which follows the body's wetted shape (hydro/radiation/wave_frame.h).
 /// As the body leaves the water B is multiplied by the root of its presence (floating_body.h
 /// there), and the oscillators move on without it.
+///
+/// [STF] Salvesen, Tuck and Faltinsen. Ship motions and sea loads. Trans. SNAME 78 (1970).
 
 namespace engine {
 
@@ -55,6 +72,7 @@ struct MemoryEffect {
   Matrix6d inertia;        ///< ¼h² C
   Vector6d load;           ///< f
   Vector6d current;        ///< Velocity relative to the current less that of the update.
+  Vector6d turning = Vector6d::Zero();  ///< (E19a)
 
   /// h F̄ for the change Δu of the velocity.
   Vector6d impulse(const Vector6d& change, double h) const { return h * load - inertia * change; }
@@ -72,6 +90,10 @@ bool fits_memory(const Body& body, const Motion& motion);
 std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState& midpoint,
                                           double time, double h, WaveMemoryRule& rule);
 
+/// (E19a) in W; the memory's effect is known. @param time   Halfway through the substep [s].
+Vector6d turning_load(const Body& body, const MidpointState& midpoint, double time,
+                      const WaveMemoryRule& rule);
+
 /// Takes the memory of the motion `end` through the substep, with the change Δu of the velocity.
 void advance_memory(const Body& body, const MidpointState& midpoint, const Vector6d& change,
                     const WaveMemoryRule& rule, Motion& end);
@@ -79,7 +101,7 @@ void advance_memory(const Body& body, const MidpointState& midpoint, const Vecto
 /// ½ (p² + q·Ω² q) [J]; 0 without a memory.
 double memory_energy(const Body& body, const Motion& motion);
 
-/// F = −Bᵀ p at an instant [s], in W; zero without a memory.
+/// F = −Bᵀ p and (E19a) at an instant [s], in W; zero without a memory.
 Vector6d memory_load(const Body& body, const Motion& motion, double time);
 
 }  // namespace engine

@@ -105,7 +105,8 @@ void record_update(const MovingBody& moving, const MidpointState& midpoint,
   if (!update.reaction) complete_locked(body, midpoint, u, after, impulse);
   Vector6d rest = impulse - record_loads(moving.cache.loads, w, update.h, record.works);
   if (midpoint.memory) {
-    const Vector6d memory = midpoint.memory->impulse(update.change, update.h);
+    const Vector6d memory =
+        midpoint.memory->impulse(update.change, update.h) + update.h * midpoint.memory->turning;
     record.works.radiation += memory.dot(w);
     rest -= memory;
   }

@@ -256,8 +256,10 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
       const bool projects = !constrained && b->body().has_added_mass;
       b->midpoint = make_midpoint(b->body(), b->halfway, b->added_B,
                                   projects ? mobility(b->body(), b->halfway.state) : Mobility{});
-      b->midpoint.memory =
-          memory_effect(b->body(), b->midpoint, time + h / 2, h, b->moving->cache.memory_rule);
+      WaveMemoryRule& rule = b->moving->cache.memory_rule;
+      b->midpoint.memory = memory_effect(b->body(), b->midpoint, time + h / 2, h, rule);
+      if (b->midpoint.memory)
+        b->midpoint.memory->turning = turning_load(b->body(), b->midpoint, time + h / 2, rule);
       b->midpoint.rig_inertia = b->rig_inertia;
     }
     if (constrained) {

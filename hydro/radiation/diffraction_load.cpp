@@ -20,6 +20,33 @@ constexpr double kHeadingRoundOff = 1e-6;  ///< [rad]
 /// Real and imaginary part of a load, one above the other, for each of 1, cos ψ, sin ψ, cos 2ψ …
 using HeadingTable = Eigen::Matrix<double, 12, Eigen::Dynamic>;
 
+/// Real and imaginary part of a load, one above the other.
+using Part = Eigen::Matrix<double, 12, 1>;
+
+/// 1, cos ψ, sin ψ, cos 2ψ … and their derivatives by ψ.
+using Harmonics = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+Part times_i(const Part& X) {
+  Part product;
+  product << -X.tail<6>(), X.head<6>();
+  return product;
+}
+
+/// @param count   Odd.
+Harmonics harmonics_of(double heading, Eigen::Index count) {
+  Harmonics harmonics(count, 2);
+  harmonics.row(0) << 1, 0;
+  const Complex turn = std::polar(1.0, heading);
+  Complex power = 1;
+  for (Eigen::Index i = 1; i < count; i += 2) {
+    power *= turn;
+    const auto m = static_cast<double>((i + 1) / 2);
+    harmonics.row(i) << power.real(), -m * power.imag();
+    harmonics.row(i + 1) << power.imag(), m * power.real();
+  }
+  return harmonics;
+}
+
 void check_diffraction(const RadiationData& data) {
   const std::size_t n = data.headings.size();
   for (std::size_t j = 0; j < n; ++j) {
@@ -108,6 +135,7 @@ HeadingTable heading_table(const Loads6cd& series, double heading, double k) {
 /// The coefficients of one sea, in a list.
 struct DiffractionLoad::Waves {
   std::vector<Eigen::Vector2d> wave_vectors;  ///< Of all components [rad/m].
+  std::vector<double> frequencies;            ///< σ of all components; 0 without a wave [rad/s].
   double depth, gravity;
   std::vector<HeadingTable> tables;  ///< X_D of the components; without columns where it is zero.
   Eigen::Index columns = 1;          ///< Of the largest table.
@@ -186,8 +214,10 @@ const DiffractionLoad::Waves& DiffractionLoad::waves_of(const Sea& sea) const {
     const double k = std::hypot(c.kx, c.ky);
     waves->wave_vectors.emplace_back(c.kx, c.ky);
     waves->tables.emplace_back(12, 0);
+    waves->frequencies.push_back(0);
     if (k == 0) continue;
     const double sigma = intrinsic_frequency(k, sea.depth, sea.gravity);
+    waves->frequencies.back() = sigma;
     waves->tables.back() = heading_table(series_at(sigma, k), std::atan2(c.ky, c.kx), k);
     waves->columns = std::max(waves->columns, waves->tables.back().cols());
   }
@@ -196,21 +226,32 @@ const DiffractionLoad::Waves& DiffractionLoad::waves_of(const Sea& sea) const {
   return *waves.release();
 }
 
-Wrench DiffractionLoad::at(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea,
-                           double time) const {
+Wrench DiffractionLoad::at(const Eigen::Vector3d& position, const Twist& motion,
+                           const WaveFrame& frame, const Sea& sea, double time) const {
+  const Eigen::Vector3d v = motion.at(frame.origin);
+  return sum(position, frame, sea, time,
+             [&](const WaveComponent& w, double sigma, const Part& X, const Part& slope) {
+               const double met = (w.omega - w.kx * v.x() - w.ky * v.y()) / sigma;
+               return Part(met * X + motion.angular.z() / sigma * times_i(slope));
+             });
+}
+
+Wrench DiffractionLoad::momentum(const Eigen::Vector3d& position, const WaveFrame& frame,
+                                 const Sea& sea, double time) const {
+  return sum(position, frame, sea, time,
+             [](const WaveComponent&, double sigma, const Part& X, const Part&) {
+               return Part(-1 / sigma * times_i(X));
+             });
+}
+
+template <typename Coefficient>
+Wrench DiffractionLoad::sum(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea,
+                            double time, const Coefficient& coefficient) const {
   if (frequencies_.empty() || !has_airy_waves(sea)) return {};
   const auto& surface = std::get<WaveSurface>(sea.surface);
   const Waves& waves = waves_of(sea);
   const Eigen::Vector3d origin = position + frame.origin;
-  const Complex turn = std::polar(1.0, frame.heading());
-  Eigen::VectorXd harmonics(waves.columns);
-  harmonics[0] = 1;
-  Complex power = 1;
-  for (Eigen::Index m = 1; m < waves.columns; m += 2) {
-    power *= turn;
-    harmonics[m] = power.real();
-    harmonics[m + 1] = power.imag();
-  }
+  const Harmonics harmonics = harmonics_of(frame.heading(), waves.columns);
   Vector6d load = Vector6d::Zero();
   for (std::size_t i = 0; i < surface.components.size(); ++i) {
     const WaveComponent& w = surface.components[i];
@@ -218,8 +259,9 @@ Wrench DiffractionLoad::at(const Eigen::Vector3d& position, const WaveFrame& fra
     if (w.amplitude == 0 || table.cols() == 0) continue;
     const double theta =
         w.kx * origin.x() + w.ky * origin.y() + std::remainder(w.phase - w.omega * time, 2 * M_PI);
-    const Eigen::Matrix<double, 12, 1> X = table.lazyProduct(harmonics.head(table.cols()));
-    load += w.amplitude * (std::cos(theta) * X.head<6>() - std::sin(theta) * X.tail<6>());
+    const Eigen::Matrix<double, 12, 2> X = table.lazyProduct(harmonics.topRows(table.cols()));
+    const Part c = coefficient(w, waves.frequencies[i], X.col(0), X.col(1));
+    load += w.amplitude * (std::cos(theta) * c.head<6>() - std::sin(theta) * c.tail<6>());
   }
   load *= sea.density * amplitude_factor(surface, time);
   const Vector6d load_W = frame.load_out(load);

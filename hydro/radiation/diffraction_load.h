@@ -14,13 +14,20 @@
 /// The load of the waves that a floating body scatters.
 ///
 /// Over the sea's Airy waves, with the phase θ = k·x − ωt + φ at the origin of the frame H and its
-/// heading ψ (wave_frame.h),
+/// heading ψ (wave_frame.h), the scattered waves have the momentum
 ///
-///     F = Σ Re{ρ X_D(σ, β − ψ) a e^{iθ}}  in H.                                              (1)
+///     p = Σ Re{ρ X_D(σ, β − ψ) a e^{iθ} / iσ}  in H,                                         (1)
 ///
-/// X_D is known without current, so σ is the frequency of
-/// a wave for an observer who drifts with the water (airy_waves.h). The amplitudes are those of the
-/// ramp at the time.
+/// and exert the load that is the rate at which they lose it in axes that turn with H. With the
+/// velocity v of H's origin that is
+///
+///     F = Σ Re{ρ a e^{iθ} (ω − k·v + i ψ' ∂/∂ψ) X_D(σ, β − ψ) / σ}  in H.                    (2)
+///
+/// For a body that stands still without a current it is ρ X_D a e^{iθ}. The part of v makes the
+/// load grow with the frequency of encounter, as strip theory's does [STF]. Both parts make F a
+/// total derivative: with the load by which p turns with H it has no mean. X_D is known without
+/// current, so σ is the frequency of a wave for an observer who drifts with the water
+/// (airy_waves.h). The amplitudes are those of the ramp at the time.
 ///
 /// Over the heading X_D is the trigonometric series through the data. Over the frequency X_D/k is
 /// the cubic Hermite interpolant with the slopes of parabolas through three neighbours: continuous
@@ -29,6 +36,8 @@
 /// it is linear in k, as the two lowest tell, as e^{kz} is over the draught. Above the highest, X_D
 /// keeps its phase and falls as k⁻²: faster than the k⁻¹ of a wall that reflects all waves, as
 /// crests along a hull cancel each other.
+///
+/// [STF] Salvesen, Tuck and Faltinsen. Ship motions and sea loads. Trans. SNAME 78 (1970).
 
 namespace hydro {
 
@@ -44,11 +53,15 @@ class DiffractionLoad {
   DiffractionLoad(const DiffractionLoad&) = delete;
   DiffractionLoad& operator=(const DiffractionLoad&) = delete;
 
-  /// The load (1) on a body about its centre of mass, W axes [N, N m]; zero where the sea has no
+  /// The load (2) on a body about its centre of mass, W axes [N, N m]; zero where the sea has no
   /// Airy waves.
   /// @param position   That of the centre of mass.
-  Wrench at(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea,
-            double time) const;
+  /// @param motion     With which H moves, as a body about that centre.
+  Wrench at(const Eigen::Vector3d& position, const Twist& motion, const WaveFrame& frame,
+            const Sea& sea, double time) const;
+  /// The momentum (1), with its moment about the centre of mass, W axes [N s, N m s].
+  Wrench momentum(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea,
+                  double time) const;
 
   /// X_D for ρ = 1 at a frequency [rad/s] and a direction of travel in H [rad], by the series and
   /// the interpolant above.
@@ -59,6 +72,10 @@ class DiffractionLoad {
   using Series = Loads6cd;
   struct Waves;
 
+  /// Σ Re{ρ a e^{iθ} c}, with c by `coefficient` of a wave, its σ, X_D and ∂X_D/∂ψ.
+  template <typename Coefficient>
+  Wrench sum(const Eigen::Vector3d& position, const WaveFrame& frame, const Sea& sea, double time,
+             const Coefficient& coefficient) const;
   /// @param k   Wave number of that frequency in the data's water [rad/m].
   Series series_at(double frequency, double k) const;
   /// X_D/k below the lowest frequency.

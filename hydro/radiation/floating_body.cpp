@@ -20,14 +20,17 @@ Matrix6d turned(const Eigen::Quaterniond& turn, const Matrix6d& matrix) {
 
 }  // namespace
 
-FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction)
-    : FloatingBody(std::move(mesh_B), data, fit_memory(data), std::move(diffraction)) {}
+FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction,
+                           Diffraction momentum)
+    : FloatingBody(std::move(mesh_B), data, fit_memory(data), std::move(diffraction),
+                   std::move(momentum)) {}
 
 FloatingBody::FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory memory,
-                           Diffraction diffraction)
+                           Diffraction diffraction, Diffraction momentum)
     : data_(std::move(data)),
       memory_(std::move(memory)),
       diffraction_(std::move(diffraction)),
+      momentum_(std::move(momentum)),
       vertices_B_(std::move(mesh_B.vertices)),
       added_H_(semi_definite_part(data_.infinite_added_mass)),
       frame_(data_.pose, vertices_B_, added_H_),
@@ -62,10 +65,21 @@ Matrix6d FloatingBody::at(const BodyState& state, const Sea& sea, double time) c
          turned(state.orientation.conjugate(), frame_.at(state.orientation).tensor_out(added_H_));
 }
 
-Wrench FloatingBody::wave_load(const BodyState& state, const Sea& sea, double time) const {
-  if (!diffraction_) return {};
+Wrench FloatingBody::present(const Diffraction& part, const BodyState& state, const Sea& sea,
+                             double time) const {
+  if (!part) return {};
   const double w = presence(state, sea, time);
-  return w > 0 ? w * diffraction_(state, frame(state.orientation), sea, time) : Wrench{};
+  return w > 0 ? w * part(state, frame(state.orientation), sea, time) : Wrench{};
+}
+
+Wrench FloatingBody::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  BodyState of_frame = state;
+  if (!turns_water()) of_frame.angular_velocity.setZero();
+  return present(diffraction_, of_frame, sea, time);
+}
+
+Wrench FloatingBody::wave_momentum(const BodyState& state, const Sea& sea, double time) const {
+  return present(momentum_, state, sea, time);
 }
 
 }  // namespace hydro

@@ -18,16 +18,21 @@ namespace hydro {
 /// it stays passive however w changes.
 class FloatingBody final : public AddedMassModel {
  public:
-  /// The load of scattered waves, before its presence: W axes, moment about the centre of mass.
+  /// The load of scattered waves or their momentum, before its presence: W axes, moment about the
+  /// centre of mass. The state's velocity is that of H, which does not turn unless each turn moves
+  /// water.
   using Diffraction =
       std::function<Wrench(const BodyState&, const WaveFrame&, const Sea&, double time)>;
 
   /// @param mesh_B        Its origin the centre of mass.
-  /// @param diffraction   Empty: none.
+  /// @param diffraction   The load; empty: none.
+  /// @param momentum      Of the waves that exert it; empty: none.
   /// @throws std::invalid_argument as fit_memory does.
-  FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction = {});
+  FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction = {},
+               Diffraction momentum = {});
   /// @param memory   Fitted to the data before.
-  FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory memory, Diffraction diffraction);
+  FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory memory, Diffraction diffraction,
+               Diffraction momentum);
 
   /// w [-]: 0 while every vertex is above the surface, 1 once one is deeper below it than a
   /// fiftieth of the draught of the mean pose or of the body's height, whichever is less, and
@@ -40,18 +45,28 @@ class FloatingBody final : public AddedMassModel {
   /// w times the diffraction.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
+  /// w times the momentum of the scattered waves [N s, N m s].
+  Wrench wave_momentum(const BodyState& state, const Sea& sea, double time) const;
+
   /// The frame H.
   WaveFrame frame(const Eigen::Quaterniond& R_WB) const { return frame_.at(R_WB); }
   /// How H follows the body.
   WaveFrameRule::Slides slides() const { return frame_.slides(); }
+  /// True if each turn of the body moves water.
+  bool turns_water() const { return frame_.turns_water(); }
 
   const RadiationData& data() const { return data_; }
   const RadiationMemory& memory() const { return memory_; }
 
  private:
+  /// w times a part of the diffraction.
+  Wrench present(const Diffraction& part, const BodyState& state, const Sea& sea,
+                 double time) const;
+
   RadiationData data_;
   RadiationMemory memory_;
   Diffraction diffraction_;
+  Diffraction momentum_;
   Eigen::Matrix3Xd vertices_B_;  ///< The lowest one of the mean pose first.
   double depth_ = 0;             ///< Of full presence [m].
   Matrix6d added_H_;             ///< A∞ for ρ = 1, positive semidefinite.

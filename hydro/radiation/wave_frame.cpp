@@ -78,7 +78,11 @@ WaveFrameRule::WaveFrameRule(const MeanPose& pose, const Eigen::Matrix3Xd& verti
   const double angle = std::atan2(2 * least(0, 1), least(0, 0) - least(1, 1)) / 2 + M_PI / 2;
   const Eigen::Vector3d e(std::cos(angle), std::sin(angle), 0);
   const Eigen::Vector3d c = e.cross(v * e);
-  if (!moves_no_water(e, c)) return;
+  if (!moves_no_water(e, c)) {
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    turns_water_ = !moves_no_water(z, z.cross(v * z));
+    return;
+  }
   slides_ = Slides::about_axis;
   axis_H_ = e;
   centre_H_ = c;

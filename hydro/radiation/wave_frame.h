@@ -54,11 +54,15 @@ class WaveFrameRule {
   WaveFrameRule(const MeanPose& pose, const Eigen::Matrix3Xd& vertices_B, const Matrix6d& added_H);
 
   Slides slides() const { return slides_; }
+  /// True if each turn of the body moves water: it is no solid of revolution about a horizontal
+  /// axis or the vertical one.
+  bool turns_water() const { return turns_water_; }
   WaveFrame at(const Eigen::Quaterniond& R_WB) const;
 
  private:
   Eigen::Quaterniond R_HB_;  ///< In the mean pose.
   Slides slides_ = Slides::none;
+  bool turns_water_ = false;
   Eigen::Vector3d axis_H_ = Eigen::Vector3d::Zero();    ///< Unit; of Slides::about_axis.
   Eigen::Vector3d centre_H_ = Eigen::Vector3d::Zero();  ///< c [m].
 };

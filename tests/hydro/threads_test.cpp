@@ -114,7 +114,7 @@ TEST(Threads, MakeTheDiffractionOfASeaOnce) {
     hydro::Sea sea;
     sea.surface =
         hydro::WaveSurface{{hydro::deep_water_wave(0.2, 3 + wave % 3, 0.4, 1, sea.gravity)}};
-    return of.at(Eigen::Vector3d::Zero(), {}, sea, wave).force;
+    return of.at(Eigen::Vector3d::Zero(), {}, {}, sea, wave).force;
   };
   std::vector<Eigen::Vector3d> forces(60);
   tbb::task_arena(4).execute([&] {

@@ -43,6 +43,7 @@ TEST(WaveFrame, OfAShipTurnsWithIt) {
   // A roll of a box of this section moves a twelfth of what sway does, in beams.
   const WaveFrameRule rule(pose, box.vertices, about(Vector3d::Zero(), six(1, 8, 20, 3, 150, 60)));
   EXPECT_EQ(rule.slides(), Slides::none);
+  EXPECT_TRUE(rule.turns_water());
   const Quaterniond turn = about_z(0.8) * Quaterniond(AngleAxisd(0.7, Vector3d::UnitX()));
   const WaveFrame frame = rule.at(turn * pose.orientation);
   EXPECT_LT(frame.R_WH.angularDistance(turn), 1e-12);
@@ -70,11 +71,21 @@ TEST(WaveFrame, OfABallStaysUprightBelowItsMiddle) {
     const WaveFrameRule rule(pose, vertices(ball, R_HB, middle),
                              about(middle, six(0.3, 0.3, 0.5, 0, 0, 0)));
     ASSERT_EQ(rule.slides(), Slides::all);
+    EXPECT_FALSE(rule.turns_water());
     const Quaterniond turn = random.rotation();
     const WaveFrame frame = rule.at(turn * R_HB);
     EXPECT_LT(frame.R_WH.angularDistance(Quaterniond::Identity()), 1e-12);
     EXPECT_LT((frame.origin + middle - turn * middle).norm(), 1e-12);
   }
+}
+
+TEST(WaveFrame, OfASparTurnsWithItThoughTurnsAboutTheVerticalMoveNoWater) {
+  const hydro::TriMesh spar = hydro::make_cylinder(1, 20, 32, 8);
+  const Vector3d middle(0, 0, 3);
+  const Matrix6d A = about(middle, six(60, 60, 2, 800, 800, 0));
+  const WaveFrameRule rule({}, vertices(spar, Quaterniond::Identity(), middle), A);
+  EXPECT_EQ(rule.slides(), Slides::none);
+  EXPECT_FALSE(rule.turns_water());
 }
 
 TEST(WaveFrame, OfALogTurnsWithItsAxisAlone) {
@@ -88,6 +99,7 @@ TEST(WaveFrame, OfALogTurnsWithItsAxisAlone) {
   A = WaveFrame{.origin = middle}.tensor_out(A);
   const WaveFrameRule rule(pose, vertices(log, R_HB, middle), A);
   ASSERT_EQ(rule.slides(), Slides::about_axis);
+  EXPECT_FALSE(rule.turns_water());
   const Vector3d along = about_z(0.4) * Vector3d::UnitX();
   const Quaterniond roll(AngleAxisd(2, along)), yaw = about_z(1.1);
   const Quaterniond pitch(AngleAxisd(0.3, about_z(0.4) * Vector3d::UnitY()));

@@ -107,13 +107,21 @@ std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body
   // As for the added mass: accurate enough to stress the mechanics.
   const hydro::RadiationData data =
       hydro::solve_radiation(outside_B(body), {}, {.gravity = sea.gravity}, {.patches = 80}).data;
-  hydro::FloatingBody::Diffraction diffraction;
-  if (hydro::has_airy_waves(sea))
-    diffraction = [load = std::make_shared<hydro::DiffractionLoad>(data)](
-                      const hydro::BodyState& state, const hydro::WaveFrame& frame,
-                      const hydro::Sea& water,
-                      double time) { return load->at(state.position, frame, water, time); };
-  return std::make_shared<hydro::FloatingBody>(outside_B(body), data, std::move(diffraction));
+  hydro::FloatingBody::Diffraction diffraction, momentum;
+  if (hydro::has_airy_waves(sea)) {
+    const auto scattered = std::make_shared<const hydro::DiffractionLoad>(data);
+    diffraction = [scattered](const hydro::BodyState& state, const hydro::WaveFrame& frame,
+                              const hydro::Sea& water, double time) {
+      return scattered->at(state.position, {state.linear_velocity, state.angular_velocity}, frame,
+                           water, time);
+    };
+    momentum = [scattered](const hydro::BodyState& state, const hydro::WaveFrame& frame,
+                           const hydro::Sea& water, double time) {
+      return scattered->momentum(state.position, frame, water, time);
+    };
+  }
+  return std::make_shared<hydro::FloatingBody>(outside_B(body), data, std::move(diffraction),
+                                               std::move(momentum));
 }
 
 std::shared_ptr<const hydro::AddedMassModel> given(double ratio, const engine::BodySpec& body) {
