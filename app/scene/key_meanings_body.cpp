@@ -31,9 +31,10 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"hydro.pressure_drag.back", "C_p where the surface moves away from the water."},
     {"hydro.pressure_drag.blunt",
      "Bluntness of the mesh along an axis from which on pressure drag counts in full along it: 1 "
-     "is a flat face, 0.5 a sphere, 0.13 an ellipsoid of 4:1. Where the mesh is more slender, the "
-     "drag falls with the third power of the bluntness (`hydro/README.md`). With 0 it counts in "
-     "full everywhere; so it does with `calibrate`."},
+     "is a flat face, 0.5 a sphere, 0.13 an ellipsoid of 4:1. Where the mesh, or the "
+     "finer of its two ends, is more slender, the drag falls with the third power of the "
+     "bluntness (`hydro/README.md`). With 0 it counts in full everywhere; so it does with "
+     "`calibrate`."},
     {"hydro.lift",
      "Lift coefficient C_l of the 2014 thesis. Its load raises every hull that moves, where hulls "
      "sink in their own waves, so it is off unless it is asked for."},

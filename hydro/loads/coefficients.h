@@ -16,7 +16,7 @@ namespace hydro {
 struct PressureDrag {
   double front = 0.71;  ///< [-], >= 0.
   double back = 0.30;   ///< [-], >= 0.
-  double blunt = 0.36;  ///< Bluntness from which on the drag counts in full; 0: always [-].
+  double blunt = 0.30;  ///< Bluntness from which on the drag counts in full; 0: always [-].
 
   bool none() const { return front == 0 && back == 0; }
   bool operator==(const PressureDrag&) const = default;

@@ -22,7 +22,7 @@ using hydro::TriMesh;
 using support::tolerance;
 
 /// The bluntness from which on no test's blunt body is spared drag.
-constexpr double kBlunt = 0.36;
+constexpr double kBlunt = 0.30;
 
 /// A spheroid about x, `ratio` times as long as its diameter of 1 m.
 TriMesh spheroid(double ratio) { return hydro::make_ellipsoid({0.5 * ratio, 0.5, 0.5}, 96, 96); }
@@ -92,6 +92,29 @@ TEST(DragShape, TurnsWithTheMesh) {
 }
 
 /// Drag of a spheroid of 8:1 over ½ρAv² in flow at an angle to its axis, body axes.
+/// A sphere of 1 m whose upper and lower halves are drawn out, the lower one cut off flat where its
+/// section has the given part of the largest, at the nearest row of vertices.
+TriMesh drawn_out(double above, double below, double part) {
+  TriMesh mesh = spheroid(1);
+  const double row = M_PI / 96, angle = row * std::round(std::asin(std::sqrt(part)) / row);
+  for (auto v : mesh.vertices.colwise())
+    v.z() = std::max(v.z(), -0.5 * std::cos(angle)) * (v.z() < 0 ? below : above);
+  return mesh;
+}
+
+// With the flow closed behind it, a round bow costs no more than a fine one, and a transom its part
+// of what a flat end does.
+TEST(DragShape, IsThatOfTheFinerEnd) {
+  EXPECT_NEAR(shape_of(drawn_out(1, 4, 0))(2, 2), spheroid_bluntness(4) / kBlunt, tolerance(0.01));
+  EXPECT_NEAR(shape_of(drawn_out(1, 4, 0))(1, 1), 1, tolerance(1e-12));
+  EXPECT_NEAR(std::pow(shape_of(drawn_out(4, 4, 0.06))(2, 2), 3), 0.06, tolerance(5e-3));
+}
+
+TEST(DragShape, OfABodyWithABluntEndAndNoFineOneIsUnity) {
+  EXPECT_EQ(shape_of(drawn_out(1, 1, 0)), Matrix3d::Identity());
+  EXPECT_EQ(shape_of(drawn_out(1, 1, 1)), Matrix3d::Identity());
+}
+
 Vector3d drag_of_spheroid(const Matrix3d& K, double angle) {
   const Hull hull = hydro::make_hull(spheroid(8));
   Coefficients c{.drag_shape = K};

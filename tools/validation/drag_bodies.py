@@ -101,7 +101,16 @@ class Law:
         return ittc57(speed * length / kViscosity)
 
 
-kDefault = Law(0.71, 0.30, 0.36)
+def slenderness(whole, finer_end, flat, law: Law):
+    """The share k of the velocity that the pressure drag sees (hydro/loads/bluntness.h)."""
+    if law.blunt == 0:
+        return 1
+    return np.minimum(1, np.minimum(whole / law.blunt,
+                                    np.maximum(finer_end / law.blunt, np.cbrt(flat))))
+
+
+kFlat = 0.95  # Square of the cosine of the angle to the axis from which on a face is flat.
+kDefault = Law(0.71, 0.30, 0.30)
 kThesis = Law(0.6316, 0.6316, 0, thesis=True)
 
 Reference = Callable[[float, float], float]  # C_d at a speed [m/s] of a body of a diameter [m].
@@ -141,16 +150,20 @@ class DragBody:
         part = self.area_vectors[:, 0]**3 / self.areas**2 / self.reference_area
         return float(np.sum(part[part > 0])), float(-np.sum(part[part < 0]))
 
-    @property
-    def bluntness(self) -> float:
-        projected = np.abs(self.area_vectors[:, 0])
-        return float(np.sum(projected**3 / self.areas**2) / np.sum(projected))
+    @cached_property
+    def bluntness(self) -> tuple[float, float, float]:
+        """Of the whole body, of its finer end, and the larger flat part of its ends."""
+        along = self.area_vectors[:, 0]
+        squares = (along / self.areas)**2
+        ends = [np.abs(along) * (along < 0), np.abs(along) * (along > 0)]
+        of_ends = [np.sum(end * squares) / np.sum(end) for end in ends]
+        flat = [np.sum(end[squares > kFlat]) / np.sum(end) for end in ends]
+        return float(np.mean(of_ends)), float(min(of_ends)), float(max(flat))
 
     def pressure(self, law: Law) -> float:
         """C_d of the pressure drag."""
         front, back = self.normal_integrals()
-        share = min(1, self.bluntness / law.blunt) if law.blunt > 0 else 1
-        return share**3 * (law.front * front + law.back * back)
+        return slenderness(*self.bluntness, law)**3 * (law.front * front + law.back * back)
 
     def friction(self, law: Law, speed: float, size: float = 1) -> float:
         """C_d of the viscous drag."""

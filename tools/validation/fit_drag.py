@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from drag_bodies import DragBody, kBodies, kDefault, Law
+from drag_bodies import DragBody, kBodies, kDefault, Law, slenderness
 
 kSpeeds = (0.5, 2.0, 8.0)  # [m/s]
 kSizes = (0.3, 1.0, 3.0)  # Diameters [m].
@@ -21,7 +21,7 @@ class Table:
     def __init__(self, bodies: list[DragBody] = kBodies):
         cases = [(speed, size) for size in kSizes for speed in kSpeeds]
         self.slender = np.array([body.slender for body in bodies])
-        self.bluntness = np.array([body.bluntness for body in bodies])
+        self.bluntness = np.array([body.bluntness for body in bodies]).T
         self.normals = np.array([body.normal_integrals() for body in bodies])
         self.friction = np.array([[body.friction(kDefault, *case) for case in cases]
                                   for body in bodies])
@@ -29,8 +29,7 @@ class Table:
 
     def ratios(self, law: Law) -> np.ndarray:
         """C_d over the tabulated one, a row a body."""
-        share = np.minimum(1, self.bluntness / law.blunt)
-        pressure = share**3 * (self.normals @ (law.front, law.back))
+        pressure = slenderness(*self.bluntness, law)**3 * (self.normals @ (law.front, law.back))
         return (pressure[:, None] + self.friction) / self.reference
 
     def objective(self, law: Law) -> float:

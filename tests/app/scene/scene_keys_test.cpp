@@ -589,7 +589,7 @@ TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(wet.water->ramp, 0);
   EXPECT_TRUE(std::holds_alternative<scene::Flat>(wet.water->surface));
   EXPECT_FALSE(wet.log_every.has_value());
-  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.71, 0.30, 0.36}));
+  EXPECT_EQ(wet.bodies[0].hydro.pressure_drag, (hydro::PressureDrag{0.71, 0.30, 0.30}));
   EXPECT_EQ(wet.bodies[0].hydro.viscous_drag.law, hydro::ViscousDrag::Law::ittc57);
   EXPECT_EQ(wet.bodies[0].hydro.lift, 0);
   EXPECT_EQ(wet.bodies[0].hydro.added_mass.model, scene::AddedMass::Model::automatic);
