@@ -122,6 +122,7 @@ Loads& Loads::operator+=(const Loads& other) {
   diffraction += other.diffraction;
   wind += other.wind;
   interior += other.interior;
+  resistance += other.resistance;
   wetted_area += other.wetted_area;
   displaced_volume += other.displaced_volume;
   return *this;

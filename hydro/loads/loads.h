@@ -38,13 +38,14 @@ struct Loads {
   Wrench diffraction;      ///< FloatingBody::wave_load; `compute_loads` leaves it at 0.
   Wrench wind;             ///< Of the air on the dry part (wind.h).
   Wrench interior;         ///< Of water in pockets (interior.h); `compute_loads` leaves it at 0.
+  Wrench resistance;       ///< Along the motion (resistance.h); `compute_loads` leaves it at 0.
   double wetted_area = 0;  ///< [m^2]
   double displaced_volume = 0;  ///< Of the body below the surface [m^3].
 
   Loads& operator+=(const Loads& other);
   Wrench total() const {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + wind +
-           interior;
+           interior + resistance;
   }
 };
 
