@@ -117,7 +117,7 @@ void visit(auto& a, WorkRecord& w) {
             works.wave_inertia, works.diffraction, works.radiation, works.wind, works.interior,
             works.added_mass, works.applied, works.weight, works.constraint, works.brake,
             w.added_energy_at_start, w.added_impulse, w.constraint_impulse, works.lines,
-            works.machines, w.row_impulse);
+            works.machines, w.row_impulse, works.resistance);
 }
 void visit(auto& a, Eigen::VectorXd& vector) {
   vector.resize(static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(vector.size()))));

@@ -14,6 +14,7 @@
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/loads/loads.h"
 #include "hydro/radiation/floating_body.h"
+#include "hydro/resistance/resistance.h"
 
 /// @file
 /// The constant description of a simulation, complete and already checked. SI units.
@@ -86,6 +87,8 @@ struct BodySpec {
   /// The waves that the body makes and scatters; null: none. `added_mass` is then not null, as a
   /// rule the same object.
   std::shared_ptr<const hydro::FloatingBody> radiation;
+  /// Along its motion, beside the drag of its panels; null: none.
+  std::shared_ptr<const hydro::Resistance> resistance;
   bool wet = true;  ///< False: the water has no effect on it.
   Interior interior = Interior::wet;
   std::vector<Opening> openings;

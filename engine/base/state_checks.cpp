@@ -40,6 +40,7 @@ std::vector<NamedLoad> by_name(const BodyLoads& loads) {
                              {"diffraction", to_vector6(water.diffraction)},
                              {"wind", to_vector6(water.wind)},
                              {"water inside", to_vector6(water.interior)},
+                             {"resistance", to_vector6(water.resistance)},
                              {"weight", to_vector6(loads.weight)},
                              {"lines", to_vector6(loads.lines)},
                              {"machines", to_vector6(loads.machines)}});

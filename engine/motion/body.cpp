@@ -55,7 +55,7 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
             .radius = s.mesh_B.vertices.colwise().norm().maxCoeff(),
             .rigid_B = rigid_inertia(s),
             .inverse_inertia_B = s.inertia_B.inverse(),
-            .wet = loaded && s.wet && !hydro::no_load(s.coefficients),
+            .wet = loaded && s.wet && (s.resistance || !hydro::no_load(s.coefficients)),
             .has_added_mass = loaded && s.added_mass,
             .has_wave_load = loaded && s.added_mass && hydro::has_airy_waves(*spec.sea) && split,
             .has_memory = loaded && s.radiation && s.radiation->memory().size() > 0 && split,

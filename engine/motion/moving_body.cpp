@@ -48,6 +48,9 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
     loads = hydro::compute_loads(sea_hull(body, motion), state, *sea, time, body.spec->coefficients,
                                  body.spec->summation);
   if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
+  if (body.wet && body.spec->resistance)
+    loads.resistance = hydro::resistance_load(
+        *body.spec->resistance, state, flow_about(body, state, time, 0), loads.displaced_volume);
   if (!body.has_wave_load) return loads;
   if (body.spec->radiation)
     loads.diffraction = body.spec->radiation->wave_load(state, *sea, time);

@@ -54,6 +54,7 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   add(loads.water.diffraction, works.diffraction);
   add(loads.water.wind, works.wind);
   add(loads.water.interior, works.interior);
+  add(loads.water.resistance, works.resistance);
   for (const hydro::Wrench& load : loads.applied) add(load, works.applied);
   add(loads.weight, works.weight);
   add(loads.lines, works.lines);
@@ -216,7 +217,7 @@ double Works::clamped_share() const {
   double sum = 0;
   for (const double work :
        {buoyancy, pressure_drag, viscous_drag, lift, wave_inertia, diffraction, radiation, wind,
-        interior, lines, machines, added_mass, applied, weight, constraint, brake})
+        interior, lines, machines, added_mass, applied, weight, constraint, brake, resistance})
     sum += std::abs(work);
   return brake == 0 ? 0 : std::abs(brake) / sum;
 }

@@ -31,10 +31,12 @@ struct Works {
   double weight = 0;      ///< Of the body's own mass.
   double constraint = 0;  ///< By contacts, joints and locks.
   double brake = 0;       ///< By the energy limiter.
+  double resistance = 0;
 
   double sum() const {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
-           wind + interior + lines + machines + added_mass + applied + weight + constraint + brake;
+           wind + interior + lines + machines + added_mass + applied + weight + constraint + brake +
+           resistance;
   }
   /// Part of the works, summed up in size, that the energy limiter has done [-].
   double clamped_share() const;
