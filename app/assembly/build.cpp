@@ -14,6 +14,7 @@
 #include "app/assembly/build_body.h"
 #include "app/assembly/build_interior.h"
 #include "app/assembly/build_radiation.h"
+#include "app/assembly/build_resistance.h"
 #include "app/assembly/build_rig.h"
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
@@ -169,6 +170,7 @@ BuiltScene put_together(const scene::Scene& scene) {
   heel_over(spec, log);
   std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
   read_databases(scene, spec, radiation, log.faults);
+  choose_resistances(scene, built, log);
   log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);
@@ -206,6 +208,7 @@ BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter
   RadiationStore radiation_store(store.folder());
   add_radiation(scene, built, radiation_store, reporter);
   add_added_mass(scene, built, store, reporter);
+  solve_resistances(built, store.folder(), reporter);
   built.added_mass_seconds = clock.seconds();
   warn_of_envelope(built);
   return built;

@@ -114,7 +114,8 @@ bool feels_water(const scene::Body& body, const scene::Scene& scene) {
   using Added = scene::AddedMass::Model;
   const Added model = body.hydro.added_mass.model;
   const bool asks_for_added_mass = model != Added::automatic && model != Added::none;
-  return scene.water && (asks_for_added_mass || !hydro::no_load(body.hydro));
+  const bool resists = body.hydro.resistance.source != scene::Resistance::Source::none;
+  return scene.water && (asks_for_added_mass || resists || !hydro::no_load(body.hydro));
 }
 
 /// The mesh of the added mass.

@@ -15,7 +15,8 @@
 
 namespace hydro {
 class SurfaceAddedMass;
-}
+class ThinShip;
+}  // namespace hydro
 
 namespace assembly {
 
@@ -44,6 +45,18 @@ struct RadiationReport {
   std::shared_ptr<const hydro::FloatingBody> model;  ///< None until it is solved.
 };
 
+/// The resistance of a hull along its motion.
+struct ResistanceReport {
+  scene::Resistance::Source source = scene::Resistance::Source::none;
+  hydro::MeanPose pose;                                ///< At rest.
+  double volume = 0;                                   ///< That the body displaces there [m^3].
+  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< Of that volume [m].
+  /// Of the theory; null for a file, and for a body whose resistance another one of its hull has.
+  std::shared_ptr<const hydro::ThinShip> ship;
+  double seconds = 0;       ///< Wall time of the theory's solution [s].
+  bool from_store = false;  ///< True if another process solved it.
+};
+
 /// Measures of irregular waves.
 struct IrregularSea {
   double significant_height = 0;           ///< H_s [m].
@@ -61,8 +74,10 @@ struct BuiltScene {
   std::vector<CenteredMesh> solids;
   /// Per body; none for a body without added mass.
   std::vector<std::optional<AddedMassReport>> added_mass;
-  std::vector<RadiationReport> radiation;     ///< Per body.
-  double added_mass_seconds = 0;              ///< Wall time of added mass and radiation [s].
+  std::vector<RadiationReport> radiation;    ///< Per body.
+  std::vector<ResistanceReport> resistance;  ///< Per body.
+  /// Wall time of added mass, radiation and resistance [s].
+  double added_mass_seconds = 0;
   std::optional<IrregularSea> irregular_sea;  ///< None without irregular waves.
   std::vector<std::string> notes;  ///< Notes for the author, for example on a reversed mesh.
   /// What the author should change, because it cannot give what he expects; see sea_warnings.h.

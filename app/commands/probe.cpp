@@ -78,6 +78,9 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
     loads.diffraction = body.radiation->wave_load(body.initial, *sea, 0);
   else if (sea && body.added_mass)
     loads.wave_inertia = body.added_mass->wave_load(body.initial, *sea, 0);
+  if (sea && body.resistance)
+    loads.resistance = hydro::resistance_load(*body.resistance, body.initial, sea->current,
+                                              loads.displaced_volume);
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;
   if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);
@@ -95,7 +98,8 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"wind", to_json(loads.wind)},
           {"interior", to_json(loads.interior)},
           {"pockets", pockets_of(body, interior.get())},
-          {"added_mass", added_mass}};
+          {"added_mass", added_mass},
+          {"resistance", to_json(loads.resistance)}};
 }
 
 /// Adds the first rows of the tables, by names and then by columns; a field that is empty in a log

@@ -37,7 +37,8 @@ class ForceWriter {
   RowFile file_;
 };
 
-/// Reads a file of ForceWriter. @throws InputError with the line at fault.
+/// Reads a file of ForceWriter; columns that one of an older version lacks at the end are 0.
+/// @throws InputError with the line at fault.
 ForceLog read_force_csv(const std::filesystem::path& file);
 
 }  // namespace app

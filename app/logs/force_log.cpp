@@ -63,6 +63,8 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("work_lines", forces.works.lines);
   put_load({"machines", forces.machines}, put);
   put("work_machines", forces.works.machines);
+  put_load({"resistance", forces.water.resistance}, put);
+  put("work_resistance", forces.works.resistance);
   return row;
 }
 

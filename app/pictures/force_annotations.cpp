@@ -29,18 +29,22 @@ struct NamedForce {
   hydro::Wrench wrench;  ///< About the centre of mass, W.
 };
 
-std::array<NamedForce, 6> forces_on(const engine::BodySpec& body, const hydro::Hull& hull,
+std::array<NamedForce, 7> forces_on(const engine::BodySpec& body, const hydro::Hull& hull,
                                     const engine::SimulationSpec& spec,
                                     const hydro::BodyState& state, double time) {
   hydro::Loads loads;
   if (spec.sea && body.wet)
     loads = hydro::compute_loads(hull, state, *spec.sea, time, body.coefficients, body.summation);
+  if (spec.sea && body.resistance)
+    loads.resistance =
+        hydro::resistance_load(*body.resistance, state, spec.sea->current, loads.displaced_volume);
   return {{{"weight", {70, 70, 75}, {.force = {0, 0, -body.mass * spec.gravity}}},
            {kBuoyancy, {20, 90, 200}, loads.buoyancy},
            {"pressure drag", {200, 30, 40}, loads.pressure_drag},
            {"viscous drag", {235, 125, 0}, loads.viscous_drag},
            {"lift", {20, 140, 60}, loads.lift},
-           {"wind", {0, 150, 170}, loads.wind}}};
+           {"wind", {0, 150, 170}, loads.wind},
+           {"resistance", {60, 110, 80}, loads.resistance}}};
 }
 
 /// Returns the point on the line of action of a force that is nearest to the centre of mass.

@@ -100,6 +100,19 @@ Cells radiation_row(const assembly::RadiationReport& report) {
           number_text(100 * memory.rms_error.maxCoeff(), 2)};
 }
 
+/// Describes the resistance of a body along its motion.
+Cells resistance_row(const engine::BodySpec& body, const assembly::ResistanceReport& report) {
+  if (!body.resistance) return {};
+  const std::vector<double>& speeds = body.resistance->curve.speeds();
+  const std::vector<double>& forces = body.resistance->curve.forces();
+  const auto largest = std::ranges::max_element(forces);
+  return {!report.ship        ? "file"
+          : report.from_store ? "Michell, from store"
+                              : "Michell, solved now",
+          number_text(speeds.back(), 3), number_text(*largest, 3),
+          number_text(speeds[static_cast<std::size_t>(largest - forces.begin())], 3)};
+}
+
 /// Describes the pockets of a body at its start.
 Cells hollow_row(const engine::BodySpec& body, double level) {
   if (body.interior == engine::Interior::wet || !body.closed_mesh_B) return {};
@@ -145,6 +158,7 @@ struct BodyTables::Kind {
   Cells body;        ///< Triangles, size, volume, mass, start.
   Cells added_mass;  ///< Source and diagonal; empty without added mass.
   Cells radiation;   ///< Source and size; empty without radiation.
+  Cells resistance;  ///< Source, range and largest force; empty without a resistance.
   Cells hollows;     ///< Number, volume, rim and water; empty without pockets.
   Cells meshes;      ///< Four cells per mesh file whose coordinates are changed.
   std::vector<std::string> names;
@@ -162,7 +176,7 @@ struct BodyTables::Kind {
 
 BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& built)
     : water_(scene.water.has_value()) {
-  std::map<std::array<Cells, 5>, std::size_t> known;
+  std::map<std::array<Cells, 6>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
   const std::vector<bool> afloat = assembly::starts_afloat(scene, built.spec);
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
@@ -170,14 +184,16 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
     const Cells row = body_row(body, afloat[i]);
     const Cells added_mass = built.added_mass[i] ? added_mass_row(*built.added_mass[i]) : Cells();
     const Cells radiation = radiation_row(built.radiation[i]);
+    const Cells resistance = resistance_row(body, built.resistance[i]);
     const Cells hollows = hollow_row(body, level);
     const Cells meshes = source_cells(built.mesh_sources[i]);
-    const auto [place, is_new] =
-        known.emplace(std::array{row, added_mass, radiation, hollows, meshes}, kinds_.size());
+    const auto [place, is_new] = known.emplace(
+        std::array{row, added_mass, radiation, resistance, hollows, meshes}, kinds_.size());
     if (is_new)
       kinds_.push_back({.body = row,
                         .added_mass = added_mass,
                         .radiation = radiation,
+                        .resistance = resistance,
                         .hollows = hollows,
                         .meshes = meshes,
                         .names = {}});
@@ -268,6 +284,10 @@ std::vector<std::string> BodyTables::added_mass() const {
 std::vector<std::string> BodyTables::radiation() const {
   return lines_of({"radiation", "", "frequencies", "mean draught m", "oscillators", "fit error %"},
                   &Kind::radiation);
+}
+
+std::vector<std::string> BodyTables::resistance() const {
+  return lines_of({"resistance", "", "up to m/s", "largest N", "at m/s"}, &Kind::resistance);
 }
 
 }  // namespace app

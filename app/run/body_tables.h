@@ -21,6 +21,7 @@ class BodyTables {
   std::vector<std::string> hollows() const;
   std::vector<std::string> added_mass() const;
   std::vector<std::string> radiation() const;
+  std::vector<std::string> resistance() const;  ///< Along the motion, beside the panels' drag.
 
  private:
   struct Kind;

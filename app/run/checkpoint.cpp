@@ -133,6 +133,8 @@ std::string digest_of(const engine::SimulationSpec& spec) {
     digest.add(body.initial.position);
     digest.add(body.initial.orientation.coeffs());
     if (body.radiation) add(body.radiation->data(), digest);
+    if (body.resistance)
+      for (const double force : body.resistance->curve.forces()) digest.add(force);
     for (const engine::Opening& opening : body.openings) {
       digest.add(opening.at_B);
       digest.add(opening.area * opening.discharge);

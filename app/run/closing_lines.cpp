@@ -15,6 +15,7 @@ namespace {
 /// Solutions that were not in the store. Bodies may share one.
 struct Solved {
   std::set<const void*> added_mass, radiation;
+  std::set<const void*> resistance;
   int at_the_surface = 0;
 };
 
@@ -31,6 +32,8 @@ Solved solved_in(const assembly::BuiltScene& built) {
   for (const assembly::RadiationReport& report : built.radiation)
     if (report.stored && !report.stored->from_store)
       solved.radiation.insert(report.stored->solution.get());
+  for (const assembly::ResistanceReport& report : built.resistance)
+    if (report.ship && !report.from_store) solved.resistance.insert(report.ship.get());
   return solved;
 }
 
@@ -42,6 +45,8 @@ std::string solved_text(const assembly::BuiltScene& built) {
     texts.push_back("added mass of " + counted(solved.added_mass.size(), "mesh", "meshes"));
   if (!solved.radiation.empty())
     texts.push_back("radiation of " + counted(solved.radiation.size(), "mesh", "meshes"));
+  if (!solved.resistance.empty())
+    texts.push_back("wave resistance of " + counted(solved.resistance.size(), "hull", "hulls"));
   if (solved.at_the_surface > 0)
     texts.push_back(counted(static_cast<std::size_t>(solved.at_the_surface),
                             "added mass in the surface", "added masses in the surface"));

@@ -80,12 +80,15 @@ MotionWatch::MotionWatch(const assembly::BuiltScene& built) : built_(built) {
     const Eigen::Vector3d sides = at.rowwise().maxCoeff() - at.rowwise().minCoeff();
     const double length = std::max(sides.x(), sides.y());
     const double own_period = std::sqrt(2 * std::numbers::pi * length / sea.gravity);
-    Speed speed{
-        .length = length,
-        .memory = kPeriodsOfMean * std::max(period, own_period),
-        .makes_waves = body.radiation != nullptr,
-        .is_driven = can_float(body, sea) && is_driven(spec, static_cast<engine::BodyId>(i)),
-        .mean = speed_in_water(sea, body.initial)};
+    const bool driven = can_float(body, sea) && is_driven(spec, static_cast<engine::BodyId>(i));
+    Speed speed{.length = length,
+                .memory = kPeriodsOfMean * std::max(period, own_period),
+                .makes_waves = body.radiation != nullptr,
+                .planing = kPlaningFroudeNumber *
+                           std::sqrt(sea.gravity * std::cbrt(body.mass / sea.density)),
+                .lacks_resistance = driven && !body.resistance,
+                .may_plane = driven,
+                .mean = speed_in_water(sea, body.initial)};
     // Such a start is told with the scene.
     if (speed.makes_waves &&
         assembly::froude_number(sea, speed.mean.norm(), length) > assembly::kLargestFroudeNumber)
@@ -105,7 +108,7 @@ std::vector<std::string> MotionWatch::after_step(double time,
     if (warning) warnings.push_back(*std::move(warning));
   }
   for (std::size_t i = 0; i < speeds_.size(); ++i)
-    if (speeds_[i].makes_waves || speeds_[i].is_driven)
+    if (speeds_[i].makes_waves || speeds_[i].lacks_resistance || speeds_[i].may_plane)
       add_speed_warnings(i, time, states[i], warnings);
   return warnings;
 }
@@ -117,31 +120,37 @@ void MotionWatch::add_speed_warnings(std::size_t body, double time, const hydro:
   const double part = -std::expm1(-built_.spec.step / speed.memory);
   speed.mean += part * (speed_in_water(sea, state) - speed.mean);
   const double froude = assembly::froude_number(sea, speed.mean.norm(), speed.length);
-  const auto told = [&](double bound) {
+  const auto told = [&](const char* number, double bound) {
     return fmt::format(
-        "body '{}' goes through the water at {:.2g} m/s at {:.4g} s, a Froude number "
-        "above {:g}",
-        built_.spec.bodies[body].name, speed.mean.norm(), time, bound);
+        "body '{}' goes through the water at {:.2g} m/s at {:.4g} s, a {} above {:g}",
+        built_.spec.bodies[body].name, speed.mean.norm(), time, number, bound);
   };
+  const auto in_surface = [&] { return is_in_surface(built_.spec.bodies[body], state, sea.level); };
   if (speed.makes_waves && froude > assembly::kLargestFroudeNumber) {
     speed.makes_waves = false;
-    warnings.push_back(told(assembly::kLargestFroudeNumber) +
+    warnings.push_back(told("Froude number", assembly::kLargestFroudeNumber) +
                        ", and its waves are known without forward speed: hydro.radiation: none "
                        "leaves them out");
   }
-  if (speed.is_driven && froude > kWaveMakingFroudeNumber &&
-      is_in_surface(built_.spec.bodies[body], state, sea.level)) {
-    speed.is_driven = false;
-    warnings.push_back(told(kWaveMakingFroudeNumber) +
+  if (speed.lacks_resistance && froude > kWaveMakingFroudeNumber && in_surface()) {
+    speed.lacks_resistance = false;
+    warnings.push_back(told("Froude number", kWaveMakingFroudeNumber) +
                        ": the resistance by the waves that a hull makes is not computed, and it "
-                       "goes too fast for its drive");
+                       "goes too fast for its drive; hydro.resistance gives it one");
+  }
+  if (speed.may_plane && speed.mean.norm() > speed.planing && in_surface()) {
+    speed.may_plane = false;
+    warnings.push_back(told("volume Froude number", kPlaningFroudeNumber) +
+                       ", at which hulls begin to plane: what the speed of the water does to their "
+                       "bottom, lift and trim, is not computed");
   }
 }
 
 Json MotionWatch::state() const {
   Json speeds = Json::array();
   for (const Speed& speed : speeds_)
-    speeds.push_back({speed.makes_waves, speed.is_driven, speed.mean.x(), speed.mean.y()});
+    speeds.push_back({speed.makes_waves, speed.lacks_resistance, speed.mean.x(), speed.mean.y(),
+                      speed.may_plane});
   return {{"waves_told", waves_told_}, {"speeds", speeds}};
 }
 
@@ -150,8 +159,9 @@ void MotionWatch::restore(const Json& state) {
   const Json& speeds = state.at("speeds");
   for (std::size_t i = 0; i < speeds_.size(); ++i) {
     speeds_[i].makes_waves = speeds.at(i).at(0).get<bool>();
-    speeds_[i].is_driven = speeds.at(i).at(1).get<bool>();
+    speeds_[i].lacks_resistance = speeds.at(i).at(1).get<bool>();
     speeds_[i].mean = {speeds.at(i).at(2).get<double>(), speeds.at(i).at(3).get<double>()};
+    speeds_[i].may_plane = speeds.at(i).at(4).get<bool>();
   }
 }
 

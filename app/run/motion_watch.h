@@ -12,14 +12,17 @@ namespace app {
 /// Froude number above which the waves that a hull makes by going ahead take much of its drive [-].
 inline constexpr double kWaveMakingFroudeNumber = 0.2;
 
+/// Volume Froude number U/√(g ∇^⅓), of the volume afloat, above which hulls begin to plane [-].
+inline constexpr double kPlaningFroudeNumber = 1.2;
+
 /// Watches the motion of a run for what the theory of its loads leaves out, and tells each thing
 /// once:
 /// - a step that is too long for the waves that bodies meet (wave_warning.h), or a body that has
 ///   turned far from its mean pose (radiation_warning.h), whichever comes first;
 /// - each body with radiation whose forward speed is above assembly::kLargestFroudeNumber;
-/// - each floating hull in the surface above kWaveMakingFroudeNumber that machines, lines, joints
-/// or loads
-///   drive.
+/// - each floating hull in the surface without a resistance of its own above
+///   kWaveMakingFroudeNumber that machines, lines, joints or loads drive;
+/// - each of those above kPlaningFroudeNumber, with a resistance or without.
 /// The forward speed is the mean horizontal velocity in the water, over about two periods of the
 /// longest waves and of waves as long as the body, so that no swell counts as speed.
 class MotionWatch {
@@ -40,7 +43,9 @@ class MotionWatch {
     double length = 0;                               ///< Largest horizontal extent [m].
     double memory = 0;                               ///< Time of the mean [s].
     bool makes_waves = false;                        ///< Its radiation is watched.
-    bool is_driven = false;                          ///< Its resistance is watched.
+    double planing = 0;                              ///< Speed of kPlaningFroudeNumber [m/s].
+    bool lacks_resistance = false;                   ///< Its resistance is watched.
+    bool may_plane = false;                          ///< So is planing.
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();  ///< [m/s]
   };
   void add_speed_warnings(std::size_t body, double time, const hydro::BodyState& state,

@@ -174,6 +174,7 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
   if (!radiation.empty())
     lines.push_back(fmt::format(
         "  assumed: {}", fmt::join(assembly::assumptions({.depth = built.spec.sea->depth}), ", ")));
+  add(tables.resistance());
   const std::string surfaces = contact_text(built.spec);
   if (!surfaces.empty()) lines.push_back("  contacts: " + surfaces);
   add(resolved_rig(scene, built));

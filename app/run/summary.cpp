@@ -15,6 +15,7 @@
 #include "app/logs/run_source.h"
 #include "engine/rig/moordyn/moordyn_system.h"
 #include "hydro/added_mass/surface_added_mass.h"
+#include "hydro/resistance/thin_ship.h"
 #include "hydro/statics/equilibrium.h"
 
 namespace app {
@@ -104,6 +105,21 @@ Json to_json(const assembly::RadiationReport& report) {
   return json;
 }
 
+/// Returns the resistance along the motion; null if there is none.
+Json to_json(const engine::BodySpec& body, const assembly::ResistanceReport& report) {
+  if (!body.resistance) return nullptr;
+  Json json = {{"source", report.ship ? "michell" : "file"},
+               {"speeds", body.resistance->curve.speeds()},
+               {"forces", body.resistance->curve.forces()}};
+  if (report.ship)
+    json.update({{"length", report.ship->length()},
+                 {"bluntness", report.ship->bluntness()},
+                 {"suction", body.resistance->suction},
+                 {"from_store", report.from_store},
+                 {"solve_seconds", report.seconds}});
+  return json;
+}
+
 Json body_summary(const RunSummary& summary, std::size_t i) {
   const engine::BodySpec& body = summary.built.spec.bodies[i];
   Json motion = motion_summary(summary.counts[i]);
@@ -118,7 +134,8 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"steps_at_rest", summary.counts[i].resting},
           {"motion", motion},
           {"added_mass", to_json(summary.built.added_mass[i])},
-          {"radiation", to_json(summary.built.radiation[i])}};
+          {"radiation", to_json(summary.built.radiation[i])},
+          {"resistance", to_json(body, summary.built.resistance[i])}};
 }
 
 /// Returns the report of pictures; cameras are listed if there are several, videos if there are

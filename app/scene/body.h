@@ -91,10 +91,22 @@ struct Radiation {
   RadiationFile database;
 };
 
+/// The resistance of a hull along its motion beside the drag of its panels.
+struct Resistance {
+  enum class Source {
+    none,
+    file,    ///< A table of the force over the speed.
+    michell  ///< By its waves, as thin-ship theory has them.
+  };
+  Source source = Source::none;
+  std::filesystem::path file;
+};
+
 /// The block `hydro`.
 struct Hydro : hydro::Coefficients {
   AddedMass added_mass;
   Radiation radiation;
+  Resistance resistance;
   double wave_tolerance = hydro::LoadAccuracy().wave_tolerance;
 };
 

@@ -107,6 +107,21 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"hydro.radiation.frequencies",
      "The least and the greatest frequency that are taken from the file. The default is all of "
      "them; a bad end of a file is left out by itself ([below](#databases))."},
+    {"hydro.resistance",
+     "Resistance of a hull along its motion, beside the drag of its panels: by the waves that it "
+     "makes as it goes, and by its form. It acts against the horizontal velocity through the water "
+     "at the centre of the volume displaced at rest, in whatever direction the hull goes, is "
+     "whole down to half of that volume, and vanishes with it "
+     "([below](#resistance))."},
+    {"hydro.resistance.file",
+     "A table with the columns `speed` [m/s] and `force` [N], relative to the scene file: what "
+     "the hull's resistance is beyond the drag of its panels. It is interpolated by cubics from "
+     "0 at speed 0 on, and beyond the last speed it grows as the square of the speed."},
+    {"hydro.resistance.wave",
+     "The theory of the waves. `michell` is thin-ship theory on the wetted mesh in the pose at "
+     "rest, for hulls at least four times as long as wide in deep water; hulls side by side "
+     "interfere. It is tabulated for Froude numbers up to 1, once for a mesh, and kept for later "
+     "runs. Its flow draws the hull down, too, with the square of the speed."},
     {"bodies[].name",
      "Name of the body in logs and joints. It must not be `world` and must not contain a comma, "
      "a double quote or a control character."},

@@ -33,6 +33,7 @@ void read(MapReader& map, Hydro& hydro);
 void read(MapReader& map, AddedMass& added_mass);
 void read(MapReader& map, Heel& heel);
 void read(MapReader& map, Radiation& radiation);
+void read(MapReader& map, Resistance& resistance);
 void read(MapReader& map, hydro::PressureDrag& drag);
 void read(MapReader& map, Body& body);
 void read(MapReader& map, Eigen::Quaterniond& orientation);

@@ -139,6 +139,24 @@ void read_radiation(MapReader& map, Radiation& radiation) {
     value->refuse(expected);
 }
 
+using From = Resistance::Source;
+const ChoiceRule<From> kWaveTheories = {{{"michell", From::michell}}};
+
+/// Reads `none`, or a block.
+void read_resistance(MapReader& map, Resistance& resistance) {
+  const std::string expected = "none, {file}, or {wave}";
+  const std::string before = resistance.source == From::file      ? "a file"
+                             : resistance.source == From::michell ? "{wave: michell}"
+                                                                  : "none";
+  const auto value =
+      map.find_unless_block("resistance", expected, before, resistance, {words_shape({"none"})});
+  if (!value) return;
+  if (value->node.is_word("none"))
+    resistance = {};
+  else
+    value->refuse(expected);
+}
+
 using Pose = Radiation::Pose;
 const ChoiceRule<Pose> kPoses = {{{"equilibrium", Pose::equilibrium}, {"start", Pose::start}}};
 
@@ -246,6 +264,14 @@ void read(MapReader& map, Radiation& radiation) {
                                          (*range)[0], (*range)[1]));
 }
 
+/// Reads a block that replaces all earlier settings, as `none` does.
+void read(MapReader& map, Resistance& resistance) {
+  resistance = {.source = From::file, .file = {}};
+  map.optional("file", resistance.file, FileRule{});
+  map.optional("wave", resistance.source, kWaveTheories);
+  map.exactly_one_of({"file", "wave"});
+}
+
 void read(MapReader& map, Hydro& hydro) {
   read_preset(map, hydro);
   map.optional("buoyancy", hydro.buoyancy, TruthRule{});
@@ -255,6 +281,7 @@ void read(MapReader& map, Hydro& hydro) {
   read_length(map, hydro.viscous_drag);
   read_added_mass(map, hydro.added_mass);
   read_radiation(map, hydro.radiation);
+  read_resistance(map, hydro.resistance);
   map.optional("wave_tolerance", hydro.wave_tolerance, not_negative());
 }
 

@@ -143,9 +143,10 @@ TEST_F(ProgramProbe, HasTheKeysThatScriptsRelyOn) {
   std::vector<std::string> keys;
   const auto all = nlohmann::ordered_json::parse(here.run({"probe", "box.yaml"}).out);
   for (const auto& [key, value] : all["bodies"]["box"].items()) keys.push_back(key);
-  EXPECT_THAT(keys, ElementsAre("com", "mass", "inertia", "displaced_volume", "wetted_area",
-                                "buoyancy", "pressure_drag", "viscous_drag", "lift", "wave_inertia",
-                                "diffraction", "wind", "interior", "pockets", "added_mass"));
+  EXPECT_THAT(keys,
+              ElementsAre("com", "mass", "inertia", "displaced_volume", "wetted_area", "buoyancy",
+                          "pressure_drag", "viscous_drag", "lift", "wave_inertia", "diffraction",
+                          "wind", "interior", "pockets", "added_mass", "resistance"));
 }
 
 // A cube of 1 m sunk by half and moving down at 2 m/s: closed forms, to the rounding of sums over

@@ -110,6 +110,25 @@ TEST(MotionWatch, TellsADrivenHullInTheSurfaceThatNoResistanceOfWavesIsComputed)
   EXPECT_THAT(warnings_of(heavy, ahead), IsEmpty());
 }
 
+TEST(MotionWatch, KnowsTheResistanceThatAHullHas) {
+  assembly::BuiltScene built = driven_hull();
+  built.spec.bodies[0].resistance = std::make_shared<const hydro::Resistance>(
+      hydro::Resistance{.curve = {{1}, {10}}, .volume = 2});
+  EXPECT_THAT(warnings_of(built, ahead), IsEmpty());
+}
+
+TEST(MotionWatch, TellsThatPlaningIsNotComputed) {
+  // The volume afloat is 2 m³, so the number is 1.2 at 4.2 m/s.
+  const auto fast = [](double time) { return std::min(0.2 * time, 4.5); };
+  EXPECT_THAT(warnings_of(driven_hull(), fast),
+              ElementsAre(HasSubstr("above 0.2"),
+                          AllOf(HasSubstr("at 4.2 m/s at "),
+                                HasSubstr("a volume Froude number above 1.2, at which hulls "))));
+  EXPECT_EQ(warnings_of(driven_hull(), [&](double t) { return 0.9 * fast(t); }).size(), 1u);
+  EXPECT_THAT(warnings_of(driven_hull(), fast, 2), IsEmpty());  // in the air
+  EXPECT_THAT(warnings_of(hull(false), fast), IsEmpty());       // not driven
+}
+
 TEST(MotionWatch, CountsHullsThatMachinesLinesAndJointsDrive) {
   const auto told = [](const std::function<void(engine::SimulationSpec&)>& change) {
     assembly::BuiltScene built = hull(false);

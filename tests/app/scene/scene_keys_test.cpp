@@ -47,6 +47,7 @@ std::string every_key() {
          "ground: {z: -10, friction: 0.25, restitution: 0.125}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
          " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3, radiation: none,"
+         " resistance: {wave: michell},"
          " added_mass: {model: deep, tolerance: 2e-3}}\n"
          "bodies:\n"
          "  - name: a\n"
@@ -68,6 +69,9 @@ std::string every_key() {
          folder +
          "/shore.obj, body: 2, reference_point: [1, 2, 3], center_of_mass: [4, 5, 6],"
          " heading_deg: 90, length: 7, frequencies: [0.5, 2], pose: start},"
+         " resistance: {file: " +
+         folder +
+         "/shore.obj},"
          " added_mass: {matrix: [[6, 0, 0, 0, 0, 0], [0, 5, 0, 0, 0, 1], [0, 0, 4, 0, 0, 0],"
          " [0, 0, 0, 3, 0, 0], [0, 0, 0, 0, 2, 0], [0, 1, 0, 0, 0, 1]]}}\n"
          "    calibrate: {drag: [1, 2, 3]}\n"
@@ -393,6 +397,9 @@ TEST(SceneKeys, HydroOfABodyOverridesTheScenesKeyByKey) {
   EXPECT_EQ(radiation.database.length, 7);
   EXPECT_EQ(radiation.database.frequencies, (std::array<double, 2>{0.5, 2}));
   EXPECT_EQ(scene.bodies[1].hydro.radiation.source, scene::Radiation::Source::none);
+  EXPECT_EQ(scene.bodies[0].hydro.resistance.source, scene::Resistance::Source::file);
+  EXPECT_EQ(scene.bodies[0].hydro.resistance.file.filename(), "shore.obj");
+  EXPECT_EQ(scene.bodies[1].hydro.resistance.source, scene::Resistance::Source::michell);
   const hydro::Coefficients& mixed = scene.bodies[1].hydro;
   EXPECT_EQ(std::tuple(mixed.buoyancy, mixed.pressure_drag, mixed.lift),
             std::tuple(true, hydro::PressureDrag{0.5, 0.5, 0}, 0));
