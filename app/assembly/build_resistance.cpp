@@ -83,9 +83,10 @@ class ResistanceChooser {
     if (key.source == From::none || (key.source == From::michell && makes_waves)) return;
     makes_waves = makes_waves || key.source == From::michell;
     try {
+      if (!built_.spec.sea) throw std::invalid_argument("the scene has no water");
       const RadiatingHull hull = radiating_hull(built_.spec, group, static_cast<engine::BodyId>(i));
       find_pose(hull, i);
-      find_volume(i);
+      find_volume(hull, i);
       if (key.source == From::michell)
         make_ship(hull, i);
       else
@@ -111,7 +112,6 @@ class ResistanceChooser {
   /// Finds the pose at rest; that of a table may be deep under water, where no wave is made.
   /// @throws std::invalid_argument for a hull without one
   void find_pose(const RadiatingHull& hull, std::size_t i) {
-    if (!built_.spec.sea) throw std::invalid_argument("the scene has no water");
     if (!built_.spec.bodies[i].wet) throw std::invalid_argument("the water does not act on it");
     ResistanceReport& report = built_.resistance[i];
     const bool file = report.source == From::file;
@@ -127,16 +127,20 @@ class ResistanceChooser {
       report.pose = {.height = deep};
   }
 
-  /// Finds the body's own volume at rest, and its centre.
-  void find_volume(std::size_t i) {
+  /// Finds the body's own volume at rest, and the centre of what makes the waves.
+  void find_volume(const RadiatingHull& hull, std::size_t i) {
     ResistanceReport& report = built_.resistance[i];
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
     turn.linear() = report.pose.orientation.toRotationMatrix();
-    const hydro::Hydrostatics floats = hydro::hydrostatics(
-        hydro::transformed(engine::outside_B(built_.spec.bodies[i]), turn), report.pose.height);
-    if (!(floats.volume > 0)) throw std::invalid_argument("it is dry where it floats at rest");
-    report.centre_B = report.pose.orientation.conjugate() * floats.centre_of_buoyancy;
-    report.volume = floats.volume;
+    const auto floats = [&](const hydro::TriMesh& mesh_B) {
+      return hydro::hydrostatics(hydro::transformed(mesh_B, turn), report.pose.height);
+    };
+    const hydro::Hydrostatics own = floats(engine::outside_B(built_.spec.bodies[i]));
+    if (!(own.volume > 0)) throw std::invalid_argument("it is dry where it floats at rest");
+    const bool file = report.source == From::file;
+    const Eigen::Vector3d centre = (file ? own : floats(hull.mesh_B)).centre_of_buoyancy;
+    report.centre_B = report.pose.orientation.conjugate() * centre;
+    report.volume = own.volume;
   }
 
   void make_ship(const RadiatingHull& hull, std::size_t i) {

@@ -20,7 +20,7 @@ TEST_F(ResistanceFile, AFaultHasItsPlace) {
   const std::string usage = "expected the columns speed [m/s] and force [N]";
   EXPECT_EQ(fault(""), ": the file is empty, " + usage);
   EXPECT_EQ(fault("speed\n1\n"), ": " + usage);
-  EXPECT_EQ(fault("speed,power\n"), ":1:7: found 'power' in the header, " + usage);
+  EXPECT_EQ(fault("speed,power\n"), ":1:12: found 'power' in the header, " + usage);
   const std::string head = "speed,force\n";
   EXPECT_EQ(fault(head), ": found no row with a speed above 0");
   EXPECT_EQ(fault(head + "0,0\n"), ": found no row with a speed above 0");

@@ -701,6 +701,8 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             " highest_frequency_hz: 3, components: 5}}"},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           {"hydro.resistance={file: " + support::data_folder().string() + "/shore.obj}",
+            "bodies[0].hydro.resistance={wave: michell}"},
            {"bodies[c].start=equilibrium", "bodies[c].heel={roll_deg: 1, pitch_deg: 2}"},
            {"hydro.radiation={file: " + support::data_folder().string() +
             "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
