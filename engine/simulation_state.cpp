@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 9";
+constexpr std::string_view kMagic = "plimsoll state 10";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -117,7 +117,7 @@ void visit(auto& a, WorkRecord& w) {
             works.wave_inertia, works.diffraction, works.radiation, works.wind, works.interior,
             works.added_mass, works.applied, works.weight, works.constraint, works.brake,
             w.added_energy_at_start, w.added_impulse, w.constraint_impulse, works.lines,
-            works.machines, w.row_impulse, works.resistance);
+            works.machines, works.hull_lift, w.row_impulse, works.resistance);
 }
 void visit(auto& a, Eigen::VectorXd& vector) {
   vector.resize(static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(vector.size()))));

@@ -12,6 +12,7 @@
 #include "app/base/json_rows.h"
 #include "app/base/terminal_reporter.h"
 #include "app/logs/rig_log.h"
+#include "engine/motion/body.h"
 #include "engine/simulation.h"
 #include "hydro/interior/interior.h"
 #include "hydro/mesh/mesh_check.h"
@@ -63,7 +64,9 @@ Json pockets_of(const engine::BodySpec& body, const hydro::Interior* interior) {
   return pockets;
 }
 
-Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& sea) {
+/// @param moved   The same body as the engine has it.
+Json probe_body(const engine::BodySpec& body, const engine::Body& moved,
+                const std::optional<hydro::Sea>& sea) {
   hydro::Loads loads;
   std::shared_ptr<const hydro::Interior> interior;
   if (body.interior == engine::Interior::flooding)
@@ -81,6 +84,9 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
   if (sea && body.resistance)
     loads.resistance = hydro::resistance_load(*body.resistance, body.initial, sea->current,
                                               loads.displaced_volume);
+  if (moved.hull_lift)
+    loads.hull_lift =
+        moved.hull_lift->load(body.initial, engine::water_about(moved, body.initial, 0));
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;
   if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);
@@ -95,6 +101,7 @@ Json probe_body(const engine::BodySpec& body, const std::optional<hydro::Sea>& s
           {"lift", to_json(loads.lift)},
           {"wave_inertia", to_json(loads.wave_inertia)},
           {"diffraction", to_json(loads.diffraction)},
+          {"hull_lift", to_json(loads.hull_lift)},
           {"wind", to_json(loads.wind)},
           {"interior", to_json(loads.interior)},
           {"pockets", pockets_of(body, interior.get())},
@@ -134,8 +141,11 @@ int probe(const std::filesystem::path& file, const std::vector<scene::Override>&
   const assembly::BuiltScene built = assembly::build(scene, store, reporter);
   assembly::keep_solutions(built, store, reporter);
   Json bodies = Json::object();
-  for (const engine::BodySpec& body : built.spec.bodies)
-    bodies[body.name] = probe_body(body, built.spec.sea);
+  const std::vector<engine::Body> moved = engine::make_bodies(built.spec);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const engine::BodySpec& body = built.spec.bodies[i];
+    bodies[body.name] = probe_body(body, moved[i], built.spec.sea);
+  }
   Json json = {{"bodies", bodies}};
   add_tables(built.spec, json);
   print(fmt::format("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)));

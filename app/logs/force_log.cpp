@@ -65,6 +65,8 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("work_machines", forces.works.machines);
   put_load({"resistance", forces.water.resistance}, put);
   put("work_resistance", forces.works.resistance);
+  put_load({"hull_lift", forces.water.hull_lift}, put);
+  put("work_hull_lift", forces.works.hull_lift);
   return row;
 }
 

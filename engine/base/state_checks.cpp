@@ -38,6 +38,7 @@ std::vector<NamedLoad> by_name(const BodyLoads& loads) {
                              {"lift", to_vector6(water.lift)},
                              {"wave inertia", to_vector6(water.wave_inertia)},
                              {"diffraction", to_vector6(water.diffraction)},
+                             {"hull lift", to_vector6(water.hull_lift)},
                              {"wind", to_vector6(water.wind)},
                              {"water inside", to_vector6(water.interior)},
                              {"resistance", to_vector6(water.resistance)},

@@ -100,6 +100,11 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
     Body body = make_dry_body(spec, environment, i);
     body.feels_air = body.wet && spec.sea->air && !body.spec->coefficients.pressure_drag.none();
     if (body.wet) body.hull = hulls.of(*body.spec);
+    // In an ideal fluid no wake separates.
+    const bool sheds = body.wet && body.spec->added_mass &&
+                       !body.spec->coefficients.pressure_drag.none() &&
+                       spec.integrator.method == Integrator::Method::split;
+    if (sheds) body.hull_lift = hulls.lift_of(*body.spec);
     bodies.push_back(std::move(body));
   }
   return bodies;
@@ -158,6 +163,14 @@ Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, doub
   const double surface = sea.level + hydro::surface_elevation(sea, p.x(), p.y(), time + ahead);
   p.z() = (p.z() - reach + std::min(p.z() + reach, surface)) / 2;
   return hydro::AiryWaves(sea, time + ahead).mean_velocity(p, surface - p.z(), half);
+}
+
+hydro::HullWater water_about(const Body& body, const hydro::BodyState& state, double time) {
+  const hydro::Sea& sea = *body.environment.sea;
+  const Eigen::Vector3d& p = state.position;
+  return {.velocity = flow_about(body, state, time, 0),
+          .surface = sea.level + hydro::surface_elevation(sea, p.x(), p.y(), time),
+          .density = sea.density};
 }
 
 hydro::BodyState state_after_drift(const Body& body, const Motion& motion,

@@ -7,6 +7,7 @@
 #include "engine/motion/added_inertia.h"
 #include "engine/motion/motion.h"
 #include "engine/motion/reduced_joint.h"
+#include "hydro/loads/hull_lift.h"
 
 /// @file
 /// The constant side of a body with its surroundings, and how it moves without loads. Its changing
@@ -33,6 +34,7 @@ struct Body {
   Environment environment;
   std::shared_ptr<const hydro::Hull> hull;  ///< Null if not wet; bodies of one mesh share it.
   Eigen::AlignedBox3d box_B;                ///< Bounds the mesh.
+  std::shared_ptr<const hydro::HullLift> hull_lift;  ///< Null: it has none; shared as the hull.
   double radius = 0;        ///< Distance of the farthest vertex from the centre of mass [m].
   double displacement = 0;  ///< Mass of the water that the whole body displaces [kg].
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass.
@@ -92,6 +94,10 @@ Matrix6d inertia_W(const Body& body, const Motion& motion);
 /// without `has_flow` or at a reduced joint that leaves it a motion.
 Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, double time,
                            double ahead);
+
+/// The water that the lift of the hull acts in: that of flow_about(), and the height of its surface
+/// over the centre of mass.
+hydro::HullWater water_about(const Body& body, const hydro::BodyState& state, double time);
 
 /// The state after `time` [s] of motion by inertia alone, (E1) to (E3): added mass, locks and the
 /// reduced joint act, loads do not.

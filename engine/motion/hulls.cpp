@@ -18,6 +18,17 @@ std::shared_ptr<const hydro::Hull> Hulls::of(const BodySpec& spec) {
   return hulls_.emplace_back(std::make_shared<const hydro::Hull>(hydro::make_hull(mesh_B)));
 }
 
+std::shared_ptr<const hydro::HullLift> Hulls::lift_of(const BodySpec& spec) {
+  const hydro::TriMesh& mesh_B = outside_B(spec);
+  const auto same = std::find_if(lifts_.begin(), lifts_.end(), [&](const Lift& lift) {
+    return hydro::same_mesh(*lift.mesh_B, mesh_B);
+  });
+  if (same != lifts_.end()) return same->sections;
+  auto sections = std::make_shared<const hydro::HullLift>(mesh_B);
+  if (!sections->may_lift()) sections.reset();
+  return lifts_.emplace_back(Lift{.mesh_B = &mesh_B, .sections = std::move(sections)}).sections;
+}
+
 void keep_hulls(SimulationSpec& spec, Hulls& hulls) {
   for (BodySpec& body : spec.bodies)
     if (body.wet && spec.sea) body.hull = hulls.of(body);

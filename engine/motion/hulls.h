@@ -4,21 +4,31 @@
 #include <vector>
 
 #include "engine/base/spec.h"
+#include "hydro/loads/hull_lift.h"
 
 namespace engine {
 
 /// The surface of a body that the water acts on. Pockets that may be flooded are a part of it.
 const hydro::TriMesh& water_mesh(const BodySpec& spec);
 
-/// The hulls of bodies; bodies of one mesh share one.
+/// The hulls of bodies; bodies of one mesh share one. The specifications must outlive it.
 class Hulls {
  public:
   /// Returns the hull of a body: its own where it has one, else that of an earlier body with the
   /// same water_mesh(), else a new one.
   std::shared_ptr<const hydro::Hull> of(const BodySpec& spec);
 
+  /// Returns the sections of a body's outside_B(), shared alike; null for one that cannot be
+  /// slender.
+  std::shared_ptr<const hydro::HullLift> lift_of(const BodySpec& spec);
+
  private:
+  struct Lift {
+    const hydro::TriMesh* mesh_B;  ///< Of the first body that has it.
+    std::shared_ptr<const hydro::HullLift> sections;
+  };
   std::vector<std::shared_ptr<const hydro::Hull>> hulls_;
+  std::vector<Lift> lifts_;
 };
 
 /// Gives the wet bodies their hulls, so that simulations of copies of the specification share them.

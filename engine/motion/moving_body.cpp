@@ -51,6 +51,8 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
   if (body.wet && body.spec->resistance)
     loads.resistance = hydro::resistance_load(
         *body.spec->resistance, state, flow_about(body, state, time, 0), loads.displaced_volume);
+  if (body.hull_lift && loads.wetted_area > 0)
+    loads.hull_lift = body.hull_lift->load(state, water_about(body, state, time));
   if (!body.has_wave_load) return loads;
   if (body.spec->radiation)
     loads.diffraction = body.spec->radiation->wave_load(state, *sea, time);

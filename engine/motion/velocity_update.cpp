@@ -114,8 +114,8 @@ double drag_stiffness(const UpdateContext& s, const hydro::Wrench& drag, const V
 /// body's highest point.
 double drag_stiffness(const UpdateContext& s, const Vector6d& u, const Vector6d& after) {
   const hydro::Loads& water = s.water();
-  const double in_water =
-      drag_stiffness(s, water.pressure_drag + water.viscous_drag + water.resistance, u, after);
+  const double in_water = drag_stiffness(
+      s, water.pressure_drag + water.viscous_drag + water.resistance + water.hull_lift, u, after);
   if (!s.body.feels_air) return in_water;
   const auto [low, height] = vertical_extent(s.body, s.state());
   const hydro::Wind& wind = s.body.environment.sea->air->wind;
@@ -168,12 +168,14 @@ double largest_stiffness(const UpdateContext& s, const Matrix6d& J) {
 }
 
 hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative, Pieces pieces) {
+  const hydro::BodyState at = s.at(relative);
   hydro::LoadJacobian J =
-      hydro::load_jacobian(sea_hull(s.body, *s.midpoint.motion), s.at(relative),
-                           *s.body.environment.sea, s.time, s.body.spec->coefficients, pieces);
+      hydro::load_jacobian(sea_hull(s.body, *s.midpoint.motion), at, *s.body.environment.sea,
+                           s.time, s.body.spec->coefficients, pieces);
+  if (s.body.hull_lift) J.drag += s.body.hull_lift->jacobian(at, water_about(s.body, at, s.time));
   if (s.body.spec->resistance)
-    J.drag += hydro::resistance_jacobian(*s.body.spec->resistance, s.at(relative),
-                                         s.midpoint.motion->flow, s.water().displaced_volume);
+    J.drag += hydro::resistance_jacobian(*s.body.spec->resistance, at, s.midpoint.motion->flow,
+                                         s.water().displaced_volume);
   return J;
 }
 

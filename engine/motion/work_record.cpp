@@ -52,6 +52,7 @@ Vector6d record_loads(const BodyLoads& loads, const Vector6d& w, double h, Works
   add(loads.water.lift, works.lift);
   add(loads.water.wave_inertia, works.wave_inertia);
   add(loads.water.diffraction, works.diffraction);
+  add(loads.water.hull_lift, works.hull_lift);
   add(loads.water.wind, works.wind);
   add(loads.water.interior, works.interior);
   add(loads.water.resistance, works.resistance);
@@ -215,9 +216,9 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
 
 double Works::clamped_share() const {
   double sum = 0;
-  for (const double work :
-       {buoyancy, pressure_drag, viscous_drag, lift, wave_inertia, diffraction, radiation, wind,
-        interior, lines, machines, added_mass, applied, weight, constraint, brake, resistance})
+  for (const double work : {buoyancy, pressure_drag, viscous_drag, lift, wave_inertia, diffraction,
+                            radiation, wind, interior, lines, machines, hull_lift, resistance,
+                            added_mass, applied, weight, constraint, brake})
     sum += std::abs(work);
   return brake == 0 ? 0 : std::abs(brake) / sum;
 }

@@ -26,6 +26,7 @@ struct Works {
   double interior = 0;  ///< By the water in its pockets.
   double lines = 0;     ///< By springs, ropes, moorings and drives of joints.
   double machines = 0;  ///< By propellers and foils.
+  double hull_lift = 0;
   double added_mass = 0;
   double applied = 0;     ///< By the forces of the scene and of the program.
   double weight = 0;      ///< Of the body's own mass.
@@ -35,8 +36,8 @@ struct Works {
 
   double sum() const {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
-           wind + interior + lines + machines + added_mass + applied + weight + constraint + brake +
-           resistance;
+           wind + interior + lines + machines + hull_lift + resistance + added_mass + applied +
+           weight + constraint + brake;
   }
   /// Part of the works, summed up in size, that the energy limiter has done [-].
   double clamped_share() const;

@@ -120,6 +120,7 @@ Loads& Loads::operator+=(const Loads& other) {
   lift += other.lift;
   wave_inertia += other.wave_inertia;
   diffraction += other.diffraction;
+  hull_lift += other.hull_lift;
   wind += other.wind;
   interior += other.interior;
   resistance += other.resistance;

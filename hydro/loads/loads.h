@@ -36,6 +36,7 @@ struct Loads {
   Wrench lift;
   Wrench wave_inertia;     ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
   Wrench diffraction;      ///< FloatingBody::wave_load; `compute_loads` leaves it at 0.
+  Wrench hull_lift;        ///< HullLift::load; `compute_loads` leaves it at 0.
   Wrench wind;             ///< Of the air on the dry part (wind.h).
   Wrench interior;         ///< Of water in pockets (interior.h); `compute_loads` leaves it at 0.
   Wrench resistance;       ///< Along the motion (resistance.h); `compute_loads` leaves it at 0.
@@ -44,8 +45,8 @@ struct Loads {
 
   Loads& operator+=(const Loads& other);
   Wrench total() const {
-    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + wind +
-           interior + resistance;
+    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + hull_lift +
+           wind + interior + resistance;
   }
 };
 

@@ -9,7 +9,7 @@ const LOADS = [
   ["lift", "lift", "--c5"], ["wave_inertia", "wave inertia", "--c9"], ["wind", "wind", "--c10"],
   ["diffraction", "diffraction", "--c11"], ["radiation", "radiation", "--c12"],
   ["interior", "water inside", "--c13"], ["lines", "lines", "--c14"], ["machines", "machines", "--c15"],
-  ["resistance", "resistance", "--c16"],
+  ["resistance", "resistance", "--c16"], ["hull_lift", "lift of the hull", "--c17"],
   ["added_mass", "added mass", "--c7"],
   ["applied", "applied", "--c6"], ["constraint", "constraint", "--c8"]];
 const AXES = ["--c1", "--c2", "--c3"];

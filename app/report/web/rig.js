@@ -3,7 +3,7 @@
 import {number} from "./format.js";
 import {isLong} from "./track.js";
 
-const COLORS = 16;  // --c1 … --c16 of style.css
+const COLORS = 17;  // --c1 … --c17 of style.css
 const POSE_NUMBERS = 7;  // x, y, z, qx, qy, qz, qw
 const colorOf = (i) => `--c${1 + i % COLORS}`;
 const varies = (values) => values.some((value) => value !== values[0]);

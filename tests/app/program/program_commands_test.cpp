@@ -146,7 +146,7 @@ TEST_F(ProgramProbe, HasTheKeysThatScriptsRelyOn) {
   EXPECT_THAT(keys,
               ElementsAre("com", "mass", "inertia", "displaced_volume", "wetted_area", "buoyancy",
                           "pressure_drag", "viscous_drag", "lift", "wave_inertia", "diffraction",
-                          "wind", "interior", "pockets", "added_mass", "resistance"));
+                          "hull_lift", "wind", "interior", "pockets", "added_mass", "resistance"));
 }
 
 // A cube of 1 m sunk by half and moving down at 2 m/s: closed forms, to the rounding of sums over

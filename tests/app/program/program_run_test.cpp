@@ -85,10 +85,10 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["skipped"]["water"], false);
   EXPECT_EQ(summary["skipped"]["pictures"], "the scene has no render block");
   EXPECT_EQ(summary["bodies"]["box"]["triangles"], 48);
-  EXPECT_THAT(
-      keys(summary["bodies"]["box"]),
-      ElementsAre("triangles", "mass", "mesh_digest", "loads_not_computed", "drag_shape",
-                  "steps_above_water", "steps_at_rest", "motion", "added_mass", "radiation"));
+  EXPECT_THAT(keys(summary["bodies"]["box"]),
+              ElementsAre("triangles", "mass", "mesh_digest", "loads_not_computed", "drag_shape",
+                          "steps_above_water", "steps_at_rest", "motion", "added_mass", "radiation",
+                          "resistance"));
 }
 
 TEST_F(ProgramRun, WarnsOfAStepThatIsTooLongForTheWaves) {
@@ -269,7 +269,7 @@ TEST_F(ProgramRun, WritesTheForcesBesideTheTrajectory) {
   const app::BodyTrack track =
       app::read_trajectory(here / "out/box/trajectory.csv").tracks.at("box");
   EXPECT_EQ(column["time"], track.times);
-  EXPECT_EQ(column.size(), 112u);
+  EXPECT_EQ(column.size(), 126u);
   // It has fallen into the water, and what the weight gave is in the motion and the water.
   EXPECT_EQ(column["buoyancy_fz"].front(), 0);
   EXPECT_GT(column["buoyancy_fz"].back(), 0);
