@@ -6,7 +6,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "hydro/airy_waves.h"
 #include "hydro/radiation/diffraction_load.h"
 
 namespace assembly {
@@ -20,22 +19,10 @@ using FloatingModels = std::map<const hydro::RadiationData*, FloatingModel>;
 FloatingModel floating_model(const hydro::TriMesh& mesh_B, const hydro::Sea& sea,
                              const hydro::RadiationData& data,
                              const hydro::RadiationMemory* memory) {
-  hydro::FloatingBody::Diffraction diffraction, momentum;
-  if (hydro::has_airy_waves(sea)) {
-    const auto scattered = std::make_shared<const hydro::DiffractionLoad>(data);
-    diffraction = [scattered](const hydro::BodyState& state, const hydro::WaveFrame& frame,
-                              const hydro::Sea& water, double time) {
-      return scattered->at(state.position, {state.linear_velocity, state.angular_velocity}, frame,
-                           water, time);
-    };
-    momentum = [scattered](const hydro::BodyState& state, const hydro::WaveFrame& frame,
-                           const hydro::Sea& water, double time) {
-      return scattered->momentum(state.position, frame, water, time);
-    };
-  }
+  auto [load, momentum] = hydro::scattered_waves(data, sea);
   return std::make_shared<const hydro::FloatingBody>(mesh_B, data,
                                                      memory ? *memory : hydro::fit_memory(data),
-                                                     std::move(diffraction), std::move(momentum));
+                                                     std::move(load), std::move(momentum));
 }
 
 // Difference between the damping by the pressure on the hull and by the waves far away.

@@ -53,8 +53,13 @@ struct UpdateContext {
   Vector6d with_memory(const Vector6d& F) const {
     return midpoint.memory ? Vector6d(F + midpoint.memory->load + midpoint.memory->turning) : F;
   }
+  /// Along the axes in which the body may move: S has 1 for a locked one.
   double least_mass() const {
-    return has_more_inertia() ? S().diagonal().head<3>().minCoeff() : body.spec->mass;
+    double least = std::numeric_limits<double>::infinity();
+    if (has_more_inertia())
+      for (int i = 0; i < 3; ++i)
+        if (!body.spec->locked[i]) least = std::min(least, S()(i, i));
+    return std::isfinite(least) ? least : body.spec->mass;
   }
   /// v·S v
   double square(const Vector6d& v) const {

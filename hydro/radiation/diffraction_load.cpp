@@ -268,4 +268,18 @@ Wrench DiffractionLoad::sum(const Eigen::Vector3d& position, const WaveFrame& fr
   return {load_W.head<3>(), load_W.tail<3>()};
 }
 
+ScatteredWaves scattered_waves(const RadiationData& data, const Sea& sea) {
+  if (!has_airy_waves(sea)) return {};
+  const auto waves = std::make_shared<const DiffractionLoad>(data);
+  return {
+      .load =
+          [waves](const BodyState& state, const WaveFrame& frame, const Sea& water, double time) {
+            return waves->at(state.position, {state.linear_velocity, state.angular_velocity}, frame,
+                             water, time);
+          },
+      .momentum = [waves](
+                      const BodyState& state, const WaveFrame& frame, const Sea& water,
+                      double time) { return waves->momentum(state.position, frame, water, time); }};
+}
+
 }  // namespace hydro

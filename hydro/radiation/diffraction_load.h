@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "hydro/radiation/floating_body.h"
 #include "hydro/radiation/radiation_data.h"
 #include "hydro/radiation/wave_frame.h"
 #include "hydro/sea.h"
@@ -89,5 +90,13 @@ class DiffractionLoad {
   mutable std::mutex making_;
   mutable std::atomic<const Waves*> known_ = nullptr;  ///< A list of all seas that were asked for.
 };
+
+/// (2) and (1) as a FloatingBody takes them.
+struct ScatteredWaves {
+  FloatingBody::Diffraction load, momentum;
+};
+
+/// Those of a body with the data; both empty in a sea without Airy waves.
+ScatteredWaves scattered_waves(const RadiationData& data, const Sea& sea);
 
 }  // namespace hydro

@@ -3,6 +3,7 @@
 #include "engine/base/constants.h"
 #include "engine/constraints/anderson.h"
 #include "engine/motion/energy.h"
+#include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/airy_waves.h"
 #include "hydro/loads/load_jacobian.h"
 #include "hydro/mesh/primitives.h"
@@ -71,6 +72,21 @@ TEST(StiffDrag, NeverAddsEnergyHoweverLightTheBody) {
     }
     EXPECT_LT(before, 0.01 * start);
     EXPECT_GT(simulation.counts()[0].implicit, 0);
+  }
+}
+
+// An axis that is locked has no mass that could make the waterplane stiff.
+TEST(StiffWaterplane, IsJudgedByTheMassAlongFreeAxes) {
+  for (const bool locked : {false, true}) {
+    SimulationSpec spec = support::box_in_still_water({0, 0, 0.1});
+    BodySpec& box = spec.bodies[0];
+    box.added_mass = std::make_shared<hydro::ConstantAddedMass>(
+        box.mesh_B, 100 * hydro::Matrix6d(hydro::Matrix6d::Identity()));
+    box.locked[0] = box.locked[1] = locked;
+    Simulation simulation(spec);
+    for (int i = 0; i < 50; ++i) simulation.step();
+    EXPECT_GT(simulation.counts()[0].substeps, 0);
+    EXPECT_EQ(simulation.counts()[0].implicit, 0) << locked;
   }
 }
 

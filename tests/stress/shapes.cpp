@@ -11,7 +11,6 @@
 #include "app/assembly/mesh_io.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/wetted_added_mass.h"
-#include "hydro/airy_waves.h"
 #include "hydro/interior/closed_mouths.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
@@ -107,20 +106,8 @@ std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body
   // As for the added mass: accurate enough to stress the mechanics.
   const hydro::RadiationData data =
       hydro::solve_radiation(outside_B(body), {}, {.gravity = sea.gravity}, {.patches = 80}).data;
-  hydro::FloatingBody::Diffraction diffraction, momentum;
-  if (hydro::has_airy_waves(sea)) {
-    const auto scattered = std::make_shared<const hydro::DiffractionLoad>(data);
-    diffraction = [scattered](const hydro::BodyState& state, const hydro::WaveFrame& frame,
-                              const hydro::Sea& water, double time) {
-      return scattered->at(state.position, {state.linear_velocity, state.angular_velocity}, frame,
-                           water, time);
-    };
-    momentum = [scattered](const hydro::BodyState& state, const hydro::WaveFrame& frame,
-                           const hydro::Sea& water, double time) {
-      return scattered->momentum(state.position, frame, water, time);
-    };
-  }
-  return std::make_shared<hydro::FloatingBody>(outside_B(body), data, std::move(diffraction),
+  auto [load, momentum] = hydro::scattered_waves(data, sea);
+  return std::make_shared<hydro::FloatingBody>(outside_B(body), data, std::move(load),
                                                std::move(momentum));
 }
 
