@@ -81,12 +81,13 @@ Json probe_body(const engine::BodySpec& body, const engine::Body& moved,
     loads.diffraction = body.radiation->wave_load(body.initial, *sea, 0);
   else if (sea && body.added_mass)
     loads.wave_inertia = body.added_mass->wave_load(body.initial, *sea, 0);
-  if (sea && body.resistance)
-    loads.resistance = hydro::resistance_load(*body.resistance, body.initial, sea->current,
-                                              loads.displaced_volume);
-  if (moved.hull_lift)
-    loads.hull_lift =
-        moved.hull_lift->load(body.initial, engine::water_about(moved, body.initial, 0));
+  if (sea && (body.resistance || moved.hull_lift)) {
+    const hydro::HullWater water = engine::water_about(moved, body.initial, 0);
+    if (body.resistance)
+      loads.resistance = hydro::resistance_load(*body.resistance, body.initial, water.velocity,
+                                                loads.displaced_volume);
+    if (moved.hull_lift) loads.hull_lift = moved.hull_lift->load(body.initial, water);
+  }
   const Eigen::Matrix3d R = body.initial.orientation.toRotationMatrix();
   Json added_mass;
   if (body.added_mass) added_mass = in_world_axes(body.added_mass->at(body.initial, *sea, 0), R);

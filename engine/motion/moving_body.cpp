@@ -48,11 +48,13 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
     loads = hydro::compute_loads(sea_hull(body, motion), state, *sea, time, body.spec->coefficients,
                                  body.spec->summation);
   if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
-  if (body.wet && body.spec->resistance)
-    loads.resistance = hydro::resistance_load(
-        *body.spec->resistance, state, flow_about(body, state, time, 0), loads.displaced_volume);
-  if (body.hull_lift && loads.wetted_area > 0)
-    loads.hull_lift = body.hull_lift->load(state, water_about(body, state, time));
+  if (loads.wetted_area > 0 && (body.spec->resistance || body.hull_lift)) {
+    const hydro::HullWater water = water_about(body, state, time);
+    if (body.spec->resistance)
+      loads.resistance = hydro::resistance_load(*body.spec->resistance, state, water.velocity,
+                                                loads.displaced_volume);
+    if (body.hull_lift) loads.hull_lift = body.hull_lift->load(state, water);
+  }
   if (!body.has_wave_load) return loads;
   if (body.spec->radiation)
     loads.diffraction = body.spec->radiation->wave_load(state, *sea, time);

@@ -177,9 +177,11 @@ hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative, P
   hydro::LoadJacobian J =
       hydro::load_jacobian(sea_hull(s.body, *s.midpoint.motion), at, *s.body.environment.sea,
                            s.time, s.body.spec->coefficients, pieces);
-  if (s.body.hull_lift) J.drag += s.body.hull_lift->jacobian(at, water_about(s.body, at, s.time));
+  if (!s.body.hull_lift && !s.body.spec->resistance) return J;
+  const hydro::HullWater water = water_about(s.body, at, s.time);
+  if (s.body.hull_lift) J.drag += s.body.hull_lift->jacobian(at, water);
   if (s.body.spec->resistance)
-    J.drag += hydro::resistance_jacobian(*s.body.spec->resistance, at, s.midpoint.motion->flow,
+    J.drag += hydro::resistance_jacobian(*s.body.spec->resistance, at, water.velocity,
                                          s.water().displaced_volume);
   return J;
 }

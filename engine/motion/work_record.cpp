@@ -214,12 +214,15 @@ void record_ode_step(const MovingBody& moving, const Motion& before, double step
   record.works.constraint += rest.dot(w);
 }
 
+double Works::sum() const {
+  double sum = 0;
+  for (const double work : all()) sum += work;
+  return sum;
+}
+
 double Works::clamped_share() const {
   double sum = 0;
-  for (const double work : {buoyancy, pressure_drag, viscous_drag, lift, wave_inertia, diffraction,
-                            radiation, wind, interior, lines, machines, hull_lift, resistance,
-                            added_mass, applied, weight, constraint, brake})
-    sum += std::abs(work);
+  for (const double work : all()) sum += std::abs(work);
   return brake == 0 ? 0 : std::abs(brake) / sum;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "engine/base/spatial_vector.h"
 
 /// @file
@@ -34,11 +36,13 @@ struct Works {
   double brake = 0;       ///< By the energy limiter.
   double resistance = 0;
 
-  double sum() const {
-    return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + radiation +
-           wind + interior + lines + machines + hull_lift + resistance + added_mass + applied +
-           weight + constraint + brake;
+  /// Each of them once.
+  std::array<double, 18> all() const {
+    return {buoyancy,   pressure_drag, viscous_drag, lift,   wave_inertia, diffraction,
+            radiation,  wind,          interior,     lines,  machines,     hull_lift,
+            resistance, added_mass,    applied,      weight, constraint,   brake};
   }
+  double sum() const;
   /// Part of the works, summed up in size, that the energy limiter has done [-].
   double clamped_share() const;
 };

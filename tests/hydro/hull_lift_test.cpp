@@ -10,7 +10,7 @@
 #include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
-#include "tests/support/tanker.h"
+#include "tests/support/ship_hulls.h"
 #include "tests/support/tolerance.h"
 
 namespace {

@@ -9,8 +9,8 @@
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/support/meshes.h"
+#include "tests/support/ship_hulls.h"
 #include "tests/support/tolerance.h"
-#include "tests/support/wigley.h"
 
 namespace {
 

@@ -12,8 +12,8 @@
 
 #include "hydro/mesh/primitives.h"
 #include "hydro/resistance/resistance.h"
+#include "tests/support/ship_hulls.h"
 #include "tests/support/tolerance.h"
-#include "tests/support/wigley.h"
 
 namespace {
 

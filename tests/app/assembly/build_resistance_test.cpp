@@ -9,6 +9,7 @@
 
 #include "app/assembly/build.h"
 #include "hydro/resistance/thin_ship.h"
+#include "tests/app/build_fault.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -39,15 +40,6 @@ BuiltScene solved_now(const std::string& text) {
 
 BuiltScene not_solved(const std::string& text) {
   return assembly::build_without_added_mass(support::read_scene_text(text));
-}
-
-std::string resistance_fault(const std::string& text) {
-  try {
-    not_solved(text);
-  } catch (const scene::InputError& error) {
-    return error.what();
-  }
-  return "none";
 }
 
 TEST(BuildResistance, GivesAHullTheWavesOfItsPoseAtRest) {
@@ -96,26 +88,26 @@ TEST(BuildResistance, ReadsATable) {
       not_solved(a_spindle("orientation: {euler_deg: [0, 90, 0]}, " + key, "{density: 400}"));
   EXPECT_NEAR(heavy.spec.bodies[0].resistance->volume, 4.0 / 3 * M_PI * 5 * 0.25, tolerance(0.3));
   std::ofstream(file) << "speed,force\n1,30\n1,120\n";
-  EXPECT_THAT(resistance_fault(a_spindle(key)),
+  EXPECT_THAT(support::build_fault(a_spindle(key)),
               AllOf(HasSubstr("bodies[0].hydro.resistance.file: "),
                     HasSubstr("build_resistance.csv:3:1: found the speed 1 after 1")));
   std::filesystem::remove(file);
 }
 
 TEST(BuildResistance, RefusesWhatTheTheoryDoesNotKnow) {
-  EXPECT_THAT(resistance_fault(a_spindle(kMichell, "{density: 400}")),
+  EXPECT_THAT(support::build_fault(a_spindle(kMichell, "{density: 400}")),
               AllOf(HasSubstr("bodies[0].hydro.resistance: found {wave: michell} for spindle: "),
                     HasSubstr("expected none")));
   const std::string box =
       "plimsoll: 1\nduration: 1\nwater: {density: 1000}\nbodies: [{name: box, box: {size: [3, 1, "
       "1]}, density: 200, " +
       kMichell + "}]\n";
-  EXPECT_THAT(resistance_fault(box),
+  EXPECT_THAT(support::build_fault(box),
               HasSubstr("3 m long and 1 m wide, and thin-ship theory asks for"));
   EXPECT_THAT(
-      resistance_fault("plimsoll: 1\nduration: 1\nbodies: [{name: box, box: {size: [3, 1, 1]}, "
-                       "density: 200, " +
-                       kMichell + "}]\n"),
+      support::build_fault("plimsoll: 1\nduration: 1\nbodies: [{name: box, box: {size: [3, 1, 1]}, "
+                           "density: 200, " +
+                           kMichell + "}]\n"),
       HasSubstr("the scene has no water"));
 }
 

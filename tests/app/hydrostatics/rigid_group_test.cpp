@@ -9,6 +9,7 @@
 #include "app/hydrostatics/hydrostatics.h"
 #include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
+#include "tests/app/build_fault.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
 
@@ -42,15 +43,6 @@ const std::string kFixed = "joints: [{type: fixed, bodies: [hull, cabin]}]\n";
 
 assembly::BuiltScene assembled(const std::string& text) {
   return assembly::build_without_added_mass(support::read_scene_text(text));
-}
-
-std::string group_fault(const std::string& text) {
-  try {
-    assembled(text);
-  } catch (const scene::InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// Draught on the centre line and heel of the two boxes as one.
@@ -144,16 +136,16 @@ TEST(RigidGroup, WhatHoldsItIsAFaultAtTheKey) {
   const std::string to_world =
       "joints: [{type: fixed, bodies: [hull, cabin]}, "
       "{name: weld, type: fixed, bodies: [cabin, world]}]\n";
-  EXPECT_THAT(group_fault(kTwoBoxes + to_world),
+  EXPECT_THAT(support::build_fault(kTwoBoxes + to_world),
               HasSubstr(":11:12: bodies[0].start: equilibrium needs z, roll or pitch to be free, "
                         "but the joint weld fixes it to the world"));
-  EXPECT_THAT(group_fault(kTwoBoxes + "    start: equilibrium\n" + kFixed),
+  EXPECT_THAT(support::build_fault(kTwoBoxes + "    start: equilibrium\n" + kFixed),
               HasSubstr("bodies[1].start: found equilibrium, but fixed joints hold it to hull"));
-  EXPECT_THAT(group_fault(kTwoBoxes + "    start: given\n" + kFixed),
+  EXPECT_THAT(support::build_fault(kTwoBoxes + "    start: given\n" + kFixed),
               HasSubstr("bodies[1].start: found given, but fixed joints hold it to hull"));
   std::string heavy = kTwoBoxes;
   heavy.replace(heavy.find("mass: 2000\n"), 10, "mass: 90000");
-  EXPECT_THAT(group_fault(heavy + kFixed),
+  EXPECT_THAT(support::build_fault(heavy + kFixed),
               HasSubstr("bodies[0].start: with all that is fixed to it, it sinks: its mass is "
                         "110000 kg"));
 }
