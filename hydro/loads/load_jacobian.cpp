@@ -88,7 +88,7 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
 }  // namespace
 
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                           const Coefficients& coefficients, Pieces pieces) {
+                           const Coefficients& coefficients, Pieces pieces, double formed) {
   const double smallest = pieces == Pieces::coarse ? kCoarsePiece : kSmallestPanel;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Motion motion{
@@ -100,7 +100,7 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
       .p_WB = state.position,
       .twist = {state.linear_velocity - sea.current, state.angular_velocity},
       .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
-      .scale = drag_scale(coefficients, state, current_at(sea, state.position.z()))};
+      .scale = formed * drag_scale(coefficients, state, current_at(sea, state.position.z()))};
   const Eigen::Matrix3Xd r = R_WB * hull.mesh_B.vertices;
   const SurfaceSampler& surface = motion.surface;
   const double level = sea.level - state.position.z();

@@ -37,7 +37,9 @@ struct LoadJacobian {
 /// is all of the water on a thin body.
 enum class Pieces { coarse, fine };
 
+/// @param formed   The part of the wake that is formed, which (1) is multiplied by (wake.h).
 LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                           const Coefficients& coefficients, Pieces pieces = Pieces::coarse);
+                           const Coefficients& coefficients, Pieces pieces = Pieces::coarse,
+                           double formed = 1);
 
 }  // namespace hydro
