@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 10";
+constexpr std::string_view kMagic = "plimsoll state 11";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -140,8 +140,8 @@ void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
   held = water ? std::make_shared<const HeldWater>(*std::move(water)) : nullptr;
 }
 void visit(auto& a, Motion& m) {
-  visit_all(a, m.state, m.rotors_B, m.added_B, m.memory, m.held, m.accelerations, m.constrained,
-            m.load_acceleration_W, m.acceleration_W, m.longest_after_impact, m.work);
+  visit_all(a, m.state, m.wake, m.rotors_B, m.added_B, m.memory, m.held, m.accelerations,
+            m.constrained, m.load_acceleration_W, m.acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
 void visit(auto& a, Sine& sine) { visit_all(a, sine.frequency, sine.phase); }

@@ -105,6 +105,11 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
                        !body.spec->coefficients.pressure_drag.none() &&
                        spec.integrator.method == Integrator::Method::split;
     if (sheds) body.hull_lift = hulls.lift_of(*body.spec);
+    // What is held leaves nothing of its motion to be judged by.
+    const hydro::PressureDrag& drag = body.spec->coefficients.pressure_drag;
+    const bool steady = drag.none() || drag.blunt == 0 || body.held() ||
+                        spec.integrator.method != Integrator::Method::split;
+    if (body.wet && !steady) body.wake = hulls.wake_of(*body.spec);
     bodies.push_back(std::move(body));
   }
   return bodies;
@@ -115,6 +120,12 @@ Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::Body
   Motion motion{.state = state, .memory = still_memory(body), .held = water_at_start(body, state)};
   if (body.has_added_mass) set_added_mass(motion, added_mass(body, state, motion.held.get(), time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
+  if (body.wake && may_be_wet(body, motion.state)) {
+    const Eigen::Vector3d current =
+        hydro::current_at(*body.environment.sea, motion.state.position.z());
+    motion.wake = hydro::steady_wake(body.wake->scale, motion.state.orientation.toRotationMatrix(),
+                                     velocity(motion.state, current));
+  }
   if (spec.record_work) motion.work = {.added_energy_at_start = added_kinetic_energy(body, motion)};
   return motion;
 }
@@ -171,6 +182,28 @@ hydro::HullWater water_about(const Body& body, const hydro::BodyState& state, do
   return {.velocity = flow_about(body, state, time, 0),
           .surface = sea.level + hydro::surface_elevation(sea, p.x(), p.y(), time),
           .density = sea.density};
+}
+
+void advance_wake(const Body& body, double time, Motion& motion) {
+  if (!body.wake) return;
+  if (!may_be_wet(body, motion.state))
+    motion.wake.setZero();
+  else
+    motion.wake =
+        hydro::advanced_wake(body.wake->scale, motion.state.orientation.toRotationMatrix(),
+                             motion.wake, velocity(motion.state, motion.flow), time);
+}
+
+void end_wake(const Body& body, const hydro::BodyState& start, double h, Motion& motion) {
+  if (!body.wake) return;
+  const double above = vertical_extent(body, start).lowest - body.environment.highest;
+  const double below = body.environment.highest - vertical_extent(body, motion.state).lowest;
+  advance_wake(body, above > 0 && below > 0 ? h * below / (above + below) : h / 2, motion);
+}
+
+double formed_wake(const Body& body, const Motion& motion, const hydro::BodyState& state) {
+  if (!body.wake) return 1;
+  return hydro::formed_wake(body.wake->scale, state.orientation.toRotationMatrix(), motion.wake);
 }
 
 hydro::BodyState state_after_drift(const Body& body, const Motion& motion,

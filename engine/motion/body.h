@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/motion/added_inertia.h"
+#include "engine/motion/hulls.h"
 #include "engine/motion/motion.h"
 #include "engine/motion/reduced_joint.h"
-#include "hydro/loads/hull_lift.h"
 
 /// @file
 /// The constant side of a body with its surroundings, and how it moves without loads. Its changing
@@ -35,6 +35,7 @@ struct Body {
   std::shared_ptr<const hydro::Hull> hull;  ///< Null if not wet; bodies of one mesh share it.
   Eigen::AlignedBox3d box_B;                ///< Bounds the mesh.
   std::shared_ptr<const hydro::HullLift> hull_lift;  ///< Null: it has none; shared as the hull.
+  std::shared_ptr<const WakeParts> wake;  ///< Null: its drag is steady; shared as the hull.
   double radius = 0;        ///< Distance of the farthest vertex from the centre of mass [m].
   double displacement = 0;  ///< Mass of the water that the whole body displaces [kg].
   Matrix6d rigid_B = Matrix6d::Identity();  ///< M about the centre of mass.
@@ -98,6 +99,15 @@ Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, doub
 /// The water that the lift of the hull acts in: that of flow_about(), and the height of its surface
 /// over the centre of mass.
 hydro::HullWater water_about(const Body& body, const hydro::BodyState& state, double time);
+
+/// Moves the wake on by a time [s] of the motion as it is; a dry body has none.
+void advance_wake(const Body& body, double time, Motion& motion);
+/// Moves the wake on from halfway of a substep of length h [s] to its end, or from where the body
+/// has touched the water since the start.
+void end_wake(const Body& body, const hydro::BodyState& start, double h, Motion& motion);
+
+/// The part of the body's wake that is formed, f of hydro/loads/wake.h.
+double formed_wake(const Body& body, const Motion& motion, const hydro::BodyState& state);
 
 /// The state after `time` [s] of motion by inertia alone, (E1) to (E3): added mass, locks and the
 /// reduced joint act, loads do not.

@@ -29,6 +29,17 @@ std::shared_ptr<const hydro::HullLift> Hulls::lift_of(const BodySpec& spec) {
   return lifts_.emplace_back(Lift{.mesh_B = &mesh_B, .sections = std::move(sections)}).sections;
 }
 
+std::shared_ptr<const WakeParts> Hulls::wake_of(const BodySpec& spec) {
+  const hydro::TriMesh& mesh_B = outside_B(spec);
+  const auto same = std::find_if(wakes_.begin(), wakes_.end(), [&](const Wake& wake) {
+    return hydro::same_mesh(*wake.mesh_B, mesh_B);
+  });
+  if (same != wakes_.end()) return same->parts;
+  auto parts = std::make_shared<const WakeParts>(
+      WakeParts{.scale = hydro::wake_scale(mesh_B), .edges = hydro::EdgeDrag(mesh_B)});
+  return wakes_.emplace_back(Wake{.mesh_B = &mesh_B, .parts = std::move(parts)}).parts;
+}
+
 void keep_hulls(SimulationSpec& spec, Hulls& hulls) {
   for (BodySpec& body : spec.bodies)
     if (body.wet && spec.sea) body.hull = hulls.of(body);

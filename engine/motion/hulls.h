@@ -4,12 +4,20 @@
 #include <vector>
 
 #include "engine/base/spec.h"
+#include "hydro/loads/edge_drag.h"
 #include "hydro/loads/hull_lift.h"
+#include "hydro/loads/wake.h"
 
 namespace engine {
 
 /// The surface of a body that the water acts on. Pockets that may be flooded are a part of it.
 const hydro::TriMesh& water_mesh(const BodySpec& spec);
+
+/// What the pressure drag of a body that does not move steadily depends on.
+struct WakeParts {
+  hydro::WakeScale scale;
+  hydro::EdgeDrag edges;
+};
 
 /// The hulls of bodies; bodies of one mesh share one. The specifications must outlive it.
 class Hulls {
@@ -22,13 +30,21 @@ class Hulls {
   /// slender.
   std::shared_ptr<const hydro::HullLift> lift_of(const BodySpec& spec);
 
+  /// Returns the scale of the wake and the edges of a body's outside_B(), shared alike.
+  std::shared_ptr<const WakeParts> wake_of(const BodySpec& spec);
+
  private:
+  struct Wake {
+    const hydro::TriMesh* mesh_B;  ///< Of the first body that has it.
+    std::shared_ptr<const WakeParts> parts;
+  };
   struct Lift {
     const hydro::TriMesh* mesh_B;  ///< Of the first body that has it.
     std::shared_ptr<const hydro::HullLift> sections;
   };
   std::vector<std::shared_ptr<const hydro::Hull>> hulls_;
   std::vector<Lift> lifts_;
+  std::vector<Wake> wakes_;
 };
 
 /// Gives the wet bodies their hulls, so that simulations of copies of the specification share them.

@@ -22,6 +22,8 @@ struct Motion {
   /// Angular momentum of propellers' spinning masses relative to the body, in B, constant for a
   /// substep [N m s]. The substep sets it.
   Eigen::Vector3d rotors_B = Eigen::Vector3d::Zero();
+  /// How far the body has lately gone through the water, in W (hydro/loads/wake.h) [m, rad].
+  Vector6d wake = Vector6d::Zero();
   // Motions are copied often, and most have no added mass.
   std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
   std::optional<WaveMemory> memory;       ///< Of a body that radiates waves.

@@ -48,12 +48,16 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
     loads = hydro::compute_loads(sea_hull(body, motion), state, *sea, time, body.spec->coefficients,
                                  body.spec->summation);
   if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
-  if (loads.wetted_area > 0 && (body.spec->resistance || body.hull_lift)) {
+  const double formed = formed_wake(body, motion, state);
+  const bool sheds = formed < 1 && !body.wake->edges.none();
+  loads.pressure_drag = formed * loads.pressure_drag;
+  if (loads.wetted_area > 0 && (body.spec->resistance || body.hull_lift || sheds)) {
     const hydro::HullWater water = water_about(body, state, time);
     if (body.spec->resistance)
       loads.resistance = hydro::resistance_load(*body.spec->resistance, state, water.velocity,
                                                 loads.displaced_volume);
     if (body.hull_lift) loads.hull_lift = body.hull_lift->load(state, water);
+    if (sheds) loads.pressure_drag += (1 - formed) * body.wake->edges.load(state, water);
   }
   if (!body.has_wave_load) return loads;
   if (body.spec->radiation)
@@ -63,7 +67,8 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
   return loads;
 }
 
-hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time) {
+hydro::Wrench find_loads(MovingBody& moving, const Motion& motion, const hydro::BodyState& state,
+                         double time) {
   const BodySpec& spec = *moving.body.spec;
   LoadCache& cache = moving.cache;
   BodyLoads& loads = cache.loads;
@@ -72,18 +77,19 @@ hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, doub
   loads.lines = moving.rig_load;
   if (moving.machines) loads.machines = moving.machines->load(moving.id, state, time);
   const bool meets_water = moving.body.wet || moving.body.has_wave_load;
-  const bool stays_dry =
-      meets_water && !holds_water(moving.motion) && !may_be_wet(moving.body, state);
+  const bool stays_dry = meets_water && !holds_water(motion) && !may_be_wet(moving.body, state);
   moving.counts.dry += stays_dry;
   if (stays_dry && !moving.body.feels_air) {
     loads.water = {};
     cache.water_state.reset();
-  } else if (meets_water && cache.water_state == state && cache.held == moving.motion.held) {
+  } else if (meets_water && cache.water_state == state && cache.held == motion.held &&
+             cache.wake == motion.wake) {
     ++moving.counts.resting;
   } else if (meets_water) {
     const Stopwatch stopwatch(cache.seconds);
-    loads.water = water_loads(moving.body, moving.motion, state, time);
-    cache.held = moving.motion.held;
+    loads.water = water_loads(moving.body, motion, state, time);
+    cache.held = motion.held;
+    cache.wake = motion.wake;
     cache.water_state.reset();
     if (!hydro::changes_with_time(*moving.body.environment.sea)) cache.water_state = state;
   }

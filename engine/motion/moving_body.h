@@ -28,6 +28,7 @@ struct LoadCache {
   /// State that the water's loads are those of; none where they follow from more than that.
   std::optional<hydro::BodyState> water_state;
   std::shared_ptr<const HeldWater> held;  ///< The water in its pockets for that state.
+  Vector6d wake = Vector6d::Zero();       ///< That of the motion for that state.
   WaveMemoryRule memory_rule;             ///< Of the last substep.
   double seconds = 0;                     ///< Wall time of loads and added mass so far [s].
 };
@@ -50,13 +51,18 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
 }
 
 /// The loads of the water, and of the air, on a body in a state that may be wet or feels the air.
-/// @param motion   Tells the water in its pockets.
+/// @param motion   Tells the water in its pockets and its wake.
 hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
                          double time);
 
 /// The sum of all loads on the body in a state, its weight included; the cache keeps them.
 /// @throws MotionFault if they are not finite.
-hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time);
+/// @param motion   Tells the water in the pockets and the wake.
+hydro::Wrench find_loads(MovingBody& moving, const Motion& motion, const hydro::BodyState& state,
+                         double time);
+inline hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& state, double time) {
+  return find_loads(moving, moving.motion, state, time);
+}
 
 /// Makes the cache that of a body whose water_state is this one.
 void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state);

@@ -32,7 +32,7 @@ struct UpdateContext {
     return with_velocity(state(), relative, midpoint.motion->flow);
   }
   Vector6d loads(const Vector6d& relative) const {
-    return to_vector6(find_loads(moving, at(relative), time));
+    return to_vector6(find_loads(moving, *midpoint.motion, at(relative), time));
   }
   /// S, with what the memory of waves and stiff lines add.
   const Matrix6d& S() const {
@@ -98,7 +98,7 @@ VelocityUpdate explicit_update(const UpdateContext& s, const Vector6d& predicted
   const double length = shift.head<3>().norm() + s.body.radius * shift.tail<3>().norm();
   hydro::BodyState halfway = s.at(update.at);
   if (length <= kLargestShift * s.body.radius) halfway = displaced(s.body, halfway, shift);
-  update.load = to_vector6(find_loads(s.moving, halfway, s.time));
+  update.load = to_vector6(find_loads(s.moving, *s.midpoint.motion, halfway, s.time));
   if (s.body.reduced_joint) update.load = brought_back(s, update.load, halfway);
   update.change = s.accelerated(s.h * s.with_memory(update.load));
   return update;
@@ -174,12 +174,15 @@ double largest_stiffness(const UpdateContext& s, const Matrix6d& J) {
 
 hydro::LoadJacobian jacobian(const UpdateContext& s, const Vector6d& relative, Pieces pieces) {
   const hydro::BodyState at = s.at(relative);
+  const double formed = formed_wake(s.body, *s.midpoint.motion, at);
   hydro::LoadJacobian J =
       hydro::load_jacobian(sea_hull(s.body, *s.midpoint.motion), at, *s.body.environment.sea,
-                           s.time, s.body.spec->coefficients, pieces);
-  if (!s.body.hull_lift && !s.body.spec->resistance) return J;
+                           s.time, s.body.spec->coefficients, pieces, formed);
+  const bool sheds = formed < 1 && !s.body.wake->edges.none();
+  if (!s.body.hull_lift && !s.body.spec->resistance && !sheds) return J;
   const hydro::HullWater water = water_about(s.body, at, s.time);
   if (s.body.hull_lift) J.drag += s.body.hull_lift->jacobian(at, water);
+  if (sheds) J.drag += (1 - formed) * s.body.wake->edges.jacobian(at, water);
   if (s.body.spec->resistance)
     J.drag += hydro::resistance_jacobian(*s.body.spec->resistance, at, water.velocity,
                                          s.water().displaced_volume);
@@ -241,7 +244,7 @@ Vector6d implicit_change(const UpdateContext& s) {
 
 /// Δu of a body that nothing but applied loads and its weight acts on.
 Vector6d dry_change(MovingBody& moving, const MidpointState& midpoint, double time, double h) {
-  const hydro::Wrench load = find_loads(moving, midpoint.motion->state, time);
+  const hydro::Wrench load = find_loads(moving, *midpoint.motion, midpoint.motion->state, time);
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
   if (!load.moment.isZero(0)) {
     const Eigen::Matrix3d& R_WB = midpoint.R_WB;
@@ -303,7 +306,8 @@ Matrix6d inertia_W(const Body& body, const MidpointState& midpoint) {
 VelocityUpdate free_update(MovingBody& moving, const MidpointState& midpoint, double time,
                            double h) {
   const Body& body = moving.body;
-  if (body.held()) return {.load = to_vector6(find_loads(moving, midpoint.motion->state, time))};
+  if (body.held())
+    return {.load = to_vector6(find_loads(moving, *midpoint.motion, midpoint.motion->state, time))};
   if (!body.wet && !body.has_added_mass && !body.locked && !body.reduced_joint &&
       !moving.inputs.pull && !midpoint.rig_inertia && !moving.machines)
     return {.change = dry_change(moving, midpoint, time, h)};

@@ -20,9 +20,10 @@ Vector6d change_by_history(const Motion& halfway, double h) {
                     halfway.accelerations.expected(h / 2));
 }
 
-/// What a substep takes as constant: the water about a body, and its rotors.
+/// What a substep takes as constant: the water about a body, its wake halfway, and its rotors.
 void hold_surroundings(const SubstepBody& b, double time, double h, Motion& motion) {
   motion.flow = flow_about(b.body(), motion.state, time, h / 2);
+  advance_wake(b.body(), h / 2, motion);
   if (b.moving->machines) motion.rotors_B = b.moving->machines->rotors_B(b.id, time + h / 2);
 }
 
@@ -124,6 +125,7 @@ void finish(const Island& island, SubstepBody& b, double h) {
                   end);
   }
   drift(b.body(), end, h / 2);
+  end_wake(b.body(), b.start, h, end);
   check_state(*b.moving, end.state);
   const double spin = std::max(b.start.angular_velocity.norm(), end.state.angular_velocity.norm());
   if (spin * h > kLargestTrendTurn) end.accelerations.clear();
