@@ -25,16 +25,18 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "thesis: C_p = 0.6316 on both sides, `blunt: 0`, `lift: 0.01` and `viscous_drag: thesis`."},
     {"hydro.buoyancy", "Hydrostatic pressure. `false` switches the load off."},
     {"hydro.pressure_drag",
-     "Pressure drag coefficient C_p. One number holds for all panels; `false` switches the load "
-     "off."},
+     "Pressure drag coefficient C_p of steady motion. One number holds for all panels; `false` "
+     "switches the load off. While the wake of a body that may move is not formed, as when it "
+     "starts or bobs within its own size, its edges shed vortices in place of it "
+     "(`hydro/README.md`)."},
     {"hydro.pressure_drag.front", "C_p where the surface moves into the water."},
     {"hydro.pressure_drag.back", "C_p where the surface moves away from the water."},
     {"hydro.pressure_drag.blunt",
      "Bluntness of the mesh along an axis from which on pressure drag counts in full along it: 1 "
      "is a flat face, 0.5 a sphere, 0.13 an ellipsoid of 4:1. Where the mesh, or the "
      "finer of its two ends, is more slender, the drag falls with the third power of the "
-     "bluntness (`hydro/README.md`). With 0 it counts in full everywhere; so it does with "
-     "`calibrate`."},
+     "bluntness (`hydro/README.md`). With 0 it counts in full everywhere, and whether the wake is "
+     "formed or not; along every axis it does so with `calibrate`, too."},
     {"hydro.lift",
      "Lift coefficient C_l of the 2014 thesis. Its load raises every hull that moves, where hulls "
      "sink in their own waves, so it is off unless it is asked for."},
