@@ -9,8 +9,8 @@
 #include "app/scene/diagnostics.h"
 #include "engine/motion/locks.h"
 #include "hydro/added_mass/constant_added_mass.h"
+#include "hydro/added_mass/deep_added_mass.h"
 #include "hydro/added_mass/surface_added_mass.h"
-#include "hydro/added_mass/wetted_added_mass.h"
 
 namespace assembly {
 namespace {
@@ -28,16 +28,16 @@ Model model_of(const scene::Body& body, const engine::BodySpec& spec, bool force
 /// Models of deep added mass; bodies with equal mesh and centre of mass share one.
 class DeepModels {
  public:
-  std::shared_ptr<const hydro::WettedAddedMass> of(const engine::BodySpec& body,
-                                                   const CenteredMesh& solid,
-                                                   const StoredAddedMass& stored) {
+  std::shared_ptr<const hydro::DeepAddedMass> of(const engine::BodySpec& body,
+                                                 const CenteredMesh& solid,
+                                                 const StoredAddedMass& stored) {
     for (const Entry& entry : entries_)
       if (entry.solution == stored.solution && entry.com_C == solid.com_C) return entry.model;
     const bool moves = !solid.com_C.isZero(0);  // False for uniform density.
     auto model =
-        moves ? std::make_shared<const hydro::WettedAddedMass>(
+        moves ? std::make_shared<const hydro::DeepAddedMass>(
                     outside_B(body), hydro::moved_origin(*stored.solution, solid.com_C))
-              : std::make_shared<const hydro::WettedAddedMass>(outside_B(body), *stored.solution);
+              : std::make_shared<const hydro::DeepAddedMass>(outside_B(body), *stored.solution);
     entries_.push_back({stored.solution, solid.com_C, model});
     return model;
   }
@@ -46,7 +46,7 @@ class DeepModels {
   struct Entry {
     std::shared_ptr<const hydro::AddedMassSolution> solution;
     Eigen::Vector3d com_C;
-    std::shared_ptr<const hydro::WettedAddedMass> model;
+    std::shared_ptr<const hydro::DeepAddedMass> model;
   };
   std::vector<Entry> entries_;
 };

@@ -74,7 +74,7 @@ Matrix6d SurfaceAddedMass::under(const WaterPlane& plane) const {
   const int lower = std::min(static_cast<int>(draught), kUnbounded - 1);
   const double upper_part = draught - lower;
   const double plain = std::clamp(draught - kOfPlates, 0.0, 1.0);
-  const double plate_here = plain < 1 ? waterplane(mesh_B_, risen(plane)).plate() : 0;
+  const double plate_here = plain < 1 ? surface_cut(mesh_B_, risen(plane)).plate : 0;
   Matrix6d sum = Matrix6d::Zero();
   for (const AttitudeGrid::Corner& corner : attitudes_.around(plane.up)) {
     const auto add = [&](int at, double weight) {
@@ -127,7 +127,7 @@ WaterPlane SurfaceAddedMass::plane_of(int attitude, int draught) const {
 }
 
 WaterPlane SurfaceAddedMass::risen(const WaterPlane& plane) const {
-  const Waterplane cut = waterplane(mesh_B_, plane);
+  const SurfaceCut cut = surface_cut(mesh_B_, plane);
   const double fresh = std::max(0.0, 1 - 2 * cut.volume / volume_);
   return {plane.up, plane.height + rise_at_entry(cut) * cut.draught * fresh * fresh};
 }
@@ -138,7 +138,7 @@ double SurfaceAddedMass::plate(int attitude, int draught) const {
     if (const auto found = plates_.find({attitude, draught}); found != plates_.end())
       return found->second;
   }
-  const double plate = waterplane(mesh_B_, risen(plane_of(attitude, draught))).plate();
+  const double plate = surface_cut(mesh_B_, risen(plane_of(attitude, draught))).plate;
   const std::lock_guard lock(mutex_);
   return plates_.emplace(std::pair(attitude, draught), plate).first->second;
 }

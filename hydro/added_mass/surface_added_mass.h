@@ -73,7 +73,7 @@ class SurfaceAddedMass final : public AddedMassModel {
   double draught_of(const WaterPlane& plane) const;
   WaterPlane plane_of(int attitude, int draught) const;
   const Matrix6d& node(int attitude, int draught) const;
-  /// Waterplane::plate of a node [m^3].
+  /// SurfaceCut::plate of a node [m^3].
   double plate(int attitude, int draught) const;
   Matrix6d solved(int attitude, int draught) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hydro/loads/clip.h"
 
@@ -14,8 +15,20 @@ using Eigen::Vector3d;
 /// Deadrise from which on no water rises [rad].
 constexpr double kSteepest = 75 * M_PI / 180;
 
+/// Deadrise at which (3) would leave nothing of a plate [rad].
+constexpr double kNoPlate = 185 * M_PI / 180;
+
 /// Exponent m of a parabola, from which on a body nears one with walls [-].
 constexpr double kParabola = 2;
+
+constexpr double kWalls = std::numeric_limits<double>::infinity();
+
+/// Exponent m of a body below a cut: how half-breadths grow.
+double exponent(const SurfaceCut& cut) {
+  if (!(cut.volume > 0) || !(cut.area > 0) || !(cut.half_breadth > 0)) return kWalls;
+  const double growth = cut.area * cut.draught / cut.volume - 1;
+  return growth > 0 ? (1 + cut.round) / growth : kWalls;
+}
 
 /// Length of the edges of a part that the cut made [m].
 double cut_length(const PanelPart& part) {
@@ -30,8 +43,8 @@ double cut_length(const PanelPart& part) {
 
 }  // namespace
 
-Waterplane waterplane(const TriMesh& mesh_B, const WaterPlane& plane) {
-  Waterplane cut;
+SurfaceCut surface_cut(const TriMesh& mesh_B, const WaterPlane& plane) {
+  SurfaceCut cut;
   if (!plane.bounded()) return cut;
   cut.volume = wetted_volume(mesh_B, plane);
   for (Index face = 0; face < mesh_B.face_count(); ++face) {
@@ -47,23 +60,32 @@ Waterplane waterplane(const TriMesh& mesh_B, const WaterPlane& plane) {
       cut.perimeter += cut_length(part);
     }
   }
+  if (!(cut.perimeter > 0)) return cut;
+  const double compact = std::min(1.0, 4 * M_PI * cut.area / (cut.perimeter * cut.perimeter));
+  cut.round = compact * compact;
+  cut.half_breadth = (1 + cut.round) * cut.area / cut.perimeter;
+  cut.plate = cut.area * cut.area / cut.perimeter;
   return cut;
 }
 
-double rise_at_entry(const Waterplane& cut) {
-  if (!(cut.volume > 0) || !(cut.area > 0) || !(cut.perimeter > 0)) return 0;
-  const double round = std::min(1.0, 4 * M_PI * cut.area / (cut.perimeter * cut.perimeter));
-  const double e = round * round;
-  const double growth = cut.area * cut.draught / cut.volume - 1;
-  if (!(growth > 0)) return 0;
-  const double exponent = (1 + e) / growth, m = std::min(exponent, kParabola);
+double rise_at_entry(const SurfaceCut& cut) {
+  const double of_form = exponent(cut);
+  if (!(of_form < kWalls)) return 0;
+  const double m = std::min(of_form, kParabola);
   const double of_long = std::sqrt(M_PI) * std::tgamma(m / 2 + 1) / std::tgamma((m + 1) / 2) - 1;
   const double of_round =
       2 / std::sqrt(M_PI) * std::tgamma((m + 3) / 2) / std::tgamma(m / 2 + 1) - 1;
-  const double half_breadth = (1 + e) * cut.area / cut.perimeter;
-  const double deadrise = std::atan2(cut.draught, half_breadth);
-  return std::lerp(of_long, of_round, e) * std::min(1.0, kParabola / exponent) *
+  const double deadrise = std::atan2(cut.draught, cut.half_breadth);
+  return std::lerp(of_long, of_round, cut.round) * std::min(1.0, kParabola / of_form) *
          std::max(0.0, 1 - deadrise / kSteepest);
+}
+
+double heave_at_entry(const SurfaceCut& risen) {
+  const double of_form = exponent(risen);
+  if (!(of_form < kWalls)) return risen.plate;
+  const double deadrise =
+      std::atan2(std::min(of_form, kParabola) * risen.draught, risen.half_breadth);
+  return risen.plate * (1 - std::min(1.0, kParabola / of_form) * deadrise / kNoPlate);
 }
 
 }  // namespace hydro

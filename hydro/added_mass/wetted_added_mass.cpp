@@ -64,11 +64,17 @@ struct WettedAddedMass::Immersion {
 };
 
 Matrix6d WettedAddedMass::at(const BodyState& state, const Sea& sea, double time) const {
+  return sea.density * share(state, sea, time).share;
+}
+
+kernel::WettedShare WettedAddedMass::share(const BodyState& state, const Sea& sea,
+                                           double time) const {
   const Immersion water(*this, state, sea, time, SplitFor::surface);
-  if (water.dry) return Matrix6d::Zero();
-  if (water.in.wet) return sea.density * whole_;
-  return sea.density *
-         semi_definite_part(kernel::wetted_share(panels_, tree_, potentials_, water.in));
+  if (water.dry) return {};
+  if (water.in.wet) return {.share = whole_, .cut = {}};
+  kernel::WettedShare part = kernel::wetted_share(panels_, tree_, potentials_, water.in);
+  part.share = semi_definite_part(part.share);
+  return part;
 }
 
 kernel::WaveShare WettedAddedMass::wave_share(const BodyState& state, const Sea& sea,
@@ -79,13 +85,18 @@ kernel::WaveShare WettedAddedMass::wave_share(const BodyState& state, const Sea&
 }
 
 Wrench WettedAddedMass::wave_load(const BodyState& state, const Sea& sea, double time) const {
+  return load_of_waves(state, sea, time).load;
+}
+
+WettedAddedMass::WaveLoad WettedAddedMass::load_of_waves(const BodyState& state, const Sea& sea,
+                                                         double time) const {
   if (!has_airy_waves(sea)) return {};
   const kernel::WaveShare part = wave_share(state, sea, time);
   const Matrix6d A = semi_definite_part(part.share);
   const Vector3d u_B =
       state.orientation.conjugate() * water_at(sea, state.position, time).acceleration;
   const Vector6d load_B = sea.density * (part.load + (A - part.share).leftCols<3>() * u_B);
-  return {state.orientation * load_B.head<3>(), state.orientation * load_B.tail<3>()};
+  return {A, {state.orientation * load_B.head<3>(), state.orientation * load_B.tail<3>()}};
 }
 
 }  // namespace hydro

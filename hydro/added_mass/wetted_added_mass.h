@@ -38,11 +38,25 @@ class WettedAddedMass final : public AddedMassModel {
   /// By (2).
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
+  /// (1) for ρ = 1, and what flat water cuts off the body; the cut is empty in waves, and of a body
+  /// that is dry or wholly submerged.
+  kernel::WettedShare share(const BodyState& state, const Sea& sea, double time) const;
+
   /// The integrals of (1) and (2) for ρ = 1, body axes: zero for a dry body.
   kernel::WaveShare wave_share(const BodyState& state, const Sea& sea, double time) const;
 
+  /// The load of (2), in W, and the matrix of (1) for ρ = 1 that it belongs to.
+  struct WaveLoad {
+    Matrix6d matrix = Matrix6d::Zero();
+    Wrench load;
+  };
+  WaveLoad load_of_waves(const BodyState& state, const Sea& sea, double time) const;
+
   /// A of the wholly submerged body for ρ = 1.
   const Matrix6d& whole() const { return whole_; }
+
+  const kernel::Panels& panels() const { return panels_; }
+  const kernel::Tree& tree() const { return tree_; }
 
  private:
   /// How a body lies to the water of a sea at a time.

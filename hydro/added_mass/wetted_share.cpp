@@ -6,14 +6,13 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
+#include "hydro/added_mass/surface_cut-inl.h"
 #include "hydro/loads/kernel/airy_branch-inl.h"
 #include "hydro/loads/kernel/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
-/// Rows of the sums: ∫ ψ_m N_n dS with a minus, row by row; then ∫ ψ_m u̇·n dS.
-enum : int { kShare = 0, kLoad = 36, kShareSums = 42 };
 using ShareSums = LaneSums<kShareSums>;
 
 /// The sums over a run of leaves, and the pieces that wait until there are enough.
@@ -24,6 +23,8 @@ struct ShareWalk {
   const Potentials& potentials;
   const LoadInputs& in;
   ShareSums& sums;
+  HorizontalAxes axes;
+  double level;                ///< That of add_outline.
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< May be wet in part.
   Turns turns;                 ///< For one place at a time.
@@ -97,6 +98,15 @@ HWY_NOINLINE void add_pieces(ShareWalk<kWaves>& work, const TriangleQueue& piece
   AreaMoments a = part(wet.first, wet.has_first, wet.at_first);
   if (!hn::AllFalse(D(), wet.has_second)) a = a + part(wet.second, wet.has_second, wet.at_second);
   add_moments(work.sums, p, a, row);
+  if (work.in.surface) return;
+  const V slope = zero() - dot(p.n, all3(work.in.up));
+  const auto shadow = [&](const Triangle& t, M counts, const Values& depth) HWY_ATTR {
+    add_shadow(work.sums, kCut, hn::IfThenElseZero(counts, slope * area_of(t)), depth);
+  };
+  shadow(wet.first, wet.has_first, wet.at_first);
+  shadow(wet.second, wet.has_second, wet.at_second);
+  add_outline(work.sums, kCut, p, triangle_of(pieces, from), load_values(pieces.depth, from),
+              work.axes, work.level, hn::FirstN(D(), static_cast<std::size_t>(used)));
 }
 
 template <bool kWaves>
@@ -126,7 +136,7 @@ HWY_INLINE void add_faces(ShareWalk<kWaves>& work, std::int64_t leaf, int lane, 
   const Leaf& faces = work.panels.leaves[static_cast<std::size_t>(leaf)];
   const V area = areas_at(faces, lane);
   const M dips = hn::And(hn::And(counts, area > zero()), highest(depth) > zero());
-  const M wet = hn::And(dips, lowest(depth) >= zero());
+  const M wet = hn::And(dips, lowest(depth) >= all(work.level));
   const M crosses = hn::AndNot(wet, dips);
   if (!hn::AllFalse(D(), crosses))
     append(work.panels, crosses, leaf, lane, depth, work.cut_by_water);
@@ -137,6 +147,8 @@ HWY_INLINE void add_faces(ShareWalk<kWaves>& work, std::int64_t leaf, int lane, 
   const V counted = hn::IfThenElseZero(wet, area);
   add_wave_load(work.sums, p, t, counted, water, row);
   add_moments(work.sums, p, moments_of(t, counted), row);
+  if (!work.in.surface)
+    add_shadow(work.sums, kCut, zero() - counted * dot(p.n, all3(work.in.up)), depth);
 }
 
 /// Adds the share of a branch that is wet all over.
@@ -175,7 +187,8 @@ inline HWY_NOINLINE bool add_wave_load_of_branch(ShareWalk<true>& work, const No
 template <bool kWaves>
 void share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
                 const LoadInputs& in, ShareSums& sums) {
-  ShareWalk<kWaves> work{panels, potentials, in, sums, {}, {}, Turns(in)};
+  ShareWalk<kWaves> work{
+      panels, potentials, in, sums, HorizontalAxes(in.up), level_within(tree), {}, {}, Turns(in)};
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];
@@ -185,6 +198,7 @@ void share_here(const Panels& panels, const Tree& tree, const Potentials& potent
     if constexpr (kWaves) whole = whole && add_wave_load_of_branch(work, node, share);
     if (whole) {
       add_share(share, sums);
+      if (!in.surface) add_branch_cut(sums, kCut, node, in);
     } else if (wet != Wetness::dry && node.leaf()) {
       if constexpr (kWaves)
         add_leaf_in_airy_waves<Ask::acceleration>(work, node);
@@ -217,28 +231,31 @@ HWY_EXPORT(wave_share_here);
 
 namespace {
 
-Matrix6d share_of(const LaneSums<42>& sums) {
+Matrix6d share_of(const LaneSums<kShareSums>& sums) {
   Matrix6d share;
   for (int m = 0; m < 6; ++m)
-    for (int n = 0; n < 6; ++n) share(m, n) = -sums.total(6 * m + n);
+    for (int n = 0; n < 6; ++n) share(m, n) = -sums.total(kShare + 6 * m + n);
   return share;
 }
 
 }  // namespace
 
-Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                      const LoadInputs& in) {
-  LaneSums<42> sums;
+WettedShare wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                         const LoadInputs& in) {
+  LaneSums<kShareSums> sums;
   HWY_DYNAMIC_DISPATCH(wetted_share_here)(panels, tree, potentials, in, sums);
-  return share_of(sums);
+  std::array<double, kCutSums> cut;
+  for (int row = 0; row < kCutSums; ++row)
+    cut[static_cast<std::size_t>(row)] = sums.total(kCut + row);
+  return {.share = share_of(sums), .cut = in.surface ? SurfaceCut{} : cut_of(cut)};
 }
 
 WaveShare wave_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
                      const LoadInputs& in) {
-  LaneSums<42> sums;
+  LaneSums<kShareSums> sums;
   HWY_DYNAMIC_DISPATCH(wave_share_here)(panels, tree, potentials, in, sums);
   WaveShare result{.share = share_of(sums)};
-  for (int m = 0; m < 6; ++m) result.load[m] = sums.total(36 + m);
+  for (int m = 0; m < 6; ++m) result.load[m] = sums.total(kLoad + m);
   return result;
 }
 

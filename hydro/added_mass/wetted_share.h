@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hydro/added_mass/potentials.h"
+#include "hydro/added_mass/surface_cut.h"
 #include "hydro/loads/kernel/load_inputs.h"
 
 /// @file
@@ -14,9 +15,18 @@
 
 namespace hydro::kernel {
 
-/// ∫ ψ_m N_n dS over the wetted part of a hull. Of `in` the motion does not count.
-Matrix6d wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
-                      const LoadInputs& in);
+/// Rows of the sums: ∫ ψ_m N_n dS with a minus, row by row; ∫ ψ_m u̇·n dS; those of a cut.
+enum : int { kShare = 0, kLoad = 36, kCut = 42, kShareSums = kCut + kCutSums };
+
+/// The wetted part of a hull.
+struct WettedShare {
+  Matrix6d share = Matrix6d::Zero();  ///< ∫ ψ_m N_n dS.
+  SurfaceCut cut;                     ///< By flat water; empty in waves.
+};
+
+/// Of `in` the motion does not count.
+WettedShare wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
+                         const LoadInputs& in);
 
 /// The integrals under Airy waves.
 struct WaveShare {

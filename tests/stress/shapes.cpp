@@ -10,7 +10,7 @@
 #include "app/assembly/added_mass_store.h"
 #include "app/assembly/mesh_io.h"
 #include "hydro/added_mass/constant_added_mass.h"
-#include "hydro/added_mass/wetted_added_mass.h"
+#include "hydro/added_mass/deep_added_mass.h"
 #include "hydro/interior/closed_mouths.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
@@ -97,8 +97,8 @@ std::shared_ptr<const hydro::AddedMassModel> deep(const std::string& shape, doub
   assembly::AddedMassStore store(assembly::cache_folder());
   auto stored = store.find(unit, kSolver);
   if (!stored) stored = store.keep(unit, kSolver, hydro::solve_added_mass(unit, kSolver));
-  return std::make_shared<hydro::WettedAddedMass>(outside_B(body),
-                                                  scaled_solution(*stored->solution, size));
+  return std::make_shared<hydro::DeepAddedMass>(outside_B(body),
+                                                scaled_solution(*stored->solution, size));
 }
 
 std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body,

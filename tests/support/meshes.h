@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "hydro/mesh/mesh.h"
 #include "hydro/mesh/primitives.h"
@@ -62,6 +64,32 @@ inline hydro::TriMesh united(const hydro::TriMesh& a, const hydro::TriMesh& b) {
                       Eigen::Matrix3Xi(3, a.face_count() + b.face_count())};
   mesh.vertices << a.vertices, b.vertices;
   mesh.faces << a.faces, b.faces.array() + static_cast<int>(a.vertex_count());
+  return mesh;
+}
+
+/// A prism along x whose section is a wedge of half-breadth 1 under a wall of the same height.
+inline hydro::TriMesh wedge(double deadrise, double length) {
+  const double keel = -std::tan(deadrise);
+  const std::array<Eigen::Vector2d, 5> section{
+      Eigen::Vector2d(0, keel), {1, 0}, {1, 1}, {-1, 1}, {-1, 0}};
+  hydro::TriMesh mesh;
+  mesh.vertices.resize(3, 10);
+  for (int i = 0; i < 5; ++i)
+    for (const int end : {0, 1})
+      mesh.vertices.col(i + 5 * end) << (end - 0.5) * length, section[i].x(), section[i].y();
+  std::vector<Eigen::Vector3i> faces;
+  for (int i = 0; i < 5; ++i) {
+    const int j = (i + 1) % 5;
+    faces.push_back({i, j, i + 5});
+    faces.push_back({j, j + 5, i + 5});
+  }
+  for (int i = 1; i < 4; ++i) {
+    faces.push_back({0, i + 1, i});
+    faces.push_back({5, 5 + i, 5 + i + 1});
+  }
+  mesh.faces.resize(3, static_cast<Eigen::Index>(faces.size()));
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    mesh.faces.col(static_cast<Eigen::Index>(i)) = faces[i];
   return mesh;
 }
 

@@ -3,6 +3,7 @@ set(public_headers
   # plimsoll::hydro
   hydro/added_mass/added_mass.h
   hydro/added_mass/constant_added_mass.h
+  hydro/added_mass/deep_added_mass.h
   hydro/added_mass/wetted_added_mass.h
   hydro/loads/drag_calibration.h
   hydro/loads/loads.h
