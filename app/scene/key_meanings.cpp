@@ -139,7 +139,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Exponent s of the directional spreading cos²ˢ(θ/2); 0 gives long-crested waves."},
     {"water.surface.spectrum.seed", "Seed of the random phases. The same seed gives the same sea."},
     {"water.surface.spectrum.components",
-     "Number of wave components that represent the spectrum. The cost of a step grows with it."},
+     "Number of wave components that represent the spectrum. With more of them the shortest "
+     "waves are shorter, and the cost of a step grows with that."},
     {"water.surface.elevation",
      "Long-crested waves with a measured elevation at one point: the Fourier series of a record in "
      "a band of frequencies. After the record's length they repeat."},

@@ -46,20 +46,23 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "friction line 0.075 / (log10 Re − 2)² with Re = v·length/viscosity; below Re = 1e4 its "
      "value at 1e4 holds."},
     {"hydro.wave_tolerance",
-     "Accuracy of the loads of large meshes in waves. Parts of the mesh are summed at once where "
-     "the surface above them is nearly quadratic. The key bounds the resulting error of the "
-     "force, relative to the buoyancy of the submerged body; that of the waves' pressure stays "
-     "below this part of the waves' height, too. With 0 every triangle is summed by "
-     "itself."},
+     "Accuracy of the loads in waves: the largest error of the force, relative to the "
+     "buoyancy of the submerged body. As far as it allows, parts of the mesh are summed at "
+     "once, triangles are split less, and waves that are too short or too low to move the "
+     "body are left out. The error also stays below some half percent of the waves' own load. "
+     "A smaller value takes more time. With 0 every triangle is summed by itself, with an "
+     "error of 1e-6."},
     {"hydro.length",
      "Length in the friction line `ittc57`. The default is the longest side of the mesh's "
      "bounding box."},
     {"hydro.added_mass",
-     "Added mass of the body. `deep` is that of the body in unbounded fluid, of which the wetted "
-     "panels contribute their share; it is solved once per mesh and kept for later runs. A body "
-     "without loads of the water has added mass only if this key asks for it, and a body locked "
-     "in all six degrees of freedom only where `log.forces` asks for its loads. Without this key, "
-     "a body with `radiation` has the added mass of its mean pose."},
+     "Added mass of the body. `deep` is that of the body in unbounded fluid, of which the "
+     "wetted panels contribute their share, less where the body begins to enter the water, so "
+     "that impacts have their force (`hydro/README.md`); it is solved once per mesh and kept "
+     "for later runs. A body without loads of the water has added mass only if this key asks "
+     "for it, and a body locked in all six degrees of freedom only where `log.forces` asks for "
+     "its loads. Without this key, a body with `radiation` has the added mass of its mean "
+     "pose."},
     {"hydro.added_mass.model",
      "Model of the added mass. `none` and `deep` are the same as the words alone. `surface` sets "
      "the potential to 0 on the water surface, the limit of high frequency (`hydro/README.md`); "

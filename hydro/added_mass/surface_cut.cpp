@@ -68,7 +68,7 @@ void surface_cut_here(const Panels& panels, const Tree& tree, const LoadInputs& 
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];
-    const Wetness wet = wetness(node, in);
+    const Wetness wet = wetness(node, in, nullptr);
     if (wet == Wetness::wet)
       add_branch_cut(sums, 0, node, in);
     else if (wet == Wetness::mixed && node.leaf())

@@ -49,11 +49,12 @@ struct WettedAddedMass::Immersion {
     Vector3d::Map(in.up) = up_B;
     in.below = sea.level - state.position.z();
     if (is_flat(sea) || (in.wet && !has_airy_waves(sea))) return;
-    surface.emplace(sea, state, time, kSmallestPanel * model.radius_, model.panels_.longest_edge,
-                    what);
+    const HeadError error{LoadAccuracy{}.wave_tolerance, volume_over_area(model.tree_)};
+    const std::optional<Sea> felt = without_weak_waves(sea, error);
+    surface.emplace(felt ? *felt : sea, state, time, kSmallestPanel * model.radius_,
+                    model.panels_.longest_edge, what, error);
     in.surface = &*surface;
-    in.wave_error = kernel::allowed_wave_error(LoadAccuracy{}.wave_tolerance,
-                                               volume_over_area(model.tree_), *surface);
+    in.wave_error = kernel::allowed_wave_error(error.tolerance, error.volume_over_area, *surface);
   }
   Immersion(const Immersion&) = delete;
   Immersion& operator=(const Immersion&) = delete;

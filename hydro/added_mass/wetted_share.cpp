@@ -9,6 +9,7 @@
 #include "hydro/added_mass/surface_cut-inl.h"
 #include "hydro/loads/kernel/airy_branch-inl.h"
 #include "hydro/loads/kernel/walk-inl.h"
+#include "hydro/loads/point_rules.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -27,7 +28,9 @@ struct ShareWalk {
   double level;                ///< That of add_outline.
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< May be wet in part.
-  Turns turns;                 ///< For one place at a time.
+  LocalSea sea;                ///< For one place at a time.
+
+  TriangleQueue& refined() { return cut_by_water; }
 };
 
 /// ∫ {1, x, y, xx, xy, yy} dA.
@@ -79,34 +82,63 @@ HWY_INLINE void add_wave_load(ShareSums& sums, const Plane& p, const Triangle& t
 template <class Row>
 HWY_INLINE void add_wave_load(ShareSums&, const Plane&, const Triangle&, V, const Values&, Row) {}
 
+/// The same over which u̇ is not linear, at the points of a rule.
+template <class Row, std::size_t kPoints>
+HWY_INLINE void add_curved_wave_load(ShareWalk<true>& work, const Plane& p, const Triangle& t,
+                                     V area, const std::array<TrianglePoint, kPoints>& rule,
+                                     Row row) {
+  Traction f = {zero(), zero(), zero()};
+  for (const TrianglePoint& point : rule) {
+    const V2 at = point_of(t, point);
+    const V3 r = point_on(p, at);
+    const V rise = rise_at(work.in, work.sea, r), depth = depth_below(work.in, rise, r);
+    const Water water = water_at<Ask::acceleration>(work.in, r, depth, rise, work.sea);
+    f = f + traction_at(all(point.weight) * area * dot(water.u, p.n), at);
+  }
+  for (int m = 0; m < 6; ++m)
+    add(work.sums, kLoad + m,
+        hn::MulAdd(row(3 * m), f.q, hn::MulAdd(row(3 * m + 1), f.qx, row(3 * m + 2) * f.qy)));
+}
+
+/// Adds pieces that are wet in part.
 template <bool kWaves>
 HWY_NOINLINE void add_pieces(ShareWalk<kWaves>& work, const TriangleQueue& pieces, int from,
                              int used) {
-  const WetParts wet = wet_parts(triangle_of(pieces, from), load_values(pieces.depth, from),
-                                 hn::FirstN(D(), static_cast<std::size_t>(used)));
+  const Triangle whole = triangle_of(pieces, from);
+  const Values depth_of_whole = load_values(pieces.depth, from);
+  const M counted = hn::FirstN(D(), static_cast<std::size_t>(used));
   const Plane p = plane_of(work.panels, pieces, from);
   const VI index = index_in_blocks<sizeof(PotentialBlock)>(pieces, from);
   const PotentialBlock& first = work.potentials.blocks[0];
   const auto row = [&](int i) HWY_ATTR { return hn::GatherIndex(D(), first.row[i], index); };
-  const auto part = [&](const Triangle& t, M counts, const Values& depth) HWY_ATTR {
-    const V area = hn::IfThenElseZero(counts, area_of(t));
-    if constexpr (kWaves)
-      add_wave_load(work.sums, p, t, area,
-                    water_at_corners<Ask::acceleration>(work.in, p, t, depth, work.turns), row);
-    return moments_of(t, area);
+  /// Calls add(triangle, area, depth) for the wet parts of the pieces that count.
+  const auto for_parts = [&](M counts, auto add) HWY_ATTR {
+    const WetParts wet = wet_parts(whole, depth_of_whole, counts);
+    const auto part = [&](const Triangle& t, M has, const Values& depth)
+                          HWY_ATTR { add(t, hn::IfThenElseZero(has, area_of(t)), depth); };
+    part(wet.first, wet.has_first, wet.at_first);
+    if (!hn::AllFalse(D(), wet.has_second)) part(wet.second, wet.has_second, wet.at_second);
   };
-  AreaMoments a = part(wet.first, wet.has_first, wet.at_first);
-  if (!hn::AllFalse(D(), wet.has_second)) a = a + part(wet.second, wet.has_second, wet.at_second);
-  add_moments(work.sums, p, a, row);
-  if (work.in.surface) return;
+  AreaMoments moments = {zero(), zero(), zero(), zero(), zero(), zero()};
   const V slope = zero() - dot(p.n, all3(work.in.up));
-  const auto shadow = [&](const Triangle& t, M counts, const Values& depth) HWY_ATTR {
-    add_shadow(work.sums, kCut, hn::IfThenElseZero(counts, slope * area_of(t)), depth);
-  };
-  shadow(wet.first, wet.has_first, wet.at_first);
-  shadow(wet.second, wet.has_second, wet.at_second);
-  add_outline(work.sums, kCut, p, triangle_of(pieces, from), load_values(pieces.depth, from),
-              work.axes, work.level, hn::FirstN(D(), static_cast<std::size_t>(used)));
+  for_parts(counted, [&](const Triangle& t, V area, const Values& depth) HWY_ATTR {
+    moments = moments + moments_of(t, area);
+    if (!work.in.surface) add_shadow(work.sums, kCut, slope * area, depth);
+    if constexpr (kWaves)
+      if (!work.in.surface->limits.curved)
+        add_wave_load(work.sums, p, t, area,
+                      water_at_corners<Ask::acceleration>(work.in, p, t, depth, work.sea), row);
+  });
+  add_moments(work.sums, p, moments, row);
+  if (!work.in.surface)
+    add_outline(work.sums, kCut, p, whole, depth_of_whole, work.axes, work.level, counted);
+  if constexpr (kWaves) {
+    if (!work.in.surface->limits.curved) return;
+    with_rules(bearings_of(work.in, p), whole, counted, [&](const auto& rule, M counts) HWY_ATTR {
+      for_parts(counts, [&](const Triangle& t, V area, const Values&)
+                            HWY_ATTR { add_curved_wave_load(work, p, t, area, rule, row); });
+    });
+  }
 }
 
 template <bool kWaves>
@@ -165,7 +197,7 @@ inline HWY_NOINLINE bool add_wave_load_of_branch(ShareWalk<true>& work, const No
   const double error = in.surface->gravity * in.wave_error / work.potentials.largest;
   if (!fits<Ask::acceleration>(node, in, error)) return false;
   BranchWater water;
-  find_branch_water<Ask::acceleration>(node, in, work.turns, water);
+  find_branch_water<Ask::acceleration>(node, in, work.sea, water);
   double u[3];
   if (middle_flow(node, water, u) <= error) {
     for (int m = 0; m < 6; ++m)
@@ -185,25 +217,34 @@ inline HWY_NOINLINE bool add_wave_load_of_branch(ShareWalk<true>& work, const No
 }
 
 template <bool kWaves>
+HWY_INLINE void add_whole_leaf(ShareWalk<kWaves>& work, const Node& leaf) {
+  if constexpr (kWaves)
+    add_leaf_in_airy_waves<Ask::acceleration>(work, leaf);
+  else
+    work.in.surface ? add_leaf_in_waves(work, leaf) : add_leaf(work, leaf);
+}
+
+template <bool kWaves>
 void share_here(const Panels& panels, const Tree& tree, const Potentials& potentials,
                 const LoadInputs& in, ShareSums& sums) {
   ShareWalk<kWaves> work{
-      panels, potentials, in, sums, HorizontalAxes(in.up), level_within(tree), {}, {}, Turns(in)};
+      panels, potentials, in,          sums, HorizontalAxes(in.up), level_within(tree),
+      {},     {},         LocalSea(in)};
+  TableWalk tables;
   const auto end = tree.nodes.size();
   for (std::size_t i = 0; i < end;) {
     const Node& node = tree.nodes[i];
-    const Wetness wet = wetness(node, in);
+    tables.go_to(work, static_cast<int>(i));
+    const Wetness wet = wetness(node, in, &work.sea);
     const Matrix6d& share = potentials.shares[i];
     bool whole = wet == Wetness::wet;
     if constexpr (kWaves) whole = whole && add_wave_load_of_branch(work, node, share);
     if (whole) {
       add_share(share, sums);
       if (!in.surface) add_branch_cut(sums, kCut, node, in);
-    } else if (wet != Wetness::dry && node.leaf()) {
-      if constexpr (kWaves)
-        add_leaf_in_airy_waves<Ask::acceleration>(work, node);
-      else
-        in.surface ? add_leaf_in_waves(work, node) : add_leaf(work, node);
+    } else if (wet != Wetness::dry) {
+      tables.enter<kWaves ? Ask::acceleration : Ask::elevation>(work, node);
+      if (node.leaf()) add_whole_leaf(work, node);
     }
     i = whole || wet == Wetness::dry ? static_cast<std::size_t>(node.next) : i + 1;
   }

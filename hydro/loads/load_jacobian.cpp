@@ -1,9 +1,11 @@
 #include "hydro/loads/load_jacobian.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "hydro/airy_waves.h"
 #include "hydro/loads/clip.h"
+#include "hydro/loads/kernel/water_samples.h"
+#include "hydro/loads/kernel/water_surface.h"
 #include "hydro/loads/refine.h"
 #include "hydro/loads/viscous_drag.h"
 #include "hydro/loads/wind.h"
@@ -17,26 +19,55 @@ using Eigen::Vector3d;
 /// bodies in contact in short waves take twice the time.
 constexpr double kCoarsePiece = 1.0 / 16;
 
+/// What the Jacobian may miss of the head of waves over coarse pieces, as a part of the buoyancy.
+constexpr double kCoarseError = 1e-2;
+
 /// Input of the sum over the panels.
 struct Motion {
   const Coefficients& coefficients;
-  const Sea& sea;
-  AiryWaves waves;
-  SurfaceSampler surface;
-  Vector3d p_WB;          ///< The centre of mass [m].
   Twist twist;            ///< Relative to the current.
   Eigen::Matrix3d shape;  ///< K of bluntness.h, in W.
   double scale = 1;       ///< Scale of the pressure drag, from its calibration.
-
-  /// Velocity of the water, relative to the current of the surface, at the centre of a face [m/s]:
-  /// the Jacobian takes one for all of the face.
-  Vector3d water_at(const Panel& face) const {
-    if (!waves.moves()) return Vector3d::Zero();
-    const Vector3d r = (face[0] + face[1] + face[2]) / 3;
-    const double s = surface.elevation(r) + (sea.level - p_WB.z() - r.z());
-    return waves.at(p_WB + r, s).velocity - sea.current;
-  }
 };
+
+/// The water about a hull: over each vertex the elevation of its surface [m], and in the middle of
+/// each face its velocity relative to the current of the surface, in W [m/s]. The Jacobian takes
+/// one for all of a face.
+struct WaterOverHull {
+  Eigen::VectorXd elevation;
+  Eigen::Matrix3Xd velocity;
+};
+
+WaterOverHull water_over(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                         double smallest) {
+  const TriMesh& mesh = hull.mesh_B;
+  WaterOverHull water{Eigen::VectorXd::Zero(mesh.vertex_count()),
+                      Eigen::Matrix3Xd::Zero(3, mesh.face_count())};
+  if (is_flat(sea) && sea.profile.empty()) return water;
+  const kernel::WaterSurface surface(sea, state, time, smallest * hull.radius,
+                                     hull.panels.longest_edge, SplitFor::current);
+  kernel::LoadInputs in;
+  in.surface = &surface;
+  in.below = sea.level - state.position.z();
+  const Vector3d up_B = state.orientation.conjugate() * Vector3d::UnitZ();
+  for (int axis = 0; axis < 3; ++axis) in.up[axis] = up_B[axis];
+  const kernel::Node& box = hull.tree.nodes[0];
+  if (surface.is_grid())
+    for (Eigen::Index v = 0; v < mesh.vertex_count(); ++v) {
+      const Vector3d p_W = state.position + state.orientation * mesh.vertices.col(v);
+      water.elevation[v] = surface_elevation(sea, p_W.x(), p_W.y(), time);
+    }
+  else
+    water.elevation = kernel::sample_elevation(in, box, mesh.vertices);
+  if (!surface.is_airy()) return water;
+  Eigen::Matrix3Xd middle(3, mesh.face_count());
+  for (Eigen::Index f = 0; f < mesh.face_count(); ++f)
+    middle.col(f) = (mesh.vertices.col(mesh.faces(0, f)) + mesh.vertices.col(mesh.faces(1, f)) +
+                     mesh.vertices.col(mesh.faces(2, f))) /
+                    3;
+  water.velocity = state.orientation.toRotationMatrix() * kernel::sample_velocity(in, box, middle);
+  return water;
+}
 
 void add_square(const Vector6d& b, double weight, Matrix6d& sum) {
   sum.noalias() += weight * b * b.transpose();
@@ -85,49 +116,57 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
   }
 }
 
-}  // namespace
-
-LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                           const Coefficients& coefficients, Pieces pieces, double formed) {
+/// Adds the wet parts of all faces.
+void add_faces(const Hull& hull, const Motion& motion, const BodyState& state, const Sea& sea,
+               double time, Pieces pieces, LoadJacobian& sum) {
   const double smallest = pieces == Pieces::coarse ? kCoarsePiece : kSmallestPanel;
-  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const Motion motion{
-      .coefficients = coefficients,
-      .sea = sea,
-      .waves = AiryWaves(sea, time),
-      .surface =
-          SurfaceSampler(sea, state.position, time, smallest * hull.radius, SplitFor::surface),
-      .p_WB = state.position,
-      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
-      .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
-      .scale = formed * drag_scale(coefficients, state, current_at(sea, state.position.z()))};
-  const Eigen::Matrix3Xd r = R_WB * hull.mesh_B.vertices;
-  const SurfaceSampler& surface = motion.surface;
+  std::optional<HeadError> error;
+  if (pieces == Pieces::coarse) error = head_error(hull, {.wave_tolerance = kCoarseError});
+  const SurfaceSampler surface(sea, state.position, time, smallest * hull.radius, SplitFor::surface,
+                               error);
+  const WaterOverHull over = water_over(hull, state, sea, time, smallest);
+  const Eigen::Matrix3Xd r = state.orientation.toRotationMatrix() * hull.mesh_B.vertices;
   const double level = sea.level - state.position.z();
   const SurfaceBounds bounds = surface_bounds(sea);
-  const double always_wet = bounds.lowest - state.position.z();
+  const double always_wet = sea.level + surface.limits().lowest - state.position.z();
   const double always_dry = bounds.highest - state.position.z();
-  LoadJacobian sum;
-  Vector3d water;
-  const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
-    const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
-    const Vector3d depth = (elevation - z).array() + level;
-    for (const PanelPart& wet : positive_part(piece, depth))
-      add_panel(motion, wet.panel, water, sum);
-  };
-  for (const auto& face : hull.mesh_B.faces.colwise()) {
+  for (Eigen::Index f = 0; f < hull.mesh_B.face_count(); ++f) {
+    const auto face = hull.mesh_B.faces.col(f);
     const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
     const auto [low, high] = std::minmax({panel[0].z(), panel[1].z(), panel[2].z()});
     if (low >= always_dry) continue;
-    water = motion.water_at(panel);
+    const Vector3d water = over.velocity.col(f);
     if (high <= always_wet) {
       add_panel(motion, panel, water, sum);
       continue;
     }
-    const Vector3d elevation(surface.elevation(panel[0]), surface.elevation(panel[1]),
-                             surface.elevation(panel[2]));
-    for_each_linear_piece(panel, elevation, surface, add_piece);
+    const auto add_piece = [&](const Panel& piece, const Vector3d& elevation) {
+      const Vector3d z(piece[0].z(), piece[1].z(), piece[2].z());
+      const Vector3d depth = (elevation - z).array() + level;
+      for (const PanelPart& wet : positive_part(piece, depth))
+        add_panel(motion, wet.panel, water, sum);
+    };
+    const Vector3d elevation(over.elevation[face[0]], over.elevation[face[1]],
+                             over.elevation[face[2]]);
+    if (surface.curves(panel))
+      for_each_curved_piece(panel, elevation, level, false, surface, add_piece);
+    else
+      for_each_linear_piece(panel, elevation, surface, add_piece);
   }
+}
+
+}  // namespace
+
+LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                           const Coefficients& coefficients, Pieces pieces, double formed) {
+  LoadJacobian sum;
+  const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
+  const Motion motion{
+      .coefficients = coefficients,
+      .twist = {state.linear_velocity - sea.current, state.angular_velocity},
+      .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
+      .scale = formed * drag_scale(coefficients, state, current_at(sea, state.position.z()))};
+  if (!hull.tree.nodes.empty()) add_faces(hull, motion, state, sea, time, pieces, sum);
   sum.drag *= sea.density;
   if (sea.air) sum.drag += wind_jacobian(hull, state, sea, time, coefficients);
   sum.waterplane *= coefficients.buoyancy ? sea.density * sea.gravity : 0;

@@ -85,9 +85,11 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
               R_WB.transpose() * state.angular_velocity},
              sea.density, coefficients, in);
   std::optional<kernel::WaterSurface> surface;
+  const HeadError error = head_error(hull, how);
+  const std::optional<Sea> felt = without_weak_waves(sea, error);
   if (!is_flat(sea) || !sea.profile.empty()) {
-    surface.emplace(sea, state, time, kSmallestPanel * hull.radius, hull.panels.longest_edge,
-                    SplitFor::current);
+    surface.emplace(felt ? *felt : sea, state, time, kSmallestPanel * hull.radius,
+                    hull.panels.longest_edge, SplitFor::current, error);
     surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
     in.moving = in.moving || surface->is_airy();
@@ -137,6 +139,14 @@ Hull make_hull(TriMesh mesh_B, Hull::Boundary boundary) {
   hull.tree = kernel::make_tree(hull.panels);
   assert(boundary == Hull::Boundary::open || is_closed(hull.mesh_B));
   return hull;
+}
+
+HeadError head_error(const Hull& hull, const LoadAccuracy& how) {
+  // The volume of a part of a surface is none: it takes that of a body of its size.
+  const double volume_over_area = hull.boundary == Hull::Boundary::closed
+                                      ? kernel::volume_over_area(hull.tree)
+                                      : hull.radius / 6;
+  return {std::max(how.wave_tolerance, kLeastWaveTolerance), volume_over_area};
 }
 
 double drag_scale(const Coefficients& coefficients, const BodyState& state,

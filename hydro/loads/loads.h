@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hydro/loads/coefficients.h"
+#include "hydro/loads/felt_waves.h"
 #include "hydro/loads/kernel/panels.h"
 #include "hydro/loads/kernel/tree.h"
 #include "hydro/mesh/mesh.h"
@@ -62,9 +63,17 @@ struct LoadAccuracy {
   bool branches = true;
   /// In waves a branch is taken whole where the error of the force that follows is below this part
   /// of the wholly submerged body's buoyancy, shared out by area [-], and the error of the head
-  /// below ten times this part of the waves' height. With 0 no branch is.
+  /// below ten times this part of the waves' height. With 0 no branch is. What the sum over pieces
+  /// of panels misses of the force is below the same part, kLeastWaveTolerance at least.
   double wave_tolerance = 1e-4;
 };
+
+/// The least tolerance that pieces of panels follow in waves [-]: each factor of 10 less takes some
+/// twice the time.
+inline constexpr double kLeastWaveTolerance = 1e-6;
+
+/// What the sum over a hull may miss of the head of waves.
+HeadError head_error(const Hull& hull, const LoadAccuracy& how);
 
 /// The load on a hull in the given state of motion at a time, that of the air on its dry part
 /// included.

@@ -1,11 +1,13 @@
 #include "hydro/loads/plain_loads.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "hydro/airy_waves.h"
 #include "hydro/loads/clip.h"
 #include "hydro/loads/panel_loads.h"
+#include "hydro/loads/point_rules.h"
 #include "hydro/loads/refine.h"
 #include "hydro/loads/viscous_drag.h"
 #include "hydro/parallel.h"
@@ -37,13 +39,13 @@ struct PlainInputs {
 };
 
 PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients) {
+                    const Coefficients& coefficients, const LoadAccuracy& how) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   PlainInputs in{.hull = hull,
                  .sea = sea,
                  .coefficients = coefficients,
                  .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius,
-                                           SplitFor::current),
+                                           SplitFor::current, head_error(hull, how)),
                  .waves = AiryWaves(sea, time),
                  .p_WB = state.position,
                  .r = R_WB * hull.mesh_B.vertices,
@@ -119,6 +121,43 @@ void add_wet_panel(const PlainInputs& in, const Panel& panel, const Eigen::Vecto
   if (in.moving) add_motion_loads(in, panel, normal, water.velocity, loads);
 }
 
+/// Adds the load of a traction at a point of a panel, along its normal.
+void add_traction(const Eigen::Vector3d& r, const Eigen::Vector3d& load, Wrench& sum) {
+  sum += {load, r.cross(load)};
+}
+
+/// All loads on a wet panel over which the water is not linear, by a rule of points.
+template <class Rule>
+void add_curved_panel(const PlainInputs& in, const Panel& panel, double below,
+                      const Eigen::Vector3d& normal, const Rule& rule, Loads& loads) {
+  const double area = area_vector(panel).norm(), half_density = 0.5 * in.sea.density;
+  const Coefficients& law = in.coefficients;
+  Eigen::Vector3d mean_water = Eigen::Vector3d::Zero();
+  loads.wetted_area += area;
+  for (const TrianglePoint& point : rule) {
+    const Eigen::Vector3d r =
+        point.at[0] * panel[0] + point.at[1] * panel[1] + point.at[2] * panel[2];
+    const double part = point.weight * area, rise = in.surface.elevation(r) - r.z();
+    const WaterMotion at = in.waves.at(in.p_WB + r, in.level + rise);
+    const Eigen::Vector3d water = at.velocity - in.sea.current;
+    const Eigen::Vector3d velocity = in.motion.at(r) - water;
+    const double head = at.head - (in.level - below);
+    add_traction(r, -part * head * normal, loads.buoyancy);
+    loads.displaced_volume -= part * (below + rise) * normal.z();
+    const double v_n =
+        normal.dot(in.shape * (in.motion.linear - water) + in.motion.angular.cross(r));
+    const double C_p = v_n > 0 ? law.pressure_drag.front : law.pressure_drag.back;
+    add_traction(r, -part * half_density * C_p * v_n * std::abs(v_n) * normal, loads.pressure_drag);
+    const double v_t2 = velocity.squaredNorm() - std::pow(velocity.dot(normal), 2);
+    add_traction(r, -part * half_density * law.lift * v_t2 * normal, loads.lift);
+    mean_water += point.weight * water;
+  }
+  if (!law.viscous_drag.none())
+    loads.viscous_drag +=
+        viscous_drag_load(panel, normal, {in.motion.linear - mean_water, in.motion.angular},
+                          law.viscous_drag, half_density);
+}
+
 /// One face, split where the surface bends over it and cut at the waterline. `below` is what the
 /// depth of a point at z = 0 over flat water is taken as.
 void add_face(const PlainInputs& in, Eigen::Index face, double below, bool all_wet, Loads& loads) {
@@ -127,15 +166,25 @@ void add_face(const PlainInputs& in, Eigen::Index face, double below, bool all_w
   const Eigen::Vector3d elevation(in.elevation[vertex[0]], in.elevation[vertex[1]],
                                   in.elevation[vertex[2]]);
   const Eigen::Vector3d normal = area_vector(panel).normalized();
+  const bool curved = in.surface.curves(panel);
   const auto add_piece = [&](const Panel& piece, const Eigen::Vector3d& piece_elevation) {
     Eigen::Vector3d depth;
     for (int i = 0; i < 3; ++i) depth[i] = below + (piece_elevation[i] - piece[i].z());
     const double constant = in.level - below;
-    if (all_wet) return add_wet_panel(in, piece, depth, constant, normal, loads);
-    for (const PanelPart& wet : positive_part(piece, depth))
-      add_wet_panel(in, wet.panel, wet.value, constant, normal, loads);
+    const auto add_wet = [&](const Panel& wet, const Eigen::Vector3d& wet_depth) {
+      if (curved)
+        return in.surface.with_rule(piece, [&](const auto& rule) {
+          add_curved_panel(in, wet, below, normal, rule, loads);
+        });
+      add_wet_panel(in, wet, wet_depth, constant, normal, loads);
+    };
+    if (all_wet) return add_wet(piece, depth);
+    for (const PanelPart& wet : positive_part(piece, depth)) add_wet(wet.panel, wet.value);
   };
-  for_each_linear_piece(panel, elevation, in.surface, add_piece);
+  if (curved)
+    for_each_curved_piece(panel, elevation, in.level, all_wet, in.surface, add_piece);
+  else
+    for_each_linear_piece(panel, elevation, in.surface, add_piece);
 }
 
 /// The sum over all faces, piece by piece.
@@ -156,10 +205,11 @@ Loads sum_faces(const PlainInputs& in, double below, bool all_wet) {
 }  // namespace
 
 Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                  const Coefficients& coefficients) {
+                  const Coefficients& coefficients, const LoadAccuracy& how) {
   const SurfaceBounds bounds = surface_bounds(sea);
   if (state.position.z() - hull.radius >= bounds.highest) return {};
-  const PlainInputs in = immerse(hull, state, sea, time, coefficients);
+  const std::optional<Sea> felt = without_weak_waves(sea, head_error(hull, how));
+  const PlainInputs in = immerse(hull, state, felt ? *felt : sea, time, coefficients, how);
   if (in.r.row(2).minCoeff() + state.position.z() >= bounds.highest) return {};
   // A constant added to the depth changes nothing on a closed surface. Depths of a wholly submerged
   // one are taken from the level of the centre of mass, so that a deep body loses no digits.

@@ -9,8 +9,10 @@ namespace hydro {
 
 /// The same as `compute_loads` by the shortest way in the code: each face is split where the
 /// surface bends over it, cut at the waterline and at v·n = 0, and summed by the functions of
-/// `panel_loads.h` and `viscous_drag.h`. Some twenty times slower than the kernel.
+/// `panel_loads.h` and `viscous_drag.h`, or at six points. Some twenty times slower than the
+/// kernel.
+/// @param how   No branches are taken whole; the tolerance holds for what is split.
 Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                  const Coefficients& coefficients);
+                  const Coefficients& coefficients, const LoadAccuracy& how = {});
 
 }  // namespace hydro

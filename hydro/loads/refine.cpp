@@ -19,6 +19,84 @@ constexpr double kLeastBend = 1e-12;
 /// Heights nearer to a vertex than this part of the smallest length of an edge are at the vertex.
 constexpr double kLeastPart = 1e-8;
 
+/// The factors of (1) and (2) [-].
+constexpr double kSixPointError = 2.3e-7, kThreePointError = 5e-4, kThreePointMoment = 2e-3;
+
+/// The waterline's departure from its chord over the head's error that is allowed [-]: the
+/// departure changes the wet area, which drag feels, and the head only in second order. Measured
+/// over random seas and poses of boxes and ellipsoids.
+constexpr double kCutOverHead = 6;
+
+double wave_number_squared(const WaveComponent& w) { return w.kx * w.kx + w.ky * w.ky; }
+
+/// Adds the second differences of waves to the limits.
+/// @param dives   Those of the head are asked for, too.
+/// @return the standard deviation of the surface [m]
+double add_waves(const WaveSurface& waves, bool dives, BendLimits& limits) {
+  std::array<double, 5>& quartic = limits.quartic;
+  std::array<double, 4>& dive = limits.dive;
+  double variance = 0;
+  for (const WaveComponent& w : waves.components) {
+    const double energy = w.amplitude * w.amplitude / 2;
+    const double xx = w.kx * w.kx, yy = w.ky * w.ky;
+    variance += energy;
+    quartic[0] += energy * xx * xx;
+    quartic[1] += energy * 4 * xx * w.kx * w.ky;
+    quartic[2] += energy * 6 * xx * yy;
+    quartic[3] += energy * 4 * w.kx * w.ky * yy;
+    quartic[4] += energy * yy * yy;
+    if (!dives || energy == 0) continue;
+    const double number = std::sqrt(xx + yy);
+    limits.least_number = dive[3] > 0 ? std::min(limits.least_number, number) : number;
+    dive[0] += energy * 2 * (xx + yy) * xx;
+    dive[1] += energy * 4 * (xx + yy) * w.kx * w.ky;
+    dive[2] += energy * 2 * (xx + yy) * yy;
+    dive[3] += energy * (xx + yy) * (xx + yy);
+  }
+  return std::sqrt(variance);
+}
+
+/// The logarithm of Σ E k⁴ e^{−2kd} is a convex function of the depth d: down to `near` it lies
+/// below its chord.
+void set_decay(const WaveSurface& waves, double near, BendLimits& limits) {
+  double here = 0, there = 0;
+  for (const WaveComponent& w : waves.components) {
+    const double kk = wave_number_squared(w), bend = w.amplitude * w.amplitude * kk * kk;
+    here += bend;
+    there += bend * std::exp(-2 * std::sqrt(kk) * near);
+  }
+  limits.near = near;
+  limits.near_rate = there > 0 ? std::log(here / there) / near : 2 * limits.least_number;
+}
+
+/// Sets the limits of pieces that are summed at points; with `dives`, those for the head. What they
+/// miss is half of what is allowed, as their errors add up over pieces that are longer than the
+/// shortest waves.
+void set_sum_limits(const WaveSurface& waves, const HeadError& error, double deviation, bool dives,
+                    BendLimits& limits) {
+  double fourth = 0, weighted_fourth = 0, sixth = 0, tenth = 0;  // Powers of k.
+  for (const WaveComponent& w : waves.components) {
+    const double kk = wave_number_squared(w), weight = cancelled(std::sqrt(kk), error);
+    const double bend = w.amplitude * w.amplitude / 2 * kk * kk;
+    fourth += bend;
+    weighted_fourth += bend * weight * weight;
+    sixth += bend * kk;
+    tenth += bend * kk * kk * kk;
+  }
+  const double allowed = allowed_head_error(error, deviation), size = error.size();
+  limits.curved = true;
+  limits.cut_tolerance = kCutOverHead * allowed;
+  if (!dives) {
+    limits.tolerance = limits.cut_tolerance;
+    return;
+  }
+  limits.tolerance = allowed * std::sqrt(fourth / weighted_fourth);
+  limits.six_points = 2 * kSixPointError * kSixPointError * tenth / fourth;
+  limits.three_points = 2 * (kThreePointError * kThreePointError * sixth / fourth +
+                             kThreePointMoment * kThreePointMoment / (size * size));
+  limits.sum_tolerance = allowed / 2;
+}
+
 }  // namespace
 
 std::vector<double> bends_of_current(const Sea& sea, double height, double reach,
@@ -63,36 +141,22 @@ double part_at_cut(const BendLimits& limits, double from, double to) {
 }
 
 SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time,
-                               double smallest, SplitFor what)
+                               double smallest, SplitFor what,
+                               const std::optional<HeadError>& error)
     : sea_(sea),
       p_WB_(p_WB),
       time_(time),
       flat_(is_flat(sea)),
-      limits_{.smallest_squared = smallest * smallest} {
-  std::array<double, 5>& quartic = limits_.quartic;
+      limits_{.lowest = surface_bounds(sea).lowest - sea.level,
+              .smallest_squared = smallest * smallest} {
   if (const auto* waves = std::get_if<WaveSurface>(&sea.surface)) {
-    double variance = 0;
-    for (const WaveComponent& w : waves->components) {
-      const double energy = w.amplitude * w.amplitude / 2;
-      const double xx = w.kx * w.kx;
-      const double yy = w.ky * w.ky;
-      variance += energy;
-      quartic[0] += energy * xx * xx;
-      quartic[1] += energy * 4 * xx * w.kx * w.ky;
-      quartic[2] += energy * 6 * xx * yy;
-      quartic[3] += energy * 4 * w.kx * w.ky * yy;
-      quartic[4] += energy * yy * yy;
-      if (waves->kinematics != Kinematics::airy || what == SplitFor::surface || energy == 0)
-        continue;
-      const double number = std::sqrt(xx + yy);
-      limits_.least_number = limits_.dive[3] > 0 ? std::min(limits_.least_number, number) : number;
-      limits_.dive[0] += energy * 2 * (xx + yy) * xx;
-      limits_.dive[1] += energy * 4 * (xx + yy) * w.kx * w.ky;
-      limits_.dive[2] += energy * 2 * (xx + yy) * yy;
-      limits_.dive[3] += energy * (xx + yy) * (xx + yy);
-    }
-    limits_.tolerance = kSagTolerance * std::sqrt(variance);
-    limits_.lowest = surface_bounds(sea).lowest - sea.level;
+    const bool dives = waves->kinematics == Kinematics::airy && what != SplitFor::surface;
+    const double deviation = add_waves(*waves, dives, limits_);
+    limits_.tolerance = kSagTolerance * deviation;
+    limits_.lowest = std::max(limits_.lowest, -kFarCrest * deviation);
+    if (dives) set_decay(*waves, error ? error->size() : smallest / kSmallestPanel, limits_);
+    if (error && waves->kinematics == Kinematics::airy && deviation > 0)
+      set_sum_limits(*waves, *error, deviation, dives, limits_);
   } else if (const auto* field = std::get_if<HeightField>(&sea.surface)) {
     limits_.tolerance = kSagTolerance * field->deviation;
   }
@@ -104,7 +168,7 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
 /// At mid-step the chord of a wave a·cos is a (k·d)²/8 from its crest. The quartic is the mean
 /// square of a (k·d)² over the phases, summed over all components; with a e^{kz} cos it is that of
 /// a ((k·d)² + k² dz²).
-bool SurfaceSampler::waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+double SurfaceSampler::waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
   const Eigen::Vector3d step = b - a;
   const std::array<double, 5>& quartic = limits_.quartic;
   const std::array<double, 4>& dive = limits_.dive;
@@ -114,10 +178,25 @@ bool SurfaceSampler::waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d&
       quartic[2] * dx * dx * dy * dy + quartic[3] * dx * dy * dy * dy +
       quartic[4] * dy * dy * dy * dy +
       (dive[0] * dx * dx + dive[1] * dx * dy + dive[2] * dy * dy + dive[3] * zz) * zz;
-  const double bound = 64 * limits_.tolerance * limits_.tolerance;
-  if (square <= bound || limits_.least_number == 0) return square > bound;
-  const double depth = sea_.level + limits_.lowest - (p_WB_.z() + std::max(a.z(), b.z()));
-  return std::exp(-2 * limits_.least_number * std::max(0.0, depth)) * square > bound;
+  if (limits_.least_number == 0) return square;
+  const double top = p_WB_.z() + std::max(a.z(), b.z());
+  return limits_.decay(sea_.level + limits_.lowest - top) * square;
+}
+
+double SurfaceSampler::departure(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+  return std::sqrt(waves_bend(a, b)) / 8;
+}
+
+double SurfaceSampler::curved_split_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                            bool crosses) const {
+  const double squared = (b - a).squaredNorm();
+  if (squared > limits_.smallest_squared) {
+    const double bend = waves_bend(a, b);
+    const double sum = bend * squared * squared * squared * limits_.six_points;
+    const double most = limits_.sum_tolerance, departs = 8 * limits_.cut_tolerance;
+    if (sum > most * most || (crosses && bend > departs * departs)) return 0.5;
+  }
+  return limits_.cuts.empty() ? 0 : part_at_cut(limits_, a.z(), b.z());
 }
 
 bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
@@ -126,7 +205,7 @@ bool SurfaceSampler::bends_between(const Eigen::Vector3d& a, const Eigen::Vector
   const double squared = dives ? (b - a).squaredNorm() : (b - a).head<2>().squaredNorm();
   if (squared <= limits_.smallest_squared) return false;
   if (const auto* field = std::get_if<HeightField>(&sea_.surface)) return grid_bends(*field, a, b);
-  return waves_bend(a, b);
+  return waves_bend(a, b) > 64 * limits_.tolerance * limits_.tolerance;
 }
 
 bool SurfaceSampler::may_bend(double length) const {

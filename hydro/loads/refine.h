@@ -1,12 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "hydro/loads/clip.h"
+#include "hydro/loads/felt_waves.h"
+#include "hydro/loads/point_rules.h"
 #include "hydro/sea.h"
 
 /// @file
@@ -17,6 +22,25 @@
 /// or the head, departs from linear along each by less than a tolerance. The decision to halve an
 /// edge depends on that edge alone, so neighbours agree and no cracks open, except at slivers with
 /// areas below `smallest`², which are left whole.
+///
+/// Loads under Airy waves need fewer pieces: over a panel that bends they are summed at six points
+/// (point_rules.h), which is exact for polynomials of fourth degree. For a wave a·cos over a
+/// triangle whose longest edge is d, the mean of the head is then wrong by
+///
+///     2.3e-7 a (k d)⁵                                                                          (1)
+///
+/// in the root mean square over phases and directions. At the three middles of the edges, which is
+/// exact for polynomials of second degree, the mean of the head is wrong by the first of
+///
+///     5e-4 a (k d)³,        2e-3 a (k d)² d                                                    (2)
+///
+/// and its moment over the panel's area by the second, which counts over ℓ of felt_waves.h: where
+/// both are small, three points do. A panel that the waterline crosses is cut along the chord,
+/// where the head is zero but for the surface's departure δ from it; the force misses ρg ∫ ½ δ²
+/// along the waterline, always in the same direction.
+///
+/// What the loads may miss is a part of the buoyancy and a part of the waves' own load
+/// (felt_waves.h).
 ///
 /// Drag takes the velocity of the current as linear, too. That of a table is not at its rows, so an
 /// edge that crosses such a height is split there.
@@ -35,16 +59,38 @@ struct BendLimits {
   /// For Airy waves: a step (dx, dy, dz) adds (dive[0] dx² + dive[1] dx dy + dive[2] dy² + dive[3]
   /// dz²) dz² for the head at the surface.
   std::array<double, 4> dive = {};
-  /// Below the lowest trough the head of Airy waves bends less: with the depth d there the mean
-  /// square is that at the surface times e^{−2kd} at most, k the least wave number [rad/m].
-  double least_number = 0;
+  /// Below the lowest trough the head of Airy waves bends less: `decay`. The logarithm of the mean
+  /// square is a convex function of the depth. Down to `near` [m] it lies below its chord, of slope
+  /// −near_rate [1/m]; beyond it falls by −2k at least, k the least wave number [rad/m].
+  double near = 0, near_rate = 0, least_number = 0;
   double lowest = 0;            ///< The lowest trough above the still water [m].
   double tolerance = 0;         ///< kSagTolerance times the surface's standard deviation [m].
   double smallest_squared = 0;  ///< Edges of at most this squared length stay whole [m^2].
+  /// For panels summed at points: the mean square of what the sum over one misses of the mean head
+  /// is six_points d^6, or three_points d², times that of the second difference over its longest
+  /// edge d, by (1) and (2). For the surface alone they are 0.
+  bool curved = false;                      ///< What bends is summed at points.
+  double six_points = 0, three_points = 0;  ///< [1/m^6, 1/m^2]
+  double sum_tolerance = 0;                 ///< Of the mean head over a piece [m].
+  double cut_tolerance = 0;                 ///< Of the waterline's departure from its chord [m].
   /// Heights above the centre of mass at which edges are split [m], kMostCuts at most.
   std::vector<double> cuts;
   double least_part = 0;  ///< Edges are split no nearer to an end than this height [m].
+
+  /// Factor of the mean square of the second difference at a depth below the lowest trough [-].
+  double decay(double depth) const {
+    const double d = std::max(0.0, depth), upper = std::min(d, near);
+    return std::exp(-near_rate * upper - 2 * least_number * (d - upper));
+  }
 };
+
+/// Crests, troughs and derivatives of many waves are less than this many of their standard
+/// deviations [-]: of 1e8 crests of a Gaussian sea one is higher.
+inline constexpr double kFarCrest = 6;
+
+/// The surface departs from the middle of a chord by less than this many of the root mean squares
+/// of its departure [-].
+inline constexpr double kFarDeparture = 4;
 
 /// What must be linear over the pieces of a panel: the surface; the head of Airy waves, too; or the
 /// current, too.
@@ -68,8 +114,9 @@ double part_at_cut(const BendLimits& limits, double from, double to);
 class SurfaceSampler {
  public:
   /// @param smallest   Edges shorter than this are never halved [m], > 0: it bounds the work.
+  /// @param error      With it pieces are such as sums at six points need under Airy waves.
   SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, double time, double smallest,
-                 SplitFor what = SplitFor::head);
+                 SplitFor what = SplitFor::head, const std::optional<HeadError>& error = {});
 
   /// Height of the surface over `r` above the still water level [m].
   double elevation(const Eigen::Vector3d& r) const {
@@ -91,7 +138,38 @@ class SurfaceSampler {
 
   const BendLimits& limits() const { return limits_; }
 
+  /// How an edge of a panel that is summed at six points is split: in the middle if the sum over a
+  /// panel with such an edge misses too much, or if the panel is cut by the waterline and its chord
+  /// does; else where the current bends. It is 0 if the edge stays whole.
+  /// @param crosses   The waterline may cross the panel.
+  double curved_split_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              bool crosses) const;
+
+  /// The root mean square of the surface's departure from an edge at its middle [m], or of the
+  /// head's where that is larger.
+  double departure(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
+  /// Calls sum(rule) with the rule of points that a piece of a panel is summed by.
+  template <class Sum>
+  void with_rule(const Panel& piece, Sum&& sum) const {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d &a = piece[i], &b = piece[(i + 1) % 3];
+      largest = std::max(largest, waves_bend(a, b) * (b - a).squaredNorm());
+    }
+    const bool few =
+        largest * limits_.three_points <= limits_.sum_tolerance * limits_.sum_tolerance;
+    few ? sum(kThreePoints) : sum(kSixPoints);
+  }
+
   bool flat() const { return flat_; }
+
+  /// True if what is summed over a panel is summed at points: it bends over some edge.
+  bool curves(const Panel& panel) const {
+    return limits_.curved &&
+           (split_between(panel[0], panel[1]) != 0 || split_between(panel[1], panel[2]) != 0 ||
+            split_between(panel[2], panel[0]) != 0);
+  }
 
   /// True if the area of a panel is below smallest²: it is not worth splitting.
   bool is_small(const Panel& panel) const {
@@ -99,7 +177,8 @@ class SurfaceSampler {
   }
 
  private:
-  bool waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  /// Mean square of the second difference of the head between two points [m^2].
+  double waves_bend(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
   bool grid_bends(const HeightField& field, const Eigen::Vector3d& a,
                   const Eigen::Vector3d& b) const;
 
@@ -155,6 +234,50 @@ void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
                         skips, visit);
   for_each_linear_piece({middle, panel[j], panel[k]}, {height, elevation[j], elevation[k]}, surface,
                         skips, visit);
+}
+
+/// Splits a panel that is summed at six points, and visits the pieces that may be wet.
+///
+/// @param level   Of the still water, over which elevations are, above the origin of the panel [m].
+/// @param wet     The panel is wet all over.
+/// @param visit   visit(piece, elevation) is called for each piece.
+template <class Visit>
+void for_each_curved_piece(const Panel& panel, const Eigen::Vector3d& elevation, double level,
+                           bool wet, const SurfaceSampler& surface, Visit&& visit) {
+  double departure = 0;
+  for (int i = 0; i < 3; ++i)
+    departure = std::max(departure, surface.departure(panel[i], panel[(i + 1) % 3]));
+  const double far = kFarDeparture * departure;
+  double shallowest = HUGE_VAL, deepest = -HUGE_VAL;
+  for (int i = 0; i < 3; ++i) {
+    const double depth = level + elevation[i] - panel[i].z();
+    shallowest = std::min(shallowest, depth);
+    deepest = std::max(deepest, depth);
+  }
+  if (!wet && deepest <= -far) return;
+  const bool crosses = !wet && shallowest < far;
+  int longest = -1;
+  double length_squared = 0, part = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double squared = (panel[(i + 1) % 3] - panel[i]).squaredNorm();
+    if (squared <= kLonger * length_squared) continue;
+    const double split = surface.curved_split_between(panel[i], panel[(i + 1) % 3], crosses);
+    if (split == 0) continue;
+    longest = i;
+    part = split;
+    length_squared = squared;
+  }
+  if (longest < 0 || surface.is_small(panel)) {
+    visit(panel, elevation);
+    return;
+  }
+  const int i = longest, j = (i + 1) % 3, k = (i + 2) % 3;
+  const Eigen::Vector3d middle = (1 - part) * panel[i] + part * panel[j];
+  const double height = surface.elevation(middle);
+  for_each_curved_piece({panel[i], middle, panel[k]}, {elevation[i], height, elevation[k]}, level,
+                        wet, surface, visit);
+  for_each_curved_piece({middle, panel[j], panel[k]}, {height, elevation[j], elevation[k]}, level,
+                        wet, surface, visit);
 }
 
 /// Splits a panel as above and visits all pieces.

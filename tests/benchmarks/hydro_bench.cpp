@@ -139,8 +139,10 @@ void register_hydro() {
            {"", "no_tree", "viscous", "viscous_no_tree", "plain", "plain_viscous"})
         add({state, what, subdivisions, 1});
   }
-  for (const int subdivisions : {3, 6})
+  for (const int subdivisions : {3, 6}) {
     for (const char* state : {"half", "waves"}) add({state, "wind", subdivisions, 1});
+    add({"jonswap256", "", subdivisions, 1});
+  }
   add({"half", "rest", 4, 1});
   add({"half", "no_tree", 6, 2});
   add({"jonswap256", "viscous", 4, 1});

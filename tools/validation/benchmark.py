@@ -25,6 +25,8 @@ kFewest, kMost = 1280, 81920  # Triangles between which the page gives the growt
 # Loads in the table and the figure of the page: state and what of BM_Hydro.
 kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
           ("waves", ""): "half immersed, in a wave",
+          ("jonswap", ""): "half immersed, in a sea of 64 waves",
+          ("jonswap256", ""): "half immersed, in a sea of 256 waves",
           ("half", "viscous"): "half immersed, with viscous drag",
           ("half", "no_tree"): "half immersed, without the tree",
           ("half", "plain"): "half immersed, plain sum, not vectorised",

@@ -6,7 +6,7 @@
 #define PLIMSOLL_KERNEL_AIRY_BRANCH
 #endif
 
-#include "hydro/loads/kernel/airy-inl.h"
+#include "hydro/loads/kernel/local_sea-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
 
 /// @file
@@ -146,7 +146,7 @@ inline void fit(const double* f, const Node& node, const double (&h)[3], double 
 
 /// The water over a branch that is wet all over.
 template <Ask kAsk>
-inline HWY_NOINLINE void find_branch_water(const Node& node, const LoadInputs& in, Turns& turns,
+inline HWY_NOINLINE void find_branch_water(const Node& node, const LoadInputs& in, LocalSea& sea,
                                            BranchWater& water) {
   constexpr int kRoom = (kSamples + kMostLanes - 1) / kMostLanes * kMostLanes;
   double h[3];
@@ -165,9 +165,8 @@ inline HWY_NOINLINE void find_branch_water(const Node& node, const LoadInputs& i
     }
   for (int i = 0; i < kRoom; i += static_cast<int>(hn::Lanes(D()))) {
     const V3 at = {hn::Load(D(), r[0] + i), hn::Load(D(), r[1] + i), hn::Load(D(), r[2] + i)};
-    const V rise = find_turns(in.surface->waves, at, turns);
-    const V depth = all(in.below) + (rise - dot(all3(in.up), at));
-    const Water here = water_around<kAsk>(in, at, depth, rise, turns);
+    const V rise = rise_at(in, sea, at), depth = depth_below(in, rise, at);
+    const Water here = water_around<kAsk>(in, at, depth, rise, sea);
     hn::Store(depth, D(), f[0] + i);
     hn::Store(here.head, D(), f[1] + i);
     hn::Store(here.u.x, D(), f[2] + i);

@@ -6,11 +6,12 @@
 #define PLIMSOLL_KERNEL_FACES
 #endif
 
-#include "hydro/loads/kernel/airy-inl.h"
+#include "hydro/loads/kernel/local_sea-inl.h"
 #include "hydro/loads/kernel/pieces-inl.h"
 #include "hydro/loads/kernel/refine-inl.h"
 #include "hydro/loads/kernel/viscous-inl.h"
 #include "hydro/loads/kernel/waves-inl.h"
+#include "hydro/loads/point_rules.h"
 
 /// @file
 /// The loads on the faces of a leaf. Faces that are wet all over are summed where they lie; the
@@ -21,18 +22,21 @@ namespace hydro::kernel::HWY_NAMESPACE {
 
 /// The state of a walk: its sums, and the pieces that wait until they fill a vector.
 struct LoadWalk {
-  // Of an aggregate GCC 12 sets all 77 kB to zero first, which takes longer than many a walk.
+  // Of an aggregate GCC 12 sets all of it to zero first, which takes longer than many a walk.
   LoadWalk(const Panels& of, const LoadInputs& with, Sums& to)
-      : panels(of), in(with), sums(to), turns(with) {}
+      : panels(of), in(with), sums(to), sea(with) {}
 
   const Panels& panels;
   const LoadInputs& in;
   Sums& sums;
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< They may be wet in part.
+  TriangleQueue curved;        ///< The same; the water is not linear over them.
   TriangleQueue turning;       ///< They are wet, v·n changes its sign; pressure drag is missing.
-  Turns turns;                 ///< For one place at a time.
-  double velocity_error = 0;   ///< Allowed of the velocity of the waves' water over branches [m/s].
+  LocalSea sea;                ///< For one place at a time.
+  TriangleQueue& refined() { return in.surface->limits.curved ? curved : cut_by_water; }
+
+  double velocity_error = 0;  ///< Allowed of the velocity of the waves' water over branches [m/s].
 };
 
 // The motion at the corners relative to the water, which is still or moves. Normal speeds are those
@@ -130,6 +134,49 @@ HWY_NOINLINE void add_wet(LoadWalk& work, const Plane& p, const Triangle& t, M c
   if (in.viscous) add_viscous(work.sums, in, p, mean_flow(flow, p, water), t, area);
 }
 
+/// Adds all loads on triangles that count, over which the water is not linear, by a rule of points.
+template <std::size_t kPoints>
+HWY_NOINLINE void add_curved(LoadWalk& work, const Plane& p, const Triangle& t, M counts,
+                             const std::array<TrianglePoint, kPoints>& rule) {
+  const LoadInputs& in = work.in;
+  const V area = hn::IfThenElseZero(counts, area_of(t));
+  const V3 c_cross_n = cross(p.c, p.n), drag_n = drag_normal(in, p.n);
+  const Flow flow = flow_over(p, in);
+  Traction buoyancy = {zero(), zero(), zero()}, drag = buoyancy, lift = buoyancy;
+  V depths = zero();
+  V3 mean = {zero(), zero(), zero()};
+  for (const TrianglePoint& point : rule) {
+    const V2 at = point_of(t, point);
+    const V part = all(point.weight) * area;
+    const V3 r = point_on(p, at);
+    const V rise = rise_at(in, work.sea, r), depth = depth_below(in, rise, r);
+    const Water water = water_at<Ask::velocity>(in, r, depth, rise, work.sea);
+    buoyancy = buoyancy + traction_at(part * water.head, at);
+    depths = hn::MulAdd(part, depth, depths);
+    const V v_n = flow.normal_at(at) - dot(water.u, drag_n);
+    drag = drag + traction_at(part * signed_drag(in, v_n > zero()) * v_n * v_n, at);
+    const V along1 = flow.along1(at.y) - dot(water.u, p.e1);
+    const V along2 = flow.along2(at.x) - dot(water.u, p.e2);
+    lift = lift + traction_at(part * hn::MulAdd(along1, along1, along2 * along2), at);
+    const V weight = all(point.weight);
+    mean = {hn::MulAdd(weight, water.u.x, mean.x), hn::MulAdd(weight, water.u.y, mean.y),
+            hn::MulAdd(weight, water.u.z, mean.z)};
+  }
+  add(work.sums, kArea, area);
+  add_normal(work.sums, kBuoyancy, p, c_cross_n, buoyancy);
+  add(work.sums, kVolume, zero() - dot(p.n, all3(in.up)) * depths);
+  if (in.drag_front != 0 || in.drag_back != 0)
+    add_normal(work.sums, kPressureDrag, p, c_cross_n, drag);
+  const V k = all(in.lift);
+  if (in.lift != 0)
+    add_normal(work.sums, kLift, p, c_cross_n, {k * lift.q, k * lift.qx, k * lift.qy});
+  if (!in.viscous) return;
+  Flow past = flow;
+  past.a = flow.a - dot(mean, p.e1);
+  past.b = flow.b - dot(mean, p.e2);
+  add_viscous(work.sums, in, p, past, t, area);
+}
+
 /// Adds the loads on the pieces from `from` on, one a lane. The first `used` lanes count. The
 /// pieces of a submerged hull are not cut: their depths are those below its centre of mass.
 HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
@@ -140,7 +187,7 @@ HWY_INLINE void add_pieces(LoadWalk& work, const TriangleQueue& pieces, int from
   const auto add_part = [&](const Triangle& part, M counts, const Values& depth) HWY_ATTR {
     if (work.in.surface && work.in.surface->is_airy())
       add_wet(work, p, part, counts,
-              water_at_corners<Ask::velocity>(work.in, p, part, depth, work.turns));
+              water_at_corners<Ask::velocity>(work.in, p, part, depth, work.sea));
     else
       add_wet(work, p, part, counts, depth);
   };
@@ -159,8 +206,23 @@ HWY_INLINE void add_turning(LoadWalk& work, const TriangleQueue& pieces, int fro
       cut_drag_on(work.in, load_values(pieces.depth, from), triangle_of(pieces, from), counts));
 }
 
+/// The same for pieces over which the water is not linear.
+HWY_INLINE void add_curved_pieces(LoadWalk& work, const TriangleQueue& pieces, int from, int used) {
+  const Plane p = plane_of(work.panels, pieces, from);
+  const Triangle whole = triangle_of(pieces, from);
+  const M counted = hn::FirstN(D(), static_cast<std::size_t>(used));
+  const auto add_parts = [&](const auto& rule, M counts) HWY_ATTR {
+    if (work.in.wet) return add_curved(work, p, whole, counts, rule);
+    const WetParts wet = wet_parts(whole, load_values(pieces.depth, from), counts);
+    add_curved(work, p, wet.first, wet.has_first, rule);
+    if (!hn::AllFalse(D(), wet.has_second)) add_curved(work, p, wet.second, wet.has_second, rule);
+  };
+  with_rules(bearings_of(work.in, p), whole, counted, add_parts);
+}
+
 HWY_INLINE void drain_cut(LoadWalk& work, bool to_the_last) {
   drain(work, work.cut_by_water, to_the_last, add_pieces);
+  drain(work, work.curved, to_the_last, add_curved_pieces);
 }
 
 HWY_INLINE void drain(LoadWalk& work, bool to_the_last) {

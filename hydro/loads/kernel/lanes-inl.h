@@ -10,6 +10,7 @@
 
 #include "hydro/loads/kernel/load_inputs.h"
 #include "hydro/loads/kernel/panels.h"
+#include "hydro/loads/point_rules.h"
 
 /// @file
 /// Faces in the lanes of a vector unit: their planes, the flow along them, and the closed forms of
@@ -134,6 +135,15 @@ HWY_INLINE Traction square_on(const Triangle& t, V scale, const Values& f) {
                                 hn::MulAdd(f.c, f.c + sum, b)});
   const V thirtieth = scale * all(1.0 / 30);
   return {scale * b * all(1.0 / 6), thirtieth * first.x, thirtieth * first.y};
+}
+
+/// A part of a traction at one point.
+HWY_INLINE Traction traction_at(V q, const V2& at) { return {q, q * at.x, q * at.y}; }
+
+HWY_INLINE V2 point_of(const Triangle& t, const TrianglePoint& point) {
+  const V a = all(point.at[0]), b = all(point.at[1]), c = all(point.at[2]);
+  return {hn::MulAdd(a, t.a.x, hn::MulAdd(b, t.b.x, c * t.c.x)),
+          hn::MulAdd(a, t.a.y, hn::MulAdd(b, t.b.y, c * t.c.y))};
 }
 
 HWY_INLINE Traction operator+(const Traction& a, const Traction& b) {

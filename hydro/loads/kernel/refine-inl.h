@@ -8,6 +8,7 @@
 
 #include <cassert>
 
+#include "hydro/loads/kernel/local_sea-inl.h"
 #include "hydro/loads/kernel/pieces-inl.h"
 #include "hydro/loads/kernel/water_surface.h"
 #include "hydro/loads/kernel/waves-inl.h"
@@ -67,29 +68,40 @@ HWY_INLINE V grid_sag(const Bearings& to, const Plane& p, const V2& a, const V2&
   return grid_at(to.in.surface->grid, point_on(p, middle)) - ends;
 }
 
-HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V2& b, V depth_a,
-                        V depth_b) {
+/// The squared length of an edge, and the mean square of the waves' second difference over it.
+struct EdgeBend {
+  V squared, bend;
+};
+
+HWY_INLINE EdgeBend waves_over_edge(const Bearings& to, const V2& a, const V2& b) {
   const WaterSurface& surface = *to.in.surface;
   const BendLimits& limits = surface.limits;
   const V2 d = {b.x - a.x, b.y - a.y};
   const V dx = hn::MulAdd(to.east.x, d.x, to.east.y * d.y);
   const V dy = hn::MulAdd(to.north.x, d.x, to.north.y * d.y);
   const V squared = hn::MulAdd(dx, dx, dy * dy);
-  const double tolerance = limits.tolerance;
-  if (!surface.is_grid()) {
-    const V dz = hn::MulAdd(to.up.x, d.x, to.up.y * d.y);
-    const bool dives = limits.dive[3] > 0;
-    const V zz = dives ? dz * dz : zero();
-    const V square = waves_second_difference_squared(limits, dx, dy, zz);
-    const V bound = all(64 * tolerance * tolerance);
-    const M over = hn::And(squared + zz > all(limits.smallest_squared), square > bound);
-    if (!dives || hn::AllFalse(D(), over)) return over;
-    const V highest_end = hn::Max(to.up.at(a), to.up.at(b));
-    const V depth = all(to.in.below + surface.hidden_depth + limits.lowest) - highest_end;
-    const V decay = hn::Exp(D(), all(-2 * limits.least_number) * hn::Max(zero(), depth));
-    return hn::And(over, decay * square > bound);
-  }
-  const M long_enough = squared > all(limits.smallest_squared);
+  const bool dives = limits.dive[3] > 0;
+  if (!dives) return {squared, waves_second_difference_squared(limits, dx, dy, zero())};
+  const V dz = hn::MulAdd(to.up.x, d.x, to.up.y * d.y), zz = dz * dz;
+  const V highest_end = hn::Max(to.up.at(a), to.up.at(b));
+  const V depth =
+      hn::Max(zero(), all(to.in.below + surface.hidden_depth + limits.lowest) - highest_end);
+  const V upper = hn::Min(depth, all(limits.near));
+  const V rate =
+      hn::MulAdd(all(limits.near_rate), upper, all(2 * limits.least_number) * (depth - upper));
+  return {squared + zz,
+          exponential(zero() - rate) * waves_second_difference_squared(limits, dx, dy, zz)};
+}
+
+HWY_INLINE M grid_bends(const Bearings& to, const Plane& p, const V2& a, const V2& b, V depth_a,
+                        V depth_b) {
+  const WaterSurface& surface = *to.in.surface;
+  const double tolerance = surface.limits.tolerance;
+  const V2 d = {b.x - a.x, b.y - a.y};
+  const V dx = hn::MulAdd(to.east.x, d.x, to.east.y * d.y);
+  const V dy = hn::MulAdd(to.north.x, d.x, to.north.y * d.y);
+  const V squared = hn::MulAdd(dx, dx, dy * dy);
+  const M long_enough = squared > all(surface.limits.smallest_squared);
   const GridField& grid = surface.grid;
   const V cells2 = squared * all(1 / (grid.cell * grid.cell));
   const M far = hn::And(long_enough, cells2 > all(1));
@@ -99,6 +111,15 @@ HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V
   if (hn::AllFalse(D(), may)) return over;
   const V sag = hn::Abs(grid_sag(to, p, a, b, depth_a, depth_b));
   return hn::Or(over, hn::And(may, sag > all(tolerance)));
+}
+
+HWY_INLINE M edge_bends(const Bearings& to, const Plane& p, const V2& a, const V2& b, V depth_a,
+                        V depth_b) {
+  if (to.in.surface->is_grid()) return grid_bends(to, p, a, b, depth_a, depth_b);
+  const BendLimits& limits = to.in.surface->limits;
+  const EdgeBend edge = waves_over_edge(to, a, b);
+  return hn::And(edge.squared > all(limits.smallest_squared),
+                 edge.bend > all(64 * limits.tolerance * limits.tolerance));
 }
 
 HWY_INLINE Bends bends_over(const Bearings& to, const Plane& p, const Triangle& t,
@@ -130,9 +151,8 @@ struct Splits {
   V ab, bc, ca;
 };
 
-HWY_INLINE Splits splits_over(const Bearings& to, const Plane& p, const Triangle& t,
-                              const Values& depth) {
-  const Bends bends = bends_over(to, p, t, depth);
+/// The edges that bend are split in the middle, and others where the current bends.
+HWY_INLINE Splits splits_at(const Bearings& to, const Triangle& t, const Bends& bends) {
   const V half = all(0.5);
   if (to.in.surface->limits.cuts.empty())
     return {hn::IfThenElseZero(bends.ab, half), hn::IfThenElseZero(bends.bc, half),
@@ -140,6 +160,51 @@ HWY_INLINE Splits splits_over(const Bearings& to, const Plane& p, const Triangle
   return {hn::IfThenElse(bends.ab, half, part_at_cut(to, t.a, t.b)),
           hn::IfThenElse(bends.bc, half, part_at_cut(to, t.b, t.c)),
           hn::IfThenElse(bends.ca, half, part_at_cut(to, t.c, t.a))};
+}
+
+/// The edges to split of triangles that are summed at six points, as
+/// `SurfaceSampler::curved_split_between` says.
+/// @param counts   Triangles that are dry are taken off.
+HWY_INLINE Bends curved_bends(const Bearings& to, const Triangle& t, const Values& depth,
+                              M& counts) {
+  const BendLimits& limits = to.in.surface->limits;
+  const EdgeBend ab = waves_over_edge(to, t.a, t.b), bc = waves_over_edge(to, t.b, t.c);
+  const EdgeBend ca = waves_over_edge(to, t.c, t.a);
+  const V far = all(kFarDeparture / 8) * hn::Sqrt(hn::Max(ab.bend, hn::Max(bc.bend, ca.bend)));
+  M crosses = hn::FirstN(D(), 0);
+  if (!to.in.wet) {
+    counts = hn::And(counts, highest(depth) > zero() - far);
+    crosses = lowest(depth) < far;
+  }
+  const double most = limits.sum_tolerance, departs = 8 * limits.cut_tolerance;
+  const auto splits = [&](const EdgeBend& edge) HWY_ATTR {
+    const V sum = edge.bend * edge.squared * edge.squared * edge.squared * all(limits.six_points);
+    const M misses =
+        hn::Or(sum > all(most * most), hn::And(crosses, edge.bend > all(departs * departs)));
+    return hn::And(edge.squared > all(limits.smallest_squared), misses);
+  };
+  return {splits(ab), splits(bc), splits(ca)};
+}
+
+/// The triangles on which the sum at three points misses no more than it may.
+HWY_INLINE M fits_three_points(const Bearings& to, const Triangle& t) {
+  const BendLimits& limits = to.in.surface->limits;
+  const auto sum = [&](const V2& a, const V2& b) HWY_ATTR {
+    const EdgeBend edge = waves_over_edge(to, a, b);
+    return edge.bend * edge.squared;
+  };
+  const V largest = hn::Max(sum(t.a, t.b), hn::Max(sum(t.b, t.c), sum(t.c, t.a)));
+  const double most = limits.sum_tolerance;
+  return largest * all(limits.three_points) <= all(most * most);
+}
+
+/// Calls add(rule, triangles) with the rule of points of some triangles that count, for one rule
+/// after the other.
+template <class Add>
+HWY_INLINE void with_rules(const Bearings& to, const Triangle& t, M counts, Add add) {
+  const M few = fits_three_points(to, t);
+  if (!hn::AllFalse(D(), hn::And(counts, few))) add(kThreePoints, hn::And(counts, few));
+  if (!hn::AllFalse(D(), hn::AndNot(few, counts))) add(kSixPoints, hn::AndNot(few, counts));
 }
 
 HWY_INLINE M any(const Splits& splits) {
@@ -161,7 +226,7 @@ inline HWY_NOINLINE M without_bent(const Panels& panels, const LoadInputs& in, s
   const Plane p = plane_at(faces, lane);
   const Triangle t = triangle_at(faces, lane);
   const Bearings to = bearings_of(in, p);
-  const M bent = any(splits_over(to, p, t, depth));
+  const M bent = any(splits_at(to, t, bends_over(to, p, t, depth)));
   const M splits =
       hn::AndNot(above_all_water(to, t), hn::And(bent, areas_at(faces, lane) > zero()));
   if (!hn::AllFalse(D(), splits)) append(panels, splits, leaf, lane, depth, bending);
@@ -206,9 +271,7 @@ struct Halving {
 };
 
 /// The longest edge that is to be split is, the first of edges that are equally long.
-HWY_INLINE Halving halving_of(const Bearings& to, const Plane& p, const Triangle& t,
-                              const Values& depth) {
-  const Splits splits = splits_over(to, p, t, depth);
+HWY_INLINE Halving halving_of(const Triangle& t, const Values& depth, const Splits& splits) {
   const auto squared = [](V part, const V2& a, const V2& b) HWY_ATTR {
     const V x = b.x - a.x, y = b.y - a.y;
     return hn::IfThenElseZero(part > zero(), hn::MulAdd(x, x, y * y));
@@ -229,7 +292,7 @@ HWY_INLINE Halving halving_of(const Bearings& to, const Plane& p, const Triangle
 }
 
 /// Splits the pieces from `from` on that the surface or the current bends over and puts the halves
-/// back among them; the others go to those that are cut by the water. Pieces in the dry are
+/// back among them; the others go to those that are refined. Pieces in the dry are
 /// dropped, and pieces of less than smallest² of area stay whole.
 ///
 /// The last pieces are taken first, so each generation adds `lanes` pieces at most, and no edge is
@@ -244,19 +307,20 @@ HWY_NOINLINE void refine_pieces(Work& work, TriangleQueue& bending, int from, in
   const Triangle t = triangle_of(bending, from);
   const Values depth = load_values(bending.depth, from);
   const Bearings to = bearings_of(in, p);
-  const M counts =
-      hn::AndNot(above_all_water(to, t), hn::FirstN(d, static_cast<std::size_t>(used)));
+  M counts = hn::AndNot(above_all_water(to, t), hn::FirstN(d, static_cast<std::size_t>(used)));
   const M large = area_of(t) >= all(in.surface->limits.smallest_squared);
-  const Halving h = halving_of(to, p, t, depth);
+  const bool curved = in.surface->limits.curved;
+  const Bends bends = curved ? curved_bends(to, t, depth, counts) : bends_over(to, p, t, depth);
+  const Halving h = halving_of(t, depth, splits_at(to, t, bends));
   const M splits = hn::And(counts, hn::And(large, h.splits));
-  put_pieces(hn::AndNot(splits, counts), face, t, depth, work.cut_by_water);
+  put_pieces(hn::AndNot(splits, counts), face, t, depth, work.refined());
   if (!hn::AllFalse(d, splits)) {
     const V2 middle = between(h.t.a, h.t.b, h.part);
-    const V at_middle = depth_at(in, {*in.surface, {}, false}, point_on(p, middle));
+    const V at_middle = depth_at(in, work.sea, point_on(p, middle));
     put_pieces(splits, face, {h.t.a, middle, h.t.c}, {h.depth.a, at_middle, h.depth.c}, bending);
     put_pieces(splits, face, {middle, h.t.b, h.t.c}, {at_middle, h.depth.b, h.depth.c}, bending);
   }
-  if (work.cut_by_water.count > TriangleQueue::kRoom / 2) drain_cut(work, false);
+  if (work.refined().count > TriangleQueue::kRoom / 2) drain_cut(work, false);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE

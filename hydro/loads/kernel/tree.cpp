@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/loads/point_rules.h"
 #include "hydro/spatial.h"
 
 namespace hydro::kernel {
@@ -39,17 +40,16 @@ void set_point(int point, const Vector3d& r, const Vector3d& n, double weight, F
   factors.col(point) *= weight;
 }
 
-/// The integrands are cubic; this rule of degree 4 has positive weights (Dunavant 1985).
+/// The integrands are cubic; the rule is of degree 4.
 void add_face(const Face& face, Node& node) {
-  constexpr double kNear = 0.445948490915965, kNearWeight = 0.223381589678011;
-  constexpr double kFar = 0.091576213509771, kFarWeight = 0.109951743655322;
+  using namespace six_points;
   Factors factors;
   Lanes lanes;
   for (int i = 0; i < 3; ++i) {
     const Vector3d offset = face.corner(i) - face.c;
-    set_point(i, face.c + (1 - 3 * kNear) * offset, face.n, kNearWeight * face.area, factors,
+    set_point(i, face.c + (1 - 3 * kInner) * offset, face.n, kInnerWeight * face.area, factors,
               lanes);
-    set_point(3 + i, face.c + (1 - 3 * kFar) * offset, face.n, kFarWeight * face.area, factors,
+    set_point(3 + i, face.c + (1 - 3 * kOuter) * offset, face.n, kOuterWeight * face.area, factors,
               lanes);
   }
   Eigen::Map<Moments>(node.moment[0]) += factors.lazyProduct(lanes);

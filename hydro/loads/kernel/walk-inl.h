@@ -6,8 +6,9 @@
 #define PLIMSOLL_KERNEL_WALK
 #endif
 
-#include "hydro/loads/kernel/airy-inl.h"
+#include "hydro/loads/kernel/local_sea-inl.h"
 #include "hydro/loads/kernel/refine-inl.h"
+#include "hydro/loads/kernel/sea_table_sums-inl.h"
 #include "hydro/loads/kernel/tree-inl.h"
 #include "hydro/loads/kernel/waves-inl.h"
 
@@ -20,20 +21,61 @@ namespace hydro::kernel::HWY_NAMESPACE {
 /// How a branch lies to the waterline.
 enum class Wetness { dry, mixed, wet };
 
-HWY_INLINE Wetness wetness(const Node& node, const LoadInputs& in) {
+/// @param sea   It may be null where the water is flat.
+HWY_INLINE Wetness wetness(const Node& node, const LoadInputs& in, const LocalSea* sea) {
   if (in.wet) return Wetness::wet;
   Range depth = depth_range(node, in);
   if (in.surface && depth.high + in.surface->highest <= 0) return Wetness::dry;
   if (in.surface && depth.low + in.surface->lowest >= 0) return Wetness::wet;
   if (in.surface) {
-    const ElevationRange elevation = in.surface->is_grid()
-                                         ? grid_over(*in.surface, node.centre, node.half)
-                                         : waves_over(in.surface->waves, node.centre, node.half);
+    const ElevationRange elevation = elevation_over(node, in, *sea);
     depth = {depth.low + elevation.low, depth.high + elevation.high};
   }
   if (depth.high <= 0) return Wetness::dry;
   return depth.low >= 0 ? Wetness::wet : Wetness::mixed;
 }
+
+/// The branches of a walk that have a table of the sea, and their leaves. What waits of the faces
+/// before is worked on before a table changes.
+class TableWalk {
+ public:
+  /// Sets the table of a branch that is not in one, and that of a leaf.
+  template <Ask kAsk, class Work>
+  HWY_INLINE void enter(Work& work, const Node& node) {
+    if (!work.in.surface || !work.in.surface->table.pays) return;
+    LocalSea& sea = work.sea;
+    if (!wide_) {
+      wide_ = plan_table<kAsk>(node, work.in, sea.wide);
+      if (!wide_) return;
+      drain(work, true);
+      set_table<kAsk>(node, work.in, sea.wide);
+      sea.table = &sea.wide;
+      end_ = node.next;
+    }
+    if (!node.leaf()) return;
+    drain(work, true);
+    const bool pays =
+        plan_table<kAsk>(node, work.in, sea.near) && 2 * sea.near.size() <= sea.wide.size();
+    if (pays) restrict_table(sea.wide, sea.near);
+    sea.table = pays ? &sea.near : &sea.wide;
+  }
+
+  /// Goes on to a node: ends the table of a leaf before, and that of a branch which the node is not
+  /// in.
+  template <class Work>
+  HWY_INLINE void go_to(Work& work, int node) {
+    if (!wide_) return;
+    const bool ends = node >= end_;
+    if (!ends && work.sea.table == &work.sea.wide) return;
+    drain(work, true);
+    work.sea.table = ends ? nullptr : &work.sea.wide;
+    wide_ = !ends;
+  }
+
+ private:
+  bool wide_ = false;
+  int end_ = 0;
+};
 
 /// Adds all faces of a leaf under flat water.
 template <class Work, class... Known>
@@ -73,7 +115,7 @@ HWY_INLINE void add_leaf_under(const Vertices& water, Work& work, int leaf, Know
 template <class Work, class... Known>
 HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) {
   Depths depths;
-  find_depths(work.panels, work.in, node, depths);
+  find_depths(work.panels, work.in, node, work.sea, depths);
   add_leaf_under(depths, work, node.first, known...);
 }
 
@@ -81,7 +123,7 @@ HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) 
 template <Ask kAsk, class Work, class... Known>
 HWY_INLINE void add_leaf_in_airy_waves(Work& work, const Node& node, Known... known) {
   LeafWater water;
-  find_water<kAsk>(work.panels, work.in, node, work.turns, water);
+  find_water<kAsk>(work.panels, work.in, node, work.sea, water);
   add_leaf_under(water, work, node.first, known...);
 }
 

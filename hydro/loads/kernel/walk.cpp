@@ -117,7 +117,7 @@ HWY_NOINLINE bool take_whole_in_airy_waves(LoadWalk& work, const Tree& tree, int
   const Node& node = tree.nodes[static_cast<std::size_t>(branch)];
   if (!fits<Ask::velocity>(node, work.in, work.velocity_error)) return false;
   BranchWater water;
-  find_branch_water<Ask::velocity>(node, work.in, work.turns, water);
+  find_branch_water<Ask::velocity>(node, work.in, work.sea, water);
   add_branch_buoyancy(node, water.head, work.in, work.sums);
   add_branch_volume(node, water.depth, work.in, work.sums);
   LoadInputs in = work.in;
@@ -176,10 +176,12 @@ void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int bran
     work.velocity_error = allowed_velocity_error(in, tree.nodes[0]);
   Factors factors = factors_of(in);
   const int end = tree.nodes[static_cast<std::size_t>(branch)].next;
+  TableWalk tables;
   for (int node = branch; node < end;) {
     const Node& here = tree.nodes[static_cast<std::size_t>(node)];
+    tables.go_to(work, node);
     const bool asks = in.branches || here.leaf();
-    const Wetness wet = asks ? wetness(here, in) : Wetness::mixed;
+    const Wetness wet = asks ? wetness(here, in, &work.sea) : Wetness::mixed;
     if (wet == Wetness::dry) {
       node = here.next;
     } else if (in.branches && wet == Wetness::wet && take_whole(work, factors, tree, node)) {
@@ -189,6 +191,7 @@ void walk(const Panels& panels, const Tree& tree, const LoadInputs& in, int bran
       chunks->node[static_cast<std::size_t>(chunks->count++)] = node;
       node = here.next;
     } else {
+      tables.enter<Ask::velocity>(work, here);
       if (here.leaf()) take_leaf(work, here, wet);
       ++node;
     }

@@ -22,9 +22,45 @@ double* make_room(std::size_t count, WaveField& waves) {
   return to;
 }
 
-/// Adds scale·k, scale·k², and so on.
-void add_powers(double scale, double k, double (&sums)[4]) {
-  for (double& sum : sums) sum += scale *= k;
+/// The sums of scale·k, scale·k², and so on, and of their squares.
+struct Powers {
+  double sums[4] = {}, squares[4] = {};
+
+  void add(double scale, double k) {
+    for (int n = 0; n < 4; ++n) {
+      scale *= k;
+      sums[n] += scale;
+      squares[n] += scale * scale / 2;
+    }
+  }
+  void set(double (&bounds)[4]) const {
+    for (int n = 0; n < 4; ++n) bounds[n] = std::min(sums[n], kFarCrest * std::sqrt(squares[n]));
+  }
+};
+
+/// The fewest waves for which a table takes less time than their sum.
+constexpr int kFewestTabulated = 12;
+
+/// Sets the limits of tables, by (1) of sea_table-inl.h.
+/// @param size   ℓ of refine.h [m].
+void set_table_limits(const WaveSurface& surface, double size, double allowed, TableLimits& table) {
+  const int count = static_cast<int>(surface.components.size());
+  table.pays = count >= kFewestTabulated;
+  if (!table.pays) return;
+  table.allowed = allowed;
+  for (const WaveComponent& w : surface.components) {
+    const double number = std::hypot(w.kx, w.ky), weight = 1 / (1 + number * size);
+    const double along[3] = {std::abs(w.kx) / 2, std::abs(w.ky) / 2, number / 2};
+    for (int side = 0; side < 3; ++side) {
+      double missed = 2 * weight * w.amplitude;
+      for (int n = 1; n <= kMostTableNodes; ++n) {
+        missed *= along[side] / n;
+        table.error[side][n] += missed * missed / 2;
+      }
+    }
+  }
+  for (auto& side : table.error)
+    for (double& error : side) error = std::sqrt(error);
 }
 
 void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& state,
@@ -35,6 +71,8 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
   waves.deep = !(sea.depth < AiryWaves::kDeepest);
   waves.water_depth = waves.deep ? 0 : sea.depth;
   const double factor = amplitude_factor(surface, time);
+  Powers bends, flow;
+  double variance = 0;
   for (std::size_t i = 0; i < surface.components.size(); ++i) {
     WaveComponent w = surface.components[i];
     w.amplitude *= factor;
@@ -48,18 +86,25 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
     const double phase =
         w.kx * state.position.x() + w.ky * state.position.y() - w.omega * time + w.phase;
     set(WaveField::kPhase, std::remainder(phase, 2 * M_PI));
+    set(WaveField::kEast, w.kx);
+    set(WaveField::kEast + 1, w.ky);
     waves.height += std::abs(w.amplitude);
-    add_powers(std::abs(w.amplitude), number, waves.bends);
+    variance += w.amplitude * w.amplitude / 2;
+    bends.add(std::abs(w.amplitude), number);
     set(WaveField::kWeight, 0.5);
     if (!waves.airy || number == 0 || w.amplitude == 0) continue;
     const double velocity = sea.gravity / intrinsic_frequency(number, sea.depth, sea.gravity);
-    add_powers(std::abs(w.amplitude) * velocity, number, waves.flow);
+    flow.add(std::abs(w.amplitude) * velocity, number);
+    set(WaveField::kSpeed, velocity);
     waves.least_number = waves.least_number > 0 ? std::min(waves.least_number, number) : number;
     set(WaveField::kNumber, number);
     set(WaveField::kUpward, velocity * number);
     for (int axis = 0; axis < 3; ++axis) set(WaveField::kFlow + axis, velocity * k[axis]);
     set(WaveField::kWeight, 1 / (1 + std::exp(-2 * number * sea.depth)));
   }
+  bends.set(waves.bends);
+  flow.set(waves.flow);
+  waves.height = std::min(waves.height, kFarCrest * std::sqrt(variance));
 }
 
 void set_grid(const HeightField& field, const BodyState& state, const Eigen::Matrix3d& R_WB,
@@ -80,7 +125,8 @@ void set_grid(const HeightField& field, const BodyState& state, const Eigen::Mat
 }  // namespace
 
 WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
-                           double longest_edge, SplitFor what) {
+                           double longest_edge, SplitFor what,
+                           const std::optional<HeadError>& error) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
     set_waves(*sum, sea, state, R_WB, time, waves);
@@ -92,9 +138,17 @@ WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, 
   const SurfaceBounds bounds = surface_bounds(sea);
   lowest = bounds.lowest - sea.level;
   highest = bounds.highest - sea.level;
-  const SurfaceSampler sampler(sea, state.position, time, smallest, what);
+  if (waves.count > 0) {
+    lowest = std::max(lowest, -waves.height);
+    highest = std::min(highest, waves.height);
+  }
+  const SurfaceSampler sampler(sea, state.position, time, smallest, what, error);
   bends = sampler.may_bend(longest_edge);
   limits = sampler.limits();
+  if (waves.airy)
+    set_table_limits(std::get<WaveSurface>(sea.surface), error ? error->size() : 0,
+                     error && limits.sum_tolerance > 0 ? limits.sum_tolerance : limits.tolerance,
+                     table);
   for (int axis = 0; axis < 3; ++axis) {
     east[axis] = R_WB(0, axis);
     north[axis] = R_WB(1, axis);

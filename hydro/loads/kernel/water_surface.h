@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hydro/loads/kernel/panels.h"
@@ -31,6 +32,8 @@ struct WaveField {
     kFlow = 6,       ///< k_x, k_y, k_z times g/σ [1/s].
     kUpward = 9,     ///< |k| times g/σ [1/s].
     kWeight = 10,    ///< 1/(1 + e^{−2kh}) [-].
+    kEast = 11,      ///< k_x, k_y of the world [rad/m].
+    kSpeed = 13,     ///< g/σ [m/s].
     kRows
   };
 
@@ -41,10 +44,12 @@ struct WaveField {
   bool airy = false;        ///< The water moves below the waves, and its pressure decays.
   bool deep = true;         ///< The waves feel no bottom.
   double water_depth = 0;   ///< Of the still water, where it is not deep [m].
-  double height = 0;        ///< Σ |amplitude|, a bound of the elevation [m].
+  double height = 0;        ///< A bound of the elevation [m].
   double least_number = 0;  ///< The least k of a wave [rad/m].
-  double bends[4] = {};  ///< Σ |amplitude| k^n for n from 1: bounds of the derivatives [m^(1−n)].
-  double flow[4] = {};   ///< Σ |amplitude| (g/σ) k^n for n from 1: the same of the velocity.
+  /// Bounds of the derivatives of order n from 1: Σ |amplitude| k^n, or kFarCrest standard
+  /// deviations of the derivative where that is less [m^(1−n)].
+  double bends[4] = {};
+  double flow[4] = {};  ///< The same of the velocity, with |amplitude| g/σ.
 };
 
 /// A grid of heights. The elevation is bilinear between them; a place r lies at column
@@ -58,25 +63,40 @@ struct GridField {
   double bend = 0;                  ///< Largest second difference of neighbouring heights [m].
 };
 
+/// The most nodes along a side of a table of the sea (sea_table-inl.h).
+inline constexpr int kMostTableNodes = 12;
+
+/// The numbers that tell how many nodes a table of the sea needs.
+struct TableLimits {
+  /// By the number of nodes n, for sides of half length h along x, y and the depth: the root mean
+  /// square of what the table misses of the head is error · h^n [m].
+  double error[3][kMostTableNodes + 1] = {};
+  double allowed = 0;  ///< What it may miss [m].
+  int most_nodes = 0;  ///< With more, the sum over all waves takes less time.
+  bool pays = false;   ///< There are enough waves.
+};
+
 /// The surface around a body. It refers to the sea and to itself, so it is neither copied nor
 /// moved.
 class WaterSurface {
  public:
   /// @param smallest   As for SurfaceSampler.
   /// @param what       Without `current` the water has no shear.
+  /// @param error      As for SurfaceSampler.
   WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
-               double longest_edge, SplitFor what);
+               double longest_edge, SplitFor what, const std::optional<HeadError>& error = {});
   WaterSurface(const WaterSurface&) = delete;
   WaterSurface& operator=(const WaterSurface&) = delete;
 
   WaveField waves;  ///< They have no component where the sea is a grid.
   GridField grid;
   Shear shear;
-  double lowest = 0, highest = 0;      ///< Bounds of the elevation [m].
-  double gravity = 0;                  ///< [m/s^2]
-  double hidden_depth = 0;             ///< What `LoadInputs::below` misses of the true depth [m].
-  bool bends = false;                  ///< It may bend over some edge of the hull.
-  BendLimits limits;                   ///< These tell which edge has to be.
+  double lowest = 0, highest = 0;  ///< Bounds of the elevation [m].
+  double gravity = 0;              ///< [m/s^2]
+  double hidden_depth = 0;         ///< What `LoadInputs::below` misses of the true depth [m].
+  bool bends = false;              ///< It may bend over some edge of the hull.
+  BendLimits limits;               ///< These tell which edge has to be.
+  TableLimits table;
   double east[3] = {}, north[3] = {};  ///< The directions of x and y of the world, in body axes.
 
   bool is_grid() const { return grid.heights != nullptr; }

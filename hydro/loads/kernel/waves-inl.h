@@ -46,6 +46,14 @@ HWY_INLINE V phases(const WaveField& waves, const double* r, int from) {
 
 HWY_INLINE double total(V v) { return hn::GetLane(hn::SumOfLanes(D(), v)); }
 
+/// The elevation at a place [m].
+inline HWY_NOINLINE double middle_rise(const WaveField& waves, const double* r) {
+  V sum = zero();
+  for (int i = 0; i < waves.count; i += static_cast<int>(hn::Lanes(D())))
+    sum = hn::MulAdd(row(waves, 0, i), turn_of(phases(waves, r, i)).cosine, sum);
+  return total(sum);
+}
+
 /// A wave changes by |k·d| of its amplitude at most over a step d.
 inline HWY_NOINLINE ElevationRange waves_over(const WaveField& waves, const double* centre,
                                               const double* half) {
@@ -120,19 +128,6 @@ struct alignas(64) Depths {
     return {corner(0), corner(1), corner(2)};
   }
 };
-
-inline HWY_NOINLINE void find_depths(const Panels& panels, const LoadInputs& in, const Node& leaf,
-                                     Depths& depths) {
-  const LeafVertices& vertices = panels.vertices[static_cast<std::size_t>(leaf.first)];
-  const LeafSurface over = surface_over(*in.surface, leaf);
-  double* to = depths.at;
-  for (int block = vertices.first; block < vertices.last; ++block)
-    for (int lane = 0; lane < kMostLanes; lane += static_cast<int>(hn::Lanes(D()))) {
-      const VertexBlock& here = panels.blocks[static_cast<std::size_t>(block)];
-      hn::Store(depth_at(in, over, load3(here.r, lane)), D(), to);
-      to += hn::Lanes(D());
-    }
-}
 
 }  // namespace hydro::kernel::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
