@@ -68,8 +68,8 @@ struct LoadAccuracy {
   double wave_tolerance = 1e-4;
 };
 
-/// The least tolerance that pieces of panels follow in waves [-]: each factor of 10 less takes some
-/// twice the time.
+/// The least tolerance that pieces of panels follow in waves [-]: their edges end at
+/// kSmallestPanel.
 inline constexpr double kLeastWaveTolerance = 1e-6;
 
 /// What the sum over a hull may miss of the head of waves.
@@ -79,10 +79,12 @@ HeadError head_error(const Hull& hull, const LoadAccuracy& how);
 /// included.
 ///
 /// In still water buoyancy, pressure drag and lift are exact to round-off, viscous drag to 1e-5 of
-/// its largest component. In waves the surface is taken as linear over panels that are split until
-/// it departs from linear by less than a tolerance; so are, under Airy waves, the head and the
-/// velocity of the water. Buoyancy is the load of all of its pressure, and the motion that makes
-/// drag and lift is relative to the water on the spot.
+/// its largest component. Over a grid the surface is taken as linear over panels that are split
+/// until it departs from linear by less than a tolerance. Under Airy waves the head and the
+/// velocity of the water are linear over panels on which they bend little, and the loads on the
+/// others are summed at points of pieces of them, within `LoadAccuracy::wave_tolerance` (refine.h).
+/// Buoyancy is the load of all of the water's pressure, and the motion that makes drag and lift is
+/// relative to the water on the spot.
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients, const LoadAccuracy& how = {});
 
