@@ -34,17 +34,20 @@ class Hulls {
   std::shared_ptr<const WakeParts> wake_of(const BodySpec& spec);
 
  private:
-  struct Wake {
+  /// What follows from a mesh alone.
+  template <class Part>
+  struct OfMesh {
     const hydro::TriMesh* mesh_B;  ///< Of the first body that has it.
-    std::shared_ptr<const WakeParts> parts;
-  };
-  struct Lift {
-    const hydro::TriMesh* mesh_B;  ///< Of the first body that has it.
-    std::shared_ptr<const hydro::HullLift> sections;
+    std::shared_ptr<const Part> part;
   };
   std::vector<std::shared_ptr<const hydro::Hull>> hulls_;
-  std::vector<Lift> lifts_;
-  std::vector<Wake> wakes_;
+  std::vector<OfMesh<hydro::HullLift>> lifts_;
+  std::vector<OfMesh<WakeParts>> wakes_;
+
+  /// The part that an equal mesh has, or else the one that make() returns.
+  template <class Part, class Make>
+  static std::shared_ptr<const Part> shared(std::vector<OfMesh<Part>>& parts,
+                                            const hydro::TriMesh& mesh_B, Make&& make);
 };
 
 /// Gives the wet bodies their hulls, so that simulations of copies of the specification share them.

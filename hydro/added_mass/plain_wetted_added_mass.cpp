@@ -98,8 +98,7 @@ Vector6d wave_load_on(const WetPart& part, Acceleration&& normal_acceleration) {
   if (!part.rule.empty()) {
     for (const TrianglePoint& point : part.rule) {
       const Vector3d at(point.at[0], point.at[1], point.at[2]);
-      const Vector3d r =
-          at[0] * part.panel_B[0] + at[1] * part.panel_B[1] + at[2] * part.panel_B[2];
+      const Vector3d r = point_of(part.panel_B, point);
       load += point.weight * area * normal_acceleration(r, std::nullopt) * (part.psi * at);
     }
     return load;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "hydro/mesh/mesh.h"
+
 /// @file
 /// The part of a triangle where a linear function is positive: the wet part of a panel (depth > 0)
 /// or the part that moves into the water (v·n > 0).
@@ -38,5 +40,11 @@ PanelParts positive_part(const Panel& panel, const Eigen::Vector3d& value);
 
 /// Area times outward unit normal [m^2].
 Eigen::Vector3d area_vector(const Panel& panel);
+
+/// The corners of a face.
+inline Panel panel_of(const TriMesh& mesh, Eigen::Index face) {
+  const auto corner = mesh.faces.col(face);
+  return {mesh.vertices.col(corner[0]), mesh.vertices.col(corner[1]), mesh.vertices.col(corner[2])};
+}
 
 }  // namespace hydro

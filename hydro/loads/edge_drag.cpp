@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hydro/decompositions.h"
+#include "hydro/loads/point_rules.h"
 #include "hydro/mesh/edge_table.h"
 
 namespace hydro {
@@ -72,10 +73,9 @@ struct Sides {
       Side& side = sides_[static_cast<std::size_t>(root(static_cast<int>(face)))];
       const double area = area_vector(mesh, face).norm();
       side.area += area;
-      for (int i = 0; i < 3; ++i) {
-        const Vector3d r = (mesh.vertices.col(mesh.faces(i, face)) +
-                            mesh.vertices.col(mesh.faces((i + 1) % 3, face))) /
-                           2;
+      const Panel panel = panel_of(mesh, face);
+      for (const TrianglePoint& point : kThreePoints) {
+        const Vector3d r = point_of(panel, point);
         side.first += area / 3 * r;
         side.second += area / 3 * r * r.transpose();
       }

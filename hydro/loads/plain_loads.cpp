@@ -135,8 +135,7 @@ void add_curved_panel(const PlainInputs& in, const Panel& panel, double below,
   Eigen::Vector3d mean_water = Eigen::Vector3d::Zero();
   loads.wetted_area += area;
   for (const TrianglePoint& point : rule) {
-    const Eigen::Vector3d r =
-        point.at[0] * panel[0] + point.at[1] * panel[1] + point.at[2] * panel[2];
+    const Eigen::Vector3d r = point_of(panel, point);
     const double part = point.weight * area, rise = in.surface.elevation(r) - r.z();
     const WaterMotion at = in.waves.at(in.p_WB + r, in.level + rise);
     const Eigen::Vector3d water = at.velocity - in.sea.current;

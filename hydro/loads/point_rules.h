@@ -1,6 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+
+#include "hydro/loads/clip.h"
 
 /// @file
 /// Rules for means over triangles: of six points, exact for polynomials of fourth degree [D85], and
@@ -40,5 +43,10 @@ inline constexpr std::array<TrianglePoint, 6> kSixPoints = [] {
 
 inline constexpr std::array<TrianglePoint, 3> kThreePoints = {
     {{{0.5, 0.5, 0}, 1.0 / 3}, {{0, 0.5, 0.5}, 1.0 / 3}, {{0.5, 0, 0.5}, 1.0 / 3}}};
+
+/// The place of a point of a rule on a panel.
+inline Eigen::Vector3d point_of(const Panel& panel, const TrianglePoint& point) {
+  return point.at[0] * panel[0] + point.at[1] * panel[1] + point.at[2] * panel[2];
+}
 
 }  // namespace hydro

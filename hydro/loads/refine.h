@@ -197,6 +197,42 @@ inline constexpr double kSagTolerance = 5e-3;
 /// are equal but for rounding the first is halved, whatever axes the corners are given in.
 inline constexpr double kLonger = 1 + 1e-12;
 
+/// Where a panel is split: at a part of the length of an edge, from its first corner.
+struct PanelSplit {
+  int edge = -1;  ///< From corner `edge` to the next one; −1: the panel stays whole.
+  double part = 0;
+};
+
+/// The split of the longest edge that is to be split.
+/// @param split_between   split_between(a, b) is where an edge is split, or 0.
+template <class Split>
+PanelSplit longest_split(const Panel& panel, Split&& split_between) {
+  PanelSplit longest;
+  double length_squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d& a = panel[i];
+    const Eigen::Vector3d& b = panel[(i + 1) % 3];
+    const double squared = (b - a).squaredNorm();
+    if (squared <= kLonger * length_squared) continue;
+    const double part = split_between(a, b);
+    if (part == 0) continue;
+    longest = {i, part};
+    length_squared = squared;
+  }
+  return longest;
+}
+
+/// Calls visit(piece, elevation) for the two pieces of a panel that is split.
+template <class Sampler, class Visit>
+void for_both_pieces(const Panel& panel, const Eigen::Vector3d& elevation, const PanelSplit& split,
+                     const Sampler& surface, Visit&& visit) {
+  const int i = split.edge, j = (i + 1) % 3, k = (i + 2) % 3;
+  const Eigen::Vector3d middle = (1 - split.part) * panel[i] + split.part * panel[j];
+  const double height = surface.elevation(middle);
+  visit(Panel{panel[i], middle, panel[k]}, Eigen::Vector3d(elevation[i], height, elevation[k]));
+  visit(Panel{middle, panel[j], panel[k]}, Eigen::Vector3d(height, elevation[j], elevation[k]));
+}
+
 /// Splits a panel until the surface is linear over each piece, within the tolerance, and the
 /// current is.
 ///
@@ -208,35 +244,15 @@ template <class Sampler, class Skips, class Visit>
 void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
                            const Sampler& surface, Skips&& skips, Visit&& visit) {
   if (skips(panel)) return;
-  int longest = -1;
-  double length_squared = 0, part = 0;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d& a = panel[i];
-    const Eigen::Vector3d& b = panel[(i + 1) % 3];
-    const double squared = (b - a).squaredNorm();
-    if (squared <= kLonger * length_squared) continue;
-    const double split = surface.split_between(a, b);
-    if (split == 0) continue;
-    longest = i;
-    part = split;
-    length_squared = squared;
-  }
-  if (longest < 0 || surface.is_small(panel)) {
-    visit(panel, elevation);
-    return;
-  }
-  const int i = longest;
-  const int j = (i + 1) % 3;
-  const int k = (i + 2) % 3;
-  const Eigen::Vector3d middle = (1 - part) * panel[i] + part * panel[j];
-  const double height = surface.elevation(middle);
-  for_each_linear_piece({panel[i], middle, panel[k]}, {elevation[i], height, elevation[k]}, surface,
-                        skips, visit);
-  for_each_linear_piece({middle, panel[j], panel[k]}, {height, elevation[j], elevation[k]}, surface,
-                        skips, visit);
+  const PanelSplit split = longest_split(
+      panel, [&](const auto& a, const auto& b) { return surface.split_between(a, b); });
+  if (split.edge < 0 || surface.is_small(panel)) return visit(panel, elevation);
+  for_both_pieces(panel, elevation, split, surface, [&](const Panel& piece, const auto& at) {
+    for_each_linear_piece(piece, at, surface, skips, visit);
+  });
 }
 
-/// Splits a panel that is summed at six points, and visits the pieces that may be wet.
+/// Splits a panel that is summed at points, and visits the pieces that may be wet.
 ///
 /// @param level   Of the still water, over which elevations are, above the origin of the panel [m].
 /// @param wet     The panel is wet all over.
@@ -256,28 +272,13 @@ void for_each_curved_piece(const Panel& panel, const Eigen::Vector3d& elevation,
   }
   if (!wet && deepest <= -far) return;
   const bool crosses = !wet && shallowest < far;
-  int longest = -1;
-  double length_squared = 0, part = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double squared = (panel[(i + 1) % 3] - panel[i]).squaredNorm();
-    if (squared <= kLonger * length_squared) continue;
-    const double split = surface.curved_split_between(panel[i], panel[(i + 1) % 3], crosses);
-    if (split == 0) continue;
-    longest = i;
-    part = split;
-    length_squared = squared;
-  }
-  if (longest < 0 || surface.is_small(panel)) {
-    visit(panel, elevation);
-    return;
-  }
-  const int i = longest, j = (i + 1) % 3, k = (i + 2) % 3;
-  const Eigen::Vector3d middle = (1 - part) * panel[i] + part * panel[j];
-  const double height = surface.elevation(middle);
-  for_each_curved_piece({panel[i], middle, panel[k]}, {elevation[i], height, elevation[k]}, level,
-                        wet, surface, visit);
-  for_each_curved_piece({middle, panel[j], panel[k]}, {height, elevation[j], elevation[k]}, level,
-                        wet, surface, visit);
+  const PanelSplit split = longest_split(panel, [&](const auto& a, const auto& b) {
+    return surface.curved_split_between(a, b, crosses);
+  });
+  if (split.edge < 0 || surface.is_small(panel)) return visit(panel, elevation);
+  for_both_pieces(panel, elevation, split, surface, [&](const Panel& piece, const auto& at) {
+    for_each_curved_piece(piece, at, level, wet, surface, visit);
+  });
 }
 
 /// Splits a panel as above and visits all pieces.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/loads/point_rules.h"
+
 namespace hydro {
 namespace {
 
@@ -24,11 +26,9 @@ WakeScale wake_scale(const TriMesh& mesh_B) {
   for (Eigen::Index face = 0; face < mesh_B.face_count(); ++face) {
     const double area = area_vector(mesh_B, face).norm();
     surface += area;
-    // The midpoints of the edges integrate a quadratic exactly.
-    for (int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d r = (mesh_B.vertices.col(mesh_B.faces(i, face)) +
-                                 mesh_B.vertices.col(mesh_B.faces((i + 1) % 3, face))) /
-                                2;
+    const Panel panel = panel_of(mesh_B, face);
+    for (const TrianglePoint& point : kThreePoints) {
+      const Eigen::Vector3d r = point_of(panel, point);
       Eigen::Matrix<double, 3, 6> velocity;
       velocity << Eigen::Matrix3d::Identity(), -cross_matrix(r);
       scale.square += area / 3 * velocity.transpose() * velocity;

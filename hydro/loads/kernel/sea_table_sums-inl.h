@@ -188,45 +188,41 @@ HWY_INLINE void set_restriction(const SeaTable& from, const SeaTable& to, int si
 template <int kCount>
 using Rows = std::array<double*, kCount>;
 
-/// Sets rows to Σ_k of[k][j]·from[k]. Those of `from` are `stride` apart; the length is a multiple
-/// of the lanes.
-template <int kCount>
-HWY_INLINE void add_rows(const Restriction& factor, int j, int count,
-                         const std::array<const double*, kCount>& from, int stride, int length,
-                         const Rows<kCount>& to) {
+/// Sets rows to sums of `count` terms; add(k, i, f, sum) adds term k of field f from place i on.
+/// The length is a multiple of the lanes.
+template <int kCount, class Add>
+HWY_INLINE void sum_rows(int count, int length, const Rows<kCount>& to, Add add) {
   const D d;
   for (int i = 0; i < length; i += static_cast<int>(hn::Lanes(d))) {
     V sum[kCount];
 #pragma GCC unroll 4
     for (V& of_field : sum) of_field = zero();
     for (int k = 0; k < count; ++k) {
-      const V of = all(factor.of[k][j]);
 #pragma GCC unroll 4
-      for (std::size_t f = 0; f < kCount; ++f)
-        sum[f] = hn::MulAdd(of, hn::Load(d, from[f] + k * stride + i), sum[f]);
+      for (std::size_t f = 0; f < kCount; ++f) sum[f] = add(k, i, f, sum[f]);
     }
 #pragma GCC unroll 4
     for (std::size_t f = 0; f < kCount; ++f) hn::Store(sum[f], d, to[f] + i);
   }
 }
 
+/// Sets rows to Σ_k of[k][j]·from[k]. Those of `from` are `stride` apart.
+template <int kCount>
+HWY_INLINE void add_rows(const Restriction& factor, int j, int count,
+                         const std::array<const double*, kCount>& from, int stride, int length,
+                         const Rows<kCount>& to) {
+  sum_rows<kCount>(count, length, to, [&](int k, int i, std::size_t f, V sum) HWY_ATTR {
+    return hn::MulAdd(all(factor.of[k][j]), hn::Load(D(), from[f] + k * stride + i), sum);
+  });
+}
+
 /// Restricts rows along x.
 template <int kCount>
 HWY_INLINE void restrict_rows(const Restriction& x, int count, const Rows<kCount>& from, int length,
                               const Rows<kCount>& to) {
-  const D d;
-  for (int i = 0; i < length; i += static_cast<int>(hn::Lanes(d))) {
-    V sum[kCount];
-#pragma GCC unroll 4
-    for (V& of_field : sum) of_field = zero();
-    for (int k = 0; k < count; ++k) {
-      const V of = hn::Load(d, x.of[k] + i);
-#pragma GCC unroll 4
-      for (std::size_t f = 0; f < kCount; ++f) sum[f] = hn::MulAdd(all(from[f][k]), of, sum[f]);
-    }
-#pragma GCC unroll 4
-    for (std::size_t f = 0; f < kCount; ++f) hn::Store(sum[f], d, to[f] + i);
-  }
+  sum_rows<kCount>(count, length, to, [&](int k, int i, std::size_t f, V sum) HWY_ATTR {
+    return hn::MulAdd(all(from[f][k]), hn::Load(D(), x.of[k] + i), sum);
+  });
 }
 
 /// Restricts plans along y and x.

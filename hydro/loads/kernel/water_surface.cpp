@@ -42,14 +42,16 @@ struct Powers {
 constexpr int kFewestTabulated = 12;
 
 /// Sets the limits of tables, by (1) of sea_table-inl.h.
-/// @param size   ℓ of refine.h [m].
-void set_table_limits(const WaveSurface& surface, double size, double allowed, TableLimits& table) {
+/// @param error     With its weights of short waves.
+/// @param allowed   What tables may miss of the head [m].
+void set_table_limits(const WaveSurface& surface, const HeadError& error, double allowed,
+                      TableLimits& table) {
   const int count = static_cast<int>(surface.components.size());
   table.pays = count >= kFewestTabulated;
   if (!table.pays) return;
   table.allowed = allowed;
   for (const WaveComponent& w : surface.components) {
-    const double number = std::hypot(w.kx, w.ky), weight = 1 / (1 + number * size);
+    const double number = std::hypot(w.kx, w.ky), weight = cancelled(number, error);
     const double along[3] = {std::abs(w.kx) / 2, std::abs(w.ky) / 2, number / 2};
     for (int side = 0; side < 3; ++side) {
       double missed = 2 * weight * w.amplitude;
@@ -60,7 +62,7 @@ void set_table_limits(const WaveSurface& surface, double size, double allowed, T
     }
   }
   for (auto& side : table.error)
-    for (double& error : side) error = std::sqrt(error);
+    for (double& missed : side) missed = std::sqrt(missed);
 }
 
 void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& state,
@@ -146,7 +148,7 @@ WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, 
   bends = sampler.may_bend(longest_edge);
   limits = sampler.limits();
   if (waves.airy)
-    set_table_limits(std::get<WaveSurface>(sea.surface), error ? error->size() : 0,
+    set_table_limits(std::get<WaveSurface>(sea.surface), error.value_or(HeadError{}),
                      error && limits.sum_tolerance > 0 ? limits.sum_tolerance : limits.tolerance,
                      table);
   for (int axis = 0; axis < 3; ++axis) {
