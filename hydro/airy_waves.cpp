@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/wave_sums.h"
+
 namespace hydro {
 namespace {
 
@@ -38,6 +40,19 @@ double near_wave_number(double frequency, double depth, double gravity) {
   const double alpha = deep * depth;
   if (!(alpha < kDeep)) return deep;
   return alpha / depth * std::pow(-std::expm1(-std::pow(alpha, 1.25)), -0.4);
+}
+
+/// Depth at which the functions of depth are taken, by Wheeler's stretching.
+/// @param elevation   Of the surface that is s above the place [m].
+double stretched(double depth, double elevation, double s) {
+  const double below = std::max(s, 0.0);
+  if (!(depth < AiryWaves::kDeepest)) return below;
+  return std::min(depth, below * depth / std::max(depth + elevation, 1e-300));
+}
+
+bool has_many_waves(const Sea& sea) {
+  return has_airy_waves(sea) &&
+         std::get<WaveSurface>(sea.surface).components.size() >= kFewestWavesInLanes;
 }
 
 }  // namespace
@@ -93,7 +108,7 @@ AiryWaves::AiryWaves(const Sea& sea, double time)
   const auto& surface = std::get<WaveSurface>(sea.surface);
   const double factor = amplitude_factor(surface, time);
   for (const WaveComponent& w : surface.components) {
-    const double k = std::hypot(w.kx, w.ky);
+    const double k = wave_number(w);
     if (w.amplitude == 0 || k == 0) continue;
     waves_.push_back({.amplitude = factor * w.amplitude,
                       .k = k,
@@ -101,7 +116,7 @@ AiryWaves::AiryWaves(const Sea& sea, double time)
                       .ky = w.ky,
                       .phase = std::remainder(w.phase - w.omega * time, 2 * M_PI),
                       .velocity_scale = sea.gravity / intrinsic_frequency(k, depth_, sea.gravity),
-                      .weight = 1 / (1 + std::exp(-2 * k * depth_))});
+                      .weight = deep() ? 1 : 1 / (1 + std::exp(-2 * k * depth_))});
   }
 }
 
@@ -109,12 +124,6 @@ Eigen::Vector3d AiryWaves::current(double z) const {
   if (profile_.empty()) return current_;
   const Eigen::Vector2d velocity = velocity_at(profile_, level_ - z);
   return {velocity.x(), velocity.y(), 0};
-}
-
-/// Depth at which the functions of depth are taken, by Wheeler's stretching.
-double AiryWaves::stretched(const Eigen::Vector3d& p_W, double s) const {
-  const double below = std::max(s, 0.0), elevation = s + (p_W.z() - level_);
-  return deep() ? below : std::min(depth_, below * depth_ / std::max(depth_ + elevation, 1e-300));
 }
 
 void AiryWaves::add(const Wave& w, const Eigen::Vector3d& p_W, double down, double factor,
@@ -134,7 +143,7 @@ void AiryWaves::add(const Wave& w, const Eigen::Vector3d& p_W, double down, doub
 
 WaterMotion AiryWaves::at(const Eigen::Vector3d& p_W, double s) const {
   WaterMotion water{.head = s, .velocity = current(p_W.z())};
-  const double down = stretched(p_W, s);
+  const double down = stretched(depth_, s + (p_W.z() - level_), s);
   for (const Wave& w : waves_) add(w, p_W, down, 1, water);
   return water;
 }
@@ -142,7 +151,7 @@ WaterMotion AiryWaves::at(const Eigen::Vector3d& p_W, double s) const {
 Eigen::Vector3d AiryWaves::mean_velocity(const Eigen::Vector3d& p_W, double s,
                                          const Eigen::Matrix3d& half_sides) const {
   WaterMotion water{.velocity = current(p_W.z())};
-  const double down = stretched(p_W, s);
+  const double down = stretched(depth_, s + (p_W.z() - level_), s);
   for (const Wave& w : waves_) {
     double mean = 1;  // Of cos(k·δ) over the box.
     for (int i = 0; i < 3; ++i) {
@@ -155,8 +164,21 @@ Eigen::Vector3d AiryWaves::mean_velocity(const Eigen::Vector3d& p_W, double s,
 }
 
 WaterMotion water_at(const Sea& sea, const Eigen::Vector3d& p_W, double time) {
-  const double s = surface_elevation(sea, p_W.x(), p_W.y(), time) + (sea.level - p_W.z());
-  return AiryWaves(sea, time).at(p_W, s);
+  const double rise = surface_elevation(sea, p_W.x(), p_W.y(), time);
+  const double s = rise + (sea.level - p_W.z());
+  if (!has_many_waves(sea)) return AiryWaves(sea, time).at(p_W, s);
+  const double down = stretched(sea.depth, rise, s);
+  WaterMotion water = airy_waves_in_lanes(sea, p_W, down, nullptr, time);
+  water.head += s;
+  water.velocity += current_at(sea, p_W.z());
+  return water;
+}
+
+Eigen::Vector3d mean_velocity(const Sea& sea, const Eigen::Vector3d& p_W, double s,
+                              const Eigen::Matrix3d& half_sides, double time) {
+  if (!has_many_waves(sea)) return AiryWaves(sea, time).mean_velocity(p_W, s, half_sides);
+  const double down = stretched(sea.depth, s + (p_W.z() - sea.level), s);
+  return current_at(sea, p_W.z()) + airy_waves_in_lanes(sea, p_W, down, &half_sides, time).velocity;
 }
 
 }  // namespace hydro

@@ -104,7 +104,6 @@ class AiryWaves {
   /// Adds a wave's part of the water at a depth z* = −`down`, times a factor.
   void add(const Wave& w, const Eigen::Vector3d& p_W, double down, double factor,
            WaterMotion& water) const;
-  double stretched(const Eigen::Vector3d& p_W, double s) const;
   /// Velocity of the water at a height z without its waves [m/s].
   Eigen::Vector3d current(double z) const;
 
@@ -116,5 +115,9 @@ class AiryWaves {
 
 /// The water at a point of any sea. Over water without Airy waves it moves with the current.
 WaterMotion water_at(const Sea& sea, const Eigen::Vector3d& p_W, double time);
+
+/// AiryWaves::mean_velocity() of a sea at a time, for one box.
+Eigen::Vector3d mean_velocity(const Sea& sea, const Eigen::Vector3d& p_W, double s,
+                              const Eigen::Matrix3d& half_sides, double time);
 
 }  // namespace hydro

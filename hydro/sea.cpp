@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hydro/wave_sums.h"
+
 namespace hydro {
 namespace {
 
@@ -50,6 +52,8 @@ double elevation(const HeightField& field, double x, double y, double) {
 
 double elevation(const WaveSurface& waves, double x, double y, double time) {
   const double factor = amplitude_factor(waves, time);
+  if (waves.components.size() >= kFewestWavesInLanes)
+    return factor * elevation_in_lanes(waves, x, y, time);
   double height = 0;
   for (const WaveComponent& w : waves.components)
     height += w.amplitude * std::cos(w.kx * x + w.ky * y - w.omega * time + w.phase);

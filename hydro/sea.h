@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -52,6 +53,9 @@ struct WaveComponent {
   double omega = 0;      ///< Angular frequency for an observer at rest [rad/s].
   double phase = 0;      ///< [rad]
 };
+
+/// |k| of a wave [rad/m].
+inline double wave_number(const WaveComponent& w) { return std::sqrt(w.kx * w.kx + w.ky * w.ky); }
 
 /// The model of the water below waves.
 enum class Kinematics {

@@ -34,7 +34,6 @@ constexpr double kEnergyLeftOut = 0.05;
 
 using Components = std::vector<hydro::WaveComponent>;
 
-double wave_number(const hydro::WaveComponent& w) { return std::hypot(w.kx, w.ky); }
 double wavelength(const hydro::WaveComponent& w) { return 2 * M_PI / wave_number(w); }
 
 /// Height over length from which on a wave breaks.

@@ -173,7 +173,7 @@ Eigen::Vector3d flow_about(const Body& body, const hydro::BodyState& state, doub
   const double reach = half.row(2).cwiseAbs().sum();
   const double surface = sea.level + hydro::surface_elevation(sea, p.x(), p.y(), time + ahead);
   p.z() = (p.z() - reach + std::min(p.z() + reach, surface)) / 2;
-  return hydro::AiryWaves(sea, time + ahead).mean_velocity(p, surface - p.z(), half);
+  return hydro::mean_velocity(sea, p, surface - p.z(), half, time + ahead);
 }
 
 hydro::HullWater water_about(const Body& body, const hydro::BodyState& state, double time) {

@@ -36,7 +36,7 @@ std::optional<Sea> without_weak_waves(const Sea& sea, const HeadError& error) {
   std::vector<Felt> felt;
   felt.reserve(all.size());
   for (const WaveComponent& w : all) {
-    const double number = std::hypot(w.kx, w.ky), turn = number * error.size();
+    const double number = wave_number(w), turn = number * error.size();
     const double head = w.amplitude / (1 + turn * std::sqrt(turn));
     variance += w.amplitude * w.amplitude / 2;
     felt.push_back({number, head * head / 2});
@@ -53,7 +53,7 @@ std::optional<Sea> without_weak_waves(const Sea& sea, const HeadError& error) {
   if (shortest == HUGE_VAL) return std::nullopt;
   Sea rest = sea;
   std::erase_if(std::get<WaveSurface>(rest.surface).components,
-                [&](const WaveComponent& w) { return std::hypot(w.kx, w.ky) >= shortest; });
+                [&](const WaveComponent& w) { return wave_number(w) >= shortest; });
   return rest;
 }
 

@@ -8,6 +8,8 @@
 #include "hydro/loads/loads.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
+#include "hydro/wave_spectrum.h"
+#include "hydro/wave_sums.h"
 #include "tests/support/random_pose.h"
 
 namespace {
@@ -113,6 +115,58 @@ TEST(AiryWaves, ObeyLinearTheoryForSmallAmplitudes) {
       EXPECT_LT((here.acceleration - rate).norm(), 1e-4 * scale);
     }
   }
+}
+
+/// The elevation as a sum over seas of one wave each [m].
+double elevation_wave_by_wave(const Sea& sea, double x, double y, double time) {
+  double sum = 0;
+  for (const hydro::WaveComponent& w : std::get<WaveSurface>(sea.surface).components) {
+    Sea one = sea;
+    std::get<WaveSurface>(one.surface).components = {w};
+    sum += hydro::surface_elevation(one, x, y, time);
+  }
+  return sum;
+}
+
+/// Rounding of a sum of waves whose phases are as large as these tests' [-].
+constexpr double kRounding = 1e-11;
+
+TEST(ManyAiryWaves, AreTheSumOfEachInAnyNumberAndDepth) {
+  support::Random random(31);
+  for (const int waves : {8, 13, 64, 130})
+    for (const double depth : {kDeep, 4.0, 0.5}) {
+      Sea sea{.depth = depth, .current = {0.4, -0.2, 0}};
+      sea.surface = hydro::jonswap_sea(
+          {.significant_height = 0.2, .peak_period = 3, .spreading = 2, .components = waves}, sea);
+      std::get<WaveSurface>(sea.surface).ramp = 20;
+      for (int i = 0; i < 20; ++i) {
+        const Vector3d p = random.vector(100) - Vector3d(0, 0, random.uniform(0, 3));
+        const double time = random.uniform(1, 40);
+        const double rise = hydro::surface_elevation(sea, p.x(), p.y(), time);
+        EXPECT_NEAR(rise, elevation_wave_by_wave(sea, p.x(), p.y(), time), kRounding);
+        const Vector3d at(p.x(), p.y(), -0.4 * random.uniform(0, 1));
+        const WaterMotion here = hydro::water_at(sea, at, time);
+        const WaterMotion there = AiryWaves(sea, time).at(at, rise - at.z());
+        EXPECT_NEAR(here.head, there.head, kRounding);
+        EXPECT_LT((here.velocity - there.velocity).norm(), 10 * kRounding);
+        EXPECT_LT((here.acceleration - there.acceleration).norm(), 10 * kRounding);
+        const Eigen::Matrix3d box =
+            random.rotation().toRotationMatrix() * Vector3d(2, 1, 0.5).asDiagonal();
+        const Vector3d mean = hydro::mean_velocity(sea, at, rise - at.z(), box, time);
+        const Vector3d expected = AiryWaves(sea, time).mean_velocity(at, rise - at.z(), box);
+        EXPECT_LT((mean - expected).norm(), 10 * kRounding);
+      }
+    }
+}
+
+TEST(ManyAiryWaves, KeepTheirPhasesFarAwayAndLate) {
+  Sea sea;
+  sea.surface =
+      hydro::jonswap_sea({.significant_height = 2, .peak_period = 7, .components = 16}, sea);
+  const double far = 3e7, late = 4e6;
+  const double expected = elevation_wave_by_wave(sea, far, -far, late);
+  // A phase of 1e8 has lost 1.5e-8 before its cosine is taken.
+  EXPECT_NEAR(hydro::surface_elevation(sea, far, -far, late), expected, 1e-6);
 }
 
 TEST(AiryWaves, StandStillAtTheBottom) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "hydro/airy_waves.h"
 
@@ -39,30 +41,51 @@ struct Powers {
 };
 
 /// The fewest waves for which a table takes less time than their sum.
-constexpr int kFewestTabulated = 12;
+constexpr std::size_t kFewestTabulated = 12;
 
-/// Sets the limits of tables, by (1) of sea_table-inl.h.
+/// Half the longest side of a branch's box over the hull's radius, at most: it may be turned, and
+/// stick out of the sphere [-]. Water that is not within it is summed without a table.
+constexpr double kReachOverRadius = 2;
+
+/// Sets the limits of tables, by (1) of sea_table-inl.h, up to the number of nodes that does for
+/// all branches of a hull.
 /// @param error     With its weights of short waves.
 /// @param allowed   What tables may miss of the head [m].
+/// @param reach     A bound of half the length of a branch's box [m].
 void set_table_limits(const WaveSurface& surface, const HeadError& error, double allowed,
-                      TableLimits& table) {
-  const int count = static_cast<int>(surface.components.size());
+                      double reach, TableLimits& table) {
+  const std::size_t count = surface.components.size();
   table.pays = count >= kFewestTabulated;
   if (!table.pays) return;
   table.allowed = allowed;
-  for (const WaveComponent& w : surface.components) {
-    const double number = std::hypot(w.kx, w.ky), weight = cancelled(number, error);
-    const double along[3] = {std::abs(w.kx) / 2, std::abs(w.ky) / 2, number / 2};
-    for (int side = 0; side < 3; ++side) {
-      double missed = 2 * weight * w.amplitude;
-      for (int n = 1; n <= kMostTableNodes; ++n) {
-        missed *= along[side] / n;
-        table.error[side][n] += missed * missed / 2;
+  for (auto& side : table.error) std::fill(std::begin(side), std::end(side), HUGE_VAL);
+  std::vector<double> along[3], missed[3];
+  for (int side = 0; side < 3; ++side) {
+    along[side].resize(count);
+    missed[side].resize(count);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const WaveComponent& w = surface.components[i];
+    const double number = wave_number(w);
+    along[0][i] = std::abs(w.kx) / 2;
+    along[1][i] = std::abs(w.ky) / 2;
+    along[2][i] = number / 2;
+    for (auto& side : missed) side[i] = 2 * cancelled(number, error) * w.amplitude;
+  }
+  for (int side = 0; side < 3; ++side) {
+    double power = 1;
+    for (int n = 1; n <= kMostTableNodes; ++n) {
+      double sum = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        double& wave = missed[side][i];
+        wave *= along[side][i] / n;
+        sum += wave * wave / 2;
       }
+      table.error[side][n] = std::sqrt(sum);
+      power *= reach;
+      if (n > 1 && table.error[side][n] * power <= allowed) break;
     }
   }
-  for (auto& side : table.error)
-    for (double& missed : side) missed = std::sqrt(missed);
 }
 
 void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& state,
@@ -82,7 +105,7 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
       to[static_cast<std::size_t>(row) * room + i] = value;
     };
     const Eigen::Vector3d k = R_WB.transpose() * Eigen::Vector3d(w.kx, w.ky, 0);
-    const double number = std::hypot(w.kx, w.ky);
+    const double number = wave_number(w);
     set(WaveField::kAmplitude, w.amplitude);
     for (int axis = 0; axis < 3; ++axis) set(WaveField::kVector + axis, k[axis]);
     const double phase =
@@ -102,7 +125,7 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
     set(WaveField::kNumber, number);
     set(WaveField::kUpward, velocity * number);
     for (int axis = 0; axis < 3; ++axis) set(WaveField::kFlow + axis, velocity * k[axis]);
-    set(WaveField::kWeight, 1 / (1 + std::exp(-2 * number * sea.depth)));
+    set(WaveField::kWeight, waves.deep ? 1 : 1 / (1 + std::exp(-2 * number * sea.depth)));
   }
   bends.set(waves.bends);
   flow.set(waves.flow);
@@ -150,7 +173,7 @@ WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, 
   if (waves.airy)
     set_table_limits(std::get<WaveSurface>(sea.surface), error.value_or(HeadError{}),
                      error && limits.sum_tolerance > 0 ? limits.sum_tolerance : limits.tolerance,
-                     table);
+                     kReachOverRadius * smallest / kSmallestPanel, table);
   for (int axis = 0; axis < 3; ++axis) {
     east[axis] = R_WB(0, axis);
     north[axis] = R_WB(1, axis);

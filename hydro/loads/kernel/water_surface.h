@@ -69,7 +69,8 @@ inline constexpr int kMostTableNodes = 12;
 /// The numbers that tell how many nodes a table of the sea needs.
 struct TableLimits {
   /// By the number of nodes n, for sides of half length h along x, y and the depth: the root mean
-  /// square of what the table misses of the head is error · h^n [m].
+  /// square of what the table misses of the head is error · h^n [m]. It is infinite for more nodes
+  /// than any branch of the hull needs.
   double error[3][kMostTableNodes + 1] = {};
   double allowed = 0;  ///< What it may miss [m].
   int most_nodes = 0;  ///< With more, the sum over all waves takes less time.
