@@ -67,6 +67,11 @@ std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec, const Rig
 SimulationError::SimulationError(double time, std::string body, const std::string& what)
     : std::runtime_error(message(time, body, what)), time_(time), body_(std::move(body)) {}
 
+/// Wall times that all bodies have booked [s].
+struct BodySeconds {
+  double loads = 0, sea = 0, constraints = 0;
+};
+
 struct Simulation::Impl {
   explicit Impl(SimulationSpec description);
 
@@ -95,7 +100,8 @@ struct Simulation::Impl {
   long steps = 0;
   bool broken = false;  ///< A step stopped halfway.
   Timings timings;
-  double loads_so_far = 0;  ///< Seconds of all bodies' loads after the last step.
+  BodySeconds seconds_so_far;  ///< After the last step.
+  StopCheck stop;
   ConstraintErrors errors;
   std::optional<SimulationState> start;
 };
@@ -115,7 +121,8 @@ Simulation::Impl::Impl(SimulationSpec description)
                     threads.execute([&] { hydro::parallel_for(n, f); });
                   },
               .collides = world.can_collide(),
-              .tolerance = spec.integrator.tolerance},
+              .tolerance = spec.integrator.tolerance,
+              .stop = &stop},
       stepper(context, spec.step) {
   for (const MovingBody& moving : bodies) states.push_back(moving.motion.state);
   errors.joints.resize(spec.joints.size());
@@ -135,16 +142,27 @@ const SetPointSpec& Simulation::Impl::set_point(SetPointId id) const {
 }
 
 void Simulation::Impl::book_time(double wall, double collision) {
-  double loads = -loads_so_far;
-  for (const MovingBody& moving : bodies) loads += moving.cache.seconds;
-  loads_so_far += loads;
+  BodySeconds sums;
+  for (const MovingBody& moving : bodies) {
+    sums.loads += moving.cache.seconds;
+    sums.sea += moving.cache.sea_seconds;
+    sums.constraints += moving.cache.constraint_seconds;
+  }
   // Loads of several bodies are found at once: their share of the step is an average.
   const double at_once =
       std::clamp(static_cast<double>(bodies.size()), 1.0, std::max(1.0, 1.0 * spec.threads));
-  const double hydro = std::min(wall - collision, loads / at_once);
+  double rest = wall - collision;
+  const auto take = [&](double now, double before) {
+    const double part = std::min(rest, (now - before) / at_once);
+    rest -= part;
+    return part;
+  };
   timings.collision += collision;
-  timings.hydro += hydro;
-  timings.engine += wall - collision - hydro;
+  timings.hydro += take(sums.loads, seconds_so_far.loads);
+  timings.engine += rest;
+  timings.sea += take(sums.sea, seconds_so_far.sea);
+  timings.constraints += take(sums.constraints, seconds_so_far.constraints);
+  seconds_so_far = sums;
 }
 
 /// Adds the reactions of reduced joints, which no solver finds, from the records of work.
@@ -367,6 +385,8 @@ SimulationState Simulation::state() const {
 }
 void Simulation::restore(const SimulationState& state) { impl_->restore(state.data()); }
 void Simulation::reset() { impl_->restore(impl_->start->data()); }
+
+void Simulation::stop_if(StopCheck stop) { impl_->stop = std::move(stop); }
 
 void Simulation::step() {
   Impl& impl = *impl_;

@@ -9,6 +9,7 @@
 #include "engine/base/counts.h"
 #include "engine/base/rig_readings.h"
 #include "engine/base/spec.h"
+#include "engine/base/step_stopped.h"
 #include "engine/hollows/interior_water.h"
 #include "engine/motion/pull.h"
 #include "engine/record/body_forces.h"
@@ -29,11 +30,14 @@ class SimulationError : public std::runtime_error {
   std::string body_;
 };
 
-/// Wall time spent so far, by stage [s]. Added mass counts as water.
+/// Wall time spent so far, by stage [s]. Added mass counts as water. What several bodies or islands
+/// take at once is shared among the threads.
 struct Timings {
   double collision = 0;
   double hydro = 0;
   double engine = 0;
+  double sea = 0;          ///< The part of `engine` that finds the motion of waves about bodies.
+  double constraints = 0;  ///< The part of `engine` that solves for joints, contacts and lines.
 };
 
 /// What no step computes because the scene does not need it.
@@ -112,8 +116,12 @@ class Simulation {
   /// Back to time 0.
   void reset();
 
+  /// From now on steps ask `stop` some times for each body, from any thread, whether to go on; an
+  /// empty one lets them. A step that is not to go on throws StepStopped.
+  void stop_if(StopCheck stop);
+
   /// One step. The state before it is kept if it throws; until restore() every later step then
-  /// throws too. @throws SimulationError
+  /// throws too. @throws SimulationError, StepStopped
   void step();
 
  private:

@@ -5,11 +5,26 @@
 #include "app/assembly/build.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
+#include "app/base/thread_count.h"
 #include "app/run/body_tables.h"
+#include "app/run/piece_warning.h"
+#include "app/run/step_cost.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
 namespace {
+
+/// Tells what a step costs, without added mass, which is not solved for here.
+void describe_cost(engine::SimulationSpec spec) {
+  spec.threads = thread_count(0);
+  try {
+    engine::Simulation simulation(std::move(spec));
+    if (const std::optional<StepCost> cost = measured_cost(simulation))
+      print(fmt::format("  cost without added mass: {}\n", cost_text(*cost, simulation.spec())));
+  } catch (const engine::SimulationError&) {
+    // A run tells it.
+  }
+}
 
 void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
   Eigen::Index triangles = 0;
@@ -18,6 +33,7 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
                     counted(built.spec.bodies.size(), "body", "bodies"), triangles,
                     counted(built.spec.joints.size(), "joint", "joints")));
   for (const std::string& line : BodyTables(scene, built).sizes()) print(fmt::format("{}\n", line));
+  describe_cost(built.spec);
   std::vector<assembly::RadiationChoice> radiation;
   for (const assembly::RadiationReport& report : built.radiation)
     radiation.push_back(report.choice);
@@ -28,6 +44,8 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
     print(fmt::format("{}: note: {}\n", scene.file.string(), note));
   for (const std::string& warning : built.warnings)
     print(fmt::format("{}: warning: {}\n", scene.file.string(), warning));
+  if (const std::optional<std::string> warning = piece_warning(built.spec))
+    print(fmt::format("{}: warning: {}\n", scene.file.string(), *warning));
 }
 
 }  // namespace

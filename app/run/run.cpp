@@ -31,15 +31,21 @@
 #include "app/run/constraint_warning.h"
 #include "app/run/log_subject.h"
 #include "app/run/motion_watch.h"
+#include "app/run/piece_warning.h"
 #include "app/run/resolved_scene.h"
 #include "app/run/run_need.h"
 #include "app/run/state_log.h"
+#include "app/run/step_cost.h"
 #include "app/run/summary.h"
 #include "app/scene/diagnostics.h"
 #include "engine/simulation.h"
 
 namespace app {
 namespace {
+
+/// The state before a step is kept for a checkpoint if the last step took at least this long [s]:
+/// one that took less is expected to end within kPatience.
+constexpr double kSlowStep = 0.05;
 
 /// A run: the simulation and its output.
 class Run {
@@ -68,6 +74,8 @@ class Run {
       go_on_from(*last, std::move(store));
     else
       shots_.keep_in(std::move(store));
+    if (!options.quiet) cost_ = measured_cost(simulation_);
+    simulation_.stop_if([this] { return interrupt_.overdue(); });
   }
 
   int execute() {
@@ -104,6 +112,7 @@ class Run {
     for (const std::string& line :
          resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
       say(line);
+    if (cost_) say("  cost: " + cost_text(*cost_, built_.spec));
     say_warnings(built_.warnings);
   }
 
@@ -153,7 +162,7 @@ class Run {
       if (!summary_.resumed_at) keep();
       while (simulation_.steps() < steps && !interrupt_.interrupted()) {
         log_.before_step(simulation_.states());
-        simulation_.step();
+        if (!step()) break;
         watch();
         keep();
         if (progress_.due()) show_progress();
@@ -164,9 +173,26 @@ class Run {
       finish_log();
       return failed(kCannotGoOn, error.what());
     }
-    if (options_.checkpoint > 0 && interrupt_.interrupted()) save_checkpoint();
+    if (options_.checkpoint > 0 && interrupt_.interrupted() && !stopped_) save_checkpoint();
     finish_log();
     return simulation_.steps() < steps ? interrupted() : kDone;
+  }
+
+  /// Takes a step. A slow one is left if a signal comes, with the state before it where that is
+  /// needed for a checkpoint. @return false if it was left
+  bool step() {
+    std::optional<engine::SimulationState> before;
+    if (options_.checkpoint > 0 && last_step_ >= kSlowStep) before = simulation_.state();
+    const WallClock clock;
+    try {
+      simulation_.step();
+    } catch (const engine::StepStopped&) {
+      stopped_ = !before;
+      if (before) simulation_.restore(*before);
+      return false;
+    }
+    last_step_ = clock.seconds();
+    return true;
   }
 
   /// @throws OutputError, also if no one will find the log
@@ -262,7 +288,7 @@ class Run {
     if (code == kInterrupted)
       say(fmt::format("interrupted at {:.2f} s of {:g} s; what was done is in {}",
                       summary_.simulated, scene_.duration, folder_.path().string()));
-    if (code == kInterrupted && options_.checkpoint > 0)
+    if (code == kInterrupted && std::filesystem::exists(folder_.path() / kCheckpointFile))
       say(fmt::format("plimsoll run --resume {} continues from there", folder_.path().string()));
     if (code == kInterrupted && options_.video.wanted() && !summary_.pictures &&
         options_.checkpoint == 0)
@@ -280,11 +306,14 @@ class Run {
   WallClock clock_;
   WallClock since_checkpoint_;
   ProgressLine progress_;
-  InterruptGuard interrupt_;
   engine::Simulation simulation_;
   MotionWatch watch_;
+  InterruptGuard interrupt_;  ///< Before there is a log, a signal may end the program at once.
   StateLog log_;
   ShotSelector shots_;
+  std::optional<StepCost> cost_;  ///< None where no one reads it.
+  double last_step_ = kSlowStep;  ///< Wall time of the last step [s].
+  bool stopped_ = false;          ///< Halfway through a step, with no state to save.
 };
 
 void check_video_of_run(const RunOptions& options, const scene::Scene& scene,
@@ -330,6 +359,8 @@ int run(const RunOptions& options, const Checkpoint* last) {
   for (std::string& warning :
        run_warnings(scene, log_subject(scene, built), options.format, out, options.render))
     built.warnings.push_back(std::move(warning));
+  if (std::optional<std::string> warning = piece_warning(built.spec))
+    built.warnings.push_back(std::move(*warning));
   if (last && digest_of(built.spec) != last->inputs)
     throw scene::InputError(scene.file,
                             "a mesh or another file that the scene names has changed since the "

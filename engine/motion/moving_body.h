@@ -31,6 +31,8 @@ struct LoadCache {
   Vector6d wake = Vector6d::Zero();       ///< That of the motion for that state.
   WaveMemoryRule memory_rule;             ///< Of the last substep.
   double seconds = 0;                     ///< Wall time of loads and added mass so far [s].
+  double sea_seconds = 0;                 ///< That of the motion of waves about it [s].
+  double constraint_seconds = 0;          ///< That of islands of which it is the first body [s].
 };
 
 struct MovingBody {

@@ -7,6 +7,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/base/state_checks.h"
+#include "engine/base/stopwatch.h"
 #include "engine/constraints/constraint_solver.h"
 #include "engine/constraints/joint_rows.h"
 #include "engine/constraints/restitution.h"
@@ -169,6 +170,8 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
     bodies.push_back({island.bodies[i]->id, b.S, b.mobility, b.unconstrained(problem.h)});
   }
   const std::vector<ConstraintBlock> blocks = blocks_of(problem, constraints);
+  problem.context.check_stop();
+  const Stopwatch stopwatch(island.bodies.front()->moving->cache.constraint_seconds);
   const ConstraintSolution found =
       solve_constraints(bodies, blocks, expected_impulses(problem, constraints, blocks),
                         std::sqrt(2 * motion_energy(problem)));
@@ -301,6 +304,7 @@ bool linearise(const StepContext& context, Island& island, double time, double h
   const int most = pieces == hydro::Pieces::fine ? kFullNewtonSteps : kMostLinearisations;
   for (int i = 0; i < most; ++i) {
     parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
+      context.check_stop();
       pushed[k] = make_pushed(*island.bodies[k], time, h, pieces);
     });
     for (std::size_t k = 0; k < pushed.size(); ++k) {

@@ -321,6 +321,7 @@ double GroupStepper::longest_substep(double rest) const {
 
 void GroupStepper::find_contacts(double time, double h) {
   if (found_ == std::pair(time, h)) return;
+  context_.check_stop();
   found_ = {time, h};
   std::vector<World::Placed> bodies;
   for (Member& m : members_) {

@@ -21,8 +21,10 @@ void apply_loads(World& world, MovingBody& moving, BodyId id, double time, doubl
 std::vector<Overlap> ode_step(const StepContext& context, double time, double step) {
   World& world = context.world;
   std::vector<MovingBody>& bodies = context.bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    context.check_stop();
     if (bodies[i].body.movable) apply_loads(world, bodies[i], static_cast<BodyId>(i), time, step);
+  }
   if (context.collides) world.collide(step);
   world.advance(step);
   std::vector<bool> touching(bodies.size(), false);

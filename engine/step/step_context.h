@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/base/parallel_for.h"
+#include "engine/base/step_stopped.h"
 #include "engine/contacts/world.h"
 #include "engine/motion/moving_body.h"
 #include "engine/rig/rig.h"
@@ -18,6 +19,13 @@ struct StepContext {
   ParallelFor parallel_for;
   bool collides = true;  ///< False: nothing in the scene can touch.
   double tolerance = 0;  ///< As Integrator::tolerance.
+  const StopCheck* stop = nullptr;
+
+  /// Is called before the dear parts of a substep, so that it can be left within one of them.
+  /// @throws StepStopped
+  void check_stop() const {
+    if (stop) ask(*stop);
+  }
 };
 
 }  // namespace engine

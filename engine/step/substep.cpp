@@ -22,7 +22,12 @@ Vector6d change_by_history(const Motion& halfway, double h) {
 
 /// What a substep takes as constant: the water about a body, its wake halfway, and its rotors.
 void hold_surroundings(const SubstepBody& b, double time, double h, Motion& motion) {
-  motion.flow = flow_about(b.body(), motion.state, time, h / 2);
+  if (b.body().has_flow) {
+    const Stopwatch stopwatch(b.moving->cache.sea_seconds);
+    motion.flow = flow_about(b.body(), motion.state, time, h / 2);
+  } else {
+    motion.flow = flow_about(b.body(), motion.state, time, h / 2);
+  }
   advance_wake(b.body(), h / 2, motion);
   if (b.moving->machines) motion.rotors_B = b.moving->machines->rotors_B(b.id, time + h / 2);
 }
@@ -246,6 +251,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
   assert(std::ranges::is_sorted(island.bodies, {}, &SubstepBody::id));
   const bool constrained = island.constrained;
   for (SubstepBody* b : island.bodies) {
+    context.check_stop();
     constrained ? begin_constrained(*b, h) : begin_free(*b, time, h);
     if (b->body().has_added_mass) expect_added_mass(*b, time + h, h);
   }
@@ -267,10 +273,12 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
     if (constrained) {
       solve_constrained(context, island, time + h / 2, h);
     } else {
-      for (SubstepBody* b : island.bodies)
+      for (SubstepBody* b : island.bodies) {
+        context.check_stop();
         b->update = pass == 1
                         ? free_update(*b->moving, b->midpoint, time + h / 2, h)
                         : resolve_with_inertia(*b->moving, b->midpoint, b->update, time + h / 2, h);
+      }
     }
     for (SubstepBody* b : island.bodies) finish(island, *b, h);
     if (constrained) close_joints(context, island);

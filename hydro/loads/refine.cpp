@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "hydro/airy_waves.h"
+
 namespace hydro {
 namespace {
 
@@ -233,6 +235,23 @@ bool SurfaceSampler::grid_bends(const HeightField& field, const Eigen::Vector3d&
   if (cells * field.bend <= 4 * limits_.tolerance) return false;
   const double sag = elevation(0.5 * (a + b)) - 0.5 * (elevation(a) + elevation(b));
   return std::abs(sag) > limits_.tolerance;
+}
+
+bool needs_more_pieces(const Sea& sea, double radius, const HeadError& error) {
+  if (!has_airy_waves(sea)) return false;
+  const std::optional<Sea> felt = without_weak_waves(sea, error);
+  const double edge = kSmallestPanel * radius;
+  // An edge of this length is not halved, so limits are asked for a little less.
+  const Eigen::Vector3d place(0, 0, sea.level);
+  const SurfaceSampler surface(felt ? *felt : sea, place, 0, (1 - 1e-9) * edge, SplitFor::head,
+                               error);
+  constexpr int kDirections = 8;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = M_PI * i / kDirections;
+    const Eigen::Vector3d end = edge * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+    if (surface.curved_split_between(Eigen::Vector3d::Zero(), end, true) != 0) return true;
+  }
+  return false;
 }
 
 }  // namespace hydro

@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cstring>
 #include <thread>
 
@@ -167,6 +168,33 @@ TEST(Skipping, WaterNeedsASeaAndABodyThatFeelsIt) {
   EXPECT_TRUE(skips(spec));
 }
 
+TEST(StoppedStep, CanBeTakenAgainFromTheStateBefore) {
+  for (const bool busy : {true, false}) {
+    const SimulationSpec spec =
+        busy ? busy_world()
+             : support::dry_world({support::box_body("a", {1, 1, 1}, 1, {0, 0, 0})}, 0.1);
+    Simulation simulation = support::after(spec, kSteps / 10);
+    const engine::SimulationState before = simulation.state();
+    const Simulation there = support::after(spec, kSteps / 10);
+    // It is stopped at each place where it may be, until the step gets to its end.
+    int looks = 0;
+    for (bool ended = false; !ended; ++looks) {
+      std::atomic<int> left = looks;
+      simulation.stop_if([&] { return left-- <= 0; });
+      try {
+        simulation.step();
+        ended = true;
+      } catch (const engine::StepStopped&) {
+        EXPECT_TRUE(same_bits(simulation, there));
+        EXPECT_THROW(simulation.step(), engine::SimulationError);
+        simulation.restore(before);
+      }
+    }
+    EXPECT_GT(looks, busy ? 12 : 1);
+    EXPECT_TRUE(same_bits(simulation, support::after(spec, kSteps / 10 + 1)));
+  }
+}
+
 TEST(Counts, HaveTheLoadEvaluationsAboveTheWater) {
   BodySpec body = support::box_body("a", {1, 1, 1}, 500, {0, 0, 2});
   body.wet = true;
@@ -190,9 +218,12 @@ TEST(Timing, GrowsForWhatIsDone) {
   EXPECT_GT(simulation.timings().collision, 0);
   EXPECT_GT(simulation.timings().hydro, 0);
   EXPECT_GT(simulation.timings().engine, 0);
+  EXPECT_GT(simulation.timings().constraints, 0);
   const Simulation dry = support::after(
       support::dry_world({support::box_body("a", {1, 1, 1}, 1, {0, 0, 0})}, 0.1), 10);
   EXPECT_EQ(dry.timings().collision, 0);
+  EXPECT_EQ(dry.timings().sea, 0);
+  EXPECT_EQ(dry.timings().constraints, 0);
 }
 
 }  // namespace

@@ -96,7 +96,9 @@ TEST_F(ProgramCheck, SaysWhatARightSceneHolds) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(lines_of(outcome.out),
               ElementsAre("box.yaml: ok: 1 body, 48 triangles, 0 joints", StartsWith("  body"),
-                          AllOf(StartsWith("  box"), HasSubstr("1 x 1 x 1"), HasSubstr("500"))));
+                          AllOf(StartsWith("  box"), HasSubstr("1 x 1 x 1"), HasSubstr("500")),
+                          AllOf(StartsWith("  cost without added mass: "),
+                                HasSubstr(" ms a step, "), HasSubstr(" x real time"))));
   EXPECT_FALSE(fs::exists(here / "out"));
 }
 

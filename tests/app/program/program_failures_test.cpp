@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -153,6 +154,32 @@ TEST_F(ProgramFailures, CtrlCKeepsWhatWasDone) {
     EXPECT_EQ(summary()["ended"], "interrupted");
     EXPECT_EQ(expect_whole_log(), summary()["steps"].get<std::size_t>() + 1);
   }
+}
+
+/// Bodies of which a step takes many seconds: loads of short waves on long faces.
+std::string slow_scene() {
+  return R"(plimsoll: 1
+duration: 10
+step: 0.01
+water: {surface: {spectrum: {type: jonswap, significant_height: 0.03, peak_period: 0.6, components: 256}}}
+hydro: {added_mass: none, wave_tolerance: 1e-6}
+bodies:
+  - {name: b, repeat: {grid: [40, 40, 1], spacing: [60, 60, 0]}, box: {size: [40, 10, 6]}, density: 500, position: [0, 0, 0]}
+)";
+}
+
+TEST_F(ProgramFailures, CtrlCLeavesASlowStepAndItsLogIsWhole) {
+  here.write("slow.yaml", slow_scene());
+  const pid_t process = here.start({"run", "slow.yaml", "--out", "o", "--checkpoint", "1000"});
+  ASSERT_TRUE(support::wait_for_bytes(here / "o/trajectory.csv", 60'000));
+  ::kill(process, SIGINT);
+  const auto signalled = std::chrono::steady_clock::now();
+  EXPECT_EQ(here.finish(process).code, 130);
+  // A step takes ten times as long.
+  EXPECT_LT(std::chrono::steady_clock::now() - signalled, std::chrono::seconds(3));
+  EXPECT_EQ(summary()["steps"], 0);
+  EXPECT_EQ(app::read_trajectory(here / "o/trajectory.csv").tracks.at("b_7").times.size(), 1u);
+  EXPECT_TRUE(fs::exists(here / "o/checkpoint.bin"));
 }
 
 TEST_F(ProgramFailures, AKilledRunLeavesEveryRowItHadLogged) {
