@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "app/assembly/build_radiation.h"
 #include "app/base/atomic_file.h"
@@ -132,7 +133,7 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"drag_shape", json_rows(body.coefficients.drag_shape)},
           {"steps_above_water", summary.counts[i].dry},
           {"steps_at_rest", summary.counts[i].resting},
-          {"motion", motion},
+          {"motion", std::move(motion)},
           {"added_mass", to_json(summary.built.added_mass[i])},
           {"radiation", to_json(summary.built.radiation[i])},
           {"resistance", to_json(body, summary.built.resistance[i])}};
@@ -189,7 +190,18 @@ Json body_summaries(const RunSummary& summary) {
   summaries.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     summaries.emplace_back(bodies[i].name, body_summary(summary, i));
-  return summaries;
+  return Json(std::move(summaries));
+}
+
+/// Returns the parts of the wall time, the added mass before the first step left out.
+Json shares_of(const RunSummary& s) {
+  const double wall = s.wall - s.built.added_mass_seconds;
+  const auto share = [&](double seconds) { return wall > 0 ? seconds / wall : 0; };
+  return {{"sea", share(s.timings.sea)},
+          {"loads", share(s.timings.hydro)},
+          {"collisions", share(s.timings.collision)},
+          {"constraints", share(s.timings.constraints)},
+          {"log", share(s.wall_log)}};
 }
 
 Json to_json(const RunSummary& s) {
@@ -214,6 +226,7 @@ Json to_json(const RunSummary& s) {
          {"engine", s.timings.engine},
          {"render", s.wall_render},
          {"log", s.wall_log}}},
+       {"shares", shares_of(s)},
        {"skipped",
         {{"collision", s.skips.collision},
          {"water", s.skips.water},

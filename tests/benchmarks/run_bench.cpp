@@ -15,6 +15,7 @@
 ///
 /// BM_Run/TRIANGLES is the teapot drop, 3.6 s in steps of 10 ms. BM_CratesInContact/CRATES, on one
 /// thread, and BM_Raft/CRATES, on two, are of crates of 12 triangles with their added mass.
+/// BM_Storm/BODIES, on two threads, is of 300 mixed bodies about a boat in 64 waves.
 /// `simulated_per_second` is how many seconds of the scene pass in one of the run.
 namespace bench {
 namespace {
@@ -50,6 +51,7 @@ void register_run() {
   add(fmt::format("BM_Run/{}", mesh.face_count()), {.scene = scenes / "teapot_drop.yaml"}, 3.6);
   add("BM_CratesInContact/1000", {.scene = crowds / "crates_in_contact.yaml", .threads = 1}, 2);
   add("BM_Raft/10000", {.scene = crowds / "raft.yaml", .threads = 2}, 4);
+  add("BM_Storm/301", {.scene = crowds / "storm.yaml", .threads = 2}, 5);
 }
 
 }  // namespace bench

@@ -245,7 +245,9 @@ kOthers = {"BM_AddedMass": "added mass of a sphere of {} triangles, solved once"
            "BM_Run": "teapot drop of {} triangles, 3.6 s in steps of 10 ms: read, run and logged",
            "BM_CratesInContact": "{} crates of 12 triangles with added mass fall into the water, in "
                                  "contact, 2 s on one thread: read, run and logged",
-           "BM_Raft": "{} such crates side by side, 4 s on two threads: read, run and logged"}
+           "BM_Raft": "{} such crates side by side, 4 s on two threads: read, run and logged",
+           "BM_Storm": "{} crates, barrels, buoys, planks and a launch in 64 waves of H_s 3.5 m, "
+                       "5 s on two threads: read, run and logged"}
 
 
 def other_table(found: Findings) -> list[str]:

@@ -72,8 +72,8 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   const auto summary = nlohmann::ordered_json::parse(here.read("out/box/summary.json"));
   EXPECT_THAT(keys(summary),
               ElementsAre("version", "scene", "title", "ended", "steps", "simulated_seconds",
-                          "real_time_factor", "threads", "warnings", "wall_seconds", "skipped",
-                          "bodies", "source"));
+                          "real_time_factor", "threads", "warnings", "wall_seconds", "shares",
+                          "skipped", "bodies", "source"));
   EXPECT_EQ(summary["scene"], "box.yaml");
   EXPECT_EQ(summary["title"], "Falling box");
   EXPECT_EQ(summary["ended"], "completed");
@@ -81,6 +81,14 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_EQ(summary["simulated_seconds"], 50 * 0.01);
   EXPECT_THAT(keys(summary["wall_seconds"]),
               ElementsAre("total", "added_mass", "collision", "hydro", "engine", "render", "log"));
+  EXPECT_THAT(keys(summary["shares"]),
+              ElementsAre("sea", "loads", "collisions", "constraints", "log"));
+  double shares = 0;
+  for (const auto& share : summary["shares"]) {
+    EXPECT_GE(share, 0);
+    shares += share.get<double>();
+  }
+  EXPECT_LE(shares, 1);
   EXPECT_EQ(summary["skipped"]["collision"], true);
   EXPECT_EQ(summary["skipped"]["water"], false);
   EXPECT_EQ(summary["skipped"]["pictures"], "the scene has no render block");
