@@ -47,7 +47,7 @@ InterruptGuard::~InterruptGuard() {
 bool InterruptGuard::interrupted() const { return noted; }
 
 bool InterruptGuard::overdue() const {
-  return noted && static_cast<double>(nanoseconds() - noted_at) > 1e9 * kPatience;
+  return noted && static_cast<double>(nanoseconds() - noted_at) > 1e9 * kStepPatience;
 }
 
 }  // namespace app

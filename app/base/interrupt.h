@@ -4,7 +4,7 @@ namespace app {
 
 /// Time after a signal that what is under way may take to end by itself [s]. With what is left to
 /// do then, a command ends within half a second.
-inline constexpr double kPatience = 0.2;
+inline constexpr double kStepPatience = 0.2;
 
 /// While a guard lives, the first Ctrl-C, SIGTERM or SIGHUP is only recorded; a second one ends the
 /// program.
@@ -16,7 +16,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   bool interrupted() const;
-  /// True from kPatience after the signal on. Any thread may ask.
+  /// True from kStepPatience after the signal on. Any thread may ask.
   bool overdue() const;
 };
 

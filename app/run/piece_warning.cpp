@@ -32,12 +32,14 @@ std::optional<std::string> piece_warning(const engine::SimulationSpec& spec) {
     const double radius = body.mesh_B.vertices.colwise().norm().maxCoeff();
     if (needs_more_pieces(body, radius, *spec.sea))
       return fmt::format(
-          "body '{}': its wave_tolerance of {:.3g} needs more than {} pieces of a face, and no "
-          "edge "
-          "below {:.2g} m is split: what the shortest waves do at its waterline is missed in part; "
-          "a larger hydro.wave_tolerance or fewer waves need fewer pieces",
-          body.name, body.summation.wave_tolerance, hydro::kMostPieces,
-          hydro::kSmallestPanel * radius);
+          "body '{}': its wave_tolerance of {:.3g} asks for pieces with edges below {:.2g} m, of "
+          "which none is split, so that a face has {} pieces at most: what the shortest waves do "
+          "at "
+          "its waterline is missed in part; a larger hydro.wave_tolerance or fewer waves need "
+          "fewer "
+          "pieces",
+          body.name, body.summation.wave_tolerance, hydro::kSmallestPanel * radius,
+          hydro::kMostPiecesOfAFace);
   }
   return std::nullopt;
 }

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// Returns a warning that names the first body whose faces would need more than hydro::kMostPieces
-/// pieces for its wave_tolerance; none if there is no such body.
+/// Returns a warning that names the first body whose faces would need more than
+/// hydro::kMostPiecesOfAFace pieces for its wave_tolerance; none if there is no such body.
 std::optional<std::string> piece_warning(const engine::SimulationSpec& spec);
 
 }  // namespace app

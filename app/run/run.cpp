@@ -44,7 +44,7 @@ namespace app {
 namespace {
 
 /// The state before a step is kept for a checkpoint if the last step took at least this long [s]:
-/// one that took less is expected to end within kPatience.
+/// one that took less is expected to end within kStepPatience.
 constexpr double kSlowStep = 0.05;
 
 /// A run: the simulation and its output.

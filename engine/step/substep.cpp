@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "engine/base/constants.h"
 #include "engine/base/stopwatch.h"
@@ -22,10 +23,9 @@ Vector6d change_by_history(const Motion& halfway, double h) {
 
 /// What a substep takes as constant: the water about a body, its wake halfway, and its rotors.
 void hold_surroundings(const SubstepBody& b, double time, double h, Motion& motion) {
-  if (b.body().has_flow) {
-    const Stopwatch stopwatch(b.moving->cache.sea_seconds);
-    motion.flow = flow_about(b.body(), motion.state, time, h / 2);
-  } else {
+  {
+    std::optional<Stopwatch> stopwatch;
+    if (b.body().has_flow) stopwatch.emplace(b.moving->cache.sea_seconds);
     motion.flow = flow_about(b.body(), motion.state, time, h / 2);
   }
   advance_wake(b.body(), h / 2, motion);

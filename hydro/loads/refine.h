@@ -57,7 +57,7 @@ inline constexpr double kSmallestPanel = 1.0 / 256;
 /// waves of H_s 0.1 m and T_p 0.8 s takes 285, of one 10 m long in the like 1,262; at 1e-6 the
 /// worst seen, of a box of 300 m in 1024 waves of H_s 3 m, takes 8,224. Where more would be needed
 /// a run says so.
-inline constexpr int kMostPieces =
+inline constexpr int kMostPiecesOfAFace =
     static_cast<int>(2 * 1.2990381056766580 / (kSmallestPanel * kSmallestPanel));
 
 /// The numbers that decide whether the surface bends over an edge by more than the tolerance.
@@ -198,7 +198,7 @@ class SurfaceSampler {
   BendLimits limits_;
 };
 
-/// True if the loads of a sea miss more than they may where faces have kMostPieces pieces: over an
+/// True if the loads of a sea miss more than they may where faces have kMostPiecesOfAFace pieces: over an
 /// edge at kSmallestPanel, whatever its direction over the plan.
 /// @param radius   Of the body [m].
 bool needs_more_pieces(const Sea& sea, double radius, const HeadError& error);

@@ -199,7 +199,7 @@ TEST_F(ProgramHdf5, KeepsTheRowsBeforeTheDiskWasFull) {
 TEST_F(ProgramHdf5, SaysWhenTheDiskIsFullFromTheStart) {
   here.write("box.yaml", falling_box("1"));
   const Outcome outcome = here.shell(
-      "trap '' XFSZ; ulimit -f 4; exec $PLIMSOLL run box.yaml --quiet --out o --format hdf5");
+      "trap '' XFSZ; ulimit -f 5; exec $PLIMSOLL run box.yaml --quiet --out o --format hdf5");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.err, "error: o/run.h5: cannot be written: File too large\n");
 }
