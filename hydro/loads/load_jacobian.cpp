@@ -8,7 +8,6 @@
 #include "hydro/loads/kernel/water_surface.h"
 #include "hydro/loads/refine.h"
 #include "hydro/loads/viscous_drag.h"
-#include "hydro/loads/wind.h"
 
 namespace hydro {
 namespace {
@@ -28,6 +27,9 @@ struct Motion {
   Twist twist;            ///< Relative to the current.
   Eigen::Matrix3d shape;  ///< K of bluntness.h, in W.
   double scale = 1;       ///< Scale of the pressure drag, from its calibration.
+  const Air* air = nullptr;
+  Twist twist_in_air;    ///< Of the hull in W.
+  double air_scale = 0;  ///< Of the drag of the air, with its density over that of the water.
 };
 
 /// The water about a hull: over each vertex the elevation of its surface [m], and in the middle of
@@ -116,7 +118,25 @@ void add_panel(const Motion& motion, const Panel& panel, const Vector3d& water, 
   }
 }
 
-/// Adds the wet parts of all faces.
+/// Adds (1) of the wind, per ρ of the water, of a dry panel with the given heights above it.
+void add_dry_panel(const Motion& motion, const Panel& panel, const Vector3d& height,
+                   LoadJacobian& sum) {
+  const Vector3d a = area_vector(panel);
+  const double area = a.norm();
+  if (area == 0) return;
+  const Wind& wind = motion.air->wind;
+  const PressureDrag& drag = motion.coefficients.pressure_drag;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vector3d r = (panel[i] + panel[j]) / 2;
+    const double factor = wind.factor(std::max(0.0, (height[i] + height[j]) / 2));
+    const double u = (motion.twist_in_air.at(r) - factor * wind.velocity).dot(a) / area;
+    const double C_p = motion.air_scale * (u > 0 ? drag.front : drag.back);
+    add_along(a / area, r, -area / 3 * C_p * std::abs(u), sum.drag);
+  }
+}
+
+/// Adds the wet parts of all faces, and the dry ones where there is air.
 void add_faces(const Hull& hull, const Motion& motion, const BodyState& state, const Sea& sea,
                double time, Pieces pieces, LoadJacobian& sum) {
   const double smallest = pieces == Pieces::coarse ? kCoarsePiece : kSmallestPanel;
@@ -134,7 +154,7 @@ void add_faces(const Hull& hull, const Motion& motion, const BodyState& state, c
     const auto face = hull.mesh_B.faces.col(f);
     const Panel panel = {r.col(face[0]), r.col(face[1]), r.col(face[2])};
     const auto [low, high] = std::minmax({panel[0].z(), panel[1].z(), panel[2].z()});
-    if (low >= always_dry) continue;
+    if (low >= always_dry && !motion.air) continue;
     const Vector3d water = over.velocity.col(f);
     if (high <= always_wet) {
       add_panel(motion, panel, water, sum);
@@ -145,11 +165,16 @@ void add_faces(const Hull& hull, const Motion& motion, const BodyState& state, c
       const Vector3d depth = (elevation - z).array() + level;
       for (const PanelPart& wet : positive_part(piece, depth))
         add_panel(motion, wet.panel, water, sum);
+      if (!motion.air) return;
+      for (const PanelPart& dry : positive_part(piece, -depth))
+        add_dry_panel(motion, dry.panel, dry.value, sum);
     };
     const Vector3d elevation(over.elevation[face[0]], over.elevation[face[1]],
                              over.elevation[face[2]]);
-    if (surface.curves(panel))
-      for_each_curved_piece(panel, elevation, level, false, surface, add_piece);
+    if (low >= always_dry)
+      add_piece(panel, elevation);
+    else if (surface.curves(panel))
+      for_each_curved_piece(panel, elevation, level, false, surface, add_piece, add_piece);
     else
       for_each_linear_piece(panel, elevation, surface, add_piece);
   }
@@ -165,10 +190,14 @@ LoadJacobian load_jacobian(const Hull& hull, const BodyState& state, const Sea& 
       .coefficients = coefficients,
       .twist = {state.linear_velocity - sea.current, state.angular_velocity},
       .shape = R_WB * coefficients.drag_shape * R_WB.transpose(),
-      .scale = formed * drag_scale(coefficients, state, current_at(sea, state.position.z()))};
+      .scale = formed * drag_scale(coefficients, state, current_at(sea, state.position.z())),
+      .air = sea.air ? &*sea.air : nullptr,
+      .twist_in_air = {state.linear_velocity, state.angular_velocity},
+      .air_scale = sea.air ? sea.air->density / sea.density *
+                                 drag_scale(coefficients, state, sea.air->wind.velocity)
+                           : 0};
   if (!hull.tree.nodes.empty()) add_faces(hull, motion, state, sea, time, pieces, sum);
   sum.drag *= sea.density;
-  if (sea.air) sum.drag += wind_jacobian(hull, state, sea, time, coefficients);
   sum.waterplane *= coefficients.buoyancy ? sea.density * sea.gravity : 0;
   return sum;
 }

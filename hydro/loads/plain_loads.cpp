@@ -39,13 +39,14 @@ struct PlainInputs {
 };
 
 PlainInputs immerse(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                    const Coefficients& coefficients, const LoadAccuracy& how) {
+                    const Coefficients& coefficients, const LoadAccuracy& how,
+                    SplitFor what = SplitFor::current) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   PlainInputs in{.hull = hull,
                  .sea = sea,
                  .coefficients = coefficients,
                  .surface = SurfaceSampler(sea, state.position, time, kSmallestPanel * hull.radius,
-                                           SplitFor::current, head_error(hull, how)),
+                                           what, head_error(hull, how)),
                  .waves = AiryWaves(sea, time),
                  .p_WB = state.position,
                  .r = R_WB * hull.mesh_B.vertices,
@@ -82,6 +83,18 @@ CornerWater water_at_corners(const PlainInputs& in, const Panel& panel,
   return water;
 }
 
+/// Pressure drag on a panel, cut where v·n is zero.
+Wrench pressure_drag_on(const Panel& panel, const Eigen::Vector3d& normal,
+                        const Eigen::Vector3d& normal_speed, const PressureDrag& drag,
+                        double half_density) {
+  Wrench load;
+  for (const PanelPart& front : positive_part(panel, normal_speed))
+    load += pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
+  for (const PanelPart& back : positive_part(panel, -normal_speed))
+    load += pressure_drag_load(back.panel, normal, back.value, -1, half_density * drag.back);
+  return load;
+}
+
 /// Drag and lift on a wet panel of the given unit normal. Viscous drag takes the mean of the
 /// water's velocity over the panel.
 void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& normal,
@@ -95,12 +108,7 @@ void add_motion_loads(const PlainInputs& in, const Panel& panel, const Eigen::Ve
     for (int i = 0; i < 3; ++i)
       normal_speed[i] = normal.dot(in.shape * (in.motion.linear - water.col(i)) +
                                    in.motion.angular.cross(panel[i]));
-    for (const PanelPart& front : positive_part(panel, normal_speed))
-      loads.pressure_drag +=
-          pressure_drag_load(front.panel, normal, front.value, 1, half_density * drag.front);
-    for (const PanelPart& back : positive_part(panel, -normal_speed))
-      loads.pressure_drag +=
-          pressure_drag_load(back.panel, normal, back.value, -1, half_density * drag.back);
+    loads.pressure_drag += pressure_drag_on(panel, normal, normal_speed, drag, half_density);
   }
   if (in.coefficients.lift != 0)
     loads.lift += lift_load(panel, normal, velocity, half_density * in.coefficients.lift);
@@ -201,7 +209,60 @@ Loads sum_faces(const PlainInputs& in, double below, bool all_wet) {
   return sum;
 }
 
+/// Height over the body's radius up to which no wind by a power law acts here [-].
+constexpr double kStill = 1e-5;
+
+/// The drag of the air on a dry panel with the given heights above the water at its corners. By a
+/// power law it is summed at six points of layers, the lower end of each at half of its height.
+void add_dry_panel(const PlainInputs& in, const Panel& panel, const Eigen::Vector3d& height,
+                   const Eigen::Vector3d& normal, Wrench& sum) {
+  const Wind& wind = in.sea.air->wind;
+  const double half_density = 0.5 * in.sea.air->density, half = height.maxCoeff() / 2;
+  const PressureDrag& drag = in.coefficients.pressure_drag;
+  const auto speed = [&](const Eigen::Vector3d& r, double z) {
+    return (in.motion.at(r) + in.sea.current - wind.factor(z) * wind.velocity).dot(normal);
+  };
+  if (wind.uniform()) {
+    const Eigen::Vector3d v_n(speed(panel[0], 0), speed(panel[1], 0), speed(panel[2], 0));
+    sum += pressure_drag_on(panel, normal, v_n, drag, half_density);
+  } else if (height.minCoeff() >= half) {
+    for (const TrianglePoint& point : kSixPoints) {
+      const Eigen::Vector3d r = point_of(panel, point);
+      const double z = Eigen::Map<const Eigen::Vector3d>(point.at).dot(height), v_n = speed(r, z);
+      const double part = point.weight * area_vector(panel).norm() * half_density;
+      const double C_p = v_n > 0 ? drag.front : drag.back;
+      add_traction(r, -part * C_p * v_n * std::abs(v_n) * normal, sum);
+    }
+  } else if (half > kStill * in.hull.radius) {
+    for (const PanelPart& upper : positive_part(panel, height.array() - half))
+      add_dry_panel(in, upper.panel, upper.value.array() + half, normal, sum);
+    for (const PanelPart& lower : positive_part(panel, half - height.array()))
+      add_dry_panel(in, lower.panel, half - lower.value.array(), normal, sum);
+  }
+}
+
 }  // namespace
+
+Wrench plain_wind(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                  const Coefficients& coefficients) {
+  const PlainInputs in = immerse(hull, state, sea, time, coefficients, {}, SplitFor::surface);
+  Wrench sum;
+  for (Eigen::Index face = 0; face < hull.mesh_B.face_count(); ++face) {
+    const auto vertex = hull.mesh_B.faces.col(face);
+    const Panel panel = {in.r.col(vertex[0]), in.r.col(vertex[1]), in.r.col(vertex[2])};
+    const Eigen::Vector3d elevation(in.elevation[vertex[0]], in.elevation[vertex[1]],
+                                    in.elevation[vertex[2]]);
+    const Eigen::Vector3d normal = area_vector(panel).normalized();
+    for_each_linear_piece(panel, elevation, in.surface,
+                          [&](const Panel& piece, const Eigen::Vector3d& at) {
+                            Eigen::Vector3d height;
+                            for (int i = 0; i < 3; ++i) height[i] = piece[i].z() - in.level - at[i];
+                            for (const PanelPart& dry : positive_part(piece, height))
+                              add_dry_panel(in, dry.panel, dry.value, normal, sum);
+                          });
+  }
+  return drag_scale(coefficients, state, sea.air->wind.velocity) * sum;
+}
 
 Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                   const Coefficients& coefficients, const LoadAccuracy& how) {

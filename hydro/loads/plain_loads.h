@@ -15,4 +15,9 @@ namespace hydro {
 Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                   const Coefficients& coefficients, const LoadAccuracy& how = {});
 
+/// The same as `wind_load` for a sea with air. By a power law it is within 1e-4 of the integral,
+/// which the kernel is not; in waves all faces are split where the surface bends over them.
+Wrench plain_wind(const Hull& hull, const BodyState& state, const Sea& sea, double time,
+                  const Coefficients& coefficients);
+
 }  // namespace hydro

@@ -198,8 +198,8 @@ class SurfaceSampler {
   BendLimits limits_;
 };
 
-/// True if the loads of a sea miss more than they may where faces have kMostPiecesOfAFace pieces: over an
-/// edge at kSmallestPanel, whatever its direction over the plan.
+/// True if the loads of a sea miss more than they may where faces have kMostPiecesOfAFace pieces:
+/// over an edge at kSmallestPanel, whatever its direction over the plan.
 /// @param radius   Of the body [m].
 bool needs_more_pieces(const Sea& sea, double radius, const HeadError& error);
 
@@ -268,12 +268,15 @@ void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
 
 /// Splits a panel that is summed at points, and visits the pieces that may be wet.
 ///
-/// @param level   Of the still water, over which elevations are, above the origin of the panel [m].
-/// @param wet     The panel is wet all over.
-/// @param visit   visit(piece, elevation) is called for each piece.
-template <class Visit>
+/// @param level       Of the still water, over which elevations are, above the origin of the panel
+///                    [m].
+/// @param wet         The panel is wet all over.
+/// @param visit       visit(piece, elevation) is called for each piece.
+/// @param visit_dry   The same for pieces that are dry.
+template <class Visit, class VisitDry>
 void for_each_curved_piece(const Panel& panel, const Eigen::Vector3d& elevation, double level,
-                           bool wet, const SurfaceSampler& surface, Visit&& visit) {
+                           bool wet, const SurfaceSampler& surface, Visit&& visit,
+                           VisitDry&& visit_dry) {
   double departure = 0;
   for (int i = 0; i < 3; ++i)
     departure = std::max(departure, surface.departure(panel[i], panel[(i + 1) % 3]));
@@ -284,18 +287,26 @@ void for_each_curved_piece(const Panel& panel, const Eigen::Vector3d& elevation,
     shallowest = std::min(shallowest, depth);
     deepest = std::max(deepest, depth);
   }
-  if (!wet && deepest <= -far) return;
+  if (!wet && deepest <= -far) return visit_dry(panel, elevation);
   const bool crosses = !wet && shallowest < far;
   const PanelSplit split = longest_split(panel, [&](const auto& a, const auto& b) {
     return surface.curved_split_between(a, b, crosses);
   });
   if (split.edge < 0 || surface.is_small(panel)) return visit(panel, elevation);
   for_both_pieces(panel, elevation, split, surface, [&](const Panel& piece, const auto& at) {
-    for_each_curved_piece(piece, at, level, wet, surface, visit);
+    for_each_curved_piece(piece, at, level, wet, surface, visit, visit_dry);
   });
 }
 
-/// Splits a panel as above and visits all pieces.
+/// The same without the pieces that are dry.
+template <class Visit>
+void for_each_curved_piece(const Panel& panel, const Eigen::Vector3d& elevation, double level,
+                           bool wet, const SurfaceSampler& surface, Visit&& visit) {
+  for_each_curved_piece(panel, elevation, level, wet, surface, visit,
+                        [](const Panel&, const Eigen::Vector3d&) {});
+}
+
+/// Splits a panel that the surface bends over and visits all pieces.
 template <class Visit>
 void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
                            const SurfaceSampler& surface, Visit&& visit) {

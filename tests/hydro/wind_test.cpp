@@ -7,8 +7,10 @@
 
 #include "hydro/airy_waves.h"
 #include "hydro/loads/load_jacobian.h"
+#include "hydro/loads/plain_loads.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
+#include "hydro/wave_spectrum.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/reference_loads.h"
@@ -166,43 +168,9 @@ TEST(Wind, TakesThePressureDragsCalibration) {
   EXPECT_NEAR(force, tabulated, support::tolerance(1e-12) * tabulated);
 }
 
-TEST(WindProfile, IsZeroAtTheSurfaceAndTheGivenWindAtItsHeight) {
-  const hydro::WindProfile profile({.velocity = {8, 0, 0}, .exponent = 0.11}, 10);
-  EXPECT_EQ(profile.factor(0), 0);
-  EXPECT_NEAR(profile.factor(10), 1, 1e-3);
-}
-
-/// Chords of a concave function lie below it by its gap at most; raised by 2/3 of that they are off
-/// by 2/3 of it at most, above or below. At H/8 the ends of two gaps meet. The next term of the
-/// series is smaller by (ln q)²/10 or so.
-TEST(WindProfile, IsWithinAGapOfThePowerLawAndRightInTheMean) {
-  for (const double exponent : {0.05, 0.11, 0.14, 0.5, 1.0}) {
-    const hydro::Wind wind{.velocity = {8, 0, 0}, .exponent = exponent};
-    const hydro::WindProfile profile(wind, 25);
-    const auto gap = [&](double ratio) {
-      const double log = std::log(ratio);
-      return exponent * (1 - exponent) * log * log / 8 * (1 + log * log / 10) + 1e-12;
-    };
-    const auto check = [&](double lowest, double highest, double bound) {
-      double worst = 0, sum = 0;
-      int count = 0;
-      for (double z = lowest; z < highest; z *= 1.003) {
-        const double missed = 1 - profile.factor(z) / wind.factor(z);
-        worst = std::max(worst, std::abs(missed));
-        sum += missed;
-        ++count;
-      }
-      EXPECT_LT(worst, bound) << exponent;
-      EXPECT_LT(std::abs(sum / count), 0.1 * bound) << exponent;
-    };
-    check(25.0 / 8 * std::sqrt(2), 25, gap(std::sqrt(2)));
-    check(25.0 / 512, 25.0 / 32, gap(4));
-    check(25.0 / 32, 25.0 / 8 * std::sqrt(2), 2 * gap(4));
-  }
-}
-
-/// ∫ (z/h)^2α dz over the front and the back of a box of few or many faces. Faces that are not cut
-/// have chords between values of chords: 2 · 2/3 · 0.15 % less at worst. The rest is below 0.1 %.
+/// ∫ (z/h)^2α dz over the front and the back of a box of few or many faces. By (1) of wind_walk.h
+/// two triangles that rise from the water miss 0.22 %; of a wall of several rows of triangles the
+/// lowest has less of the force.
 TEST(WindProfile, PushesABoxByThePowerLawsIntegral) {
   for (const int divisions : {1, 7, 24})
     for (const double top : {0.1, 1.0, 1.7, 6.0}) {
@@ -214,12 +182,12 @@ TEST(WindProfile, PushesABoxByThePowerLawsIntegral) {
         return z * std::pow(z / h, 2 * alpha) / (1 + 2 * alpha);
       };
       const double exact = 0.5 * kDensity * 1.5 * 900 * (integral(top) - integral(bottom));
-      EXPECT_NEAR(ours.force.x(), exact, (divisions < 7 ? 1e-3 : 3e-3) * exact)
+      EXPECT_NEAR(ours.force.x(), exact, (top * divisions < 6 ? 3e-3 : 5e-4) * exact)
           << divisions << ", " << top;
     }
 }
 
-/// Large faces are cut at the nodes and small ones are not, each with its error.
+/// Large faces that reach down to the water have an error, and small ones hardly any.
 TEST(WindProfile, HardlyDependsOnTheFacesOfAFlatSide) {
   const Sea sea = sea_under({.velocity = {5, 9, 0}, .height = 3, .exponent = 0.11}, 0);
   support::Random random(33);
@@ -230,18 +198,67 @@ TEST(WindProfile, HardlyDependsOnTheFacesOfAFlatSide) {
   expect_close(coarse, fine, 3e-3, support::largest(fine));
 }
 
+/// A random sea: flat, of one wave, of the thesis's or of many.
+Sea random_sea(support::Random& random, const hydro::Wind& wind, int kind) {
+  Sea sea{.density = 1025, .level = random.uniform(-1, 1), .air = Air{.wind = wind}};
+  if (kind == 1 || kind == 2)
+    sea.surface = hydro::WaveSurface{
+        {hydro::deep_water_wave(0.3, random.uniform(4, 20), random.uniform(0, 6), 0, sea.gravity)},
+        kind == 1 ? hydro::Kinematics::airy : hydro::Kinematics::hydrostatic};
+  if (kind == 3)
+    sea.surface = hydro::jonswap_sea({.significant_height = 1.5,
+                                      .spreading = 4,
+                                      .seed = static_cast<int>(random.uniform(1, 99))},
+                                     sea);
+  return sea;
+}
+
+/// What differs is the table of many waves, which may miss a twelfth of what waterlines may depart
+/// from their chords, and the factor of the power law by (1) of wind_walk.h: 0.3 % where the body
+/// is of few triangles. In uniform wind under few waves nothing does.
+TEST(WindKernel, AgreesWithThePlainSum) {
+  support::Random random(35);
+  const hydro::TriMesh meshes[] = {hydro::make_box({2, 2, 2}), hydro::make_box({3, 1, 0.4}, 3),
+                                   hydro::make_icosphere(1, 2), hydro::make_icosphere(1, 3)};
+  for (const double exponent : {0.0, 0.11})
+    for (const int kind : {0, 1, 2, 3})
+      for (const hydro::TriMesh& unit : meshes)
+        for (int i = 0; i < support::repeats(4); ++i) {
+          const double size = std::exp(random.uniform(-1, 2));
+          hydro::TriMesh mesh = unit;
+          mesh.vertices *= size;
+          const Hull hull = hydro::make_hull(mesh);
+          const Sea sea = random_sea(
+              random,
+              {.velocity = {random.uniform(-9, 9), random.uniform(9, 20), 0}, .exponent = exponent},
+              kind);
+          BodyState state = random.state(0.6 * size, 1);
+          state.angular_velocity /= size;
+          state.position.z() +=
+              hydro::surface_height(sea, state.position.x(), state.position.y(), 0.7);
+          const Wrench ours = load(hull, state, sea, drag_alone(), 0.7);
+          const Wrench plain = hydro::plain_wind(hull, state, sea, 0.7, drag_alone());
+          const double area = 4 * size * size;
+          const double scale = 0.5 * 1.225 * area * sea.air->wind.velocity.squaredNorm();
+          const double error = (exponent == 0 ? 0 : 3e-3) + (kind == 3 ? 1e-3 : 1e-12);
+          EXPECT_LT((ours.force - plain.force).norm(), support::tolerance(error) * scale)
+              << exponent << ", " << kind << ", " << size << ", " << mesh.face_count();
+          EXPECT_LT((ours.moment - plain.moment).norm(),
+                    support::tolerance(error) * scale * hull.radius)
+              << exponent << ", " << kind << ", " << size << ", " << mesh.face_count();
+        }
+}
+
 TEST(WindJacobian, IsTheChangeOfTheLoadWithTheVelocity) {
   support::Random random(34);
   for (const double exponent : {0.0, 0.15}) {
     const Hull hull = hydro::make_hull(support::random_star(random, 3));
     const BodyState state = random.state(0.5, 1);
     const Sea sea = sea_under({.velocity = {14, -8, 0}, .exponent = exponent});
-    const hydro::Matrix6d J = hydro::wind_jacobian(hull, state, sea, 0, drag_alone());
     Sea without = sea;
     without.air.reset();
-    const hydro::Matrix6d water = hydro::load_jacobian(hull, state, without, 0, drag_alone()).drag;
-    EXPECT_TRUE(
-        hydro::load_jacobian(hull, state, sea, 0, drag_alone()).drag.isApprox(water + J, 1e-12));
+    const hydro::Matrix6d J = hydro::load_jacobian(hull, state, sea, 0, drag_alone()).drag -
+                              hydro::load_jacobian(hull, state, without, 0, drag_alone()).drag;
     const double step = 1e-4;
     for (int i = 0; i < 6; ++i) {
       const auto at = [&](double change) {

@@ -164,7 +164,7 @@ HWY_INLINE Splits splits_at(const Bearings& to, const Triangle& t, const Bends& 
 
 /// The edges to split of triangles that are summed at six points, as
 /// `SurfaceSampler::curved_split_between` says.
-/// @param counts   Triangles that are dry are taken off.
+/// @param counts   Triangles that are not on the side of the surface that is summed are taken off.
 HWY_INLINE Bends curved_bends(const Bearings& to, const Triangle& t, const Values& depth,
                               M& counts) {
   const BendLimits& limits = to.in.surface->limits;
@@ -173,8 +173,9 @@ HWY_INLINE Bends curved_bends(const Bearings& to, const Triangle& t, const Value
   const V far = all(kFarDeparture / 8) * hn::Sqrt(hn::Max(ab.bend, hn::Max(bc.bend, ca.bend)));
   M crosses = hn::FirstN(D(), 0);
   if (!to.in.wet) {
-    counts = hn::And(counts, highest(depth) > zero() - far);
-    crosses = lowest(depth) < far;
+    const M near_water = highest(depth) > zero() - far, near_air = lowest(depth) < far;
+    counts = hn::And(counts, to.in.above ? near_air : near_water);
+    crosses = hn::And(near_water, near_air);
   }
   const double most = limits.sum_tolerance, departs = 8 * limits.cut_tolerance;
   const auto splits = [&](const EdgeBend& edge) HWY_ATTR {
@@ -211,11 +212,14 @@ HWY_INLINE M any(const Splits& splits) {
   return hn::Max(splits.ab, hn::Max(splits.bc, splits.ca)) > zero();
 }
 
-/// True where no part of a triangle can be wet: it lies above the highest crest.
-HWY_INLINE M above_all_water(const Bearings& to, const Triangle& t) {
-  const V lowest_point = lowest({to.up.at(t.a), to.up.at(t.b), to.up.at(t.c)});
+/// True where no part of a triangle counts: it lies above the highest crest, or where what is above
+/// the surface is summed below the lowest trough.
+HWY_INLINE M beyond_the_surface(const Bearings& to, const Triangle& t) {
+  const Values height = {to.up.at(t.a), to.up.at(t.b), to.up.at(t.c)};
   const WaterSurface& surface = *to.in.surface;
-  return lowest_point >= all(to.in.below + surface.hidden_depth + surface.highest);
+  const double level = to.in.below + surface.hidden_depth;
+  return to.in.above ? highest(height) <= all(level + surface.lowest)
+                     : lowest(height) >= all(level + surface.highest);
 }
 
 /// Faces of a vector that the surface or the current bends over go to `bending`. Returns those that
@@ -228,7 +232,7 @@ inline HWY_NOINLINE M without_bent(const Panels& panels, const LoadInputs& in, s
   const Bearings to = bearings_of(in, p);
   const M bent = any(splits_at(to, t, bends_over(to, p, t, depth)));
   const M splits =
-      hn::AndNot(above_all_water(to, t), hn::And(bent, areas_at(faces, lane) > zero()));
+      hn::AndNot(beyond_the_surface(to, t), hn::And(bent, areas_at(faces, lane) > zero()));
   if (!hn::AllFalse(D(), splits)) append(panels, splits, leaf, lane, depth, bending);
   return hn::Not(bent);
 }
@@ -292,7 +296,7 @@ HWY_INLINE Halving halving_of(const Triangle& t, const Values& depth, const Spli
 }
 
 /// Splits the pieces from `from` on that the surface or the current bends over and puts the halves
-/// back among them; the others go to those that are refined. Pieces in the dry are
+/// back among them; the others go to those that are refined. Pieces beyond the surface are
 /// dropped, and pieces of less than smallest² of area stay whole.
 ///
 /// The last pieces are taken first, so each generation adds `lanes` pieces at most, and no edge is
@@ -307,7 +311,7 @@ HWY_NOINLINE void refine_pieces(Work& work, TriangleQueue& bending, int from, in
   const Triangle t = triangle_of(bending, from);
   const Values depth = load_values(bending.depth, from);
   const Bearings to = bearings_of(in, p);
-  M counts = hn::AndNot(above_all_water(to, t), hn::FirstN(d, static_cast<std::size_t>(used)));
+  M counts = hn::AndNot(beyond_the_surface(to, t), hn::FirstN(d, static_cast<std::size_t>(used)));
   const M large = area_of(t) >= all(in.surface->limits.smallest_squared);
   const bool curved = in.surface->limits.curved;
   const Bends bends = curved ? curved_bends(to, t, depth, counts) : bends_over(to, p, t, depth);

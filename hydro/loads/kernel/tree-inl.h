@@ -131,6 +131,17 @@ inline Range normal_speed_range(const Node& node, const double (&linear)[3], con
   return range_over(node.j_centre, node.j_half, twist, 6, 0);
 }
 
+/// True if all faces of a branch move into the water, or all out of it, as pressure drag sees them;
+/// then `drag` is ½ρC_p with the sign of the motion.
+/// @param error   What the motion relative to the water may miss [m/s].
+HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double error, double& drag) {
+  drag = 0;
+  if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;
+  const Range normal = normal_speed_range(node, in.drag_linear, in);
+  drag = normal.high > 0 ? in.drag_front : -in.drag_back;
+  return normal.low >= error || normal.high <= -error;
+}
+
 }  // namespace hydro::kernel::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
