@@ -18,6 +18,7 @@
 #include "app/logs/run_files.h"
 #include "app/logs/run_source.h"
 #include "app/logs/trajectory_match.h"
+#include "app/pictures/bodies_waves.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/rig_history.h"
@@ -36,6 +37,7 @@ ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows,
                           const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   ShotSelector shots(scene.render->every, times[rows - 1], video.pictures_a_second());
+  shots.show(bodies_waves(scene, spec));
   for (std::size_t i = 0; i < rows; ++i) {
     const std::vector<hydro::BodyState> states = states_at(trajectory, spec, i);
     shots.add(

@@ -10,6 +10,7 @@
 
 #include "app/base/background.h"
 #include "app/base/program_files.h"
+#include "app/pictures/bodies_waves.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/expected_pressure.h"
 #include "app/pictures/force_annotations.h"
@@ -111,17 +112,18 @@ class Drawing {
       }
       const fs::path file =
           shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
-      finishing.put(
-          [this, &sheet, &video, time = shot.time, is_frame = shot.frame, of_video = shot.video,
-           file, view = renderer_.view(), grid = renderer_.grid(), notes = notes_of(shot),
-           image = renderer_.draw(shot.states, shot.time, shot.interiors, rigging)]() mutable {
-            render::annotate(image, view, notes);
-            if (is_frame) sheet.add(image, time);
-            render::add_legend(image, view, notes);
-            render::add_overlay(image, shown_scale_, time, grid);
-            if (is_frame) render::write_png(image, file);
-            if (of_video) video->add(image);
-          });
+      finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,
+                     of_video = shot.video, file, view = renderer_.view(), grid = renderer_.grid(),
+                     notes = notes_of(shot),
+                     image = renderer_.draw(shot.states, shot.time, shot.interiors, rigging,
+                                            shot.water ? &*shot.water : nullptr)]() mutable {
+        render::annotate(image, view, notes);
+        if (is_frame) sheet.add(image, time);
+        render::add_legend(image, view, notes);
+        render::add_overlay(image, shown_scale_, time, grid);
+        if (is_frame) render::write_png(image, file);
+        if (of_video) video->add(image);
+      });
       report_.frames += shot.frame;
       if (shot.video) ++report_.videos.back().pictures;
       const int all = static_cast<int>(shots_.size() * cameras_.size());
@@ -171,6 +173,7 @@ render::SceneDescription picture_of(const scene::Scene& scene, const engine::Sim
                                    .height = look.size[1],
                                    .pressure = scale,
                                    .sea = spec.sea,
+                                   .ripple = cell_of_waves(scene, spec),
                                    .bold_waterline = look.show.waterline,
                                    .wireframe = look.show.wireframe};
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)

@@ -12,8 +12,10 @@ void ShotSelector::add(double time, const std::vector<hydro::BodyState>& states,
   DrawnRig rig;
   if (find_rig && (frame || fps_ > 0)) rig = find_rig();
   const bool video = fps_ > 0 && add_video_shots(time, states, rig, interiors);
+  if (waves_) waves_->follow(time, states);
   if (frame || video)
-    shots_.add({time, states, frame, video, interiors ? interiors() : render::Interiors(), rig});
+    shots_.add({time, states, frame, video, interiors ? interiors() : render::Interiors(), rig,
+                patch(time)});
   if (fps_ == 0) return;
   last_time_ = time;
   last_ = states;
@@ -50,6 +52,11 @@ bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodySta
   }
 }
 
+/// The bodies' waves at a time after the last state that they follow.
+std::optional<hydro::SurfacePatch> ShotSelector::patch(double time) const {
+  return waves_ ? waves_->patch(time) : std::nullopt;
+}
+
 Shot ShotSelector::between_states(double due, double time,
                                   const std::vector<hydro::BodyState>& states,
                                   const DrawnRig& rig) const {
@@ -59,6 +66,7 @@ Shot ShotSelector::between_states(double due, double time,
   for (std::size_t i = 0; i < states.size(); ++i)
     shot.states.push_back(between(last_[i], states[i], interval, part));
   shot.rig = between(last_rig_, rig, part);
+  shot.water = patch(due);
   return shot;
 }
 

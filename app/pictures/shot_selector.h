@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,13 @@ class ShotSelector {
 
   /// Stores the shots in `shots`, to be called before the first state.
   void keep_in(ShotSpool shots) { shots_ = std::move(shots); }
+  /// Draws the waves that bodies make, from the first state on.
+  void show(std::optional<hydro::SeenWater> waves) { waves_ = std::move(waves); }
+  /// The state of the bodies' waves after the last state; empty without them.
+  std::string state_of_waves() const { return waves_ ? waves_->state() : ""; }
+  void restore_waves(const std::string& state) {
+    if (waves_) waves_->restore(state);
+  }
   /// Continues after a run's state at `time` with the shots stored until then.
   void resume(double time, const std::vector<hydro::BodyState>& states, DrawnRig rig,
               ShotSpool shots);
@@ -45,6 +54,7 @@ class ShotSelector {
   double slack() const { return 1e-6 / fps_; }
   bool add_video_shots(double time, const std::vector<hydro::BodyState>& states,
                        const DrawnRig& rig, const FindInteriors& interiors);
+  std::optional<hydro::SurfacePatch> patch(double time) const;
   Shot between_states(double due, double time, const std::vector<hydro::BodyState>& states,
                       const DrawnRig& rig) const;
 
@@ -56,6 +66,7 @@ class ShotSelector {
   std::vector<hydro::BodyState> last_;  ///< States at `last_time_`, for a video only.
   DrawnRig last_rig_;                   ///< The same of lines and machines.
   ShotSpool shots_;
+  std::optional<hydro::SeenWater> waves_;
 };
 
 }  // namespace app

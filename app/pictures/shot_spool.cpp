@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <tuple>
 
@@ -23,8 +25,12 @@ constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
 }
 
 /// Numbers at the start of a shot: the time, the flags for frames and video, the numbers of waters,
-/// lines, propellers and foils, and how many numbers the lines by MoorDyn have.
-constexpr std::size_t kHeadSize = 8;
+/// lines, propellers and foils, and how many numbers the lines by MoorDyn and the water have.
+constexpr std::size_t kHeadSize = 9;
+
+/// Numbers of the bodies' waves before the heights: cell, origin, heights along a side, and the
+/// unit of the heights, which are whole numbers of 16 bits, four in place of a number.
+constexpr std::size_t kPatchSize = 5;
 
 /// Numbers of the water in a pocket: the body, a point, the level, and whether it is flooded.
 constexpr std::size_t kWaterSize = 6;
@@ -40,6 +46,34 @@ constexpr std::size_t kMoorDynSize = 3;
 
 using Numbers = std::vector<double>;
 
+/// Numbers that heights of a square patch take.
+std::size_t numbers_of_heights(std::size_t side) { return (side * side + 3) / 4; }
+
+void add_patch(const hydro::SurfacePatch& patch, Numbers& numbers) {
+  const auto side = static_cast<std::size_t>(patch.heights.cols());
+  const float unit = std::max(patch.heights.cwiseAbs().maxCoeff(), 1e-30f) / 32767;
+  numbers.insert(numbers.end(), {patch.cell, patch.origin.x(), patch.origin.y(),
+                                 static_cast<double>(side), static_cast<double>(unit)});
+  std::vector<std::int16_t> heights(4 * numbers_of_heights(side));
+  std::transform(
+      patch.heights.data(), patch.heights.data() + patch.heights.size(), heights.begin(),
+      [&](float height) { return static_cast<std::int16_t>(std::lround(height / unit)); });
+  numbers.resize(numbers.size() + heights.size() / 4);
+  std::memcpy(&numbers[numbers.size() - heights.size() / 4], heights.data(), 2 * heights.size());
+}
+
+hydro::SurfacePatch read_patch(const double* numbers) {
+  const auto side = static_cast<Eigen::Index>(numbers[3]);
+  hydro::SurfacePatch patch{.heights = Eigen::MatrixXf(side, side),
+                            .cell = numbers[0],
+                            .origin = {numbers[1], numbers[2]}};
+  Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic> heights(side, side);
+  std::memcpy(heights.data(), numbers + kPatchSize,
+              sizeof(std::int16_t) * static_cast<std::size_t>(heights.size()));
+  patch.heights = heights.cast<float>() * static_cast<float>(numbers[4]);
+  return patch;
+}
+
 std::size_t count_waters(const render::Interiors& interiors) {
   std::size_t waters = 0;
   for (const auto& pockets : interiors) waters += pockets.size();
@@ -52,6 +86,11 @@ std::size_t count_moordyn(const DrawnRig& rig) {
   return numbers;
 }
 
+std::size_t count_patch(const Shot& shot) {
+  if (!shot.water) return 0;
+  return kPatchSize + numbers_of_heights(static_cast<std::size_t>(shot.water->heights.cols()));
+}
+
 Numbers numbers_of(const Shot& shot) {
   Numbers numbers = {shot.time,
                      shot.frame ? 1.0 : 0.0,
@@ -60,7 +99,8 @@ Numbers numbers_of(const Shot& shot) {
                      static_cast<double>(shot.rig.lines.size()),
                      static_cast<double>(shot.rig.propellers.size()),
                      static_cast<double>(shot.rig.foil_angles.size()),
-                     static_cast<double>(count_moordyn(shot.rig))};
+                     static_cast<double>(count_moordyn(shot.rig)),
+                     static_cast<double>(count_patch(shot))};
   for (const hydro::BodyState& state : shot.states) {
     const StateRow row = row_of(state);
     numbers.insert(numbers.end(), row.begin(), row.end());
@@ -80,6 +120,7 @@ Numbers numbers_of(const Shot& shot) {
     for (const Eigen::Vector3d& node : line.nodes_W)
       numbers.insert(numbers.end(), node.begin(), node.end());
   }
+  if (shot.water) add_patch(*shot.water, numbers);
   return numbers;
 }
 
@@ -103,7 +144,7 @@ void read_rig(const double* head, const double* next, DrawnRig& rig) {
 }
 
 /// Fills in what follows the head of a shot.
-void read_rest(const double* head, std::size_t bodies, Shot& shot) {
+void read_rest(const double* head, const double* end, std::size_t bodies, Shot& shot) {
   const double* next = head + kHeadSize;
   const std::size_t waters = count_of(head[3]);
   for (std::size_t i = 0; i < bodies; ++i, next += kStateSize) {
@@ -116,6 +157,7 @@ void read_rest(const double* head, std::size_t bodies, Shot& shot) {
     shot.interiors[static_cast<std::size_t>(next[0])].push_back(
         {.at_W = {next[1], next[2], next[3]}, .level = next[4], .flooded = next[5] != 0});
   read_rig(head, next, shot.rig);
+  if (head[8] > 0) shot.water = read_patch(end - count_of(head[8]));
 }
 
 }  // namespace
@@ -154,7 +196,7 @@ long ShotSpool::end_of(std::size_t number) const {
   const Numbers head = read(places_[number], kHeadSize);
   const std::size_t numbers = kHeadSize + bodies_ * kStateSize + count_of(head[3]) * kWaterSize +
                               count_of(head[4]) * kLineSize + count_of(head[5]) * kPropellerSize +
-                              count_of(head[6]) + count_of(head[7]);
+                              count_of(head[6]) + count_of(head[7]) + count_of(head[8]);
   return places_[number] + static_cast<long>(numbers * sizeof(double));
 }
 
@@ -186,7 +228,7 @@ Shot ShotSpool::at(std::size_t number) const {
       static_cast<std::size_t>(places_[number + 1] - places_[number]) / sizeof(double);
   const Numbers numbers = read(places_[number], count);
   Shot shot{.time = numbers[0], .states = {}, .frame = numbers[1] != 0, .video = numbers[2] != 0};
-  read_rest(numbers.data(), bodies_, shot);
+  read_rest(numbers.data(), numbers.data() + numbers.size(), bodies_, shot);
   return shot;
 }
 

@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/pictures/drawn_rig.h"
 #include "app/render/interior_look.h"
 #include "hydro/spatial.h"
+#include "hydro/water/seen_water.h"
 
 namespace app {
 
@@ -19,6 +21,7 @@ struct Shot {
   bool video = false;                ///< True: the shot is drawn for the video.
   render::Interiors interiors = {};  ///< The water in the bodies' hollows; empty: they are dry.
   DrawnRig rig = {};                 ///< Lines and machines.
+  std::optional<hydro::SurfacePatch> water = {};  ///< The bodies' waves; none: the water is still.
 
   bool operator==(const Shot&) const = default;
 };

@@ -43,7 +43,7 @@ struct Renderer::Impl {
   Impl& operator=(const Impl&) = delete;
 
   Image draw(const std::vector<hydro::BodyState>& states, double time, const Interiors& interiors,
-             const Rigging& rigging);
+             const Rigging& rigging, const hydro::SurfacePatch* ripples);
   void look(const Camera& camera);
   void resize(int width, int height);
 
@@ -65,7 +65,7 @@ struct Renderer::Impl {
   void draw_hollows(double time) const;
   void draw_edges(const std::vector<hydro::BodyState>& states, double time) const;
   void draw_rigging(const GlProgram& program, const Rigging& rigging);
-  void draw_water(double time);
+  void draw_water(double time, const hydro::SurfacePatch* ripples);
 
   SceneDescription picture_;
   View view_;
@@ -144,7 +144,7 @@ void Renderer::Impl::make_surroundings() {
   if (picture_.ground_W) grounds_.push_back(make_ground(gl_, *picture_.ground_W, view_));
   if (picture_.ground_z) grounds_.push_back(make_plane(gl_, *picture_.ground_z, view_));
   if (!picture_.sea || !picture_.water_visible) return;
-  surface_.emplace(*picture_.sea, view_, longest_edge);
+  surface_.emplace(*picture_.sea, view_, longest_edge, picture_.ripple);
   surface_mesh_.emplace(gl_, surface_->grid().triangles());
 }
 
@@ -279,8 +279,8 @@ void Renderer::Impl::draw_hollows(double time) const {
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void Renderer::Impl::draw_water(double time) {
-  const Eigen::MatrixXf vertices = surface_->vertices(time);
+void Renderer::Impl::draw_water(double time, const hydro::SurfacePatch* ripples) {
+  const Eigen::MatrixXf vertices = surface_->vertices(time, ripples);
   surface_mesh_->set(0, vertices.topRows<3>().eval());
   surface_mesh_->set(1, vertices.bottomRows<2>().eval());
   canvas_->copy_depth();
@@ -335,7 +335,8 @@ void Renderer::Impl::draw_rigging(const GlProgram& program, const Rigging& riggi
 }
 
 Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double time,
-                           const Interiors& interiors, const Rigging& rigging) {
+                           const Interiors& interiors, const Rigging& rigging,
+                           const hydro::SurfacePatch* ripples) {
   assert(states.size() == bodies_.size());
   context_.make_current();
   find_interiors(states, interiors);
@@ -352,7 +353,7 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
   draw_bodies(body_, states);
   draw_rigging(body_, rigging);
   if (surface_) {
-    draw_water(time);
+    draw_water(time, ripples);
     canvas_->restore_depth();
   }
   if (picture_.sea) draw_pressures(states, time);
@@ -383,8 +384,9 @@ void Renderer::resize(int width, int height) { impl_->resize(width, height); }
 void Renderer::show_pressures(const PressureScale& scale) { impl_->picture_.pressure = scale; }
 
 Image Renderer::draw(const std::vector<hydro::BodyState>& states, double time,
-                     const Interiors& interiors, const Rigging& rigging) {
-  return impl_->draw(states, time, interiors, rigging);
+                     const Interiors& interiors, const Rigging& rigging,
+                     const hydro::SurfacePatch* ripples) {
+  return impl_->draw(states, time, interiors, rigging, ripples);
 }
 
 }  // namespace render

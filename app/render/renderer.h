@@ -16,6 +16,7 @@
 #include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
+#include "hydro/water/seen_water.h"
 
 /// @file
 /// Pictures of bodies in the sea, drawn without a window.
@@ -43,6 +44,7 @@ struct SceneDescription {
   std::optional<hydro::Sea> sea;           ///< None: a dry scene.
   std::optional<hydro::TriMesh> ground_W;  ///< Sea floor or shore.
   std::optional<double> ground_z;          ///< A flat sea floor, drawn to the horizon.
+  double ripple = 0;                       ///< Cell of the bodies' waves [m]; 0: there are none.
   bool water_visible = true;               ///< False: pressures are shown, but no water.
   bool bold_waterline = false;
   bool wireframe = false;  ///< True: edges of the bodies' meshes are drawn.
@@ -83,8 +85,10 @@ class Renderer {
   /// @param states      States in the order of `SceneDescription::bodies`.
   /// @param interiors   The water in their hollows, in the same order; empty: they are dry.
   /// @param rigging     Lines and parts beside the bodies.
+  /// @param ripples     The bodies' waves, which are drawn upon those of the sea; null: none.
   Image draw(const std::vector<hydro::BodyState>& states, double time,
-             const Interiors& interiors = {}, const Rigging& rigging = {});
+             const Interiors& interiors = {}, const Rigging& rigging = {},
+             const hydro::SurfacePatch* ripples = nullptr);
 
  private:
   struct Impl;

@@ -151,13 +151,17 @@ PolarGrid make_polar_grid(const View& view, const Slab& slab, GridSteps steps) {
   return grid;
 }
 
-WaterSurface::WaterSurface(const hydro::Sea& sea, const View& view, double straight)
+WaterSurface::WaterSurface(const hydro::Sea& sea, const View& view, double straight, double ripple)
     : eye_W_(view.eye_W) {
   const hydro::SurfaceBounds bounds = hydro::surface_bounds(sea);
   const Slab slab{.level = sea.level, .lowest = bounds.lowest, .highest = bounds.highest};
   const double row_angle = 2.5 * view.half_height / 360;  // 2.5 pixels of 720
-  grid_ = std::isfinite(straight) ? make_polar_grid(view, slab, {straight, row_angle, 128})
-                                  : make_polar_grid(view, slab, kFlatSteps);
+  if (ripple > 0)
+    grid_ = make_polar_grid(view, slab, {std::min(straight, ripple), row_angle, 256});
+  else if (std::isfinite(straight))
+    grid_ = make_polar_grid(view, slab, {straight, row_angle, 128});
+  else
+    grid_ = make_polar_grid(view, slab, kFlatSteps);
   if (!std::holds_alternative<hydro::WaveSurface>(sea.surface)) {
     seas_ = {sea};
     return;
@@ -169,12 +173,14 @@ const hydro::Sea& WaterSurface::sea_of_row(int row) const {
   return seas_[std::min(static_cast<std::size_t>(row), seas_.size() - 1)];
 }
 
-Eigen::MatrixXf WaterSurface::vertices(double time) const {
+Eigen::MatrixXf WaterSurface::vertices(double time, const hydro::SurfacePatch* ripples) const {
   const Index count = grid_.points_W.cols();
   Eigen::VectorXd heights(count);
   for (Index i = 0; i < count; ++i)
     heights[i] = hydro::surface_elevation(sea_of_row(static_cast<int>(i / grid_.columns)),
                                           grid_.points_W(0, i), grid_.points_W(1, i), time);
+  for (Index i = 0; ripples != nullptr && i < count; ++i)
+    heights[i] += ripples->at(grid_.points_W(0, i), grid_.points_W(1, i));
   Eigen::MatrixXf vertices(5, count);
   const double level_E = seas_[0].level - eye_W_.z();
   for (Index i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 
 #include "app/render/view.h"
 #include "hydro/sea.h"
+#include "hydro/water/seen_water.h"
 
 /// @file
 /// Grid over the visible part of a level surface, with a resolution that suits the camera.
@@ -47,12 +48,14 @@ PolarGrid make_polar_grid(const View& view, const Slab& slab, GridSteps steps);
 class WaterSurface {
  public:
   /// @param straight   Length over which the surface may be taken as linear, infinite if flat [m].
-  WaterSurface(const hydro::Sea& sea, const View& view, double straight);
+  /// @param ripple     Cell of the waves of bodies [m]; 0: there are none.
+  WaterSurface(const hydro::Sea& sea, const View& view, double straight, double ripple = 0);
 
   const PolarGrid& grid() const { return grid_; }
 
   /// Returns 5×(rows·columns) values: position in E [m] and slopes ∂ξ/∂x, ∂ξ/∂y of the surface.
-  Eigen::MatrixXf vertices(double time) const;
+  /// @param ripples   Waves upon those of the sea; null: none.
+  Eigen::MatrixXf vertices(double time, const hydro::SurfacePatch* ripples = nullptr) const;
 
  private:
   const hydro::Sea& sea_of_row(int row) const;

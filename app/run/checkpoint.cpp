@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 6;
+constexpr int kFormat = 7;
 
 Json to_json(const FilePosition& position) {
   return {{"bytes", position.bytes}, {"hash", position.hash}};
@@ -67,7 +67,8 @@ Json to_json(const Checkpoint& c) {
           {"shots", c.shots},
           {"warnings", c.warnings},
           {"rig", c.rig.state()},
-          {"watch", c.watch}};
+          {"watch", c.watch},
+          {"waves", c.waves.size()}};
 }
 
 CheckpointChoices choices_from(const Json& head) {
@@ -159,7 +160,7 @@ void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& che
   try {
     write_whole(folder / kCheckpointFile,
                 to_json(checkpoint).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" +
-                    checkpoint.state.to_bytes());
+                    checkpoint.waves + checkpoint.state.to_bytes());
   } catch (const std::runtime_error& error) {
     throw OutputError(error.what());
   }
@@ -178,6 +179,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
   if (!head.is_object() || head.value("checkpoint", 0) != kFormat)
     throw scene::InputError(file, "is no checkpoint that this version of plimsoll can resume");
   try {
+    const auto waves = head.at("waves").get<std::size_t>();
     return {.source = source_from(head.at("source")),
             .inputs = head.at("inputs").get<std::string>(),
             .choices = choices_from(head),
@@ -186,7 +188,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
             .warnings = head.at("warnings").get<std::vector<std::string>>(),
             .rig = rig_from(head.at("rig")),
             .watch = head.at("watch"),
-            .state = engine::SimulationState::from_bytes(bytes)};
+            .waves = bytes.substr(0, waves),
+            .state = engine::SimulationState::from_bytes(
+                std::string_view(bytes).substr(std::min(waves, bytes.size())))};
   } catch (const std::exception& error) {
     throw scene::InputError(file, fmt::format("cannot be resumed: {}", error.what()));
   }

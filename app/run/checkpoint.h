@@ -36,6 +36,7 @@ struct Checkpoint {
   std::vector<std::string> warnings;  ///< Warnings of the run up to the checkpoint.
   RigTotals rig;                      ///< Of the steps up to the checkpoint.
   nlohmann::ordered_json watch;       ///< State of the watch of its motion (motion_watch.h).
+  std::string waves;                  ///< State of the bodies' waves in pictures; empty: none.
   engine::SimulationState state;
 };
 

@@ -37,8 +37,9 @@ std::string water_text(const scene::Scene& scene, const assembly::BuiltScene& bu
   if (!scene.water) return "no water";
   const scene::Water& water = *scene.water;
   const std::string depth = water.depth ? fmt::format(", {:g} m deep", *water.depth) : "";
-  return fmt::format("water of {:g} kg/m^3 ({}{})", water.density, surface_text(water, built),
-                     depth);
+  const bool simulated = water.simulated == scene::SimulatedWater::picture;
+  return fmt::format("water of {:g} kg/m^3 ({}{}{})", water.density, surface_text(water, built),
+                     depth, simulated ? ", with bodies' waves in the pictures" : "");
 }
 
 /// Describes the wind, if there is any: `, wind of 8 m/s`.

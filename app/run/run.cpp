@@ -21,6 +21,7 @@
 #include "app/logs/output_folder.h"
 #include "app/logs/run_files.h"
 #include "app/logs/run_source.h"
+#include "app/pictures/bodies_waves.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pictures.h"
@@ -66,6 +67,7 @@ class Run {
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()) {
     summary_.warnings = built.warnings;
+    if (wants_pictures()) shots_.show(bodies_waves(scene, built.spec));
     ShotSpool store;
     if (options.checkpoint > 0 && wants_pictures())
       store = ShotSpool(folder.path() / kShotFile, last ? static_cast<std::size_t>(last->shots) : 0,
@@ -102,6 +104,7 @@ class Run {
     const double time = simulation_.time();
     log_.take_as_logged(time);
     shots_.resume(time, simulation_.states(), drawn_rig(simulation_.rig()), std::move(store));
+    shots_.restore_waves(last.waves);
     summary_.resumed_at = time;
     summary_.warnings = last.warnings;
     summary_.rig = last.rig;
@@ -216,6 +219,7 @@ class Run {
                                       .warnings = summary_.warnings,
                                       .rig = summary_.rig,
                                       .watch = watch_.state(),
+                                      .waves = shots_.state_of_waves(),
                                       .state = simulation_.state()});
     since_checkpoint_ = WallClock();
   }

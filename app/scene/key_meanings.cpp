@@ -88,6 +88,10 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "Depths of the rows below the still water level. Between two rows the velocity is linear in "
      "the depth; above the first and below the last it is that of the row."},
     {"water.current.velocities", "Velocities of the water at these depths, horizontal."},
+    {"water.simulated",
+     "`picture`: bodies make waves, rings and wakes, that the pictures and the window show and no "
+     "body feels; nor do the logs and Python's pictures have them. `none`: the water is as it is "
+     "given."},
     {"water.surface",
      "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves`, "
      "`spectrum` and `elevation`. Without this block the surface is flat."},

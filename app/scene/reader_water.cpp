@@ -119,6 +119,9 @@ void read(MapReader& map, Water& water) {
   water.surface = std::move(surface.shape);
   water.kinematics = surface.kinematics;
   water.ramp = surface.ramp;
+  map.optional("simulated", water.simulated,
+               ChoiceRule<SimulatedWater>{
+                   {{"none", SimulatedWater::none}, {"picture", SimulatedWater::picture}}});
   check_current(map, water);
   if (const auto* waves = std::get_if<std::vector<Wave>>(&water.surface); waves && water.depth)
     check_depth(map, *water.depth, *waves);

@@ -52,6 +52,11 @@ struct Elevation {
   std::optional<double> highest;  ///< End of the band [rad/s], > 0; none: by the peak.
   int components = 1024;          ///< Largest number of waves.
 };
+/// How bodies move the water.
+enum class SimulatedWater {
+  none,    ///< The water is as it is given.
+  picture  ///< Bodies make waves, which are drawn and not felt.
+};
 using Surface = std::variant<Flat, HeightField, std::vector<Wave>, Spectrum, Elevation>;
 
 struct Water {
@@ -64,6 +69,7 @@ struct Water {
   Surface surface;
   hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves, given in any way.
   double ramp = 0;  ///< Time over which the waves grow from rest [s], >= 0.
+  SimulatedWater simulated = SimulatedWater::none;
 };
 
 }  // namespace scene

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/base/program_files.h"
+#include "app/pictures/bodies_waves.h"
 #include "app/pictures/expected_pressure.h"
 #include "app/pictures/interiors.h"
 #include "app/pictures/pictures.h"
@@ -24,11 +25,13 @@ LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& buil
       simulation_(built.spec),
       notes_(*scene.render, built.spec),
       rig_(built.spec, scene.render->show.joints),
+      waves_(bodies_waves(scene, built.spec)),
       expected_(expected_pressure(spec_, scene.render->shows)),
       scale_(pressure_scale(*scene.render, expected_, range_)) {}
 
 void LiveScene::restart() {
   simulation_.reset();
+  waves_ = bodies_waves(scene_, spec_);
   held_.reset();
 }
 
@@ -45,6 +48,7 @@ long LiveScene::advance(long steps, double longest) {
   long taken = 0;
   while (taken < steps && (taken == 0 || Clock::now() < end)) {
     simulation_.step();
+    if (waves_) waves_->follow(simulation_.time(), simulation_.states());
     ++taken;
   }
   return taken;
@@ -54,7 +58,8 @@ Shot LiveScene::now() const {
   return {.time = simulation_.time(),
           .states = simulation_.states(),
           .interiors = drawn_interiors(simulation_.interiors()),
-          .rig = drawn_rig(simulation_.rig())};
+          .rig = drawn_rig(simulation_.rig()),
+          .water = waves_ ? waves_->patch(simulation_.time()) : std::nullopt};
 }
 
 void LiveScene::grow_scale(const Shot& now) {
@@ -86,7 +91,8 @@ render::Image LiveScene::picture(const render::Camera& camera, int width, int he
   const render::View& view = renderer_->view();
   render::Annotations notes = notes_.of(shot, render::picture_size(view));
   rig_.explain(notes);
-  render::Image image = renderer_->draw(shot.states, shot.time, shot.interiors, rig_.of(shot));
+  render::Image image = renderer_->draw(shot.states, shot.time, shot.interiors, rig_.of(shot),
+                                        shot.water ? &*shot.water : nullptr);
   render::annotate(image, view, notes);
   render::add_legend(image, view, notes);
   std::vector<std::string> more;

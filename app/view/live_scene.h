@@ -11,6 +11,7 @@
 #include "app/scene/scene.h"
 #include "app/view/controls.h"
 #include "engine/simulation.h"
+#include "hydro/water/seen_water.h"
 
 namespace app {
 
@@ -50,8 +51,9 @@ class LiveScene {
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
   RigPictures rig_;
-  PressureRange expected_;  ///< From the scene alone.
-  PressureRange range_;     ///< Of the pressures so far.
+  std::optional<hydro::SeenWater> waves_;  ///< Of the bodies; none if they are not drawn.
+  PressureRange expected_;                 ///< From the scene alone.
+  PressureRange range_;                    ///< Of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< Made for the first picture.
 };

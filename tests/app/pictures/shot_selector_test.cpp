@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/logs/interpolation.h"
+#include "hydro/mesh/primitives.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
@@ -172,6 +173,34 @@ TEST(Interpolation, KeepsBothEnds) {
     EXPECT_EQ(state.linear_velocity, end.linear_velocity);
     EXPECT_EQ(state.angular_velocity, end.angular_velocity);
   }
+}
+
+/// The waves of a ball that falls into the water, by the shots and by themselves.
+TEST(ShotSelector, StoresTheBodiesWaves) {
+  const hydro::TriMesh ball = hydro::make_icosphere(1, 1);
+  const hydro::PeriodicSquare square{.cells = 32, .cell = 0.5};
+  hydro::SeenWater alone(hydro::Sea(), {{&ball, 1}}, square);
+  ShotSelector list(0.5, 2, 3);
+  list.show(hydro::SeenWater(hydro::Sea(), {{&ball, 1}}, square));
+  for (int i = 0; i <= 20; ++i) {
+    const double time = 0.1 * i;
+    list.add(time, {falling(time)});
+    alone.follow(time, {falling(time)});
+  }
+  EXPECT_TRUE(list.state_of_waves() == alone.state());
+  const std::vector<Shot> shots = all_of(list.shots());
+  EXPECT_FALSE(shots.front().water);  // Nothing has moved yet.
+  const auto last = alone.patch(2);
+  ASSERT_TRUE(shots.back().water && last);
+  EXPECT_EQ(shots.back().water->origin, last->origin);
+  EXPECT_EQ(shots.back().water->cell, last->cell);
+  // Heights are stored in 16 bits.
+  EXPECT_LT((shots.back().water->heights - last->heights).cwiseAbs().maxCoeff(),
+            support::tolerance(2e-5) * last->heights.cwiseAbs().maxCoeff());
+}
+
+TEST(ShotSelector, StoresNoWavesWithoutThem) {
+  for (const Shot& shot : shots_of(ShotSelector(0.5, 2, 4), 0.25, 8)) EXPECT_FALSE(shot.water);
 }
 
 }  // namespace

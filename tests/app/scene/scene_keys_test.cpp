@@ -31,6 +31,7 @@ std::string every_key() {
          "gravity: 1.62\n"
          "integrator: {method: split, tolerance: 0.5}\n"
          "water:\n"
+         "  simulated: picture\n"
          "  density: 1025\n"
          "  viscosity: 1.2e-6\n"
          "  level: -1.5\n"
@@ -191,6 +192,7 @@ TEST(SceneKeys, WaterIsRead) {
   EXPECT_EQ(scene.water->density, 1025);
   EXPECT_EQ(scene.water->level, -1.5);
   EXPECT_EQ(scene.water->depth, 30);
+  EXPECT_EQ(scene.water->simulated, scene::SimulatedWater::picture);
   EXPECT_EQ(scene.water->kinematics, hydro::Kinematics::hydrostatic);
   EXPECT_EQ(scene.water->current, Eigen::Vector3d(1, 2, 3));
   const auto& waves = std::get<std::vector<scene::Wave>>(scene.water->surface);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "app/assembly/build.h"
 #include "app/base/program_files.h"
 #include "app/logs/read_log.h"
 #include "app/logs/trajectory_match.h"
+#include "app/pictures/bodies_waves.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/expected_pressure.h"
 #include "app/pictures/pictures.h"
@@ -31,7 +33,9 @@ scene::Scene scene_of(const KeptPicture& picture) {
   return scene::read(kSource / "scenes" / (picture.scene + ".yaml"), overrides);
 }
 
-app::Shot shot_of(const KeptPicture& picture, const engine::SimulationSpec& spec) {
+/// The shot of the kept trajectory, which also moves the bodies' waves.
+app::Shot shot_of(const KeptPicture& picture, const scene::Scene& scene,
+                  const engine::SimulationSpec& spec) {
   const fs::path file = folder_of(picture.scene) / "trajectory.csv";
   const app::Trajectory trajectory = app::read_trajectory(file);
   app::check_same_bodies(trajectory, spec, file);
@@ -39,8 +43,13 @@ app::Shot shot_of(const KeptPicture& picture, const engine::SimulationSpec& spec
   const auto found = std::find(times.begin(), times.end(), picture.time);
   if (found == times.end())
     throw std::invalid_argument(fmt::format("{} has no row of {} s", file.string(), picture.time));
-  app::Shot shot = {picture.time, app::states_at(trajectory, spec,
-                                                 static_cast<std::size_t>(found - times.begin()))};
+  std::optional<hydro::SeenWater> waves = app::bodies_waves(scene, spec);
+  app::Shot shot = {.time = picture.time, .states = {}};
+  for (std::size_t row = 0; row <= static_cast<std::size_t>(found - times.begin()); ++row) {
+    shot.states = app::states_at(trajectory, spec, row);
+    if (waves) waves->follow(times[row], shot.states);
+  }
+  if (waves) shot.water = waves->patch(picture.time);
   shot.rig = app::rig_at_rest(spec, shot.states, shot.time);
   return shot;
 }
@@ -61,7 +70,7 @@ fs::path kept_file(const KeptPicture& picture) { return folder_of(picture.scene)
 render::Image draw(const KeptPicture& picture) {
   const scene::Scene scene = scene_of(picture);
   const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
-  const app::Shot shot = shot_of(picture, built.spec);
+  const app::Shot shot = shot_of(picture, scene, built.spec);
   const scene::Render& look = *scene.render;
   render::SceneDescription bare =
       app::picture_of(scene, built.spec,
@@ -71,7 +80,7 @@ render::Image draw(const KeptPicture& picture) {
   app::RigPictures rig(built.spec, look.show.joints);
   rig.include(shot);
   return render::Renderer(std::move(bare), app::program_files("shaders"))
-      .draw(shot.states, shot.time, {}, rig.of(shot));
+      .draw(shot.states, shot.time, {}, rig.of(shot), shot.water ? &*shot.water : nullptr);
 }
 
 }  // namespace golden
