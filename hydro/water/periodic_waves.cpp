@@ -27,7 +27,9 @@ void transform(MatrixXcf& field, bool forward) {
   MatrixXcf result(field.rows(), field.cols());
   for (int pass = 0; pass < 2; ++pass) {
     for (Index c = 0; c < field.cols(); ++c)
-      if (forward)
+      if (field.col(c).isZero(0))  // As most columns of sources are.
+        result.col(c).setZero();
+      else if (forward)
         fft.fwd(result.col(c).data(), field.col(c).data(), field.rows());
       else
         fft.inv(result.col(c).data(), field.col(c).data(), field.rows());
