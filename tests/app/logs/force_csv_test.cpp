@@ -9,9 +9,11 @@
 
 namespace {
 
-/// A log with one row of ones that lacks a number of columns at the end.
+/// A log with one row of ones that lacks a number of columns at the end, in a file of this test:
+/// others run at the same time.
 std::filesystem::path log_without(std::size_t lacking) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "force_csv_test.csv";
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto file = std::filesystem::path(testing::TempDir()) / ("force_csv_" + test + ".csv");
   std::string header = app::force_header(), row = "0.5,buoy";
   for (std::size_t i = 0; i < lacking; ++i) header.resize(header.rfind(','));
   for (std::size_t i = lacking; i < app::force_columns().size(); ++i) row += ",1";
