@@ -11,6 +11,7 @@
 #include "engine/base/constants.h"
 #include "engine/base/stopwatch.h"
 #include "engine/motion/locks.h"
+#include "engine/record/time_book.h"
 #include "engine/rig/rig.h"
 #include "engine/state_data.h"
 #include "engine/step/ode_step.h"
@@ -67,11 +68,6 @@ std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec, const Rig
 SimulationError::SimulationError(double time, std::string body, const std::string& what)
     : std::runtime_error(message(time, body, what)), time_(time), body_(std::move(body)) {}
 
-/// Wall times that all bodies have booked [s].
-struct BodySeconds {
-  double loads = 0, sea = 0, constraints = 0;
-};
-
 struct Simulation::Impl {
   explicit Impl(SimulationSpec description);
 
@@ -86,7 +82,6 @@ struct Simulation::Impl {
   void begin_step();
   void move_lines();
   void accept_step(const std::vector<Overlap>& overlaps);
-  void book_time(double wall, double collision);
   [[noreturn]] void give_up(const OdeFault& fault);
 
   SimulationSpec spec;
@@ -99,8 +94,7 @@ struct Simulation::Impl {
   std::vector<hydro::BodyState> states;
   long steps = 0;
   bool broken = false;  ///< A step stopped halfway.
-  Timings timings;
-  BodySeconds seconds_so_far;  ///< After the last step.
+  TimeBook times;
   StopCheck stop;
   ConstraintErrors errors;
   std::optional<SimulationState> start;
@@ -139,30 +133,6 @@ const SetPointSpec& Simulation::Impl::set_point(SetPointId id) const {
   if (id < 0 || id >= static_cast<SetPointId>(spec.set_points.size()))
     throw std::invalid_argument(fmt::format("there is no set point {}", id));
   return spec.set_points[id];
-}
-
-void Simulation::Impl::book_time(double wall, double collision) {
-  BodySeconds sums;
-  for (const MovingBody& moving : bodies) {
-    sums.loads += moving.cache.seconds;
-    sums.sea += moving.cache.sea_seconds;
-    sums.constraints += moving.cache.constraint_seconds;
-  }
-  // Loads of several bodies are found at once: their share of the step is an average.
-  const double at_once =
-      std::clamp(static_cast<double>(bodies.size()), 1.0, std::max(1.0, 1.0 * spec.threads));
-  double rest = wall - collision;
-  const auto take = [&](double now, double before) {
-    const double part = std::min(rest, (now - before) / at_once);
-    rest -= part;
-    return part;
-  };
-  timings.collision += collision;
-  timings.hydro += take(sums.loads, seconds_so_far.loads);
-  timings.engine += rest;
-  timings.sea += take(sums.sea, seconds_so_far.sea);
-  timings.constraints += take(sums.constraints, seconds_so_far.constraints);
-  seconds_so_far = sums;
 }
 
 /// Adds the reactions of reduced joints, which no solver finds, from the records of work.
@@ -308,7 +278,7 @@ std::vector<InteriorState> Simulation::interiors() const {
   return interiors;
 }
 RigReadings Simulation::rig() const { return impl_->readings(); }
-const Timings& Simulation::timings() const { return impl_->timings; }
+const Timings& Simulation::timings() const { return impl_->times.timings(); }
 
 const ConstraintErrors& Simulation::constraint_errors() const { return impl_->errors; }
 
@@ -411,7 +381,8 @@ void Simulation::step() {
   } catch (const OdeFault& fault) {
     impl.give_up(fault);
   }
-  impl.book_time(wall, impl.world.collision_seconds() - collision_before);
+  impl.times.add(impl.bodies, impl.spec.threads, wall,
+                 impl.world.collision_seconds() - collision_before);
   impl.accept_step(overlaps);
   impl.broken = false;
 }

@@ -10,6 +10,7 @@
 #include "engine/base/rig_readings.h"
 #include "engine/base/spec.h"
 #include "engine/base/step_stopped.h"
+#include "engine/base/timings.h"
 #include "engine/hollows/interior_water.h"
 #include "engine/motion/pull.h"
 #include "engine/record/body_forces.h"
@@ -28,16 +29,6 @@ class SimulationError : public std::runtime_error {
  private:
   double time_;
   std::string body_;
-};
-
-/// Wall time spent so far, by stage [s]. Added mass counts as water. What several bodies or islands
-/// take at once is shared among the threads.
-struct Timings {
-  double collision = 0;
-  double hydro = 0;
-  double engine = 0;
-  double sea = 0;          ///< The part of `engine` that finds the motion of waves about bodies.
-  double constraints = 0;  ///< The part of `engine` that solves for joints, contacts and lines.
 };
 
 /// What no step computes because the scene does not need it.

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace engine {
+
+/// Wall time spent so far, by stage [s]. Added mass counts as water. What several bodies or islands
+/// take at once is shared among the threads.
+struct Timings {
+  double collision = 0;
+  double hydro = 0;
+  double engine = 0;
+  double sea = 0;          ///< The part of `engine` that finds the motion of waves about bodies.
+  double constraints = 0;  ///< The part of `engine` that solves for joints, contacts and lines.
+};
+
+}  // namespace engine
