@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/motion/locks.h"
+
 namespace app {
 namespace {
 
@@ -15,7 +17,7 @@ std::vector<hydro::WaterMover> movers_of(const scene::Scene& scene,
   std::vector<hydro::WaterMover> movers;
   for (const engine::BodySpec& body : spec.bodies) {
     hydro::WaterMover& mover = movers.emplace_back();
-    if (!body.wet || (body.locked == engine::kAllDofs && !water_flows)) continue;
+    if (!body.wet || (engine::immovable(body.locked) && !water_flows)) continue;
     mover.mesh_B = &engine::outside_B(body);
     mover.radius = mover.mesh_B->vertices.colwise().norm().maxCoeff();
   }

@@ -21,6 +21,15 @@ scene::Scene with_look(scene::Scene scene) {
   return scene;
 }
 
+/// Returns the look of pictures without waves of bodies: they follow from a motion, and a snapshot
+/// has one state.
+render::SceneDescription still_look(const scene::Scene& scene, const engine::SimulationSpec& spec,
+                                    const render::PressureScale& scale) {
+  render::SceneDescription look = picture_of(scene, spec, scale);
+  look.ripple = 0;
+  return look;
+}
+
 }  // namespace
 
 struct Snapshots::Impl {
@@ -28,7 +37,7 @@ struct Snapshots::Impl {
       : scene(with_look(given)),
         spec(built.spec),
         expected(expected_pressure(spec, scene.render->shows)),
-        renderer(picture_of(scene, spec, pressure_scale(*scene.render, expected, range)),
+        renderer(still_look(scene, spec, pressure_scale(*scene.render, expected, range)),
                  program_files("shaders")),
         rig(spec, scene.render->show.joints) {}
 

@@ -44,10 +44,6 @@
 namespace app {
 namespace {
 
-/// The state before a step is kept for a checkpoint if the last step took at least this long [s]:
-/// one that took less is expected to end within kStepPatience.
-constexpr double kSlowStep = 0.05;
-
 /// A run: the simulation and its output.
 class Run {
  public:
@@ -176,25 +172,22 @@ class Run {
       finish_log();
       return failed(kCannotGoOn, error.what());
     }
-    if (options_.checkpoint > 0 && interrupt_.interrupted() && !stopped_) save_checkpoint();
+    if (options_.checkpoint > 0 && interrupt_.interrupted()) save_checkpoint();
     finish_log();
     return simulation_.steps() < steps ? interrupted() : kDone;
   }
 
-  /// Takes a step. A slow one is left if a signal comes, with the state before it where that is
-  /// needed for a checkpoint. @return false if it was left
+  /// Takes a step. One that takes long after a signal is left; a run with checkpoints then has the
+  /// state before it. @return false if it was left
   bool step() {
     std::optional<engine::SimulationState> before;
-    if (options_.checkpoint > 0 && last_step_ >= kSlowStep) before = simulation_.state();
-    const WallClock clock;
+    if (options_.checkpoint > 0) before = simulation_.state();
     try {
       simulation_.step();
     } catch (const engine::StepStopped&) {
-      stopped_ = !before;
       if (before) simulation_.restore(*before);
       return false;
     }
-    last_step_ = clock.seconds();
     return true;
   }
 
@@ -316,8 +309,6 @@ class Run {
   StateLog log_;
   ShotSelector shots_;
   std::optional<StepCost> cost_;  ///< None where no one reads it.
-  double last_step_ = kSlowStep;  ///< Wall time of the last step [s].
-  bool stopped_ = false;          ///< Halfway through a step, with no state to save.
 };
 
 void check_video_of_run(const RunOptions& options, const scene::Scene& scene,

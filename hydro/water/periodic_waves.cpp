@@ -129,12 +129,15 @@ std::array<double, PeriodicWaves::kLayers> PeriodicWaves::shares_at(double z) co
   return shares;
 }
 
+/// e^{−iωt} of all wave numbers.
+MatrixXcd PeriodicWaves::turn_in(double time) const {
+  return (omega_.array() * -time).unaryExpr([](double phase) { return std::polar(1.0, phase); });
+}
+
 void PeriodicWaves::advance(double time) {
   if (time == 0) return;
-  if (time != turned_for_) {
-    turn_ = (omega_.array() * -time).unaryExpr([](double phase) { return std::polar(1.0, phase); });
-    turned_for_ = time;
-  }
+  if (time != turned_for_) turn_ = turn_in(time);
+  turned_for_ = time;
   zeta_.array() *= turn_.array();
 }
 
@@ -187,11 +190,11 @@ void PeriodicWaves::damp(const Eigen::VectorXf& factor_x, const Eigen::VectorXf&
 }
 
 MatrixXf PeriodicWaves::elevation(double later) const {
-  MatrixXcd then = zeta_;
-  if (later != 0)
-    then.array() *=
-        (omega_.array() * -later).unaryExpr([](double phase) { return std::polar(1.0, phase); });
-  MatrixXcf field = then.cast<std::complex<float>>();
+  MatrixXcf field =
+      later == 0
+          ? MatrixXcf(zeta_.cast<std::complex<float>>())
+          : MatrixXcf(
+                (zeta_.array() * turn_in(later).array()).matrix().cast<std::complex<float>>());
   transform(field, false);
   return field.real();
 }

@@ -80,6 +80,7 @@ class PeriodicWaves {
 
   void make_modes();
   void make_layers();
+  Eigen::MatrixXcd turn_in(double time) const;
   std::array<double, kLayers> shares_at(double z) const;
 
   PeriodicSquare square_;

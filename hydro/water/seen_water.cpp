@@ -28,15 +28,12 @@ constexpr double kDamping = 8;
 /// step to step: both are below π.
 constexpr double kLongestStep = 2, kLongestWay = 1.5;
 
-/// Largest number of bisections of a face: no body of the window has longer edges.
-constexpr int kMostHalvings = 16;
-
 /// Height of the water that counts as still, over a cell [-].
 constexpr double kStill = 1e-6;
 
 Vector2d current_of(const Sea& sea) { return sea.current.head<2>(); }
 
-/// Weights of four neighbours at a part of the way between the middle two [CR74]: Catmull and Rom's
+/// Weights of four neighbours at a part of the way between the middle two: Catmull and Rom's
 /// spline.
 Eigen::Vector4d cubic_weights(double t) {
   return Eigen::Vector4d(((2 - t) * t - 1) * t, (3 * t - 5) * t * t + 2, ((4 - 3 * t) * t + 1) * t,
@@ -125,17 +122,17 @@ SeenWater::LocalSea SeenWater::local_sea(const WaterMover& body, const BodyState
 
 /// Adds the sources of a wet piece, in W axes about the centre of mass, halved to a cell's size.
 void SeenWater::add_piece(const Panel& panel, const BodyState& state, const LocalSea& local,
-                          double duration, int halvings) {
+                          double duration) {
   const double cell = waves_.square().cell;
   const PanelSplit split = longest_split(panel, [&](const Vector3d& a, const Vector3d& b) {
     return (b - a).squaredNorm() > cell * cell ? 0.5 : 0.0;
   });
-  if (split.edge >= 0 && halvings < kMostHalvings) {
+  if (split.edge >= 0) {
     const Vector3d &a = panel[split.edge], &b = panel[(split.edge + 1) % 3],
                    &c = panel[(split.edge + 2) % 3];
     const Vector3d middle = (a + b) / 2;
-    add_piece({a, middle, c}, state, local, duration, halvings + 1);
-    add_piece({middle, b, c}, state, local, duration, halvings + 1);
+    add_piece({a, middle, c}, state, local, duration);
+    add_piece({middle, b, c}, state, local, duration);
     return;
   }
   const Vector3d r = (panel[0] + panel[1] + panel[2]) / 3;
@@ -165,10 +162,10 @@ void SeenWater::add_sources(const WaterMover& body, const BodyState& state, doub
     }
     if (depth.maxCoeff() <= 0) continue;
     if (depth.minCoeff() >= 0)
-      add_piece(panel, state, local, duration, 0);
+      add_piece(panel, state, local, duration);
     else
       for (const PanelPart& part : positive_part(panel, depth))
-        add_piece(part.panel, state, local, duration, 0);
+        add_piece(part.panel, state, local, duration);
   }
 }
 

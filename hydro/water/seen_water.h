@@ -19,9 +19,10 @@
 ///     σ = (V − u)·n,                                                                          (1)
 ///
 /// V the velocity of its surface, u that of the given sea at the place. So the water gets what the
-/// body displaces, wherever it goes. No wave acts on the body, and none is scattered at another.
-/// The amplitude of the rings of a heaving hemisphere is 1.06, 1.19, 1.30, 1.40 and 0.94 times the
-/// true one at kR = 0.1, 0.3, 0.5, 1 and 2; a slender ship's waves are those of thin-ship theory.
+/// body displaces, wherever it goes, and what stands in the given sea turns some of it back. No
+/// wave acts on a body, and bodies do not scatter each other's waves. The amplitude of the rings of
+/// a heaving hemisphere is 1.06, 1.19, 1.30, 1.40 and 0.94 times the true one at kR = 0.1, 0.3,
+/// 0.5, 1 and 2; a slender ship's waves are those of thin-ship theory.
 ///
 /// The waves are those of PeriodicWaves in a square that rides with the current. A window follows
 /// the bodies over the square, whose cells are used anew at the other side of the window; at the
@@ -80,8 +81,8 @@ class SeenWater {
   struct LocalSea;
 
   void add_sources(const WaterMover& body, const BodyState& state, double duration);
-  void add_piece(const Panel& panel, const BodyState& state, const LocalSea& local, double duration,
-                 int halvings);
+  void add_piece(const Panel& panel, const BodyState& state, const LocalSea& local,
+                 double duration);
   LocalSea local_sea(const WaterMover& body, const BodyState& state) const;
   Eigen::Vector2d in_square(const Eigen::Vector2d& p_W, double time) const;
   void follow_bodies(const std::vector<BodyState>& states);
