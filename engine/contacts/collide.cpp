@@ -143,7 +143,9 @@ World::Contacts World::collide(const std::vector<Placed>& bodies, const std::vec
     set_state(placed.body, placed.state);
     set_contact_inertia(placed.body, placed.inertia);
   }
-  return contacts_of(pairs, step);
+  Contacts contacts = contacts_of(pairs, step);
+  add_followers(bodies, pairs, step, contacts);
+  return contacts;
 }
 
 std::vector<double> World::closing_times(
@@ -225,37 +227,42 @@ Eigen::Vector3d World::approach(const Pair& pair, const Eigen::Vector3d& point_W
          velocity_without_contact(pair.second, point_W, step);
 }
 
+ContactLaw World::law_of(const Pair& pair, std::size_t points) const {
+  ContactLaw law{
+      .points = points, .rest = kContactDepth * thickness(pair), .fall = 0, .gravity = gravity_};
+  for (const BodyId id : {pair.first, pair.second}) {
+    if (!handle_of(id)) continue;
+    law.mass = std::max(law.mass, bodies_[id].inertia.mass);
+    law.fall = std::max(law.fall, bodies_[id].inertia.fall);
+  }
+  return law;
+}
+
+Contact World::contact_at(const Pair& pair, const ContactPoint& point, const ContactLaw& law,
+                          double step) const {
+  const Surface surface = surfaces_.between(pair);
+  const double closing = -point.normal_W.dot(approach(pair, point.position_W, 0));
+  Contact contact{.pair = pair,
+                  .point = point,
+                  .row = contact_row(point.depth, law, step),
+                  .friction = surface.friction,
+                  .restitution = surface.restitution,
+                  .rebounds = closing > impact_speed(gravity_),
+                  .sliding_W = approach(pair, point.position_W, step)};
+  if (contact.rebounds)
+    contact.row.speed = std::max(contact.row.speed, surface.restitution * closing);
+  return contact;
+}
+
 World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) const {
   Contacts contacts;
   for (const Pair& pair : pairs) {
     const std::vector<ContactPoint> points = touching_points(pair, step);
     if (points.empty()) continue;
     contacts.pairs.push_back(pair);
-    double mass = 0, fall = 0;
-    for (const BodyId id : {pair.first, pair.second}) {
-      if (!handle_of(id)) continue;
-      mass = std::max(mass, bodies_[id].inertia.mass);
-      fall = std::max(fall, bodies_[id].inertia.fall);
-    }
-    const Surface surface = surfaces_.between(pair);
-    const ContactLaw law{.mass = mass,
-                         .points = points.size(),
-                         .rest = kContactDepth * thickness(pair),
-                         .fall = fall,
-                         .gravity = gravity_};
-    for (const ContactPoint& point : points) {
-      const double closing = -point.normal_W.dot(approach(pair, point.position_W, 0));
-      Contact contact{.pair = pair,
-                      .point = point,
-                      .row = contact_row(point.depth, law, step),
-                      .friction = surface.friction,
-                      .restitution = surface.restitution,
-                      .rebounds = closing > impact_speed(gravity_),
-                      .sliding_W = approach(pair, point.position_W, step)};
-      if (contact.rebounds)
-        contact.row.speed = std::max(contact.row.speed, surface.restitution * closing);
-      contacts.points.push_back(std::move(contact));
-    }
+    const ContactLaw law = law_of(pair, points.size());
+    for (const ContactPoint& point : points)
+      contacts.points.push_back(contact_at(pair, point, law, step));
   }
   return contacts;
 }

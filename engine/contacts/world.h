@@ -75,7 +75,8 @@ class World {
   /// A body where contacts are looked for.
   struct Placed {
     BodyId body = 0;
-    hydro::BodyState state;
+    hydro::BodyState state;  ///< Halfway through the substep.
+    hydro::BodyState start;  ///< At its start.
     Inertia inertia;
   };
   /// Finds the contacts of these pairs, which ascend, for a substep of length `step` [s], with
@@ -138,6 +139,14 @@ class World {
   dxGeom* geom_of(BodyId body) const;
 
   Contacts contacts_of(const std::vector<Pair>& pairs, double step) const;
+  Contact contact_at(const Pair& pair, const ContactPoint& point, const ContactLaw& law,
+                     double step) const;
+  ContactLaw law_of(const Pair& pair, std::size_t points) const;
+  /// Adds the contacts of bodies that follow one which a contact stops (contacts.h).
+  void add_followers(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs, double step,
+                     Contacts& contacts);
+  /// The same of a pair whose other body is placed where it is stopped. @return true if it follows
+  bool add_follower(const Pair& pair, const Placed& follower, double step, Contacts& contacts);
   std::vector<ContactPoint> touching_points(const Pair& pair, double step) const;
   /// Velocity of the first relative to the second at a point, after a step without contacts.
   Eigen::Vector3d approach(const Pair& pair, const Eigen::Vector3d& point_W, double step) const;

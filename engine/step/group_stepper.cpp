@@ -21,6 +21,7 @@ World::Placed placed(const SubstepBody& b) {
   const Motion& motion = b.moving->motion;
   return {.body = b.id,
           .state = b.halfway.state,
+          .start = motion.state,
           .inertia = {.mass = contact_mass(b.body(), motion),
                       .fall = contact_fall(b.body(), motion),
                       .acceleration = motion.load_acceleration_W.value_or(

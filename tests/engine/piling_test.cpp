@@ -61,6 +61,33 @@ TEST(Stack, OfFortyCratesStandsAsOneOfTwoDoes) {
   EXPECT_LT(fastest(simulation), tolerance(1e-3));
 }
 
+// All crates of a stack fall together, so only the stop of each lets the next one meet it.
+TEST(Stack, LandsAsOneFromAnyGapBetweenItsCrates) {
+  constexpr int kCrates = 20;
+  for (const double gap : {0.0, 1e-5, 1e-3, 1e-2})
+    for (const double step : {1.0 / 100, 1.0 / 60}) {
+      std::vector<BodySpec> crates;
+      for (int i = 0; i < kCrates; ++i)
+        crates.push_back(
+            crate({0.03 * (i % 2), -0.02 * (i % 3), 0.5 + i * (1 + gap)}, CollisionShape::box));
+      SimulationSpec spec = on_flat_ground(crates);
+      spec.step = step;
+      Simulation simulation(spec);
+      double highest = 0, lowest = kCrates;
+      for (int i = 0; i < support::steps_in(1, step); ++i) {
+        simulation.step();
+        const double top = simulation.states().back().position.z();
+        highest = std::max(highest, top);
+        lowest = std::min(lowest, top);
+      }
+      const double start = crates.back().initial.position.z();
+      const double rest = kCrates - 0.5 - kCrates * kDepthAtRest;
+      EXPECT_LE(highest, start) << gap << ' ' << step;
+      // The first contact is found half a step late.
+      EXPECT_NEAR(lowest, rest, tolerance(2e-3)) << gap << ' ' << step;
+    }
+}
+
 // A contact that gave way under what rests on it would let the stack sink, lean and fall. One of
 // crates of 0.2 m has its contacts five times nearer to each other.
 TEST(Stack, OfTenCratesStandsForAMinute) {
