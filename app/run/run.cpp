@@ -111,7 +111,7 @@ class Run {
     for (const std::string& line :
          resolved_scene(scene_, built_, simulation_.skips(), reason_for_no_pictures(kDone)))
       say(line);
-    if (cost_) say("  cost: " + cost_text(*cost_, built_.spec));
+    if (cost_) say("  cost at the start: " + cost_text(*cost_, built_.spec));
     say_warnings(built_.warnings);
   }
 
