@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/databases/body_data.h"
 #include "hydro/spatial.h"
@@ -11,6 +12,13 @@ namespace databases {
 struct Bounds {
   double noted, refused;
 };
+
+/// Part of the frequencies that may be bad, away from the ends (bad_ends.h), and be left out: panel
+/// methods have no unique solution at those of sloshing inside the hull [-].
+inline constexpr double kMostDropped = 0.2;
+
+/// `2.1, 2.14, 5`; of many the first and the last. @param frequencies   [rad/s], not empty
+std::string in_words(const std::vector<double>& frequencies);
 
 /// Adds a check and its note.
 void add_check(const std::string& name, double value, const Bounds& bounds, BodyData& found);

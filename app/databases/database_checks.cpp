@@ -26,9 +26,8 @@ using std::numbers::pi;
 constexpr Bounds kVolume = {0.01, 0.1};
 constexpr Bounds kWaterplane = {0.02, 0.2};
 constexpr Bounds kHaskind = {0.05, 0.3};
-/// Part of the frequencies that may contradict Haskind's relation and be left out [-].
-constexpr double kMostDropped = 0.2;
-/// This part may, where all of them lie at the ends (bad_ends.h) [-].
+/// Part of the frequencies that may contradict Haskind's relation and be left out, where all of
+/// them lie at the ends (bad_ends.h) [-].
 constexpr double kMostAtEnds = 1.0 / 3;
 constexpr Bounds kFroudeKrylov = {0.05, 0.3};
 constexpr Bounds kLongWaves = {0.1, 0.3};
@@ -87,15 +86,13 @@ void keep_only(const std::vector<bool>& kept, std::vector<T>& list) {
 /// which panel methods have no unique solution.
 void drop_frequencies(const std::vector<bool>& kept, const std::vector<Mismatch>& mismatches,
                       BodyData& found) {
-  std::vector<std::string> dropped;
+  std::vector<double> dropped;
   for (std::size_t f = 0; f < kept.size(); ++f)
-    if (!kept[f]) dropped.push_back(fmt::format("{:.4g}", mismatches[f].frequency));
-  const std::size_t count = dropped.size();
-  if (count > 5) dropped = {dropped.front(), "…", dropped.back()};
+    if (!kept[f]) dropped.push_back(mismatches[f].frequency);
   found.notes.push_back(
       fmt::format("{} of {} frequencies contradict Haskind's relation and are left "
                   "out: {} rad/s",
-                  count, kept.size(), fmt::join(dropped, ", ")));
+                  dropped.size(), kept.size(), in_words(dropped)));
   hydro::RadiationData& data = found.data;
   keep_only(kept, data.frequencies);
   keep_only(kept, data.added_mass);

@@ -13,7 +13,7 @@
 namespace databases {
 
 /// Makes A, B and A∞ symmetric, and takes the small negative eigenvalues out of B. Frequencies at a
-/// bad end (bad_ends.h) are left out and noted.
+/// bad end (bad_ends.h) are left out and noted, or single bad ones.
 /// @param lever   Length by which moments are compared with forces [m].
 void check_matrices(Database& database, double lever, BodyData& found);
 

@@ -140,9 +140,10 @@ void find_infinite_added_mass(Database& d, double lever, std::vector<std::string
   const double spread = largest(found->spread) / largest(found->matrix);
   if (!(spread <= kLargestSpread))
     refuse(d,
-           fmt::format("{}and by Ogilvie's relation the frequencies up to {:g} rad/s give it only "
-                       "within {:.2g} %; expected {:g} %",
-                       why, d.frequencies.back(), 100 * spread, 100 * kLargestSpread));
+           fmt::format(
+               "{}and by Ogilvie's relation the frequencies up to {:g} rad/s give it only "
+               "within {:.2g} %; expected {:g} %, for which `frequencies` may leave out a bad end",
+               why, d.frequencies.back(), 100 * spread, 100 * kLargestSpread));
   d.infinite_added_mass = found->matrix;
   notes.push_back(
       fmt::format("added mass at infinite frequency: by Ogilvie's relation, within "

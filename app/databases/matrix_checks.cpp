@@ -131,27 +131,49 @@ std::string ends_in_words(const Database& d, const std::vector<bool>& kept) {
   return fmt::format("{}", fmt::join(words, " and "));
 }
 
-/// Leaves out the bad ends, if all that is bad lies in them.
-void drop_bad_ends(Database& d, double lever, BodyData& found) {
-  const std::vector<std::string> faults = faults_of(d, lever);
-  std::vector<bool> bad, kept;
-  for (const std::string& fault : faults) bad.push_back(!fault.empty());
-  const std::vector<bool> ends = bad_ends(bad);
-  std::size_t dropped = 0, first_bad = faults.size();
-  for (std::size_t f = 0; f < faults.size(); ++f) {
-    if (bad[f] && !ends[f]) return;  // It will be refused.
-    if (bad[f]) first_bad = std::min(first_bad, f);
-    if (ends[f]) ++dropped;
-    kept.push_back(!ends[f]);
+/// Which frequencies are not kept: `2.1, …, 5`.
+std::string dropped_in_words(const Database& d, const std::vector<bool>& kept) {
+  std::vector<double> dropped;
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (!kept[f]) dropped.push_back(d.frequencies[f]);
+  return in_words(dropped);
+}
+
+/// Leaves out the bad ends, if all that is bad lies in them, or else what is bad, if it is few. The
+/// largest entry, by which all are judged, may be that of a bad matrix: what is left is judged
+/// again.
+void drop_bad_frequencies(Database& d, double lever, BodyData& found) {
+  const double most = kMostDropped * static_cast<double>(d.frequencies.size());
+  for (std::size_t dropped = 0;;) {
+    const std::vector<std::string> faults = faults_of(d, lever);
+    std::vector<bool> bad;
+    for (const std::string& fault : faults) bad.push_back(!fault.empty());
+    const auto first = std::ranges::find(bad, true);
+    if (first == bad.end()) return;
+    std::vector<bool> kept = bad_ends(bad);
+    const bool at_ends =
+        dropped == 0 && std::ranges::equal(bad, kept, [](bool b, bool end) { return !b || end; });
+    if (!at_ends) kept = bad;
+    kept.flip();
+    const auto count = static_cast<std::size_t>(std::ranges::count(kept, false));
+    dropped += count;
+    if (!at_ends && static_cast<double>(dropped) > most) return;  // It will be refused.
+    found.notes.push_back(
+        fmt::format("{} of {} frequencies are left out, {} rad/s; {}", count, kept.size(),
+                    at_ends ? "those " + ends_in_words(d, kept) : dropped_in_words(d, kept),
+                    faults[static_cast<std::size_t>(first - bad.begin())]));
+    keep_frequencies(kept, d);
   }
-  if (dropped == 0) return;
-  found.notes.push_back(fmt::format("{} of {} frequencies are left out, those {} rad/s; {}",
-                                    dropped, kept.size(), ends_in_words(d, kept),
-                                    faults[first_bad]));
-  keep_frequencies(kept, d);
 }
 
 }  // namespace
+
+std::string in_words(const std::vector<double>& frequencies) {
+  std::vector<std::string> words;
+  for (const double frequency : frequencies) words.push_back(fmt::format("{:.4g}", frequency));
+  if (words.size() > 5) words = {words.front(), "…", words.back()};
+  return fmt::format("{}", fmt::join(words, ", "));
+}
 
 void add_check(const std::string& name, double value, const Bounds& bounds, BodyData& found) {
   found.checks.push_back({name, value});
@@ -166,7 +188,7 @@ Matrix6d weighted(const Matrix6d& matrix, double lever) {
 }
 
 void check_matrices(Database& d, double lever, BodyData& found) {
-  drop_bad_ends(d, lever, found);
+  drop_bad_frequencies(d, lever, found);
   Kind A = kind_of("added mass", d.added_mass, d);
   const Kind B = kind_of("damping", d.damping, d);
   Kind limit{"infinite added mass", {}, {}};

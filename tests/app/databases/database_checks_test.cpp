@@ -62,17 +62,30 @@ TEST_F(DatabaseChecks, SingleFrequenciesThatContradictHaskindAreLeftOut) {
 
 TEST_F(DatabaseChecks, WhatContradictsItselfIsRefused) {
   RadiationData data = sphere_data(24);
-  data.damping[4](2, 2) = -0.5;
+  for (const std::size_t f : {4, 6, 7}) data.damping[f](2, 2) = -0.5;
   databases::write_capytaine(file("ball.nc"), written(data));
   EXPECT_THAT(fault({.file = file("ball.nc")}),
               testing::AllOf(HasSubstr("damping at 1.627"), HasSubstr("has an eigenvalue of -"),
                              HasSubstr("in row 3, column 3 (-0.5 for water of density 1)")));
   data = sphere_data(24);
-  data.added_mass[2](0, 1) = 1;
+  for (const std::size_t f : {2, 4, 6}) data.added_mass[f](0, 1) = 1;
   databases::write_capytaine(file("ball.nc"), written(data));
   EXPECT_THAT(fault({.file = file("ball.nc")}),
               testing::AllOf(HasSubstr("added mass at 0.990"), HasSubstr("row 1, column 2"),
                              HasSubstr("expected a symmetric matrix")));
+}
+
+TEST_F(DatabaseChecks, SingleFrequenciesThatContradictThemselvesAreLeftOut) {
+  RadiationData data = sphere_data(24);
+  data.damping[4](2, 2) = -0.5;
+  data.added_mass[7](0, 1) = 1e3;  // Beside it nothing else looks wrong.
+  databases::write_capytaine(file("ball.nc"), written(data));
+  const BodyData found = read({.file = file("ball.nc")});
+  ASSERT_EQ(found.data.frequencies.size(), 10u);
+  EXPECT_EQ(found.data.frequencies[4], data.frequencies[5]);
+  EXPECT_LT((found.data.added_mass[6] - data.added_mass[8]).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_THAT(found.notes, Contains(testing::StartsWith("2 of 12 frequencies are left out, 1.627, "
+                                                        "2.801 rad/s; damping at 1.627")));
 }
 
 TEST_F(DatabaseChecks, ABadEndIsLeftOutAndNoted) {
