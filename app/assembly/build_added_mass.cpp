@@ -1,11 +1,14 @@
 #include "app/assembly/build_added_mass.h"
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <stdexcept>
 
 #include "app/assembly/memory_need.h"
+#include "app/assembly/solve_time.h"
 #include "app/base/machine.h"
+#include "app/base/progress.h"
 #include "app/scene/diagnostics.h"
 #include "engine/motion/locks.h"
 #include "hydro/added_mass/constant_added_mass.h"
@@ -16,14 +19,6 @@ namespace assembly {
 namespace {
 
 using Model = scene::AddedMass::Model;
-
-/// Returns the model of a body; `none` if the water does not act on it, or all its degrees of
-/// freedom are locked and nobody asks for its loads.
-Model model_of(const scene::Body& body, const engine::BodySpec& spec, bool forces) {
-  if (!spec.wet || (engine::immovable(spec.locked) && !forces)) return Model::none;
-  const Model model = body.hydro.added_mass.model;
-  return model == Model::automatic ? Model::deep : model;
-}
 
 /// Models of deep added mass; bodies with equal mesh and centre of mass share one.
 class DeepModels {
@@ -115,6 +110,17 @@ void check_memory(const std::string& what, const hydro::TriMesh& mesh,
 
 }  // namespace
 
+Model added_mass_model(const scene::Scene& scene, const BuiltScene& built, std::size_t body) {
+  const auto radiates = [&](std::size_t i) { return built.radiation[i].choice.pose.has_value(); };
+  const engine::BodySpec& spec = built.spec.bodies[body];
+  // The hull that a body is a part of has the added mass of all of it.
+  const std::optional<engine::BodyId>& lead = built.radiation[body].choice.lead;
+  if (radiates(body) || (lead && radiates(static_cast<std::size_t>(*lead)))) return Model::none;
+  if (!spec.wet || (engine::immovable(spec.locked) && !built.spec.record_work)) return Model::none;
+  const Model model = scene.bodies[body].hydro.added_mass.model;
+  return model == Model::automatic ? Model::deep : model;
+}
+
 StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh& mesh,
                                   const hydro::AddedMassOptions& options, AddedMassStore& store,
                                   app::Reporter& reporter) {
@@ -124,8 +130,10 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
       [&] { return store.find(mesh, options, reporter); },
       [&] {
         check_memory(what, mesh, options, reporter);
-        reporter.working_on(fmt::format("{}: solving for {} triangles, once for this mesh", what,
-                                        mesh.face_count()));
+        const double expected = added_mass_seconds(static_cast<double>(mesh.face_count()),
+                                                   tbb::this_task_arena::max_concurrency());
+        reporter.working_on(fmt::format("{}: solving for {} triangles, once for this mesh: some {}",
+                                        what, mesh.face_count(), app::rough_time(expected)));
         hydro::AddedMassSolution solution = hydro::solve_added_mass(mesh, options);
         reporter.done(fmt::format("{}: {:.1f} s", what, solution.seconds));
         return store.keep(mesh, options, std::move(solution), reporter);
@@ -140,12 +148,8 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
   SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     engine::BodySpec& body = built.spec.bodies[i];
-    const std::optional<engine::BodyId>& lead = built.radiation[i].choice.lead;
-    // The hull that a body is a part of has the added mass of all of it.
-    if (body.radiation || (lead && built.spec.bodies[static_cast<std::size_t>(*lead)].radiation))
-      continue;
     const scene::AddedMass& added_mass = scene.bodies[i].hydro.added_mass;
-    const Model model = model_of(scene.bodies[i], body, built.spec.record_work);
+    const Model model = added_mass_model(scene, built, i);
     if (model == Model::matrix) built.added_mass[i] = add_matrix(added_mass, body);
     if (model == Model::surface)
       built.added_mass[i] =

@@ -20,9 +20,14 @@ StoredAddedMass solved_added_mass(const std::string& name, const hydro::TriMesh&
                                   const hydro::AddedMassOptions& options, AddedMassStore& store,
                                   app::Reporter& reporter);
 
-/// Sets the model of added mass of each body, unless it has radiation, its model is `none`, the
-/// water does not act on it, or it is locked in all six degrees of freedom and forces are not
-/// logged; the method `ode` has none. Bodies with equal meshes share a solution.
+/// Returns the model of a body, `deep` in the place of `automatic`; `none` for one with radiation
+/// or in a hull with it, on which the water does not act, or which is locked in all six degrees of
+/// freedom while forces are not logged.
+scene::AddedMass::Model added_mass_model(const scene::Scene& scene, const BuiltScene& built,
+                                         std::size_t body);
+
+/// Sets the model of added mass of each body, by added_mass_model; the method `ode` has none.
+/// Bodies with equal meshes share a solution.
 /// @throws InputError for a mesh that has no solution
 void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore& store,
                     app::Reporter& reporter);

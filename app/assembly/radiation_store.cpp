@@ -1,13 +1,16 @@
 #include "app/assembly/radiation_store.h"
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
 
+#include "app/assembly/solve_time.h"
 #include "app/base/checked_file.h"
+#include "app/base/progress.h"
 #include "app/base/wall_clock.h"
 
 namespace assembly {
@@ -197,9 +200,11 @@ StoredRadiation solved_radiation(const std::string& name, const RadiationProblem
   return found_or_solved(
       store.file_of(problem), what, reporter, [&] { return store.find(problem, reporter); },
       [&] {
-        reporter.working_on(
-            fmt::format("{}: solving for {} frequencies, once for this mesh and mean pose", what,
-                        frequency_count(problem)));
+        reporter.working_on(fmt::format(
+            "{}: solving for {} frequencies, once for this mesh and mean pose: some {}", what,
+            frequency_count(problem),
+            app::rough_time(radiation_seconds(static_cast<double>(problem.mesh_B.face_count()),
+                                              tbb::this_task_arena::max_concurrency()))));
         const app::WallClock clock;
         RadiationSolution solution =
             hydro::solve_radiation(problem.mesh_B, problem.pose, problem.water, problem.options);

@@ -19,15 +19,14 @@ std::size_t screen_width() {
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-/// Formats a time as `42 s`, `12 min` or `3.5 h`.
+}  // namespace
+
 std::string rough_time(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", std::ceil(seconds));
   if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
   return fmt::format("{:.1f} h", seconds / kHour);
 }
-
-}  // namespace
 
 std::string progress_text(const std::string& name, double time, double duration, double wall) {
   const double done = time / duration;

@@ -5,6 +5,9 @@
 
 namespace app {
 
+/// Formats a time as `42 s`, `12 min` or `3.5 h`.
+std::string rough_time(double seconds);
+
 /// `teapot_drop: 1.20 of 6 s   20 %  3.2 x real time  2 s left`
 /// @param time       Simulated time so far [s], > 0.
 /// @param duration   Duration of the scene [s].

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/assembly/build.h"
+#include "app/assembly/pending_solutions.h"
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
 #include "app/base/thread_count.h"
@@ -34,6 +35,9 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
                     counted(built.spec.joints.size(), "joint", "joints")));
   for (const std::string& line : BodyTables(scene, built).sizes()) print(fmt::format("{}\n", line));
   describe_cost(built.spec);
+  const std::string pending = assembly::pending_text(
+      assembly::pending_solutions(scene, built, assembly::cache_folder(), thread_count(0)));
+  if (!pending.empty()) print(fmt::format("  to solve before the first step: {}\n", pending));
   std::vector<assembly::RadiationChoice> radiation;
   for (const assembly::RadiationReport& report : built.radiation)
     radiation.push_back(report.choice);
