@@ -1,39 +1,58 @@
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "engine/contacts/world.h"
 
 namespace engine {
+namespace {
+
+/// A fast body, and another fast one that is near it.
+struct Neighbour {
+  std::size_t place, other;  ///< In the list of placed bodies.
+  Pair pair;
+};
+
+}  // namespace
 
 void World::add_followers(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs,
                           double step, Contacts& contacts) {
   const double slow = impact_speed(gravity_);
-  const auto moving = [&](BodyId id) {
+  // The place of a body in the list; none for one that is slow.
+  const auto fast = [&](BodyId id) -> std::optional<std::size_t> {
     const auto found = std::ranges::lower_bound(bodies, id, {}, &Placed::body);
-    const bool known = found != bodies.end() && found->body == id;
-    return known && found->state.linear_velocity.norm() > slow ? &*found : nullptr;
+    if (found == bodies.end() || found->body != id) return std::nullopt;
+    if (!(found->state.linear_velocity.norm() > slow)) return std::nullopt;
+    return static_cast<std::size_t>(found - bodies.begin());
   };
-  std::vector<const Placed*> stopped;
-  const auto stop = [&](BodyId id) {
-    const Placed* body = moving(id);
-    if (body && std::ranges::find(stopped, body) == stopped.end()) stopped.push_back(body);
+  std::vector<std::size_t> stopped;
+  std::vector<bool> is_stopped(bodies.size());
+  const auto stop = [&](std::size_t place) {
+    if (!is_stopped[place]) stopped.push_back(place);
+    is_stopped[place] = true;
   };
-  for (const Contact& contact : contacts.points) {
-    if (!contact.rebounds || contact.restitution > 0) continue;
-    stop(contact.pair.first);
-    stop(contact.pair.second);
+  for (const Contact& contact : contacts.points)
+    for (const BodyId id : {contact.pair.first, contact.pair.second})
+      if (contact.rebounds && contact.restitution == 0)
+        if (const auto place = fast(id)) stop(*place);
+  if (stopped.empty()) return;
+  std::vector<Neighbour> neighbours;
+  for (const Pair& pair : pairs) {
+    const auto first = fast(pair.first), second = fast(pair.second);
+    if (!first || !second) continue;
+    neighbours.push_back({*first, *second, pair});
+    neighbours.push_back({*second, *first, pair});
   }
-  std::vector<Pair> touching = contacts.pairs;
+  std::ranges::stable_sort(neighbours, {}, &Neighbour::place);
+  const std::vector<Pair> touching = contacts.pairs;
   for (std::size_t i = 0; i < stopped.size(); ++i) {
-    const Placed& held = *stopped[i];
+    const Placed& held = bodies[stopped[i]];
     set_state(held.body, held.start);
-    for (const Pair& pair : pairs) {
-      if (pair.first != held.body && pair.second != held.body) continue;
-      const Placed* other = moving(pair.first == held.body ? pair.second : pair.first);
-      if (!other || std::ranges::find(stopped, other) != stopped.end()) continue;
-      if (std::ranges::binary_search(touching, pair) || add_follower(pair, *other, step, contacts))
-        stop(other->body);
-    }
+    for (const Neighbour& near :
+         std::ranges::equal_range(neighbours, stopped[i], {}, &Neighbour::place))
+      if (!is_stopped[near.other] && (std::ranges::binary_search(touching, near.pair) ||
+                                      add_follower(near.pair, bodies[near.other], step, contacts)))
+        stop(near.other);
     set_state(held.body, held.state);
   }
   std::ranges::sort(contacts.pairs);
