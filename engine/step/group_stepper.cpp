@@ -232,20 +232,22 @@ void GroupStepper::take_substeps(double time, double h) {
 }
 
 bool GroupStepper::must_halve(double h, bool halves) {
-  bool gained = false, followed = true, overshot = false;
+  bool gained = false, followed = true, unresolved = false;
   for (const Judged& judged : judged_) {
     if (!member(judged.members.front()->id).island) continue;
     gained = judged.limiter->judge(judged.members, h, halves && is_alone_) || gained;
   }
   gained = gained && h / 2 >= shortest_;
   for (const Member& m : members_) {
-    if (!m.island || !(gained || m.abrupt)) continue;
+    if (!m.island) continue;
     const Motion& before = m.moving->motion;
+    unresolved = unresolved || added_mass_jumps(m.body(), before, m.end);
+    if (!(gained || m.abrupt)) continue;
     followed = followed && can_be_followed(m.body(), before, h);
     if (!m.abrupt || !m.body().wet) continue;
-    overshot = overshot || overshoots_surface(m.body(), before.state, m.end.state, h);
+    unresolved = unresolved || overshoots_surface(m.body(), before.state, m.end.state, h);
   }
-  return (overshot && h / 2 >= shortest_) || (gained && followed);
+  return (unresolved && h / 2 >= shortest_) || (gained && followed);
 }
 
 void GroupStepper::accept(double time, double h) {

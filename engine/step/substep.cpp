@@ -174,8 +174,19 @@ bool is_abrupt(const SubstepBody& b, double h) {
          (crossing.meets && (!is_smooth(b.end.accelerations, h) || was_dry(b)));
 }
 
+/// True if the added mass of an update stopped the body short of the place where it has that, as a
+/// flat bottom is stopped that meets the surface: without it the body would go on to there.
+bool is_stopped_short(const SubstepBody& b, const Matrix6d& found_B) {
+  const Vector6d inertia = (b.body().rigid_B + b.added_B).diagonal();
+  const auto sum = [&](const Matrix6d& change) {
+    return change.diagonal().cwiseQuotient(inertia).sum();
+  };
+  return sum(b.added_B - b.halfway.added()) > 0 && sum(found_B - b.added_B) < 0;
+}
+
 /// Finds the added mass of the final poses, for another pass of updates; after the last one it
-/// shares the momentum (E4). @return the worst agreement with what the updates were taken with
+/// shares the momentum (E4), but where the body is stopped short: the water would take its share
+/// again in the next substep. @return the worst agreement with what the updates were taken with
 AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   auto worst = AddedMassMatch::equal;
   for (SubstepBody* b : island.bodies) {
@@ -186,6 +197,7 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
     worst = std::max(worst, match);
+    if (last_pass && match == AddedMassMatch::distant && is_stopped_short(*b, found_B)) continue;
     if (last_pass) b->end = share_momentum(b->body(), b->end, added_B);
     b->added_B = found_B;
     b->added_at = b->end.state;

@@ -91,6 +91,12 @@ bool crosses_surface(const Body& body, const hydro::BodyState& before,
   return surface_crossing(body, before, after).abrupt();
 }
 
+bool added_mass_jumps(const Body& body, const Motion& before, const Motion& after) {
+  if (!before.added_B && !after.added_B) return false;
+  const Matrix6d change = after.added() - before.added();
+  return scaled_change(body, before.added(), change) > kLargestAddedChange;
+}
+
 bool overshoots_surface(const Body& body, const hydro::BodyState& before,
                         const hydro::BodyState& after, double h) {
   const SurfaceCrossing c = surface_crossing(body, before, after);

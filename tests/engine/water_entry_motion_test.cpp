@@ -64,4 +64,54 @@ TEST(WaterEntry, ABallThatEntersLosesTheMomentumOfTheory) {
   EXPECT_NEAR(lost, theory, tolerance(0.15 * theory));
 }
 
+/// A crate that falls on the water.
+SimulationSpec falling_crate(const Vector3d& size, double density, double height, double tilt_deg,
+                             double step) {
+  BodySpec body = support::box_body("crate", size, density, {0, 0, height});
+  body.wet = true;
+  body.initial.orientation =
+      Eigen::AngleAxisd(tilt_deg * M_PI / 180, Vector3d(1, 0.3, 0).normalized());
+  body.added_mass = std::make_shared<hydro::DeepAddedMass>(
+      body.mesh_B, hydro::solve_added_mass(body.mesh_B, {.tolerance = 1e3}));
+  SimulationSpec spec = support::dry_world({body}, step);
+  spec.sea.emplace();
+  return spec;
+}
+
+// The added mass of a flat bottom is there at once. The update that counts it stops the crate short
+// of the water in a third of all cases, and must not count it again.
+TEST(WaterEntry, AFlatBottomGivesMomentumToTheWaterOnce) {
+  for (int i = 0; i < 16; ++i) {
+    const double step = 0.01, drop = 1 + 0.003 * i;
+    SimulationSpec spec = falling_crate({1, 1, 1}, 500, 0.5 + drop, 0, step);
+    const double mass = spec.bodies[0].mass;
+    Simulation simulation(spec);
+    while (simulation.states()[0].position.z() > 0.5 - 0.02) simulation.step();
+    const hydro::BodyState& state = simulation.states()[0];
+    const double before = std::sqrt(2 * spec.gravity * drop);
+    const double after = before * mass / (mass + heave(spec, state));
+    // Weight and drag act for two steps at most.
+    EXPECT_NEAR(-state.linear_velocity.z(), after, tolerance(2 * spec.gravity * step)) << drop;
+  }
+}
+
+// A bottom that is nearly flat is wetted within milliseconds, from one edge to the other, which
+// turns the crate.
+TEST(WaterEntry, ACrateThatFallsNearlyFlatMovesAsInShortSteps) {
+  struct Case {
+    Vector3d size;
+    double density, height, tilt_deg;
+  };
+  for (const Case& c : {Case{{1, 1, 1}, 500, 1.5, 0.5}, Case{{1, 1, 1}, 500, 5, 1},
+                        Case{{1, 1, 0.2}, 500, 1.5, 0.2}, Case{{1, 1, 0.2}, 100, 2, 1}}) {
+    const auto place = [&](double step) {
+      const SimulationSpec spec = falling_crate(c.size, c.density, c.height, c.tilt_deg, step);
+      return support::after(spec, support::steps_in(1.5, step)).states()[0].position;
+    };
+    const Vector3d fine = place(1.0 / 1920);
+    for (const double step : {1.0 / 60, 1.0 / 100, 1.0 / 200})
+      EXPECT_LT((place(step) - fine).norm(), tolerance(8e-3)) << c.tilt_deg << ' ' << step;
+  }
+}
+
 }  // namespace
