@@ -13,7 +13,7 @@ namespace engine {
 /// A line at an instant.
 struct LineReading {
   double tension = 0;   ///< At the first end; negative for a spring that pushes [N].
-  double distance = 0;  ///< Of its ends [m].
+  double distance = 0;  ///< Distance of its ends [m].
   double length = 0;    ///< Unstretched [m].
   bool taut = false;    ///< It pulls or pushes.
   bool broken = false;
@@ -32,7 +32,7 @@ struct JointReading {
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the second body, by the first [N].
   Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< The same, about the anchor [N m].
   Eigen::Vector3d place_W = Eigen::Vector3d::Zero();   ///< The anchor, or the second body [m].
-  double effort = 0;  ///< Of limits, motor, spring, damper and friction along q [N m, N].
+  double effort = 0;  ///< Effort of limits, motor, spring, damper and friction along q [N m, N].
 };
 
 /// A propeller at an instant.
@@ -41,7 +41,7 @@ struct PropellerReading {
   double azimuth = 0;  ///< [rad]
   double turn = 0;     ///< Angle that the shaft has turned through since the start [rad].
   double thrust = 0;   ///< Along its axis, on the body [N].
-  double torque = 0;   ///< That the screw takes from its shaft [N m].
+  double torque = 0;   ///< Torque that the screw takes from its shaft [N m].
   double advance = 0;  ///< J [-]; 0 at rest.
   double wetted = 0;   ///< Share of the disc in the water [-].
 };
@@ -50,7 +50,7 @@ struct PropellerReading {
 struct FoilReading {
   double angle = 0;                                   ///< [rad]
   double attack = 0;                                  ///< Angle of attack [rad].
-  double speed = 0;                                   ///< Of the flow across its span [m/s].
+  double speed = 0;                                   ///< Speed of the flow across its span [m/s].
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< [N]
 };
 

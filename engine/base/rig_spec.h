@@ -54,8 +54,8 @@ struct LineSpec {
   };
   std::string name;  ///< Unique among the lines of its kind.
   Kind kind = Kind::spring;
-  AttachmentPoint first;   ///< Of a mooring: its fairlead.
-  AttachmentPoint second;  ///< Of a mooring: its anchor, in the world.
+  AttachmentPoint first;   ///< For a mooring: its fairlead.
+  AttachmentPoint second;  ///< For a mooring: its anchor, in the world.
   double length = 0;       ///< L, unstretched, at the start [m].
   double stiffness = 0;    ///< k [N/m]; of a mooring E A [N].
   double damping = 0;      ///< c [N s/m]; not of a mooring.
@@ -69,7 +69,7 @@ struct LineSpec {
   double weight = 0;            ///< In water, per length [N/m].
   double friction = 0;          ///< Coefficient of friction on the bottom [-].
   bool on_bottom = true;        ///< The anchor lies on a bottom that carries the line.
-  double drag_diameter = 0;     ///< Of the line for its drag [m]; 0: it has none.
+  double drag_diameter = 0;     ///< Diameter for the drag of the line [m]; 0: no drag.
   double drag_coefficient = 0;  ///< C_d [-].
 };
 
@@ -97,7 +97,7 @@ struct JointMotor {
   Mode mode = Mode::speed;
   SetPointId set_point = 0;
   double most = std::numeric_limits<double>::infinity();  ///< Largest effort [N m, N].
-  double rate = 5;  ///< Of `position`: the time 1/rate in which an error decays [1/s], > 0.
+  double rate = 5;  ///< For `position`: an error decays in the time 1/rate [1/s], > 0.
 };
 
 /// What acts along the coordinate q of a hinge [rad] or slider [m]. It is 0 at the start, and
@@ -122,7 +122,8 @@ struct PropellerSpec {
   Eigen::Vector3d axis_B = Eigen::Vector3d::UnitX();   ///< Unit; thrust pushes along it.
   Eigen::Vector3d pivot_B = Eigen::Vector3d::UnitZ();  ///< Unit; the azimuth turns about it.
   hydro::Propeller screw;
-  double inertia = 0;  ///< Of screw and shaft about the axis, for the gyroscopic torque [kg m^2].
+  double inertia =
+      0;  ///< Inertia of screw and shaft about the axis, for the gyroscopic torque [kg m^2].
   bool right_handed = true;  ///< Seen from behind it turns clockwise when it drives ahead.
   SetPointId speed = 0;      ///< [1/s]
   SetPointId azimuth = 0;    ///< [rad]
@@ -150,20 +151,20 @@ struct Measurement {
     x,
     y,
     z,      ///< Position of the centre of mass, in W.
-    depth,  ///< Of the centre of mass below the still water.
+    depth,  ///< Depth of the centre of mass below the still water.
     speed,  ///< Along the body's x axis, over ground.
     sway,   ///< Along its y axis.
     heading,
     pitch,
-    roll,       ///< Of the body's axes; the heading is not wrapped.
+    roll,       ///< Angles of the body's axes; the heading is not wrapped.
     turn_rate,  ///< About the vertical.
     joint,      ///< q of a joint.
     joint_speed,
-    tension,     ///< Of a line.
+    tension,     ///< Tension of a line.
     line_length  ///< Distance of its ends.
   };
   Quantity quantity = Quantity::x;
-  std::size_t index = 0;  ///< Of the body, joint or line.
+  std::size_t index = 0;  ///< Index of the body, joint or line.
 };
 
 /// A function of time: a table or a formula. It is called from one thread at a time.

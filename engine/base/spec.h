@@ -97,7 +97,7 @@ struct BodySpec {
   std::optional<hydro::TriMesh> closed_mesh_B;
   CollisionShape collision = CollisionShape::mesh;
   double friction = kFriction;  ///< Coulomb's µ of its surface [-], >= 0 (contact_surfaces.h).
-  double restitution = 0;       ///< Of its surface [-], 0 … 1.
+  double restitution = 0;       ///< Coefficient of restitution of its surface [-], 0 … 1.
   DofMask locked = {};          ///< They keep their initial value; all six make the body immovable.
   std::vector<AppliedLoad> loads;
 };
@@ -117,7 +117,7 @@ struct JointSpec {
   /// Unit, at time 0; hinge, slider, universal.
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d axis2_W = Eigen::Vector3d::UnitX();  ///< Unit, normal to axis_W; universal.
-  JointDrive drive = {};                               ///< Of a hinge or slider.
+  JointDrive drive = {};                               ///< Drive of a hinge or slider.
 };
 
 /// The sea floor or shore: a horizontal plane or a mesh in W, whose faces look up.
@@ -156,7 +156,7 @@ struct SimulationSpec {
   std::optional<hydro::Sea> sea;  ///< None: a dry scene.
   Ground ground;
   double ground_friction = kFriction;  ///< Coulomb's µ of the ground [-], >= 0.
-  double ground_restitution = 0;       ///< Of the ground [-], 0 … 1.
+  double ground_restitution = 0;       ///< Coefficient of restitution of the ground [-], 0 … 1.
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
   std::vector<LineSpec> lines;         ///< Springs, then ropes, then moorings.

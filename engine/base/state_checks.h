@@ -23,9 +23,9 @@ std::optional<std::string> motion_fault(const BodySpec& body, const hydro::BodyS
 struct BodyLoads {
   std::vector<hydro::Wrench> applied;  ///< In the order of `BodySpec::loads`; last, the pull.
   hydro::Loads water;
-  hydro::Wrench weight;    ///< Of the body's own mass.
-  hydro::Wrench lines;     ///< Of lines and drives of joints that are loads (rig.h).
-  hydro::Wrench machines;  ///< Of propellers and foils.
+  hydro::Wrench weight;    ///< Weight of the body's own mass.
+  hydro::Wrench lines;     ///< Load of lines and drives of joints that are no rows (rig.h).
+  hydro::Wrench machines;  ///< Load of propellers and foils.
 
   hydro::Wrench total() const;
 };

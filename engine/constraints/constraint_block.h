@@ -30,8 +30,8 @@ struct ConstraintBlock {
   using Rows = Eigen::Matrix<double, 3, 6>;
 
   Kind kind = Kind::bilateral;
-  int rows = 3;                                          ///< Those beyond are zero.
-  std::array<BodyId, 2> bodies{kWorld, kWorld};          ///< kWorld does not move.
+  int rows = 3;                                  ///< Number of rows in use; the others are zero.
+  std::array<BodyId, 2> bodies{kWorld, kWorld};  ///< kWorld does not move.
   std::array<Rows, 2> J{Rows::Zero(), Rows::Zero()};     ///< About the centres of mass, in W.
   Eigen::Vector3d target = Eigen::Vector3d::Zero();      ///< c [m/s, rad/s]
   Eigen::Vector3d compliance = Eigen::Vector3d::Zero();  ///< D [1/kg, 1/(kg m^2)]

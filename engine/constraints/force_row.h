@@ -41,7 +41,7 @@ struct ForceRow {
   std::size_t owner = 0;  ///< Index of the line or joint.
   double held = 0;        ///< Tension that (E25) holds the ends of a line sideways for [N].
   double sideways = 0;    ///< (hω)² of that motion per tension, for the lighter end [1/N].
-  double sign = 1;        ///< Of the drive of a joint: that of λ along q.
+  double sign = 1;        ///< For the drive of a joint: the sign of λ along q.
   double force = 0;       ///< λ, found by the solver [N, N m].
 };
 
@@ -75,7 +75,7 @@ struct SpringWeights {
 /// @param h         Length of the substep of the step [s].
 SpringWeights spring_weights(double damped, double h, double step);
 
-/// Those of a rigid stop or motor: J u⁺ = `rate` but for a compliance that round-off needs.
+/// Terms of a rigid stop or motor: J u⁺ = `rate`, with the compliance that round-off needs.
 RowTerms rigid_terms(double rate, double mobility, double h);
 
 }  // namespace engine

@@ -21,12 +21,12 @@ struct SubstepBody {
   bool touching = false;  ///< A contact acts on it.
 
   hydro::BodyState start;  ///< State that is moved on, with its correction (E9).
-  std::optional<ProcessingCorrection> correction;  ///< Of a free body.
+  std::optional<ProcessingCorrection> correction;  ///< Only for a free body.
   Motion halfway;                                  ///< After half a drift, before the update.
   std::optional<Matrix6d> rig_inertia;             ///< What (E24) adds to S, in W.
   Matrix6d added_B = Matrix6d::Zero();             ///< A at the end that the update is taken with.
   hydro::BodyState added_at;                       ///< The pose that it is that of.
-  MidpointState midpoint;                          ///< Of `halfway`.
+  MidpointState midpoint;                          ///< Midpoint that belongs to `halfway`.
   VelocityUpdate update;                           ///< By loads and reactions.
   Vector6d predicted = Vector6d::Zero();           ///< Δu to linearise the loads about, in W.
   Vector6d reaction_B = Vector6d::Zero();          ///< R of joints and contacts, in B.
@@ -42,8 +42,8 @@ struct SubstepBody {
 struct Island {
   std::vector<SubstepBody*> bodies;  ///< Ascending ids.
   std::vector<Contact> contacts;
-  std::vector<ForceRow> rows;            ///< Of lines and drives.
-  std::vector<JointReaction> reactions;  ///< Of joints.
+  std::vector<ForceRow> rows;            ///< Rows of lines and drives.
+  std::vector<JointReaction> reactions;  ///< Reactions of joints.
   bool constrained =
       true;  ///< False: there are no contacts, rows, and joints that are not reduced.
 };

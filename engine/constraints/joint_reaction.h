@@ -11,7 +11,7 @@ struct JointReaction {
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the second body [N].
   Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< About `about_W` [N m].
   Eigen::Vector3d about_W = Eigen::Vector3d::Zero();   ///< [m]
-  Eigen::Vector3d place_W = Eigen::Vector3d::Zero();   ///< Of the joint [m].
+  Eigen::Vector3d place_W = Eigen::Vector3d::Zero();   ///< Place of the joint [m].
 };
 
 }  // namespace engine

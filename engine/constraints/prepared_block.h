@@ -61,7 +61,8 @@ class PreparedBlock {
   std::array<Columns, 2> spread_{Columns::Zero(), Columns::Zero()};
   Eigen::Vector3d compliance_ = Eigen::Vector3d::Ones();  ///< D
   Eigen::Matrix3d response_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d inverse_ = Eigen::Matrix3d::Zero();  ///< Of the response; bilateral.
+  Eigen::Matrix3d inverse_ =
+      Eigen::Matrix3d::Zero();  ///< Inverse of the response, for a bilateral block.
   Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
   /// Eigenvalues and -vectors of the response along the tangents of a contact.
   Eigen::Vector2d slide_response_ = Eigen::Vector2d::Ones();

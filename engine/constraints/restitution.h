@@ -35,7 +35,7 @@ struct ImpactAnswer {
   std::vector<Vector6d> changes;
   std::vector<Vector6d> reactions;
   std::vector<double> row_forces;     ///< λ of the rows, a part of the reactions.
-  double row_work = 0;                ///< That of these in (E33) [J].
+  double row_work = 0;                ///< Work of the rows in (E33) [J].
   std::vector<JointReaction> joints;  ///< The same of joints.
   bool solved = true;                 ///< Its constraints are.
 };

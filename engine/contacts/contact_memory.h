@@ -21,7 +21,7 @@ struct ContactForce {
   Eigen::Vector3d force_B = Eigen::Vector3d::Zero();  ///< On the first body, in the same axes [N].
 };
 
-/// Those of one pair.
+/// The remembered forces of one pair.
 /// @param memory   Its pairs ascend.
 std::span<const ContactForce> forces_of(const Pair& pair, const std::vector<ContactForce>& memory);
 

@@ -40,7 +40,7 @@ class ContactSurfaces {
 
   Surface ground_;
   std::vector<Surface> bodies_;
-  std::map<Pair, Surface> pairs_;  ///< Those that are given.
+  std::map<Pair, Surface> pairs_;  ///< Surfaces given for single pairs.
 };
 
 }  // namespace engine

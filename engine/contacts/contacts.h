@@ -100,7 +100,7 @@ struct ContactRow {
 /// What they depend on.
 struct ContactLaw {
   double mass = 0;         ///< m, the heavier one of the movable bodies [kg].
-  std::size_t points = 1;  ///< Of the pair.
+  std::size_t points = 1;  ///< Number of points of the pair.
   double rest = 0;         ///< s [m]
   double fall = 1;         ///< Acceleration by weight and buoyancy, over that of gravity [-].
   double gravity = 0;      ///< [m/s^2]

@@ -55,7 +55,7 @@ class World {
   /// Contacts of some bodies.
   struct Contacts {
     std::vector<Contact> points;
-    std::vector<Pair> pairs;  ///< That touch, of which one at least can move; ascending.
+    std::vector<Pair> pairs;  ///< Touching pairs, of which one body at least can move; ascending.
   };
   /// Finds the contacts that act in the next advance over `step` [s].
   void collide(double step);
@@ -159,10 +159,11 @@ class World {
   double heaviest_ = 0;                                        ///< Largest mass or moment.
   double collision_seconds_ = 0;
   std::vector<std::unique_ptr<CollisionMesh>> meshes_;
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< Of `world_`, `space_`.
+  std::unique_ptr<std::mutex> mutex_ =
+      std::make_unique<std::mutex>();  ///< Guards `world_` and `space_`.
   WorldHandle world_;
   SpaceHandle space_;
-  JointGroupHandle contact_joints_;  ///< Of the step that is being taken.
+  JointGroupHandle contact_joints_;  ///< Contacts of the step that is being taken.
   Contacts contacts_;                ///< For the next advance.
   std::vector<Body> bodies_;
   std::vector<Pair> jointed_;  ///< Pairs of bodies, ascending.

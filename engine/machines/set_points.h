@@ -80,7 +80,7 @@ class SetPoints {
   const SimulationSpec* spec_;
   std::vector<SetPointState> states_;
   std::vector<std::optional<std::size_t>> control_of_;  ///< Per set point.
-  double start_ = 0;                                    ///< Of the last step [s].
+  double start_ = 0;                                    ///< Start of the last step [s].
   double h_ = 1;                                        ///< Its length [s].
 };
 

@@ -37,7 +37,7 @@ class Hulls {
   /// What follows from a mesh alone.
   template <class Part>
   struct OfMesh {
-    const hydro::TriMesh* mesh_B;  ///< Of the first body that has it.
+    const hydro::TriMesh* mesh_B;  ///< Mesh of the first body that has it.
     std::shared_ptr<const Part> part;
   };
   std::vector<std::shared_ptr<const hydro::Hull>> hulls_;

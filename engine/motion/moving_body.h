@@ -28,11 +28,11 @@ struct LoadCache {
   /// State that the water's loads are those of; none where they follow from more than that.
   std::optional<hydro::BodyState> water_state;
   std::shared_ptr<const HeldWater> held;  ///< The water in its pockets for that state.
-  Vector6d wake = Vector6d::Zero();       ///< That of the motion for that state.
-  WaveMemoryRule memory_rule;             ///< Of the last substep.
+  Vector6d wake = Vector6d::Zero();       ///< Wake of the motion for that state.
+  WaveMemoryRule memory_rule;             ///< Rule of the last substep.
   double seconds = 0;                     ///< Wall time of loads and added mass so far [s].
-  double sea_seconds = 0;                 ///< That of the motion of waves about it [s].
-  double constraint_seconds = 0;          ///< That of islands of which it is the first body [s].
+  double sea_seconds = 0;                 ///< Time spent on the motion of waves about it [s].
+  double constraint_seconds = 0;  ///< Time spent on islands of which it is the first body [s].
 };
 
 struct MovingBody {
@@ -40,9 +40,9 @@ struct MovingBody {
   Body body;
   Motion motion;
   Inputs inputs;
-  hydro::Wrench rig_load = {};            ///< Of lines and drives in this substep (rig.h).
+  hydro::Wrench rig_load = {};            ///< Load of lines and drives in this substep (rig.h).
   const Machines* machines = nullptr;     ///< Null: it has none.
-  const SetPoints* set_points = nullptr;  ///< Those that its applied loads follow.
+  const SetPoints* set_points = nullptr;  ///< Set points that its applied loads follow.
   LoadCache cache;
   Counts counts;
 };

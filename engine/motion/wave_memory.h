@@ -67,7 +67,7 @@ struct WaveMemoryRule {
 
 /// What a body's memory does in an update, in W.
 struct MemoryEffect {
-  double strength = 0;     ///< Of the port, by density and presence.
+  double strength = 0;     ///< Factor of the port, by density and presence.
   hydro::WaveFrame frame;  ///< H
   Matrix6d inertia;        ///< ¼h² C
   Vector6d load;           ///< f

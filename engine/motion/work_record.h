@@ -31,7 +31,7 @@ struct Works {
   double hull_lift = 0;
   double added_mass = 0;
   double applied = 0;     ///< By the forces of the scene and of the program.
-  double weight = 0;      ///< Of the body's own mass.
+  double weight = 0;      ///< Work of the body's own weight.
   double constraint = 0;  ///< By contacts, joints and locks.
   double brake = 0;       ///< By the energy limiter.
   double resistance = 0;
@@ -52,7 +52,7 @@ struct WorkRecord {
   double added_energy_at_start = 0;                ///< E_A [J]
   Vector6d added_impulse = Vector6d::Zero();       ///< In this step, in W [N s, N m s].
   Vector6d constraint_impulse = Vector6d::Zero();  ///< In this step, in W [N s, N m s].
-  Vector6d row_impulse = Vector6d::Zero();         ///< Of rows, in this step, in W [N s, N m s].
+  Vector6d row_impulse = Vector6d::Zero();  ///< Impulse of rows in this step, in W [N s, N m s].
 
   void start_step() { added_impulse = constraint_impulse = row_impulse = Vector6d::Zero(); }
 };
@@ -62,7 +62,7 @@ struct UpdateRecord {
   Vector6d change;        ///< Δu, in W.
   double h = 0;           ///< Length of the substep [s].
   bool implicit = false;  ///< By (E6).
-  /// Of joints, contacts and rows, in W; null: there are none.
+  /// Reaction of joints, contacts and rows, in W; null: there are none.
   const Vector6d* reaction = nullptr;
   const Vector6d* rows = nullptr;  ///< Part of it that is of rows; null: there are none.
 };

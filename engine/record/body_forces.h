@@ -30,11 +30,11 @@ struct BodyForces {
   hydro::Loads water;
   hydro::Wrench applied;
   hydro::Wrench weight;
-  hydro::Wrench radiation;  ///< Of the memory of the waves that the body has made.
-  /// Of springs, ropes, moorings and drives of joints; the part of those that the constraint solver
+  hydro::Wrench radiation;  ///< Load of the waves that the body has made.
+  /// Load of springs, ropes, moorings and drives of joints; the part that the constraint solver
   /// finds is the mean over the last step.
   hydro::Wrench lines;
-  hydro::Wrench machines;  ///< Of propellers and foils.
+  hydro::Wrench machines;  ///< Load of propellers and foils.
   // These two are means over the last step, zero before the first one, since impacts change the
   // velocity at once; the limiter's impulse is in neither. The constraint of a body that is held
   // balances the other forces.

@@ -61,7 +61,7 @@ double drive_load(const JointDrive& drive, const SetPoints& set_points, double t
 /// What the rows of a drive depend on.
 struct DriveState {
   double q = 0, rate = 0;  ///< Halfway through the substep, before the update.
-  double inertia = 1;      ///< That the drive moves [kg m^2, kg].
+  double inertia = 1;      ///< Inertia that the drive moves [kg m^2, kg].
   double step = 0;         ///< The scene's [s].
   bool stiff = false;
 };

@@ -39,7 +39,7 @@ struct LinePull {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  ///< −∂F/∂x of the first end [N/m].
   Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();    ///< −∂F/∂v of it [N s/m].
   double distance = 0;                                  ///< l [m]
-  std::optional<hydro::CatenarySolution> catenary;      ///< Of a mooring.
+  std::optional<hydro::CatenarySolution> catenary;      ///< Shape of a mooring.
 };
 
 /// @param sea     The water; null: none.

@@ -54,8 +54,8 @@ struct SubstepBody;
 struct LineState {
   double length = 0;  ///< L at the end of the last step [m].
   bool broken = false;
-  double impulse = 0;  ///< Of its row in the last step, or so far in this one [N s].
-  double tension = 0;  ///< Of its row: the mean over the step before that [N].
+  double impulse = 0;  ///< Impulse of its row in the last step, or so far in this one [N s].
+  double tension = 0;  ///< Mean tension of its row over the step before that [N].
   Eigen::Vector2d pull = Eigen::Vector2d::Zero();  ///< (H, V) of a mooring, found last [N].
 };
 
@@ -69,7 +69,7 @@ struct JointState {
 struct RigState {
   std::vector<LineState> lines;
   std::vector<JointState> joints;
-  std::vector<double> turns;  ///< Of the propellers' shafts since the start [rad].
+  std::vector<double> turns;  ///< Turns of the propellers' shafts since the start [rad].
   std::vector<SetPointState> set_points;
   std::optional<MoorDynState> moordyn;
 };
@@ -147,7 +147,7 @@ class Rig {
     Eigen::Vector3d force_W;    ///< On the body [N].
     Eigen::Vector3d parting_W;  ///< Velocity of the end less that of the rest [m/s].
     Eigen::Matrix3d stiffness, damping;
-    double mobility;  ///< Of the end, without water [1/kg].
+    double mobility;  ///< Inverse mass at the end, without water [1/kg].
   };
   struct LineHold {
     Eigen::Vector3d pull_W;  ///< Direction of the pull at the end.

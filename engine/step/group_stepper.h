@@ -27,10 +27,10 @@ namespace engine {
 /// Contacts at the end of a step.
 struct PastContacts {
   std::vector<Pair> touching;        ///< Ascending.
-  std::vector<ContactForce> forces;  ///< Of the last substep; their pairs ascend.
+  std::vector<ContactForce> forces;  ///< Forces of the last substep; their pairs ascend.
 };
 
-/// Those of several groups together.
+/// The contacts of several groups together.
 PastContacts joined(const std::vector<PastContacts>& groups);
 
 /// A body that is a group of its own, and the limiter that judges it; null if that judges others,
@@ -78,7 +78,7 @@ class GroupStepper {
     std::vector<EnergyRange> ranges;
     Impacts impacts;
     std::vector<ContactForce> forces;
-    std::size_t rows, reactions;  ///< Of the record.
+    std::size_t rows, reactions;  ///< Lengths of the record.
     std::size_t overlaps;
   };
 
@@ -111,18 +111,18 @@ class GroupStepper {
   Group group_;
   const std::vector<EnergyLimiter*>& own_;
   bool is_alone_;
-  bool is_part_ = false;     ///< Of a group that was divided.
+  bool is_part_ = false;     ///< The group is a part of one that was divided.
   const double whole_step_;  ///< The scene's [s].
   double step_;              ///< The same, or, of a lone body, the part of it that is advanced [s].
   double shortest_;          ///< Substep that is not halved any more for its energy or error [s].
   Impacts impacts_;
   World::Contacts contacts_;
   std::optional<std::pair<double, double>> found_;  ///< Time and h of the contacts [s].
-  std::vector<ContactForce> forces_;                ///< Of the last accepted substep.
+  std::vector<ContactForce> forces_;                ///< Forces of the last accepted substep.
   std::vector<Member> members_;
   std::vector<Judged> judged_;   ///< Ascending by their first bodies.
-  std::vector<Island> islands_;  ///< Of the present substep.
-  Rig::Record record_;           ///< Of the substeps since advance() was called.
+  std::vector<Island> islands_;  ///< Islands of the present substep.
+  Rig::Record record_;           ///< Record of the substeps since advance() was called.
   std::vector<Overlap> overlaps_;
 };
 

@@ -16,7 +16,7 @@ namespace engine {
 /// What the steps so far leave to the next one, beside the bodies' motions.
 struct StepperState {
   PastContacts contacts;
-  std::vector<EnergyRange> ranges;  ///< Of the energy limiters, in their order.
+  std::vector<EnergyRange> ranges;  ///< Ranges of the energy limiters, in their order.
 };
 
 class Stepper {
@@ -49,8 +49,8 @@ class Stepper {
   StepContext context_;
   double step_;
   std::vector<BodyId> movable_;    ///< Ascending.
-  std::vector<LoneBody> watched_;  ///< Those that cannot move but have loads or pockets.
-  std::vector<Pair> joints_;       ///< That are not reduced, and couplings by lines.
+  std::vector<LoneBody> watched_;  ///< Bodies that cannot move but have loads or pockets.
+  std::vector<Pair> joints_;       ///< Joints that are not reduced, and couplings by lines.
   std::vector<EnergyLimiter> limiters_;
   std::vector<std::size_t> limiter_of_;       ///< Per body.
   std::vector<EnergyLimiter*> own_limiters_;  ///< Per body; null for one that judges others, too.

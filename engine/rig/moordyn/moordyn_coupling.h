@@ -37,9 +37,9 @@ struct SubstepBody;
 struct MoorDynState {
   std::vector<Eigen::Vector3d> forces;             ///< F_n of each coupled point, in W [N].
   std::vector<Eigen::Vector3d> before;             ///< F_{n−1} [N].
-  std::vector<Eigen::Vector3d> places_before;      ///< Of the points, x_{n−1} in W [m].
+  std::vector<Eigen::Vector3d> places_before;      ///< Places of the points, x_{n−1} in W [m].
   std::vector<Eigen::Vector3d> velocities_before;  ///< v_{n−1} [m/s].
-  std::vector<std::uint64_t> system;               ///< That of MoorDyn.
+  std::vector<std::uint64_t> system;               ///< MoorDyn's own state.
 };
 
 class MoorDynCoupling {
@@ -79,7 +79,7 @@ class MoorDynCoupling {
   const SimulationSpec* simulation_;
   const MoorDynSpec* spec_;
   MoorDynSystem system_;
-  std::vector<EndHold> holds_;                    ///< Of each point.
+  std::vector<EndHold> holds_;                    ///< One entry per point.
   std::vector<Eigen::Vector3d> forces_, before_;  ///< F_n, F_{n−1}.
   std::vector<PointMotion> motions_before_;       ///< At the start of the step before.
   std::vector<PointMotion> motions_;              ///< At the start of the step.
