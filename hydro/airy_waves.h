@@ -71,7 +71,7 @@ class AiryWaves {
  public:
   /// One wave at this time.
   struct Wave {
-    double amplitude;       ///< That of the ramp at this time [m].
+    double amplitude;       ///< Amplitude that the ramp leaves at this time [m].
     double k, kx, ky;       ///< [rad/m]
     double phase;           ///< θ at x = y = 0 [rad].
     double velocity_scale;  ///< g/σ [m/s].

@@ -82,14 +82,14 @@ double amplitude_factor(const WaveSurface& waves, double time);
 /// A row of the table of a current that changes with depth.
 struct CurrentRow {
   double depth = 0;                                    ///< Below the still water level [m], >= 0.
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< Of the water there, in W [m/s].
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< Velocity of the water there, in W [m/s].
 };
 
 struct Sea {
   double density = 1000;                                   ///< [kg/m^3]
   double gravity = 9.80665;                                ///< [m/s^2]
   double level = 0;                                        ///< z of the still water [m].
-  double depth = std::numeric_limits<double>::infinity();  ///< Of the still water [m], > 0.
+  double depth = std::numeric_limits<double>::infinity();  ///< Depth of the still water [m], > 0.
   /// Velocity of the water [m/s]. Where there is a profile it is that of its first row, as waves
   /// travel on the current of the surface.
   Eigen::Vector3d current = Eigen::Vector3d::Zero();

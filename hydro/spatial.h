@@ -69,7 +69,7 @@ struct BodyState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< p_WB, of the centre of mass [m].
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB, unit.
   Eigen::Vector3d linear_velocity =
-      Eigen::Vector3d::Zero();  ///< Of the centre of mass, in W [m/s].
+      Eigen::Vector3d::Zero();  ///< Velocity of the centre of mass, in W [m/s].
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< In W [rad/s].
 
   /// Equal in every number.

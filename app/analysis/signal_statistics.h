@@ -11,7 +11,7 @@ namespace app {
 /// A straight line through a signal: `mean + slope (t − middle)`.
 struct LineFit {
   double middle = 0;  ///< Mean of the times [s].
-  double mean = 0;    ///< Of the signal.
+  double mean = 0;    ///< Mean of the signal.
   double slope = 0;   ///< Per second.
 
   double at(double time) const { return mean + slope * (time - middle); }

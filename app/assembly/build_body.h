@@ -6,7 +6,7 @@
 namespace assembly {
 
 /// Adds the bodies of a scene in their places, with their meshes, masses, hollows and coefficients.
-/// Those that differ in name, place, contact and loads alone are made once, and copied.
+/// Bodies that differ in name, place, contact and loads alone are made once, and copied.
 void build_bodies(BuiltScene& built, BuildLog& log);
 
 }  // namespace assembly

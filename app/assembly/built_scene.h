@@ -48,10 +48,11 @@ struct RadiationReport {
 /// The resistance of a hull along its motion.
 struct ResistanceReport {
   scene::Resistance::Source source = scene::Resistance::Source::none;
-  hydro::MeanPose pose;                                ///< At rest.
-  double volume = 0;                                   ///< That the body displaces there [m^3].
-  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< Of that volume [m].
-  /// Of the theory; null for a file, and for a body whose resistance another one of its hull has.
+  hydro::MeanPose pose;  ///< At rest.
+  double volume = 0;     ///< Volume that the body displaces there [m^3].
+  Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< Centroid of that volume [m].
+  /// The hull of the theory; null for a file, and for a body whose resistance another one of its
+  /// hull has.
   std::shared_ptr<const hydro::ThinShip> ship;
   double seconds = 0;       ///< Wall time of the theory's solution [s].
   bool from_store = false;  ///< True if another process solved it.
@@ -62,7 +63,7 @@ struct IrregularSea {
   double significant_height = 0;           ///< H_s [m].
   double peak_period = 0;                  ///< T_p [s].
   int waves = 0;                           ///< Number of waves that represent them.
-  std::optional<hydro::ElevationFit> fit;  ///< Of waves by a measured elevation.
+  std::optional<hydro::ElevationFit> fit;  ///< Fit of waves to a measured elevation.
 };
 
 /// A scene ready to be simulated, with its meshes and everything derived from them.

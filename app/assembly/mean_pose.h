@@ -27,7 +27,7 @@ struct RadiatingHull {
   double water = 0;                     ///< Mass of that water [kg].
   /// Centre of mass without that water [m].
   Eigen::Vector3d com_B = Eigen::Vector3d::Zero();
-  std::vector<hydro::Tank> tanks_B;  ///< That water.
+  std::vector<hydro::Tank> tanks_B;  ///< Tanks with that water.
 };
 
 /// Joins the bodies of a group in their poses at the start.
@@ -78,7 +78,7 @@ class MeanPoses {
   FreeRest free_rest(const RadiatingHull& hull);
 
   const engine::SimulationSpec& spec_;
-  std::vector<FreeRest> known_;  ///< Of single bodies, one of those that float alike.
+  std::vector<FreeRest> known_;  ///< Rests of single bodies, one for all that float alike.
   std::vector<HeldGroup> groups_;
   std::vector<std::size_t> group_of_;  ///< Per body, an index of `groups_`.
   std::map<std::size_t, std::optional<Rest>> rests_;

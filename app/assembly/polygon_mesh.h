@@ -48,11 +48,11 @@ class PolygonMesh {
 
  private:
   struct Polygon {
-    std::size_t first = 0;    ///< Of its corners.
+    std::size_t first = 0;    ///< Place of its first corner.
     std::uint64_t place = 0;  ///< A line or a byte.
   };
 
-  std::size_t end_of(std::size_t polygon) const;  ///< Of its corners.
+  std::size_t end_of(std::size_t polygon) const;  ///< Place after its last corner.
   /// Returns the corners of a polygon, counted from 0, without repetitions.
   std::vector<int> corners_of(std::size_t polygon) const;
 

@@ -61,7 +61,8 @@ struct RadiationChoice {
   std::string held;    ///< What holds it in the mean pose besides the water; empty: nothing.
   double draught = 0;  ///< In the mean pose [m].
   double length = 0;   ///< Largest horizontal extent in the mean pose [m].
-  std::shared_ptr<const RadiationDatabase> database;  ///< Of its file (radiation_database.h).
+  std::shared_ptr<const RadiationDatabase>
+      database;  ///< Database of its file (radiation_database.h).
 };
 
 /// Returns the choice for each body. A body that cannot have the radiation which its key asks for

@@ -21,7 +21,7 @@ class RunningHash {
     return hash ^ (hash >> 32);
   }
 
-  std::uint64_t hash_ = 0xcbf29ce484222325;  ///< Of all whole words.
+  std::uint64_t hash_ = 0xcbf29ce484222325;  ///< Hash of all whole words.
   std::uint64_t word_ = 0;                   ///< The bytes after them.
   std::uint64_t size_ = 0;                   ///< Number of all bytes.
 };

@@ -25,8 +25,8 @@ struct AnalysisArguments {
   AddedMassCommand addedmass;
   RadiationCommand radiation;
   RaoCommand rao;
-  std::string headings = "0:180:45";  ///< Of `rao` [deg].
-  std::string periods = "4:20:1";     ///< Of `rao` [s].
+  std::string headings = "0:180:45";  ///< Headings of `rao` [deg].
+  std::string periods = "4:20:1";     ///< Periods of `rao` [s].
   AnalyseOptions analyse;
 };
 

@@ -38,7 +38,7 @@ struct LinearMotions {
   hydro::TriMesh mesh_B;
   hydro::MeanPose pose;
   hydro::Sea sea;
-  double heading = 0;                 ///< Of H in W [rad].
+  double heading = 0;                 ///< Heading of H in W [rad].
   std::vector<std::string> left_out;  ///< What acts on the body and is not in its numbers.
 
   /// Motions over the elevation a e^{−iωt} at the centre of mass, along the axes of H: [m/m,

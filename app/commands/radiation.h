@@ -12,8 +12,8 @@ namespace app {
 struct RadiationCommand {
   std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, else a mesh.
   double density = 1000;       ///< Density of the water about a mesh [kg/m^3].
-  double depth = std::numeric_limits<double>::infinity();  ///< Of the water about a mesh [m].
-  double relative_density = 0.5;  ///< Of a mesh's body, which is uniform, over the water's [-].
+  double depth = std::numeric_limits<double>::infinity();  ///< Depth of the water about a mesh [m].
+  double relative_density = 0.5;  ///< Density of a mesh's uniform body over the water's [-].
   std::vector<scene::Override> overrides;  ///< Overrides of a scene.
   std::vector<double> frequencies;         ///< [rad/s]; empty: those that a run solves for.
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.

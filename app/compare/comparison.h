@@ -70,7 +70,7 @@ struct TableComparison {
 
 struct Comparison {
   std::vector<BodyComparison> bodies;   ///< The first log's, then the others.
-  std::vector<TableComparison> tables;  ///< Those that either run has.
+  std::vector<TableComparison> tables;  ///< Tables that either run has.
 
   bool same() const;
 };

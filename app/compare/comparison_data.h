@@ -22,7 +22,7 @@ struct ComparedPage {
   const std::optional<Provenance>& provenance;
   const Trajectory& a;
   const Trajectory& b;
-  const nlohmann::ordered_json& replay;  ///< Of both (comparison_replay.h).
+  const nlohmann::ordered_json& replay;  ///< Replay of both (comparison_replay.h).
 };
 
 /// Returns the verdict, what made the runs differ, the table of differences, for each body the

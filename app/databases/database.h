@@ -41,10 +41,10 @@ struct Database {
   std::optional<Eigen::Vector3d> reference_point;          ///< [m]
   std::optional<Eigen::Vector3d> center_of_mass;           ///< [m]
   std::optional<double> gravity;                           ///< [m/s^2]
-  std::optional<double> depth;                             ///< Of the water [m]; may be infinite.
-  std::optional<double> volume;                            ///< Displaced [m^3].
-  std::optional<double> waterplane_area;                   ///< [m^2]
-  std::vector<std::string> notes;                          ///< What was left out or taken.
+  std::optional<double> depth;            ///< Depth of the water [m]; may be infinite.
+  std::optional<double> volume;           ///< Displaced [m^3].
+  std::optional<double> waterplane_area;  ///< [m^2]
+  std::vector<std::string> notes;         ///< What was left out or taken.
 };
 
 /// Reads a database.

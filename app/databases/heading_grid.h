@@ -13,8 +13,8 @@ namespace databases {
 
 /// Symmetries of a body in H that relate the loads of waves from different sides.
 struct BodySymmetry {
-  bool left_right = false;  ///< Of the mirror in the plane y = 0.
-  bool fore_aft = false;    ///< Of the mirror in the plane x = 0.
+  bool left_right = false;  ///< Symmetric in the plane y = 0.
+  bool fore_aft = false;    ///< Symmetric in the plane x = 0.
   bool revolution = false;  ///< About the vertical through the centre of mass.
 };
 

@@ -16,7 +16,7 @@ namespace databases {
 struct WrittenBody {
   std::string name;
   const hydro::RadiationData& data;
-  double density = 1000;             ///< Of the water [kg/m^3].
+  double density = 1000;             ///< Density of the water [kg/m^3].
   hydro::Hydrostatics statics = {};  ///< In the mean pose.
 };
 

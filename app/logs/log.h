@@ -28,20 +28,21 @@ struct LogSubject {
 /// The part of a log that a resumed run keeps.
 struct LogPosition {
   std::uint64_t rows = 0;                       ///< Number of logged times.
-  FilePosition trajectory;                      ///< Of trajectory.csv.
-  FilePosition forces;                          ///< Of forces.csv.
-  FilePosition interior;                        ///< Of interior.csv.
-  std::vector<FilePosition> tables = {};        ///< Of the tables' files.
-  std::vector<std::uint64_t> hdf5_hashes = {};  ///< Of the rows of each series of run.h5.
+  FilePosition trajectory;                      ///< Position in trajectory.csv.
+  FilePosition forces;                          ///< Position in forces.csv.
+  FilePosition interior;                        ///< Position in interior.csv.
+  std::vector<FilePosition> tables = {};        ///< Positions in the tables' files.
+  std::vector<std::uint64_t> hdf5_hashes = {};  ///< Hashes of the rows of each series of run.h5.
 };
 
 /// What is logged of an instant.
 struct LogEntry {
-  double time = 0;                                      ///< [s]
-  const std::vector<hydro::BodyState>& states;          ///< Of every body.
-  const std::vector<engine::BodyForces>& forces;        ///< On every body; empty if not logged.
-  const std::vector<engine::InteriorState>& interiors;  ///< Of every body; empty if not logged.
-  const std::vector<std::vector<double>>& tables;       ///< The numbers of each table.
+  double time = 0;                                ///< [s]
+  const std::vector<hydro::BodyState>& states;    ///< One state per body.
+  const std::vector<engine::BodyForces>& forces;  ///< On every body; empty if not logged.
+  const std::vector<engine::InteriorState>&
+      interiors;                                   ///< One entry per body; empty if not logged.
+  const std::vector<std::vector<double>>& tables;  ///< The numbers of each table.
 };
 
 /// Receives rows during a run, all from one thread.

@@ -53,7 +53,8 @@ class Probes {
     std::optional<std::size_t> body;
     Eigen::Vector3d at;       ///< In B, or in W [m].
     bool on_surface = false;  ///< The height of the point is that of the surface.
-    std::optional<Eigen::Vector3d> velocity_before = {};  ///< Of the body's point, in W [m/s].
+    std::optional<Eigen::Vector3d> velocity_before =
+        {};  ///< Velocity of the body's point, in W [m/s].
   };
 
   ProbeReading read_water(const Point& point, double time) const;

@@ -31,7 +31,7 @@ struct TableLayout {
   std::vector<TableSeries> series;
 
   std::size_t width() const;   ///< Numbers in a row.
-  std::string header() const;  ///< Of the CSV file.
+  std::string header() const;  ///< Header of the CSV file.
   /// Index of a column among the numbers of a row; it must exist.
   std::size_t column(const std::string& name) const;
 };

@@ -31,7 +31,7 @@ class TrajectoryWriter {
  private:
   std::vector<std::string> names_;
   RowFile file_;
-  fmt::memory_buffer rows_;  ///< Of the last time; it keeps its memory.
+  fmt::memory_buffer rows_;  ///< Rows of the last time; the buffer keeps its memory.
 };
 
 /// Reads a trajectory, which may have no rows. A last line without an end is dropped.

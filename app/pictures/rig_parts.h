@@ -21,7 +21,7 @@ Eigen::Isometry3d pose_of(const hydro::BodyState& state);
 struct RigPart {
   enum class Kind { propeller, foil, fixed };
   Kind kind = Kind::fixed;
-  std::size_t index = 0;                 ///< Of the propeller or foil.
+  std::size_t index = 0;                 ///< Index of the propeller or foil.
   engine::BodyId body = engine::kWorld;  ///< The body that it is fixed to.
   std::shared_ptr<const hydro::TriMesh> mesh_P;
   Eigen::Isometry3d X_BP = Eigen::Isometry3d::Identity();  ///< Its place while nothing is turned.

@@ -57,7 +57,7 @@ class ShotSpool {
 
   std::unique_ptr<std::FILE, Close> file_;  ///< None before the first shot.
   std::size_t bodies_ = 0;
-  std::vector<long> places_ = {0};  ///< Of the shots in the file, and its end [bytes].
+  std::vector<long> places_ = {0};  ///< Places of the shots in the file, and its end [bytes].
   std::size_t size_ = 0, frames_ = 0, of_video_ = 0;
 };
 

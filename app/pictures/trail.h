@@ -25,14 +25,14 @@ class Trail {
  private:
   struct Path {
     std::size_t body = 0;
-    double length = 1;  ///< Of the body [m].
+    double length = 1;  ///< Length of the body [m].
     std::vector<Eigen::Vector3d> points_W;
   };
   void extend(Path& path, const hydro::BodyState& from, const hydro::BodyState& to,
               double interval) const;
 
   std::vector<Path> paths_;
-  double time_ = 0;                     ///< Of the last shot [s].
+  double time_ = 0;                     ///< Time of the last shot [s].
   std::vector<hydro::BodyState> last_;  ///< Its states; empty before the first.
 };
 

@@ -19,8 +19,8 @@ namespace render {
 /// The hollows of a body.
 enum class Hollows {
   none,     ///< All of its surface is in the sea.
-  dry,      ///< Those of one attitude are dry.
-  flooding  ///< Those of its pose are dry but for the water that is told.
+  dry,      ///< The pockets of one attitude are dry.
+  flooding  ///< The pockets of its pose are dry but for the water that is told.
 };
 
 /// Water in a pocket.
@@ -64,7 +64,7 @@ class InteriorLook {
   hydro::BodyState state_;
   Eigen::Matrix3Xd points_W_;  ///< The vertices.
   hydro::Pockets division_;
-  std::vector<const PocketLook*> water_;  ///< Of each pocket; null: it is dry.
+  std::vector<const PocketLook*> water_;  ///< Water of each pocket; null: it is dry.
 };
 
 }  // namespace render

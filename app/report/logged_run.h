@@ -23,8 +23,8 @@ struct LoggedRun {
   Trajectory trajectory;
   std::size_t rows = 0;            ///< Rows per body that all logs have for all bodies.
   std::optional<ForceLog> forces;  ///< None if forces were not logged.
-  InteriorLog interiors;           ///< Of bodies with hollows.
-  std::vector<TableRows> tables;   ///< Of what the run has of lines, joints, machines, controls.
+  InteriorLog interiors;           ///< Water in bodies with hollows.
+  std::vector<TableRows> tables;   ///< Tables of the run's lines, joints, machines and controls.
 };
 
 /// @param scene   Present path of the scene; empty: the path at the time of the run.

@@ -34,7 +34,7 @@ struct Checkpoint {
   LogPosition log;                    ///< Rows of the run up to the checkpoint.
   long shots = 0;                     ///< Number of states to be drawn up to the checkpoint.
   std::vector<std::string> warnings;  ///< Warnings of the run up to the checkpoint.
-  RigTotals rig;                      ///< Of the steps up to the checkpoint.
+  RigTotals rig;                      ///< Totals of the steps up to the checkpoint.
   nlohmann::ordered_json watch;       ///< State of the watch of its motion (motion_watch.h).
   std::string waves;                  ///< State of the bodies' waves in pictures; empty: none.
   engine::SimulationState state;

@@ -25,9 +25,9 @@ struct RunSummary {
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
-  RigTotals rig;                       ///< Of lines and machines.
+  RigTotals rig;                       ///< Totals of lines and machines.
   RunErrors errors;                    ///< Errors of joints and contacts, and works.
-  std::vector<std::string> warnings;   ///< Those of the scene, then those of the run.
+  std::vector<std::string> warnings;   ///< Warnings of the scene, then those of the run.
   double wall = 0;                     ///< Total, including the added mass [s].
   double wall_log = 0;                 ///< [s]
   double wall_render = 0;              ///< [s]

@@ -63,10 +63,11 @@ struct AddedMass {
 struct RadiationFile {
   std::filesystem::path file;
   std::string body;  ///< Its name in the file, or its number from 1; empty: the only one.
-  std::optional<Eigen::Vector3d> reference_point;  ///< Of the file's motions and moments [m].
+  std::optional<Eigen::Vector3d> reference_point;  ///< Point of the file's motions and moments [m].
   std::optional<Eigen::Vector3d> center_of_mass;   ///< [m]
-  double heading = 0;  ///< Of the file's x axis in the body's frame without heading [rad].
-  double length = 1;   ///< Of WAMIT's numbers without dimension [m].
+  double heading =
+      0;              ///< Direction of the file's x axis in the body's frame without heading [rad].
+  double length = 1;  ///< Length of WAMIT's numbers without dimension [m].
   /// Least and greatest frequency that are taken from the file [rad/s].
   std::optional<std::array<double, 2>> frequencies;
 

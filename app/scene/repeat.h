@@ -16,9 +16,9 @@ namespace scene {
 struct Repeat {
   std::optional<int> count;
   std::optional<std::array<int, 3>> grid;             ///< Copies along x, y and z.
-  Eigen::Vector3d spacing = Eigen::Vector3d::Zero();  ///< Of the grid [m].
+  Eigen::Vector3d spacing = Eigen::Vector3d::Zero();  ///< Spacing of the grid [m].
   Eigen::Vector3d jitter = Eigen::Vector3d::Zero();   ///< Largest random shift each way [m].
-  int seed = 1;                                       ///< Of the shifts.
+  int seed = 1;                                       ///< Seed of the shifts.
 
   int copies() const { return grid ? (*grid)[0] * (*grid)[1] * (*grid)[2] : count.value_or(1); }
 };

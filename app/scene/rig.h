@@ -58,7 +58,7 @@ struct Mooring {
 /// Mooring lines that MoorDyn computes.
 struct MoorDyn {
   std::filesystem::path file;
-  std::vector<std::string> bodies;  ///< Of each coupled point, or one of all.
+  std::vector<std::string> bodies;  ///< Body of each coupled point, or one for all.
 };
 
 /// Motor of a hinge or slider.
@@ -67,7 +67,7 @@ struct JointMotor {
   Mode mode = Mode::speed;
   double value = 0;  ///< [rad/s, m/s], [rad, m] or [N m, N], by mode.
   double most = std::numeric_limits<double>::infinity();  ///< Largest effort [N m, N].
-  double rate = 5;  ///< Of `position`: an error decays in the time 1/rate [1/s].
+  double rate = 5;  ///< For `position`: an error decays in the time 1/rate [1/s].
 };
 
 /// What acts along the coordinate of a hinge [rad] or slider [m], which is 0 at the start.

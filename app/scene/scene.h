@@ -36,7 +36,7 @@ struct Joint {
   std::optional<Eigen::Vector3d> anchor;  ///< In W at time 0; ball, hinge, universal have one.
   std::optional<Eigen::Vector3d> axis;    ///< Unit, in W; hinge, slider and universal have one.
   std::optional<Eigen::Vector3d> axis2;   ///< Unit, normal to `axis`; may be given for universal.
-  JointDrive drive;                       ///< Of a hinge or slider.
+  JointDrive drive;                       ///< Drive of a hinge or slider.
 };
 
 /// Friction and restitution of one pair; what is not given follows from the bodies.
@@ -83,7 +83,7 @@ struct Scene {
   /// The formats of its meshes that are read. No key sets this: whoever reads the scene does.
   MeshFormats mesh_formats = MeshFormats::common;
 
-  std::string text;  ///< That of the file, with all files it includes and without overrides.
+  std::string text;  ///< Text of the file, with all files it includes and without overrides.
 
   /// The place of each key's value, for faults that are found later (see Faults::add).
   Places places;

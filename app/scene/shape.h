@@ -79,7 +79,7 @@ using SingleShape = std::variant<Mesh, Box, Sphere, Icosphere, Ellipsoid, Cylind
 /// A shape of a body of several, placed in the body's mesh frame.
 struct PlacedShape {
   SingleShape shape;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Of the shape's own origin [m].
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Position of the shape's own origin [m].
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   bool operator==(const PlacedShape&) const = default;
 };

@@ -33,8 +33,8 @@ struct Spectrum {
   enum class Type { jonswap, pierson_moskowitz, bretschneider, tma, file };
   Type type = Type::jonswap;
   std::optional<std::filesystem::path> file;  ///< Table of the type `file`, which has no formula.
-  double significant_height = 0;              ///< Of a formula [m], > 0.
-  double peak_period = 0;                     ///< Of a formula [s], > 0.
+  double significant_height = 0;              ///< Significant height of a formula [m], > 0.
+  double peak_period = 0;                     ///< Peak period of a formula [s], > 0.
   std::optional<double> gamma = 3.3;          ///< [-], 1 … 10; none: by height and period.
   double heading = 0;                         ///< [rad]
   double spreading = 0;                       ///< Exponent s of cos^2s(θ/2); 0: long-crested.
@@ -63,12 +63,14 @@ struct Water {
   double density = 1000;
   double viscosity = 1.0034e-6;  ///< Kinematic [m^2/s], > 0.
   double level = 0;
-  std::optional<double> depth;                        ///< Of the still water [m], > 0; none: deep.
-  Eigen::Vector3d current = Eigen::Vector3d::Zero();  ///< Of a table, that of its first row.
-  std::vector<hydro::CurrentRow> current_profile;     ///< It has no rows if it is uniform.
+  std::optional<double> depth;  ///< Depth of the still water [m], > 0; none: deep.
+  Eigen::Vector3d current =
+      Eigen::Vector3d::Zero();  ///< The current, or that in the first row of a table.
+  std::vector<hydro::CurrentRow> current_profile;  ///< It has no rows if it is uniform.
   Surface surface;
-  hydro::Kinematics kinematics = hydro::Kinematics::airy;  ///< Of waves, given in any way.
-  double ramp = 0;  ///< Time over which the waves grow from rest [s], >= 0.
+  hydro::Kinematics kinematics =
+      hydro::Kinematics::airy;  ///< Kinematics of the waves, however given.
+  double ramp = 0;              ///< Time over which the waves grow from rest [s], >= 0.
   SimulatedWater simulated = SimulatedWater::none;
 };
 

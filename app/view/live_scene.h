@@ -51,9 +51,9 @@ class LiveScene {
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
   RigPictures rig_;
-  std::optional<hydro::SeenWater> waves_;  ///< Of the bodies; none if they are not drawn.
+  std::optional<hydro::SeenWater> waves_;  ///< Waves of the bodies; none if they are not drawn.
   PressureRange expected_;                 ///< From the scene alone.
-  PressureRange range_;                    ///< Of the pressures so far.
+  PressureRange range_;                    ///< Range of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< Made for the first picture.
 };

@@ -29,9 +29,9 @@ enum class AddedMassMethod {
 
 struct AddedMassOptions {
   AddedMassMethod method = AddedMassMethod::galerkin;
-  /// Of the error that finer panels would lessen, relative as in AddedMassSolution::error_estimate.
-  /// What flows around single facets of the mesh have is left to the estimate: a round body has
-  /// none.
+  /// Tolerance of the error that finer panels would lessen, relative as in
+  /// AddedMassSolution::error_estimate. What flows around single facets of the mesh have is left to
+  /// the estimate: a round body has none.
   double tolerance = 1e-3;
   /// Faces are split no further than to this many panels; a mesh with more is solved as it is. Time
   /// and memory grow with the square of the panels up to 5,000; a larger mesh gets linear functions
@@ -57,7 +57,7 @@ struct AddedMassSolution {
   int panels = 0;  ///< Triangles on which it was solved.
   int unknowns = 0;
   double seconds = 0;
-  double bytes = 0;  ///< Of the largest arrays held at a time.
+  double bytes = 0;  ///< Size of the largest arrays held at a time.
 };
 
 /// @throws std::invalid_argument if the mesh is not closed, or encloses nothing.

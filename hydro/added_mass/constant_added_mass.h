@@ -15,7 +15,7 @@ class ConstantAddedMass final : public AddedMassModel {
   ConstantAddedMass(TriMesh mesh_B, const Matrix6d& matrix);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
-  /// That of rigid_wave_load.h.
+  /// The load of rigid_wave_load.h.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
   const Matrix6d& matrix() const { return matrix_; }

@@ -49,7 +49,7 @@ class DeepAddedMass final : public AddedMassModel {
 
   WettedAddedMass share_;
   Eigen::AlignedBox3d box_B_;
-  double volume_ = 0;  ///< Of the whole body [m^3].
+  double volume_ = 0;  ///< Volume of the whole body [m^3].
 };
 
 }  // namespace hydro

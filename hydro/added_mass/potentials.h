@@ -26,7 +26,7 @@ struct alignas(64) PotentialBlock {
 struct Potentials {
   std::vector<PotentialBlock> blocks;  ///< In the order of the leaves' blocks.
   std::vector<Matrix6d> shares;        ///< ∫ ψ_m N_n dS over each node of the tree.
-  double largest = 0;  ///< Of the potentials of the three translations, in magnitude [m].
+  double largest = 0;  ///< Largest magnitude of the potentials of the three translations [m].
 };
 
 /// Lays out potentials for a hull's panels.

@@ -32,7 +32,7 @@ class RigidWaveLoad {
  private:
   mutable std::once_flag made_;  ///< Only waves need what follows.
   mutable std::unique_ptr<const WettedAddedMass> flow_;
-  mutable double radius_ = 1;  ///< Of the mesh [m]; turns are taken over it.
+  mutable double radius_ = 1;  ///< Radius of the mesh [m]; turns are scaled by it.
 };
 
 }  // namespace hydro

@@ -50,7 +50,7 @@ class SurfaceAddedMass final : public AddedMassModel {
                             int patches = kSurfacePatches);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
-  /// That of rigid_wave_load.h.
+  /// The load of rigid_wave_load.h.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
   /// Interpolated matrix for ρ = 1.

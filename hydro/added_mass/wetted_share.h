@@ -24,7 +24,7 @@ struct WettedShare {
   SurfaceCut cut;                     ///< By flat water; empty in waves.
 };
 
-/// Of `in` the motion does not count.
+/// The motion in `in` does not count.
 WettedShare wetted_share(const Panels& panels, const Tree& tree, const Potentials& potentials,
                          const LoadInputs& in);
 

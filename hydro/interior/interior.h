@@ -29,7 +29,7 @@ std::shared_ptr<const Interior> make_interior(const TriMesh& mesh_B, const Eigen
 struct WaterInside {
   double level = 0;   ///< [m]
   double volume = 0;  ///< [m^3]
-  double area = 0;    ///< Of its surface, as far as the search for the level found it [m^2].
+  double area = 0;    ///< Area of its surface, as far as the search for the level found it [m^2].
   Wrench push;        ///< Its load on the body over ρ g, about the centre of mass in W [m^3, m^4].
 };
 

@@ -17,7 +17,7 @@ int pocket_under(const TriMesh& mesh, const Pockets& division, const Eigen::Vect
 /// those that look the other way.
 struct WallFaces {
   std::array<int, 2> face = {-1, -1};
-  double distance = 0;  ///< Of the point to the second of them, the farther one [m].
+  double distance = 0;  ///< Distance of the point to the second, farther one of them [m].
 };
 
 /// @param mesh   It has faces.

@@ -7,7 +7,7 @@
 /// @file
 /// The hollows of a body: parts of its surface on which water can stand apart from the sea.
 ///
-/// Of the surface below a level, a connected part encloses either water (its walls look up and in)
+/// A connected part of the surface below a level encloses either water (its walls look up and in)
 /// or the body (they look down and out). The parts below all levels form a tree, whose vertices are
 /// visited from the lowest to the highest: at a local minimum a part begins, at a saddle two parts
 /// meet. A part that encloses water is a pocket up to the saddle at which it meets the outside, its
@@ -52,7 +52,7 @@ struct Pockets {
 };
 
 /// The pockets of a closed mesh whose vertical is the unit vector `up`, given in the mesh's frame.
-/// Those that hold less than kLeastPocket of the volume of the box around the mesh count as the
+/// Pockets that hold less than kLeastPocket of the volume of the box around the mesh count as the
 /// outside, and a pocket that holds less than kLeastPart of another one when they meet is a part of
 /// it. The time is O(n log n).
 Pockets find_pockets(const TriMesh& mesh, const Eigen::Vector3d& up);

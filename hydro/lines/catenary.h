@@ -41,7 +41,7 @@ struct CatenaryLine {
   double length = 0;     ///< Unstretched, > 0 [m].
   double weight = 0;     ///< Per unstretched length, in water, >= 0 [N/m].
   double stiffness = 0;  ///< EA, > 0 [N].
-  double friction = 0;   ///< Of the bottom, C_B, >= 0 [-].
+  double friction = 0;   ///< Coefficient of friction C_B of the bottom, >= 0 [-].
 };
 
 /// The tensions of a line and what they change by as the fairlead moves.
@@ -90,7 +90,7 @@ CatenarySolution solve_catenary(const CatenaryLine& line, double x, double z, bo
 /// Points of the line from the anchor (0, 0) to the fairlead (x, z), for pictures, at equal
 /// distances of the unstretched line.
 ///
-/// Of a slack line the resting part is drawn straight, though it is longer; so is a slack line
+/// The resting part of a slack line is drawn straight, though it is longer; so is a slack line
 /// without weight.
 ///
 /// @param solution  That of the same line, x and z.

@@ -12,7 +12,7 @@ namespace hydro {
 /// What a sum over a hull may miss.
 struct HeadError {
   double tolerance = 0;         ///< Part of the wholly submerged hull's buoyancy [-], > 0.
-  double volume_over_area = 0;  ///< Of the hull [m].
+  double volume_over_area = 0;  ///< Volume over area of the hull [m].
 
   /// ℓ: three times volume over area, the radius of a sphere [m].
   double size() const { return 3 * volume_over_area; }

@@ -35,14 +35,14 @@ struct Loads {
   Wrench pressure_drag;
   Wrench viscous_drag;
   Wrench lift;
-  Wrench wave_inertia;     ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
-  Wrench diffraction;      ///< FloatingBody::wave_load; `compute_loads` leaves it at 0.
-  Wrench hull_lift;        ///< HullLift::load; `compute_loads` leaves it at 0.
-  Wrench wind;             ///< Of the air on the dry part (wind.h).
-  Wrench interior;         ///< Of water in pockets (interior.h); `compute_loads` leaves it at 0.
-  Wrench resistance;       ///< Along the motion (resistance.h); `compute_loads` leaves it at 0.
-  double wetted_area = 0;  ///< [m^2]
-  double displaced_volume = 0;  ///< Of the body below the surface [m^3].
+  Wrench wave_inertia;  ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
+  Wrench diffraction;   ///< FloatingBody::wave_load; `compute_loads` leaves it at 0.
+  Wrench hull_lift;     ///< HullLift::load; `compute_loads` leaves it at 0.
+  Wrench wind;          ///< Load of the air on the dry part (wind.h).
+  Wrench interior;      ///< Load of water in pockets (interior.h); `compute_loads` leaves it at 0.
+  Wrench resistance;    ///< Along the motion (resistance.h); `compute_loads` leaves it at 0.
+  double wetted_area = 0;       ///< [m^2]
+  double displaced_volume = 0;  ///< Volume of the body below the surface [m^3].
 
   Loads& operator+=(const Loads& other);
   Wrench total() const {

@@ -80,8 +80,8 @@ struct BendLimits {
   /// edge d, by (1) and (2). For the surface alone they are 0.
   bool curved = false;                      ///< What bends is summed at points.
   double six_points = 0, three_points = 0;  ///< [1/m^6, 1/m^2]
-  double sum_tolerance = 0;                 ///< Of the mean head over a piece [m].
-  double cut_tolerance = 0;                 ///< Of the waterline's departure from its chord [m].
+  double sum_tolerance = 0;                 ///< Tolerance of the mean head over a piece [m].
+  double cut_tolerance = 0;  ///< Tolerance of the waterline's departure from its chord [m].
   /// Heights above the centre of mass at which edges are split [m], kMostCuts at most.
   std::vector<double> cuts;
   double least_part = 0;  ///< Edges are split no nearer to an end than this height [m].

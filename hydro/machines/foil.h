@@ -86,7 +86,7 @@ Eigen::Vector3d foil_force(const Foil& foil, const Eigen::Vector3d& flow,
 /// The race of a screw where the rudder stands.
 struct Race {
   double speed = 0;     ///< Mean axial speed over the part of the rudder in the race [m/s].
-  double diameter = 0;  ///< Of the race there [m].
+  double diameter = 0;  ///< Diameter of the race there [m].
 };
 
 /// Speed and contraction of the race by momentum theory.

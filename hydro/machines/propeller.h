@@ -74,8 +74,8 @@ struct Propeller {
 
 /// What a screw does.
 struct PropellerLoad {
-  double thrust = 0;         ///< On the body, along the axis, after deduction [N].
-  double torque = 0;         ///< That the screw absorbs, with the sign of n as it is driven [N m].
+  double thrust = 0;  ///< On the body, along the axis, after deduction [N].
+  double torque = 0;  ///< Torque that the screw absorbs, with the sign of n as it is driven [N m].
   double open_thrust = 0;    ///< Before deduction [N].
   double inflow = 0;         ///< V_a [m/s]
   double advance_ratio = 0;  ///< J = V_a/(nD); 0 if n = 0 [-].
@@ -127,7 +127,7 @@ class PropellerCurves {
   QuadrantCoefficients beyond(const End& end, double border, double beta) const;
 
   Propeller propeller_;
-  std::vector<Piece> pieces_;  ///< Of K_T and K_Q; none for a table of four quadrants.
+  std::vector<Piece> pieces_;  ///< Pieces of K_T and K_Q; none for a table of four quadrants.
   double last_ = 0;  ///< The largest J at which K_T and K_Q hold; pieces_ starts at the least.
   End lower_, upper_;
   double pitch_angle_ = 0;  ///< φ [rad].

@@ -32,8 +32,8 @@ struct OpenWater {
 
 /// The polynomials of one screw in J: the coefficients of J^0 … J^3.
 struct OpenWaterCubics {
-  std::array<double, 4> thrust = {};  ///< Of K_T.
-  std::array<double, 4> torque = {};  ///< Of K_Q.
+  std::array<double, 4> thrust = {};  ///< Coefficients of K_T.
+  std::array<double, 4> torque = {};  ///< Coefficients of K_Q.
 };
 
 /// @throws std::invalid_argument  if the screw is outside the series.

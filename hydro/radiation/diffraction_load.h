@@ -96,7 +96,7 @@ struct ScatteredWaves {
   FloatingBody::Diffraction load, momentum;
 };
 
-/// Those of a body with the data; both empty in a sea without Airy waves.
+/// Load and momentum for a body with the data; both empty in a sea without Airy waves.
 ScatteredWaves scattered_waves(const RadiationData& data, const Sea& sea);
 
 }  // namespace hydro

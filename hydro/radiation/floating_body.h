@@ -68,7 +68,7 @@ class FloatingBody final : public AddedMassModel {
   Diffraction diffraction_;
   Diffraction momentum_;
   Eigen::Matrix3Xd vertices_B_;  ///< The lowest one of the mean pose first.
-  double depth_ = 0;             ///< Of full presence [m].
+  double depth_ = 0;             ///< Depth of full presence [m].
   Matrix6d added_H_;             ///< A∞ for ρ = 1, positive semidefinite.
   WaveFrameRule frame_;
   Matrix6d added_B_;  ///< A∞ in the mean pose, and in all poses if H turns with the body.

@@ -37,7 +37,7 @@ using Loads6cd = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
 /// The pose about which a body's motion is small.
 struct MeanPose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_HB, without heading.
-  double height = 0;  ///< Of the centre of mass above the still water level [m].
+  double height = 0;  ///< Height of the centre of mass above the still water level [m].
 
   bool operator==(const MeanPose& other) const {
     return orientation.coeffs() == other.orientation.coeffs() && height == other.height;

@@ -21,7 +21,7 @@ struct RadiationEquations {
   using SixColumns = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
   WaterPlane plane;
-  /// Of the water [m]; may be infinite.
+  /// Depth of the water [m]; may be infinite.
   double depth = std::numeric_limits<double>::infinity();
   /// Factor of 1/r': 1, or −1 in the limit of high frequency.
   double image = 1;
@@ -29,11 +29,12 @@ struct RadiationEquations {
   std::vector<PatchMoments> moments;
   std::vector<PatchNode> nodes;        ///< Three a patch.
   std::vector<Eigen::Vector3d> inner;  ///< Points of the waterplane inside the hull.
-  double inner_weight = 0;             ///< Of their equations.
+  double inner_weight = 0;             ///< Weight of their equations.
   double sloshing = 0;                 ///< A lower bound of ω²/g of sloshing [1/m].
-  Eigen::MatrixXd rankine;  ///< Of ½ψ, 1/r, 1/r' and 1/r''; rows of patches, then inner points.
-  Eigen::MatrixXd rising;   ///< (1/4π) ∫ f_b n_z/r' dS
-  SixColumns side;          ///< (1/4π) ∫ N (1/r + 1/r' + 1/r'') dS
+  Eigen::MatrixXd
+      rankine;  ///< Coefficients of ½ψ, 1/r, 1/r' and 1/r''; rows of patches, then inner points.
+  Eigen::MatrixXd rising;  ///< (1/4π) ∫ f_b n_z/r' dS
+  SixColumns side;         ///< (1/4π) ∫ N (1/r + 1/r' + 1/r'') dS
 
   Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(patches.size()); }
   /// Lowest wetted point's depth below the surface [m].

@@ -25,7 +25,7 @@
 /// twice the triangle's area times the second divided difference of exp. The integral (3) is taken
 /// over u, λ = cosh u, in pieces of equal change of the phase.
 ///
-/// Of the flow the theory keeps what is of first order in the breadth: no lift of a hull that
+/// The theory keeps of the flow what is of first order in the breadth: no lift of a hull that
 /// drifts, no viscosity, whose wake weakens the stern's waves. So its humps and hollows below a
 /// Froude number of 0.3 are stronger than those of a real hull.
 ///
@@ -47,7 +47,7 @@ class ThinShip {
 
   /// A part of the hull: what is connected below the water.
   struct Part {
-    double length = 0;  ///< Of the wetted surface, along the motion [m].
+    double length = 0;  ///< Length of the wetted surface along the motion [m].
     double beam = 0;    ///< The same across [m].
     double y = 0;       ///< y_p, about the volume's centre [m].
   };
@@ -70,7 +70,7 @@ class ThinShip {
   Suction suction() const;
 
   const std::vector<Part>& parts() const { return parts_; }
-  double length() const { return length_; }  ///< Of all parts, along the motion [m].
+  double length() const { return length_; }  ///< Length of all parts along the motion [m].
   /// Part of the hull's section across the motion that lies on faces steeper than 45° to the
   /// motion, where the theory does not hold: 0 for fine ends, 1 for a box [-].
   double bluntness() const { return bluntness_; }
@@ -95,7 +95,7 @@ class ThinShip {
   /// ½ (|K_+|² + |K_−|²) at κ and λ.
   double amplitude(double k, double lambda) const;
 
-  std::vector<double> x_, z_;  ///< Of the faces' corners [m].
+  std::vector<double> x_, z_;  ///< Coordinates of the faces' corners [m].
   std::vector<Face> faces_;    ///< From the highest to the lowest.
   std::vector<Panel> panels_;
   Eigen::Vector2d along_ = Eigen::Vector2d::UnitX();  ///< x in the frame of the pose.

@@ -43,7 +43,7 @@ struct Flotation {
   double height = 0;                ///< Height of the centre of mass above the water [m].
   double draught = 0;               ///< Depth of the lowest point [m].
   Hydrostatics hydrostatics;        ///< Hydrostatics in G.
-  std::vector<Hydrostatics> tanks;  ///< Those of the water in each tank, in G.
+  std::vector<Hydrostatics> tanks;  ///< Hydrostatics of the water in each tank, in G.
 
   /// B − Σ (v/V) C [m]
   Eigen::Vector3d effective_centre() const;

@@ -40,7 +40,7 @@ struct PeriodicSquare {
   double cell = 1;           ///< Side of a cell [m], > 0.
   double deepest = 1;        ///< Depth of the sources that the layers are made for [m], > 0.
   double gravity = 9.80665;  ///< [m/s^2]
-  double depth = std::numeric_limits<double>::infinity();  ///< Of the still water [m].
+  double depth = std::numeric_limits<double>::infinity();  ///< Depth of the still water [m].
 
   double side() const { return cells * cell; }
 };

@@ -96,9 +96,9 @@ class SeenWater {
 
   /// What changes beside the waves.
   struct Clock {
-    double time = 0;             ///< Of the waves [s].
+    double time = 0;             ///< Time of the waves [s].
     double undamped = 0;         ///< Time since the edges were damped [s].
-    double column = 0, row = 0;  ///< Of the window's middle in the square [cells].
+    double column = 0, row = 0;  ///< Place of the window's middle in the square [cells].
     bool started = false;
     bool still = true;  ///< Nothing has moved the water so far.
   };

@@ -13,7 +13,7 @@ namespace hydro::bem {
 
 struct DenseEquations {
   Eigen::MatrixXd matrix;  ///< (1/4π) ∫∫ curl φ_k·curl φ_l / r [m]: its lower triangle.
-  std::vector<RotationMoments> rotation_moments;  ///< Of the elements.
+  std::vector<RotationMoments> rotation_moments;  ///< One entry per element.
 };
 
 DenseEquations dense_equations(const Surface& surface);

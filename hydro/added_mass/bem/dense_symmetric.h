@@ -25,8 +25,8 @@ class Eliminated {
   SixColumns backward(const SixColumns& y) const;                ///< Cᵀ y.
   SixColumns apply(const SixColumns& y) const;                   ///< (B − C A⁻¹ Cᵀ) y.
   double remaining(Eigen::Index i, Eigen::Index j) const;        ///< B_ij.
-  Eigen::Index count() const { return count_; }                  ///< Of x.
-  Eigen::Index rest() const { return matrix_.rows() - count_; }  ///< Of y.
+  Eigen::Index count() const { return count_; }                  ///< Size of x.
+  Eigen::Index rest() const { return matrix_.rows() - count_; }  ///< Size of y.
 
  private:
   Eigen::MatrixXd matrix_;

@@ -68,7 +68,7 @@ Eigen::VectorXd areas_of_vertices(const Surface& surface);
 /// times the gain; the same amount is the error estimate.
 struct Solution {
   Potential psi;
-  Matrix6d error_estimate = Matrix6d::Zero();  ///< Of the added mass for ρ = 1.
+  Matrix6d error_estimate = Matrix6d::Zero();  ///< Estimated error of the added mass for ρ = 1.
   Eigen::Index unknowns = 0;
   double bytes = 0;  ///< Size of the stored interactions.
   int steps = 0;     ///< Number of iterations.

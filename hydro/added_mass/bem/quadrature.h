@@ -38,8 +38,8 @@ struct HatRule {
   std::array<std::array<double, 3>, N> at;
   std::array<std::array<double, 3>, N> hats;
 };
-const HatRule<3>& hat_rule_3();  ///< Of degree 2.
-const HatRule<6>& hat_rule_6();  ///< Of degree 4.
+const HatRule<3>& hat_rule_3();  ///< Exact to degree 2.
+const HatRule<6>& hat_rule_6();  ///< Exact to degree 4.
 
 /// Position of a rule's point on a triangle [m].
 inline Eigen::Vector3d point(const std::array<Eigen::Vector3d, 3>& corners, const Node& node) {

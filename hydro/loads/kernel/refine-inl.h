@@ -271,7 +271,7 @@ struct Halving {
   Triangle t;
   Values depth;
   M splits;
-  V part;  ///< Of the edge, before its place of splitting.
+  V part;  ///< Part of the edge before its place of splitting.
 };
 
 /// The longest edge that is to be split is, the first of edges that are equally long.

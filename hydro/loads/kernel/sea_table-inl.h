@@ -36,7 +36,7 @@ struct SeaTable {
 
   int nodes[3];
   int row;           ///< Places of a row along x: a multiple of the lanes of every vector unit.
-  double middle[3];  ///< Of x, y and d [m].
+  double middle[3];  ///< Middle of x, y and d [m].
   double scale[3];   ///< One over the half sides [1/m].
   /// Coefficients, row by row and plan by plan; those that fill a row are 0.
   alignas(64) double elevation[kTableRoom * kMostTableNodes];

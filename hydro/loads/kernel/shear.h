@@ -25,7 +25,7 @@ struct Shear {
 
   bool moves = false;         ///< There is a table.
   double first[3] = {};       ///< Above all layers [m/s].
-  std::vector<Layer> layers;  ///< Those that a hull may be in. They lie one below the other.
+  std::vector<Layer> layers;  ///< Layers that a hull may be in, one below the other.
   std::vector<double> bends;  ///< Heights where (1) is not straight [m].
   double fastest = 0;         ///< A bound of the size of (1) [m/s].
 

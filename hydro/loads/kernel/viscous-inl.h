@@ -34,7 +34,7 @@ inline constexpr double kFlat = 3e-3;
 /// Four points miss the third order in the moment: 5e-7 of the load times the triangle's size.
 inline constexpr double kGentle = 0.03;
 inline constexpr double kSmooth = 0.2;     ///< The first term missed is of sixth order: 1e-7.
-inline constexpr double kStraight = 0.03;  ///< Of third order, where the cut is: 2e-6.
+inline constexpr double kStraight = 0.03;  ///< Error of third order at the cut: 2e-6.
 
 /// Triangles that slide.
 struct Sliding {

@@ -43,7 +43,7 @@ struct WaveField {
   int count = 0;
   bool airy = false;        ///< The water moves below the waves, and its pressure decays.
   bool deep = true;         ///< The waves feel no bottom.
-  double water_depth = 0;   ///< Of the still water, where it is not deep [m].
+  double water_depth = 0;   ///< Depth of the still water, where it is not deep [m].
   double height = 0;        ///< A bound of the elevation [m].
   double least_number = 0;  ///< The least k of a wave [rad/m].
   /// Bounds of the derivatives of order n from 1: Σ |amplitude| k^n, or kFarCrest standard
