@@ -241,7 +241,7 @@ bool GroupStepper::must_halve(double h, bool halves) {
   for (const Member& m : members_) {
     if (!m.island) continue;
     const Motion& before = m.moving->motion;
-    unresolved = unresolved || added_mass_jumps(m.body(), before, m.end);
+    unresolved = unresolved || (!m.touching && added_mass_jumps(m.body(), before, m.end));
     if (!(gained || m.abrupt)) continue;
     followed = followed && can_be_followed(m.body(), before, h);
     if (!m.abrupt || !m.body().wet) continue;
