@@ -45,17 +45,17 @@
 /// what v⁻ and v⁺ travel, so with e = 1 a bounce keeps the energy for any h. Several impacts at
 /// once and friction may gain energy under Newton's law; restitution.h takes that back.
 ///
-/// A body that a contact stops may be followed by others, as the crates of a falling stack are:
-/// that they meet it comes of the stop, so the places halfway, found without it, do not show it.
-/// Where a contact with e = 0 stops a body faster than (E15), other bodies as fast are looked for:
-/// one whose place at the end of the substep overlaps that of the stopped body at its start follows
-/// it. With γ the gap at the start, each of its points asks for
+/// A body that a contact stops may be followed by others, as in a stack that falls. They meet it
+/// only because it stops, so the positions halfway, which do not know that, show no contact.
+/// Therefore, where a contact with e = 0 stops a body faster than (E15), each near body that is as
+/// fast is moved to its place at the end of the substep, and the stopped one to its place at the
+/// start. If they overlap there, the near body is a follower. With γ the gap at the start, its
+/// points ask for
 ///
 ///     v⁺ = −(γ + s)/h,                                                                  (E11a)
 ///
-/// by which it comes to the depth of rest within the substep, and it stops what follows it in turn.
-/// Without these rows a stack would land crate by crate, one a step, and each be thrown out of the
-/// one below.
+/// which closes the gap within the substep. A follower stops its own followers in turn. Without
+/// these rows a stack lands one level a step, and each level is pushed out of the one below.
 
 namespace engine {
 

@@ -174,8 +174,8 @@ bool is_abrupt(const SubstepBody& b, double h) {
          (crossing.meets && (!is_smooth(b.end.accelerations, h) || was_dry(b)));
 }
 
-/// True if the added mass of an update stopped the body short of the place where it has that, as a
-/// flat bottom is stopped that meets the surface: without it the body would go on to there.
+/// True if the update counted added mass that the body has not reached, because that mass has
+/// slowed it: a flat bottom that would meet the surface within the substep ends just above it.
 bool is_stopped_short(const SubstepBody& b, const Matrix6d& found_B) {
   const Vector6d inertia = (b.body().rigid_B + b.added_B).diagonal();
   const auto sum = [&](const Matrix6d& change) {
@@ -184,9 +184,10 @@ bool is_stopped_short(const SubstepBody& b, const Matrix6d& found_B) {
   return sum(b.added_B - b.halfway.added()) > 0 && sum(found_B - b.added_B) < 0;
 }
 
-/// Finds the added mass of the final poses, for another pass of updates; after the last one it
-/// shares the momentum (E4), but where the body is stopped short: the water would take its share
-/// again in the next substep. @return the worst agreement with what the updates were taken with
+/// Finds the added mass of the final poses, for another pass of updates. After the last pass the
+/// bodies share their momentum with it (E4), except where a body is stopped short: it keeps the
+/// added mass of its update, which the next substep would otherwise count again.
+/// @return the worst agreement with what the updates were taken with
 AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   auto worst = AddedMassMatch::equal;
   for (SubstepBody* b : island.bodies) {

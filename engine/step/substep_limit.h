@@ -46,9 +46,9 @@ SurfaceCrossing surface_crossing(const Body& body, const hydro::BodyState& befor
 bool crosses_surface(const Body& body, const hydro::BodyState& before,
                      const hydro::BodyState& after);
 
-/// True if the added mass of a body changes by more than kLargestAddedChange of its inertia, as
-/// that of a bottom does which meets the water, so that what it comes to move takes part late. A
-/// body in contact is not asked: each half of its substep solves the contacts anew.
+/// True if the added mass of a body changes by more than kLargestAddedChange of its inertia in a
+/// substep, as at the entry of a bottom. Bodies in contact are left out: each half of a substep
+/// solves their contacts anew.
 bool added_mass_jumps(const Body& body, const Motion& before, const Motion& after);
 
 /// True if loads have moved a body through or along the water surface by more than
