@@ -31,7 +31,7 @@ class SimulationError : public std::runtime_error {
   std::string body_;
 };
 
-/// What no step computes because the scene does not need it.
+/// The parts of a step that the scene does not need, and that are never computed.
 struct Skips {
   bool collision = false;  ///< Nothing in the scene can collide.
   bool water = false;      ///< There is no water, or no body that it acts on.
@@ -57,7 +57,7 @@ class Simulation {
   double time() const;  ///< steps()·step [s].
   long steps() const;
   const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
-  /// What acts on each body in its present state, and the works so far.
+  /// The loads on each body in its present state, and the works so far.
   /// @throws std::logic_error unless the specification asks for a record of work.
   std::vector<BodyForces> forces() const;
   /// The works of forces(), per body; empty unless the specification asks for a record of work.

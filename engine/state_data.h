@@ -10,7 +10,7 @@
 
 namespace engine {
 
-/// What a simulation state holds of one body.
+/// The part of a simulation state that belongs to one body.
 struct BodyRecord {
   Motion motion;
   Inputs inputs;

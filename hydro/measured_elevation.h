@@ -28,7 +28,7 @@ struct ElevationRecord {
 
 constexpr int kFewestElevations = 8;
 
-/// What becomes of a record.
+/// The waves that a record becomes.
 struct ElevationChoice {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< Place of the gauge in W [m].
   double heading = 0;             ///< Direction of travel, counter-clockwise from +x [rad].

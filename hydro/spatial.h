@@ -64,7 +64,7 @@ struct Twist {
   Eigen::Vector3d at(const Eigen::Vector3d& r) const { return linear + angular.cross(r); }
 };
 
-/// What changes of a rigid body. A value: it can be copied, compared and replayed.
+/// The changing part of a rigid body. A value: it can be copied, compared and replayed.
 struct BodyState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< p_WB, of the centre of mass [m].
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB, unit.

@@ -17,7 +17,7 @@ inline constexpr std::size_t kFewestWavesInLanes = 8;
 /// Elevation of waves of the amplitudes of the components, without a ramp [m].
 double elevation_in_lanes(const WaveSurface& waves, double x, double y, double time);
 
-/// What waves add to the water at a place: Φ − ξ of (3) in `head`, and (4).
+/// The contribution of waves to the water at a place: Φ − ξ of (3) in `head`, and (4).
 /// @param down         −z* of (5) [m].
 /// @param half_sides   As for mean_velocity(); null: at the point.
 /// @param sea          With Airy waves.

@@ -6,7 +6,8 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// What lines, joints and machines do at an instant, for logs, pictures and controllers. SI units.
+/// Readings of lines, joints and machines at an instant, for logs, pictures and controllers. SI
+/// units.
 
 namespace engine {
 

@@ -81,7 +81,7 @@ struct MoorDynSpec {
     int segments = 1;   ///< It has one node more.
   };
   std::filesystem::path file;
-  std::string text;                     ///< What the file holds.
+  std::string text;                     ///< Content of the file.
   std::vector<AttachmentPoint> points;  ///< Its coupled points on bodies, in its order.
   std::vector<Line> lines;              ///< In its order.
 };
@@ -100,7 +100,7 @@ struct JointMotor {
   double rate = 5;  ///< For `position`: an error decays in the time 1/rate [1/s], > 0.
 };
 
-/// What acts along the coordinate q of a hinge [rad] or slider [m]. It is 0 at the start, and
+/// The drive along the coordinate q of a hinge [rad] or slider [m]. q is 0 at the start, and
 /// grows as the second body moves along the axis, or turns about it, relative to the first one, or
 /// to the world where that is the first.
 struct JointDrive {
@@ -199,7 +199,7 @@ struct Relay {
   std::array<double, 2> values = {};
 };
 
-/// What drives a set point, once a step from its start on.
+/// The source of a set point, read once a step from its start on.
 struct ControlSpec {
   SetPointId set = 0;
   std::variant<std::shared_ptr<const Signal>, Pid, Relay> source;

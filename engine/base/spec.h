@@ -64,7 +64,7 @@ struct WaterAtStart {
   double volume = 0;                               ///< [m^3]
 };
 
-/// What water does in the pockets of a body (hydro/interior).
+/// The behaviour of water in the pockets of a body (hydro/interior).
 enum class Interior {
   wet,      ///< All of its surface is in the sea, without pockets.
   dry,      ///< The pockets of its start are closed by lids.
@@ -75,8 +75,8 @@ enum class Interior {
 struct BodySpec {
   std::string name;
   hydro::TriMesh mesh_B;  ///< Its surface for water and contacts.
-  /// What the water sees of it, shared by simulations of one body (hulls.h); null: the simulation
-  /// makes its own.
+  /// The hull that the water sees, shared by simulations of one body (hulls.h); null: the
+  /// simulation makes its own.
   std::shared_ptr<const hydro::Hull> hull;
   double mass = 0;                                          ///< [kg], > 0.
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].

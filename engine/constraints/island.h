@@ -23,7 +23,7 @@ struct SubstepBody {
   hydro::BodyState start;  ///< State that is moved on, with its correction (E9).
   std::optional<ProcessingCorrection> correction;  ///< Only for a free body.
   Motion halfway;                                  ///< After half a drift, before the update.
-  std::optional<Matrix6d> rig_inertia;             ///< What (E24) adds to S, in W.
+  std::optional<Matrix6d> rig_inertia;             ///< Term that (E24) adds to S, in W.
   Matrix6d added_B = Matrix6d::Zero();             ///< A at the end that the update is taken with.
   hydro::BodyState added_at;                       ///< The pose that it is that of.
   MidpointState midpoint;                          ///< Midpoint that belongs to `halfway`.

@@ -18,7 +18,7 @@
 
 namespace engine {
 
-/// What has come between the two sides of a joint, without what it leaves free.
+/// The separation of the two sides of a joint, without the motion that it leaves free.
 struct JointGap {
   double separation = 0;  ///< Distance of its points, on a slider across the axis [m].
   double turn = 0;        ///< Between its axes or bodies; 0 for a ball joint [rad].

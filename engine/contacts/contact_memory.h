@@ -28,7 +28,7 @@ std::span<const ContactForce> forces_of(const Pair& pair, const std::vector<Cont
 /// State of a body; of one that cannot move any.
 using StateOf = std::function<hydro::BodyState(BodyId)>;
 
-/// What is to be remembered of contacts with the forces that were found.
+/// The forces of contacts to remember for the next substep.
 std::vector<ContactForce> remembered(const std::vector<Contact>& contacts, const StateOf& state_of);
 
 /// Gives each contact the force that the nearest point of its pair had, or a part of that where the

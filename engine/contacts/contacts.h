@@ -91,13 +91,13 @@ std::vector<ContactPoint> supporting_a_sphere(std::vector<ContactPoint> points);
 /// farthest from those taken, in position and direction. The first of equal ones is taken.
 std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most);
 
-/// What the rows of a point ask for, by (E11) and (E14).
+/// The terms of the rows of a point, by (E11) and (E14).
 struct ContactRow {
   double speed = 0;       ///< v⁺ [m/s]
   double compliance = 0;  ///< slip [s/kg]
 };
 
-/// What they depend on.
+/// The quantities that these terms depend on.
 struct ContactLaw {
   double mass = 0;         ///< m, the heavier one of the movable bodies [kg].
   std::size_t points = 1;  ///< Number of points of the pair.

@@ -36,7 +36,7 @@ struct SetPointState {
   StepValue value;
   std::optional<double> outside;   ///< Set by another program.
   double integral = 0;             ///< ∫e dt of a PID, in the unit of its measured name times s.
-  std::optional<double> measured;  ///< What the control measured last, in SI units.
+  std::optional<double> measured;  ///< Last measurement of the control, in SI units.
   bool beyond = false;             ///< A relay gives its second value.
 };
 

@@ -26,7 +26,7 @@ namespace engine {
 struct Body;
 struct Motion;
 
-/// What is in a pocket.
+/// The water in a pocket.
 struct PocketContent {
   int id = 0;                 ///< It stays as pockets change with the attitude.
   double volume = 0;          ///< Water that moves with the body [m^3].

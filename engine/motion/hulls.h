@@ -13,7 +13,7 @@ namespace engine {
 /// The surface of a body that the water acts on. Pockets that may be flooded are a part of it.
 const hydro::TriMesh& water_mesh(const BodySpec& spec);
 
-/// What the pressure drag of a body that does not move steadily depends on.
+/// The quantities that the pressure drag of a body in unsteady motion depends on.
 struct WakeParts {
   hydro::WakeScale scale;
   hydro::EdgeDrag edges;
@@ -34,7 +34,7 @@ class Hulls {
   std::shared_ptr<const WakeParts> wake_of(const BodySpec& spec);
 
  private:
-  /// What follows from a mesh alone.
+  /// The data that follow from a mesh alone.
   template <class Part>
   struct OfMesh {
     const hydro::TriMesh* mesh_B;  ///< Mesh of the first body that has it.

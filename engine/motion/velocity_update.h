@@ -46,7 +46,7 @@ struct MidpointState {
   Vector6d before;                     ///< u in W, relative to the water.
   Vector6d after;                      ///< u⁺ of (E4) without loads, in W, relative to the water.
   std::optional<MemoryEffect> memory;  ///< (E19)
-  std::optional<Matrix6d> rig_inertia;  ///< What (E24) adds to S, in W.
+  std::optional<Matrix6d> rig_inertia;  ///< Term that (E24) adds to S, in W.
 
   Vector6d mean() const { return (before + after) / 2; }
 };

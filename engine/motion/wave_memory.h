@@ -58,14 +58,14 @@ struct WaveMemory {
   Eigen::VectorXd p;  ///< [√J]
 };
 
-/// What depends on the body and h alone.
+/// The terms that depend on the body and h alone.
 struct WaveMemoryRule {
   double h = 0;                          ///< [s]
   Eigen::VectorXd inverse;               ///< The diagonal of G⁻¹.
   Matrix6d coupling = Matrix6d::Zero();  ///< C in H for water of density 1.
 };
 
-/// What a body's memory does in an update, in W.
+/// The effect of a body's memory on an update, in W.
 struct MemoryEffect {
   double strength = 0;     ///< Factor of the port, by density and presence.
   hydro::WaveFrame frame;  ///< H

@@ -58,7 +58,7 @@ bool needs_rows(const JointDrive& drive, bool stiff);
 double drive_load(const JointDrive& drive, const SetPoints& set_points, double time, double q,
                   double rate, bool stiff);
 
-/// What the rows of a drive depend on.
+/// The quantities that the rows of a drive depend on.
 struct DriveState {
   double q = 0, rate = 0;  ///< Halfway through the substep, before the update.
   double inertia = 1;      ///< Inertia that the drive moves [kg m^2, kg].

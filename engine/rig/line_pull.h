@@ -27,7 +27,7 @@ struct LineEnd {
   Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
 };
 
-/// What a line is like at a time.
+/// The properties of a line at a time.
 struct LineLength {
   double length = 0;  ///< L [m]
   double rate = 0;    ///< L' [m/s]

@@ -105,7 +105,7 @@ class Rig {
   static bool is_held(const Island& island);
   /// Sets the places of the joints whose reactions the solver has found.
   void find_reactions(const std::vector<MovingBody>& all, Island& island) const;
-  /// What the solver has found in accepted substeps of a group, as impulses.
+  /// Impulses that the solver has found in accepted substeps of a group.
   struct Record {
     std::vector<ForceRow> rows;
     std::vector<JointReaction> reactions;
@@ -153,7 +153,7 @@ class Rig {
     Eigen::Vector3d pull_W;  ///< Direction of the pull at the end.
     double distance;         ///< [m]
   };
-  /// What acts on a body, each of it listed with the first body that can move.
+  /// Lines, drives and machines that act on a body, each listed with the first body that can move.
   struct Parts {
     std::vector<std::size_t> lines;     ///< Loads between moving bodies.
     std::vector<std::size_t> to_world;  ///< Loads from what cannot move.

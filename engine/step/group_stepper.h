@@ -129,7 +129,7 @@ class GroupStepper {
 /// Bodies that are groups of their own, in parts that may be advanced at once.
 class LoneBodies {
  public:
-  /// What it refers to must outlive it. @param step   The scene's step [s].
+  /// The objects that it refers to must outlive it. @param step   The scene's step [s].
   LoneBodies(const StepContext& context, std::vector<LoneBody> bodies, double step)
       : context_(context), bodies_(std::move(bodies)), step_(step) {}
 

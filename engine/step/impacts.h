@@ -45,7 +45,7 @@ class ExpectedWays;
 
 class Impacts {
  public:
-  /// What it refers to must outlive it.
+  /// The objects that it refers to must outlive it.
   /// @param touching   Pairs in contact at the end of the last step, ascending.
   Impacts(const StepContext& context, const Group& group, const std::vector<Pair>& touching,
           double step);

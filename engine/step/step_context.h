@@ -10,7 +10,7 @@
 
 namespace engine {
 
-/// What all substeps of a simulation have in common.
+/// The inputs that all substeps of a simulation share.
 struct StepContext {
   World& world;
   Rig& rig;

@@ -13,7 +13,7 @@
 
 namespace engine {
 
-/// What the steps so far leave to the next one, beside the bodies' motions.
+/// The state that a step leaves to the next one, beside the bodies' motions.
 struct StepperState {
   PastContacts contacts;
   std::vector<EnergyRange> ranges;  ///< Ranges of the energy limiters, in their order.
@@ -21,7 +21,7 @@ struct StepperState {
 
 class Stepper {
  public:
-  /// What the context refers to must outlive the stepper.
+  /// The objects that the context refers to must outlive the stepper.
   /// @param step   The scene's step [s].
   Stepper(StepContext context, double step);
   Stepper(const Stepper&) = delete;

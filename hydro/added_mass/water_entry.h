@@ -55,7 +55,7 @@
 
 namespace hydro {
 
-/// What a plane of water cuts off a body.
+/// The part of a body that a plane of water cuts off.
 struct SurfaceCut {
   double draught = 0;       ///< Height of the plane above the lowest point, or that of (6) [m].
   double volume = 0;        ///< Wetted [m^3].

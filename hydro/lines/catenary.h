@@ -46,7 +46,7 @@ struct CatenaryLine {
 
 /// The tensions of a line and what they change by as the fairlead moves.
 struct CatenarySolution {
-  /// What the line is like.
+  /// The properties of the line.
   enum class Form {
     slack,      ///< On a bottom it hangs vertically and H = 0; without weight it has no tension.
     on_bottom,  ///< A part of it rests on the bottom.

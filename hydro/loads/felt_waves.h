@@ -5,11 +5,12 @@
 #include "hydro/sea.h"
 
 /// @file
-/// What a sum over a hull may miss of the head of Airy waves, and the waves that it may leave out.
+/// The error that a sum over a hull may make in the head of Airy waves, and the waves that it may
+/// leave out.
 
 namespace hydro {
 
-/// What a sum over a hull may miss.
+/// The error that a sum over a hull may make.
 struct HeadError {
   double tolerance = 0;         ///< Part of the wholly submerged hull's buoyancy [-], > 0.
   double volume_over_area = 0;  ///< Volume over area of the hull [m].

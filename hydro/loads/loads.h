@@ -72,7 +72,7 @@ struct LoadAccuracy {
 /// kSmallestPanel.
 inline constexpr double kLeastWaveTolerance = 1e-6;
 
-/// What the sum over a hull may miss of the head of waves.
+/// The error that the sum over a hull may make in the head of waves.
 HeadError head_error(const Hull& hull, const LoadAccuracy& how);
 
 /// The load on a hull in the given state of motion at a time, that of the air on its dry part

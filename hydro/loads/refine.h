@@ -39,7 +39,7 @@
 /// where the head is zero but for the surface's departure δ from it; the force misses ρg ∫ ½ δ²
 /// along the waterline, always in the same direction.
 ///
-/// What the loads may miss is a part of the buoyancy and a part of the waves' own load
+/// The loads may miss a part of the buoyancy and a part of the waves' own load
 /// (felt_waves.h).
 ///
 /// Drag takes the velocity of the current as linear, too. That of a table is not at its rows, so an
@@ -78,7 +78,7 @@ struct BendLimits {
   /// For panels summed at points: the mean square of what the sum over one misses of the mean head
   /// is six_points d^6, or three_points d², times that of the second difference over its longest
   /// edge d, by (1) and (2). For the surface alone they are 0.
-  bool curved = false;                      ///< What bends is summed at points.
+  bool curved = false;                      ///< Panels that bend are summed at points.
   double six_points = 0, three_points = 0;  ///< [1/m^6, 1/m^2]
   double sum_tolerance = 0;                 ///< Tolerance of the mean head over a piece [m].
   double cut_tolerance = 0;  ///< Tolerance of the waterline's departure from its chord [m].
@@ -101,8 +101,8 @@ inline constexpr double kFarCrest = 6;
 /// of its departure [-].
 inline constexpr double kFarDeparture = 4;
 
-/// What must be linear over the pieces of a panel: the surface; the head of Airy waves, too; or the
-/// current, too.
+/// The quantities that must be linear over the pieces of a panel: the surface; the head of Airy
+/// waves, too; or the current, too.
 enum class SplitFor { surface, head, current };
 
 /// The most heights at which panels are cut. They bound the number of pieces that wait at a time.

@@ -72,7 +72,7 @@ struct Propeller {
   double reverse = 0.7;  ///< Bollard thrust astern over that ahead, > 0, for models from K_T [-].
 };
 
-/// What a screw does.
+/// The loads and the torque of a screw.
 struct PropellerLoad {
   double thrust = 0;  ///< On the body, along the axis, after deduction [N].
   double torque = 0;  ///< Torque that the screw absorbs, with the sign of n as it is driven [N m].

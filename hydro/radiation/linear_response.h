@@ -22,7 +22,7 @@
 
 namespace hydro {
 
-/// What in (1) does not depend on the frequency.
+/// The terms of (1) that do not depend on the frequency.
 struct LinearBody {
   Matrix6d inertia = Matrix6d::Zero();    ///< M + A∞ [kg, kg m, kg m^2].
   Matrix6d damping = Matrix6d::Zero();    ///< D, of other than waves [N s/m, N s, N m s].

@@ -42,7 +42,7 @@ struct SurfacePatch {
   bool operator==(const SurfacePatch&) const = default;
 };
 
-/// What a body moves the water with.
+/// The surface by which a body moves the water.
 struct WaterMover {
   const TriMesh* mesh_B = nullptr;  ///< Closed, outward, about the centre of mass; null: nothing.
   double radius = 0;                ///< Largest distance of a vertex from the centre of mass [m].
@@ -94,7 +94,7 @@ class SeenWater {
   double longest_;      ///< Longest time between two steps of the water [s].
   double largest_ = 0;  ///< Largest volume of a source of this step [m^3].
 
-  /// What changes beside the waves.
+  /// The state beside the waves.
   struct Clock {
     double time = 0;             ///< Time of the waves [s].
     double undamped = 0;         ///< Time since the edges were damped [s].

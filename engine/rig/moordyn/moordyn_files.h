@@ -35,7 +35,7 @@ std::filesystem::path write_copy(const std::filesystem::path& file, const std::s
 /// The log that MoorDyn writes beside a copy.
 std::filesystem::path log_of(const std::filesystem::path& copy);
 
-/// What MoorDyn's log says, a line each.
+/// The lines of MoorDyn's log.
 struct Messages {
   std::vector<std::string> errors, warnings;
 };

@@ -25,13 +25,13 @@ std::string why_no_moordyn();
 /// The version of the library, as `2.7.1`; empty without it.
 std::string moordyn_version();
 
-/// What MoorDyn cannot read or compute, in its words.
+/// A failure of MoorDyn to read or compute something, in its words.
 class MoorDynFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a system of MoorDyn is in. Its z counts from the still water.
+/// The surroundings of a system of MoorDyn. Its z counts from the still water.
 struct MoorDynSurroundings {
   double gravity = 0;  ///< [m/s^2]
   const hydro::Sea* sea =
@@ -67,7 +67,7 @@ class MoorDynSystem {
   MoorDynSystem(const MoorDynSystem&) = delete;
   MoorDynSystem& operator=(const MoorDynSystem&) = delete;
 
-  /// What MoorDyn warned of while it read the file, a line each.
+  /// Warnings of MoorDyn from reading the file, a line each.
   const std::vector<std::string>& warnings() const;
   /// Places of the coupled points as the file has them [m].
   const std::vector<Eigen::Vector3d>& coupled_points() const;

@@ -25,7 +25,7 @@ struct LoadInputs {
   double drag_linear[3] = {};  ///< K times `linear`: pressure drag sees it in place of that.
   bool moving = false;         ///< The hull moves relative to the water.
   bool wet = false;            ///< The hull is wholly submerged: no waterline is sought.
-  bool above = false;          ///< What is summed is the part above the surface.
+  bool above = false;          ///< The part above the surface is summed.
   const WaterSurface* surface = nullptr;  ///< It is null where the water is flat.
   double wave_error = 0;  ///< Error of the elevation allowed over whole branches [m].
   bool branches = true;   ///< Branches of the tree may be taken whole.

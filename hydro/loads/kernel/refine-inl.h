@@ -39,7 +39,7 @@ struct Bends {
   M ab, bc, ca;
 };
 
-/// What the test of an edge needs to know of the planes.
+/// The limits that the test of an edge reads.
 struct Bearings {
   const LoadInputs& in;
   Linear east, north, up;

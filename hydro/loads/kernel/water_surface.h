@@ -72,7 +72,7 @@ struct TableLimits {
   /// square of what the table misses of the head is error · h^n [m]. It is infinite for more nodes
   /// than any branch of the hull needs.
   double error[3][kMostTableNodes + 1] = {};
-  double allowed = 0;  ///< What it may miss [m].
+  double allowed = 0;  ///< Error that it may make [m].
   int most_nodes = 0;  ///< With more, the sum over all waves takes less time.
   bool pays = false;   ///< There are enough waves.
 };
@@ -94,9 +94,9 @@ class WaterSurface {
   Shear shear;
   double lowest = 0, highest = 0;  ///< Bounds of the elevation [m].
   double gravity = 0;              ///< [m/s^2]
-  double hidden_depth = 0;         ///< What `LoadInputs::below` misses of the true depth [m].
-  bool bends = false;              ///< It may bend over some edge of the hull.
-  BendLimits limits;               ///< These tell which edge has to be.
+  double hidden_depth = 0;  ///< Part of the true depth that `LoadInputs::below` leaves out [m].
+  bool bends = false;       ///< It may bend over some edge of the hull.
+  BendLimits limits;        ///< These tell which edge has to be.
   TableLimits table;
   double east[3] = {}, north[3] = {};  ///< The directions of x and y of the world, in body axes.
 
