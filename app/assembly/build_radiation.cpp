@@ -54,6 +54,13 @@ AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro:
 
 }  // namespace
 
+RadiationProblem radiation_problem(const RadiationChoice& choice, const engine::BodySpec& body,
+                                   const hydro::Sea& sea) {
+  return {.mesh_B = radiating_mesh(choice, body),
+          .pose = *choice.pose,
+          .water = {.gravity = sea.gravity, .depth = sea.depth}};
+}
+
 void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore& store,
                    app::Reporter& reporter) {
   scene::Faults faults;
@@ -66,10 +73,7 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
     const hydro::TriMesh& mesh_B = radiating_mesh(report.choice, body);
     try {
       if (!report.choice.database)
-        report.stored = solved_radiation(body.name,
-                                         {.mesh_B = mesh_B,
-                                          .pose = *report.choice.pose,
-                                          .water = {.gravity = sea.gravity, .depth = sea.depth}},
+        report.stored = solved_radiation(body.name, radiation_problem(report.choice, body, sea),
                                          store, reporter);
       if (report.stored) check_mismatch(body.name, report.stored->solution->mismatch, reporter);
       const hydro::RadiationData& data = report.choice.database ? report.choice.database->found.data

@@ -17,6 +17,11 @@ namespace assembly {
 void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore& store,
                    app::Reporter& reporter);
 
+/// The problem whose solution a body with a mean pose and without a database has. It refers to the
+/// mesh of the body or of its hull.
+RadiationProblem radiation_problem(const RadiationChoice& choice, const engine::BodySpec& body,
+                                   const hydro::Sea& sea);
+
 /// What linear theory takes for granted of bodies that make waves.
 std::vector<std::string> assumptions(const hydro::LinearWater& water);
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/assembly/build_added_mass.h"
+#include "app/assembly/build_radiation.h"
 #include "app/assembly/solve_time.h"
 #include "app/base/progress.h"
 #include "app/base/words.h"
@@ -26,29 +27,24 @@ std::vector<PendingSolution> pending_solutions(const scene::Scene& scene, const 
   RadiationStore radiation(folder);
   AddedMassStore added_mass(folder);
   std::set<std::filesystem::path> files;
-  const auto add = [&](const std::filesystem::path& file, bool found, PendingSolution solution) {
-    if (!found && (file.empty() || files.insert(file).second))
-      pending.push_back(std::move(solution));
+  const auto is_new = [&](const std::filesystem::path& file) {
+    return file.empty() || files.insert(file).second;
   };
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
     const RadiationChoice& choice = built.radiation[i].choice;
     if (choice.pose && !choice.database) {
-      const hydro::TriMesh& mesh_B = radiating_mesh(choice, body);
-      const RadiationProblem problem{
-          .mesh_B = mesh_B,
-          .pose = *choice.pose,
-          .water = {.gravity = built.spec.sea->gravity, .depth = built.spec.sea->depth}};
-      const auto triangles = static_cast<double>(mesh_B.face_count());
-      add(radiation.file_of(problem), radiation.find(problem).has_value(),
-          {"radiation of " + body.name, radiation_seconds(triangles, threads)});
+      const RadiationProblem problem = radiation_problem(choice, body, *built.spec.sea);
+      const auto triangles = static_cast<double>(problem.mesh_B.face_count());
+      if (is_new(radiation.file_of(problem)) && !radiation.find(problem))
+        pending.push_back({"radiation of " + body.name, radiation_seconds(triangles, threads)});
     } else if (added_mass_model(scene, built, i) == scene::AddedMass::Model::deep) {
       const hydro::TriMesh& mesh_C = built.solids[i].mesh_C;
       const hydro::AddedMassOptions options{.tolerance =
                                                 scene.bodies[i].hydro.added_mass.tolerance};
       const auto triangles = static_cast<double>(mesh_C.face_count());
-      add(added_mass.file_of(mesh_C, options), added_mass.find(mesh_C, options).has_value(),
-          {"added mass of " + body.name, added_mass_seconds(triangles, threads)});
+      if (is_new(added_mass.file_of(mesh_C, options)) && !added_mass.find(mesh_C, options))
+        pending.push_back({"added mass of " + body.name, added_mass_seconds(triangles, threads)});
     }
   }
   return pending;

@@ -1,6 +1,7 @@
 #include "app/databases/bad_ends.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <utility>
 
 namespace databases {
 namespace {
@@ -27,6 +28,16 @@ std::vector<bool> bad_ends(const std::vector<bool>& bad) {
   for (std::size_t i = 0; i < low; ++i) ends[i] = true;
   for (std::size_t i = 0; i < high; ++i) ends[count - 1 - i] = true;
   return ends;
+}
+
+KeptEntries without_bad(const std::vector<bool>& bad) {
+  std::vector<bool> kept = bad_ends(bad);
+  const bool at_ends =
+      std::ranges::equal(bad, kept, [](bool is_bad, bool in_end) { return !is_bad || in_end; });
+  if (!at_ends) kept = bad;
+  kept.flip();
+  const auto dropped = static_cast<std::size_t>(std::ranges::count(kept, false));
+  return {.kept = std::move(kept), .dropped = dropped, .at_ends = at_ends};
 }
 
 }  // namespace databases

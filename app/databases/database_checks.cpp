@@ -228,12 +228,7 @@ void check_loads(const Database& d, double lever, BodyData& found) {
                          [](const Mismatch& a, const Mismatch& b) { return a.error < b.error; });
     std::vector<bool> bad;
     for (const Mismatch& each : mismatches) bad.push_back(each.error > kHaskind.refused * largest);
-    const std::vector<bool> ends = bad_ends(bad);
-    const bool at_ends = std::equal(bad.begin(), bad.end(), ends.begin(),
-                                    [](bool is_bad, bool in_end) { return !is_bad || in_end; });
-    std::vector<bool> kept = at_ends ? ends : bad;
-    kept.flip();
-    const auto dropped = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+    const auto& [kept, dropped, at_ends] = without_bad(bad);
     if (static_cast<double>(dropped) >
         (at_ends ? kMostAtEnds : kMostDropped) * static_cast<double>(kept.size()))
       refuse(d, fmt::format("damping at {:g} rad/s, row {}, column {}: differs by {:.2g} % of the "

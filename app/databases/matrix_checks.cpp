@@ -150,14 +150,10 @@ void drop_bad_frequencies(Database& d, double lever, BodyData& found) {
     for (const std::string& fault : faults) bad.push_back(!fault.empty());
     const auto first = std::ranges::find(bad, true);
     if (first == bad.end()) return;
-    std::vector<bool> kept = bad_ends(bad);
-    const bool at_ends =
-        dropped == 0 && std::ranges::equal(bad, kept, [](bool b, bool end) { return !b || end; });
-    if (!at_ends) kept = bad;
-    kept.flip();
-    const auto count = static_cast<std::size_t>(std::ranges::count(kept, false));
+    const auto& [kept, count, at_ends] = without_bad(bad);
+    const bool first_ends = at_ends && dropped == 0;
     dropped += count;
-    if (!at_ends && static_cast<double>(dropped) > most) return;  // It will be refused.
+    if (!first_ends && static_cast<double>(dropped) > most) return;  // It will be refused.
     found.notes.push_back(
         fmt::format("{} of {} frequencies are left out, {} rad/s; {}", count, kept.size(),
                     at_ends ? "those " + ends_in_words(d, kept) : dropped_in_words(d, kept),

@@ -238,9 +238,8 @@ ContactLaw World::law_of(const Pair& pair, std::size_t points) const {
   return law;
 }
 
-Contact World::contact_at(const Pair& pair, const ContactPoint& point, const ContactLaw& law,
-                          double step) const {
-  const Surface surface = surfaces_.between(pair);
+Contact World::contact_at(const Pair& pair, const ContactPoint& point, const Surface& surface,
+                          const ContactLaw& law, double step) const {
   const double closing = -point.normal_W.dot(approach(pair, point.position_W, 0));
   Contact contact{.pair = pair,
                   .point = point,
@@ -260,9 +259,10 @@ World::Contacts World::contacts_of(const std::vector<Pair>& pairs, double step) 
     const std::vector<ContactPoint> points = touching_points(pair, step);
     if (points.empty()) continue;
     contacts.pairs.push_back(pair);
+    const Surface surface = surfaces_.between(pair);
     const ContactLaw law = law_of(pair, points.size());
     for (const ContactPoint& point : points)
-      contacts.points.push_back(contact_at(pair, point, law, step));
+      contacts.points.push_back(contact_at(pair, point, surface, law, step));
   }
   return contacts;
 }

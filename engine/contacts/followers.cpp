@@ -61,7 +61,8 @@ void World::add_followers(const std::vector<Placed>& bodies, const std::vector<P
 
 bool World::add_follower(const Pair& pair, const Placed& follower, double step,
                          Contacts& contacts) {
-  if (surfaces_.between(pair).restitution > 0) return false;
+  const Surface surface = surfaces_.between(pair);
+  if (surface.restitution > 0) return false;
   hydro::BodyState end = follower.state;
   end.position += step / 2 * end.linear_velocity;
   set_state(follower.body, end);
@@ -74,7 +75,7 @@ bool World::add_follower(const Pair& pair, const Placed& follower, double step,
     const double speed = side * point.normal_W.dot(follower.state.linear_velocity);
     if (!(speed > impact_speed(gravity_))) continue;
     point.depth -= step * speed;
-    Contact contact = contact_at(pair, point, law, step);
+    Contact contact = contact_at(pair, point, surface, law, step);
     contact.row.speed = (std::min(point.depth, 0.0) - law.rest) / step;
     contact.rebounds = false;
     contacts.points.push_back(std::move(contact));

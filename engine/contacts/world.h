@@ -139,8 +139,8 @@ class World {
   dxGeom* geom_of(BodyId body) const;
 
   Contacts contacts_of(const std::vector<Pair>& pairs, double step) const;
-  Contact contact_at(const Pair& pair, const ContactPoint& point, const ContactLaw& law,
-                     double step) const;
+  Contact contact_at(const Pair& pair, const ContactPoint& point, const Surface& surface,
+                     const ContactLaw& law, double step) const;
   ContactLaw law_of(const Pair& pair, std::size_t points) const;
   /// Adds the contacts of bodies that follow one which a contact stops (contacts.h).
   void add_followers(const std::vector<Placed>& bodies, const std::vector<Pair>& pairs, double step,
