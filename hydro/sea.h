@@ -52,6 +52,8 @@ struct WaveComponent {
   double ky = 0;         ///< Wave number along y [rad/m].
   double omega = 0;      ///< Angular frequency for an observer at rest [rad/s].
   double phase = 0;      ///< [rad]
+
+  friend bool operator==(const WaveComponent&, const WaveComponent&) = default;
 };
 
 /// |k| of a wave [rad/m].
@@ -73,6 +75,8 @@ struct WaveSurface {
   std::vector<WaveComponent> components;
   Kinematics kinematics = Kinematics::airy;
   double ramp = 0;  ///< Time over which the amplitudes grow [s], >= 0.
+
+  friend bool operator==(const WaveSurface&, const WaveSurface&) = default;
 };
 
 /// Factor of the amplitudes at a time [-]: ½ (1 − cos πt/ramp) during the ramp, 0 before and 1
@@ -83,6 +87,8 @@ double amplitude_factor(const WaveSurface& waves, double time);
 struct CurrentRow {
   double depth = 0;                                    ///< Below the still water level [m], >= 0.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< Velocity of the water there, in W [m/s].
+
+  friend bool operator==(const CurrentRow&, const CurrentRow&) = default;
 };
 
 struct Sea {

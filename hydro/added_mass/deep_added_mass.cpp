@@ -9,8 +9,9 @@ namespace hydro {
 
 using Eigen::Vector3d;
 
-DeepAddedMass::DeepAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution)
-    : share_(mesh_B, solution),
+DeepAddedMass::DeepAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                             const Sea* sea)
+    : share_(mesh_B, solution, sea),
       box_B_(bounding_box(mesh_B)),
       volume_(wetted_volume(mesh_B, WaterPlane{})) {}
 

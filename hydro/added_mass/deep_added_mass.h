@@ -27,7 +27,8 @@ class DeepAddedMass final : public AddedMassModel {
  public:
   /// @param mesh_B     Closed; its origin is the centre of mass.
   /// @param solution   The solution for this mesh, about the same origin.
-  DeepAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution);
+  /// @param sea        As for WettedAddedMass.
+  DeepAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution, const Sea* sea = nullptr);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
 

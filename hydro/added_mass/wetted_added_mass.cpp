@@ -23,13 +23,30 @@ Matrix6d semi_definite_part(const Matrix6d& matrix) {
   return 0.5 * (part + part.transpose());
 }
 
-WettedAddedMass::WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution)
+struct WettedAddedMass::PreparedSea {
+  PreparedSea(const WettedAddedMass& model, const Sea& of)
+      : sea(of),
+        felt(sea, kSmallestPanel * model.radius_, model.panels_.longest_edge, model.head_error(),
+             {SplitFor::surface, SplitFor::head}) {}
+
+  Sea sea;
+  kernel::FeltSea felt;  ///< It refers to `sea`.
+};
+
+WettedAddedMass::WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                                 const Sea* sea)
     : radius_(mesh_B.vertices.colwise().norm().maxCoeff()),
       whole_(semi_definite_part(solution.matrix)),
       panels_(kernel::make_panels(mesh_B)),
       tree_(kernel::make_tree(panels_)),
       potentials_(kernel::make_potentials(mesh_B, panels_, tree_, solution.potentials)) {
   assert(is_symmetric(solution.matrix));
+  if (sea && has_airy_waves(*sea) && !tree_.nodes.empty())
+    prepared_ = std::make_shared<const PreparedSea>(*this, *sea);
+}
+
+HeadError WettedAddedMass::head_error() const {
+  return {LoadAccuracy{}.wave_tolerance, volume_over_area(tree_)};
 }
 
 /// The inputs of the kernel, which refer to the surface: neither copied nor moved.
@@ -37,7 +54,9 @@ struct WettedAddedMass::Immersion {
   Immersion(const WettedAddedMass& model, const BodyState& state, const Sea& sea, double time,
             SplitFor what) {
     assert(is_unit(state.orientation));
-    const SurfaceBounds bounds = surface_bounds(sea);
+    const PreparedSea* prepared = model.prepared_.get();
+    if (prepared && !prepared->felt.is_like(sea)) prepared = nullptr;
+    const SurfaceBounds bounds = prepared ? prepared->felt.bounds() : surface_bounds(sea);
     if (model.tree_.nodes.empty() || state.position.z() - model.radius_ >= bounds.highest) return;
     const Vector3d up_B = state.orientation.conjugate() * Vector3d::UnitZ();
     const kernel::Node& root = model.tree_.nodes.front();
@@ -49,10 +68,11 @@ struct WettedAddedMass::Immersion {
     Vector3d::Map(in.up) = up_B;
     in.below = sea.level - state.position.z();
     if (is_flat(sea) || (in.wet && !has_airy_waves(sea))) return;
-    const HeadError error{LoadAccuracy{}.wave_tolerance, volume_over_area(model.tree_)};
-    const std::optional<Sea> felt = without_weak_waves(sea, error);
-    surface.emplace(felt ? *felt : sea, state, time, kSmallestPanel * model.radius_,
-                    model.panels_.longest_edge, what, error);
+    const HeadError error = model.head_error();
+    if (!prepared)
+      felt.emplace(sea, kSmallestPanel * model.radius_, model.panels_.longest_edge, error,
+                   std::initializer_list{what});
+    surface.emplace(prepared ? prepared->felt : *felt, state, time, what);
     in.surface = &*surface;
     in.wave_error = kernel::allowed_wave_error(error.tolerance, error.volume_over_area, *surface);
   }
@@ -61,6 +81,7 @@ struct WettedAddedMass::Immersion {
 
   bool dry = true;
   kernel::LoadInputs in;
+  std::optional<kernel::FeltSea> felt;  ///< Of a sea that is not prepared.
   std::optional<kernel::WaterSurface> surface;
 };
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "hydro/added_mass/added_mass.h"
 #include "hydro/added_mass/added_mass_model.h"
 #include "hydro/added_mass/potentials.h"
 #include "hydro/added_mass/wetted_share.h"
+#include "hydro/loads/felt_waves.h"
 
 /// @file
 /// The wetted panels' share of a body's added mass in unbounded fluid,
@@ -31,7 +34,10 @@ class WettedAddedMass final : public AddedMassModel {
  public:
   /// @param mesh_B     Closed; its origin is the centre of mass.
   /// @param solution   The solution for this mesh, about the same origin.
-  WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution);
+  /// @param sea        The sea that it will be asked about most. It prepares the waves of that one,
+  ///                   which changes no answer.
+  WettedAddedMass(const TriMesh& mesh_B, const AddedMassSolution& solution,
+                  const Sea* sea = nullptr);
 
   Matrix6d at(const BodyState& state, const Sea& sea, double time) const override;
 
@@ -61,12 +67,17 @@ class WettedAddedMass final : public AddedMassModel {
  private:
   /// How a body lies to the water of a sea at a time.
   struct Immersion;
+  /// A sea, and how the body feels it.
+  struct PreparedSea;
+
+  HeadError head_error() const;
 
   double radius_ = 0;  ///< As Hull::radius [m].
   Matrix6d whole_;
   kernel::Panels panels_;
   kernel::Tree tree_;
   kernel::Potentials potentials_;
+  std::shared_ptr<const PreparedSea> prepared_;  ///< Null: none.
 };
 
 }  // namespace hydro

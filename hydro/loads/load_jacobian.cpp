@@ -46,8 +46,9 @@ WaterOverHull water_over(const Hull& hull, const BodyState& state, const Sea& se
   WaterOverHull water{Eigen::VectorXd::Zero(mesh.vertex_count()),
                       Eigen::Matrix3Xd::Zero(3, mesh.face_count())};
   if (is_flat(sea) && sea.profile.empty()) return water;
-  const kernel::WaterSurface surface(sea, state, time, smallest * hull.radius,
-                                     hull.panels.longest_edge, SplitFor::current);
+  const kernel::FeltSea felt(sea, smallest * hull.radius, hull.panels.longest_edge, std::nullopt,
+                             {SplitFor::current});
+  const kernel::WaterSurface surface(felt, state, time, SplitFor::current);
   kernel::LoadInputs in;
   in.surface = &surface;
   in.below = sea.level - state.position.z();

@@ -66,9 +66,10 @@ Wrench wrench(const kernel::Sums& sums, int which, const Eigen::Matrix3d& R_WB) 
 }
 
 /// The loads of the water alone.
-Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
-                  const Coefficients& coefficients, const LoadAccuracy& how) {
-  const SurfaceBounds bounds = surface_bounds(sea);
+Loads water_loads(const Hull& hull, const BodyState& state, const kernel::FeltSea& felt,
+                  double time, const Coefficients& coefficients, const LoadAccuracy& how) {
+  const Sea& sea = felt.all();
+  const SurfaceBounds& bounds = felt.bounds();
   if (state.position.z() - hull.radius >= bounds.highest || hull.tree.nodes.empty()) return {};
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   kernel::LoadInputs in;
@@ -85,11 +86,8 @@ Loads water_loads(const Hull& hull, const BodyState& state, const Sea& sea, doub
               R_WB.transpose() * state.angular_velocity},
              sea.density, coefficients, in);
   std::optional<kernel::WaterSurface> surface;
-  const HeadError error = head_error(hull, how);
-  const std::optional<Sea> felt = without_weak_waves(sea, error);
   if (!is_flat(sea) || !sea.profile.empty()) {
-    surface.emplace(felt ? *felt : sea, state, time, kSmallestPanel * hull.radius,
-                    hull.panels.longest_edge, SplitFor::current, error);
+    surface.emplace(felt, state, time, SplitFor::current);
     surface->hidden_depth = sea.level - state.position.z() - in.below;
     in.surface = &*surface;
     in.moving = in.moving || surface->is_airy();
@@ -159,8 +157,25 @@ double drag_scale(const Coefficients& coefficients, const BodyState& state,
 
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients, const LoadAccuracy& how) {
+  if (hull.tree.nodes.empty()) return {};
+  const kernel::FeltSea felt(sea, kSmallestPanel * hull.radius, hull.panels.longest_edge,
+                             head_error(hull, how), {SplitFor::current});
+  return compute_loads(hull, state, felt, time, coefficients, how);
+}
+
+std::shared_ptr<const kernel::FeltSea> make_felt_sea(const Hull& hull, const Sea& sea,
+                                                     const LoadAccuracy& how) {
+  if (hull.tree.nodes.empty()) return nullptr;
+  return std::make_shared<const kernel::FeltSea>(sea, kSmallestPanel * hull.radius,
+                                                 hull.panels.longest_edge, head_error(hull, how),
+                                                 std::initializer_list{SplitFor::current});
+}
+
+Loads compute_loads(const Hull& hull, const BodyState& state, const kernel::FeltSea& felt,
+                    double time, const Coefficients& coefficients, const LoadAccuracy& how) {
   assert(is_unit(state.orientation));
-  Loads loads = water_loads(hull, state, sea, time, coefficients, how);
+  const Sea& sea = felt.all();
+  Loads loads = water_loads(hull, state, felt, time, coefficients, how);
   if (sea.air) loads.wind = wind_load(hull, state, sea, time, coefficients);
   return loads;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "hydro/loads/coefficients.h"
 #include "hydro/loads/felt_waves.h"
 #include "hydro/loads/kernel/panels.h"
@@ -12,6 +14,9 @@
 /// The load of the water on a body: the sum over its wetted triangles.
 
 namespace hydro {
+namespace kernel {
+class FeltSea;
+}
 
 /// The outer surface of a body, as the water sees it. It is constant.
 struct Hull {
@@ -87,5 +92,14 @@ HeadError head_error(const Hull& hull, const LoadAccuracy& how);
 /// relative to the water on the spot.
 Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                     const Coefficients& coefficients, const LoadAccuracy& how = {});
+
+/// The sea as a hull feels it at an accuracy, prepared for many loads. The sea must outlive it, and
+/// not change.
+std::shared_ptr<const kernel::FeltSea> make_felt_sea(const Hull& hull, const Sea& sea,
+                                                     const LoadAccuracy& how);
+
+/// The same loads in a sea that was prepared for this hull and accuracy.
+Loads compute_loads(const Hull& hull, const BodyState& state, const kernel::FeltSea& felt,
+                    double time, const Coefficients& coefficients, const LoadAccuracy& how);
 
 }  // namespace hydro

@@ -128,6 +128,12 @@ std::vector<double> bends_of_current(const Sea& sea, double height, double reach
   return heights;
 }
 
+void set_cuts(const Sea& sea, double height, double smallest, BendLimits& limits) {
+  if (sea.profile.empty()) return;
+  limits.cuts = bends_of_current(sea, height, smallest / kSmallestPanel, kMostCuts);
+  limits.least_part = kLeastPart * smallest;
+}
+
 double part_at_cut(const BendLimits& limits, double from, double to) {
   const double middle = 0.5 * (from + to);
   double nearest = std::numeric_limits<double>::infinity(), cut = from;
@@ -162,9 +168,7 @@ SurfaceSampler::SurfaceSampler(const Sea& sea, const Eigen::Vector3d& p_WB, doub
   } else if (const auto* field = std::get_if<HeightField>(&sea.surface)) {
     limits_.tolerance = kSagTolerance * field->deviation;
   }
-  if (what != SplitFor::current || sea.profile.empty()) return;
-  limits_.cuts = bends_of_current(sea, p_WB.z(), smallest / kSmallestPanel, kMostCuts);
-  limits_.least_part = kLeastPart * smallest;
+  if (what == SplitFor::current) set_cuts(sea, p_WB.z(), smallest, limits_);
 }
 
 /// At mid-step the chord of a wave a·cos is a (k·d)²/8 from its crest. The quartic is the mean

@@ -115,6 +115,11 @@ inline constexpr std::size_t kMostCuts = 15;
 std::vector<double> bends_of_current(const Sea& sea, double height, double reach,
                                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
+/// Sets the heights at which a body with its centre of mass at `height` in W is cut for the
+/// current.
+/// @param smallest   As for SurfaceSampler.
+void set_cuts(const Sea& sea, double height, double smallest, BendLimits& limits);
+
 /// Where an edge from one height to another is split at one of the heights, as a part of its length
 /// from the first; 0 if it crosses none. Of several it is the one nearest to the middle.
 double part_at_cut(const BendLimits& limits, double from, double to);

@@ -55,13 +55,12 @@ Wrench wind_load(const Hull& hull, const BodyState& state, const Sea& sea, doubl
   if (top_of(hull, in.up) <= lowest) return {};
   kernel::PowerLaw law{.exponent = wind.exponent, .per_height = 1 / wind.height};
   Vector3d::Map(law.velocity) = R_WB.transpose() * wind.velocity;
-  std::optional<Sea> felt;
+  std::optional<kernel::FeltSea> felt;
   std::optional<kernel::WaterSurface> surface;
   if (!is_flat(sea)) {
-    const HeadError error = head_error(hull, {});
-    felt = without_weak_waves(sea, error);
-    surface.emplace(felt ? *felt : sea, state, time, kSmallestPanel * hull.radius,
-                    hull.panels.longest_edge, SplitFor::surface, error);
+    felt.emplace(sea, kSmallestPanel * hull.radius, hull.panels.longest_edge, head_error(hull, {}),
+                 std::initializer_list{SplitFor::surface});
+    surface.emplace(*felt, state, time, SplitFor::surface);
     surface->table.allowed = kTableOverChord * surface->limits.cut_tolerance;
     in.surface = &*surface;
   }

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "hydro/added_mass/wetted_added_mass.h"
 #include "hydro/airy_waves.h"
 #include "hydro/loads/felt_waves.h"
+#include "hydro/loads/kernel/water_surface.h"
 #include "hydro/loads/load_jacobian.h"
 #include "hydro/loads/loads.h"
 #include "hydro/loads/plain_loads.h"
@@ -25,6 +27,7 @@ using hydro::BodyState;
 using hydro::Hull;
 using hydro::Loads;
 using hydro::Sea;
+namespace kernel = hydro::kernel;
 
 /// A steep sea of a peak period over which a wave is `length` long [m].
 Sea irregular(double length, int waves, int seed,
@@ -209,6 +212,90 @@ TEST(ManyWaves, ActOnAnOpenPartOfAHullAsOnTheWhole) {
   const Errors e = errors(whole, sea, sum, loads);
   EXPECT_LT(e.force, support::tolerance(2e-4));
   EXPECT_LT(e.drag, support::tolerance(2e-4));
+}
+
+/// Seas that a prepared one treats each in its way.
+std::vector<Sea> seas() {
+  std::vector<Sea> all;
+  for (const int waves : {3, 24, 150}) all.push_back(irregular(10, waves, waves));
+  all.push_back(irregular(2, 64, 4, 3));
+  all.push_back(all[1]);
+  std::get<hydro::WaveSurface>(all.back().surface).ramp = 1;
+  all.push_back(all[1]);
+  std::get<hydro::WaveSurface>(all.back().surface).kinematics = hydro::Kinematics::hydrostatic;
+  all.push_back(all[1]);
+  all.back().profile = {{0, {0.5, 0.1}}, {0.3, {0.2, 0.3}}, {2, {0, 0}}};
+  all.back().current = {0.5, 0.1, 0};
+  return all;
+}
+
+void expect_equal(const hydro::Wrench& a, const hydro::Wrench& b) {
+  EXPECT_EQ(a.force, b.force);
+  EXPECT_EQ(a.moment, b.moment);
+}
+
+TEST(ManyWaves, HaveTheSameLoadsInAPreparedSeaToTheBit) {
+  support::Random random(17);
+  const hydro::Coefficients coefficients{.lift = 0.05};
+  for (const Hull& hull : hulls())
+    for (const Sea& sea : seas())
+      for (const double tolerance : {1e-3, 1e-4}) {
+        const hydro::LoadAccuracy how{.wave_tolerance = tolerance};
+        const auto felt = hydro::make_felt_sea(hull, sea, how);
+        for (int i = 0; i < 4; ++i) {
+          const BodyState state = state_of(random);
+          const double time = random.uniform(-0.2, 2);
+          const Loads plain = hydro::compute_loads(hull, state, sea, time, coefficients, how);
+          const Loads prepared = hydro::compute_loads(hull, state, *felt, time, coefficients, how);
+          expect_equal(prepared.buoyancy, plain.buoyancy);
+          expect_equal(prepared.pressure_drag, plain.pressure_drag);
+          expect_equal(prepared.viscous_drag, plain.viscous_drag);
+          expect_equal(prepared.lift, plain.lift);
+          EXPECT_EQ(prepared.wetted_area, plain.wetted_area);
+          EXPECT_EQ(prepared.displaced_volume, plain.displaced_volume);
+          EXPECT_GT(plain.wetted_area, 0);
+        }
+      }
+}
+
+/// Of the seas, a model is prepared for one and asked about all.
+TEST(ManyWaves, GiveAPreparedModelTheSameAddedMassToTheBit) {
+  support::Random random(23);
+  const hydro::TriMesh mesh = hydro::make_ellipsoid({3, 0.8, 0.5}, 12, 7);
+  const auto solution = hydro::solve_added_mass(mesh, {.tolerance = 1e3});
+  const hydro::WettedAddedMass plain(mesh, solution);
+  for (const Sea& own : seas()) {
+    const hydro::WettedAddedMass prepared(mesh, solution, &own);
+    for (const Sea& sea : seas()) {
+      const BodyState state = state_of(random);
+      const double time = random.uniform(-0.2, 2);
+      EXPECT_EQ(prepared.at(state, sea, time), plain.at(state, sea, time));
+      expect_equal(prepared.wave_load(state, sea, time), plain.wave_load(state, sea, time));
+    }
+  }
+}
+
+TEST(ManyWaves, OfAPreparedSeaAreThoseOfSeasWithTheSameWavesAndWater) {
+  const Sea sea = seas().back();
+  const kernel::FeltSea felt(sea, 0.01, 1, std::nullopt, {hydro::SplitFor::surface});
+  Sea other = sea;
+  other.density = 1000;
+  EXPECT_TRUE(felt.is_like(other));
+  const auto differs = [&](auto&& change) {
+    other = sea;
+    change(other);
+    return !felt.is_like(other);
+  };
+  const auto waves = [](Sea & s) -> auto& { return std::get<hydro::WaveSurface>(s.surface); };
+  EXPECT_TRUE(differs([](Sea& s) { s.gravity = 1.6; }));
+  EXPECT_TRUE(differs([](Sea& s) { s.level = 1; }));
+  EXPECT_TRUE(differs([](Sea& s) { s.depth = 20; }));
+  EXPECT_TRUE(differs([](Sea& s) { s.current.x() += 0.1; }));
+  EXPECT_TRUE(differs([](Sea& s) { s.profile.pop_back(); }));
+  EXPECT_TRUE(differs([](Sea& s) { s.surface = hydro::FlatSurface{}; }));
+  EXPECT_TRUE(differs([&](Sea& s) { waves(s).ramp = 2; }));
+  EXPECT_TRUE(differs([&](Sea& s) { waves(s).components.pop_back(); }));
+  EXPECT_TRUE(differs([&](Sea& s) { waves(s).components[5].phase += 0.1; }));
 }
 
 /// The Jacobian is taken over coarse pieces: it is within some percent of the change of the drag.

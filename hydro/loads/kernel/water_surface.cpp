@@ -1,6 +1,7 @@
 #include "hydro/loads/kernel/water_surface.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -10,18 +11,21 @@
 namespace hydro::kernel {
 namespace {
 
-/// Makes room for `count` waves of amplitude 0.
-double* make_room(std::size_t count, WaveField& waves) {
+/// The rows of waves in their own room.
+struct Rows {
+  double* first;
+  std::size_t length;
+
+  double* row(int which) const { return first + static_cast<std::size_t>(which) * length; }
+};
+
+/// Makes room for `count` waves.
+Rows make_room(std::size_t count, WaveField& waves) {
   waves.count = static_cast<int>(count + 7) / 8 * 8;
-  const std::size_t room = static_cast<std::size_t>(std::max(waves.count, 8));
-  double* to = waves.few.data();
-  if (waves.count > WaveField::kRoom) {
-    waves.many.resize(WaveField::kRows * room);
-    to = waves.many.data();
-  }
-  std::fill(to, to + WaveField::kRows * room, 0.0);
-  for (std::size_t i = 0; i < WaveField::kRows; ++i) waves.row[i] = to + i * room;
-  return to;
+  const Rows rows{waves.few.data(), static_cast<std::size_t>(std::max(waves.count, 8))};
+  if (waves.count <= WaveField::kRoom) return rows;
+  waves.many.resize(WaveField::kRows * rows.length);
+  return {waves.many.data(), rows.length};
 }
 
 /// The sums of scale·k, scale·k², and so on, and of their squares.
@@ -88,29 +92,24 @@ void set_table_limits(const WaveSurface& surface, const HeadError& error, double
   }
 }
 
-void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& state,
-               const Eigen::Matrix3d& R_WB, double time, WaveField& waves) {
-  double* to = make_room(surface.components.size(), waves);
-  const std::size_t room = static_cast<std::size_t>(std::max(waves.count, 8));
+/// Sets what depends on neither place nor orientation.
+/// @param factor   Factor of the amplitudes [-].
+/// @return the rows, zero where they are not set
+Rows set_numbers(const WaveSurface& surface, const Sea& sea, double factor, WaveField& waves) {
+  const Rows rows = make_room(surface.components.size(), waves);
+  std::fill(rows.first, rows.row(WaveField::kRows), 0.0);
+  for (int i = 0; i < WaveField::kRows; ++i) waves.row[i] = rows.row(i);
   waves.airy = surface.kinematics == Kinematics::airy && waves.count > 0;
   waves.deep = !(sea.depth < AiryWaves::kDeepest);
   waves.water_depth = waves.deep ? 0 : sea.depth;
-  const double factor = amplitude_factor(surface, time);
   Powers bends, flow;
   double variance = 0;
   for (std::size_t i = 0; i < surface.components.size(); ++i) {
     WaveComponent w = surface.components[i];
     w.amplitude *= factor;
-    const auto set = [&](int row, double value) {
-      to[static_cast<std::size_t>(row) * room + i] = value;
-    };
-    const Eigen::Vector3d k = R_WB.transpose() * Eigen::Vector3d(w.kx, w.ky, 0);
+    const auto set = [&](int row, double value) { rows.row(row)[i] = value; };
     const double number = wave_number(w);
     set(WaveField::kAmplitude, w.amplitude);
-    for (int axis = 0; axis < 3; ++axis) set(WaveField::kVector + axis, k[axis]);
-    const double phase =
-        w.kx * state.position.x() + w.ky * state.position.y() - w.omega * time + w.phase;
-    set(WaveField::kPhase, std::remainder(phase, 2 * M_PI));
     set(WaveField::kEast, w.kx);
     set(WaveField::kEast + 1, w.ky);
     waves.height += std::abs(w.amplitude);
@@ -124,12 +123,55 @@ void set_waves(const WaveSurface& surface, const Sea& sea, const BodyState& stat
     waves.least_number = waves.least_number > 0 ? std::min(waves.least_number, number) : number;
     set(WaveField::kNumber, number);
     set(WaveField::kUpward, velocity * number);
-    for (int axis = 0; axis < 3; ++axis) set(WaveField::kFlow + axis, velocity * k[axis]);
     set(WaveField::kWeight, waves.deep ? 1 : 1 / (1 + std::exp(-2 * number * sea.depth)));
   }
   bends.set(waves.bends);
   flow.set(waves.flow);
   waves.height = std::min(waves.height, kFarCrest * std::sqrt(variance));
+  return rows;
+}
+
+/// The rows that set_numbers() leaves at zero.
+constexpr int kPlacedRows[] = {WaveField::kVector,  WaveField::kVector + 1, WaveField::kVector + 2,
+                               WaveField::kPhase,   WaveField::kFlow,       WaveField::kFlow + 1,
+                               WaveField::kFlow + 2};
+
+/// Takes the numbers of other waves: those rows are shared.
+/// @return the rows of its own, zero beyond the last of the waves
+Rows share_numbers(const WaveField& from, std::size_t components, WaveField& waves) {
+  const Rows rows = make_room(components, waves);
+  std::copy(std::begin(from.row), std::end(from.row), std::begin(waves.row));
+  for (const int row : kPlacedRows) {
+    waves.row[row] = rows.row(row);
+    std::fill(rows.row(row) + components, rows.row(row + 1), 0.0);
+  }
+  waves.airy = from.airy;
+  waves.deep = from.deep;
+  waves.water_depth = from.water_depth;
+  waves.height = from.height;
+  waves.least_number = from.least_number;
+  std::copy(std::begin(from.bends), std::end(from.bends), std::begin(waves.bends));
+  std::copy(std::begin(from.flow), std::end(from.flow), std::begin(waves.flow));
+  return rows;
+}
+
+void set_waves(const FeltSea& felt, const WaveSurface& surface, const BodyState& state,
+               const Eigen::Matrix3d& R_WB, double time, WaveField& waves) {
+  const double factor = amplitude_factor(surface, time);
+  const Rows rows = factor == 1 ? share_numbers(felt.waves(), surface.components.size(), waves)
+                                : set_numbers(surface, felt.felt(), factor, waves);
+  for (std::size_t i = 0; i < surface.components.size(); ++i) {
+    const WaveComponent& w = surface.components[i];
+    const Eigen::Vector3d k = R_WB.transpose() * Eigen::Vector3d(w.kx, w.ky, 0);
+    const double speed = waves.row[WaveField::kSpeed][i];
+    for (int axis = 0; axis < 3; ++axis) {
+      rows.row(WaveField::kVector + axis)[i] = k[axis];
+      rows.row(WaveField::kFlow + axis)[i] = speed > 0 ? speed * k[axis] : 0;
+    }
+    const double phase =
+        w.kx * state.position.x() + w.ky * state.position.y() - w.omega * time + w.phase;
+    rows.row(WaveField::kPhase)[i] = std::remainder(phase, 2 * M_PI);
+  }
 }
 
 void set_grid(const HeightField& field, const BodyState& state, const Eigen::Matrix3d& R_WB,
@@ -147,33 +189,68 @@ void set_grid(const HeightField& field, const BodyState& state, const Eigen::Mat
   grid.bend = field.bend;
 }
 
+FeltSea::Splits make_splits(const Sea& sea, double smallest, double longest_edge, SplitFor what,
+                            bool airy, const std::optional<HeadError>& error) {
+  const SurfaceSampler sampler(sea, Eigen::Vector3d::Zero(), 0, smallest,
+                               what == SplitFor::surface ? what : SplitFor::head, error);
+  FeltSea::Splits splits{.limits = sampler.limits(), .bends = sampler.may_bend(longest_edge)};
+  const BendLimits& limits = splits.limits;
+  if (airy)
+    set_table_limits(std::get<WaveSurface>(sea.surface), error.value_or(HeadError{}),
+                     error && limits.sum_tolerance > 0 ? limits.sum_tolerance : limits.tolerance,
+                     kReachOverRadius * smallest / kSmallestPanel, splits.table);
+  return splits;
+}
+
 }  // namespace
 
-WaterSurface::WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
-                           double longest_edge, SplitFor what,
-                           const std::optional<HeadError>& error) {
+FeltSea::FeltSea(const Sea& sea, double smallest, double longest_edge,
+                 const std::optional<HeadError>& error, std::initializer_list<SplitFor> uses)
+    : all_(sea), smallest_(smallest), bounds_(surface_bounds(sea)) {
+  if (error) felt_ = without_weak_waves(sea, *error);
+  felt_bounds_ = felt_ ? surface_bounds(*felt_) : bounds_;
+  if (const auto* sum = std::get_if<WaveSurface>(&felt().surface))
+    set_numbers(*sum, felt(), 1, waves_);
+  for (const SplitFor what : uses)
+    (what == SplitFor::surface ? for_surface_ : for_head_) =
+        make_splits(felt(), smallest, longest_edge, what, waves_.airy, error);
+}
+
+const FeltSea::Splits& FeltSea::splits(SplitFor what) const {
+  const std::optional<Splits>& splits = what == SplitFor::surface ? for_surface_ : for_head_;
+  assert(splits);
+  return *splits;
+}
+
+bool FeltSea::is_like(const Sea& sea) const {
+  const auto* waves = std::get_if<WaveSurface>(&sea.surface);
+  const auto* own = std::get_if<WaveSurface>(&all_.surface);
+  return waves && own && *waves == *own && sea.gravity == all_.gravity && sea.level == all_.level &&
+         sea.depth == all_.depth && sea.current == all_.current && sea.profile == all_.profile;
+}
+
+WaterSurface::WaterSurface(const FeltSea& felt, const BodyState& state, double time,
+                           SplitFor what) {
+  const Sea& sea = felt.felt();
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   if (const auto* sum = std::get_if<WaveSurface>(&sea.surface))
-    set_waves(*sum, sea, state, R_WB, time, waves);
+    set_waves(felt, *sum, state, R_WB, time, waves);
   gravity = sea.gravity;
   if (const auto* field = std::get_if<HeightField>(&sea.surface))
     set_grid(*field, state, R_WB, grid);
   if (what == SplitFor::current)
-    shear = make_shear(sea, state.position, R_WB, smallest / kSmallestPanel);
-  const SurfaceBounds bounds = surface_bounds(sea);
-  lowest = bounds.lowest - sea.level;
-  highest = bounds.highest - sea.level;
+    shear = make_shear(sea, state.position, R_WB, felt.smallest() / kSmallestPanel);
+  lowest = felt.felt_bounds().lowest - sea.level;
+  highest = felt.felt_bounds().highest - sea.level;
   if (waves.count > 0) {
     lowest = std::max(lowest, -waves.height);
     highest = std::min(highest, waves.height);
   }
-  const SurfaceSampler sampler(sea, state.position, time, smallest, what, error);
-  bends = sampler.may_bend(longest_edge);
-  limits = sampler.limits();
-  if (waves.airy)
-    set_table_limits(std::get<WaveSurface>(sea.surface), error.value_or(HeadError{}),
-                     error && limits.sum_tolerance > 0 ? limits.sum_tolerance : limits.tolerance,
-                     kReachOverRadius * smallest / kSmallestPanel, table);
+  const FeltSea::Splits& splits = felt.splits(what);
+  bends = splits.bends;
+  limits = splits.limits;
+  table = splits.table;
+  if (what == SplitFor::current) set_cuts(sea, state.position.z(), felt.smallest(), limits);
   for (int axis = 0; axis < 3; ++axis) {
     east[axis] = R_WB(0, axis);
     north[axis] = R_WB(1, axis);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -77,15 +78,54 @@ struct TableLimits {
   bool pays = false;   ///< There are enough waves.
 };
 
+/// A sea as one hull feels it, prepared for its sums: what depends on neither pose nor time. It
+/// refers to the sea and to itself, so it is neither copied nor moved.
+class FeltSea {
+ public:
+  /// The numbers that split the hull's edges.
+  struct Splits {
+    BendLimits limits;   ///< Without those of the current.
+    bool bends = false;  ///< The surface may bend over some edge of the hull.
+    TableLimits table;
+  };
+
+  /// @param sea        It must outlive this, and not change.
+  /// @param smallest   As for SurfaceSampler.
+  /// @param error      As for SurfaceSampler. With it, waves that are too weak are left out.
+  /// @param uses       What surfaces of this sea are asked for.
+  FeltSea(const Sea& sea, double smallest, double longest_edge,
+          const std::optional<HeadError>& error, std::initializer_list<SplitFor> uses);
+  FeltSea(const FeltSea&) = delete;
+  FeltSea& operator=(const FeltSea&) = delete;
+
+  const Sea& all() const { return all_; }
+  /// The sea without the waves that are left out.
+  const Sea& felt() const { return felt_ ? *felt_ : all_; }
+  const SurfaceBounds& bounds() const { return bounds_; }  ///< Bounds of all of the sea.
+  const SurfaceBounds& felt_bounds() const { return felt_bounds_; }
+  double smallest() const { return smallest_; }
+  /// The waves that are felt, with their full amplitudes and without a place.
+  const WaveField& waves() const { return waves_; }
+  const Splits& splits(SplitFor what) const;
+  /// True if another sea has the same water and waves.
+  bool is_like(const Sea& sea) const;
+
+ private:
+  const Sea& all_;
+  std::optional<Sea> felt_;
+  double smallest_;
+  SurfaceBounds bounds_, felt_bounds_;
+  WaveField waves_;
+  std::optional<Splits> for_surface_, for_head_;  ///< Those that are asked for.
+};
+
 /// The surface around a body. It refers to the sea and to itself, so it is neither copied nor
 /// moved.
 class WaterSurface {
  public:
-  /// @param smallest   As for SurfaceSampler.
-  /// @param what       Without `current` the water has no shear.
-  /// @param error      As for SurfaceSampler.
-  WaterSurface(const Sea& sea, const BodyState& state, double time, double smallest,
-               double longest_edge, SplitFor what, const std::optional<HeadError>& error = {});
+  /// @param felt   It must outlive this.
+  /// @param what   One of its uses. Without `current` the water has no shear.
+  WaterSurface(const FeltSea& felt, const BodyState& state, double time, SplitFor what);
   WaterSurface(const WaterSurface&) = delete;
   WaterSurface& operator=(const WaterSurface&) = delete;
 
