@@ -23,6 +23,8 @@ using Model = scene::AddedMass::Model;
 /// Models of deep added mass; bodies with equal mesh and centre of mass share one.
 class DeepModels {
  public:
+  explicit DeepModels(const hydro::Sea* sea) : sea_(sea) {}
+
   std::shared_ptr<const hydro::DeepAddedMass> of(const engine::BodySpec& body,
                                                  const CenteredMesh& solid,
                                                  const StoredAddedMass& stored) {
@@ -30,9 +32,10 @@ class DeepModels {
       if (entry.solution == stored.solution && entry.com_C == solid.com_C) return entry.model;
     const bool moves = !solid.com_C.isZero(0);  // False for uniform density.
     auto model =
-        moves ? std::make_shared<const hydro::DeepAddedMass>(
-                    outside_B(body), hydro::moved_origin(*stored.solution, solid.com_C))
-              : std::make_shared<const hydro::DeepAddedMass>(outside_B(body), *stored.solution);
+        moves
+            ? std::make_shared<const hydro::DeepAddedMass>(
+                  outside_B(body), hydro::moved_origin(*stored.solution, solid.com_C), sea_)
+            : std::make_shared<const hydro::DeepAddedMass>(outside_B(body), *stored.solution, sea_);
     entries_.push_back({stored.solution, solid.com_C, model});
     return model;
   }
@@ -43,6 +46,7 @@ class DeepModels {
     Eigen::Vector3d com_C;
     std::shared_ptr<const hydro::DeepAddedMass> model;
   };
+  const hydro::Sea* sea_;
   std::vector<Entry> entries_;
 };
 
@@ -144,7 +148,7 @@ void add_added_mass(const scene::Scene& scene, BuiltScene& built, AddedMassStore
                     app::Reporter& reporter) {
   if (built.spec.integrator.method == engine::Integrator::Method::ode) return;  // It has none.
   scene::Faults faults;
-  DeepModels models;
+  DeepModels models(built.spec.sea ? &*built.spec.sea : nullptr);
   SurfaceModels surface_models;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     engine::BodySpec& body = built.spec.bodies[i];
