@@ -99,7 +99,10 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     Body body = make_dry_body(spec, environment, i);
     body.feels_air = body.wet && spec.sea->air && !body.spec->coefficients.pressure_drag.none();
-    if (body.wet) body.hull = hulls.of(*body.spec);
+    if (body.wet) {
+      body.hull = hulls.of(*body.spec);
+      body.felt_sea = hulls.felt_sea(body.hull, *spec.sea, body.spec->summation);
+    }
     // In an ideal fluid no wake separates.
     const bool sheds = body.wet && body.spec->added_mass &&
                        !body.spec->coefficients.pressure_drag.none() &&

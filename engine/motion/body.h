@@ -33,7 +33,9 @@ struct Body {
   const BodySpec* spec = nullptr;
   Environment environment;
   std::shared_ptr<const hydro::Hull> hull;  ///< Null if not wet; bodies of one mesh share it.
-  Eigen::AlignedBox3d box_B;                ///< Bounds the mesh.
+  /// The sea as that hull feels it; shared as the hull.
+  std::shared_ptr<const hydro::kernel::FeltSea> felt_sea;
+  Eigen::AlignedBox3d box_B;                         ///< Bounds the mesh.
   std::shared_ptr<const hydro::HullLift> hull_lift;  ///< Null: it has none; shared as the hull.
   std::shared_ptr<const WakeParts> wake;  ///< Null: its drag is steady; shared as the hull.
   double radius = 0;        ///< Distance of the farthest vertex from the centre of mass [m].

@@ -126,6 +126,16 @@ const hydro::Hull& sea_hull(const Body& body, const Motion& motion) {
   return motion.held && motion.held->interior ? motion.held->interior->outside : *body.hull;
 }
 
+hydro::Loads sea_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
+                       double time, const hydro::Coefficients& coefficients,
+                       const hydro::LoadAccuracy& how) {
+  const hydro::Hull& hull = sea_hull(body, motion);
+  const bool prepared = body.felt_sea && &hull == body.hull.get() &&
+                        how.wave_tolerance == body.spec->summation.wave_tolerance;
+  if (prepared) return hydro::compute_loads(hull, state, *body.felt_sea, time, coefficients, how);
+  return hydro::compute_loads(hull, state, *body.environment.sea, time, coefficients, how);
+}
+
 void add_held_loads(const Body& body, const HeldWater& held, const hydro::BodyState& state,
                     double time, hydro::Loads& loads) {
   const hydro::Sea& sea = *body.environment.sea;

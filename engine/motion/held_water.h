@@ -76,6 +76,11 @@ Matrix6d water_inertia(const std::vector<PocketContent>& pockets, double density
 /// The surface that the sea wets apart from flooded pockets.
 const hydro::Hull& sea_hull(const Body& body, const Motion& motion);
 
+/// The loads on that surface.
+hydro::Loads sea_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
+                       double time, const hydro::Coefficients& coefficients,
+                       const hydro::LoadAccuracy& how);
+
 /// Adds what the water in the pockets does to the body in a state: that of flooded ones to the
 /// loads of the sea.
 void add_held_loads(const Body& body, const HeldWater& held, const hydro::BodyState& state,

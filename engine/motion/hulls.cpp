@@ -28,6 +28,18 @@ std::shared_ptr<const hydro::Hull> Hulls::of(const BodySpec& spec) {
   return hulls_.emplace_back(std::make_shared<const hydro::Hull>(hydro::make_hull(mesh_B)));
 }
 
+std::shared_ptr<const hydro::kernel::FeltSea> Hulls::felt_sea(
+    const std::shared_ptr<const hydro::Hull>& hull, const hydro::Sea& sea,
+    const hydro::LoadAccuracy& how) {
+  const auto same = std::find_if(felt_seas_.begin(), felt_seas_.end(), [&](const auto& earlier) {
+    return earlier.hull == hull && earlier.wave_tolerance == how.wave_tolerance;
+  });
+  if (same != felt_seas_.end()) return same->sea;
+  return felt_seas_
+      .emplace_back(FeltByHull{hull, how.wave_tolerance, hydro::make_felt_sea(*hull, sea, how)})
+      .sea;
+}
+
 std::shared_ptr<const hydro::HullLift> Hulls::lift_of(const BodySpec& spec) {
   const hydro::TriMesh& mesh_B = outside_B(spec);
   return shared(lifts_, mesh_B, [&] {

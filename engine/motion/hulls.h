@@ -6,6 +6,7 @@
 #include "engine/base/spec.h"
 #include "hydro/loads/edge_drag.h"
 #include "hydro/loads/hull_lift.h"
+#include "hydro/loads/loads.h"
 #include "hydro/loads/wake.h"
 
 namespace engine {
@@ -26,6 +27,11 @@ class Hulls {
   /// same water_mesh(), else a new one.
   std::shared_ptr<const hydro::Hull> of(const BodySpec& spec);
 
+  /// Returns the sea as a hull feels it at an accuracy, shared alike. The sea must outlive it.
+  std::shared_ptr<const hydro::kernel::FeltSea> felt_sea(
+      const std::shared_ptr<const hydro::Hull>& hull, const hydro::Sea& sea,
+      const hydro::LoadAccuracy& how);
+
   /// Returns the sections of a body's outside_B(), shared alike; null for one that cannot be
   /// slender.
   std::shared_ptr<const hydro::HullLift> lift_of(const BodySpec& spec);
@@ -40,7 +46,13 @@ class Hulls {
     const hydro::TriMesh* mesh_B;  ///< Mesh of the first body that has it.
     std::shared_ptr<const Part> part;
   };
+  struct FeltByHull {
+    std::shared_ptr<const hydro::Hull> hull;
+    double wave_tolerance;
+    std::shared_ptr<const hydro::kernel::FeltSea> sea;
+  };
   std::vector<std::shared_ptr<const hydro::Hull>> hulls_;
+  std::vector<FeltByHull> felt_seas_;
   std::vector<OfMesh<hydro::HullLift>> lifts_;
   std::vector<OfMesh<WakeParts>> wakes_;
 

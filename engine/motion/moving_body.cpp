@@ -45,8 +45,7 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
   const hydro::Sea* sea = body.environment.sea;
   hydro::Loads loads;
   if (body.wet)
-    loads = hydro::compute_loads(sea_hull(body, motion), state, *sea, time, body.spec->coefficients,
-                                 body.spec->summation);
+    loads = sea_loads(body, motion, state, time, body.spec->coefficients, body.spec->summation);
   if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
   const double formed = formed_wake(body, motion, state);
   const bool sheds = formed < 1 && !body.wake->edges.none();

@@ -137,8 +137,7 @@ double heave_stiffness(const UpdateContext& s, double height) {
   const auto buoyancy = [&](double rise) {
     hydro::BodyState state = s.state();
     state.position.z() += rise;
-    return hydro::compute_loads(sea_hull(s.body, *s.midpoint.motion), state,
-                                *s.body.environment.sea, s.time, coefficients)
+    return sea_loads(s.body, *s.midpoint.motion, state, s.time, coefficients, {})
         .buoyancy.force.z();
   };
   const double rise = 1e-3 * height;
