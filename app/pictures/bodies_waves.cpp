@@ -10,23 +10,23 @@ namespace app {
 namespace {
 
 /// What each body moves the water with; empty if nothing does.
-std::vector<hydro::WaterMover> movers_of(const scene::Scene& scene,
+std::vector<hydro::WaterBody> movers_of(const scene::Scene& scene,
                                          const engine::SimulationSpec& spec) {
   if (!scene.water || scene.water->simulated == scene::SimulatedWater::none || !spec.sea) return {};
   const bool water_flows = hydro::changes_with_time(*spec.sea) || !spec.sea->current.isZero(0);
-  std::vector<hydro::WaterMover> movers;
+  std::vector<hydro::WaterBody> movers;
   for (const engine::BodySpec& body : spec.bodies) {
-    hydro::WaterMover& mover = movers.emplace_back();
+    hydro::WaterBody& mover = movers.emplace_back();
     if (!body.wet || (engine::immovable(body.locked) && !water_flows)) continue;
     mover.mesh_B = &engine::outside_B(body);
     mover.radius = mover.mesh_B->vertices.colwise().norm().maxCoeff();
   }
   const bool none = std::all_of(movers.begin(), movers.end(),
                                 [](const auto& mover) { return mover.mesh_B == nullptr; });
-  return none ? std::vector<hydro::WaterMover>() : movers;
+  return none ? std::vector<hydro::WaterBody>() : movers;
 }
 
-hydro::PeriodicSquare square_about(const std::vector<hydro::WaterMover>& movers,
+hydro::PeriodicSquare square_about(const std::vector<hydro::WaterBody>& movers,
                                    const engine::SimulationSpec& spec) {
   std::vector<hydro::BodyState> start;
   for (const engine::BodySpec& body : spec.bodies) start.push_back(body.initial);
@@ -35,16 +35,16 @@ hydro::PeriodicSquare square_about(const std::vector<hydro::WaterMover>& movers,
 
 }  // namespace
 
-std::optional<hydro::SeenWater> bodies_waves(const scene::Scene& scene,
+std::optional<hydro::SimulatedWater> bodies_waves(const scene::Scene& scene,
                                              const engine::SimulationSpec& spec) {
-  std::vector<hydro::WaterMover> movers = movers_of(scene, spec);
+  std::vector<hydro::WaterBody> movers = movers_of(scene, spec);
   if (movers.empty()) return std::nullopt;
   const hydro::PeriodicSquare square = square_about(movers, spec);
-  return hydro::SeenWater(*spec.sea, std::move(movers), square);
+  return hydro::SimulatedWater(*spec.sea, std::move(movers), square);
 }
 
 double cell_of_waves(const scene::Scene& scene, const engine::SimulationSpec& spec) {
-  const std::vector<hydro::WaterMover> movers = movers_of(scene, spec);
+  const std::vector<hydro::WaterBody> movers = movers_of(scene, spec);
   return movers.empty() ? 0 : square_about(movers, spec).cell;
 }
 

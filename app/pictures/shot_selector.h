@@ -24,7 +24,7 @@ class ShotSelector {
   /// Stores the shots in `shots`, to be called before the first state.
   void keep_in(ShotSpool shots) { shots_ = std::move(shots); }
   /// Draws the waves that bodies make, from the first state on.
-  void show(std::optional<hydro::SeenWater> waves) { waves_ = std::move(waves); }
+  void show(std::optional<hydro::SimulatedWater> waves) { waves_ = std::move(waves); }
   /// The state of the bodies' waves after the last state; empty without them.
   std::string state_of_waves() const { return waves_ ? waves_->state() : ""; }
   void restore_waves(const std::string& state) {
@@ -66,7 +66,7 @@ class ShotSelector {
   std::vector<hydro::BodyState> last_;  ///< States at `last_time_`, for a video only.
   DrawnRig last_rig_;                   ///< The same of lines and machines.
   ShotSpool shots_;
-  std::optional<hydro::SeenWater> waves_;
+  std::optional<hydro::SimulatedWater> waves_;
 };
 
 }  // namespace app

@@ -9,7 +9,7 @@
 #include "app/pictures/drawn_rig.h"
 #include "app/render/interior_look.h"
 #include "hydro/spatial.h"
-#include "hydro/water/seen_water.h"
+#include "hydro/water/simulated_water.h"
 
 namespace app {
 

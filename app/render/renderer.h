@@ -16,7 +16,7 @@
 #include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
-#include "hydro/water/seen_water.h"
+#include "hydro/water/simulated_water.h"
 
 /// @file
 /// Pictures of bodies in the sea, drawn without a window.

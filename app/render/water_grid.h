@@ -5,7 +5,7 @@
 
 #include "app/render/view.h"
 #include "hydro/sea.h"
-#include "hydro/water/seen_water.h"
+#include "hydro/water/simulated_water.h"
 
 /// @file
 /// Grid over the visible part of a level surface, with a resolution that suits the camera.

@@ -11,7 +11,7 @@
 #include "app/scene/scene.h"
 #include "app/view/controls.h"
 #include "engine/simulation.h"
-#include "hydro/water/seen_water.h"
+#include "hydro/water/simulated_water.h"
 
 namespace app {
 
@@ -51,9 +51,10 @@ class LiveScene {
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
   RigPictures rig_;
-  std::optional<hydro::SeenWater> waves_;  ///< Waves of the bodies; none if they are not drawn.
-  PressureRange expected_;                 ///< From the scene alone.
-  PressureRange range_;                    ///< Range of the pressures so far.
+  std::optional<hydro::SimulatedWater>
+      waves_;               ///< Waves of the bodies; none if they are not drawn.
+  PressureRange expected_;  ///< From the scene alone.
+  PressureRange range_;     ///< Range of the pressures so far.
   render::PressureScale scale_;
   std::optional<render::Renderer> renderer_;  ///< Made for the first picture.
 };

@@ -4,6 +4,9 @@
 #include <array>
 #include <complex>
 #include <limits>
+#include <vector>
+
+#include "hydro/water/square_transform.h"
 
 /// @file
 /// Linear waves on a periodic square of water, advanced exactly.
@@ -22,9 +25,11 @@
 ///
 ///     ŵ = q C(k, z) e^{−ik·x},        C = cosh k(z + h) / cosh kh,                           (2)
 ///
-/// e^{kz} in deep water. C is a sum over four layers, Σ c_l(z) C(k, z_l) with Σ c_l = 1, by least
+/// e^{kz} in deep water. C is a sum over some layers, Σ c_l(z) C(k, z_l) with Σ c_l = 1, by least
 /// squares over the wave numbers that the grid has, so that the cost of sources is that of
-/// spreading them over cells of the layers and two transforms for all layers of all sources.
+/// spreading them over cells of the layers and a transform for each two layers of all sources.
+/// Four layers have C within some per cent; its slope, which fields below the surface have, needs
+/// five.
 ///
 /// Sources are spread over 4 × 4 cells by the window e^{β(√(1−s²)−1)}, whose transform is divided
 /// out [B19]; wave numbers near the grid's largest one are left out by e^{−(k/0.85k_max)^8}.
@@ -34,11 +39,34 @@
 
 namespace hydro {
 
+class PeriodicWaves;
+
+/// Two real fields f and g that are known by their transforms f̂ + iĝ on the still surface and
+/// continue below it as (2): f̂ C(k, z). It is read at places below the surface.
+class FieldBelow {
+ public:
+  struct Sample {
+    std::complex<double> value;  ///< f + ig
+    Eigen::Vector3cd slope;      ///< Its gradient [1/m].
+  };
+
+  /// @param x, y   In cells.  @param z   Above the still surface [m], <= 0.
+  Sample at(double x, double y, double z) const;
+
+ private:
+  friend class PeriodicWaves;
+
+  const PeriodicWaves* waves_ = nullptr;
+  std::vector<Eigen::MatrixXcf> layers_;
+  Eigen::MatrixXcf transform_, other_;  ///< Kept for their memory.
+};
+
 /// A periodic square of water.
 struct PeriodicSquare {
-  int cells = 256;           ///< Along a side; a power of two.
+  int cells = 256;           ///< Along a side; a power of two, 16 at least.
   double cell = 1;           ///< Side of a cell [m], > 0.
   double deepest = 1;        ///< Depth of the sources that the layers are made for [m], > 0.
+  int layers = 4;            ///< 4 for sources alone, 5 where fields are read as well.
   double gravity = 9.80665;  ///< [m/s^2]
   double depth = std::numeric_limits<double>::infinity();  ///< Depth of the still water [m].
 
@@ -61,11 +89,17 @@ class PeriodicWaves {
   /// Raises the water by what the sources noted since the last call have given.
   void take_sources();
 
-  /// Multiplies elevation and motion by factor_x[column]·factor_y[row].
-  void damp(const Eigen::VectorXf& factor_x, const Eigen::VectorXf& factor_y);
+  /// Multiplies elevation and potential by the factors of the cells.
+  void damp(const Eigen::MatrixXf& factor);
 
   /// The elevation [m] a time [s] from now if nothing is added: rows along y, columns along x.
   Eigen::MatrixXf elevation(double later = 0) const;
+
+  /// Makes `field` that of η + iψ, less what the filter takes.
+  void read(FieldBelow& field) const;
+  /// Makes `field` that of ŵ + i g ŵ/ω² by the volumes of the noted sources, the elevation that
+  /// they make and the potential of w if it stays as it is; the sources are forgotten.
+  void read_sources(FieldBelow& field);
 
   /// Energy over density [m^5/s^2], by (1).
   double energy() const;
@@ -75,22 +109,37 @@ class PeriodicWaves {
   void restore(Eigen::MatrixXcd state) { zeta_ = std::move(state); }
 
  private:
-  static constexpr int kLayers = 4;
+  static constexpr std::size_t kMostLayers = 5;
+  using Shares = std::array<double, kMostLayers>;
   static constexpr int kHeights = 128;  ///< Rows of the table of c_l.
 
   void make_modes();
   void make_layers();
   Eigen::MatrixXcd turn_in(double time) const;
-  std::array<double, kLayers> shares_at(double z) const;
+  friend class FieldBelow;
+  struct Cells;
+  Cells cells_about(double x, double y) const;
+  /// c_l, or dc_l/dz.
+  Shares shares_at(double z) const { return look_up(shares_, z); }
+  Shares slopes_at(double z) const { return look_up(slopes_, z); }
+  Shares look_up(const Eigen::MatrixXd& table, double z) const;
+  void transform_sources();
+  void find_raise_and_potential(Eigen::MatrixXcf& transform) const;
+  void find_layers(FieldBelow& field) const;
 
   PeriodicSquare square_;
-  Eigen::MatrixXd omega_;                      ///< [rad/s]
-  std::array<Eigen::MatrixXf, kLayers> gain_;  ///< C(k, z_l), window and filter of each layer.
-  Eigen::MatrixXd shares_;                     ///< c_l by height, kLayers × kHeights.
+  SquareTransform transform_;
+  Eigen::MatrixXd omega_;              ///< [rad/s]
+  std::vector<double> heights_;        ///< z_l [m]
+  std::vector<Eigen::MatrixXf> gain_;  ///< C(k, z_l), window and filter of each layer.
+  Eigen::MatrixXd shares_;             ///< c_l by height, layers × kHeights.
+  Eigen::MatrixXd slopes_;             ///< dc_l/dz [1/m].
   Eigen::MatrixXcd zeta_;
-  std::array<Eigen::MatrixXcf, 2> sources_;  ///< Volumes [m^3]; two layers each.
-  double turned_for_ = 0;                    ///< Time of `turn_` [s].
-  Eigen::MatrixXcd turn_;                    ///< e^{−iωt}
+  std::vector<Eigen::MatrixXcf> sources_;  ///< Volumes [m^3]; two layers each.
+  Eigen::MatrixXcf raised_;                ///< ŵ of the sources times their time.
+  Eigen::MatrixXcf field_, other_;         ///< Kept for their memory.
+  double turned_for_ = 0;                  ///< Time of `turn_` [s].
+  Eigen::MatrixXcd turn_;                  ///< e^{−iωt}
 };
 
 }  // namespace hydro

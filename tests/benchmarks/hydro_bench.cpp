@@ -9,7 +9,7 @@
 #include "hydro/loads/plain_loads.h"
 #include "hydro/loads/wind.h"
 #include "hydro/mesh/primitives.h"
-#include "hydro/water/seen_water.h"
+#include "hydro/water/simulated_water.h"
 #include "hydro/wave_spectrum.h"
 #include "tests/benchmarks/bare_loop.h"
 #include "tests/benchmarks/benches.h"
@@ -129,7 +129,7 @@ void bare(benchmark::State& state, int subdivisions) {
 /// A step of the waves that a ball makes as it goes on at 3 m/s.
 void bodies_waves(benchmark::State& state, int cells) {
   const hydro::TriMesh ball = hydro::make_icosphere(1, 2);
-  hydro::SeenWater water(Sea(), {{&ball, 1}}, {.cells = cells, .cell = 0.1});
+  hydro::SimulatedWater water(Sea(), {{&ball, 1}}, {.cells = cells, .cell = 0.1});
   std::vector<BodyState> body(1);
   body[0].linear_velocity.x() = 3;
   for (double time = 0; auto _ : state) {
@@ -167,7 +167,7 @@ void register_hydro() {
     for (const char* what : {"", "viscous"}) add({state, what, 0, 1});
   for (const char* what : {"", "viscous", "wind", "uniform_wind"}) add({"high", what, 3, 1});
   for (const int cells : {256, 512})
-    benchmark::RegisterBenchmark(fmt::format("BM_SeenWater/{}", cells).c_str(),
+    benchmark::RegisterBenchmark(fmt::format("BM_SimulatedWater/{}", cells).c_str(),
                                  [=](benchmark::State& s) { bodies_waves(s, cells); });
   add({"half", "rest", 4, 1});
   add({"half", "no_tree", 6, 2});

@@ -179,9 +179,9 @@ TEST(Interpolation, KeepsBothEnds) {
 TEST(ShotSelector, StoresTheBodiesWaves) {
   const hydro::TriMesh ball = hydro::make_icosphere(1, 1);
   const hydro::PeriodicSquare square{.cells = 32, .cell = 0.5};
-  hydro::SeenWater alone(hydro::Sea(), {{&ball, 1}}, square);
+  hydro::SimulatedWater alone(hydro::Sea(), {{&ball, 1}}, square);
   ShotSelector list(0.5, 2, 3);
-  list.show(hydro::SeenWater(hydro::Sea(), {{&ball, 1}}, square));
+  list.show(hydro::SimulatedWater(hydro::Sea(), {{&ball, 1}}, square));
   for (int i = 0; i <= 20; ++i) {
     const double time = 0.1 * i;
     list.add(time, {falling(time)});

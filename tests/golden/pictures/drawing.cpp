@@ -43,7 +43,7 @@ app::Shot shot_of(const KeptPicture& picture, const scene::Scene& scene,
   const auto found = std::find(times.begin(), times.end(), picture.time);
   if (found == times.end())
     throw std::invalid_argument(fmt::format("{} has no row of {} s", file.string(), picture.time));
-  std::optional<hydro::SeenWater> waves = app::bodies_waves(scene, spec);
+  std::optional<hydro::SimulatedWater> waves = app::bodies_waves(scene, spec);
   app::Shot shot = {.time = picture.time, .states = {}};
   for (std::size_t row = 0; row <= static_cast<std::size_t>(found - times.begin()); ++row) {
     shot.states = app::states_at(trajectory, spec, row);

@@ -1,4 +1,4 @@
-#include "hydro/water/seen_water.h"
+#include "hydro/water/simulated_water.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@
 
 namespace hydro {
 namespace {
+
+using support::tolerance;
 
 /// Amplitude of the rings of a hemisphere of radius 1 that heaves by 1 at r, whose sources are
 /// σ = V·n, in g = 1: the pole of the Fourier integral, with ŵ = V ∫ n_z e^{kz} J_0(kρ) dS.
@@ -26,7 +28,7 @@ double ring(double k, double r) {
 }
 
 /// Mean over a circle of the amplitude of the elevation at a period.
-double amplitude(const SeenWater& water, double time, double period, double r) {
+double amplitude(const SimulatedWater& water, double time, double period, double r) {
   const auto now = water.patch(time), later = water.patch(time + period / 4);
   double sum = 0;
   for (int i = 0; i < 32; ++i) {
@@ -38,7 +40,7 @@ double amplitude(const SeenWater& water, double time, double period, double r) {
 
 /// The true amplitude follows from the damping of a hemisphere (potential flow, heave): the sources
 /// of (1) give 1.19, 1.30 and 1.40 times as much at kR = 0.3, 0.5 and 1.
-TEST(SeenWater, HasTheRingsOfAHeavingHemisphere) {
+TEST(SimulatedWater, HasTheRingsOfAHeavingHemisphere) {
   const TriMesh ball = make_icosphere(1, 3);
   Sea sea;
   sea.gravity = 1;
@@ -48,7 +50,7 @@ TEST(SeenWater, HasTheRingsOfAHeavingHemisphere) {
   for (const Row& row :
        {Row{0.3, 0.5, 0.1396, 1.19}, {0.5, 0.3, 0.2376, 1.30}, {1, 0.25, 0.4069, 1.40}}) {
     const double omega = std::sqrt(row.k), period = 2 * M_PI / omega, r = 10, heave = 0.02;
-    SeenWater water(sea, {{&ball, 1}}, {.cells = 256, .cell = row.cell, .gravity = 1});
+    SimulatedWater water(sea, {{&ball, 1}}, {.cells = 256, .cell = row.cell, .gravity = 1});
     std::vector<BodyState> state(1);
     double t = 0;
     for (water.follow(t, state); t < 2 * r * omega + 4 * period;) {
@@ -66,10 +68,10 @@ TEST(SeenWater, HasTheRingsOfAHeavingHemisphere) {
 
 /// A ball towed below the surface leaves transverse waves of the length 2πU²/g on its track, within
 /// Kelvin's angle.
-TEST(SeenWater, HasAWakeOfKelvinsLengthWithinHisAngle) {
+TEST(SimulatedWater, HasAWakeOfKelvinsLengthWithinHisAngle) {
   const TriMesh ball = make_icosphere(1, 2);
   const double speed = 3, length = 2 * M_PI * speed * speed / Sea().gravity;
-  SeenWater water(Sea(), {{&ball, 1}}, {.cells = 256, .cell = 0.5, .deepest = 2});
+  SimulatedWater water(Sea(), {{&ball, 1}}, {.cells = 256, .cell = 0.5, .deepest = 2});
   std::vector<BodyState> state(1);
   state[0].position.z() = -1.5;
   double t = 0;
@@ -105,11 +107,11 @@ TEST(SeenWater, HasAWakeOfKelvinsLengthWithinHisAngle) {
   EXPECT_LT(ahead, tolerance(0.05) * largest);
 }
 
-TEST(SeenWater, StaysStillAboutWhatGoesWithIt) {
+TEST(SimulatedWater, StaysStillAboutWhatGoesWithIt) {
   const TriMesh ball = make_icosphere(1, 2);
   Sea sea;
   sea.current = {2, -1, 0};
-  SeenWater water(sea, {{&ball, 1}}, {.cells = 64, .cell = 0.25});
+  SimulatedWater water(sea, {{&ball, 1}}, {.cells = 64, .cell = 0.25});
   std::vector<BodyState> state(1);
   state[0].linear_velocity = sea.current;
   for (double t = 0; t < 5; t += 0.02) {
@@ -121,12 +123,12 @@ TEST(SeenWater, StaysStillAboutWhatGoesWithIt) {
 
 /// A small body that moves as the water of long waves does displaces next to nothing: less than
 /// a tenth of what it makes at rest in them.
-TEST(SeenWater, IsLeftAloneByABodyThatRidesWaves) {
+TEST(SimulatedWater, IsLeftAloneByABodyThatRidesWaves) {
   const TriMesh ball = make_icosphere(0.5, 2);
   Sea sea;
   sea.surface = WaveSurface{{deep_water_wave(0.3, 30, 0.4, 0, sea.gravity)}};
   const auto largest = [&](bool rides) {
-    SeenWater water(sea, {{&ball, 0.5}}, {.cells = 64, .cell = 0.25});
+    SimulatedWater water(sea, {{&ball, 0.5}}, {.cells = 64, .cell = 0.25});
     std::vector<BodyState> state(1);
     const double h = 0.01;
     for (double t = 0; t < 6; t += h) {
@@ -145,10 +147,10 @@ TEST(SeenWater, IsLeftAloneByABodyThatRidesWaves) {
 }
 
 /// The water takes steps of its own, whatever those of the caller.
-TEST(SeenWater, DoesNotDependOnTheStep) {
+TEST(SimulatedWater, DoesNotDependOnTheStep) {
   const TriMesh ball = make_icosphere(1, 2);
   const auto after = [&](int steps) {
-    SeenWater water(Sea(), {{&ball, 1}}, {.cells = 128, .cell = 0.2});
+    SimulatedWater water(Sea(), {{&ball, 1}}, {.cells = 128, .cell = 0.2});
     std::vector<BodyState> state(1);
     for (int i = 0; i <= steps; ++i) {
       const double t = 4.0 * i / steps;
@@ -162,10 +164,10 @@ TEST(SeenWater, DoesNotDependOnTheStep) {
   EXPECT_LT((coarse - fine).norm(), tolerance(0.1) * fine.norm());
 }
 
-TEST(SeenWater, GoesOnFromItsStateToTheSameBits) {
+TEST(SimulatedWater, GoesOnFromItsStateToTheSameBits) {
   const TriMesh ball = make_icosphere(1, 1);
-  SeenWater whole(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.3});
-  SeenWater second(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.3});
+  SimulatedWater whole(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.3});
+  SimulatedWater second(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.3});
   std::vector<BodyState> state(1);
   state[0].linear_velocity = {1, 0.5, -0.3};
   for (int i = 0; i < 200; ++i) {
@@ -176,14 +178,14 @@ TEST(SeenWater, GoesOnFromItsStateToTheSameBits) {
   }
   EXPECT_TRUE(whole.state() == second.state());
   EXPECT_TRUE(whole.patch(4) == second.patch(4));
-  SeenWater other(Sea(), {{&ball, 1}}, {.cells = 32});
+  SimulatedWater other(Sea(), {{&ball, 1}}, {.cells = 32});
   EXPECT_THROW(other.restore(whole.state()), std::invalid_argument);
 }
 
 /// The window is cut out of the square anew as bodies go on: heights stay where they are in W.
-TEST(SeenWater, StaysInPlaceAsTheWindowMoves) {
+TEST(SimulatedWater, StaysInPlaceAsTheWindowMoves) {
   const TriMesh ball = make_icosphere(1, 1);
-  SeenWater water(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.5});
+  SimulatedWater water(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.5});
   std::vector<BodyState> state(1);
   state[0].linear_velocity.x() = 4;
   double t = 0;

@@ -1,0 +1,347 @@
+#include "hydro/water/simulated_water.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "hydro/airy_waves.h"
+#include "hydro/water/moving_surface.h"
+
+namespace hydro {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Longest step of the water over 1/ω of the shortest waves of the grid [-], and longest way of a
+/// body in a step over a cell [-]. No wave that the filter leaves is mistaken for another one from
+/// step to step: both are below π.
+constexpr double kLongestStep = 2, kLongestWay = 1.5;
+
+/// The same for hulls that feel the water [-]: the load of a step is then within a hundredth.
+constexpr double kLongestFeltStep = 1;
+
+/// Distance between two hulls within which they feel each other's sources, over the radius of the
+/// larger one [-].
+constexpr double kNearInRadii = 4;
+
+/// Height of the water that counts as still, over a cell [-].
+constexpr double kStill = 1e-6;
+
+/// Damping of the surface inside a waterplane, over the frequency √(g/R) of its radius [-], and the
+/// Froude number by R up to which it is damped: at speed the damping would be drag.
+constexpr double kInnerDamping = 0.1, kSlow = 0.1;
+
+Eigen::Rotation2Dd turn(double heading) { return Eigen::Rotation2Dd(heading); }
+
+}  // namespace
+
+PeriodicSquare square_about(const std::vector<WaterBody>& bodies,
+                            const std::vector<BodyState>& states, const Sea& sea) {
+  double largest = 0;
+  Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].mesh_B == nullptr) continue;
+    const double radius = bodies[i].radius;
+    largest = std::max(largest, radius);
+    low = low.cwiseMin(Vector2d(states[i].position.head<2>().array() - radius));
+    high = high.cwiseMax(Vector2d(states[i].position.head<2>().array() + radius));
+  }
+  const double side = (high - low).maxCoeff() + 22 * largest;
+  PeriodicSquare square{
+      .cells = 256, .deepest = largest, .gravity = sea.gravity, .depth = sea.depth};
+  if (side / square.cells > largest / 8) square.cells = 512;
+  square.cell = side / square.cells;
+  return square;
+}
+
+Vector2d SimulatedWater::Passage::at(const Vector3d& place_H, double cell) const {
+  return place + turn(heading) * place_H.head<2>() / cell;
+}
+
+SimulatedWater::SimulatedWater(const Sea& sea, std::vector<WaterBody> bodies,
+                               const PeriodicSquare& square, double edge)
+    : sea_(sea),
+      bodies_(std::move(bodies)),
+      waves_(square),
+      window_(square, sea, edge),
+      passages_(bodies_.size()) {
+  const bool felt =
+      std::ranges::any_of(bodies_, [](const auto& body) { return body.hull != nullptr; });
+  longest_ = (felt ? kLongestFeltStep : kLongestStep) / std::sqrt(sea.gravity * M_PI / square.cell);
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i].hull)
+      passages_[i].flow = passages_[i].rates = passages_[i].before =
+          Eigen::VectorXd::Zero(bodies_[i].hull->places.cols());
+}
+
+/// Takes the window to the middle of the bodies.
+void SimulatedWater::follow_bodies(const std::vector<BodyState>& states) {
+  Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].mesh_B == nullptr) continue;
+    const Vector2d place = window_.in_square(states[i].position.head<2>(), now_.time);
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  window_.follow((low + high) / 2);
+}
+
+/// Finds where a hull is halfway through the step, from where the water is at `now_`.
+void SimulatedWater::find_passage(const WaterBody& body, const BodyState& start,
+                                  Passage& passage) const {
+  BodyState half = start;
+  half.position += now_.length / 2 * start.linear_velocity;
+  const Vector3d turned = now_.length / 2 * start.angular_velocity;
+  if (const double angle = turned.norm(); angle > 0)
+    half.orientation = Eigen::AngleAxisd(angle, turned / angle) * start.orientation;
+  const WaveFrame frame = body.floating->frame(half.orientation);
+  passage.place = window_.in_square((half.position + frame.origin).head<2>(), now_.time);
+  passage.heading = frame.heading();
+  passage.presence = std::sqrt(body.floating->presence(start, sea_, now_.time));
+}
+
+/// The sources of hulls near by, halfway through the step, in the square's axes.
+std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
+  const double cell = waves_.square().cell;
+  std::vector<NearSources> near;
+  for (std::size_t j = 0; j < bodies_.size(); ++j) {
+    const Passage &own = passages_[hull], &other = passages_[j];
+    if (j == hull || !bodies_[j].hull || other.presence == 0) continue;
+    const double apart =
+        cell * (own.place - other.place).norm() - bodies_[hull].radius - bodies_[j].radius;
+    if (apart > kNearInRadii * std::max(bodies_[hull].radius, bodies_[j].radius)) continue;
+    const Eigen::Matrix3Xd& places = bodies_[j].hull->places;
+    NearSources& sources = near.emplace_back();
+    sources.places.resize(3, places.cols());
+    for (Index i = 0; i < places.cols(); ++i)
+      sources.places.col(i) << cell * other.at(places.col(i), cell), places(2, i);
+    sources.rates = 2 * other.rates - other.before;
+    sources.changes = (other.rates - other.before) / now_.length;
+  }
+  return near;
+}
+
+/// Finds the load on a hull, and the flow that its sources have to meet.
+WavesOnHull SimulatedWater::meet(std::size_t body) {
+  const HullSources& hull = *bodies_[body].hull;
+  Passage& passage = passages_[body];
+  const Index n = hull.places.cols();
+  passage.flow.setZero(n);
+  if (passage.presence == 0) return {};
+  // Of the simulated waves: η, φ_w; of the neighbours −1/g ∂φ/∂t, which loads a hull as η does.
+  Eigen::VectorXd raise(n), potential(n);
+  Eigen::Matrix3Xd slope(3, n), velocity(3, n);
+  const double cell = waves_.square().cell, g = sea_.gravity;
+  const Eigen::Rotation2Dd to_H = turn(-passage.heading);
+  const std::vector<NearSources> neighbours = neighbours_of(body);
+  const std::optional<AiryWaves> sea =
+      has_airy_waves(sea_) ? std::optional<AiryWaves>(std::in_place, sea_, now_.time)
+                           : std::nullopt;
+  const auto in_H = [&](const Vector3d& v) {
+    Vector3d turned;
+    turned << to_H * v.head<2>(), v.z();
+    return turned;
+  };
+  for (Index i = 0; i < n; ++i) {
+    const Vector2d at = passage.at(hull.places.col(i), cell);
+    Vector3d place;
+    place << cell * at, hull.places(2, i);
+    const FieldBelow::Sample waves = field_.at(at.x(), at.y(), place.z());
+    NearFlow near;
+    for (const NearSources& neighbour : neighbours) near += near_flow(neighbour, place);
+    raise[i] = waves.value.real() - near.change / g;
+    slope.col(i) = in_H(waves.slope.real() - near.acceleration / g);
+    potential[i] = waves.value.imag();
+    velocity.col(i) = in_H(waves.slope.imag());
+    Vector3d water = waves.slope.imag() + near.velocity;
+    if (sea) {
+      Vector3d p_W;
+      p_W << place.head<2>() + now_.time * sea_.current.head<2>(), sea_.level + place.z();
+      water += sea->at(p_W, -place.z()).velocity - current_at(sea_, p_W.z());
+    }
+    passage.flow[i] = -passage.presence * in_H(water).dot(hull.fluxes.col(i));
+  }
+  return {.load = -g * (hull.load_of(raise, slope) + now_.length / 2 * hull.reply * passage.flow),
+          .momentum = -hull.load_of(potential, velocity)};
+}
+
+void SimulatedWater::add_hull(const WaterBody& body, Passage& passage, const Vector6d& way) {
+  const HullSources& hull = *body.hull;
+  const Eigen::VectorXd volumes = hull.volumes * (hull.motions * way + now_.length * passage.flow);
+  passage.before = std::exchange(passage.rates, volumes / now_.length);
+  for (Index i = 0; i < volumes.size(); ++i) {
+    const Vector2d at = passage.at(hull.places.col(i), waves_.square().cell);
+    if (!window_.has(at)) continue;
+    waves_.add_source(at.x(), at.y(), hull.places(2, i), volumes[i]);
+    largest_ = std::max(largest_, std::abs(volumes[i]));
+  }
+}
+
+void SimulatedWater::add_surface(const WaterBody& body, const BodyState& state) {
+  const PeriodicSquare& square = waves_.square();
+  const double time = now_.time + now_.length / 2;
+  find_sources(*body.mesh_B, body.radius, state, sea_, time, square.cell, square.side() / 2,
+               [&](const WaterSource& source) {
+                 const Vector2d at = window_.in_square(source.place, time);
+                 if (!window_.has(at)) return;
+                 const double volume = source.rate * now_.length;
+                 waves_.add_source(at.x(), at.y(), source.height, volume);
+                 largest_ = std::max(largest_, std::abs(volume));
+               });
+}
+
+std::vector<WavesOnHull> SimulatedWater::begin(double time, double length,
+                                               const std::vector<BodyState>& states) {
+  now_.started = true;
+  now_.length = length;
+  now_.time = time + length / 2;
+  follow_bodies(states);
+  if (!now_.still) waves_.advance(length / 2);
+  std::vector<WavesOnHull> loads(bodies_.size());
+  bool read = false;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i].hull) find_passage(bodies_[i], states[i], passages_[i]);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].hull) continue;
+    if (!read) waves_.read(field_);
+    read = true;
+    loads[i] = meet(i);
+  }
+  return loads;
+}
+
+void SimulatedWater::end(const std::vector<BodyState>& states, const std::vector<Vector6d>& ways) {
+  largest_ = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].hull)
+      add_hull(bodies_[i], passages_[i], ways[i]);
+    else if (bodies_[i].mesh_B != nullptr)
+      add_surface(bodies_[i], states[i]);
+  }
+  const double length = std::exchange(now_.length, 0), cell = waves_.square().cell;
+  now_.time += length / 2;
+  if (now_.still && largest_ < kStill * cell * cell * cell) return;
+  now_.still = false;
+  waves_.take_sources();
+  waves_.advance(length / 2);
+  now_.undamped += length;
+  if (now_.undamped > 4 * longest_) damp(states);
+}
+
+void SimulatedWater::follow(double time, const std::vector<BodyState>& states) {
+  if (!now_.started) now_ = {.time = time, .started = true};
+  double fastest = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i].mesh_B != nullptr)
+      fastest = std::max(fastest, states[i].linear_velocity.norm() +
+                                      bodies_[i].radius * states[i].angular_velocity.norm());
+  const double cell = waves_.square().cell, elapsed = time - now_.time;
+  if (elapsed < longest_ * (1 - 1e-9) && elapsed * fastest < kLongestWay * cell) return;
+  std::vector<BodyState> starts = states;
+  for (BodyState& start : starts) start.position -= elapsed * start.linear_velocity;
+  begin(now_.time, elapsed, starts);
+  std::vector<Vector6d> ways(bodies_.size(), Vector6d::Zero());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].hull) continue;
+    Vector6d u;
+    u << states[i].linear_velocity - sea_.current, states[i].angular_velocity;
+    ways[i] = elapsed * passages_[i].presence *
+              bodies_[i].floating->frame(states[i].orientation).velocity_in(u);
+  }
+  end(states, ways);
+  now_.time = time;
+}
+
+/// Damps the window's edges and what sloshes inside slow hulls.
+void SimulatedWater::damp(const std::vector<BodyState>& states) {
+  const PeriodicSquare& square = waves_.square();
+  Eigen::MatrixXf factor =
+      window_.damping(1, now_.undamped) * window_.damping(0, now_.undamped).transpose();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].hull || bodies_[i].hull->inside.cols() == 0) continue;
+    const HullSources& hull = *bodies_[i].hull;
+    const double radius = hull.radius();
+    const double speed = (states[i].linear_velocity - sea_.current).head<2>().norm();
+    if (speed > kSlow * std::sqrt(square.gravity * radius)) continue;
+    const double rate = kInnerDamping * std::sqrt(square.gravity / radius);
+    const auto part = static_cast<float>(std::exp(-rate * now_.undamped));
+    for (const Vector2d point : hull.inside.colwise()) {
+      const Vector2d at = passages_[i].at({point.x(), point.y(), 0}, square.cell).array().round();
+      float& here = factor(static_cast<Index>(at.y()) & (square.cells - 1),
+                           static_cast<Index>(at.x()) & (square.cells - 1));
+      here = std::min(here, part);
+    }
+  }
+  waves_.damp(factor);
+  now_.undamped = 0;
+}
+
+std::optional<SurfacePatch> SimulatedWater::patch(double time) const {
+  if (now_.still) return std::nullopt;
+  return window_.patch(waves_.elevation(time - now_.time), time);
+}
+
+std::string SimulatedWater::state() const {
+  std::string bytes;
+  const auto put = [&](const double* numbers, Index count) {
+    bytes.append(reinterpret_cast<const char*>(numbers),
+                 sizeof *numbers * static_cast<std::size_t>(count));
+  };
+  const double numbers[] = {now_.time,
+                            now_.undamped,
+                            now_.length,
+                            now_.started ? 1.0 : 0.0,
+                            now_.still ? 1.0 : 0.0,
+                            window_.middle().x(),
+                            window_.middle().y()};
+  put(numbers, std::size(numbers));
+  for (const Passage& passage : passages_) {
+    const double hull[] = {passage.place.x(), passage.place.y(), passage.heading, passage.presence};
+    put(hull, std::size(hull));
+    for (const Eigen::VectorXd* part : {&passage.flow, &passage.rates, &passage.before})
+      put(part->data(), part->size());
+  }
+  put(reinterpret_cast<const double*>(waves_.state().data()), 2 * waves_.state().size());
+  return bytes;
+}
+
+void SimulatedWater::restore(const std::string& state) {
+  std::size_t place = 0;
+  const auto take = [&](double* numbers, Index count) {
+    const std::size_t size = sizeof *numbers * static_cast<std::size_t>(count);
+    if (state.size() - place < size)
+      throw std::invalid_argument("the state of the simulated water is that of another scene");
+    std::memcpy(numbers, state.data() + place, size);
+    place += size;
+  };
+  double numbers[7];
+  take(numbers, std::size(numbers));
+  std::vector<Passage> passages = passages_;
+  for (Passage& passage : passages) {
+    double hull[4];
+    take(hull, std::size(hull));
+    passage.place = {hull[0], hull[1]};
+    passage.heading = hull[2];
+    passage.presence = hull[3];
+    for (Eigen::VectorXd* part : {&passage.flow, &passage.rates, &passage.before})
+      take(part->data(), part->size());
+  }
+  Eigen::MatrixXcd zeta(waves_.square().cells, waves_.square().cells);
+  take(reinterpret_cast<double*>(zeta.data()), 2 * zeta.size());
+  if (place != state.size())
+    throw std::invalid_argument("the state of the simulated water is that of another scene");
+  now_ = {.time = numbers[0],
+          .undamped = numbers[1],
+          .length = numbers[2],
+          .started = numbers[3] != 0,
+          .still = numbers[4] != 0};
+  window_.restore({numbers[5], numbers[6]});
+  passages_ = std::move(passages);
+  waves_.restore(std::move(zeta));
+}
+
+}  // namespace hydro
