@@ -11,6 +11,7 @@
 #include "engine/base/constants.h"
 #include "engine/base/stopwatch.h"
 #include "engine/motion/locks.h"
+#include "engine/motion/water_coupling.h"
 #include "engine/record/time_book.h"
 #include "engine/rig/rig.h"
 #include "engine/state_data.h"
@@ -97,6 +98,7 @@ struct Simulation::Impl {
   TimeBook times;
   StopCheck stop;
   ConstraintErrors errors;
+  std::optional<WaterCoupling> water;
   std::optional<SimulationState> start;
 };
 
@@ -120,6 +122,7 @@ Simulation::Impl::Impl(SimulationSpec description)
       stepper(context, spec.step) {
   for (const MovingBody& moving : bodies) states.push_back(moving.motion.state);
   errors.joints.resize(spec.joints.size());
+  if (spec.sea && spec.water) water.emplace(spec);
   start = state();
 }
 
@@ -156,6 +159,7 @@ void Simulation::Impl::begin_step() {
   rig.begin_step(states, time(), spec.step);
   for (MovingBody& moving : bodies)
     if (moving.motion.work) moving.motion.work->start_step();
+  if (water) water->begin_step(steps, bodies, times.water());
 }
 
 /// Takes what is coupled to the bodies once a step to the ends of their ways.
@@ -175,6 +179,7 @@ void Simulation::Impl::accept_step(const std::vector<Overlap>& overlaps) {
     for (const BodyId body : {spec.lines[line].first.body, spec.lines[line].second.body})
       if (body != kWorld) stepper.forget(body);
   errors.add(overlaps);
+  if (water) water->end_step(steps, bodies, times.water());
   ++steps;
   errors.add(world.frames_of_joints(), states, time());
 }
@@ -202,6 +207,7 @@ SimulationState Simulation::Impl::state() const {
   data->stepper = stepper.state();
   data->rig = rig.state();
   data->errors = errors;
+  if (water) data->water = water->state();
   return SimulationState(std::move(data));
 }
 
@@ -227,6 +233,7 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
     restore_cache(bodies[i], data.bodies[i].water_state);
     states[i] = bodies[i].motion.state;
   }
+  if (water) water->restore(data.water);
   stepper.restore(data.stepper);
   steps = data.steps;
   rig.restore(data.rig, time(), spec.step);
@@ -278,6 +285,9 @@ std::vector<InteriorState> Simulation::interiors() const {
   return interiors;
 }
 RigReadings Simulation::rig() const { return impl_->readings(); }
+const hydro::SimulatedWater* Simulation::water() const {
+  return impl_->water ? &impl_->water->water() : nullptr;
+}
 const Timings& Simulation::timings() const { return impl_->times.timings(); }
 
 const ConstraintErrors& Simulation::constraint_errors() const { return impl_->errors; }

@@ -17,6 +17,10 @@
 #include "engine/record/constraint_errors.h"
 #include "engine/simulation_state.h"
 
+namespace hydro {
+class SimulatedWater;
+}
+
 namespace engine {
 
 /// The simulation cannot go on: a state or load is not finite, or the mechanics engine refuses it.
@@ -66,6 +70,8 @@ class Simulation {
   std::vector<InteriorState> interiors() const;
   /// Lines, joints, machines and set points in the present state.
   RigReadings rig() const;
+  /// The simulated water; null without it.
+  const hydro::SimulatedWater* water() const;
   const Timings& timings() const;
   Skips skips() const;
   std::vector<Counts> counts() const;  ///< Per body.

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 11";
+constexpr std::string_view kMagic = "plimsoll state 12";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -124,6 +124,7 @@ void visit(auto& a, Eigen::VectorXd& vector) {
   a.bytes(vector.data(), sizeof(double) * static_cast<std::size_t>(vector.size()));
 }
 void visit(auto& a, WaveMemory& memory) { visit_all(a, memory.q, memory.p); }
+void visit(auto& a, WaterMemory& water) { visit_all(a, water.way, water.load, water.momentum); }
 void visit(auto& a, PocketContent& p) {
   visit_all(a, p.id, p.volume, p.inflow, p.flooded, p.surface.level, p.surface.area, p.centre_B,
             p.up_B);
@@ -140,7 +141,7 @@ void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
   held = water ? std::make_shared<const HeldWater>(*std::move(water)) : nullptr;
 }
 void visit(auto& a, Motion& m) {
-  visit_all(a, m.state, m.wake, m.rotors_B, m.added_B, m.memory, m.held, m.accelerations,
+  visit_all(a, m.state, m.wake, m.rotors_B, m.added_B, m.memory, m.water, m.held, m.accelerations,
             m.constrained, m.load_acceleration_W, m.acceleration_W, m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
@@ -175,7 +176,7 @@ void visit(auto& a, JointError& joint) { visit_all(a, joint.separation, joint.tu
 void visit(auto& a, SimulationState::Data& data) {
   visit_all(a, data.steps, data.bodies, data.stepper.contacts.touching,
             data.stepper.contacts.forces, data.stepper.ranges, data.rig, data.errors.overlaps,
-            data.errors.joints);
+            data.errors.joints, data.water);
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct SimulationState::Data {
   StepperState stepper;
   RigState rig;
   ConstraintErrors errors;
+  std::string water;  ///< That of the simulated water; empty without it.
 };
 
 }  // namespace engine

@@ -15,6 +15,7 @@
 #include "hydro/loads/loads.h"
 #include "hydro/radiation/floating_body.h"
 #include "hydro/resistance/resistance.h"
+#include "hydro/water/hull_sources.h"
 
 /// @file
 /// The constant description of a simulation, complete and already checked. SI units.
@@ -87,6 +88,9 @@ struct BodySpec {
   /// The waves that the body makes and scatters; null: none. `added_mass` is then not null, as a
   /// rule the same object.
   std::shared_ptr<const hydro::FloatingBody> radiation;
+  /// Its sources in simulated water; null: it has none. `radiation` is then its A∞ and what it
+  /// scatters at once, without a memory of its own.
+  std::shared_ptr<const hydro::HullSources> sources;
   /// Along its motion, beside the drag of its panels; null: none.
   std::shared_ptr<const hydro::Resistance> resistance;
   bool wet = true;  ///< False: the water has no effect on it.
@@ -149,11 +153,18 @@ struct Integrator {
   double tolerance = 0;
 };
 
+/// The grid of simulated water.
+struct WaterGrid {
+  hydro::PeriodicSquare square;
+  double edge = 0;  ///< Width of its damped edge [m]; 0: a fifth of its side.
+};
+
 struct SimulationSpec {
   Integrator integrator;
-  double step = 1.0 / 60;         ///< [s], > 0.
-  double gravity = 9.80665;       ///< Along −z [m/s^2].
-  std::optional<hydro::Sea> sea;  ///< None: a dry scene.
+  double step = 1.0 / 60;          ///< [s], > 0.
+  double gravity = 9.80665;        ///< Along −z [m/s^2].
+  std::optional<hydro::Sea> sea;   ///< None: a dry scene.
+  std::optional<WaterGrid> water;  ///< None: bodies do not feel each other's waves.
   Ground ground;
   double ground_friction = kFriction;  ///< Coulomb's µ of the ground [-], >= 0.
   double ground_restitution = 0;       ///< Coefficient of restitution of the ground [-], 0 … 1.

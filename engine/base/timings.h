@@ -9,6 +9,7 @@ struct Timings {
   double hydro = 0;
   double engine = 0;
   double sea = 0;          ///< The part of `engine` that finds the motion of waves about bodies.
+  double water = 0;        ///< Simulated water, beside the three.
   double constraints = 0;  ///< The part of `engine` that solves for joints, contacts and lines.
 };
 

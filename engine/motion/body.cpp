@@ -58,7 +58,8 @@ Body make_dry_body(const SimulationSpec& spec, const Environment& environment, s
             .wet = loaded && s.wet && (s.resistance || !hydro::no_load(s.coefficients)),
             .has_added_mass = loaded && s.added_mass,
             .has_wave_load = loaded && s.added_mass && hydro::has_airy_waves(*spec.sea) && split,
-            .has_memory = loaded && s.radiation && s.radiation->memory().size() > 0 && split,
+            .has_memory =
+                loaded && s.radiation && (s.sources || s.radiation->memory().size() > 0) && split,
             .rolls_free = spec.sea && s.radiation &&
                           s.radiation->slides() == hydro::WaveFrameRule::Slides::all,
             .movable = movable,
@@ -120,7 +121,10 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
 
 Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::BodyState& state,
                  double time) {
-  Motion motion{.state = state, .memory = still_memory(body), .held = water_at_start(body, state)};
+  Motion motion{.state = state,
+                .memory = still_memory(body),
+                .water = still_water(body),
+                .held = water_at_start(body, state)};
   if (body.has_added_mass) set_added_mass(motion, added_mass(body, state, motion.held.get(), time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (body.wake && may_be_wet(body, motion.state)) {

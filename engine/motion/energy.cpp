@@ -35,7 +35,7 @@ bool must_not_gain_energy(const Body& body) {
   // The energy is relative to the water, and a current does work on a body that locks or joints
   // stop, and under a height field, which does not drift with it.
   const hydro::Sea* sea = body.environment.sea;
-  if (!body.wet || hydro::changes_with_time(*sea)) return false;
+  if (!body.wet || hydro::changes_with_time(*sea) || body.spec->sources) return false;
   const bool drifts = !body.locked && !body.jointed && !body.rigged && hydro::is_flat(*sea);
   return sea->profile.empty() && body.current().z() == 0 && is_calm(body) &&
          (drifts || body.current().isZero(0));

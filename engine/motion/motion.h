@@ -27,6 +27,7 @@ struct Motion {
   // Motions are copied often, and most have no added mass.
   std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
   std::optional<WaveMemory> memory;       ///< Only for a body that radiates waves.
+  std::optional<WaterMemory> water;       ///< Only for a hull in simulated water.
   std::shared_ptr<const HeldWater> held;  ///< Null: the body cannot have pockets.
   AccelerationHistory accelerations;      ///< Empty after contacts and other jumps.
   bool constrained = false;               ///< Joints or contacts acted in the last substep.

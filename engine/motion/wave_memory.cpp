@@ -6,6 +6,7 @@
 #include "engine/motion/free_motion.h"
 #include "engine/motion/velocity_update.h"
 #include "hydro/radiation/floating_body.h"
+#include "hydro/water/hull_sources.h"
 
 namespace engine {
 namespace {
@@ -43,8 +44,11 @@ Eigen::VectorXd mean_rate(const Body& body, const WaveMemory& state, const Vecto
                                    rule.h / 2 * memory.port * u_H);
 }
 
+/// g C of (E18a) in H.
+Matrix6d spring(const Body& body) { return body.environment.gravity * body.spec->sources->spring; }
+
 /// p of (E19a) in W.
-/// @param driven   Bᵀ q in W.
+/// @param driven   Bᵀ q in W, or the momentum of the simulated waves.
 /// @param stream   w − c
 Vector6d wave_momentum(const Body& body, const Motion& motion, const Vector6d& driven,
                        const Vector6d& stream, double time) {
@@ -56,12 +60,18 @@ Vector6d wave_momentum(const Body& body, const Motion& motion, const Vector6d& d
 }  // namespace
 
 std::optional<WaveMemory> still_memory(const Body& body) {
-  if (!body.has_memory) return std::nullopt;
+  if (!body.has_memory || body.spec->sources) return std::nullopt;
   const Eigen::Index m = oscillators(body).size();
   return WaveMemory{.q = Eigen::VectorXd::Zero(m), .p = Eigen::VectorXd::Zero(m)};
 }
 
+std::optional<WaterMemory> still_water(const Body& body) {
+  if (!body.has_memory || !body.spec->sources) return std::nullopt;
+  return WaterMemory();
+}
+
 bool fits_memory(const Body& body, const Motion& motion) {
+  if (motion.water || still_water(body)) return motion.water && still_water(body) && !motion.memory;
   if (!body.has_memory || !motion.memory) return body.has_memory == motion.memory.has_value();
   const Eigen::Index m = oscillators(body).size();
   return motion.memory->q.size() == m && motion.memory->p.size() == m;
@@ -72,17 +82,25 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
   if (!body.has_memory) return std::nullopt;
   const Motion& motion = *midpoint.motion;
   assert(fits_memory(body, motion) && h > 0);
-  const hydro::RadiationMemory& memory = oscillators(body);
-  if (rule.h != h) rule = make_rule(memory, h);
   MemoryEffect effect{.strength = port_strength(body, motion.state, time),
                       .frame = body.spec->radiation->frame(motion.state.orientation)};
   effect.current = to_vector6(motion.flow - body.current(), Eigen::Vector3d::Zero());
-  const double square = effect.strength * effect.strength;
-  const Matrix6d C = square * effect.frame.tensor_out(rule.coupling);
-  const Vector6d kept =
-      memory.port.transpose() * rule.inverse.cwiseProduct(known_rate(memory, *motion.memory, h));
+  Matrix6d coupling_H;
+  Vector6d known_H;
+  if (motion.water) {
+    rule.h = h;
+    coupling_H = spring(body);
+    known_H = motion.water->load - coupling_H * motion.water->way;
+  } else {
+    const hydro::RadiationMemory& memory = oscillators(body);
+    if (rule.h != h) rule = make_rule(memory, h);
+    coupling_H = rule.coupling;
+    known_H =
+        -memory.port.transpose() * rule.inverse.cwiseProduct(known_rate(memory, *motion.memory, h));
+  }
+  const Matrix6d C = effect.strength * effect.strength * effect.frame.tensor_out(coupling_H);
   effect.inertia = h * h / 4 * C;
-  effect.load = -effect.strength * effect.frame.load_out(kept) -
+  effect.load = effect.strength * effect.frame.load_out(known_H) -
                 h / 2 * C * (midpoint.mean() + effect.current);
   return effect;
 }
@@ -95,20 +113,27 @@ Vector6d turning_load(const Body& body, const MidpointState& midpoint, double ti
   const Vector6d change = rule.h * rotate(midpoint.R_WB, motion.accelerations.expected(rule.h / 2));
   const Vector6d u = midpoint.mean() + change / 2;
   const Vector6d u_H = effect.strength * effect.frame.velocity_in(u + effect.current);
-  const Eigen::VectorXd q =
-      motion.memory->q + rule.h / 2 * mean_rate(body, *motion.memory, u_H, rule);
-  const Vector6d driven =
-      effect.strength * effect.frame.load_out(oscillators(body).port.transpose() * q);
+  const Vector6d driven_H =
+      motion.water
+          ? motion.water->momentum
+          : Vector6d(oscillators(body).port.transpose() *
+                     (motion.memory->q + rule.h / 2 * mean_rate(body, *motion.memory, u_H, rule)));
+  const Vector6d driven = effect.strength * effect.frame.load_out(driven_H);
   return kirchhoff(wave_momentum(body, motion, driven, effect.current, time), u);
 }
 
 void advance_memory(const Body& body, const MidpointState& midpoint, const Vector6d& change,
                     const WaveMemoryRule& rule, Motion& end) {
   if (!midpoint.memory) return;
-  assert(fits_memory(body, end) && rule.inverse.size() == end.memory->p.size());
+  assert(fits_memory(body, end));
   const MemoryEffect& effect = *midpoint.memory;
   const Vector6d u = midpoint.mean() + change / 2 + effect.current;
   const Vector6d u_H = effect.strength * effect.frame.velocity_in(u);
+  if (end.water) {
+    end.water->way += rule.h * u_H;
+    return;
+  }
+  assert(rule.inverse.size() == end.memory->p.size());
   WaveMemory& state = *end.memory;
   const Eigen::VectorXd mean = mean_rate(body, state, u_H, rule);
   state.q += rule.h * mean;
@@ -116,20 +141,27 @@ void advance_memory(const Body& body, const MidpointState& midpoint, const Vecto
 }
 
 double memory_energy(const Body& body, const Motion& motion) {
+  if (motion.water) return motion.water->way.dot(spring(body) * motion.water->way) / 2;
   if (!motion.memory) return 0;
   const Eigen::VectorXd stretched = oscillators(body).frequencies.cwiseProduct(motion.memory->q);
   return (motion.memory->p.squaredNorm() + stretched.squaredNorm()) / 2;
 }
 
 Vector6d memory_load(const Body& body, const Motion& motion, double time) {
-  if (!motion.memory) return Vector6d::Zero();
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> port = oscillators(body).port.transpose();
+  if (!body.has_memory) return Vector6d::Zero();
   const double strength = port_strength(body, motion.state, time);
   const hydro::WaveFrame frame = body.spec->radiation->frame(motion.state.orientation);
-  const Vector6d load = -strength * frame.load_out(port * motion.memory->p);
+  const auto out = [&](const Vector6d& load_H) -> Vector6d {
+    return strength * frame.load_out(load_H);
+  };
+  const auto from = [&](const Eigen::VectorXd& state) -> Vector6d {
+    return oscillators(body).port.transpose() * state;
+  };
+  const Vector6d load = motion.water ? out(motion.water->load - spring(body) * motion.water->way)
+                                     : out(-from(motion.memory->p));
   if (!body.spec->radiation->turns_water()) return load;
   const Eigen::Vector3d flow = flow_about(body, motion.state, time, 0);
-  const Vector6d driven = strength * frame.load_out(port * motion.memory->q);
+  const Vector6d driven = out(motion.water ? motion.water->momentum : from(motion.memory->q));
   const Vector6d stream = to_vector6(flow - body.current(), Eigen::Vector3d::Zero());
   return load +
          kirchhoff(wave_momentum(body, motion, driven, stream, time), velocity(motion.state, flow));

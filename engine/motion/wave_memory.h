@@ -44,6 +44,16 @@
 /// As the body leaves the water B is multiplied by the root of its presence (floating_body.h
 /// there), and the oscillators move on without it.
 ///
+/// Simulated water (hydro/water/simulated_water.h) keeps the waves itself. During a step of its own
+/// it acts on the body as a load f and a spring,
+///
+///     ξ' = B u,      F = Bᵀ (f − g C ξ), (E18a)
+///
+/// with B the turn to H times the same strength, and ξ the body's way since the water's step began.
+/// The energy ½g ξ·Cξ is what the water takes over at the step's end. The midpoint rule gives an
+/// update the inertia ¼h² BᵀgCB and the load of the way that u₀ leads to; (E19a) has the momentum
+/// of the simulated waves in the place of Bᵀ q.
+///
 /// [STF] Salvesen, Tuck and Faltinsen. Ship motions and sea loads. Trans. SNAME 78 (1970).
 
 namespace engine {
@@ -56,6 +66,14 @@ struct Motion;
 struct WaveMemory {
   Eigen::VectorXd q;  ///< [√J s]
   Eigen::VectorXd p;  ///< [√J]
+};
+
+/// What simulated water has told at the start of its step, and the way since, in H and for water of
+/// density 1 times the root of the density.
+struct WaterMemory {
+  Vector6d way = Vector6d::Zero();       ///< ξ
+  Vector6d load = Vector6d::Zero();      ///< f
+  Vector6d momentum = Vector6d::Zero();  ///< That which (E19a) takes.
 };
 
 /// The terms that depend on the body and h alone.
@@ -80,6 +98,7 @@ struct MemoryEffect {
 
 /// The memory of a body at rest; none for a body without one.
 std::optional<WaveMemory> still_memory(const Body& body);
+std::optional<WaterMemory> still_water(const Body& body);
 
 /// True if the motion's memory is one of this body.
 bool fits_memory(const Body& body, const Motion& motion);
@@ -98,10 +117,10 @@ Vector6d turning_load(const Body& body, const MidpointState& midpoint, double ti
 void advance_memory(const Body& body, const MidpointState& midpoint, const Vector6d& change,
                     const WaveMemoryRule& rule, Motion& end);
 
-/// ½ (p² + q·Ω² q) [J]; 0 without a memory.
+/// ½ (p² + q·Ω² q), or ½g ξ·Cξ [J]; 0 without a memory.
 double memory_energy(const Body& body, const Motion& motion);
 
-/// F = −Bᵀ p and (E19a) at an instant [s], in W; zero without a memory.
+/// F = −Bᵀ p, or (E18a), and (E19a) at an instant [s], in W; zero without a memory.
 Vector6d memory_load(const Body& body, const Motion& motion, double time);
 
 }  // namespace engine

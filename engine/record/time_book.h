@@ -16,6 +16,9 @@ class TimeBook {
   /// @param collision   The part of it that finds contacts [s].
   void add(const std::vector<MovingBody>& bodies, int threads, double wall, double collision);
 
+  /// To which the time of simulated water is added [s].
+  double& water() { return timings_.water; }
+
   const Timings& timings() const { return timings_; }
 
  private:
