@@ -19,6 +19,7 @@
 #include "app/assembly/build_sea.h"
 #include "app/assembly/build_shape.h"
 #include "app/assembly/build_start.h"
+#include "app/assembly/build_water.h"
 #include "app/assembly/envelope.h"
 #include "app/assembly/radiation_database.h"
 #include "app/assembly/sea_warnings.h"
@@ -206,6 +207,7 @@ BuiltScene build(const scene::Scene& scene, AddedMassStore& store, app::Reporter
     reporter.note(fmt::format("{}: note: {}", scene.file.string(), note));
   const app::WallClock clock;
   RadiationStore radiation_store(store.folder());
+  add_simulated_water(scene, built, reporter);
   add_radiation(scene, built, radiation_store, reporter);
   add_added_mass(scene, built, store, reporter);
   solve_resistances(built, store.folder(), reporter);

@@ -41,7 +41,8 @@ void check_mismatch(const std::string& name, double mismatch, app::Reporter& rep
     reporter.warning(fmt::format("radiation of {}: {}", name, text));
 }
 
-/// The added mass in the mean pose, where the body is present in full.
+}  // namespace
+
 AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro::Sea& sea) {
   const hydro::MeanPose& pose = model.data().pose;
   const hydro::Sea still{.density = sea.density, .gravity = sea.gravity};
@@ -51,8 +52,6 @@ AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro:
           .stored = {},
           .surface = {}};
 }
-
-}  // namespace
 
 RadiationProblem radiation_problem(const RadiationChoice& choice, const engine::BodySpec& body,
                                    const hydro::Sea& sea) {
@@ -67,7 +66,7 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
   FloatingModels models;
   for (std::size_t i = 0; i < built.radiation.size(); ++i) {
     RadiationReport& report = built.radiation[i];
-    if (!report.choice.pose) continue;
+    if (!report.choice.pose || report.choice.simulated) continue;
     engine::BodySpec& body = built.spec.bodies[i];
     const hydro::Sea& sea = *built.spec.sea;
     const hydro::TriMesh& mesh_B = radiating_mesh(report.choice, body);
@@ -98,11 +97,14 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
   faults.throw_if_any();
 }
 
-std::vector<std::string> assumptions(const hydro::LinearWater& water) {
-  return {"small motions about the mean pose",
-          std::isfinite(water.depth) ? fmt::format("water {:g} m deep everywhere", water.depth)
-                                     : "deep water",
-          "no forward speed in the water", "no other body near"};
+std::vector<std::string> assumptions(const hydro::LinearWater& water, bool simulated) {
+  std::vector<std::string> list = {"small motions about the mean pose",
+                                   std::isfinite(water.depth)
+                                       ? fmt::format("water {:g} m deep everywhere", water.depth)
+                                       : "deep water",
+                                   "no forward speed in the water"};
+  if (!simulated) list.emplace_back("no other body near");
+  return list;
 }
 
 }  // namespace assembly

@@ -22,7 +22,11 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
 RadiationProblem radiation_problem(const RadiationChoice& choice, const engine::BodySpec& body,
                                    const hydro::Sea& sea);
 
+/// The added mass in the mean pose, where the body is present in full.
+AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro::Sea& sea);
+
 /// What linear theory takes for granted of bodies that make waves.
-std::vector<std::string> assumptions(const hydro::LinearWater& water);
+/// @param simulated   Their waves are in simulated water.
+std::vector<std::string> assumptions(const hydro::LinearWater& water, bool simulated);
 
 }  // namespace assembly

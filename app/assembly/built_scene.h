@@ -43,6 +43,7 @@ struct RadiationReport {
   /// None until it is solved, and for a body whose choice has a database.
   std::optional<StoredRadiation> stored;
   std::shared_ptr<const hydro::FloatingBody> model;  ///< None until it is solved.
+  double sources_seconds = 0;  ///< Wall time of its sources in simulated water [s].
 };
 
 /// The resistance of a hull along its motion.

@@ -33,6 +33,7 @@ std::vector<PendingSolution> pending_solutions(const scene::Scene& scene, const 
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const engine::BodySpec& body = built.spec.bodies[i];
     const RadiationChoice& choice = built.radiation[i].choice;
+    if (choice.simulated) continue;
     if (choice.pose && !choice.database) {
       const RadiationProblem problem = radiation_problem(choice, body, *built.spec.sea);
       const auto triangles = static_cast<double>(problem.mesh_B.face_count());

@@ -12,6 +12,7 @@
 #include "app/assembly/mean_pose.h"
 #include "engine/motion/locks.h"
 #include "hydro/mesh/mass_properties.h"
+#include "hydro/radiation/radiation_solve.h"
 
 namespace assembly {
 namespace {
@@ -68,6 +69,7 @@ class Chooser {
     choice.reason = impossible(group, lead);
     if (choice.reason.empty()) choose_pose(group, lead, choice);
     if (!choice.reason.empty()) choice.pose.reset();
+    choice.simulated = choice.pose && is_simulated();
     choices[i] = std::move(choice);
     for (const engine::BodyId id : group.bodies)
       if (id != lead)
@@ -82,6 +84,11 @@ class Chooser {
   static std::size_t index(engine::BodyId id) { return static_cast<std::size_t>(id); }
   const scene::Hydro& hydro(engine::BodyId id) const { return scene_.bodies[index(id)].hydro; }
   const engine::BodySpec& body(engine::BodyId id) const { return spec_.bodies[index(id)]; }
+
+  /// True if bodies feel the waves of others.
+  bool is_simulated() const {
+    return scene_.water && scene_.water->simulated.kind == scene::SimulatedWater::Kind::felt;
+  }
 
   /// The first body of a group with the key, or else the first.
   engine::BodyId lead_of(const RigidGroup& group) const {
@@ -105,7 +112,8 @@ class Chooser {
 
   void choose_pose(const RigidGroup& group, engine::BodyId lead, RadiationChoice& choice) {
     const bool immovable = engine::immovable(body(lead).locked) || !group.joint_to_world.empty();
-    if (immovable && !choice.written) {
+    // In simulated water it turns the waves of others back.
+    if (immovable && !choice.written && !is_simulated()) {
       choice.reason = "it is held in all six";
       return;
     }
@@ -147,6 +155,8 @@ class Chooser {
       return "kinematics: hydrostatic has no waves that a body could scatter";
     for (const engine::BodyId id : group.bodies)
       if (!body(id).wet || !body(id).coefficients.buoyancy) return "hydro.buoyancy is switched off";
+    if (is_simulated() && hydro(lead).radiation.source == Source::file)
+      return "water.simulated finds the waves of all bodies, of which a file knows one alone";
     if (hydro(lead).added_mass.model != scene::AddedMass::Model::automatic)
       return "hydro.added_mass is given, and with radiation it is that of the mean pose";
     return "";
@@ -229,6 +239,9 @@ class Chooser {
 /// Tells where a body's waves come from.
 std::string described(const RadiationChoice& choice, const engine::BodySpec& body,
                       const hydro::Sea& sea) {
+  if (choice.simulated)
+    return fmt::format("in simulated water, about a draught of {:.4g} m{}", choice.draught,
+                       choice.held.empty() ? "" : ", held by " + choice.held);
   if (!choice.database)
     return fmt::format("{} frequencies at a draught of {:.4g} m{}",
                        hydro::radiation_frequencies(radiating_mesh(choice, body), *choice.pose,
@@ -294,7 +307,7 @@ std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
   std::vector<AlikeWarning> warnings;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (choices[i].unexpected) add_warning("no radiation: " + choices[i].reason, spec, i, warnings);
-    if (!choices[i].pose) continue;
+    if (!choices[i].pose || choices[i].simulated) continue;
     for (std::size_t j = i + 1; j < choices.size(); ++j) {
       if (!choices[j].pose || !(choices[i].written || choices[j].written)) continue;
       const double distance =

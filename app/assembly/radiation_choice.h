@@ -58,9 +58,10 @@ struct RadiationChoice {
   std::string reason;    ///< Why it makes none; empty if this key or `added_mass` says so.
   /// The reason lies in how the scene starts, so that its author may expect waves.
   bool unexpected = false;
-  std::string held;    ///< What holds it in the mean pose besides the water; empty: nothing.
-  double draught = 0;  ///< In the mean pose [m].
-  double length = 0;   ///< Largest horizontal extent in the mean pose [m].
+  bool simulated = false;  ///< Simulated water has its waves, in the place of a solution.
+  std::string held;        ///< What holds it in the mean pose besides the water; empty: nothing.
+  double draught = 0;      ///< In the mean pose [m].
+  double length = 0;       ///< Largest horizontal extent in the mean pose [m].
   std::shared_ptr<const RadiationDatabase>
       database;  ///< Database of its file (radiation_database.h).
 };

@@ -130,7 +130,7 @@ Json to_json(const Solved& solved) {
   Json all = {{"density", density},
               {"gravity", data.water.gravity},
               {"depth", std::isfinite(data.water.depth) ? Json(data.water.depth) : Json()},
-              {"assumed", assembly::assumptions(data.water)},
+              {"assumed", assembly::assumptions(data.water, false)},
               {"displaced_volume", data.volume},
               {"height", data.pose.height},
               {"orientation", {q.w(), q.x(), q.y(), q.z()}},
@@ -209,7 +209,7 @@ std::string table_of(const Solved& solved) {
       "{}: displaced {:.6g} m^3, centre of mass {:.6g} m above the water of {:g} kg/m^3\n  {}\n"
       "  assumed: {}\n",
       solved.body.name, data.volume, data.pose.height, density, origin_of(solved),
-      fmt::join(assembly::assumptions(data.water), ", "));
+      fmt::join(assembly::assumptions(data.water, false), ", "));
   text += fmt::format("{:>9}{:>10}{:>36}{:>36}{:>36}\n{:>9}{:>10}", "omega", "length",
                       "added mass [kg, kg m^2]", "damping [kg/s, kg m^2/s]", "|X| along x [N/m, N]",
                       "rad/s", "m");

@@ -117,7 +117,7 @@ void add_runs(const RaoCommand& o, std::vector<BodyResponses>& all, Reporter& re
 
 std::vector<std::string> assumed(const hydro::Sea& sea) {
   std::vector<std::string> all =
-      assembly::assumptions({.gravity = sea.gravity, .depth = sea.depth});
+      assembly::assumptions({.gravity = sea.gravity, .depth = sea.depth}, false);
   all.emplace_back("no drag, wind, machines or controls");
   return all;
 }

@@ -90,6 +90,8 @@ Cells added_mass_row(const assembly::AddedMassReport& report) {
 
 Cells radiation_row(const assembly::RadiationReport& report) {
   if (!report.model) return {};
+  if (report.choice.simulated)
+    return {"simulated water", "", number_text(report.choice.draught, 3), "", ""};
   const hydro::RadiationMemory& memory = report.model->memory();
   const auto& database = report.choice.database;
   return {database                    ? database->file.filename().string()

@@ -58,11 +58,12 @@ std::string solved_text(const assembly::BuiltScene& built) {
 std::vector<std::string> closing_lines(const RunSummary& summary,
                                        const std::filesystem::path& folder) {
   const engine::Timings& t = summary.timings;
+  const std::string water = summary.built.spec.water ? fmt::format("water {:.2f}, ", t.water) : "";
   std::vector<std::string> lines = {fmt::format(
       "{}: {} steps, {:g} s simulated in {:.2f} s (added mass and radiation {:.2f}, hydro {:.2f}, "
-      "collision {:.2f}, engine {:.2f}, log {:.2f}, pictures {:.2f}){}",
+      "collision {:.2f}, engine {:.2f}, {}log {:.2f}, pictures {:.2f}){}",
       folder.string(), summary.steps, summary.simulated, summary.wall,
-      summary.built.added_mass_seconds, t.hydro, t.collision, t.engine, summary.wall_log,
+      summary.built.added_mass_seconds, t.hydro, t.collision, t.engine, water, summary.wall_log,
       summary.wall_render, solved_text(summary.built))};
   for (std::string& line : error_lines(summary.built.spec, summary.errors))
     lines.push_back(std::move(line));

@@ -37,9 +37,14 @@ std::string water_text(const scene::Scene& scene, const assembly::BuiltScene& bu
   if (!scene.water) return "no water";
   const scene::Water& water = *scene.water;
   const std::string depth = water.depth ? fmt::format(", {:g} m deep", *water.depth) : "";
-  const bool simulated = water.simulated == scene::SimulatedWater::picture;
+  using Kind = scene::SimulatedWater::Kind;
+  const std::string simulated =
+      built.spec.water ? fmt::format(", simulated on {0} x {0} cells of {1:.3g} m",
+                                     built.spec.water->square.cells, built.spec.water->square.cell)
+      : water.simulated.kind == Kind::picture ? ", with bodies' waves in the pictures"
+                                              : "";
   return fmt::format("water of {:g} kg/m^3 ({}{}{})", water.density, surface_text(water, built),
-                     depth, simulated ? ", with bodies' waves in the pictures" : "");
+                     depth, simulated);
 }
 
 /// Describes the wind, if there is any: `, wind of 8 m/s`.
@@ -173,8 +178,10 @@ std::vector<std::string> resolved_scene(const scene::Scene& scene,
   const std::vector<std::string> radiation = tables.radiation();
   add(radiation);
   if (!radiation.empty())
-    lines.push_back(fmt::format(
-        "  assumed: {}", fmt::join(assembly::assumptions({.depth = built.spec.sea->depth}), ", ")));
+    lines.push_back(fmt::format("  assumed: {}",
+                                fmt::join(assembly::assumptions({.depth = built.spec.sea->depth},
+                                                                built.spec.water.has_value()),
+                                          ", ")));
   add(tables.resistance());
   const std::string surfaces = contact_text(built.spec);
   if (!surfaces.empty()) lines.push_back("  contacts: " + surfaces);

@@ -92,17 +92,22 @@ Json to_json(const assembly::RadiationReport& report) {
   const hydro::RadiationMemory& memory = report.model->memory();
   const hydro::MeanPose& pose = data.pose;
   const Eigen::Vector3d angles = hydro::euler_angles(pose.orientation) * (180 / std::numbers::pi);
+  const Json mean_pose = {{"height", pose.height},
+                          {"draught", report.choice.draught},
+                          {"roll_deg", angles[0] + 0.0},
+                          {"pitch_deg", angles[1] + 0.0}};
+  if (report.choice.simulated)
+    return {{"source", "simulated water"},
+            {"solve_seconds", report.sources_seconds},
+            {"mean_pose", mean_pose},
+            {"assumed", assembly::assumptions(data.water, true)}};
   Json json = origin_of(report);
   json.update({{"frequencies", data.frequencies},
-               {"mean_pose",
-                {{"height", pose.height},
-                 {"draught", report.choice.draught},
-                 {"roll_deg", angles[0] + 0.0},
-                 {"pitch_deg", angles[1] + 0.0}}},
+               {"mean_pose", mean_pose},
                {"oscillators", memory.size()},
                {"fit_error_rms", memory.rms_error.maxCoeff()},
                {"fit_error_largest", memory.largest_error.maxCoeff()},
-               {"assumed", assembly::assumptions(data.water)}});
+               {"assumed", assembly::assumptions(data.water, false)}});
   return json;
 }
 
@@ -201,6 +206,7 @@ Json shares_of(const RunSummary& s) {
           {"loads", share(s.timings.hydro)},
           {"collisions", share(s.timings.collision)},
           {"constraints", share(s.timings.constraints)},
+          {"water", share(s.timings.water)},
           {"log", share(s.wall_log)}};
 }
 

@@ -90,8 +90,22 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"water.current.velocities", "Velocities of the water at these depths, horizontal."},
     {"water.simulated",
      "`picture`: bodies make waves, rings and wakes, that the pictures and the window show and no "
-     "body feels; nor do the logs and Python's pictures have them. `none`: the water is as it is "
-     "given."},
+     "body feels; nor do the logs and Python's pictures have them. `{}`: bodies feel the waves of "
+     "all bodies as well. Hulls that float near their mean pose radiate into this water and "
+     "scatter "
+     "what comes, in the place of `radiation: auto`; other bodies make waves and feel none. "
+     "`none`: "
+     "the water is as it is given."},
+    {"water.simulated.size",
+     "Cells of the grid along x and y, two equal powers of two. Without it as many as the bodies "
+     "need, 512 at most."},
+    {"water.simulated.spacing",
+     "Side of a cell. Without it a quarter of the breadth of the narrowest hull, or more where the "
+     "bodies are far apart or the step is long."},
+    {"water.simulated.edge",
+     "Width of the edge of the grid that absorbs waves: the length of the longest ones that "
+     "matter. "
+     "Without it a fifth of the grid."},
     {"water.surface",
      "Shape of the surface, given by exactly one of `flat`, `heightfield`, `waves`, "
      "`spectrum` and `elevation`. Without this block the surface is flat."},

@@ -13,6 +13,7 @@ void read(MapReader& map, Water& water);
 void read_current(MapReader& map, Water& water);
 void read(MapReader& map, Flat& flat);
 void read(MapReader& map, HeightField& field);
+void read(MapReader& map, SimulatedWater& simulated);
 void read(MapReader& map, Wave& wave);
 void read(MapReader& map, Spectrum& spectrum);
 void read(MapReader& map, Elevation& elevation);

@@ -106,7 +106,42 @@ void check_current(MapReader& map, const Water& water) {
                         grid ? "water under a height field" : "kinematics hydrostatic"));
 }
 
+using Simulation = SimulatedWater::Kind;
+
+/// Reads `none`, `picture`, or a block.
+void read_simulated(MapReader& map, SimulatedWater& simulated) {
+  const std::string expected =
+      "none, picture, or {}, with the keys size, spacing and edge if need be";
+  const std::string before = simulated.kind == Simulation::none      ? "none"
+                             : simulated.kind == Simulation::picture ? "picture"
+                                                                     : "{}";
+  const auto value = map.find_unless_block("simulated", expected, before, simulated,
+                                           {words_shape({"none", "picture"})});
+  if (!value) return;
+  if (value->node.is_word("none"))
+    simulated = {};
+  else if (value->node.is_word("picture"))
+    simulated = {.kind = Simulation::picture, .size = {}, .spacing = {}, .edge = {}};
+  else
+    value->refuse(expected);
+}
+
+constexpr int kFewestCells = 64, kMostCells = 2048;
+
 }  // namespace
+
+void read(MapReader& map, SimulatedWater& simulated) {
+  simulated = {.kind = Simulation::felt, .size = {}, .spacing = {}, .edge = {}};
+  if (map.optional("size", simulated.size, between(kFewestCells, kMostCells))) {
+    const auto [columns, rows] = *simulated.size;
+    if (columns != rows || (columns & (columns - 1)) != 0)
+      map.fault("size", fmt::format("found [{}, {}], expected two equal powers of two, such as "
+                                    "[256, 256]",
+                                    columns, rows));
+  }
+  map.optional("spacing", simulated.spacing, positive("m"));
+  map.optional("edge", simulated.edge, positive("m"));
+}
 
 void read(MapReader& map, Water& water) {
   map.optional("density", water.density, positive("kg/m^3"));
@@ -119,9 +154,7 @@ void read(MapReader& map, Water& water) {
   water.surface = std::move(surface.shape);
   water.kinematics = surface.kinematics;
   water.ramp = surface.ramp;
-  map.optional("simulated", water.simulated,
-               ChoiceRule<SimulatedWater>{
-                   {{"none", SimulatedWater::none}, {"picture", SimulatedWater::picture}}});
+  read_simulated(map, water.simulated);
   check_current(map, water);
   if (const auto* waves = std::get_if<std::vector<Wave>>(&water.surface); waves && water.depth)
     check_depth(map, *water.depth, *waves);

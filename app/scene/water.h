@@ -53,9 +53,17 @@ struct Elevation {
   int components = 1024;          ///< Largest number of waves.
 };
 /// How bodies move the water.
-enum class SimulatedWater {
-  none,    ///< The water is as it is given.
-  picture  ///< Bodies make waves, which are drawn and not felt.
+struct SimulatedWater {
+  enum class Kind {
+    none,     ///< The water is as it is given.
+    picture,  ///< Bodies make waves, which are drawn and not felt.
+    felt      ///< Bodies make waves and feel those of all bodies.
+  };
+  Kind kind = Kind::none;
+  // The grid of water that is felt; what is not given follows from the bodies.
+  std::optional<std::array<int, 2>> size;  ///< Cells along x and y: equal powers of two.
+  std::optional<double> spacing;           ///< Side of a cell [m], > 0.
+  std::optional<double> edge;              ///< Width of the edge that absorbs waves [m], > 0.
 };
 using Surface = std::variant<Flat, HeightField, std::vector<Wave>, Spectrum, Elevation>;
 
@@ -71,7 +79,7 @@ struct Water {
   hydro::Kinematics kinematics =
       hydro::Kinematics::airy;  ///< Kinematics of the waves, however given.
   double ramp = 0;              ///< Time over which the waves grow from rest [s], >= 0.
-  SimulatedWater simulated = SimulatedWater::none;
+  SimulatedWater simulated;
 };
 
 }  // namespace scene

@@ -38,8 +38,8 @@ for command in $commands; do expect_all_options "$command"; done
 
 expect 'run render report radiation rao' plimsoll r
 expect '--help --version' plimsoll --
-expect 'teapot_drop.yaml' plimsoll run teap
-expect 'teapot_drop.yaml' plimsoll run --quiet teap
+expect 'teapot_drop.yaml' plimsoll run teapot_d
+expect 'teapot_drop.yaml' plimsoll run --quiet teapot_d
 expect 'hinged_gate.yaml' plimsoll check teapot_drop.yaml hing
 expect 'meshes' plimsoll run --out mes
 expect 'meshes' plimsoll run --out = mes

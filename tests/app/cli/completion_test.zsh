@@ -35,7 +35,7 @@ expect() {
 
 expect 'plimsoll hydrostatics ' 'plimsoll hydros'
 expect 'plimsoll run --no-render ' 'plimsoll run --no-r'
-expect 'plimsoll run teapot_drop.yaml ' 'plimsoll run teap'
+expect 'plimsoll run teapot_drop.yaml ' 'plimsoll run teapot_d'
 expect 'plimsoll run --out meshes/' 'plimsoll run --out mes'
 expect 'plimsoll check a.yaml hinged_gate.yaml ' 'plimsoll check a.yaml hing'
 expect 'plimsoll run --set render.cameras.bow.orbit=' 'plimsoll run --set render.cameras.bow.o'

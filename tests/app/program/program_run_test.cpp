@@ -82,7 +82,7 @@ TEST_F(ProgramRun, WritesASummaryOfWhatItCostAndSkipped) {
   EXPECT_THAT(keys(summary["wall_seconds"]),
               ElementsAre("total", "added_mass", "collision", "hydro", "engine", "render", "log"));
   EXPECT_THAT(keys(summary["shares"]),
-              ElementsAre("sea", "loads", "collisions", "constraints", "log"));
+              ElementsAre("sea", "loads", "collisions", "constraints", "water", "log"));
   double shares = 0;
   for (const auto& share : summary["shares"]) {
     EXPECT_GE(share, 0);

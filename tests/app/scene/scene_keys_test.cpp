@@ -31,7 +31,7 @@ std::string every_key() {
          "gravity: 1.62\n"
          "integrator: {method: split, tolerance: 0.5}\n"
          "water:\n"
-         "  simulated: picture\n"
+         "  simulated: {size: [128, 128], spacing: 0.25, edge: 9}\n"
          "  density: 1025\n"
          "  viscosity: 1.2e-6\n"
          "  level: -1.5\n"
@@ -192,7 +192,11 @@ TEST(SceneKeys, WaterIsRead) {
   EXPECT_EQ(scene.water->density, 1025);
   EXPECT_EQ(scene.water->level, -1.5);
   EXPECT_EQ(scene.water->depth, 30);
-  EXPECT_EQ(scene.water->simulated, scene::SimulatedWater::picture);
+  const scene::SimulatedWater& simulated = scene.water->simulated;
+  EXPECT_EQ(simulated.kind, scene::SimulatedWater::Kind::felt);
+  EXPECT_EQ((*simulated.size)[0], 128);
+  EXPECT_EQ(*simulated.spacing, 0.25);
+  EXPECT_EQ(*simulated.edge, 9);
   EXPECT_EQ(scene.water->kinematics, hydro::Kinematics::hydrostatic);
   EXPECT_EQ(scene.water->current, Eigen::Vector3d(1, 2, 3));
   const auto& waves = std::get<std::vector<scene::Wave>>(scene.water->surface);
