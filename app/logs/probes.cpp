@@ -55,20 +55,30 @@ void Probes::before_step(const std::vector<hydro::BodyState>& states) {
     if (point.body) point.velocity_before = velocity_at(point.at, states[*point.body]);
 }
 
-std::vector<ProbeReading> Probes::read(double time,
-                                       const std::vector<hydro::BodyState>& states) const {
+std::vector<ProbeReading> Probes::read(double time, const std::vector<hydro::BodyState>& states,
+                                       const std::optional<hydro::SurfacePatch>& waves) const {
+  const auto raise_at = [&](const Vector3d& p_W) {
+    return waves ? waves->at(p_W.x(), p_W.y()) : 0;
+  };
   std::vector<ProbeReading> readings;
-  for (const Point& point : points_)
-    readings.push_back(point.body ? read_body(point, time, states[*point.body])
-                                  : read_water(point, time));
+  for (const Point& point : points_) {
+    if (!point.body) {
+      readings.push_back(read_water(point, time, raise_at(point.at)));
+      continue;
+    }
+    const hydro::BodyState& state = states[*point.body];
+    const double raise = raise_at(state.position + arm(point.at, state));
+    readings.push_back(read_body(point, time, raise, state));
+  }
   return readings;
 }
 
-ProbeReading Probes::read_water(const Point& point, double time) const {
+/// @param raise   Of the surface by the waves of bodies [m].
+ProbeReading Probes::read_water(const Point& point, double time, double raise) const {
   const hydro::Sea& sea = *spec_.sea;
   ProbeReading reading = nothing_read();
   Vector3d p_W = point.at;
-  const double elevation = hydro::surface_elevation(sea, p_W.x(), p_W.y(), time);
+  const double elevation = hydro::surface_elevation(sea, p_W.x(), p_W.y(), time) + raise;
   if (point.on_surface) p_W.z() = sea.level + elevation;
   reading[kElevation] = elevation;
   put(p_W, kPosition, reading);
@@ -79,12 +89,13 @@ ProbeReading Probes::read_water(const Point& point, double time) const {
   return reading;
 }
 
-ProbeReading Probes::read_body(const Point& point, double time,
+ProbeReading Probes::read_body(const Point& point, double time, double raise,
                                const hydro::BodyState& state) const {
   ProbeReading reading = nothing_read();
   const Vector3d p_W = state.position + arm(point.at, state);
   const Vector3d velocity = velocity_at(point.at, state);
-  if (spec_.sea) reading[kElevation] = hydro::surface_elevation(*spec_.sea, p_W.x(), p_W.y(), time);
+  if (spec_.sea)
+    reading[kElevation] = hydro::surface_elevation(*spec_.sea, p_W.x(), p_W.y(), time) + raise;
   put(p_W, kPosition, reading);
   put(velocity, kVelocity, reading);
   if (point.velocity_before)

@@ -8,17 +8,19 @@
 #include "app/logs/table_layouts.h"
 #include "app/scene/probe.h"
 #include "engine/base/spec.h"
+#include "hydro/water/surface_patch.h"
 
 /// @file
 /// The readings of the probes of a run, and the columns of their log.
 ///
-/// `elevation` is the height of the water's surface above the still water at the place of the probe
-/// [m]. `x`, `y`, `z` is the point of the probe in W [m]; `vx` … `vz` [m/s] and `ax` … `az` [m/s^2]
-/// are velocity and acceleration of the body at the point, or of the water:
+/// `elevation` is the height of the water's surface above the still water at the place of the
+/// probe, the waves of bodies in simulated water included [m]. `x`, `y`, `z` is the point of the
+/// probe in W [m]; `vx` … `vz` [m/s] and `ax` … `az` [m/s^2] are velocity and acceleration of the
+/// body at the point, or of the water:
 ///
 /// - A wave gauge is at a fixed x, y. Without a depth its z is that of the surface, and it has no
 ///   velocity. With a depth its z is fixed, and velocity and acceleration are those of the water
-///   there (hydro/airy_waves.h), while the surface is above it.
+///   there by the given sea (hydro/airy_waves.h), while the surface is above it.
 /// - A point of a body moves with it. Its velocity is v + ω × r, exact in the body's state. Its
 ///   acceleration is the change of that velocity in the last step over the step, so that the sum of
 ///   all accelerations times the step is the velocity to round-off. It is the acceleration half a
@@ -45,7 +47,9 @@ class Probes {
 
   /// Returns the readings in the order of the scene.
   /// @param states   Of the bodies at `time`.
-  std::vector<ProbeReading> read(double time, const std::vector<hydro::BodyState>& states) const;
+  /// @param waves    Of the bodies in simulated water at `time`; none: still.
+  std::vector<ProbeReading> read(double time, const std::vector<hydro::BodyState>& states,
+                                 const std::optional<hydro::SurfacePatch>& waves = {}) const;
 
  private:
   /// A point of a body, or of the water where there is no body.
@@ -57,8 +61,9 @@ class Probes {
         {};  ///< Velocity of the body's point, in W [m/s].
   };
 
-  ProbeReading read_water(const Point& point, double time) const;
-  ProbeReading read_body(const Point& point, double time, const hydro::BodyState& state) const;
+  ProbeReading read_water(const Point& point, double time, double raise) const;
+  ProbeReading read_body(const Point& point, double time, double raise,
+                         const hydro::BodyState& state) const;
 
   const engine::SimulationSpec& spec_;
   std::vector<Point> points_;

@@ -5,6 +5,7 @@
 
 #include "app/base/wall_clock.h"
 #include "app/run/log_subject.h"
+#include "hydro/water/simulated_water.h"
 
 namespace app {
 namespace {
@@ -66,7 +67,10 @@ std::vector<std::vector<double>> StateLog::table_numbers(const engine::Simulatio
   std::vector<std::vector<double>> tables = rig_.numbers(rig, states);
   if (!probed_) return tables;
   tables.emplace_back();
-  for (const ProbeReading& reading : probes_.read(simulation.time(), states))
+  const double time = simulation.time();
+  const hydro::SimulatedWater* water = simulation.water();
+  const auto waves = water ? water->patch(time) : std::nullopt;
+  for (const ProbeReading& reading : probes_.read(time, states, waves))
     tables.back().insert(tables.back().end(), reading.begin(), reading.end());
   return tables;
 }

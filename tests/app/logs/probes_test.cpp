@@ -54,6 +54,16 @@ TEST(Probes, AGaugeReadsTheElevationOfTheSea) {
   }
 }
 
+TEST(Probes, AGaugeReadsTheWavesOfBodiesAsWell) {
+  const Scene s(kSea + "log: {probes: [{name: a, wave: [3, -2]}]}\n");
+  const hydro::SurfacePatch waves{
+      .heights = Eigen::MatrixXf::Constant(32, 32, 0.25F), .cell = 1, .origin = {-10, -10}};
+  const double given = s.probes.read(4, {}).at(0)[0];
+  const ProbeReading reading = s.probes.read(4, {}, waves).at(0);
+  EXPECT_NEAR(reading[0], given + 0.25, 1e-12);
+  EXPECT_NEAR(reading[3], 0.7 + given + 0.25, 1e-12);
+}
+
 TEST(Probes, AGaugeWithADepthReadsTheMotionOfTheWaterThere) {
   const Scene s(kSea + "log: {probes: [{name: a, wave: [3, -2], depth: 2.5}]}\n");
   for (int i = 0; i < 20; ++i) {
