@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kInsideRuns = 1200;  ///< Of combinations inside the envelope, nearly all.
 constexpr std::size_t kExtremeRuns = 825;  ///< Of combinations of all values: one of six inside.
 constexpr std::size_t kRiggedRuns = 300;
+constexpr std::size_t kSimulatedRuns = 476;
 constexpr std::size_t kExtremeRiggedRuns = 100;
 constexpr double kWidePart = 0.2;  ///< Of the random runs: those not kept to the envelope.
 
@@ -111,6 +112,22 @@ std::vector<RunName> rigs_at_extremes() {
   return hypercube(kExtremeRiggedRuns, 20261124, dimensions(), rigged());
 }
 
+/// Returns runs in simulated water, light bodies at long steps among them.
+std::vector<RunName> in_simulated_water() {
+  std::vector<Dimension> values = inside_dimensions();
+  values[static_cast<std::size_t>(Key::added)].values = {"simulated"};
+  values[static_cast<std::size_t>(Key::water)].values = {"flat",  "current", "swell",
+                                                         "steep", "short",   "jonswap"};
+  std::vector<RunName> runs = hypercube(kSimulatedRuns, 20261130, values, not_rigged());
+  const RunName base = parse_run("start=half pose=flat speed=0 added=simulated steps=300");
+  for (const char* shape : {"cube", "ball", "tub", "teapot"})
+    for (const char* density : {"0.01", "0.1", "0.5"})
+      for (const char* step : {"1/60", "1/15"})
+        runs.push_back(
+            base.with(Key::shape, shape).with(Key::density, density).with(Key::step, step));
+  return runs;
+}
+
 /// Returns runs of a minute in the water with A/m far below and above one.
 std::vector<RunName> heavy_water() {
   std::vector<RunName> runs;
@@ -146,8 +163,8 @@ using Part = std::vector<RunName> (*)();
 
 /// Parts of the matrix and their strides: one of so many runs is in the subset.
 constexpr std::pair<Part, std::size_t> kParts[] = {
-    {one_at_a_time, 8}, {inside, 17},      {extremes, 34},        {heavy_water, 6},
-    {great_teapots, 6}, {rigs_inside, 17}, {rigs_at_extremes, 34}};
+    {one_at_a_time, 8}, {inside, 17},      {extremes, 34},         {heavy_water, 6},
+    {great_teapots, 6}, {rigs_inside, 17}, {rigs_at_extremes, 34}, {in_simulated_water, 17}};
 
 std::vector<RunName> every_once(std::vector<std::size_t> strides) {
   std::vector<RunName> runs;

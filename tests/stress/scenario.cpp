@@ -71,7 +71,7 @@ engine::BodySpec make_body(const RunName& run, const Shape& shape, double size,
   body.mass = run.number(Key::density) * kWater * shape.volume;
   body.inertia_B = body.mass * shape.inertia;
   body.coefficients = hydro::for_mesh(coefficients(run[Key::coefs]), body.mesh_B, kViscosity);
-  add_inertia_of_water(run[Key::added], run[Key::shape], size, sea, body);
+  add_inertia_of_water(run[Key::added], run[Key::shape], size, sea, run.number(Key::step), body);
   hydro::BodyState& state = body.initial;
   state.orientation = orientation(run[Key::pose]);
   state.position.z() = height(run, size, -lowest(body));
@@ -90,12 +90,16 @@ Scenario make_scenario(const RunName& run) {
   scenario.spec.step = run.number(Key::step);
   scenario.spec.sea = make_water(run[Key::water], scenario.size);
   arrange(run[Key::with], make_body(run, shape, scenario.size, *scenario.spec.sea), scenario);
+  const engine::BodySpec& body = scenario.spec.bodies[0];
+  const bool simulated = run[Key::added] == "simulated";
+  if (simulated)
+    scenario.spec.water =
+        engine::WaterGrid{.square = square_for(body, *scenario.spec.sea, scenario.spec.step)};
   scenario.inside = assembly::inside_envelope(scenario.spec);
   const bool streams = !scenario.spec.sea->current.isZero(0);
   const bool freely = run[Key::with] == "free";
-  scenario.passive = hydro::is_flat(*scenario.spec.sea) &&
-                     scenario.spec.bodies[0].coefficients.lift == 0 && (!streams || freely) &&
-                     !gives_energy(run[Key::with]);
+  scenario.passive = hydro::is_flat(*scenario.spec.sea) && body.coefficients.lift == 0 &&
+                     (!streams || freely) && !gives_energy(run[Key::with]) && !simulated;
   return scenario;
 }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +18,7 @@
 #include "hydro/mesh/primitives.h"
 #include "hydro/radiation/diffraction_load.h"
 #include "hydro/radiation/radiation_solve.h"
+#include "hydro/water/hull_sources.h"
 #include "tests/stress/run_name.h"
 #include "tests/support/hollows.h"
 
@@ -111,6 +114,26 @@ std::shared_ptr<const hydro::FloatingBody> floating(const engine::BodySpec& body
                                                std::move(momentum));
 }
 
+/// Shorter horizontal side of the mesh [m].
+double breadth_of(const hydro::TriMesh& mesh_B) {
+  const Eigen::Vector3d sides =
+      mesh_B.vertices.rowwise().maxCoeff() - mesh_B.vertices.rowwise().minCoeff();
+  return std::min(sides.x(), sides.y());
+}
+
+void add_sources(const hydro::PeriodicSquare& square, const hydro::Sea& sea,
+                 engine::BodySpec& body) {
+  const hydro::TriMesh& mesh_B = outside_B(body);
+  if (breadth_of(mesh_B) < square.cell) return;
+  body.sources =
+      std::make_shared<const hydro::HullSources>(hydro::make_hull_sources(mesh_B, {}, square, 80));
+  const hydro::RadiationData data = hydro::instant_data(*body.sources, mesh_B);
+  auto [load, momentum] = hydro::scattered_waves(data, sea);
+  body.radiation = std::make_shared<const hydro::FloatingBody>(
+      mesh_B, data, hydro::RadiationMemory(), std::move(load), std::move(momentum));
+  body.added_mass = body.radiation;
+}
+
 std::shared_ptr<const hydro::AddedMassModel> given(double ratio, const engine::BodySpec& body) {
   const Eigen::Vector3d moments = body.inertia_B.diagonal();
   hydro::Vector6d diagonal;
@@ -134,9 +157,25 @@ Shape make_shape(const std::string& name, double size) {
   return shape;
 }
 
+hydro::PeriodicSquare square_for(const engine::BodySpec& body, const hydro::Sea& sea, double step) {
+  const hydro::TriMesh& mesh_B = outside_B(body);
+  const double cell =
+      std::max(breadth_of(mesh_B) / 4, sea.gravity * std::numbers::pi * step * step / 4);
+  return {.cells = 64,
+          .cell = cell,
+          .deepest = -mesh_B.vertices.row(2).minCoeff(),
+          .layers = 5,
+          .gravity = sea.gravity,
+          .depth = sea.depth};
+}
+
 void add_inertia_of_water(const std::string& added, const std::string& shape, double size,
-                          const hydro::Sea& sea, engine::BodySpec& body) {
+                          const hydro::Sea& sea, double step, engine::BodySpec& body) {
   if (added == "none") return;
+  if (added == "simulated") {
+    add_sources(square_for(body, sea, step), sea, body);
+    return;
+  }
   if (added == "waves") {
     body.radiation = floating(body, sea);
     body.added_mass = body.radiation;

@@ -24,10 +24,15 @@ struct Shape {
 /// @throws std::invalid_argument for another name.
 Shape make_shape(const std::string& name, double size);
 
+/// The grid of simulated water for a body, as build_water.h has it: cells of a quarter of its
+/// breadth, and no waves too fast for the step.
+hydro::PeriodicSquare square_for(const engine::BodySpec& body, const hydro::Sea& sea, double step);
+
 /// Gives the body what the run's value `added` names: none; deep; waves, which it makes as if it
-/// floated half immersed; or a number, which is the largest ratio of A to M: A then differs between
+/// floated half immersed; simulated, the same in simulated water for a step [s], where it is wider
+/// than a cell; or a number, which is the largest ratio of A to M: A then differs between
 /// the axes and couples surge with pitch.
 void add_inertia_of_water(const std::string& added, const std::string& shape, double size,
-                          const hydro::Sea& sea, engine::BodySpec& body);
+                          const hydro::Sea& sea, double step, engine::BodySpec& body);
 
 }  // namespace stress
