@@ -47,6 +47,12 @@ Eigen::VectorXd mean_rate(const Body& body, const WaveMemory& state, const Vecto
 /// g C of (E18a) in H.
 Matrix6d spring(const Body& body) { return body.environment.gravity * body.spec->sources->spring; }
 
+/// f − g C ξ of (E18a) in H; f, which is known before, leaves with A as the body leaves the water.
+Vector6d water_load(const Body& body, const WaterMemory& water, double strength) {
+  const double presence = strength / std::sqrt(body.environment.sea->density);
+  return presence * water.load - spring(body) * water.way;
+}
+
 /// p of (E19a) in W.
 /// @param driven   Bᵀ q in W, or the momentum of the simulated waves.
 /// @param stream   w − c
@@ -90,7 +96,7 @@ std::optional<MemoryEffect> memory_effect(const Body& body, const MidpointState&
   if (motion.water) {
     rule.h = h;
     coupling_H = spring(body);
-    known_H = motion.water->load - coupling_H * motion.water->way;
+    known_H = water_load(body, *motion.water, effect.strength);
   } else {
     const hydro::RadiationMemory& memory = oscillators(body);
     if (rule.h != h) rule = make_rule(memory, h);
@@ -157,8 +163,8 @@ Vector6d memory_load(const Body& body, const Motion& motion, double time) {
   const auto from = [&](const Eigen::VectorXd& state) -> Vector6d {
     return oscillators(body).port.transpose() * state;
   };
-  const Vector6d load = motion.water ? out(motion.water->load - spring(body) * motion.water->way)
-                                     : out(-from(motion.memory->p));
+  const Vector6d load =
+      motion.water ? out(water_load(body, *motion.water, strength)) : out(-from(motion.memory->p));
   if (!body.spec->radiation->turns_water()) return load;
   const Eigen::Vector3d flow = flow_about(body, motion.state, time, 0);
   const Vector6d driven = out(motion.water ? motion.water->momentum : from(motion.memory->q));

@@ -28,12 +28,24 @@ constexpr double kLongestFeltStep = 1;
 /// larger one [-].
 constexpr double kNearInRadii = 4;
 
+/// Distance of two hulls below which they do not, over the mean radius of the larger waterplane
+/// [-]: the strengths of the step before, by which hulls act on each other, would not converge.
+constexpr double kApart = 0.25;
+
 /// Height of the water that counts as still, over a cell [-].
 constexpr double kStill = 1e-6;
 
 /// Damping of the surface inside a waterplane, over the frequency √(g/R) of its radius [-], and the
 /// Froude number by R up to which it is damped: at speed the damping would be drag.
 constexpr double kInnerDamping = 0.1, kSlow = 0.1;
+
+/// Smallest distance of two places, one of either [m].
+double smallest_distance(const Eigen::Matrix3Xd& some, const Eigen::Matrix3Xd& others) {
+  double smallest = HUGE_VAL;
+  for (const Vector3d place : some.colwise())
+    smallest = std::min(smallest, (others.colwise() - place).colwise().squaredNorm().minCoeff());
+  return std::sqrt(smallest);
+}
 
 Eigen::Rotation2Dd turn(double heading) { return Eigen::Rotation2Dd(heading); }
 
@@ -104,9 +116,17 @@ void SimulatedWater::find_passage(const WaterBody& body, const BodyState& start,
   passage.presence = std::sqrt(body.floating->presence(start, sea_, now_.time));
 }
 
-/// The sources of hulls near by, halfway through the step, in the square's axes.
+/// The sources of hulls near by, halfway through the step, in the square's axes. Of hulls that
+/// touch or overlap there are none: these are no flow, and the strengths of the step before would
+/// not converge.
 std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
   const double cell = waves_.square().cell;
+  const auto places_of = [&](const HullSources& of, const Passage& passage) {
+    Eigen::Matrix3Xd places(3, of.places.cols());
+    for (Index i = 0; i < places.cols(); ++i)
+      places.col(i) << cell * passage.at(of.places.col(i), cell), of.places(2, i);
+    return places;
+  };
   std::vector<NearSources> near;
   for (std::size_t j = 0; j < bodies_.size(); ++j) {
     const Passage &own = passages_[hull], &other = passages_[j];
@@ -114,13 +134,14 @@ std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
     const double apart =
         cell * (own.place - other.place).norm() - bodies_[hull].radius - bodies_[j].radius;
     if (apart > kNearInRadii * std::max(bodies_[hull].radius, bodies_[j].radius)) continue;
-    const Eigen::Matrix3Xd& places = bodies_[j].hull->places;
-    NearSources& sources = near.emplace_back();
-    sources.places.resize(3, places.cols());
-    for (Index i = 0; i < places.cols(); ++i)
-      sources.places.col(i) << cell * other.at(places.col(i), cell), places(2, i);
+    NearSources sources;
+    sources.places = places_of(*bodies_[j].hull, other);
+    if (smallest_distance(places_of(*bodies_[hull].hull, own), sources.places) <
+        kApart * std::max(bodies_[hull].hull->radius(), bodies_[j].hull->radius()))
+      continue;
     sources.rates = 2 * other.rates - other.before;
     sources.changes = (other.rates - other.before) / now_.length;
+    near.push_back(std::move(sources));
   }
   return near;
 }
