@@ -112,9 +112,12 @@ std::vector<RunName> rigs_at_extremes() {
   return hypercube(kExtremeRiggedRuns, 20261124, dimensions(), rigged());
 }
 
-/// Returns runs in simulated water, light bodies at long steps among them.
+/// Returns runs in simulated water, light bodies at long steps among them. A body that is thrown is
+/// no hull there (radiation_choice.h).
 std::vector<RunName> in_simulated_water() {
   std::vector<Dimension> values = inside_dimensions();
+  values[static_cast<std::size_t>(Key::speed)].values = {"0", "1"};
+  values[static_cast<std::size_t>(Key::spin)].values = {"0", "1"};
   values[static_cast<std::size_t>(Key::added)].values = {"simulated"};
   values[static_cast<std::size_t>(Key::water)].values = {"flat",  "current", "swell",
                                                          "steep", "short",   "jonswap"};
