@@ -6,7 +6,7 @@
 namespace databases {
 
 /// Brings a database to the body's frame H and its centre of mass, its loads to evenly spaced
-/// headings, and checks it (physics of hydro/README.md):
+/// headings, and checks it (physics of hydro/radiation/README.md):
 /// - A, B and A∞ must be symmetric, and B and A∞ have no negative eigenvalues. What is left of
 ///   either is taken out.
 /// - Loads of waves over the circle must radiate the damping (Haskind), and the slowest must push

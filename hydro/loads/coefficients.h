@@ -11,8 +11,8 @@ namespace hydro {
 /// normal speed u of bluntness.h.
 ///
 /// The defaults, with the ITTC line, are fitted to the tabulated drag of 34 blunt and slender
-/// bodies: a median error of 13 %, against 38 % for the thesis's coefficients (hydro/README.md,
-/// "Coefficients").
+/// bodies: a median error of 13 %, against 38 % for the thesis's coefficients
+/// (hydro/loads/README.md, "Coefficients").
 struct PressureDrag {
   double front = 0.71;  ///< [-], >= 0.
   double back = 0.30;   ///< [-], >= 0.
