@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// What was found of a signal.
+/// Findings about a signal.
 struct SignalAnalysis {
   Signal signal;
   SignalStatistics statistics;

@@ -25,7 +25,7 @@ RadiationProblem radiation_problem(const RadiationChoice& choice, const engine::
 /// The added mass in the mean pose, where the body is present in full.
 AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro::Sea& sea);
 
-/// What linear theory takes for granted of bodies that make waves.
+/// Assumptions of linear theory about bodies that make waves.
 /// @param simulated   Their waves are in simulated water.
 std::vector<std::string> assumptions(const hydro::LinearWater& water, bool simulated);
 

@@ -29,7 +29,7 @@ void heel_over(engine::SimulationSpec& spec, BuildLog& log);
 /// its pose.
 std::vector<bool> starts_afloat(const scene::Scene& scene, const engine::SimulationSpec& spec);
 
-/// What a body weighs afloat [kg].
+/// Mass of a body afloat [kg].
 struct MassAfloat {
   double body = 0;
   double water = 0;  ///< The water inside.

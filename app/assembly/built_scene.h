@@ -82,7 +82,7 @@ struct BuiltScene {
   double added_mass_seconds = 0;
   std::optional<IrregularSea> irregular_sea;  ///< None without irregular waves.
   std::vector<std::string> notes;  ///< Notes for the author, for example on a reversed mesh.
-  /// What the author should change, because it cannot give what he expects; see sea_warnings.h.
+  /// Advice on keys that cannot give what their author expects; see sea_warnings.h.
   std::vector<std::string> warnings;
 };
 

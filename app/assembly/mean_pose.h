@@ -45,7 +45,7 @@ WetSurface wet_surface(const engine::SimulationSpec& spec, const RadiatingHull& 
 /// A mean pose, and how it was found.
 struct FoundPose {
   hydro::MeanPose pose;
-  std::string holder;       ///< What else than the water holds the hull; empty: nothing.
+  std::string holder;       ///< Holder of the hull besides the water; empty: none.
   bool at_rest = false;     ///< It is in equilibrium; otherwise the pose is that of the start.
   double start_tilt = 0;    ///< Angle between the verticals of this pose and the start [rad].
   double start_volume = 0;  ///< Displaced at the start over that displaced here [-].
@@ -63,7 +63,7 @@ class MeanPoses {
  public:
   explicit MeanPoses(const engine::SimulationSpec& spec);
 
-  /// What else than the water holds a hull; empty: nothing.
+  /// Returns the holder of a hull besides the water; empty: none.
   std::string holder(const RadiatingHull& hull) const;
 
   /// @param hull     One that nothing holds must be able to float.

@@ -7,9 +7,9 @@
 
 namespace assembly {
 
-/// What assimp may open while it reads a mesh: the file itself and regular files in its folder
-/// and below, which some formats name. Nothing is written. A pipe or a device, which could block
-/// or never end, is as good as missing; so is a link that leads out of the folder.
+/// Files that assimp may open while it reads a mesh: the file itself and regular files in its
+/// folder and below, which some formats name. Nothing is written. A pipe or a device, which could
+/// block or never end, is as good as missing; so is a link that leads out of the folder.
 class MeshFileAccess : public Assimp::IOSystem {
  public:
   explicit MeshFileAccess(const std::filesystem::path& file);

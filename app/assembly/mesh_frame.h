@@ -12,13 +12,13 @@
 
 namespace assembly {
 
-/// What a mesh file says of its frame.
+/// Frame that a mesh file states.
 struct StatedFrame {
   std::optional<scene::UpAxis> up;  ///< The axis that points up.
   std::optional<double> unit;       ///< Length of a unit of the coordinates [m].
 };
 
-/// What the coordinates of a mesh file have been rounded to.
+/// Precision of the coordinates in a mesh file.
 enum class Rounding {
   as_written,  ///< To the digits of a text, or to doubles.
   of_floats    ///< With a relative precision of 6e-8.

@@ -15,7 +15,7 @@ namespace assembly {
 [[noreturn]] void fault_at_byte(const std::filesystem::path& file, std::uint64_t byte,
                                 const std::string& message);
 
-/// What a format of text has beside words.
+/// Comments and continued lines of a text format.
 struct TextStyle {
   char comment = '\0';     ///< Begins a comment to the end of the line; none if 0.
   bool continued = false;  ///< A backslash at the end of a line joins the next one to it.

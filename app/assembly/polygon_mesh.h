@@ -14,7 +14,7 @@ namespace assembly {
 /// Most vertices of a mesh file, 24 bytes each.
 constexpr std::size_t kMostVertices = 200'000'000;
 
-/// What the numbers mean that say where in a file something stands.
+/// Unit of the numbers that give a place in a file.
 enum class PlaceKind { line, byte };
 
 /// Vertices and polygons as a mesh file lists them, in any order. All faults are InputErrors with a

@@ -59,7 +59,7 @@ struct RadiationChoice {
   /// The reason lies in how the scene starts, so that its author may expect waves.
   bool unexpected = false;
   bool simulated = false;  ///< Simulated water has its waves, in the place of a solution.
-  std::string held;        ///< What holds it in the mean pose besides the water; empty: nothing.
+  std::string held;        ///< Holder besides the water in the mean pose; empty: none.
   double draught = 0;      ///< In the mean pose [m].
   double length = 0;       ///< Largest horizontal extent in the mean pose [m].
   std::shared_ptr<const RadiationDatabase>

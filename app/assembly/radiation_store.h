@@ -18,7 +18,7 @@ namespace assembly {
 /// numbers; files of older versions are ignored.
 inline constexpr int kRadiationVersion = 5;
 
-/// What a solution depends on.
+/// Everything on which a solution depends.
 struct RadiationProblem {
   const hydro::TriMesh& mesh_B;  ///< Its origin is the centre of mass.
   hydro::MeanPose pose;

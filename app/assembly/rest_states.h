@@ -19,7 +19,8 @@ namespace assembly {
 /// Bodies that joints or lines connect with each other.
 struct HeldGroup {
   std::vector<engine::BodyId> bodies;  ///< Ascending.
-  /// What holds it, as a fault tells it: a joint, a line, a lock or a load; empty: the water alone.
+  /// Holder of the body, as a fault names it: a joint, a line, a lock or a load; empty: the water
+  /// alone.
   std::string holder;
 };
 

@@ -39,7 +39,7 @@ struct CallResult {
   };
   End end = End::returned;
   std::string bytes;  ///< All that the function has written.
-  std::string cause;  ///< What ended the process: `segmentation fault`.
+  std::string cause;  ///< Reason why the process ended: `segmentation fault`.
 };
 
 /// Runs a function in a process of its own and waits for its end.

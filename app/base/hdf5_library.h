@@ -10,7 +10,7 @@
 #include <utility>
 
 /// @file
-/// What the users of the HDF5 library share: hdf5_file.cpp and hdf5_reader.cpp of logs/ and
+/// Common part of the users of the HDF5 library: hdf5_file.cpp and hdf5_reader.cpp of logs/ and
 /// hdf5_arrays.cpp of databases/. Only they may include it.
 
 namespace app::hdf5 {

@@ -19,7 +19,7 @@ std::optional<double> available_disk(const std::filesystem::path& folder);
 /// Returns a number of gigabytes for a sentence: `0.25`, `3.4`, `240`.
 std::string gigabytes(double number);
 
-/// What a need means on a machine.
+/// Verdict on a need of memory on this machine.
 struct MemoryVerdict {
   bool fault = false;  ///< The need is more than twice what is free: it cannot work.
   std::string text;    ///< `needs about 38 GiB of memory, this machine has 24 GiB free`

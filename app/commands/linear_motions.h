@@ -39,7 +39,7 @@ struct LinearMotions {
   hydro::MeanPose pose;
   hydro::Sea sea;
   double heading = 0;                 ///< Heading of H in W [rad].
-  std::vector<std::string> left_out;  ///< What acts on the body and is not in its numbers.
+  std::vector<std::string> left_out;  ///< Loads on the body that its numbers leave out.
 
   /// Motions over the elevation a e^{−iωt} at the centre of mass, along the axes of H: [m/m,
   /// rad/m], a column for each wave. @param waves   All of one heading.

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// What a comparison reads of a run.
+/// Part of a run that a comparison reads.
 struct ComparedRun {
   Trajectory trajectory;
   std::map<std::string, TableRows> tables;  ///< By their names (quantities.h); those that it has.

@@ -15,7 +15,7 @@ struct ComparisonLimits {
   std::size_t numbers = 1'500'000;  ///< Numbers in all columns of both logs and of the differences.
 };
 
-/// What a page shows.
+/// Content of a page.
 struct ComparedPage {
   const Comparison& comparison;
   const ComparedFiles& files;

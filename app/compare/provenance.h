@@ -8,7 +8,7 @@
 #include "app/compare/compared_run.h"
 
 /// @file
-/// What made two runs: the versions of the program, the keys of the scenes and the meshes, as their
+/// Origin of two runs: the versions of the program, the keys of the scenes and the meshes, as their
 /// summaries tell.
 
 namespace app {
@@ -25,7 +25,7 @@ struct Provenance {
   std::vector<Change> programs;
   std::vector<Change> keys;        ///< Key paths; entries of lists by their names if they have any.
   std::vector<Change> meshes;      ///< By the names of the bodies.
-  std::vector<std::string> notes;  ///< What could not be told.
+  std::vector<std::string> notes;  ///< Questions left open.
 
   bool alike() const { return programs.empty() && keys.empty() && meshes.empty(); }
 };

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// What counts as equal in one quantity. A quantity without any limit is not judged.
+/// Limits within which a quantity counts as equal. A quantity without any limit is not judged.
 struct Tolerance {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 

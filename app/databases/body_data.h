@@ -26,7 +26,7 @@ struct Check {
 struct BodyData {
   hydro::RadiationData data;
   std::vector<Check> checks;
-  std::vector<std::string> notes;  ///< What was left out, taken or is slightly wrong.
+  std::vector<std::string> notes;  ///< Data left out, assumed or slightly wrong.
 };
 
 }  // namespace databases

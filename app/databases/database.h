@@ -14,7 +14,7 @@
 
 namespace databases {
 
-/// What a file tells of one body, in SI units, for water of density 1 and a time factor e^{−iωt},
+/// Data of one body in a file, in SI units, for water of density 1 and a time factor e^{−iωt},
 /// but in the file's own frame: z up from the still water, and the motions and moments about the
 /// file's reference point.
 struct Database {
@@ -44,7 +44,7 @@ struct Database {
   std::optional<double> depth;            ///< Depth of the water [m]; may be infinite.
   std::optional<double> volume;           ///< Displaced [m^3].
   std::optional<double> waterplane_area;  ///< [m^2]
-  std::vector<std::string> notes;         ///< What was left out or taken.
+  std::vector<std::string> notes;         ///< Data left out or assumed.
 };
 
 /// Reads a database.

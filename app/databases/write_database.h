@@ -12,7 +12,7 @@
 
 namespace databases {
 
-/// What is written of a body.
+/// Data of a body to write.
 struct WrittenBody {
   std::string name;
   const hydro::RadiationData& data;

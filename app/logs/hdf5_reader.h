@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// What a file of Hdf5Writer (hdf5_file.h) holds, even if its program was killed. The library can
-/// be crashed by a damaged file, so that it reads in a process of its own
+/// Content of a file of Hdf5Writer (hdf5_file.h), even if its program was killed. A damaged file
+/// can crash the library, so it reads in a process of its own
 /// (app/scene/isolated_reader.h), which takes some milliseconds and returns all datasets at once.
 ///
 /// All functions throw InputError if the file is not as expected.

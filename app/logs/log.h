@@ -35,7 +35,7 @@ struct LogPosition {
   std::vector<std::uint64_t> hdf5_hashes = {};  ///< Hashes of the rows of each series of run.h5.
 };
 
-/// What is logged of an instant.
+/// Logged quantities of an instant.
 struct LogEntry {
   double time = 0;                                ///< [s]
   const std::vector<hydro::BodyState>& states;    ///< One state per body.

@@ -23,7 +23,7 @@ struct LogRow {
 [[noreturn]] void refuse_row(const std::filesystem::path& file, int line,
                              const std::string& message);
 
-/// What a field after the name may be: an empty one is read as NaN.
+/// Kind of a field after the name; an empty one is read as NaN.
 enum class LogField { number, may_be_empty };
 
 /// Reads a row.

@@ -23,10 +23,10 @@ struct TableSeries {
   std::vector<std::string> columns;  ///< `fx`, `fy`, `fz`.
 };
 
-/// What the rows of a table are.
+/// Names and columns of a table.
 struct TableLayout {
   std::string file;  ///< `lines.csv`.
-  std::string kind;  ///< What a fault of the file calls it: `a log of lines`.
+  std::string kind;  ///< Name of the file in faults: `a log of lines`.
   std::string key;   ///< Title of the column of names: `line`.
   std::vector<TableSeries> series;
 

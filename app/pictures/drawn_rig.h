@@ -42,8 +42,8 @@ struct DrawnRig {
 
 DrawnRig drawn_rig(const engine::RigReadings& readings);
 
-/// What is known of them without readings: lines have their initial lengths and the tensions that
-/// these have at rest, machines their initial settings; lines by MoorDyn are not known.
+/// State of lines and machines without readings: lines have their initial lengths and the tensions
+/// that these have at rest, machines their initial settings; lines by MoorDyn are not known.
 DrawnRig rig_at_rest(const engine::SimulationSpec& spec,
                      const std::vector<hydro::BodyState>& states, double time);
 

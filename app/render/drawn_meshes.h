@@ -8,14 +8,14 @@
 #include "app/render/view.h"
 
 /// @file
-/// What a Renderer draws, as meshes and textures of the graphics device. The context must be
+/// Meshes and textures of the graphics device that a Renderer draws. The context must be
 /// current in all functions.
 
 namespace render {
 
 /// A body on the graphics device.
 struct DrawnBody {
-  hydro::TriMesh mesh_B;  ///< What the skin was made of.
+  hydro::TriMesh mesh_B;  ///< The mesh behind the skin.
   double radius;          ///< Distance of its farthest vertex from the origin of B [m].
   ShadedMesh skin_B;
   GlMesh mesh;

@@ -10,7 +10,7 @@
 
 namespace render {
 
-/// What bodies do to water and ground about them, as a texture of one square of the level plane
+/// Shadows and foam of bodies on water and ground, as a texture of one square of the level plane
 /// through the eye, onto which all is cast along the main light. Water and ground look it up at the
 /// place where their own ray meets the plane, which costs one texel a pixel whatever the number of
 /// bodies.
@@ -61,7 +61,7 @@ class PlanView {
   Target sharp_, half_;  ///< After the second blur the first one has the result.
 };
 
-/// What a plan view covers.
+/// Part of the scene that a plan view covers.
 struct PlanPart {
   Eigen::Vector3d square = Eigen::Vector3d::UnitZ();  ///< u_plan_part of shaders/common.glsl.
   double low = 0, range = 1;                          ///< Heights of bodies in E [m].

@@ -9,8 +9,8 @@
 #include "engine/record/constraint_errors.h"
 
 /// @file
-/// What a run tells of the errors of its constraints: how deep bodies have overlapped, how far
-/// joints have come apart, and what the energy limiter has taken from bodies.
+/// Errors of a run's constraints: the depth of overlaps, the gaps of joints, and the work that the
+/// energy limiter has taken from bodies.
 
 namespace app {
 

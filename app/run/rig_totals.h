@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What a run has seen of its lines and propellers at all of its steps, not only at logged times.
+/// Extremes and means of lines and propellers over all steps of a run, not only logged times.
 class RigTotals {
  public:
   /// True if the simulation has something to sum up.

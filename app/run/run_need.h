@@ -11,7 +11,7 @@
 #include "app/scene/scene.h"
 
 /// @file
-/// What a run will need of the machine besides its bodies (app/assembly/memory_need.h), estimated
+/// Needs of a run besides its bodies (app/assembly/memory_need.h), estimated
 /// before its first step. Each is within a factor of two of what was measured.
 
 namespace app {

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// What a step takes, by the first ones.
+/// Time of a step, from the first ones.
 struct StepCost {
   double seconds = 0;     ///< Wall time of a step [s].
   bool at_least = false;  ///< The step was left after that time.

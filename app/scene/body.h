@@ -125,7 +125,7 @@ struct Heel {
   double pitch = 0;
 };
 
-/// What water does in the hollows of a body.
+/// Model of the water in the hollows of a body.
 enum class Interior {
   flooding,  ///< They are dry until water comes in.
   dry,       ///< They never fill.

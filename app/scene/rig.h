@@ -70,7 +70,7 @@ struct JointMotor {
   double rate = 5;  ///< For `position`: an error decays in the time 1/rate [1/s].
 };
 
-/// What acts along the coordinate of a hinge [rad] or slider [m], which is 0 at the start.
+/// Loads and stops along the coordinate of a hinge [rad] or slider [m], which is 0 at the start.
 struct JointDrive {
   std::optional<std::array<double, 2>> limits;
   std::optional<JointMotor> motor;
@@ -135,7 +135,7 @@ struct RelayControl {
   std::array<double, 2> values = {};
 };
 
-/// What drives a set point.
+/// Source of a set point over time.
 struct Control {
   std::string set;  ///< `propellers[main].speed_rps`
   /// A file, a formula in the time, a controller or a switch.

@@ -17,7 +17,7 @@ struct Variables {
   std::map<std::string, YamlNode> texts;  ///< Texts and truth values, as they were written.
 };
 
-/// What is wrong with a value that has variables.
+/// Fault of a value that has variables.
 struct VariableFault {
   Mark mark;
   std::string message;
