@@ -124,7 +124,7 @@ CenteredMesh centered_mesh(const hydro::TriMesh& mesh_B) {
   return {hydro::translated(mesh_B, -centroid_B), -centroid_B};
 }
 
-/// What is made of the shape and mass of a body, wherever it is.
+/// Everything that follows from the shape and mass of a body, wherever it is.
 struct MadeBody {
   engine::BodySpec spec;
   Eigen::Vector3d com_M = Eigen::Vector3d::Zero();

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-/// What from_chars refuses for its size: 0 if it is too small to be stored, or else infinity.
+/// Value of a number that from_chars refuses for its size: 0 if too small, else infinity.
 double out_of_range(std::string_view text) {
   const std::size_t exponent = text.find_first_of("eE");
   const bool small = exponent == std::string_view::npos

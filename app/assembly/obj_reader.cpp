@@ -18,7 +18,7 @@ Eigen::Vector3d vertex_of(MeshText& text) {
   const Eigen::Vector3d vertex = text.vector();
   if (!text.has_word()) return vertex;
   const double weight = text.number();
-  if (text.has_word()) return vertex;  // What follows the three numbers is a colour.
+  if (text.has_word()) return vertex;  // A colour follows the three numbers.
   if (weight == 0) text.fault("the weight of a vertex is 0, expected another number");
   return vertex / weight;
 }

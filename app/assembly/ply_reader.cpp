@@ -82,7 +82,7 @@ class BinaryValues {
   std::endian order_;
 };
 
-/// What a property is for.
+/// Use of a property.
 enum class Use { none, x, y, z, corners };
 
 Use use_of(const PlyElement& element, const PlyProperty& property) {

@@ -21,7 +21,7 @@ bool left(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
 /// True if c lies right of the line from a to b, by more than round-off.
 bool right(const Vector2d& a, const Vector2d& b, const Vector2d& c) { return left(b, a, c); }
 
-/// What is left of a polygon while corners are cut off. Its sense is counter-clockwise.
+/// Rest of a polygon while corners are cut off. Its sense is counter-clockwise.
 class Ring {
  public:
   explicit Ring(std::vector<Vector2d> points) : points_(std::move(points)) {

@@ -28,7 +28,7 @@ bool is_constant(const engine::AppliedLoad& load) {
   return load.start <= 0 && std::isinf(load.end) && !load.sine && !load.factor;
 }
 
-/// What holds each body; empty: the water alone.
+/// Holder of each body; empty: the water alone.
 std::vector<std::string> holders(const engine::SimulationSpec& spec) {
   std::vector<std::string> holders(spec.bodies.size());
   const auto add = [&](BodyId id, const std::string& holder) {

@@ -26,7 +26,7 @@ void open_standard_streams() {
 
 void say(const std::string& line) {
   const std::string text = shown(line, kLayout) + '\n';
-  std::fflush(stdout);  // What was printed before stands before it; `flush_output` tells of faults.
+  std::fflush(stdout);  // Earlier output stands before it; `flush_output` tells of faults.
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

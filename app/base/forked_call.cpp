@@ -72,7 +72,7 @@ std::size_t address_space() {
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// What the kernel tells of the threads other than the caller.
+/// State of the threads other than the caller, as the kernel has it.
 struct OtherThreads {
   bool asleep = true;    ///< whether each sleeps, not waiting for memory
   std::string switches;  ///< how often each has begun and ceased to run; the same if none has run

@@ -234,7 +234,7 @@ std::string table_of(const Solved& solved) {
   return text + "\n";
 }
 
-/// What other programs read of a body.
+/// Data of a body for the files of other programs.
 databases::WrittenBody written(const Solved& solved) {
   const hydro::RadiationData& data = solved.data();
   const hydro::TriMesh mesh_H =

@@ -80,7 +80,7 @@ void settle(Database& d) {
   std::size_t missing = 0;
   for (std::size_t i = 0; i < d.frequencies.size(); ++i) {
     const double omega = d.frequencies[i];
-    if (d.added_mass[i].array().isNaN().all()) {  // What could not be solved.
+    if (d.added_mass[i].array().isNaN().all()) {  // It could not be solved.
       ++missing;
       continue;
     }

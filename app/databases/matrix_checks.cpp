@@ -36,7 +36,7 @@ struct Kind {
   }
 };
 
-/// What was found of one matrix.
+/// Findings about one matrix.
 struct Finding {
   double value = 0;   ///< Over the largest entry of the kind [-].
   std::string fault;  ///< Empty if the matrix is not refused.

@@ -84,7 +84,7 @@ double to_omega(const TecFile& file, double value) {
                              file.frequency));
 }
 
-/// What Nemoh.cal tells.
+/// Content of Nemoh.cal.
 struct Calculation {
   double density = 0, gravity = 0, depth = 0;
   Eigen::Vector2d phase_origin = Eigen::Vector2d::Zero();

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// What each body moves the water with; empty if nothing does.
+/// Moving surface of each body that makes waves; empty if none does.
 std::vector<hydro::WaterBody> movers_of(const scene::Scene& scene,
                                         const engine::SimulationSpec& spec) {
   using Kind = scene::SimulatedWater::Kind;

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-/// What waves do at the surface.
+/// Effect of waves at the surface.
 struct WaveSize {
   double height = 0;  ///< Above the level [m].
   double speed = 0;   ///< Of the water [m/s].

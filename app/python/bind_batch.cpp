@@ -44,7 +44,7 @@ std::vector<engine::SimulationSpec> specs_of(const py::object& scene, std::size_
   return specs;
 }
 
-/// What Python knows as a Batch.
+/// Python's Batch.
 class PyBatch {
  public:
   PyBatch(const py::object& scene, std::size_t count, int threads, const py::object& vary)

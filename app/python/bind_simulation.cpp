@@ -29,8 +29,7 @@ engine::SimulationSpec spec_of(SceneSource& source, int threads, bool forces) {
   return spec;
 }
 
-/// What Python knows as a Simulation. Its calls may come from several threads: one at a time is
-/// served.
+/// Python's Simulation. Its calls may come from several threads: one at a time is served.
 class PySimulation {
  public:
   PySimulation(std::shared_ptr<SceneSource> source, int threads, bool forces)

@@ -24,7 +24,7 @@ void put(const app::CallOutput& output, const std::string& bytes) {
   output({bytes.data(), bytes.size()});
 }
 
-/// What stands after the text of a fault.
+/// End of the text of a fault.
 struct FaultEnd {
   std::uint32_t length = 0;           ///< Of the text [bytes].
   std::int32_t line = 0, column = 0;  ///< Of the fault's place.
