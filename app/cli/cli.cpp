@@ -219,7 +219,7 @@ void add_report(CLI::App& program, Arguments& a) {
 
 void add_schema(CLI::App& program, Arguments& a) {
   program.add_subcommand("schema", "Print the JSON Schema of scenes, for editors")
-      ->add_flag("--markdown", a.markdown, "Print the tables of keys of scenes/README.md instead");
+      ->add_flag("--markdown", a.markdown, "Print the tables of keys of scenes/KEYS.md instead");
 }
 
 void add_completion(CLI::App& program, Arguments& a) {

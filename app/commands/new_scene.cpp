@@ -93,7 +93,7 @@ int new_scene(const fs::path& name) {
               fmt::format(fmt::runtime(kStarterScene), fmt::arg("title", title)));
   print(
       fmt::format("{0}: wrote a scene of a buoy and a crate in waves\n"
-                  "Every key is in scenes/README.md. Next: plimsoll run {0}\n",
+                  "Every key is in scenes/KEYS.md. Next: plimsoll run {0}\n",
                   file.string()));
   return kDone;
 }

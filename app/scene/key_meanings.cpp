@@ -8,7 +8,7 @@
 #include "app/scene/key_catalogue.h"
 
 /// @file
-/// The meaning of every key of a scene. The tables in scenes/README.md, the JSON Schema and the
+/// The meaning of every key of a scene. The tables in scenes/KEYS.md, the JSON Schema and the
 /// descriptions that editors show are generated from these texts.
 
 namespace scene {

@@ -9,7 +9,7 @@ namespace scene {
 /// several keys, or other files, are left to the reader.
 std::string json_schema();
 
-/// Returns the tables of keys in scenes/README.md, each between lines that name it:
+/// Returns the tables of keys in scenes/KEYS.md, each between lines that name it:
 /// `<!-- keys of water: begin -->` and `<!-- keys of water: end -->`.
 std::string key_tables();
 
