@@ -10,11 +10,8 @@ so is an entry of the tables that no document has.
 """
 
 import argparse
-import importlib.util
-import os
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,9 +20,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from commands import blocks_of, commands_of, is_synopsis, options_of
+from machine import ROOT, Machine
 
-ROOT = Path(__file__).resolve().parents[2]
-DOCUMENTS = ("README.md", "app/README.md", "scenes/README.md", "app/python/README.md",
+DOCUMENTS = ("README.md", "app/README.md", "scenes/README.md", "scenes/KEYS.md", "app/python/README.md",
              "tests/README.md")
 
 # What is appended to `plimsoll run` and `sweep`, so that they take no longer than they must.
@@ -103,10 +100,6 @@ EXAMPLES = {
 # Exit codes that are no faults beside 0: runs that differ, responses that are not yet steady.
 OTHER_CODES = {"plimsoll compare": {1}, "tools/rao": {1}}
 
-# What a command needs that a machine may lack: a program, the pages that npm bundles, or modules.
-NEEDS = {"--video": "ffmpeg", "plimsoll report": "pages", "--html": "pages",
-         "tools/rao": "NumPy, matplotlib and yaml"}
-
 BOX = """\
 plimsoll: 1
 duration: 2
@@ -157,22 +150,11 @@ class Place:
 
     def __init__(self, folder, arguments):
         self.folder = folder
-        self.program = Path(arguments.program).resolve()
-        self.module = arguments.module
-        self.has = {"ffmpeg": shutil.which("ffmpeg") is not None,
-                    "pages": arguments.pages is not None
-                    and (Path(arguments.pages) / "page.html").exists(),
-                    "NumPy, matplotlib and yaml": all(
-                        importlib.util.find_spec(name) for name in ("numpy", "matplotlib", "yaml"))}
-        (folder / "bin").mkdir()
-        (folder / "bin/plimsoll").symlink_to(self.program)
+        self.machine = Machine(folder, arguments.program, arguments.module, arguments.pages)
         (folder / "o").mkdir()
         for name in ("scenes", "app", "tools"):
             (folder / name).symlink_to(ROOT / name)
         self.write_scenes()
-        self.environment = {**os.environ, "PATH": f"{folder}/bin:{os.environ['PATH']}",
-                            "PLIMSOLL": str(self.program), "MPLCONFIGDIR": str(folder),
-                            "PYTHONPATH": self.module or "", "LIBGL_ALWAYS_SOFTWARE": "1"}
 
     def write_scenes(self):
         def block(document, language, holding):
@@ -202,7 +184,7 @@ class Place:
         """Leaves a run that was killed after a checkpoint."""
         words = ["plimsoll", "run", "box.yaml", "--out", out, "--checkpoint", "0.1", "--no-render",
                  "--quiet", "--set", "duration=60", "--set", "log.every=1"]
-        killed = subprocess.Popen(words, cwd=self.folder, env=self.environment,
+        killed = subprocess.Popen(words, cwd=self.folder, env=self.machine.environment,
                                   stderr=subprocess.DEVNULL)
         while killed.poll() is None and not (self.folder / out / "checkpoint.bin").exists():
             time.sleep(0.005)
@@ -212,17 +194,8 @@ class Place:
         return [] if kept else [f"{shlex.join(words)}: left no checkpoint"]
 
     def faults_of(self, words, codes=frozenset({0}), text=None):
-        """Runs a command and says what is wrong with how it ended."""
-        ended = subprocess.run(words, cwd=self.folder, env=self.environment, text=True, timeout=120,
-                               input=text, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if ended.returncode in codes and "Traceback (most recent" not in ended.stdout:
-            return []
-        return [f"{shlex.join(words)}: ended with {ended.returncode}\n{ended.stdout[-2000:]}"]
-
-
-def missing_of(command, place):
-    """What the machine lacks for a command; empty if nothing."""
-    return {need for part, need in NEEDS.items() if part in command and not place.has[need]}
+        """Runs a command in the folder and says what is wrong with how it ended."""
+        return self.machine.faults_of(words, self.folder, codes, text)
 
 
 def run(command, place):
@@ -275,12 +248,6 @@ def snippets_of(documents):
         yield where, before + text, modules
 
 
-def lacks(module, place):
-    if module == "plimsoll":
-        return place.module is None or not list(Path(place.module).glob("plimsoll/_core*"))
-    return importlib.util.find_spec(module) is None
-
-
 def check(place):
     documents = [(name, block) for name in DOCUMENTS
                  for block in blocks_of((ROOT / name).read_text())]
@@ -292,8 +259,8 @@ def check(place):
         if command in NOT_RUN:
             continue
         for one in examples_of(command)[0] if is_synopsis(command) else [command]:
-            if missing_of(one, place):
-                left_out.append(f"{one}: no {', '.join(missing_of(one, place))}")
+            if place.machine.missing_of(one):
+                left_out.append(f"{one}: no {', '.join(place.machine.missing_of(one))}")
             else:
                 jobs.append((one, where))
     with ThreadPoolExecutor(2) as pool:
@@ -301,7 +268,7 @@ def check(place):
             faults += [f"{where}: {fault}" for fault in found]
     count = len(jobs)
     for where, text, modules in snippets_of(documents):
-        lacking = {module for module in modules if lacks(module, place)}
+        lacking = {module for module in modules if place.machine.lacks(module)}
         if text is None:
             faults.append(f"{where}: the table of snippets does not have it")
         elif lacking:
