@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-MOST_TIME = 120  # That a command may take [s].
+MOST_TIME = 240  # That a command may take [s].
 
 # What a command needs that a machine may lack: a program, the pages that npm bundles, or modules.
 NEEDS = {"--video": "ffmpeg", "plimsoll report": "pages", "--html": "pages",
