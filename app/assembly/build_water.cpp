@@ -9,8 +9,8 @@
 
 #include "app/assembly/build_radiation.h"
 #include "app/base/wall_clock.h"
-#include "hydro/radiation/diffraction_load.h"
 #include "hydro/water/hull_sources.h"
+#include "hydro/water/simulated_water.h"
 
 namespace assembly {
 namespace {
@@ -21,9 +21,6 @@ constexpr double kCellsOverBreadth = 4;
 /// Side of the grid over the mean radius of the largest hull [-], beside what the bodies are apart:
 /// three of the longest waves that its motions send out, and an edge of one.
 constexpr double kSideOverRadius = 60;
-
-/// Largest step over 1/ω of the shortest waves of the grid [-].
-constexpr double kLongestStep = 2;
 
 constexpr int kFewestCells = 64, kMostCells = 512;
 
@@ -64,10 +61,7 @@ Known make_known(const hydro::TriMesh& mesh_B, const hydro::MeanPose& pose,
   const app::WallClock clock;
   auto sources = std::make_shared<const hydro::HullSources>(
       hydro::make_hull_sources(mesh_B, pose, spec.water->square));
-  const hydro::RadiationData data = hydro::instant_data(*sources, mesh_B);
-  auto [load, momentum] = hydro::scattered_waves(data, *spec.sea);
-  auto model = std::make_shared<const hydro::FloatingBody>(mesh_B, data, hydro::RadiationMemory(),
-                                                           std::move(load), std::move(momentum));
+  auto model = hydro::floating_hull(*sources, mesh_B, *spec.sea);
   return {&mesh_B, std::move(sources), std::move(model), clock.seconds()};
 }
 
@@ -83,8 +77,7 @@ engine::WaterGrid water_grid(const scene::SimulatedWater& given, const engine::S
     largest = std::max(largest, std::sqrt(breadth * length) / 2);
     draught = std::max(draught, choices[i].draught);
   }
-  const double shortest =
-      spec.sea->gravity * std::numbers::pi * std::pow(spec.step / kLongestStep, 2);  // Of a cell.
+  const double shortest = hydro::smallest_cell(spec.step, spec.sea->gravity);
   const double side = distance_apart(spec) + kSideOverRadius * largest;
   engine::WaterGrid grid{.square = {.cells = kFewestCells,
                                     .deepest = draught,

@@ -76,10 +76,7 @@ bool cut(const TriMesh& a, const TriMesh& b, const AlignedBox3d& box) {
 
 /// Returns true if the first vertex of a mesh lies inside another.
 bool begins_inside(const TriMesh& mesh, const TriMesh& other) {
-  // No edge or face of a mesh that people make lies along this direction.
-  const Vector3d direction = Vector3d(0.36, 0.48, 0.8017).normalized();
-  const Vector3d start = mesh.vertices.col(mesh.faces(0, 0));
-  return hydro::FaceTree(other).crossings(start, direction, [](int) { return true; }) % 2 == 1;
+  return hydro::FaceTree(other).contains(mesh.vertices.col(mesh.faces(0, 0)));
 }
 
 bool overlap(const TriMesh& a, const TriMesh& b) {

@@ -37,7 +37,7 @@ ShotSelector choose_shots(const Trajectory& trajectory, std::size_t rows,
                           const VideoOptions& video) {
   const std::vector<double>& times = trajectory.tracks.begin()->second.times;
   ShotSelector shots(scene.render->every, times[rows - 1], video.pictures_a_second());
-  shots.show(bodies_waves(scene, spec));
+  shots.show_waves(bodies_waves(scene, spec));
   for (std::size_t i = 0; i < rows; ++i) {
     const std::vector<hydro::BodyState> states = states_at(trajectory, spec, i);
     shots.add(

@@ -52,8 +52,9 @@ bool ShotSelector::add_video_shots(double time, const std::vector<hydro::BodySta
   }
 }
 
-/// The bodies' waves at a time after the last state that they follow.
+/// The bodies' waves at a time about the last state.
 std::optional<hydro::SurfacePatch> ShotSelector::patch(double time) const {
+  if (felt_) return felt_->patch(time);
   return waves_ ? waves_->patch(time) : std::nullopt;
 }
 

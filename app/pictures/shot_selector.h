@@ -23,9 +23,11 @@ class ShotSelector {
 
   /// Stores the shots in `shots`, to be called before the first state.
   void keep_in(ShotSpool shots) { shots_ = std::move(shots); }
-  /// Draws the waves that bodies make, from the first state on.
-  void show(std::optional<hydro::SimulatedWater> waves) { waves_ = std::move(waves); }
-  /// The state of the bodies' waves after the last state; empty without them.
+  /// Draws the waves that bodies make and do not feel, from the first state on.
+  void show_waves(std::optional<hydro::SimulatedWater> waves) { waves_ = std::move(waves); }
+  /// Draws the water that bodies feel, that of the run, which must outlive this.
+  void show_waves(const hydro::SimulatedWater& felt) { felt_ = &felt; }
+  /// The state of the waves that nobody feels after the last state; empty without them.
   std::string state_of_waves() const { return waves_ ? waves_->state() : ""; }
   void restore_waves(const std::string& state) {
     if (waves_) waves_->restore(state);
@@ -67,6 +69,7 @@ class ShotSelector {
   DrawnRig last_rig_;                   ///< The same of lines and machines.
   ShotSpool shots_;
   std::optional<hydro::SimulatedWater> waves_;
+  const hydro::SimulatedWater* felt_ = nullptr;
 };
 
 }  // namespace app

@@ -63,7 +63,12 @@ class Run {
         shots_(scene.render ? scene.render->every : 0, scene.duration,
                options.video.pictures_a_second()) {
     summary_.warnings = built.warnings;
-    if (wants_pictures()) shots_.show(bodies_waves(scene, built.spec));
+    if (wants_pictures()) {
+      if (const hydro::SimulatedWater* felt = simulation_.water())
+        shots_.show_waves(*felt);
+      else
+        shots_.show_waves(bodies_waves(scene, built.spec));
+    }
     ShotSpool store;
     if (options.checkpoint > 0 && wants_pictures())
       store = ShotSpool(folder.path() / kShotFile, last ? static_cast<std::size_t>(last->shots) : 0,

@@ -25,13 +25,18 @@ LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& buil
       simulation_(built.spec),
       notes_(*scene.render, built.spec),
       rig_(built.spec, scene.render->show.joints),
-      waves_(bodies_waves(scene, built.spec)),
+      waves_(unfelt_waves()),
       expected_(expected_pressure(spec_, scene.render->shows)),
       scale_(pressure_scale(*scene.render, expected_, range_)) {}
 
+std::optional<hydro::SimulatedWater> LiveScene::unfelt_waves() const {
+  if (simulation_.water()) return std::nullopt;
+  return bodies_waves(scene_, spec_);
+}
+
 void LiveScene::restart() {
   simulation_.reset();
-  waves_ = bodies_waves(scene_, spec_);
+  waves_ = unfelt_waves();
   held_.reset();
 }
 
@@ -55,11 +60,12 @@ long LiveScene::advance(long steps, double longest) {
 }
 
 Shot LiveScene::now() const {
+  const hydro::SimulatedWater* water = waves_ ? &*waves_ : simulation_.water();
   return {.time = simulation_.time(),
           .states = simulation_.states(),
           .interiors = drawn_interiors(simulation_.interiors()),
           .rig = drawn_rig(simulation_.rig()),
-          .water = waves_ ? waves_->patch(simulation_.time()) : std::nullopt};
+          .water = water ? water->patch(simulation_.time()) : std::nullopt};
 }
 
 void LiveScene::grow_scale(const Shot& now) {

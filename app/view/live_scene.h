@@ -41,6 +41,7 @@ class LiveScene {
                         const std::string& note);
 
  private:
+  std::optional<hydro::SimulatedWater> unfelt_waves() const;
   Shot now() const;
   void grow_scale(const Shot& now);
   void make_ready(const Shot& now, const render::Camera& camera, int width, int height);
@@ -51,8 +52,8 @@ class LiveScene {
   std::optional<engine::BodyId> held_;
   ForceAnnotations notes_;
   RigPictures rig_;
-  std::optional<hydro::SimulatedWater>
-      waves_;               ///< Waves of the bodies; none if they are not drawn.
+  /// Waves that the bodies make and do not feel; none if they are not drawn.
+  std::optional<hydro::SimulatedWater> waves_;
   PressureRange expected_;  ///< From the scene alone.
   PressureRange range_;     ///< Range of the pressures so far.
   render::PressureScale scale_;

@@ -152,4 +152,13 @@ int FaceTree::crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& dir
   return count;
 }
 
+bool FaceTree::contains(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d directions[] = {
+      {0.5403, 0.2983, 0.7868}, {-0.3817, 0.8642, 0.3271}, {0.2219, -0.7193, -0.6583}};
+  int inside = 0;
+  for (const Eigen::Vector3d& direction : directions)
+    inside += crossings(point, direction, [](int) { return true; }) % 2;
+  return inside >= 2;
+}
+
 }  // namespace hydro

@@ -31,6 +31,10 @@ class FaceTree {
   int crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
                 const std::function<bool(int)>& counts) const;
 
+  /// True for a point inside the mesh, which must be closed: most of three rays leave it through an
+  /// odd number of faces. One ray may meet an edge.
+  bool contains(const Eigen::Vector3d& point) const;
+
  private:
   /// A node covers the faces order_[first … last). Its left child follows it in nodes_; a leaf has
   /// right = 0.

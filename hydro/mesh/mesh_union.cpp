@@ -27,24 +27,13 @@ Polygon corners(const TriMesh& mesh, int face) {
   return triangle;
 }
 
-/// True if most of three rays from a point leave the closed mesh of the tree through an odd number
-/// of faces. One ray may meet an edge.
-bool is_inside(const FaceTree& tree, const Vector3d& p) {
-  const Vector3d directions[] = {
-      {0.5403, 0.2983, 0.7868}, {-0.3817, 0.8642, 0.3271}, {0.2219, -0.7193, -0.6583}};
-  int inside = 0;
-  for (const Vector3d& direction : directions)
-    inside += tree.crossings(p, direction, [](int) { return true; }) % 2;
-  return inside >= 2;
-}
-
 /// True if the inside of `a`, just below the middle of one of its faces, lies in the tree's mesh.
 bool reaches_into(const TriMesh& a, const FaceTree& tree, const Eigen::AlignedBox3d& box,
                   double below) {
   for (int f = 0; f < a.face_count(); ++f) {
     const Polygon t = corners(a, f);
     const Vector3d p = (t[0] + t[1] + t[2]) / 3 - below * area_vector(a, f).normalized();
-    if (box.contains(p) && is_inside(tree, p)) return true;
+    if (box.contains(p) && tree.contains(p)) return true;
   }
   return false;
 }
@@ -59,7 +48,7 @@ void add_vertices(const TriMesh& a, const FaceTree& tree, const Eigen::AlignedBo
     const Vector3d p = v;
     // A vertex on the surface counts, too: it is tried a little nearer to the middle.
     const Vector3d inward = (around.center() - p).normalized();
-    if (near.contains(p) && (is_inside(tree, p) || is_inside(tree, p + 10 * margin * inward)))
+    if (near.contains(p) && (tree.contains(p) || tree.contains(p + 10 * margin * inward)))
       box.extend(p);
   }
 }

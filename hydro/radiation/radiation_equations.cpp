@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "hydro/mesh/face_tree.h"
 #include "hydro/parallel.h"
 #include "hydro/radiation/finite_depth_green.h"
 #include "hydro/radiation/green_function.h"
@@ -104,13 +105,6 @@ void fill_rankine(RadiationEquations& p, std::size_t i) {
       p.rankine(row + k + 1, row + k + 1) = 1;
 }
 
-/// True for a point inside a closed mesh, by its solid angle.
-bool is_inside(const std::vector<bem::Element>& faces, const Vector3d& x) {
-  double angle = 0;
-  for (const bem::Element& face : faces) angle += bem::solid_angle(face, x);
-  return angle > 2 * pi;
-}
-
 /// Points spread over the part of the plane that is inside the hull (Roberts' sequence).
 void choose_inner(const TriMesh& mesh_H, RadiationEquations& p) {
   Eigen::AlignedBox3d box;
@@ -120,7 +114,7 @@ void choose_inner(const TriMesh& mesh_H, RadiationEquations& p) {
   const Vector3d size = box.sizes();
   const double kappa = pi * std::hypot(1 / size.x(), 1 / size.y());
   p.sloshing = kappa / std::tanh(kappa * size.z());
-  const std::vector<bem::Element> faces = bem::make_elements(mesh_H);
+  const FaceTree tree(mesh_H);
   const int wanted =
       std::max(8, static_cast<int>(kInnerShare * static_cast<double>(p.patches.size())));
   const int most = 20 * wanted;
@@ -130,7 +124,7 @@ void choose_inner(const TriMesh& mesh_H, RadiationEquations& p) {
     const double b = std::fmod(0.5 + 0.5698402909980532 * tried, 1);
     const Vector3d x(box.min().x() + a * size.x(), box.min().y() + b * size.y(), p.plane.height);
     // Just below the plane, where a deck in it does not matter.
-    if (is_inside(faces, x - 1e-6 * size.z() * p.plane.up)) p.inner.push_back(x);
+    if (tree.contains(x - 1e-6 * size.z() * p.plane.up)) p.inner.push_back(x);
   }
   if (p.inner.empty()) return;
   double area = 0;

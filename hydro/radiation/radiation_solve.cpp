@@ -7,9 +7,9 @@
 
 #include "hydro/added_mass/surface_solve.h"
 #include "hydro/added_mass/wetted_added_mass.h"
-#include "hydro/airy_waves.h"
 #include "hydro/mesh/mirror_symmetry.h"
 #include "hydro/parallel.h"
+#include "hydro/radiation/incident_wave.h"
 #include "hydro/radiation/radiation_equations.h"
 
 namespace hydro {
@@ -59,31 +59,6 @@ std::vector<SurfacePoint> points_of(const std::vector<Patch>& patches) {
   return points;
 }
 
-/// A wave of the amplitude 1 in the problem's water.
-struct IncidentWave {
-  double omega, k, gravity, depth;
-
-  IncidentWave(double frequency, const LinearWater& water)
-      : omega(frequency), gravity(water.gravity), depth(water.depth) {
-    k = std::isfinite(depth) ? wave_number(omega, depth, gravity).value() : omega * omega / gravity;
-  }
-  double deep_wave_number() const { return omega * omega / gravity; }
-  /// C(z) of airy_waves.h at a depth below the surface.
-  double head(double down) const {
-    return std::exp(-k * down) * (1 + of_bottom(down)) / (1 + of_bottom(0));
-  }
-  /// S/C
-  double rise(double down) const { return (1 - of_bottom(down)) / (1 + of_bottom(down)); }
-  /// Group velocity in deep water over that here [-].
-  double deep_group_velocity() const {
-    const double kh = k * depth;
-    return std::isfinite(depth) ? 1 / (std::tanh(kh) + kh / std::pow(std::cosh(kh), 2)) : 1;
-  }
-
- private:
-  double of_bottom(double down) const { return std::exp(-2 * k * (depth - down)); }
-};
-
 /// (3) for all headings.
 void add_excitation(const RadiationEquations& p, const std::vector<SurfacePoint>& points,
                     const IncidentWave& wave, const SixColumnsC& psi,
@@ -113,12 +88,6 @@ void add_excitation(const RadiationEquations& p, const std::vector<SurfacePoint>
       }
     }
   }
-}
-
-std::vector<double> evenly_spaced(int count) {
-  std::vector<double> headings;
-  for (int h = 0; h < count; ++h) headings.push_back(2 * pi * h / count);
-  return headings;
 }
 
 /// (4)
@@ -157,12 +126,6 @@ void make_symmetric(int axis, RadiationData& data) {
     }
 }
 
-TriMesh turned(const TriMesh& mesh_B, const MeanPose& pose) {
-  TriMesh mesh = mesh_B;
-  mesh.vertices = pose.orientation.toRotationMatrix() * mesh_B.vertices;
-  return mesh;
-}
-
 /// Largest |B_mn| of `other` less that of the data, as RadiationSolution::mismatch.
 double mismatch_of(const RadiationData& data, const std::vector<Matrix6d>& other,
                    const std::vector<Patch>& patches) {
@@ -197,10 +160,22 @@ void check_wet(const RadiationEquations& p) {
 
 }  // namespace
 
+TriMesh in_frame_H(const TriMesh& mesh_B, const MeanPose& pose) {
+  TriMesh mesh = mesh_B;
+  mesh.vertices = pose.orientation.toRotationMatrix() * mesh_B.vertices;
+  return mesh;
+}
+
+std::vector<double> evenly_spaced_headings(int count) {
+  std::vector<double> headings;
+  for (int h = 0; h < count; ++h) headings.push_back(2 * pi * h / count);
+  return headings;
+}
+
 std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose& pose,
                                           const LinearWater& water, int patches) {
   constexpr int kCount = 16;
-  const TriMesh mesh_H = turned(mesh_B, pose);
+  const TriMesh mesh_H = in_frame_H(mesh_B, pose);
   const Eigen::Matrix3Xd& at = mesh_H.vertices;
   const Eigen::Vector2d sizes =
       at.topRows<2>().rowwise().maxCoeff() - at.topRows<2>().rowwise().minCoeff();
@@ -219,7 +194,7 @@ std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose&
 
 int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const LinearWater& water,
                        double highest_frequency) {
-  const Eigen::Matrix2Xd at = turned(mesh_B, pose).vertices.topRows<2>();
+  const Eigen::Matrix2Xd at = in_frame_H(mesh_B, pose).vertices.topRows<2>();
   const double length = (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
   const double k = IncidentWave(highest_frequency, water).k;
   const int half = static_cast<int>(std::ceil((k * length + kMoreHarmonics) / 2));
@@ -228,7 +203,7 @@ int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const Linear
 
 RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
                                   const LinearWater& water, const RadiationOptions& options) {
-  const TriMesh mesh_H = turned(mesh_B, pose);
+  const TriMesh mesh_H = in_frame_H(mesh_B, pose);
   const WaterPlane plane{.up = Vector3d::UnitZ(), .height = -pose.height};
   const RadiationEquations p =
       make_radiation_equations(mesh_H, plane, water.depth, options.patches, SurfaceWaves::yes);
@@ -243,7 +218,7 @@ RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,
   const int headings = options.headings > 0
                            ? options.headings
                            : radiation_headings(mesh_B, pose, water, data.frequencies.back());
-  data.headings = evenly_spaced(headings);
+  data.headings = evenly_spaced_headings(headings);
   data.infinite_added_mass = added_mass_without_waves(mesh_H, plane, water.depth, options.patches);
   const std::size_t count = data.frequencies.size();
   const Loads6cd none = Loads6cd::Zero(6, headings);

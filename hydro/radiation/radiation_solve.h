@@ -50,6 +50,9 @@ struct RadiationSolution {
   double mismatch = 0;
 };
 
+/// A mesh in the frame H of a mean pose.
+TriMesh in_frame_H(const TriMesh& mesh_B, const MeanPose& pose);
+
 /// Sixteen frequencies, evenly spaced in their logarithm: from waves of 126 times the body's
 /// half-length, or its draught if that is larger, to waves of 1.26 times its half-breadth. In
 /// longer waves B is small, and A and X_D/k are near their limits; shorter waves are reflected as
@@ -65,6 +68,9 @@ std::vector<double> radiation_frequencies(const TriMesh& mesh_B, const MeanPose&
 /// number and length.
 int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const LinearWater& water,
                        double highest_frequency);
+
+/// Headings from 0 on [rad], a circle divided evenly.
+std::vector<double> evenly_spaced_headings(int count);
 
 /// @param mesh_B   Closed; its origin is the centre of mass.
 /// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "hydro/added_mass/patch_integrals.h"
 #include "hydro/added_mass/wetted_added_mass.h"
-#include "hydro/airy_waves.h"
+#include "hydro/mesh/face_tree.h"
 #include "hydro/parallel.h"
-#include "hydro/radiation/froude_krylov.h"
+#include "hydro/radiation/diffraction_load.h"
+#include "hydro/radiation/incident_wave.h"
 #include "hydro/radiation/radiation_solve.h"
 
 namespace hydro {
@@ -64,7 +66,8 @@ GridResponse grid_response(const PeriodicSquare& square, const Eigen::Matrix3Xd&
   const PeriodicSquare small = small_square(square, places);
   const PeriodicWaves deep(deep_square(small));
   const bool bounded = std::isfinite(small.depth);
-  const PeriodicWaves shallow = bounded ? PeriodicWaves(small) : deep;
+  const std::optional<PeriodicWaves> shallow =
+      bounded ? std::optional<PeriodicWaves>(small) : std::nullopt;
   const double constant = kMissingConstant / small.side();
   const double sheet = 1 / (small.side() * small.side());  // The plane's own field.
   const double missing_raise = sheet - 1 / (square.side() * square.side());
@@ -75,10 +78,13 @@ GridResponse grid_response(const PeriodicSquare& square, const Eigen::Matrix3Xd&
       waves.add_source(from.x() / small.cell, from.y() / small.cell, from.z(), 1);
       waves.read_sources(field);
     };
-    PeriodicWaves waves = deep, over_bottom = shallow;
+    PeriodicWaves waves = deep;
     FieldBelow short_waves, all_waves;
     read(waves, short_waves);
-    if (bounded) read(over_bottom, all_waves);
+    if (bounded) {
+      PeriodicWaves over_bottom = *shallow;
+      read(over_bottom, all_waves);
+    }
     for (Index i = 0; i < n; ++i) {
       const Vector3d to = places.col(i);
       const auto at = [&](const FieldBelow& field) {
@@ -156,23 +162,16 @@ void add_grid(const HullSources& hull, const GridResponse& response, Equations& 
   equations.side -= response.potential * hull.motions;
 }
 
-TriMesh turned(const TriMesh& mesh_B, const MeanPose& pose) {
-  TriMesh mesh = mesh_B;
-  mesh.vertices = pose.orientation.toRotationMatrix() * mesh_B.vertices;
-  return mesh;
-}
-
 /// Points of the waterplane, half a cell apart, that are farther than `kInside` cells from its
 /// edge.
 Eigen::Matrix2Xd points_inside(const TriMesh& mesh_H, double level, double cell) {
-  const std::vector<bem::Element> faces = bem::make_elements(mesh_H);
+  const FaceTree tree(mesh_H);
   const Vector3d low = mesh_H.vertices.rowwise().minCoeff();
   const Vector3d high = mesh_H.vertices.rowwise().maxCoeff();
+  // Just below the plane, where a deck in it does not matter.
+  const double height = level - 1e-6 * (high.z() - low.z());
   const auto is_inside = [&](const Eigen::Vector2d& p) {
-    double angle = 0;
-    for (const bem::Element& face : faces)
-      angle += bem::solid_angle(face, {p.x(), p.y(), level - 1e-6 * (high.z() - low.z())});
-    return angle > 2 * std::numbers::pi;
+    return tree.contains({p.x(), p.y(), height});
   };
   const auto is_far_inside = [&](const Eigen::Vector2d& p) {
     constexpr int kWays = 8;
@@ -205,7 +204,7 @@ Vector6d HullSources::load_of(const Eigen::VectorXd& raise, const Eigen::Matrix3
 
 HullSources make_hull_sources(const TriMesh& mesh_B, const MeanPose& pose,
                               const PeriodicSquare& square, int patches) {
-  const TriMesh mesh_H = turned(mesh_B, pose);
+  const TriMesh mesh_H = in_frame_H(mesh_B, pose);
   const WaterPlane surface{.up = Vector3d::UnitZ(), .height = -pose.height};
   const std::vector<Patch> wetted = wetted_patches(mesh_H, surface, patches);
   if (wetted.empty()) throw std::invalid_argument("the body is dry in its mean pose");
@@ -246,43 +245,50 @@ HullSources make_hull_sources(const TriMesh& mesh_B, const MeanPose& pose,
 
 namespace {
 
-/// ∫ ψ_m (u̇·n) dS under a wave of the amplitude 1.
-Vector6cd scattered_at_once(const HullSources& hull, double k, double heading) {
+/// ∫ ψ_m (u̇·n) dS under a wave.
+Vector6cd scattered_at_once(const HullSources& hull, const IncidentWave& wave, double heading) {
   const Eigen::Vector2d way(std::cos(heading), std::sin(heading));
   Vector6cd load = Vector6cd::Zero();
   for (Index i = 0; i < hull.places.cols(); ++i) {
     const Vector3d at = hull.places.col(i), flux = hull.fluxes.col(i);
-    const double below = std::exp(-2 * k * (at.z() + hull.water.depth));
-    const double head =
-        std::exp(k * at.z()) * (1 + below) / (1 + std::exp(-2 * k * hull.water.depth));
-    const std::complex<double> crest = head * std::polar(1.0, k * way.dot(at.head<2>()));
-    const std::complex<double> outward(flux.z() * (1 - below) / (1 + below),
-                                       way.dot(flux.head<2>()));
-    load -= hull.water.gravity * k * crest * outward * hull.potentials.row(i).transpose();
+    const std::complex<double> crest =
+        wave.head(-at.z()) * std::polar(1.0, wave.k * way.dot(at.head<2>()));
+    const std::complex<double> outward(wave.rise(-at.z()) * flux.z(), way.dot(flux.head<2>()));
+    load -= wave.gravity * wave.k * crest * outward * hull.potentials.row(i).transpose();
   }
   return load;
 }
 
-}  // namespace
-
+/// The hull as FloatingBody takes it: A∞, and in place of the diffraction what the held hull
+/// scatters at once. Nothing depends on the frequency, and nothing is damped.
 RadiationData instant_data(const HullSources& hull, const TriMesh& mesh_B) {
   RadiationData data{.pose = hull.pose, .water = hull.water, .volume = hull.volume};
   data.frequencies = radiation_frequencies(mesh_B, hull.pose, hull.water);
   const int headings = radiation_headings(mesh_B, hull.pose, hull.water, data.frequencies.back());
-  for (int h = 0; h < headings; ++h) data.headings.push_back(2 * std::numbers::pi * h / headings);
+  data.headings = evenly_spaced_headings(headings);
   data.infinite_added_mass = hull.added_mass;
   const std::size_t count = data.frequencies.size();
   data.added_mass.assign(count, hull.added_mass);
   data.damping.assign(count, Matrix6d::Zero());
-  data.froude_krylov =
-      froude_krylov(mesh_B, hull.pose, hull.water, data.frequencies, data.headings);
+  // The clipped mesh has the load of Froude and Krylov.
+  data.froude_krylov.assign(count, Loads6cd::Zero(6, headings));
   for (const double omega : data.frequencies) {
-    const double k = wave_number(omega, hull.water.depth, hull.water.gravity).value();
+    const IncidentWave wave(omega, hull.water);
     Loads6cd& loads = data.diffraction.emplace_back(6, headings);
     for (int h = 0; h < headings; ++h)
-      loads.col(h) = scattered_at_once(hull, k, data.headings[static_cast<std::size_t>(h)]);
+      loads.col(h) = scattered_at_once(hull, wave, data.headings[static_cast<std::size_t>(h)]);
   }
   return data;
+}
+
+}  // namespace
+
+std::shared_ptr<const FloatingBody> floating_hull(const HullSources& hull, const TriMesh& mesh_B,
+                                                  const Sea& sea) {
+  RadiationData data = instant_data(hull, mesh_B);
+  auto [load, momentum] = scattered_waves(data, sea);
+  return std::make_shared<const FloatingBody>(mesh_B, std::move(data), RadiationMemory(),
+                                              std::move(load), std::move(momentum));
 }
 
 }  // namespace hydro

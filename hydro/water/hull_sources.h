@@ -1,10 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <memory>
 
 #include "hydro/mesh/mesh.h"
-#include "hydro/radiation/radiation_data.h"
+#include "hydro/radiation/floating_body.h"
+#include "hydro/sea.h"
 #include "hydro/water/periodic_waves.h"
 
 /// @file
@@ -76,8 +77,10 @@ struct HullSources {
 HullSources make_hull_sources(const TriMesh& mesh_B, const MeanPose& pose,
                               const PeriodicSquare& square, int patches = 250);
 
-/// The hull as FloatingBody takes it: A∞, and in place of the diffraction what the held hull
-/// scatters at once. Nothing depends on the frequency, and nothing is damped.
-RadiationData instant_data(const HullSources& hull, const TriMesh& mesh_B);
+/// The hull with A∞ and without memory; in place of the diffraction is the load of what the held
+/// hull scatters at once.
+/// @param mesh_B   As for make_hull_sources().
+std::shared_ptr<const FloatingBody> floating_hull(const HullSources& hull, const TriMesh& mesh_B,
+                                                  const Sea& sea);
 
 }  // namespace hydro

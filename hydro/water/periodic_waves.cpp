@@ -57,6 +57,14 @@ double decay(double k, double z, double depth) {
   return std::cosh(k * (z + depth)) / std::cosh(k * depth);
 }
 
+/// Slopes of the window along one axis at the 4 cells about a place, by the cell.
+std::array<double, 4> window_slopes(double x) {
+  std::array<double, 4> slopes;
+  const double first = std::floor(x) - 1;
+  for (int i = 0; i < 4; ++i) slopes[i] = window_slope(x - first - i);
+  return slopes;
+}
+
 }  // namespace
 
 PeriodicWaves::PeriodicWaves(const PeriodicSquare& square)
@@ -151,7 +159,6 @@ void PeriodicWaves::advance(double time) {
 struct PeriodicWaves::Cells {
   std::array<Index, 4> column, row;
   std::array<double, 4> along_x, along_y;
-  std::array<double, 4> slope_x, slope_y;  ///< Of the window, by the cell.
 };
 
 PeriodicWaves::Cells PeriodicWaves::cells_about(double x, double y) const {
@@ -161,8 +168,6 @@ PeriodicWaves::Cells PeriodicWaves::cells_about(double x, double y) const {
   for (int i = 0; i < 4; ++i) {
     cells.along_x[i] = window(x - first_x - i);
     cells.along_y[i] = window(y - first_y - i);
-    cells.slope_x[i] = window_slope(x - first_x - i);
-    cells.slope_y[i] = window_slope(y - first_y - i);
     cells.column[i] = static_cast<Index>(static_cast<long>(first_x) + i) & (n - 1);
     cells.row[i] = static_cast<Index>(static_cast<long>(first_y) + i) & (n - 1);
   }
@@ -255,6 +260,7 @@ void PeriodicWaves::find_layers(FieldBelow& field) const {
 
 FieldBelow::Sample FieldBelow::at(double x, double y, double z) const {
   const PeriodicWaves::Cells cells = waves_->cells_about(x, y);
+  const std::array<double, 4> slope_x = window_slopes(x), slope_y = window_slopes(y);
   const PeriodicWaves::Shares shares = waves_->shares_at(z), slopes = waves_->slopes_at(z);
   Sample sample{.value = 0, .slope = Eigen::Vector3cd::Zero()};
   for (std::size_t l = 0; l < layers_.size(); ++l) {
@@ -264,10 +270,10 @@ FieldBelow::Sample FieldBelow::at(double x, double y, double z) const {
       for (int j = 0; j < 4; ++j) {
         const std::complex<double> cell(layers_[l](cells.row[j], cells.column[i]));
         along += cells.along_y[j] * cell;
-        across += cells.slope_y[j] * cell;
+        across += slope_y[j] * cell;
       }
       value += cells.along_x[i] * along;
-      by_x += cells.slope_x[i] * along;
+      by_x += slope_x[i] * along;
       by_y += cells.along_x[i] * across;
     }
     sample.value += shares[l] * value;

@@ -70,6 +70,10 @@ PeriodicSquare square_about(const std::vector<WaterBody>& bodies,
   return square;
 }
 
+double smallest_cell(double step, double gravity) {
+  return gravity * M_PI * std::pow(step / kLongestStep, 2);
+}
+
 Vector2d SimulatedWater::Passage::at(const Vector3d& place_H, double cell) const {
   return place + turn(heading) * place_H.head<2>() / cell;
 }
@@ -81,9 +85,9 @@ SimulatedWater::SimulatedWater(const Sea& sea, std::vector<WaterBody> bodies,
       waves_(square),
       window_(square, sea, edge),
       passages_(bodies_.size()) {
-  const bool felt =
-      std::ranges::any_of(bodies_, [](const auto& body) { return body.hull != nullptr; });
-  longest_ = (felt ? kLongestFeltStep : kLongestStep) / std::sqrt(sea.gravity * M_PI / square.cell);
+  felt_ = std::ranges::any_of(bodies_, [](const auto& body) { return body.hull != nullptr; });
+  longest_ =
+      (felt_ ? kLongestFeltStep : kLongestStep) / std::sqrt(sea.gravity * M_PI / square.cell);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (bodies_[i].hull)
       passages_[i].flow = passages_[i].rates = passages_[i].before =
@@ -127,16 +131,19 @@ std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
       places.col(i) << cell * passage.at(of.places.col(i), cell), of.places(2, i);
     return places;
   };
+  const Passage& own = passages_[hull];
+  Eigen::Matrix3Xd own_places;  // Found for the first neighbour.
   std::vector<NearSources> near;
   for (std::size_t j = 0; j < bodies_.size(); ++j) {
-    const Passage &own = passages_[hull], &other = passages_[j];
+    const Passage& other = passages_[j];
     if (j == hull || !bodies_[j].hull || other.presence == 0) continue;
     const double apart =
         cell * (own.place - other.place).norm() - bodies_[hull].radius - bodies_[j].radius;
     if (apart > kNearInRadii * std::max(bodies_[hull].radius, bodies_[j].radius)) continue;
     NearSources sources;
     sources.places = places_of(*bodies_[j].hull, other);
-    if (smallest_distance(places_of(*bodies_[hull].hull, own), sources.places) <
+    if (own_places.cols() == 0) own_places = places_of(*bodies_[hull].hull, own);
+    if (smallest_distance(own_places, sources.places) <
         kApart * std::max(bodies_[hull].hull->radius(), bodies_[j].hull->radius()))
       continue;
     sources.rates = 2 * other.rates - other.before;
@@ -223,15 +230,12 @@ std::vector<WavesOnHull> SimulatedWater::begin(double time, double length,
   follow_bodies(states);
   if (!now_.still) waves_.advance(length / 2);
   std::vector<WavesOnHull> loads(bodies_.size());
-  bool read = false;
+  if (!felt_) return loads;
+  waves_.read(field_);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (bodies_[i].hull) find_passage(bodies_[i], states[i], passages_[i]);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i].hull) continue;
-    if (!read) waves_.read(field_);
-    read = true;
-    loads[i] = meet(i);
-  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i].hull) loads[i] = meet(i);
   return loads;
 }
 

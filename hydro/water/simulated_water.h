@@ -63,6 +63,9 @@ struct WaterBody {
 PeriodicSquare square_about(const std::vector<WaterBody>& bodies,
                             const std::vector<BodyState>& states, const Sea& sea);
 
+/// Side of the smallest cell [m] whose waves steps of a length [s] follow.
+double smallest_cell(double step, double gravity);
+
 /// The waves on a hull during a step of the water, in H for ρ = 1.
 struct WavesOnHull {
   Vector6d load = Vector6d::Zero();      ///< f
@@ -126,6 +129,7 @@ class SimulatedWater {
   PeriodicWaves waves_;
   FieldBelow field_;  ///< Of the waves halfway through the step.
   WaterWindow window_;
+  bool felt_;  ///< By a hull at least.
   double longest_;
   double largest_ = 0;  ///< Largest volume of a source of this step [m^3].
 

@@ -21,11 +21,8 @@ BodySpec felt_ball(const hydro::Sea& sea, double part = 1) {
   BodySpec ball = support::radiating_ball();
   static const auto sources = std::make_shared<const hydro::HullSources>(
       hydro::make_hull_sources(ball.mesh_B, {}, kSquare));
-  const hydro::RadiationData data = hydro::instant_data(*sources, ball.mesh_B);
-  auto [load, momentum] = hydro::scattered_waves(data, sea);
   ball.sources = sources;
-  ball.radiation = std::make_shared<const hydro::FloatingBody>(
-      ball.mesh_B, data, hydro::RadiationMemory(), std::move(load), std::move(momentum));
+  ball.radiation = hydro::floating_hull(*sources, ball.mesh_B, sea);
   ball.added_mass = ball.radiation;
   ball.loads.push_back({.force = {0, 0, (part - 1) * ball.mass * kGravity}});
   ball.inertia_B *= part;

@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "hydro/radiation/diffraction_load.h"
 #include "hydro/water/simulated_water.h"
 
 /// @file
@@ -31,10 +30,7 @@ inline FloatingHull floating_hull(const hydro::TriMesh& mesh, const hydro::MeanP
   FloatingHull hull{.mesh = mesh};
   hull.sources =
       std::make_shared<const hydro::HullSources>(hydro::make_hull_sources(mesh, pose, square));
-  const hydro::RadiationData data = hydro::instant_data(*hull.sources, mesh);
-  auto [load, momentum] = hydro::scattered_waves(data, sea);
-  hull.floating = std::make_shared<const hydro::FloatingBody>(mesh, data, hydro::RadiationMemory(),
-                                                              std::move(load), std::move(momentum));
+  hull.floating = hydro::floating_hull(*hull.sources, mesh, sea);
   return hull;
 }
 

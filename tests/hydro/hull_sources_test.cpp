@@ -134,7 +134,7 @@ TEST(HullSources, OfAHeldHemisphereScatterAsTheTableHasIt) {
     SimulatedWater water(sea, {hull.in_water()}, square, square.side() / 3);
     const Vector6cd later =
         support::forced_loads(water, {&hull}, {BodyState()}, -1, 0, omega, 60, 5)[0];
-    const DiffractionLoad at_once(instant_data(*hull.sources, hull.mesh));
+    const DiffractionLoad at_once(hull.floating->data());
     const Loads6cd pressure = froude_krylov(hull.mesh, {}, {.gravity = 1}, {omega}, {0})[0];
     // The elevation over H is cos(−ωt): the amplitudes of e^{−iωt} are the conjugates.
     const Vector6cd X = pressure.col(0) + at_once.coefficients(omega, 0) + later.conjugate();

@@ -19,6 +19,7 @@
 #include "hydro/radiation/diffraction_load.h"
 #include "hydro/radiation/radiation_solve.h"
 #include "hydro/water/hull_sources.h"
+#include "hydro/water/simulated_water.h"
 #include "tests/stress/run_name.h"
 #include "tests/support/hollows.h"
 
@@ -127,10 +128,7 @@ void add_sources(const hydro::PeriodicSquare& square, const hydro::Sea& sea,
   if (breadth_of(mesh_B) < square.cell) return;
   body.sources =
       std::make_shared<const hydro::HullSources>(hydro::make_hull_sources(mesh_B, {}, square, 80));
-  const hydro::RadiationData data = hydro::instant_data(*body.sources, mesh_B);
-  auto [load, momentum] = hydro::scattered_waves(data, sea);
-  body.radiation = std::make_shared<const hydro::FloatingBody>(
-      mesh_B, data, hydro::RadiationMemory(), std::move(load), std::move(momentum));
+  body.radiation = hydro::floating_hull(*body.sources, mesh_B, sea);
   body.added_mass = body.radiation;
 }
 
@@ -159,8 +157,7 @@ Shape make_shape(const std::string& name, double size) {
 
 hydro::PeriodicSquare square_for(const engine::BodySpec& body, const hydro::Sea& sea, double step) {
   const hydro::TriMesh& mesh_B = outside_B(body);
-  const double cell =
-      std::max(breadth_of(mesh_B) / 4, sea.gravity * std::numbers::pi * step * step / 4);
+  const double cell = std::max(breadth_of(mesh_B) / 4, hydro::smallest_cell(step, sea.gravity));
   return {.cells = 64,
           .cell = cell,
           .deepest = -mesh_B.vertices.row(2).minCoeff(),
