@@ -174,4 +174,18 @@ bool is_flat(const Sea& sea) { return std::holds_alternative<FlatSurface>(sea.su
 
 bool changes_with_time(const Sea& sea) { return std::holds_alternative<WaveSurface>(sea.surface); }
 
+double time_of_mean_speed(const Sea& sea, double length) {
+  constexpr double kPeriods = 2;  // More: a speed is found later; fewer: swell counts as one.
+  constexpr double kLeastOfHighest = 0.1;
+  double longest = std::sqrt(2 * M_PI * length / sea.gravity), highest = 0;
+  if (const auto* waves = std::get_if<WaveSurface>(&sea.surface)) {
+    for (const WaveComponent& wave : waves->components)
+      highest = std::max(highest, std::abs(wave.amplitude));
+    for (const WaveComponent& wave : waves->components)
+      if (std::abs(wave.amplitude) >= kLeastOfHighest * highest)
+        longest = std::max(longest, 2 * M_PI / std::abs(wave.omega));
+  }
+  return kPeriods * longest;
+}
+
 }  // namespace hydro

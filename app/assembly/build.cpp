@@ -171,7 +171,7 @@ BuiltScene put_together(const scene::Scene& scene) {
   heel_over(spec, log);
   std::vector<RadiationChoice> radiation = radiation_choices(scene, spec, log.faults);
   read_databases(scene, spec, radiation, log.faults);
-  choose_resistances(scene, built, log);
+  choose_resistances(scene, radiation, built, log);
   log.faults.throw_if_any();
   built.added_mass.resize(scene.bodies.size());
   built.notes = std::move(log.notes);

@@ -58,8 +58,9 @@ void give_resistance(hydro::ResistanceCurve curve, const hydro::ThinShip::Suctio
 /// Chooses the resistances of one scene.
 class ResistanceChooser {
  public:
-  ResistanceChooser(const scene::Scene& scene, BuiltScene& built, BuildLog& log)
-      : scene_(scene), built_(built), log_(log) {}
+  ResistanceChooser(const scene::Scene& scene, const std::vector<RadiationChoice>& radiation,
+                    BuiltScene& built, BuildLog& log)
+      : scene_(scene), radiation_(radiation), built_(built), log_(log) {}
 
   void choose() {
     built_.resistance.resize(built_.spec.bodies.size());
@@ -84,6 +85,10 @@ class ResistanceChooser {
     makes_waves = makes_waves || key.source == From::michell;
     try {
       if (!built_.spec.sea) throw std::invalid_argument("the scene has no water");
+      if (has_simulated_waves(group))
+        throw std::invalid_argument(
+            "the simulated water has the resistance of its waves, unless hydro.radiation: none "
+            "takes the hull out of it");
       const RadiatingHull hull = radiating_hull(built_.spec, group, static_cast<engine::BodyId>(i));
       find_pose(hull, i);
       find_volume(hull, i);
@@ -97,6 +102,12 @@ class ResistanceChooser {
       for (const scene::Fault& fault : error.faults())
         log_.faults.add(scene_.places, path(i) + ".file", scene::to_string(fault));
     }
+  }
+
+  bool has_simulated_waves(const RigidGroup& group) const {
+    return std::ranges::any_of(group.bodies, [&](engine::BodyId id) {
+      return radiation_[static_cast<std::size_t>(id)].simulated;
+    });
   }
 
   static std::string path(std::size_t i) { return fmt::format("bodies[{}].hydro.resistance", i); }
@@ -163,6 +174,7 @@ class ResistanceChooser {
   }
 
   const scene::Scene& scene_;
+  const std::vector<RadiationChoice>& radiation_;
   BuiltScene& built_;
   BuildLog& log_;
   std::optional<MeanPoses> poses_;
@@ -231,8 +243,9 @@ StoredResistance solved(const std::string& name, const hydro::ThinShip& ship, do
 
 }  // namespace
 
-void choose_resistances(const scene::Scene& scene, BuiltScene& built, BuildLog& log) {
-  ResistanceChooser(scene, built, log).choose();
+void choose_resistances(const scene::Scene& scene, const std::vector<RadiationChoice>& radiation,
+                        BuiltScene& built, BuildLog& log) {
+  ResistanceChooser(scene, radiation, built, log).choose();
 }
 
 void solve_resistances(BuiltScene& built, const std::optional<std::filesystem::path>& folder,

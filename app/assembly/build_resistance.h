@@ -5,6 +5,7 @@
 
 #include "app/assembly/build_shape.h"
 #include "app/assembly/built_scene.h"
+#include "app/assembly/radiation_choice.h"
 #include "app/base/reporter.h"
 #include "app/scene/scene.h"
 
@@ -17,9 +18,11 @@
 namespace assembly {
 
 /// Reads the tables, and makes thin ships of the hulls in their poses at rest. A body that cannot
-/// have what its key asks for is a fault at the key.
-/// @param built   With bodies, sea, ground, joints and lines.
-void choose_resistances(const scene::Scene& scene, BuiltScene& built, BuildLog& log);
+/// have what its key asks for is a fault at the key; so is one whose waves simulated water has.
+/// @param radiation   Per body.
+/// @param built       With bodies, sea, ground, joints and lines.
+void choose_resistances(const scene::Scene& scene, const std::vector<RadiationChoice>& radiation,
+                        BuiltScene& built, BuildLog& log);
 
 /// Gives the bodies with thin ships the resistance of their waves, solved or from the store. Equal
 /// hulls share it.

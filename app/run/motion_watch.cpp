@@ -4,33 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/run/radiation_warning.h"
 #include "app/run/wave_warning.h"
 #include "engine/motion/locks.h"
 #include "hydro/mesh/mass_properties.h"
+#include "hydro/resistance/thin_ship.h"
 
 namespace app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kPeriodsOfMean = 2;  ///< More: a speed is told later; fewer: swell counts as one.
-constexpr double kLeastOfHighest = 0.1;  ///< Amplitude of waves that count, over the largest.
-
-/// Returns the period of the longest wave [s]; 0 without waves.
-double longest_period(const hydro::Sea& sea) {
-  const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
-  double highest = 0, longest = 0;
-  if (!waves) return 0;
-  for (const hydro::WaveComponent& wave : waves->components)
-    highest = std::max(highest, std::abs(wave.amplitude));
-  for (const hydro::WaveComponent& wave : waves->components)
-    if (std::abs(wave.amplitude) >= kLeastOfHighest * highest)
-      longest = std::max(longest, 2 * std::numbers::pi / std::abs(wave.omega));
-  return longest;
-}
 
 /// Returns true if something beside the water moves the body; a pin in the world holds it.
 bool is_driven(const engine::SimulationSpec& spec, engine::BodyId id) {
@@ -62,6 +46,12 @@ bool is_in_surface(const engine::BodySpec& body, const hydro::BodyState& state, 
   return state.position.z() + z.minCoeff() < level && level < state.position.z() + z.maxCoeff();
 }
 
+/// Returns true for the sides of a hull that thin-ship theory knows.
+bool is_slender(const Eigen::Vector3d& sides) {
+  const auto [least, largest] = std::minmax(sides.x(), sides.y());
+  return largest >= hydro::kLeastSlenderness * least;
+}
+
 Eigen::Vector2d speed_in_water(const hydro::Sea& sea, const hydro::BodyState& state) {
   return (state.linear_velocity - sea.current).head<2>();
 }
@@ -72,21 +62,19 @@ MotionWatch::MotionWatch(const assembly::BuiltScene& built) : built_(built) {
   const engine::SimulationSpec& spec = built.spec;
   if (!spec.sea || spec.sea->gravity == 0) return;
   const hydro::Sea& sea = *spec.sea;
-  const double period = longest_period(sea);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     const engine::BodySpec& body = spec.bodies[i];
     const Eigen::Matrix3Xd at =
         body.initial.orientation.toRotationMatrix() * engine::outside_B(body).vertices;
     const Eigen::Vector3d sides = at.rowwise().maxCoeff() - at.rowwise().minCoeff();
     const double length = std::max(sides.x(), sides.y());
-    const double own_period = std::sqrt(2 * std::numbers::pi * length / sea.gravity);
     const bool driven = can_float(body, sea) && is_driven(spec, static_cast<engine::BodyId>(i));
     Speed speed{.length = length,
-                .memory = kPeriodsOfMean * std::max(period, own_period),
-                .makes_waves = body.radiation != nullptr,
+                .memory = hydro::time_of_mean_speed(sea, length),
+                .makes_waves = body.radiation && !(body.sources && is_slender(sides)),
                 .planing = kPlaningFroudeNumber *
                            std::sqrt(sea.gravity * std::cbrt(body.mass / sea.density)),
-                .lacks_resistance = driven && !body.resistance,
+                .lacks_resistance = driven && !body.resistance && !body.sources,
                 .may_plane = driven,
                 .mean = speed_in_water(sea, body.initial)};
     // Such a start is told with the scene.
@@ -129,8 +117,11 @@ void MotionWatch::add_speed_warnings(std::size_t body, double time, const hydro:
   if (speed.makes_waves && froude > assembly::kLargestFroudeNumber) {
     speed.makes_waves = false;
     warnings.push_back(told("Froude number", assembly::kLargestFroudeNumber) +
-                       ", and its waves are known without forward speed: hydro.radiation: none "
-                       "leaves them out");
+                       (built_.spec.bodies[body].sources
+                            ? ", and simulated water has the waves of a thin ship for it, which it "
+                              "is not"
+                            : ", and its waves are known without forward speed: hydro.radiation: "
+                              "none leaves them out"));
   }
   if (speed.lacks_resistance && froude > kWaveMakingFroudeNumber && in_surface()) {
     speed.lacks_resistance = false;

@@ -19,8 +19,9 @@ inline constexpr double kPlaningFroudeNumber = 1.2;
 /// once:
 /// - a step that is too long for the waves that bodies meet (wave_warning.h), or a body that has
 ///   turned far from its mean pose (radiation_warning.h), whichever comes first;
-/// - each body with radiation whose forward speed is above assembly::kLargestFroudeNumber;
-/// - each floating hull in the surface without a resistance of its own above
+/// - each body with radiation whose forward speed is above assembly::kLargestFroudeNumber, but for
+///   slender hulls in simulated water;
+/// - each floating hull in the surface without a resistance of its own or simulated water above
 ///   kWaveMakingFroudeNumber that machines, lines, joints or loads drive;
 /// - each of those above kPlaningFroudeNumber, with a resistance or without.
 /// The forward speed is the mean horizontal velocity in the water, over about two periods of the

@@ -195,6 +195,10 @@ Eigen::Matrix2Xd points_inside(const TriMesh& mesh_H, double level, double cell)
 
 }  // namespace
 
+double HullSources::length() const {
+  return (places.rowwise().maxCoeff() - places.rowwise().minCoeff()).head<2>().maxCoeff();
+}
+
 double HullSources::radius() const { return std::sqrt(waterplane / std::numbers::pi); }
 
 Vector6d HullSources::load_of(const Eigen::VectorXd& raise, const Eigen::Matrix3Xd& slope) const {
@@ -237,6 +241,7 @@ HullSources make_hull_sources(const TriMesh& mesh_B, const MeanPose& pose,
     load += hull.potentials.transpose() * hull.fluxes.row(axis).asDiagonal() *
             response.raise_slope[axis];
   hull.reply = load * hull.volumes;
+  hull.thin_spring = load * hull.motions;
   const Matrix6d spring = hull.reply * hull.motions;
   hull.spring = semi_definite_part(spring);
   hull.inside = points_inside(mesh_H, -pose.height, square.cell);

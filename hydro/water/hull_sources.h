@@ -60,11 +60,16 @@ struct HullSources {
   Eigen::MatrixXd volumes = {};  ///< M⁻ᵀ: volumes of the sources by the flow through the patches.
   Matrix6d added_mass = {};      ///< A∞
   Matrix6d spring = {};          ///< C [m^2]
+  Matrix6d thin_spring = {};     ///< The same of the sources (6) [m^2].
   SixRows reply = {};            ///< The same, g left out, by the flow through the patches [1/m].
   double waterplane = 0;         ///< Area of the waterplane [m^2].
   Eigen::Matrix2Xd inside =
       {};  ///< Points of the waterplane a cell from its edge, from H's origin.
 
+  /// True unless the hull lies wholly below the surface.
+  bool pierces_surface() const { return waterplane > 1e-6 * length() * length(); }
+  /// Longer horizontal side of the box about the places [m].
+  double length() const;
   /// Radius of the circle of the waterplane's area [m].
   double radius() const;
   /// (5) over −ρg of a field of the elevation η and its gradient at the places.

@@ -221,6 +221,10 @@ void PeriodicWaves::take_sources() {
   zeta_ += raised_.cast<std::complex<double>>();
 }
 
+void PeriodicWaves::drop_sources() {
+  for (MatrixXcf& pair : sources_) pair.setZero();
+}
+
 void PeriodicWaves::read_sources(FieldBelow& field) {
   transform_sources();
   const auto factor = [&](double omega) {
@@ -244,8 +248,23 @@ void PeriodicWaves::find_raise_and_potential(MatrixXcf& transform) const {
     }
 }
 
-void PeriodicWaves::read(FieldBelow& field) const {
+/// Takes (V·∇)φ/g from the elevation. Of d = η̂ + iψ̂ at k and the conjugate e at −k, ψ̂ = (d − e)/2i.
+void PeriodicWaves::take_advance(const Eigen::Vector2d& velocity, MatrixXcf& transform) const {
+  const Index n = square_.cells;
+  const Eigen::Vector2d by_g = 2 * M_PI / square_.side() / square_.gravity * velocity;
+  const MatrixXcf given = transform;
+  for (Index column = 0; column < n; ++column)
+    for (Index row = 0; row < n; ++row) {
+      const double along = by_g.x() * static_cast<double>(wave_of(column, n)) +
+                           by_g.y() * static_cast<double>(wave_of(row, n));
+      const std::complex<float> mirrored = std::conj(given(-row & (n - 1), -column & (n - 1)));
+      transform(row, column) -= static_cast<float>(along / 2) * (given(row, column) - mirrored);
+    }
+}
+
+void PeriodicWaves::read(FieldBelow& field, const Eigen::Vector2d& velocity) const {
   find_raise_and_potential(field.transform_);
+  if (!velocity.isZero(0)) take_advance(velocity, field.transform_);
   find_layers(field);
 }
 
@@ -262,7 +281,7 @@ FieldBelow::Sample FieldBelow::at(double x, double y, double z) const {
   const PeriodicWaves::Cells cells = waves_->cells_about(x, y);
   const std::array<double, 4> slope_x = window_slopes(x), slope_y = window_slopes(y);
   const PeriodicWaves::Shares shares = waves_->shares_at(z), slopes = waves_->slopes_at(z);
-  Sample sample{.value = 0, .slope = Eigen::Vector3cd::Zero()};
+  Sample sample;
   for (std::size_t l = 0; l < layers_.size(); ++l) {
     std::complex<double> value = 0, by_x = 0, by_y = 0;
     for (int i = 0; i < 4; ++i) {

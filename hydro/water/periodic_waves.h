@@ -46,8 +46,8 @@ class PeriodicWaves;
 class FieldBelow {
  public:
   struct Sample {
-    std::complex<double> value;  ///< f + ig
-    Eigen::Vector3cd slope;      ///< Its gradient [1/m].
+    std::complex<double> value = 0;                     ///< f + ig
+    Eigen::Vector3cd slope = Eigen::Vector3cd::Zero();  ///< Its gradient [1/m].
   };
 
   /// @param x, y   In cells.  @param z   Above the still surface [m], <= 0.
@@ -88,6 +88,10 @@ class PeriodicWaves {
 
   /// Raises the water by what the sources noted since the last call have given.
   void take_sources();
+  /// Forgets the noted sources.
+  void drop_sources();
+  /// Makes the water flat and still.
+  void calm() { zeta_.setZero(); }
 
   /// Multiplies elevation and potential by the factors of the cells.
   void damp(const Eigen::MatrixXf& factor);
@@ -95,8 +99,9 @@ class PeriodicWaves {
   /// The elevation [m] a time [s] from now if nothing is added: rows along y, columns along x.
   Eigen::MatrixXf elevation(double later = 0) const;
 
-  /// Makes `field` that of η + iψ, less what the filter takes.
-  void read(FieldBelow& field) const;
+  /// Makes `field` that of η − (V·∇)φ/g + iφ, less what the filter takes: the first is −1/g times
+  /// the rate of φ for an observer who goes with the horizontal velocity V [m/s].
+  void read(FieldBelow& field, const Eigen::Vector2d& velocity = Eigen::Vector2d::Zero()) const;
   /// Makes `field` that of ŵ + i g ŵ/ω² by the volumes of the noted sources, the elevation that
   /// they make and the potential of w if it stays as it is; the sources are forgotten.
   void read_sources(FieldBelow& field);
@@ -125,6 +130,7 @@ class PeriodicWaves {
   Shares look_up(const Eigen::MatrixXd& table, double z) const;
   void transform_sources();
   void find_raise_and_potential(Eigen::MatrixXcf& transform) const;
+  void take_advance(const Eigen::Vector2d& velocity, Eigen::MatrixXcf& transform) const;
   void find_layers(FieldBelow& field) const;
 
   PeriodicSquare square_;

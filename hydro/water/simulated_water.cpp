@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -35,6 +36,11 @@ constexpr double kApart = 0.25;
 /// Height of the water that counts as still, over a cell [-].
 constexpr double kStill = 1e-6;
 
+/// Energy over density of the square with that height in the mean [m^5/s^2].
+double energy_of_still_water(const PeriodicSquare& square) {
+  return square.gravity / 2 * std::pow(square.side() * kStill * square.cell, 2);
+}
+
 /// Damping of the surface inside a waterplane, over the frequency √(g/R) of its radius [-], and the
 /// Froude number by R up to which it is damped: at speed the damping would be drag.
 constexpr double kInnerDamping = 0.1, kSlow = 0.1;
@@ -46,8 +52,6 @@ double smallest_distance(const Eigen::Matrix3Xd& some, const Eigen::Matrix3Xd& o
     smallest = std::min(smallest, (others.colwise() - place).colwise().squaredNorm().minCoeff());
   return std::sqrt(smallest);
 }
-
-Eigen::Rotation2Dd turn(double heading) { return Eigen::Rotation2Dd(heading); }
 
 }  // namespace
 
@@ -74,10 +78,6 @@ double smallest_cell(double step, double gravity) {
   return gravity * M_PI * std::pow(step / kLongestStep, 2);
 }
 
-Vector2d SimulatedWater::Passage::at(const Vector3d& place_H, double cell) const {
-  return place + turn(heading) * place_H.head<2>() / cell;
-}
-
 SimulatedWater::SimulatedWater(const Sea& sea, std::vector<WaterBody> bodies,
                                const PeriodicSquare& square, double edge)
     : sea_(sea),
@@ -89,9 +89,8 @@ SimulatedWater::SimulatedWater(const Sea& sea, std::vector<WaterBody> bodies,
   longest_ =
       (felt_ ? kLongestFeltStep : kLongestStep) / std::sqrt(sea.gravity * M_PI / square.cell);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (bodies_[i].hull)
-      passages_[i].flow = passages_[i].rates = passages_[i].before =
-          Eigen::VectorXd::Zero(bodies_[i].hull->places.cols());
+    if (const HullSources* hull = bodies_[i].hull.get())
+      passages_[i] = HullPassage(*hull, time_of_mean_speed(sea, hull->length()));
 }
 
 /// Takes the window to the middle of the bodies.
@@ -108,7 +107,7 @@ void SimulatedWater::follow_bodies(const std::vector<BodyState>& states) {
 
 /// Finds where a hull is halfway through the step, from where the water is at `now_`.
 void SimulatedWater::find_passage(const WaterBody& body, const BodyState& start,
-                                  Passage& passage) const {
+                                  HullPassage& passage) const {
   BodyState half = start;
   half.position += now_.length / 2 * start.linear_velocity;
   const Vector3d turned = now_.length / 2 * start.angular_velocity;
@@ -118,6 +117,7 @@ void SimulatedWater::find_passage(const WaterBody& body, const BodyState& start,
   passage.place = window_.in_square((half.position + frame.origin).head<2>(), now_.time);
   passage.heading = frame.heading();
   passage.presence = std::sqrt(body.floating->presence(start, sea_, now_.time));
+  passage.set_course(*body.hull);
 }
 
 /// The sources of hulls near by, halfway through the step, in the square's axes. Of hulls that
@@ -125,17 +125,17 @@ void SimulatedWater::find_passage(const WaterBody& body, const BodyState& start,
 /// not converge.
 std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
   const double cell = waves_.square().cell;
-  const auto places_of = [&](const HullSources& of, const Passage& passage) {
+  const auto places_of = [&](const HullSources& of, const HullPassage& passage) {
     Eigen::Matrix3Xd places(3, of.places.cols());
     for (Index i = 0; i < places.cols(); ++i)
       places.col(i) << cell * passage.at(of.places.col(i), cell), of.places(2, i);
     return places;
   };
-  const Passage& own = passages_[hull];
+  const HullPassage& own = passages_[hull];
   Eigen::Matrix3Xd own_places;  // Found for the first neighbour.
   std::vector<NearSources> near;
   for (std::size_t j = 0; j < bodies_.size(); ++j) {
-    const Passage& other = passages_[j];
+    const HullPassage& other = passages_[j];
     if (j == hull || !bodies_[j].hull || other.presence == 0) continue;
     const double apart =
         cell * (own.place - other.place).norm() - bodies_[hull].radius - bodies_[j].radius;
@@ -153,18 +153,12 @@ std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
   return near;
 }
 
-/// Finds the load on a hull, and the flow that its sources have to meet.
-WavesOnHull SimulatedWater::meet(std::size_t body) {
+/// The waves at a hull; near it are other hulls.
+FlowAtHull SimulatedWater::flow_at(std::size_t body) const {
   const HullSources& hull = *bodies_[body].hull;
-  Passage& passage = passages_[body];
-  const Index n = hull.places.cols();
-  passage.flow.setZero(n);
-  if (passage.presence == 0) return {};
-  // Of the simulated waves: η, φ_w; of the neighbours −1/g ∂φ/∂t, which loads a hull as η does.
-  Eigen::VectorXd raise(n), potential(n);
-  Eigen::Matrix3Xd slope(3, n), velocity(3, n);
+  const HullPassage& passage = passages_[body];
   const double cell = waves_.square().cell, g = sea_.gravity;
-  const Eigen::Rotation2Dd to_H = turn(-passage.heading);
+  const Eigen::Rotation2Dd to_H(-passage.heading);
   const std::vector<NearSources> neighbours = neighbours_of(body);
   const std::optional<AiryWaves> sea =
       has_airy_waves(sea_) ? std::optional<AiryWaves>(std::in_place, sea_, now_.time)
@@ -174,33 +168,35 @@ WavesOnHull SimulatedWater::meet(std::size_t body) {
     turned << to_H * v.head<2>(), v.z();
     return turned;
   };
-  for (Index i = 0; i < n; ++i) {
+  FlowAtHull flow(hull.places.cols());
+  for (Index i = 0; i < hull.places.cols(); ++i) {
     const Vector2d at = passage.at(hull.places.col(i), cell);
     Vector3d place;
     place << cell * at, hull.places(2, i);
-    const FieldBelow::Sample waves = field_.at(at.x(), at.y(), place.z());
+    const FieldBelow::Sample waves =
+        now_.still ? FieldBelow::Sample() : field_.at(at.x(), at.y(), place.z());
     NearFlow near;
     for (const NearSources& neighbour : neighbours) near += near_flow(neighbour, place);
-    raise[i] = waves.value.real() - near.change / g;
-    slope.col(i) = in_H(waves.slope.real() - near.acceleration / g);
-    potential[i] = waves.value.imag();
-    velocity.col(i) = in_H(waves.slope.imag());
+    // Of the neighbours −1/g ∂φ/∂t, which loads a hull as η does.
+    flow.raise[i] = waves.value.real() - near.change / g;
+    flow.slope.col(i) = in_H(waves.slope.real() - near.acceleration / g);
+    flow.potential[i] = waves.value.imag();
+    flow.velocity.col(i) = in_H(waves.slope.imag());
     Vector3d water = waves.slope.imag() + near.velocity;
     if (sea) {
       Vector3d p_W;
       p_W << place.head<2>() + now_.time * sea_.current.head<2>(), sea_.level + place.z();
       water += sea->at(p_W, -place.z()).velocity - current_at(sea_, p_W.z());
     }
-    passage.flow[i] = -passage.presence * in_H(water).dot(hull.fluxes.col(i));
+    flow.inward[i] = -in_H(water).dot(hull.fluxes.col(i));
   }
-  return {.load = -g * (hull.load_of(raise, slope) + now_.length / 2 * hull.reply * passage.flow),
-          .momentum = -hull.load_of(potential, velocity)};
+  return flow;
 }
 
-void SimulatedWater::add_hull(const WaterBody& body, Passage& passage, const Vector6d& way) {
-  const HullSources& hull = *body.hull;
-  const Eigen::VectorXd volumes = hull.volumes * (hull.motions * way + now_.length * passage.flow);
-  passage.before = std::exchange(passage.rates, volumes / now_.length);
+void SimulatedWater::add_hull(std::size_t body, const Vector6d& way) {
+  const HullSources& hull = *bodies_[body].hull;
+  HullPassage& passage = passages_[body];
+  const Eigen::VectorXd volumes = passage.give(hull, way, now_.length);
   for (Index i = 0; i < volumes.size(); ++i) {
     const Vector2d at = passage.at(hull.places.col(i), waves_.square().cell);
     if (!window_.has(at)) continue;
@@ -231,11 +227,21 @@ std::vector<WavesOnHull> SimulatedWater::begin(double time, double length,
   if (!now_.still) waves_.advance(length / 2);
   std::vector<WavesOnHull> loads(bodies_.size());
   if (!felt_) return loads;
-  waves_.read(field_);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (bodies_[i].hull) find_passage(bodies_[i], states[i], passages_[i]);
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (bodies_[i].hull) loads[i] = meet(i);
+  std::optional<Vector2d> read;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].hull) continue;
+    HullPassage& passage = passages_[i];
+    if (passage.presence == 0) {
+      passage.flow.setZero();
+      continue;
+    }
+    const Vector2d velocity = passage.velocity();
+    if (!now_.still && read != velocity) waves_.read(field_, velocity);
+    read = velocity;
+    loads[i] = passage.meet(*bodies_[i].hull, flow_at(i), length);
+  }
   return loads;
 }
 
@@ -243,18 +249,27 @@ void SimulatedWater::end(const std::vector<BodyState>& states, const std::vector
   largest_ = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].hull)
-      add_hull(bodies_[i], passages_[i], ways[i]);
+      add_hull(i, ways[i]);
     else if (bodies_[i].mesh_B != nullptr)
       add_surface(bodies_[i], states[i]);
   }
   const double length = std::exchange(now_.length, 0), cell = waves_.square().cell;
   now_.time += length / 2;
-  if (now_.still && largest_ < kStill * cell * cell * cell) return;
+  const bool nothing_given = largest_ < kStill * cell * cell * cell;
+  if (now_.still && nothing_given) {
+    waves_.drop_sources();
+    return;
+  }
   now_.still = false;
   waves_.take_sources();
   waves_.advance(length / 2);
   now_.undamped += length;
-  if (now_.undamped > 4 * longest_) damp(states);
+  if (now_.undamped <= 4 * longest_) return;
+  damp(states);
+  if (!nothing_given || waves_.energy() > energy_of_still_water(waves_.square())) return;
+  now_.absorbed += waves_.energy();
+  waves_.calm();
+  now_.still = true;
 }
 
 void SimulatedWater::follow(double time, const std::vector<BodyState>& states) {
@@ -301,7 +316,9 @@ void SimulatedWater::damp(const std::vector<BodyState>& states) {
       here = std::min(here, part);
     }
   }
+  now_.absorbed += waves_.energy();
   waves_.damp(factor);
+  now_.absorbed -= waves_.energy();
   now_.undamped = 0;
 }
 
@@ -321,15 +338,13 @@ std::string SimulatedWater::state() const {
                             now_.length,
                             now_.started ? 1.0 : 0.0,
                             now_.still ? 1.0 : 0.0,
+                            now_.absorbed,
                             window_.middle().x(),
                             window_.middle().y()};
   put(numbers, std::size(numbers));
-  for (const Passage& passage : passages_) {
-    const double hull[] = {passage.place.x(), passage.place.y(), passage.heading, passage.presence};
-    put(hull, std::size(hull));
-    for (const Eigen::VectorXd* part : {&passage.flow, &passage.rates, &passage.before})
-      put(part->data(), part->size());
-  }
+  for (HullPassage passage : passages_)
+    for (const std::span<double> part : passage.numbers())
+      put(part.data(), static_cast<Index>(part.size()));
   put(reinterpret_cast<const double*>(waves_.state().data()), 2 * waves_.state().size());
   return bytes;
 }
@@ -343,18 +358,12 @@ void SimulatedWater::restore(const std::string& state) {
     std::memcpy(numbers, state.data() + place, size);
     place += size;
   };
-  double numbers[7];
+  double numbers[8];
   take(numbers, std::size(numbers));
-  std::vector<Passage> passages = passages_;
-  for (Passage& passage : passages) {
-    double hull[4];
-    take(hull, std::size(hull));
-    passage.place = {hull[0], hull[1]};
-    passage.heading = hull[2];
-    passage.presence = hull[3];
-    for (Eigen::VectorXd* part : {&passage.flow, &passage.rates, &passage.before})
-      take(part->data(), part->size());
-  }
+  std::vector<HullPassage> passages = passages_;
+  for (HullPassage& passage : passages)
+    for (const std::span<double> part : passage.numbers())
+      take(part.data(), static_cast<Index>(part.size()));
   Eigen::MatrixXcd zeta(waves_.square().cells, waves_.square().cells);
   take(reinterpret_cast<double*>(zeta.data()), 2 * zeta.size());
   if (place != state.size())
@@ -363,8 +372,9 @@ void SimulatedWater::restore(const std::string& state) {
           .undamped = numbers[1],
           .length = numbers[2],
           .started = numbers[3] != 0,
-          .still = numbers[4] != 0};
-  window_.restore({numbers[5], numbers[6]});
+          .still = numbers[4] != 0,
+          .absorbed = numbers[5]};
+  window_.restore({numbers[6], numbers[7]});
   passages_ = std::move(passages);
   waves_.restore(std::move(zeta));
 }

@@ -10,6 +10,7 @@
 #include "hydro/radiation/floating_body.h"
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
+#include "hydro/water/hull_passage.h"
 #include "hydro/water/hull_sources.h"
 #include "hydro/water/near_field.h"
 #include "hydro/water/periodic_waves.h"
@@ -37,7 +38,7 @@
 ///
 ///     F = f − ρg C ξ                                                                          (2)
 ///
-/// f of (5) in hull_sources.h, less half of the answer of what the hull scatters in this step. The
+/// f of hull_passage.h, less half of the answer of what the hull scatters in this step. The
 /// energy ½ρg ξ·Cξ of the spring is what the step's sources leave in the water, so that no body is
 /// too light for it.
 ///
@@ -66,12 +67,6 @@ PeriodicSquare square_about(const std::vector<WaterBody>& bodies,
 /// Side of the smallest cell [m] whose waves steps of a length [s] follow.
 double smallest_cell(double step, double gravity);
 
-/// The waves on a hull during a step of the water, in H for ρ = 1.
-struct WavesOnHull {
-  Vector6d load = Vector6d::Zero();      ///< f
-  Vector6d momentum = Vector6d::Zero();  ///< −∫ (φ_w N + ψ ∂φ_w/∂n) dS halfway.
-};
-
 class SimulatedWater {
  public:
   /// @param bodies   One of them has a mesh at least; the meshes must outlive this.
@@ -98,6 +93,9 @@ class SimulatedWater {
 
   const PeriodicWaves& waves() const { return waves_; }
 
+  /// Energy that the damping has taken from the waves since the start, over density [m^5/s^2].
+  double absorbed() const { return now_.absorbed; }
+
   /// What changes, for restore() in another object of the same bodies: a water that goes on from it
   /// is the same to the last bit.
   std::string state() const;
@@ -105,21 +103,10 @@ class SimulatedWater {
   void restore(const std::string& state);
 
  private:
-  /// A hull in a step of the water.
-  struct Passage {
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< Of H's origin halfway [cells].
-    double heading = 0;                               ///< Of H's x axis halfway [rad].
-    double presence = 0;                              ///< Root of the hull's.
-    Eigen::VectorXd flow;  ///< −∂(φ_w + φ_I + neighbours' φ_b)/∂n through the patches [m^3/s].
-    Eigen::VectorXd rates, before;  ///< Of its sources in the last two steps [m^3/s].
-
-    Eigen::Vector2d at(const Eigen::Vector3d& place_H, double cell) const;
-  };
-
-  void find_passage(const WaterBody& body, const BodyState& start, Passage& passage) const;
+  void find_passage(const WaterBody& body, const BodyState& start, HullPassage& passage) const;
   std::vector<NearSources> neighbours_of(std::size_t hull) const;
-  WavesOnHull meet(std::size_t body);
-  void add_hull(const WaterBody& body, Passage& passage, const Vector6d& way);
+  FlowAtHull flow_at(std::size_t body) const;
+  void add_hull(std::size_t body, const Vector6d& way);
   void add_surface(const WaterBody& body, const BodyState& state);
   void follow_bodies(const std::vector<BodyState>& states);
   void damp(const std::vector<BodyState>& states);
@@ -139,10 +126,11 @@ class SimulatedWater {
     double undamped = 0;  ///< Time since the edges were damped [s].
     double length = 0;    ///< Of the step that has begun [s]; 0 between steps.
     bool started = false;
-    bool still = true;  ///< Nothing has moved the water so far.
+    bool still = true;    ///< Nothing has moved the water so far.
+    double absorbed = 0;  ///< Energy that was damped, over density [m^5/s^2].
   };
   Clock now_;
-  std::vector<Passage> passages_;  ///< Per body.
+  std::vector<HullPassage> passages_;  ///< Per body.
 };
 
 }  // namespace hydro

@@ -121,6 +121,27 @@ TEST(SimulatedWater, StaysStillAboutWhatGoesWithIt) {
   EXPECT_FALSE(water.patch(5));
 }
 
+/// Nothing is computed for water whose waves have gone, until something moves it again.
+TEST(SimulatedWater, IsStillAgainOnceItsWavesAreGone) {
+  const TriMesh ball = make_icosphere(1, 1);
+  SimulatedWater water(Sea(), {{&ball, 1}}, {.cells = 64, .cell = 0.3});
+  std::vector<BodyState> state(1);
+  const auto follow = [&](double from, double to, double speed) {
+    for (double t = from; t < to; t += 0.05) {
+      state[0].linear_velocity.z() = speed * std::sin(3 * t);
+      water.follow(t, state);
+    }
+  };
+  follow(0, 4, 0.1);
+  EXPECT_TRUE(water.patch(4));
+  follow(4, 400, 0);
+  EXPECT_FALSE(water.patch(400));
+  EXPECT_EQ(water.waves().energy(), 0);
+  EXPECT_GT(water.absorbed(), 0);
+  follow(400, 402, 0.1);
+  EXPECT_TRUE(water.patch(402));
+}
+
 /// A small body that moves as the water of long waves does displaces next to nothing: less than
 /// a tenth of what it makes at rest in them.
 TEST(SimulatedWater, IsLeftAloneByABodyThatRidesWaves) {

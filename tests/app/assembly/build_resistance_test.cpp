@@ -111,6 +111,15 @@ TEST(BuildResistance, RefusesWhatTheTheoryDoesNotKnow) {
       HasSubstr("the scene has no water"));
 }
 
+TEST(BuildResistance, LeavesTheWavesOfAHullToSimulatedWater) {
+  const std::string simulated = "{density: 1000, simulated: {}}";
+  const std::string keys = "hydro: {resistance: {wave: michell}}";
+  EXPECT_THAT(support::build_fault(a_spindle(keys, simulated)),
+              HasSubstr("the simulated water has the resistance of its waves"));
+  const std::string none = "hydro: {radiation: none, resistance: {wave: michell}}";
+  EXPECT_TRUE(not_solved(a_spindle(none, simulated)).resistance[0].ship);
+}
+
 TEST(BuildResistance, WarnsOfBluntEndsAndShallowWater) {
   EXPECT_THAT(not_solved(a_spindle(kMichell, "{density: 1000, depth: 4}")).warnings,
               ElementsAre(HasSubstr("the water is 4 m deep at a length of")));

@@ -8,6 +8,7 @@
 
 #include "hydro/airy_waves.h"
 #include "hydro/mesh/primitives.h"
+#include "hydro/water/hull_sources.h"
 
 namespace {
 
@@ -73,6 +74,15 @@ TEST(MotionWatch, TellsOnceWhereABodyWithRadiationGoesTooFast) {
                                 HasSubstr(" a Froude number above 0.1, and its waves"))));
   EXPECT_THAT(warnings_of(built, [](double time) { return 0.4 * ahead(time); }), IsEmpty());
   EXPECT_THAT(warnings_of(hull(false), ahead), IsEmpty());
+}
+
+TEST(MotionWatch, LeavesTheSpeedOfASlenderHullToSimulatedWater) {
+  assembly::BuiltScene built = hull(true);
+  built.spec.bodies[0].loads = {{.force = {100, 0, 0}}};
+  built.spec.bodies[0].sources = std::make_shared<const hydro::HullSources>();
+  EXPECT_THAT(warnings_of(built, ahead), IsEmpty());
+  built.spec.bodies[0].mesh_B = hydro::make_box({4, 2, 1});
+  EXPECT_THAT(warnings_of(built, ahead), ElementsAre(HasSubstr("waves of a thin ship for it")));
 }
 
 TEST(MotionWatch, CountsTheSpeedInTheWater) {
