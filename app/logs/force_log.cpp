@@ -67,6 +67,8 @@ std::vector<double> row_of(const engine::BodyForces& forces, std::vector<std::st
   put("work_resistance", forces.works.resistance);
   put_load({"hull_lift", forces.water.hull_lift}, put);
   put("work_hull_lift", forces.works.hull_lift);
+  put_load({"water", forces.simulated_water}, put);
+  put("work_water", forces.works.water);
   return row;
 }
 

@@ -149,6 +149,9 @@ class Run {
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
     summary_.counts = simulation_.counts();
+    if (const hydro::SimulatedWater* water = simulation_.water())
+      summary_.water = {.waves = built_.spec.sea->density * water->waves().energy(),
+                        .absorbed = built_.spec.sea->density * water->absorbed()};
     summary_.errors = {simulation_.constraint_errors(), simulation_.works()};
     if (auto warning = constraint_warning(built_.spec, summary_.counts))
       summary_.warnings.push_back(std::move(*warning));

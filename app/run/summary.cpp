@@ -144,6 +144,13 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"resistance", to_json(body, summary.built.resistance[i])}};
 }
 
+Json to_json(const hydro::PeriodicSquare& square, const WaterEnergy& energy) {
+  return {{"cells", square.cells},
+          {"cell", square.cell},
+          {"energy", energy.waves},
+          {"absorbed", energy.absorbed}};
+}
+
 /// Returns the report of pictures; cameras are listed if there are several, videos if there are
 /// any.
 Json to_json(const PictureReport& pictures) {
@@ -247,6 +254,7 @@ Json to_json(const RunSummary& s) {
   if (const std::string moorings = model_of_moorings(spec); !moorings.empty())
     json["moorings"] = moorings;
   if (!spec.propellers.empty()) json["machines"] = s.rig.machines(spec);
+  if (s.water) json["simulated_water"] = to_json(spec.water->square, *s.water);
   if (s.built.irregular_sea) json["irregular_sea"] = to_json(*s.built.irregular_sea);
   if (s.pictures) json["pictures"] = to_json(*s.pictures);
   json["source"] = to_json(run_source(s.scene, s.overrides));

@@ -13,6 +13,12 @@
 
 namespace app {
 
+/// Energy of simulated water at the end of a run.
+struct WaterEnergy {
+  double waves = 0;     ///< In the waves of the grid [J].
+  double absorbed = 0;  ///< Taken by the damping at the grid's edges and inside hulls [J].
+};
+
 /// Contents of `summary.json`.
 struct RunSummary {
   const scene::Scene& scene;
@@ -25,6 +31,7 @@ struct RunSummary {
   engine::Timings timings;
   engine::Skips skips;
   std::vector<engine::Counts> counts;  ///< Per body.
+  std::optional<WaterEnergy> water;    ///< None without simulated water that bodies feel.
   RigTotals rig;                       ///< Totals of lines and machines.
   RunErrors errors;                    ///< Errors of joints and contacts, and works.
   std::vector<std::string> warnings;   ///< Warnings of the scene, then those of the run.

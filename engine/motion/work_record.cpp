@@ -1,6 +1,7 @@
 #include "engine/motion/work_record.h"
 
 #include <cmath>
+#include <utility>
 
 #include "engine/motion/energy.h"
 #include "engine/motion/locks.h"
@@ -229,6 +230,8 @@ double Works::clamped_share() const {
 Works works_of(const Body& body, const Motion& motion) {
   Works works = motion.work->works;
   works.added_mass += motion.work->added_energy_at_start - added_kinetic_energy(body, motion);
+  if (motion.water)
+    works.water = std::exchange(works.radiation, 0) + std::exchange(works.diffraction, 0);
   return works;
 }
 

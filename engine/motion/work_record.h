@@ -24,6 +24,7 @@ struct Works {
   double wave_inertia = 0;
   double diffraction = 0;
   double radiation = 0;  ///< By the memory of the waves that the body has made.
+  double water = 0;      ///< By simulated water, in place of diffraction and radiation.
   double wind = 0;
   double interior = 0;  ///< By the water in its pockets.
   double lines = 0;     ///< By springs, ropes, moorings and drives of joints.
@@ -37,10 +38,11 @@ struct Works {
   double resistance = 0;
 
   /// Each of them once.
-  std::array<double, 18> all() const {
-    return {buoyancy,   pressure_drag, viscous_drag, lift,   wave_inertia, diffraction,
-            radiation,  wind,          interior,     lines,  machines,     hull_lift,
-            resistance, added_mass,    applied,      weight, constraint,   brake};
+  std::array<double, 19> all() const {
+    return {buoyancy,    pressure_drag, viscous_drag, lift,       wave_inertia,
+            diffraction, radiation,     water,        wind,       interior,
+            lines,       machines,      hull_lift,    resistance, added_mass,
+            applied,     weight,        constraint,   brake};
   }
   double sum() const;
   /// Part of the works, summed up in size, that the energy limiter has done [-].

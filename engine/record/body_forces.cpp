@@ -28,6 +28,10 @@ BodyForces forces_on(const MovingBody& moving, const hydro::Wrench& lines, doubl
     forces.constraint =
         -1.0 * (forces.weight + forces.applied + forces.water.total() + forces.radiation +
                 forces.lines + forces.machines + forces.added_mass);
+  if (motion.water) {
+    forces.simulated_water = forces.radiation + forces.water.diffraction;
+    forces.radiation = forces.water.diffraction = {};
+  }
   forces.kinetic_energy = own_kinetic_energy(body, motion);
   forces.added_kinetic_energy = added_kinetic_energy(body, motion);
   forces.potential_energy =

@@ -31,6 +31,8 @@ struct BodyForces {
   hydro::Wrench applied;
   hydro::Wrench weight;
   hydro::Wrench radiation;  ///< Load of the waves that the body has made.
+  /// Load of simulated water, in place of `radiation` and `water.diffraction`.
+  hydro::Wrench simulated_water;
   /// Load of springs, ropes, moorings and drives of joints; the part that the constraint solver
   /// finds is the mean over the last step.
   hydro::Wrench lines;

@@ -8,6 +8,7 @@ const LOADS = [
   ["pressure_drag", "pressure drag", "--c3"], ["viscous_drag", "viscous drag", "--c4"],
   ["lift", "lift", "--c5"], ["wave_inertia", "wave inertia", "--c9"], ["wind", "wind", "--c10"],
   ["diffraction", "diffraction", "--c11"], ["radiation", "radiation", "--c12"],
+  ["water", "simulated water", "--c12"],
   ["interior", "water inside", "--c13"], ["lines", "lines", "--c14"], ["machines", "machines", "--c15"],
   ["resistance", "resistance", "--c16"], ["hull_lift", "lift of the hull", "--c17"],
   ["added_mass", "added mass", "--c7"],
