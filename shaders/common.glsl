@@ -12,6 +12,7 @@ uniform float u_level;       // z of the still water in E [m]
 uniform bool u_sea;          // true: there is water
 uniform bool u_under;        // true: the eye is under water
 uniform float u_grid;        // spacing of the grid lines on ground and water [m]
+uniform bool u_grid_lines;   // true: these lines are drawn
 uniform vec3 u_grid_shift;   // the eye's position in its cell of that grid [m]
 uniform sampler2D u_plan;    // share of the main light that bodies take (r), that times their height
                              // (g), share of the water's surface that they take (b), and that
@@ -53,7 +54,7 @@ float grid_line(vec2 cells, vec2 right, vec2 up) {
   vec2 per_pixel = max(vec2(length(vec2(right.x, up.x)), length(vec2(right.y, up.y))), 1e-6);
   vec2 off_line = abs(fract(cells - 0.5) - 0.5) / per_pixel;
   vec2 line = (1.0 - smoothstep(0.3, 1.3, off_line)) * (1.0 - smoothstep(0.05, 0.25, per_pixel));
-  return max(line.x, line.y);
+  return u_grid_lines ? max(line.x, line.y) : 0.0;
 }
 
 // Returns the light on a matt surface: about 1 where it faces the main light, never below 0.5.

@@ -11,6 +11,7 @@ uniform float u_drag_front;     // rho C_p / 2 where the surface moves into the 
 uniform float u_drag_back;      // rho C_p / 2 where it moves out of the water [Pa s^2/m^2]
 uniform float u_flat_depth;     // change of depth per pixel below which it is rounding [m]
 uniform float u_line_width;     // width of the waterline [px]
+uniform bool u_colored;         // false: the waterline alone is drawn
 uniform bool u_bold;            // true: the waterline is bold
 
 const vec3 k_line = vec3(0.97, 0.99, 1.0);
@@ -41,7 +42,7 @@ void main() {
   // A face in the water surface itself is dry and has no waterline.
   bool level = slope < u_flat_depth;
   float depth_px = level ? v_depth / u_flat_depth - 8.0 : v_depth / slope;
-  float wet = clamp(depth_px + 0.5, 0.0, 1.0);
+  float wet = u_colored ? clamp(depth_px + 0.5, 0.0, 1.0) : 0.0;
   float edge = 0.5 * u_line_width;
   float line = level ? 0.0 : 1.0 - smoothstep(edge - 0.5, edge + 0.5, abs(depth_px));
   if (!u_bold) line *= 0.8;

@@ -120,11 +120,12 @@ void ForceAnnotations::add_forces(std::size_t body, const Shot& shot, double sca
 void ForceAnnotations::add_centres(std::size_t body, const Shot& shot,
                                    render::Annotations& notes) const {
   const hydro::BodyState& state = shot.states[body];
-  notes.marks.push_back({state.position, "G", {30, 30, 35}});
+  const auto letter = [&](const char* text) { return look_.overlay ? text : ""; };
+  notes.marks.push_back({state.position, letter("G"), {30, 30, 35}});
   if (!spec_.sea) return;
   const auto centre =
       centre_of_buoyancy(engine::outside_B(spec_.bodies[body]), state, *spec_.sea, shot.time);
-  if (centre) notes.marks.push_back({*centre, "B", {20, 90, 200}, true});
+  if (centre) notes.marks.push_back({*centre, letter("B"), {20, 90, 200}, true});
 }
 
 std::optional<Vector3d> centre_of_buoyancy(const hydro::TriMesh& mesh_B,

@@ -45,19 +45,19 @@ class Drawing {
         target_(target),
         progress_(progress),
         cameras_(cameras_of(look_)),
-        scale_(pressure_scale(look_, expected_pressure(spec_, look_.shows),
-                              pressure_range(spec_, shots, look_.shows))),
+        scale_(scale_of_all()),
         renderer_(first_picture(scene), program_files("shaders")),
         notes_(look_, spec_),
         rig_(spec_, look_.show.joints) {
-    if (spec_.sea) shown_scale_ = scale_;
+    if (shows_pressures(look_, spec_)) shown_scale_ = scale_;
     if (look_.show.forces || rig_.has_lines())
       for (std::size_t i = 0; i < shots.size(); ++i) include(shots.at(i));
   }
 
   PictureReport draw() {
     make_folders();
-    report_ = {.device = renderer_.device(), .complete = true, .pressure_max = scale_.max};
+    report_ = {.device = renderer_.device(), .complete = true};
+    if (shown_scale_) report_.pressure_max = scale_.max;
     for (const scene::Camera& camera : cameras_) {
       if (!camera.name.empty()) report_.cameras.push_back(camera.name);
       if (report_.complete) draw(camera);
@@ -66,6 +66,13 @@ class Drawing {
   }
 
  private:
+  /// Returns the scale for all shots; that of no pressures if pictures show none.
+  render::PressureScale scale_of_all() const {
+    if (!shows_pressures(look_, spec_)) return pressure_scale(look_, {}, {});
+    return pressure_scale(look_, expected_pressure(spec_, look_.shows),
+                          pressure_range(spec_, shots_, look_.shows));
+  }
+
   void include(const Shot& shot) {
     notes_.include(shot);
     rig_.include(shot);
@@ -119,8 +126,10 @@ class Drawing {
                                             shot.water ? &*shot.water : nullptr)]() mutable {
         render::annotate(image, view, notes);
         if (is_frame) sheet.add(image, time);
-        render::add_legend(image, view, notes);
-        render::add_overlay(image, shown_scale_, time, grid);
+        if (look_.overlay) {
+          render::add_legend(image, view, notes);
+          render::add_overlay(image, shown_scale_, time, grid);
+        }
         if (is_frame) render::write_png(image, file);
         if (of_video) video->add(image);
       });
@@ -156,7 +165,7 @@ class Drawing {
   const PictureProgress& progress_;
   const std::vector<scene::Camera> cameras_;
   const render::PressureScale scale_;
-  std::optional<render::PressureScale> shown_scale_;  ///< None without water.
+  std::optional<render::PressureScale> shown_scale_;  ///< None if pictures show no pressures.
   render::Renderer renderer_;
   ForceAnnotations notes_;
   RigPictures rig_;
@@ -174,6 +183,8 @@ render::SceneDescription picture_of(const scene::Scene& scene, const engine::Sim
                                    .pressure = scale,
                                    .sea = spec.sea,
                                    .ripple = cell_of_waves(scene, spec),
+                                   .grid_visible = look.grid,
+                                   .pressure_visible = look.pressure_shown,
                                    .bold_waterline = look.show.waterline,
                                    .wireframe = look.show.wireframe};
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
@@ -188,6 +199,10 @@ render::SceneDescription picture_of(const scene::Scene& scene, const engine::Sim
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     picture.ground_W = mesh->mesh_W;
   return picture;
+}
+
+bool shows_pressures(const scene::Render& look, const engine::SimulationSpec& spec) {
+  return look.pressure_shown && spec.sea;
 }
 
 std::vector<std::string> videos_made(const PictureReport& report) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,11 @@ struct VideoReport {
 
 /// Account of the pictures that were drawn.
 struct PictureReport {
-  std::string device;                     ///< Graphics device.
-  int frames = 0;                         ///< Number of pictures in `frames/`, of all cameras.
-  bool complete = false;                  ///< True: the last picture was drawn.
-  double pressure_max = 0;                ///< Upper end of the colour scale [Pa].
+  std::string device;     ///< Graphics device.
+  int frames = 0;         ///< Number of pictures in `frames/`, of all cameras.
+  bool complete = false;  ///< True: the last picture was drawn.
+  std::optional<double> pressure_max =
+      {};                                 ///< Upper end of the colour scale [Pa], if there is one.
   std::vector<std::string> cameras = {};  ///< Names, if there are several.
   std::vector<VideoReport> videos = {};
 };
@@ -47,6 +49,9 @@ using PictureProgress = std::function<bool(int done, int all)>;
 PictureReport draw_pictures(const scene::Scene& scene, const assembly::BuiltScene& built,
                             const ShotSpool& shots, const PictureTarget& target,
                             const PictureProgress& progress);
+
+/// True if pictures of a scene have the colours of pressures.
+bool shows_pressures(const scene::Render& look, const engine::SimulationSpec& spec);
 
 /// Returns one line of text for each video.
 std::vector<std::string> videos_made(const PictureReport& report);

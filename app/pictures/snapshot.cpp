@@ -64,7 +64,7 @@ render::Image Snapshots::draw(const engine::Simulation& simulation, const scene:
                   .rig = drawn_rig(simulation.rig())};
   impl.rig.include(shot);
   std::optional<render::PressureScale> scale;
-  if (impl.spec.sea) {
+  if (shows_pressures(look, impl.spec)) {
     impl.range.include(pressure_range(impl.spec, shot, look.shows));
     scale = pressure_scale(look, impl.expected, impl.range);
     impl.renderer.show_pressures(*scale);
@@ -73,6 +73,7 @@ render::Image Snapshots::draw(const engine::Simulation& simulation, const scene:
   impl.renderer.look(camera_at(camera, impl.spec, shot));
   render::Image image =
       impl.renderer.draw(shot.states, shot.time, shot.interiors, impl.rig.of(shot));
+  if (!look.overlay) return image;
   render::Annotations notes;
   impl.rig.explain(notes);
   render::add_legend(image, impl.renderer.view(), notes);

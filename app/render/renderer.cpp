@@ -163,6 +163,7 @@ void Renderer::Impl::set_view(const GlProgram& program, double time) const {
   program.set("u_level", picture_.sea ? picture_.sea->level - eye.z() : 0.0);
   const double grid = grid_length(view_);
   program.set("u_grid", grid);
+  program.set("u_grid_lines", picture_.grid_visible ? 1 : 0);
   program.set("u_grid_shift",
               Vector3d(eye.unaryExpr([&](double x) { return std::remainder(x, grid); })));
   program.set("u_sea", picture_.sea && picture_.water_visible ? 1 : 0);
@@ -308,7 +309,7 @@ void Renderer::Impl::draw_bodies(const GlProgram& program,
   }
 }
 
-/// Draws the pressures where bodies are in sight, whatever water is before them.
+/// Draws the pressures and waterlines where bodies are in sight, whatever water is before them.
 void Renderer::Impl::draw_pressures(const std::vector<hydro::BodyState>& states, double time) {
   set_view(pressure_, time);
   gl_.ActiveTexture(GL_TEXTURE0);
@@ -319,6 +320,7 @@ void Renderer::Impl::draw_pressures(const std::vector<hydro::BodyState>& states,
   pressure_.set("u_stripe", kStripe * line_unit());
   pressure_.set("u_flat_depth", 1e-7 * picture_size(view_));
   pressure_.set("u_line_width", (picture_.bold_waterline ? 4.0 : 2.0) * line_unit());
+  pressure_.set("u_colored", picture_.pressure_visible ? 1 : 0);
   pressure_.set("u_bold", picture_.bold_waterline ? 1 : 0);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -356,7 +358,8 @@ Image Renderer::Impl::draw(const std::vector<hydro::BodyState>& states, double t
     draw_water(time, ripples);
     canvas_->restore_depth();
   }
-  if (picture_.sea) draw_pressures(states, time);
+  if (picture_.sea && (picture_.pressure_visible || picture_.bold_waterline))
+    draw_pressures(states, time);
   draw_edges(states, time);
   return canvas_->read();
 }
@@ -372,7 +375,7 @@ const std::string& Renderer::device() const { return impl_->context_.device(); }
 double Renderer::grid() const {
   const SceneDescription& p = impl_->picture_;
   const bool lined = (p.sea && p.water_visible) || p.ground_W || p.ground_z;
-  return lined ? grid_length(impl_->view_) : 0;
+  return lined && p.grid_visible ? grid_length(impl_->view_) : 0;
 }
 
 const View& Renderer::view() const { return impl_->view_; }

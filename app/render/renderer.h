@@ -46,6 +46,8 @@ struct SceneDescription {
   std::optional<double> ground_z;          ///< A flat sea floor, drawn to the horizon.
   double ripple = 0;                       ///< Cell of the bodies' waves [m]; 0: there are none.
   bool water_visible = true;               ///< False: pressures are shown, but no water.
+  bool grid_visible = true;                ///< False: water and ground have no lines.
+  bool pressure_visible = true;  ///< False: bodies have their own colours under water, too.
   bool bold_waterline = false;
   bool wireframe = false;  ///< True: edges of the bodies' meshes are drawn.
 };
@@ -66,7 +68,7 @@ class Renderer {
   /// View of the next picture.
   const View& view() const;
 
-  /// Spacing of the grid lines on water and ground [m]; 0 if there is neither.
+  /// Spacing of the grid lines on water and ground [m]; 0 if there are none.
   double grid() const;
 
   /// Sets the camera of the following pictures, at first `SceneDescription::camera`. An unchanged

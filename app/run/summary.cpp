@@ -154,9 +154,8 @@ Json to_json(const hydro::PeriodicSquare& square, const WaterEnergy& energy) {
 /// Returns the report of pictures; cameras are listed if there are several, videos if there are
 /// any.
 Json to_json(const PictureReport& pictures) {
-  Json json = {{"device", pictures.device},
-               {"frames", pictures.frames},
-               {"pressure_max", pictures.pressure_max}};
+  Json json = {{"device", pictures.device}, {"frames", pictures.frames}};
+  if (pictures.pressure_max) json["pressure_max"] = *pictures.pressure_max;
   if (!pictures.cameras.empty()) json["cameras"] = pictures.cameras;
   for (const VideoReport& video : pictures.videos)
     json["videos"].push_back(

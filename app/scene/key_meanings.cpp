@@ -260,7 +260,14 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes; `joints` "
      "are pins of hinges, balls, and bars along which sliders move; `trail` is the path so far of "
      "the centre of mass of the body that the camera follows, or of every body that can move."},
-    {"render.pressure", "Colour scale of the pressure on the wet surface."},
+    {"render.overlay",
+     "What stands over the pictures: the time, the spacing of the grid, the scales, the legend and "
+     "letters. Without it they have none of these; what stands below the pictures on the sheet "
+     "stays."},
+    {"render.grid", "Lines for scale on water and ground."},
+    {"render.pressure",
+     "Colour scale of the pressure on the wet surface. With `none` bodies have their own colours "
+     "under water, too, and no waterline but that of `show`."},
     {"render.pressure.shows",
      "Pressure that is shown. `hydrostatic` is ρ g h; under linear waves it is the pressure that "
      "the water would have without the body. `dynamic` is ½ ρ C_p v_n |v_n| with the speed v_n "

@@ -24,6 +24,7 @@ void read_end(MapReader& map, const char* key, const char* fallback, ScaleEnd& e
 
 /// The block of the colour scale.
 struct PressureBlock {
+  bool shown = true;
   ScaleEnd min = {ScaleEnd::Found::given, 0}, max;
   Colors colors = Colors::turbo;
   ShownPressure shows = ShownPressure::total;
@@ -51,6 +52,23 @@ void read(MapReader& map, PressureBlock& pressure) {
   if (given && pressure.max.pressure <= pressure.min.pressure)
     map.fault("max", fmt::format("found {:g}, expected more than min ({:g}) [Pa]",
                                  pressure.max.pressure, pressure.min.pressure));
+}
+
+/// Reads `none` or a block.
+void read_pressure(MapReader& map, Render& render) {
+  const std::string expected = "none, or a map";
+  PressureBlock block;
+  const auto value =
+      map.find_unless_block("pressure", expected, "", block, {words_shape({"none"})});
+  if (value && value->node.is_word("none"))
+    block.shown = false;
+  else if (value)
+    value->refuse(expected);
+  render.pressure_shown = block.shown;
+  render.pressure_min = block.min;
+  render.pressure_max = block.max;
+  render.colors = block.colors;
+  render.shows = block.shows;
 }
 
 const std::vector<std::pair<std::string, bool Show::*>> kShown = {
@@ -101,12 +119,9 @@ void read(MapReader& map, Render& render) {
   map.block("sheet", sheet);
   render.sheet_columns = sheet.columns;
   read_shown(map, render.show);
-  PressureBlock pressure;
-  map.block("pressure", pressure);
-  render.pressure_min = pressure.min;
-  render.pressure_max = pressure.max;
-  render.colors = pressure.colors;
-  render.shows = pressure.shows;
+  map.optional("overlay", render.overlay, TruthRule{});
+  map.optional("grid", render.grid, TruthRule{});
+  read_pressure(map, render);
 }
 
 }  // namespace scene

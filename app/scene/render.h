@@ -61,6 +61,9 @@ struct Render {
   Camera camera;
   std::vector<Camera> cameras;       ///< These replace `camera` unless empty.
   std::optional<int> sheet_columns;  ///< None: chosen to fit.
+  bool overlay = true;               ///< False: no text, scale or legend stands on the pictures.
+  bool grid = true;                  ///< False: water and ground have no lines.
+  bool pressure_shown = true;        ///< False: bodies have their own colours under water, too.
   ScaleEnd pressure_min = {ScaleEnd::Found::given, 0};
   ScaleEnd pressure_max;
   Colors colors = Colors::turbo;

@@ -69,7 +69,7 @@ Shot LiveScene::now() const {
 }
 
 void LiveScene::grow_scale(const Shot& now) {
-  if (!spec_.sea) return;
+  if (!shows_pressures(*scene_.render, spec_)) return;
   range_.include(pressure_range(spec_, now, scene_.render->shows));
   scale_ = pressure_scale(*scene_.render, expected_, range_);
 }
@@ -100,11 +100,12 @@ render::Image LiveScene::picture(const render::Camera& camera, int width, int he
   render::Image image = renderer_->draw(shot.states, shot.time, shot.interiors, rig_.of(shot),
                                         shot.water ? &*shot.water : nullptr);
   render::annotate(image, view, notes);
+  if (!scene_.render->overlay) return image;
   render::add_legend(image, view, notes);
   std::vector<std::string> more;
   if (!note.empty()) more.push_back(note);
   std::optional<render::PressureScale> shown;
-  if (spec_.sea) shown = scale_;
+  if (shows_pressures(*scene_.render, spec_)) shown = scale_;
   render::add_overlay(image, shown, shot.time, renderer_->grid(), more);
   return image;
 }

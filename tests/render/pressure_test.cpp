@@ -133,6 +133,30 @@ TEST(BodyColor, IsItsOwnEverywhereInADryScene) {
   }
 }
 
+TEST(BodyColor, IsItsOwnUnderWaterWithoutPressures) {
+  Scene scene = ball_in_water_to(0.2);
+  scene.picture.pressure_visible = false;
+  Scene dry = scene;
+  dry.picture.sea.reset();
+  EXPECT_EQ(pictures::draw(scene), pictures::draw(dry));
+}
+
+TEST(Waterline, IsTheSameWithoutPressuresIfItIsBold) {
+  constexpr int kWidth = 4;  // [px], and one for its soft edges
+  Scene scene = ball_in_water_to(0.2);
+  scene.picture.bold_waterline = true;
+  const Image colored = pictures::draw(scene);
+  scene.picture.pressure_visible = false;
+  const Image plain = pictures::draw(scene);
+  scene.picture.bold_waterline = false;
+  const Image bare = pictures::draw(scene);
+  const int row = static_cast<int>(row_of_height(0.2));
+  EXPECT_EQ(plain.at(kMiddleColumn, row), colored.at(kMiddleColumn, row));
+  EXPECT_NE(plain.at(kMiddleColumn, row), bare.at(kMiddleColumn, row));
+  for (const int off : {row - kWidth, row + kWidth})
+    EXPECT_EQ(plain.at(kMiddleColumn, off), bare.at(kMiddleColumn, off));
+}
+
 TEST(PressureColor, ReadsBackAsTheWeightOfWaterAbove) {
   for (const double level : {0.0, 0.5}) {
     const double error = largest_error(ball_in_water_to(level), level,

@@ -203,6 +203,30 @@ TEST(WaterPicture, ShowsWavesAndTheirMotion) {
   EXPECT_GT(differing_share(waves, pictures::draw(scene), 4), 0.3);
 }
 
+/// Largest difference of the red of pixels side by side, which lines make.
+int largest_step(const Image& image) {
+  int largest = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 1; x < image.width; ++x)
+      largest = std::max(largest, std::abs(image.at(x, y).r - image.at(x - 1, y).r));
+  return largest;
+}
+
+TEST(WaterPicture, OfStillWaterWithoutAGridIsSmooth) {
+  Scene scene = ball_from_above();
+  scene.picture.bodies.clear();
+  scene.states.clear();
+  for (const bool water : {true, false}) {
+    scene.picture.water_visible = water;
+    if (!water) scene.picture.ground_z = -1;
+    scene.picture.grid_visible = true;
+    EXPECT_GT(largest_step(pictures::draw(scene)), 8) << water;
+    scene.picture.grid_visible = false;
+    EXPECT_LE(largest_step(pictures::draw(scene)), 1) << water;
+    EXPECT_EQ(render::Renderer(scene.picture, pictures::shader_folder()).grid(), 0);
+  }
+}
+
 TEST(WaterPicture, HasItsHorizonWhereTheCameraSays) {
   // A level camera of 240 rows has it in the middle. The sky just above is nearly white, the water
   // some way below blue.

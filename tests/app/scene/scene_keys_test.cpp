@@ -112,6 +112,8 @@ std::string every_key() {
          " orbit: -12}\n"
          "  sheet: {columns: 5}\n"
          "  show: [wireframe, forces, joints]\n"
+         "  overlay: false\n"
+         "  grid: false\n"
          "  pressure: {shows: dynamic, colors: coolwarm, min: -100, max: 5e3}\n";
 }
 
@@ -555,6 +557,17 @@ TEST(SceneKeys, RenderIsRead) {
   EXPECT_EQ(render->colors, scene::Colors::coolwarm);
   EXPECT_TRUE(render->show.forces && render->show.wireframe && render->show.joints);
   EXPECT_FALSE(render->show.centres || render->show.waterline);
+  EXPECT_FALSE(render->overlay || render->grid);
+  EXPECT_TRUE(render->pressure_shown);
+}
+
+TEST(SceneKeys, PressureIsAScaleOrNone) {
+  const std::string head = "plimsoll: 1\nduration: 0\nrender: {pressure: ";
+  EXPECT_FALSE(read_scene_text(head + "none}\n").render->pressure_shown);
+  const auto shown = read_scene_text(head + "{max: 5}}\n").render;
+  EXPECT_TRUE(shown->pressure_shown && shown->overlay && shown->grid);
+  EXPECT_THAT(support::faults_of(head + "no}\n"),
+              testing::ElementsAre("3:20: render.pressure: found no, expected none, or a map"));
 }
 
 TEST(SceneKeys, DynamicPressureHasALowerEndThatIsFound) {

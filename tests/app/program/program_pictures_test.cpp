@@ -1,0 +1,57 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program/program.h"
+
+/// What a scene's pictures show, in files that the program writes.
+
+namespace {
+
+using nlohmann::json;
+using support::falling_box;
+using support::Outcome;
+using support::Workplace;
+
+class ProgramPictures : public testing::Test {
+ protected:
+  /// Runs a scene into the folder `o`.
+  void run(const std::string& scene, const std::vector<std::string>& sets = {}) {
+    std::vector<std::string> words = {"run", scene, "--out", "o"};
+    for (const std::string& set : sets) words.insert(words.end(), {"--set", set});
+    const Outcome outcome = here.run(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+  std::string frame(const std::string& number) {
+    return here.read("o/frames/frame_000" + number + ".png");
+  }
+
+  Workplace here;
+};
+
+TEST_F(ProgramPictures, OfAStillSceneDifferByTheTimeOverThemAlone) {
+  here.write("still.yaml",
+             "plimsoll: 1\nduration: 0.5\nstep: 0.1\ngravity: 0\nbodies:\n"
+             "  - {name: box, box: {size: [1, 1, 1]}, density: 500}\n"
+             "render: {size: [320, 240], every: 0.4, show: [centres]}\n");
+  run("still.yaml");
+  EXPECT_NE(frame("0"), frame("1"));
+  const std::string with_letters = frame("0");
+  run("still.yaml", {"render.overlay=false"});
+  EXPECT_EQ(frame("0"), frame("1"));
+  EXPECT_NE(frame("0"), with_letters);
+}
+
+TEST_F(ProgramPictures, WithoutPressuresHaveNoScale) {
+  here.write("box.yaml", falling_box("0.4", "render: {size: [320, 240], every: 0.4}\n"));
+  const auto pictures = [&] { return json::parse(here.read("o/summary.json"))["pictures"]; };
+  run("box.yaml");
+  EXPECT_TRUE(pictures().contains("pressure_max"));
+  const std::string sheet = here.read("o/sheet.png");
+  run("box.yaml", {"render.pressure=none"});
+  EXPECT_FALSE(pictures().contains("pressure_max"));
+  EXPECT_NE(here.read("o/sheet.png"), sheet);
+}
+
+}  // namespace
