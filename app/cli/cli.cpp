@@ -19,6 +19,7 @@
 #include "app/commands/render_trajectory.h"
 #include "app/commands/schema_command.h"
 #include "app/compare/compare.h"
+#include "app/pictures/video_check.h"
 #include "app/report/report.h"
 #include "app/run/run.h"
 #include "app/scene/diagnostics.h"
@@ -73,9 +74,15 @@ void add_threads(CLI::App* command, int& threads, const char* more = "") {
 CLI::Option* add_video(CLI::App* command, VideoOptions& video) {
   CLI::Option* file =
       command
-          ->add_option("--video", video.file,
-                       "Also make a video (.mp4, .webm or .gif); several cameras make one "
-                       "each, FILE-CAMERA")
+          ->add_option_function<std::string>(
+              "--video",
+              [&video](const std::string& argument) {
+                const VideoOptions given = video_options(argument);
+                video.file = given.file;
+                video.camera = given.camera;
+              },
+              "Also make a video (.mp4, .webm or .gif); several cameras make one each, "
+              "FILE-CAMERA, and CAMERA=FILE makes that of one")
           ->type_name("FILE");
   command->add_option("--fps", video.fps, "Pictures per second of the video, 1 to 120 [25]")
       ->check(CLI::Range(1, 120).description(""))

@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "app/assembly/built_scene.h"
 #include "app/pictures/shot_spool.h"
 #include "app/render/renderer.h"
 #include "app/scene/scene.h"
-#include "engine/base/spec.h"
 
 /// @file
 /// Cameras of a scene.
@@ -18,12 +18,12 @@ std::vector<scene::Camera> cameras_of(const scene::Render& render);
 
 /// Returns a camera at time 0. A place that the scene does not give is such that all bodies are
 /// seen at their start.
-render::Camera camera_at_start(const scene::Camera& camera, const engine::SimulationSpec& spec);
+render::Camera camera_at_start(const scene::Camera& camera, const assembly::BuiltScene& built);
 
 /// Returns a camera at the time of a shot. A camera that follows a body is displaced as far as the
-/// body's centre of mass from its start; an orbiting camera turns about the vertical through the
-/// point it looks at.
-render::Camera camera_at(const scene::Camera& camera, const engine::SimulationSpec& spec,
+/// body's centre of mass from its start; one on a body moves and turns with it. An orbiting camera
+/// turns about the vertical, or the body's z axis, through the point it looks at.
+render::Camera camera_at(const scene::Camera& camera, const assembly::BuiltScene& built,
                          const Shot& shot);
 
 }  // namespace app

@@ -19,6 +19,7 @@
 #include "app/pictures/pressure_range.h"
 #include "app/pictures/rigging.h"
 #include "app/pictures/trail.h"
+#include "app/pictures/video_check.h"
 #include "app/render/annotation.h"
 #include "app/render/overlay.h"
 #include "app/render/png.h"
@@ -40,6 +41,7 @@ class Drawing {
   Drawing(const scene::Scene& scene, const assembly::BuiltScene& built, const ShotSpool& shots,
           const PictureTarget& target, const PictureProgress& progress)
       : look_(*scene.render),
+        built_(built),
         spec_(built.spec),
         shots_(shots),
         target_(target),
@@ -86,7 +88,7 @@ class Drawing {
 
   render::SceneDescription first_picture(const scene::Scene& scene) const {
     render::SceneDescription first = picture_of(scene, spec_, scale_);
-    if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), spec_, shots_.at(0));
+    if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), built_, shots_.at(0));
     return first;
   }
 
@@ -111,30 +113,30 @@ class Drawing {
     Background finishing(spec_.threads, kMostWaiting);
     for (std::size_t i = 0; i < shots_.size(); ++i) {
       const Shot shot = shots_.at(i);
-      renderer_.look(camera_at(camera, spec_, shot));
-      render::Rigging rigging = rig_.of(shot);
-      if (look_.show.trail) {
-        trail.add(shot);
-        trail.draw(rigging);
+      const bool of_video = shot.video && video;
+      if (look_.show.trail) trail.add(shot);
+      if (shot.frame || of_video) {
+        renderer_.look(camera_at(camera, built_, shot));
+        render::Rigging rigging = rig_.of(shot);
+        if (look_.show.trail) trail.draw(rigging);
+        const fs::path file =
+            shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
+        finishing.put([this, &sheet, &video, time = shot.time, of_video, file,
+                       view = renderer_.view(), grid = renderer_.grid(), notes = notes_of(shot),
+                       image = renderer_.draw(shot.states, shot.time, shot.interiors, rigging,
+                                              shot.water ? &*shot.water : nullptr)]() mutable {
+          render::annotate(image, view, notes);
+          if (!file.empty()) sheet.add(image, time);
+          if (look_.overlay) {
+            render::add_legend(image, view, notes);
+            render::add_overlay(image, shown_scale_, time, grid);
+          }
+          if (!file.empty()) render::write_png(image, file);
+          if (of_video) video->add(image);
+        });
       }
-      const fs::path file =
-          shot.frame ? frame_file(target_.folder, camera.name, frames++) : fs::path();
-      finishing.put([this, &sheet, &video, time = shot.time, is_frame = shot.frame,
-                     of_video = shot.video, file, view = renderer_.view(), grid = renderer_.grid(),
-                     notes = notes_of(shot),
-                     image = renderer_.draw(shot.states, shot.time, shot.interiors, rigging,
-                                            shot.water ? &*shot.water : nullptr)]() mutable {
-        render::annotate(image, view, notes);
-        if (is_frame) sheet.add(image, time);
-        if (look_.overlay) {
-          render::add_legend(image, view, notes);
-          render::add_overlay(image, shown_scale_, time, grid);
-        }
-        if (is_frame) render::write_png(image, file);
-        if (of_video) video->add(image);
-      });
       report_.frames += shot.frame;
-      if (shot.video) ++report_.videos.back().pictures;
+      if (of_video) ++report_.videos.back().pictures;
       const int all = static_cast<int>(shots_.size() * cameras_.size());
       report_.complete = progress_(++drawn_, all) || drawn_ == all;
       if (!report_.complete) break;
@@ -146,19 +148,21 @@ class Drawing {
     finishing.finish();
   }
 
-  /// Starts the video of a camera; none if no shot belongs to a video.
+  /// Starts the video of a camera; none if no shot belongs to a video, or if it is another's.
   std::optional<Video> video_of(const scene::Camera& camera) {
-    if (shots_.of_video() == 0) return std::nullopt;
+    const VideoOptions& wanted = target_.video;
+    const std::optional<fs::path> file = video_by(wanted, camera, cameras_.size());
+    if (shots_.of_video() == 0 || !file) return std::nullopt;
     const VideoShape shape = {.width = look_.size[0],
                               .height = look_.size[1],
-                              .fps = target_.video.fps,
+                              .fps = wanted.fps,
                               .threads = spec_.threads};
-    const fs::path file = video_file(target_.video.file, camera.name);
-    report_.videos.push_back({.file = file, .pictures = 0, .fps = shape.fps});
-    return std::optional<Video>(std::in_place, file, shape);
+    report_.videos.push_back({.file = *file, .pictures = 0, .fps = shape.fps});
+    return std::optional<Video>(std::in_place, *file, shape);
   }
 
   const scene::Render& look_;
+  const assembly::BuiltScene& built_;
   const engine::SimulationSpec& spec_;
   const ShotSpool& shots_;
   const PictureTarget& target_;

@@ -35,6 +35,7 @@ render::SceneDescription still_look(const scene::Scene& scene, const engine::Sim
 struct Snapshots::Impl {
   Impl(const scene::Scene& given, const assembly::BuiltScene& built)
       : scene(with_look(given)),
+        built(built),
         spec(built.spec),
         expected(expected_pressure(spec, scene.render->shows)),
         renderer(still_look(scene, spec, pressure_scale(*scene.render, expected, range)),
@@ -42,6 +43,7 @@ struct Snapshots::Impl {
         rig(spec, scene.render->show.joints) {}
 
   const scene::Scene scene;
+  const assembly::BuiltScene& built;
   const engine::SimulationSpec& spec;
   const PressureRange expected;
   PressureRange range;  ///< Of the pictures so far.
@@ -70,7 +72,7 @@ render::Image Snapshots::draw(const engine::Simulation& simulation, const scene:
     impl.renderer.show_pressures(*scale);
   }
   impl.renderer.resize(size[0], size[1]);
-  impl.renderer.look(camera_at(camera, impl.spec, shot));
+  impl.renderer.look(camera_at(camera, impl.built, shot));
   render::Image image =
       impl.renderer.draw(shot.states, shot.time, shot.interiors, impl.rig.of(shot));
   if (!look.overlay) return image;

@@ -17,8 +17,9 @@ namespace app {
 
 /// Video that the command line asks for.
 struct VideoOptions {
-  std::filesystem::path file;  ///< Empty: no video. With several cameras see video_file.
+  std::filesystem::path file;  ///< Empty: no video. With several cameras see video_by.
   int fps = 25;                ///< Pictures per second.
+  std::string camera = {};     ///< The only camera that makes a video; empty: each makes one.
 
   bool wanted() const { return !file.empty(); }
   /// Returns the pictures per second of simulated time; 0 without a video.

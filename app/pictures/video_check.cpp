@@ -34,6 +34,19 @@ void check_ending(const VideoOptions& video) {
                                         video.fps, kMostOfGif));
 }
 
+void check_camera(const VideoOptions& video, const scene::Render& render) {
+  if (video.camera.empty()) return;
+  std::vector<std::string> names;
+  for (const scene::Camera& camera : render.cameras) names.push_back(camera.name);
+  if (std::find(names.begin(), names.end(), video.camera) != names.end()) return;
+  throw scene::InputError(
+      kOption, names.empty()
+                   ? fmt::format("the scene's camera has no name, expected {} without {}=",
+                                 video.file.string(), video.camera)
+                   : fmt::format("there is no camera {}{}", video.camera,
+                                 did_you_mean(video.camera, names)));
+}
+
 bool same_folder(const fs::path& a, const fs::path& b) {
   return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
 }
@@ -57,12 +70,28 @@ void check_folder(const fs::path& file, const fs::path& out) {
 
 }  // namespace
 
+VideoOptions video_options(const std::string& argument) {
+  const std::size_t mark = argument.find('=');
+  const std::string name = argument.substr(0, mark);
+  if (mark == std::string::npos || !scene::is_camera_name(name)) return {.file = argument};
+  return {.file = argument.substr(mark + 1), .camera = name};
+}
+
+std::optional<fs::path> video_by(const VideoOptions& video, const scene::Camera& camera,
+                                 std::size_t cameras) {
+  if (video.camera.empty()) return video_file(video.file, camera.name);
+  if (cameras > 1 && camera.name != video.camera) return std::nullopt;
+  return video.file;
+}
+
 void check_video(const VideoOptions& video, const scene::Render& render, const fs::path& out,
                  int threads) {
   if (!video.wanted()) return;
   check_ending(video);
-  for (const scene::Camera& camera : cameras_of(render))
-    check_folder(video_file(video.file, camera.name), out);
+  check_camera(video, render);
+  const std::vector<scene::Camera> cameras = cameras_of(render);
+  for (const scene::Camera& camera : cameras)
+    if (const auto file = video_by(video, camera, cameras.size())) check_folder(*file, out);
   if (find_program("ffmpeg").empty())
     throw scene::InputError(
         kOption, "the program ffmpeg is not installed, which makes videos: apt-get install ffmpeg");

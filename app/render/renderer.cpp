@@ -149,7 +149,7 @@ void Renderer::Impl::make_surroundings() {
 }
 
 void Renderer::Impl::set_view(const GlProgram& program, double time) const {
-  const Vector3d level = Vector3d::UnitZ().cross(view_.right_W);
+  const Vector3d level = Vector3d::UnitZ().cross(view_.level_W);
   const Vector3d& eye = view_.eye_W;
   const bool under = picture_.sea && picture_.water_visible &&
                      eye.z() < hydro::surface_height(*picture_.sea, eye.x(), eye.y(), time);
@@ -157,7 +157,7 @@ void Renderer::Impl::set_view(const GlProgram& program, double time) const {
   program.set("u_clip_from_E", view_.clip_from_E);
   program.set("u_key_light", key_light(view_));
   program.set("u_back_light",
-              Vector3d((-0.25 * view_.right_W + level + 0.45 * Vector3d::UnitZ()).normalized()));
+              Vector3d((-0.25 * view_.level_W + level + 0.45 * Vector3d::UnitZ()).normalized()));
   program.set("u_visibility", 40 * view_.distance);
   program.set("u_murk", 0.45 / picture_size(view_));
   program.set("u_level", picture_.sea ? picture_.sea->level - eye.z() : 0.0);

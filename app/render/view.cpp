@@ -25,6 +25,12 @@ Eigen::Matrix4d clip_from_eye(const View& v) {
   return projection * rotation;
 }
 
+/// Returns the direction to the right of a gaze, unit.
+Eigen::Vector3d right_of(const Eigen::Vector3d& forward, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d right = forward.cross(up);
+  return right.norm() < 1e-6 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d(right.normalized());
+}
+
 /// Returns the largest of 1, 2, 5 times a power of ten that is at most `length`.
 double round_length(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
@@ -38,8 +44,8 @@ double round_length(double length) {
 double grid_length(const View& view) { return round_length(0.25 * picture_size(view)); }
 
 Eigen::Vector3d key_light(const View& view) {
-  const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(view.right_W);
-  return (-0.55 * view.right_W - 0.5 * level + 0.75 * Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(view.level_W);
+  return (-0.55 * view.level_W - 0.5 * level + 0.75 * Eigen::Vector3d::UnitZ()).normalized();
 }
 
 View make_view(const Camera& camera, int width, int height) {
@@ -48,9 +54,8 @@ View make_view(const Camera& camera, int width, int height) {
   const Eigen::Vector3d gaze = camera.to - camera.from;
   v.distance = gaze.norm() > 0 ? gaze.norm() : 1;
   v.forward_W = gaze.norm() > 0 ? Eigen::Vector3d(gaze.normalized()) : Eigen::Vector3d::UnitY();
-  Eigen::Vector3d right = v.forward_W.cross(Eigen::Vector3d::UnitZ());
-  if (right.norm() < 1e-6) right = Eigen::Vector3d::UnitX();
-  v.right_W = right.normalized();
+  v.right_W = right_of(v.forward_W, camera.up);
+  v.level_W = right_of(v.forward_W, Eigen::Vector3d::UnitZ());
   v.up_W = v.right_W.cross(v.forward_W).normalized();
   v.half_height = std::tan(camera.field_of_view / 2);
   v.half_width = v.half_height * width / height;

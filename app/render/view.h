@@ -14,6 +14,8 @@ struct Camera {
   Eigen::Vector3d from = {6, -8, 3};  ///< Eye, in W [m].
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad].
+  Eigen::Vector3d up =
+      Eigen::Vector3d::UnitZ();  ///< Direction toward the top of the picture, in W.
 
   bool operator==(const Camera&) const = default;
 };
@@ -21,8 +23,9 @@ struct Camera {
 struct View {
   Eigen::Vector3d eye_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d forward_W = Eigen::Vector3d::UnitY();  ///< Unit.
-  Eigen::Vector3d right_W = Eigen::Vector3d::UnitX();    ///< Unit, level.
+  Eigen::Vector3d right_W = Eigen::Vector3d::UnitX();    ///< Unit.
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();       ///< Unit.
+  Eigen::Vector3d level_W = Eigen::Vector3d::UnitX();    ///< `right_W` of a camera with +z up.
   double distance = 1;     ///< Distance from the eye to the point looked at [m].
   double half_width = 1;   ///< Tangent of half the horizontal field of view [-].
   double half_height = 1;  ///< Tangent of half the vertical field of view [-].
@@ -47,8 +50,7 @@ double grid_length(const View& view);
 /// every view shows shape. In W; its z is positive.
 Eigen::Vector3d key_light(const View& view);
 
-/// Makes the view of a camera. A camera that looks straight up or down has +y at the top of its
-/// picture.
+/// Makes the view of a camera. A camera that looks along its `up` has +y at the top of its picture.
 View make_view(const Camera& camera, int width, int height);
 
 }  // namespace render

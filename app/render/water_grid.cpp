@@ -27,7 +27,7 @@ struct Sector {
 Sector seen_sector(const View& view, double side) {
   Sector s;
   s.flattest = M_PI / 2;
-  const Vector3d level_gaze = Vector3d::UnitZ().cross(view.right_W);
+  const Vector3d level_gaze = Vector3d::UnitZ().cross(view.level_W);
   s.middle = std::atan2(level_gaze.y(), level_gaze.x());
   constexpr int kSteps = 8;
   for (int i = -kSteps; i <= kSteps; ++i)

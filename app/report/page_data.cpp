@@ -8,9 +8,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json page_camera(const scene::Scene& scene, const engine::SimulationSpec& spec) {
+Json page_camera(const scene::Scene& scene, const assembly::BuiltScene& built) {
   if (!scene.render) return nullptr;
-  const render::Camera c = camera_at_start(cameras_of(*scene.render).front(), spec);
+  const render::Camera c = camera_at_start(cameras_of(*scene.render).front(), built);
   return {{"from", {c.from.x(), c.from.y(), c.from.z()}},
           {"to", {c.to.x(), c.to.y(), c.to.z()}},
           {"field_of_view", c.field_of_view}};
@@ -33,7 +33,7 @@ Json replay_data(const LoggedRun& run, const Eigen::Vector3d& origin, const Page
           {"shapes", page_shapes(shapes)},
           {"water", page_water(run.built.spec, limits)},
           {"ground", page_ground(run.built.spec.ground, limits)},
-          {"camera", page_camera(run.scene, run.built.spec)},
+          {"camera", page_camera(run.scene, run.built)},
           {"poses", page_poses(run, origin, limits)},
           {"rigging", page_rigging(run, origin, limits)}};
 }

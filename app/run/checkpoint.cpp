@@ -58,6 +58,7 @@ Json to_json(const Checkpoint& c) {
           {"render", c.choices.render},
           {"video", c.choices.video.file.string()},
           {"fps", c.choices.video.fps},
+          {"video_camera", c.choices.video.camera},
           {"rows", c.log.rows},
           {"trajectory", to_json(c.log.trajectory)},
           {"forces", to_json(c.log.forces)},
@@ -75,7 +76,9 @@ CheckpointChoices choices_from(const Json& head) {
   return {.every = head.at("every").get<double>(),
           .format = head.at("format") == "csv" ? LogFormat::csv : LogFormat::hdf5,
           .render = head.at("render").get<bool>(),
-          .video = {.file = head.at("video").get<std::string>(), .fps = head.at("fps").get<int>()}};
+          .video = {.file = head.at("video").get<std::string>(),
+                    .fps = head.at("fps").get<int>(),
+                    .camera = head.value("video_camera", "")}};
 }
 
 RigTotals rig_from(const Json& state) {

@@ -247,10 +247,16 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"render.camera.orbit",
      "Rate at which the camera orbits the vertical through `to`, counter-clockwise as seen from "
      "above."},
+    {"render.camera.on",
+     "Body that the camera stands on and turns with: `from` and `to` are points of its mesh frame, "
+     "whose z is up in the picture."},
     {"render.cameras",
-     "Several cameras by name, in place of `camera`. They write `frames/NAME/` and "
-     "`sheet_NAME.png` and share one colour scale. A name consists of letters, digits, - and _."},
-    {"render.cameras.NAME", "A camera. The keys are those of `render.camera`."},
+     "Several cameras in place of `camera`: a list, or a map by their names. They write "
+     "`frames/NAME/` and `sheet_NAME.png` and share one colour scale."},
+    {"render.cameras[].name",
+     "Name of a camera in the list: letters, digits, - and _. The other keys are those of "
+     "`render.camera`."},
+    {"render.cameras.NAME", "A camera in the map. The keys are those of `render.camera`."},
     {"render.sheet", "Options of the figure `sheet.png`, which shows the pictures side by side."},
     {"render.sheet.columns",
      "Number of pictures in a row. By default the figure is about 1.5 times as wide as high."},
@@ -298,7 +304,9 @@ constexpr auto kCopies = std::to_array<std::pair<std::string_view, std::string_v
      {"bodies[].shapes[].cylinder", "bodies[].cylinder"},
      {"bodies[].shapes[].orientation.", "bodies[].orientation."},
      {"sails[].", "rudders[]."},
-     {"render.cameras.NAME.", "render.camera."}});
+     {"render.cameras.NAME.", "render.camera."},
+     {"render.cameras[].name", "render.cameras[].name"},
+     {"render.cameras[].", "render.camera."}});
 
 }  // namespace
 

@@ -84,8 +84,9 @@ void check_unique(MapReader& map, const std::string& list, const std::vector<std
 
 void read(MapReader& map, Render& render);
 void read(MapReader& map, Camera& camera);
-void read(MapReader& map, std::vector<Camera>& cameras);
-/// Checks that the bodies followed by `camera` or `cameras` exist.
+/// Reads `cameras`: a list of them, or a map by their names.
+void read_cameras(MapReader& map, std::vector<Camera>& cameras);
+/// Checks that the bodies of `camera` or `cameras` exist.
 void check_followed_bodies(MapReader& map, const Scene& scene);
 
 void read(MapReader& map, Integrator& integrator);

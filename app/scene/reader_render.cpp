@@ -112,7 +112,7 @@ void read(MapReader& map, Render& render) {
   map.optional("size", render.size, between(16, 8192, "px"));
   map.optional("every", render.every, positive("s"));
   map.block("camera", render.camera);
-  map.block("cameras", render.cameras);
+  read_cameras(map, render.cameras);
   map.at_most_one_of({"camera", "cameras"});
   map.note_condition("cameras", "", {}, {"camera"});
   SheetBlock sheet;

@@ -23,7 +23,12 @@ struct Camera {
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad], 35 degrees.
   std::string follow;                         ///< Name of the body to follow; empty: none.
   double orbit = 0;                           ///< Rate of turn about `to` [rad/s].
+  std::string
+      on;  ///< Name of the body in whose mesh frame `from` and `to` are, both given; empty: W.
 };
+
+/// True if a camera can have this name, which is part of the names of files.
+bool is_camera_name(const std::string& name);
 
 /// Elements to draw besides the bodies, the water and the ground.
 struct Show {

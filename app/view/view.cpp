@@ -31,7 +31,7 @@ std::string title_of(const scene::Scene& scene) {
 }
 
 render::Camera first_camera(const scene::Scene& scene, const assembly::BuiltScene& built) {
-  return camera_at_start(cameras_of(*scene.render).front(), built.spec);
+  return camera_at_start(cameras_of(*scene.render).front(), built);
 }
 
 /// A window in which a scene runs until the user closes it.

@@ -9,6 +9,7 @@
 #include "app/pictures/picture_files.h"
 #include "app/render/view.h"
 #include "hydro/mesh/primitives.h"
+#include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
 namespace {
@@ -20,14 +21,18 @@ using scene::Camera;
 /// A turn and a sum of coordinates below 20 m: a few ulp.
 const double kCameraRoundOff = support::tolerance(1e-14);
 
+/// A projection of such points: some hundred ulp.
+const double kViewRoundOff = support::tolerance(1e-12);
+
 /// Two bodies, the second of which starts at (1, 2, 3).
-engine::SimulationSpec two_bodies() {
-  engine::SimulationSpec spec;
-  spec.bodies.resize(2);
-  spec.bodies[0].name = "a";
-  spec.bodies[1].name = "b";
-  spec.bodies[1].initial.position = {1, 2, 3};
-  return spec;
+assembly::BuiltScene two_bodies() {
+  assembly::BuiltScene built;
+  built.spec.bodies.resize(2);
+  built.spec.bodies[0].name = "a";
+  built.spec.bodies[1].name = "b";
+  built.spec.bodies[1].initial.position = {1, 2, 3};
+  built.centers_of_mass = {Vector3d::Zero(), Vector3d::Zero()};
+  return built;
 }
 
 app::Shot shot_at(double time, const Vector3d& second_body) {
@@ -78,20 +83,50 @@ TEST(Camera, ThatOrbitsABodyItFollowsTurnsAboutTheBody) {
   EXPECT_LE((view.to - start - moved).norm(), kCameraRoundOff);
 }
 
+/// A body's own points keep their places in the picture, whatever the body does.
+TEST(Camera, OnABodySeesItsPointsAlwaysAtTheSamePlaces) {
+  support::Random random(31);
+  assembly::BuiltScene built = two_bodies();
+  built.centers_of_mass[1] = {0.4, -0.3, 0.2};
+  built.spec.bodies[1].initial.orientation = random.rotation();
+  const Camera camera = {.from = Vector3d(0, 0, 3), .to = Vector3d(10, 0, 2), .on = "b"};
+  const Vector3d bow_M(9, 1, 0.5);
+  const auto place_of_bow = [&](const hydro::BodyState& state, const render::Camera& placed) {
+    const render::View view = render::make_view(placed, 400, 300);
+    const Vector3d p_W = state.position + state.orientation * (bow_M - built.centers_of_mass[1]);
+    return Eigen::Vector2d(
+        (view.clip_from_E * (p_W - view.eye_W).homogeneous()).eval().hnormalized().head<2>());
+  };
+  // In the mesh frame: from (0, 0, 3) toward (10, 0, 2), with z up and y to the left.
+  const render::Camera in_M = {.from = *camera.from, .to = *camera.to};
+  const render::View view_M = render::make_view(in_M, 400, 300);
+  const Eigen::Vector2d expected =
+      (view_M.clip_from_E * (bow_M - view_M.eye_W).homogeneous()).eval().hnormalized().head<2>();
+  const hydro::BodyState& start = built.spec.bodies[1].initial;
+  EXPECT_LE((place_of_bow(start, app::camera_at_start(camera, built)) - expected).norm(),
+            kViewRoundOff);
+  for (int i = 0; i < 5; ++i) {
+    app::Shot shot = shot_at(i, random.vector(20));
+    shot.states[1].orientation = random.rotation();
+    EXPECT_LE((place_of_bow(shot.states[1], camera_at(camera, built, shot)) - expected).norm(),
+              kViewRoundOff);
+  }
+}
+
 /// A barge of 40 m and a buoy beside it.
-engine::SimulationSpec barge_and_buoy() {
-  engine::SimulationSpec spec = two_bodies();
-  spec.bodies[0].mesh_B = hydro::make_box({40, 10, 4});
-  spec.bodies[1].mesh_B = hydro::make_sphere(1, 12, 8);
-  spec.bodies[1].initial.position = {30, -12, 4};
-  return spec;
+assembly::BuiltScene barge_and_buoy() {
+  assembly::BuiltScene built = two_bodies();
+  built.spec.bodies[0].mesh_B = hydro::make_box({40, 10, 4});
+  built.spec.bodies[1].mesh_B = hydro::make_sphere(1, 12, 8);
+  built.spec.bodies[1].initial.position = {30, -12, 4};
+  return built;
 }
 
 /// True if all vertices of all bodies at their start are in the picture.
-bool shows_all(const render::Camera& camera, const engine::SimulationSpec& spec) {
+bool shows_all(const render::Camera& camera, const assembly::BuiltScene& built) {
   const render::View view = render::make_view(camera, 960, 720);
   bool all = true;
-  for (const engine::BodySpec& body : spec.bodies)
+  for (const engine::BodySpec& body : built.spec.bodies)
     for (const auto& vertex : body.mesh_B.vertices.colwise()) {
       const Vector3d p_E = body.initial.position + vertex - view.eye_W;
       const Eigen::Vector4d clip = view.clip_from_E * p_E.homogeneous();
@@ -101,22 +136,22 @@ bool shows_all(const render::Camera& camera, const engine::SimulationSpec& spec)
 }
 
 TEST(Camera, WithoutAPlaceShowsAllBodies) {
-  const engine::SimulationSpec spec = barge_and_buoy();
-  EXPECT_FALSE(shows_all({}, spec));  // it stands in the barge
+  const assembly::BuiltScene built = barge_and_buoy();
+  EXPECT_FALSE(shows_all({}, built));  // it stands in the barge
   for (const Camera& camera : {Camera{}, Camera{.field_of_view = 0.2},
                                Camera{.to = Vector3d(10, 5, 0)}, Camera{.follow = "b"}})
-    EXPECT_TRUE(shows_all(app::camera_at_start(camera, spec), spec));
+    EXPECT_TRUE(shows_all(app::camera_at_start(camera, built), built));
 }
 
 TEST(Camera, StandsAndLooksWhereTheSceneSaysAndChoosesTheRest) {
-  const engine::SimulationSpec spec = barge_and_buoy();
-  const Vector3d place(10, 5, -3), middle = app::camera_at_start({}, spec).to;
-  const render::Camera from = app::camera_at_start({.from = place}, spec);
+  const assembly::BuiltScene built = barge_and_buoy();
+  const Vector3d place(10, 5, -3), middle = app::camera_at_start({}, built).to;
+  const render::Camera from = app::camera_at_start({.from = place}, built);
   EXPECT_EQ(from.from, place);
   EXPECT_EQ(from.to, middle);
-  EXPECT_EQ(app::camera_at_start({.to = place}, spec).to, place);
+  EXPECT_EQ(app::camera_at_start({.to = place}, built).to, place);
   // Not along the vertical, which is up in pictures.
-  const render::Camera above = app::camera_at_start({.from = middle + Vector3d(0, 0, 50)}, spec);
+  const render::Camera above = app::camera_at_start({.from = middle + Vector3d(0, 0, 50)}, built);
   EXPECT_EQ(above.from, middle + Vector3d(0, 0, 50));
   EXPECT_GT((above.to - above.from).head<2>().norm(), 0.1);
 }

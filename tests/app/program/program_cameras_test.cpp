@@ -55,6 +55,22 @@ TEST_F(ProgramCameras, HaveAFolderAndASheetEach) {
   EXPECT_EQ(pictures["cameras"], json({"side", "Top-1"}));
 }
 
+TEST_F(ProgramCameras, OnABodySeeItAlwaysAtTheSamePlace) {
+  // All that tells where the camera is, is a body that turns, and no light but that of the sky.
+  here.write("dry.yaml",
+             "plimsoll: 1\nduration: 0.5\nstep: 0.1\ngravity: 0\nbodies:\n"
+             "  - {name: box, box: {size: [1, 1, 1]}, density: 500, angular_velocity: [0, 0, 2],"
+             " linear_velocity: [3, 1, 0]}\n"
+             "render: {size: [100, 80], every: 0.4}\n");
+  const auto sees_the_same = [&](const std::string& camera) {
+    EXPECT_EQ(here.run({"run", "dry.yaml", "--out", "o", "--set", "render.camera=" + camera}).code,
+              0);
+    return here.read("o/frames/frame_0001.png") == here.read("o/frames/frame_0000.png");
+  };
+  EXPECT_TRUE(sees_the_same("{on: box, from: [4, 3, 2], to: [0, 0, 0]}"));
+  EXPECT_FALSE(sees_the_same("{follow: box, from: [4, 3, 2], to: [0, 0, 0]}"));
+}
+
 TEST_F(ProgramCameras, AreDrawnFromALogAsInTheRun) {
   run_box(kTwo);
   const Outcome again = here.run({"render", "o", "--scene", "box.yaml", "--out", "again"});

@@ -141,6 +141,16 @@ TEST_F(ProgramVideoMade, AreOneForEachCamera) {
   expect_video("drop-B.mp4", "h264", 15, 0.6);
 }
 
+TEST_F(ProgramVideoMade, IsThatOfOneCameraIfItIsNamed) {
+  const std::vector<std::string> two = {"--set", "render.cameras={a: {}, B: {}}"};
+  EXPECT_EQ(run({"--video", "B=drop.mp4", two[0], two[1]}).code, 0);
+  expect_video("drop.mp4", "h264", 15, 0.6);
+  EXPECT_FALSE(fs::exists(here / "drop-a.mp4"));
+  const json pictures = json::parse(here.read("o/summary.json"))["pictures"];
+  EXPECT_EQ(pictures["frames"], 8);
+  EXPECT_EQ(pictures["videos"].size(), 1u);
+}
+
 TEST_F(ProgramVideoMade, LieInTheFolderOfTheRunThatIsNotThereYet) {
   const Outcome outcome = run({"--video", "o/drop.gif", "--threads", "1"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -181,6 +191,13 @@ TEST_F(ProgramVideoMade, ThatFillTheDiskLeaveNothingAndSayWhy) {
   EXPECT_THAT(outcome.err, HasSubstr("File too large"));
   EXPECT_EQ(here.read("drop.mp4"), "an earlier one");
   EXPECT_EQ(files_in(here / ".").size(), 5u);
+}
+
+TEST_F(ProgramVideo, OfACameraNeedsACameraOfThatName) {
+  EXPECT_THAT(fault_of({"--video", "bw=drop.mp4", "--set", "render.cameras={bow: {}, stern: {}}"}),
+              HasSubstr("--video: there is no camera bw; did you mean bow?"));
+  EXPECT_THAT(fault_of({"--video", "bow=drop.mp4"}),
+              HasSubstr("--video: the scene's camera has no name, expected drop.mp4 without bow="));
 }
 
 TEST_F(ProgramVideo, ThatCannotBeMadeStopBeforeTheRun) {

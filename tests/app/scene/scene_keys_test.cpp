@@ -126,6 +126,11 @@ const std::vector<std::string> kCameras = {
     "render.cameras={stern: {}, NAME: {from: [1, 2, 3], to: [0, 0, 1], fov_deg: 50, follow: a,"
     " orbit: 1}}"};
 
+const std::vector<std::string> kListedCameras = {
+    "render.camera=null",
+    "render.cameras=[{name: stern, orbit: 1, follow: a}, {name: deck, on: b, from: [0, 0, 3],"
+    " to: [10, 0, 2], fov_deg: 50}]"};
+
 std::string picture(const std::string& block) {
   return block + "={heightfield: {file: " + support::data_folder().string() +
          "/heights.png, cell: 0.5, origin: [-1, -2], range: [-3, 4]}}";
@@ -597,6 +602,35 @@ TEST(SceneKeys, CamerasAreReadInTheirOrder) {
   EXPECT_EQ(more->cameras[1].name, "B-2_");
 }
 
+TEST(SceneKeys, CamerasMayBeAList) {
+  const auto render = read_scene_text(every_key(), kListedCameras).render;
+  ASSERT_EQ(render->cameras.size(), 2);
+  EXPECT_EQ(render->cameras[0].name, "stern");
+  EXPECT_EQ(render->cameras[0].follow, "a");
+  EXPECT_EQ(render->cameras[1].name, "deck");
+  EXPECT_EQ(render->cameras[1].on, "b");
+  EXPECT_EQ(render->cameras[1].to, Eigen::Vector3d(10, 0, 2));
+}
+
+TEST(SceneKeys, CamerasOfAListHaveNamesAndBodiesOfTheScene) {
+  const auto faults = [](const std::string& cameras) {
+    return support::faults_of("plimsoll: 1\nduration: 0\nrender: {cameras: [" + cameras + "]}\n");
+  };
+  EXPECT_THAT(
+      faults("{name: a}, {name: A}, {name: b c}, {}"),
+      testing::ElementsAre(
+          testing::HasSubstr("render.cameras[1].name: differs from a in case alone, expected"),
+          testing::HasSubstr("render.cameras[2].name: found the name b c, expected 1 to 64"),
+          testing::HasSubstr("render.cameras[3].name: missing, expected a text, unique among the "
+                             "cameras")));
+  EXPECT_THAT(faults("{name: a, on: hull, from: [0, 0, 1]}"),
+              testing::ElementsAre(
+                  testing::HasSubstr("render.cameras[0].to: missing, expected a point of the body"),
+                  testing::HasSubstr("render.cameras[0].on: there is no body named hull")));
+  EXPECT_THAT(faults("{name: a, on: hull, follow: hull, from: [0, 0, 1], to: [1, 0, 1]}"),
+              testing::Contains(testing::HasSubstr("expected only one of on and follow")));
+}
+
 TEST(SceneKeys, WhatIsLeftOutHasItsDefault) {
   const scene::Scene scene = read_scene_text("plimsoll: 1\nduration: 0\n");
   EXPECT_EQ(scene.step, 1.0 / 60);
@@ -727,6 +761,9 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             "/shore.obj, body: tug, reference_point: [0, 0, 1], center_of_mass: [0, 1, 0],"
             " heading_deg: 1, length: 2, frequencies: [1, 2], pose: equilibrium}"},
            kCameras,
+           kListedCameras,
+           {"render.camera={on: a, from: [0, 0, 3], to: [1, 0, 3]}"},
+           {"render.camera=null", "render.cameras={NAME: {on: a, from: [0, 0, 3], to: [1, 0, 3]}}"},
            rigs(),
            {"moorings={moordyn: " + support::data_folder().string() +
             "/shore.obj, bodies: [a, b]}"},

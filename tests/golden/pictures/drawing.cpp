@@ -76,7 +76,7 @@ render::Image draw(const KeptPicture& picture) {
       app::picture_of(scene, built.spec,
                       app::pressure_scale(look, app::expected_pressure(built.spec, look.shows),
                                           app::pressure_range(built.spec, shot, look.shows)));
-  bare.camera = app::camera_at(app::cameras_of(look).front(), built.spec, shot);
+  bare.camera = app::camera_at(app::cameras_of(look).front(), built, shot);
   app::RigPictures rig(built.spec, look.show.joints);
   rig.include(shot);
   return render::Renderer(std::move(bare), app::program_files("shaders"))
