@@ -195,6 +195,21 @@ TEST(Overlay, TakesLittleOfANarrowPicture) {
     for (int x = 0; x < 200; ++x) ASSERT_EQ(image.at(x, y), blank.at(x, y)) << x << ", " << y;
 }
 
+TEST(Overlay, StaysAtTheEdgesOfWideAndSquarePictures) {
+  for (const auto& [width, height] : {std::pair(1280, 360), {1920, 816}, {600, 600}}) {
+    const Image blank = render::filled_image(width, height, {40, 90, 120});
+    Image image = blank;
+    render::add_overlay(image, render::PressureScale{.max = 1e4}, 0.3, 2);
+    EXPECT_NE(image, blank);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const bool middle = x > width / 4 && x < 0.85 * width;
+        const bool edge = x < 4 || y < 4 || x >= width - 4 || y >= height - 4;
+        if (middle || edge) ASSERT_EQ(image.at(x, y), blank.at(x, y)) << x << ", " << y;
+      }
+  }
+}
+
 TEST(Overlay, IsLeftOutWhereItWouldNotBeLegible) {
   const Image blank = render::filled_image(400, 100, {40, 90, 120});
   Image image = blank;

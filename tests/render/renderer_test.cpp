@@ -239,6 +239,27 @@ TEST(WaterPicture, HasItsHorizonWhereTheCameraSays) {
   EXPECT_GT(blue_over_red(160), 50);
 }
 
+TEST(WaterPicture, ShowsASunkenBodyThroughTheSurfaceOverIt) {
+  const auto distance = [](render::Rgb a, render::Rgb b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+  };
+  constexpr int kSeen = 40;  // of 765
+  for (const double depth : {1.2, 3.0, 8.0}) {
+    Scene scene = ball_from_above();
+    scene.picture.pressure_visible = false;
+    scene.picture.grid_visible = false;
+    scene.states[0].position.z() = -depth;
+    scene.picture.camera.to = scene.states[0].position;
+    const render::Rgb ball = pictures::draw(scene).at(160, 120);
+    Scene dry = scene, open = scene;
+    dry.picture.sea.reset();
+    open.picture.bodies.clear();
+    open.states.clear();
+    EXPECT_GT(distance(ball, pictures::draw(open).at(160, 120)), kSeen) << depth;
+    EXPECT_GT(distance(ball, pictures::draw(dry).at(160, 120)), kSeen) << depth;
+  }
+}
+
 TEST(WaterPicture, FromUnderWaterStillShowsBodiesAndSurface) {
   Scene scene = ball_from_above();
   scene.picture.camera.from = {0, -8, -2};
