@@ -6,6 +6,7 @@ layout(location = 1) in vec3 a_normal_B;
 layout(location = 2) in vec2 a_heights;  // depth below the water surface and head p/(rho g) [m]
 layout(location = 3) in float a_open;    // share of the sky that the body itself does not hide
 layout(location = 4) in vec3 a_flow;     // velocity of the water relative to the current, W [m/s]
+layout(location = 5) in vec3 a_color;    // of the triangle, where they have colours of their own
 
 uniform mat3 u_rotation;  // R_WB
 uniform vec3 u_position;  // p_EB [m]
@@ -22,6 +23,7 @@ out vec3 v_velocity;
 out float v_depth;
 out float v_head;
 out float v_open;
+flat out vec3 v_color;
 
 void main() {
   vec3 arm = u_rotation * a_position_B;
@@ -31,5 +33,6 @@ void main() {
   v_depth = a_heights.x;
   v_head = a_heights.y;
   v_open = a_open;
+  v_color = a_color;
   gl_Position = u_clip_from_E * vec4(v_position_E, 1.0);
 }

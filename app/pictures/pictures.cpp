@@ -15,6 +15,7 @@
 #include "app/pictures/expected_pressure.h"
 #include "app/pictures/force_annotations.h"
 #include "app/pictures/interiors.h"
+#include "app/pictures/paints.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/pressure_range.h"
 #include "app/pictures/rigging.h"
@@ -87,7 +88,7 @@ class Drawing {
   }
 
   render::SceneDescription first_picture(const scene::Scene& scene) const {
-    render::SceneDescription first = picture_of(scene, spec_, scale_);
+    render::SceneDescription first = picture_of(scene, built_, scale_);
     if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), built_, shots_.at(0));
     return first;
   }
@@ -179,9 +180,10 @@ class Drawing {
 
 }  // namespace
 
-render::SceneDescription picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
+render::SceneDescription picture_of(const scene::Scene& scene, const assembly::BuiltScene& built,
                                     const render::PressureScale& scale) {
   const scene::Render& look = *scene.render;
+  const engine::SimulationSpec& spec = built.spec;
   render::SceneDescription picture{.width = look.size[0],
                                    .height = look.size[1],
                                    .pressure = scale,
@@ -191,10 +193,13 @@ render::SceneDescription picture_of(const scene::Scene& scene, const engine::Sim
                                    .pressure_visible = look.pressure_shown,
                                    .bold_waterline = look.show.waterline,
                                    .wireframe = look.show.wireframe};
+  std::vector<std::shared_ptr<const render::Paint>> paints(spec.bodies.size());
+  if (!look.pressure_shown) paints = paints_of(scene, built);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     picture.bodies.push_back(
         {.mesh_B = spec.bodies[i].mesh_B,
          .color = scene.bodies[i].color,
+         .paint = paints[i],
          .coefficients = spec.bodies[i].coefficients,
          .hollows = hollows_of(spec.bodies[i]),
          .up_B = spec.bodies[i].initial.orientation.conjugate() * Eigen::Vector3d::UnitZ()});

@@ -57,7 +57,7 @@ bool shows_pressures(const scene::Render& look, const engine::SimulationSpec& sp
 std::vector<std::string> videos_made(const PictureReport& report);
 
 /// Returns the render settings of a scene with a render block, without the camera.
-render::SceneDescription picture_of(const scene::Scene& scene, const engine::SimulationSpec& spec,
+render::SceneDescription picture_of(const scene::Scene& scene, const assembly::BuiltScene& built,
                                     const render::PressureScale& scale);
 
 }  // namespace app

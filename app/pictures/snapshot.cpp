@@ -23,9 +23,9 @@ scene::Scene with_look(scene::Scene scene) {
 
 /// Returns the look of pictures without waves of bodies: they follow from a motion, and a snapshot
 /// has one state.
-render::SceneDescription still_look(const scene::Scene& scene, const engine::SimulationSpec& spec,
+render::SceneDescription still_look(const scene::Scene& scene, const assembly::BuiltScene& built,
                                     const render::PressureScale& scale) {
-  render::SceneDescription look = picture_of(scene, spec, scale);
+  render::SceneDescription look = picture_of(scene, built, scale);
   look.ripple = 0;
   return look;
 }
@@ -33,12 +33,12 @@ render::SceneDescription still_look(const scene::Scene& scene, const engine::Sim
 }  // namespace
 
 struct Snapshots::Impl {
-  Impl(const scene::Scene& given, const assembly::BuiltScene& built)
+  Impl(const scene::Scene& given, const assembly::BuiltScene& from)
       : scene(with_look(given)),
-        built(built),
-        spec(built.spec),
+        built(from),
+        spec(from.spec),
         expected(expected_pressure(spec, scene.render->shows)),
-        renderer(still_look(scene, spec, pressure_scale(*scene.render, expected, range)),
+        renderer(still_look(scene, built, pressure_scale(*scene.render, expected, range)),
                  program_files("shaders")),
         rig(spec, scene.render->show.joints) {}
 

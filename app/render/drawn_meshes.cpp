@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/render/occlusion.h"
+#include "app/render/paint.h"
 #include "app/render/vertex_water.h"
 #include "app/render/water_grid.h"
 
@@ -23,14 +24,22 @@ DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double lo
   hydro::TriMesh mesh_B =
       std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces) : look.mesh_B;
   ShadedMesh skin = make_shaded_mesh(mesh_B);
+  Eigen::Matrix3Xf colors;
+  if (look.paint) {
+    PaintedSkin painted = painted_skin(skin, *look.paint, look.color.cast<float>());
+    skin = std::move(painted.skin);
+    colors = std::move(painted.colors);
+  }
   GlMesh mesh(gl, skin.triangles);
   mesh.set(0, skin.vertices.cast<float>());
   mesh.set(1, skin.normals.cast<float>());
   mesh.set(3, openness(look.mesh_B, skin));
+  if (look.paint) mesh.set(5, colors);
   GlMesh edges(gl, wireframe ? edges_of(look.mesh_B) : creases_of(look.mesh_B));
   edges.set(0, look.mesh_B.vertices.cast<float>());
   const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
-  return {std::move(mesh_B), radius, std::move(skin), std::move(mesh), std::move(edges)};
+  return {std::move(mesh_B), radius,           std::move(skin),
+          std::move(mesh),   std::move(edges), look.paint != nullptr};
 }
 
 void wet(DrawnBody& body, const hydro::BodyState& state, const hydro::Sea& sea,

@@ -20,6 +20,7 @@ struct DrawnBody {
   ShadedMesh skin_B;
   GlMesh mesh;
   GlMesh edges;  ///< All edges of the mesh for a wireframe, else its creases.
+  bool painted;  ///< True: triangles have colours of their own.
 
   bool wet = false;  ///< A part of it is under water in the present picture.
   double churn = 0;  ///< How much it churns the surface then; 0 where it does not reach it.

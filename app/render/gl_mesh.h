@@ -34,7 +34,7 @@ class GlMesh {
   GLenum kind_ = 0;
   GLsizei index_count_ = 0;
   GLuint indices_ = 0;
-  std::array<GLuint, 5> buffers_ = {};
+  std::array<GLuint, 6> buffers_ = {};
 };
 
 }  // namespace render

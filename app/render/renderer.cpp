@@ -305,6 +305,7 @@ void Renderer::Impl::draw_bodies(const GlProgram& program,
   for (std::size_t i = 0; i < states.size(); ++i) {
     place(program, states[i]);
     program.set("u_color", picture_.bodies[i].color);
+    program.set("u_painted", bodies_[i].painted ? 1 : 0);
     bodies_[i].mesh.draw();
   }
 }
@@ -333,6 +334,7 @@ void Renderer::Impl::draw_pressures(const std::vector<hydro::BodyState>& states,
 void Renderer::Impl::draw_rigging(const GlProgram& program, const Rigging& rigging) {
   if (rigging.empty()) return;
   const double pixel = 2 * view_.half_height / picture_.height;
+  program.set("u_painted", 0);
   rigging_.draw(program, view_, kThinnest * line_unit() * pixel, rigging);
 }
 

@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 LiveScene::LiveScene(const scene::Scene& scene, const assembly::BuiltScene& built)
     : scene_(scene),
+      built_(built),
       spec_(built.spec),
       simulation_(built.spec),
       notes_(*scene.render, built.spec),
@@ -79,7 +80,7 @@ void LiveScene::make_ready(const Shot& now, const render::Camera& camera, int wi
   notes_.include(now);
   rig_.include(now);
   if (!renderer_) {
-    render::SceneDescription look = picture_of(scene_, spec_, scale_);
+    render::SceneDescription look = picture_of(scene_, built_, scale_);
     look.width = width;
     look.height = height;
     look.camera = camera;

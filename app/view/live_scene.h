@@ -47,6 +47,7 @@ class LiveScene {
   void make_ready(const Shot& now, const render::Camera& camera, int width, int height);
 
   const scene::Scene& scene_;
+  const assembly::BuiltScene& built_;
   const engine::SimulationSpec& spec_;
   engine::Simulation simulation_;
   std::optional<engine::BodyId> held_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace hydro {
@@ -70,6 +71,32 @@ bool crosses(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
   return u >= 0 && v >= 0 && u + v <= 1 && e2.dot(q) / determinant > 0;
 }
 
+/// Returns the part of the way from a to b, 0 … 1, at which a segment is nearest to a point.
+double place_on_segment(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+                        const Eigen::Vector3d& b) {
+  const double length2 = (b - a).squaredNorm();
+  return length2 > 0 ? std::clamp((point - a).dot(b - a) / length2, 0.0, 1.0) : 0;
+}
+
+/// Squared distance of a point from a triangle [m^2].
+double squared_distance(const Eigen::Vector3d& point, const Eigen::Matrix3d& corners) {
+  const Eigen::Vector3d e1 = corners.col(1) - corners.col(0), e2 = corners.col(2) - corners.col(0);
+  const Eigen::Vector3d normal = e1.cross(e2), arm = point - corners.col(0);
+  const double area2 = normal.squaredNorm();
+  if (area2 > 0) {
+    const double u = arm.cross(e2).dot(normal) / area2, v = e1.cross(arm).dot(normal) / area2;
+    const double off = arm.dot(normal);
+    if (u >= 0 && v >= 0 && u + v <= 1) return off * off / area2;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d a = corners.col(i), b = corners.col((i + 1) % 3);
+    const Eigen::Vector3d nearest = a + place_on_segment(point, a, b) * (b - a);
+    least = std::min(least, (point - nearest).squaredNorm());
+  }
+  return least;
+}
+
 }  // namespace
 
 FaceTree::FaceTree(const TriMesh& mesh) : mesh_(mesh), order_(curve_order(mesh)) {
@@ -126,6 +153,34 @@ void FaceTree::visit_pairs(int leaf, const std::function<void(int, int)>& visit)
       stack[size++] = index + 1;
     }
   }
+}
+
+int FaceTree::nearest(const Eigen::Vector3d& point) const {
+  int found = -1;
+  double least = std::numeric_limits<double>::infinity();
+  int stack[kDepth] = {0}, size = nodes_.empty() ? 0 : 1;
+  while (size > 0) {
+    const int index = stack[--size];
+    const Node& node = nodes_[index];
+    if (node.box.squaredExteriorDistance(point) >= least) continue;
+    if (node.right != 0) {
+      // The nearer child is visited first, so that most of the other is left out.
+      const bool left_first = nodes_[index + 1].box.squaredExteriorDistance(point) <=
+                              nodes_[node.right].box.squaredExteriorDistance(point);
+      stack[size++] = left_first ? node.right : index + 1;
+      stack[size++] = left_first ? index + 1 : node.right;
+      continue;
+    }
+    for (int i = node.first; i < node.last; ++i) {
+      Eigen::Matrix3d corners;
+      for (int k = 0; k < 3; ++k) corners.col(k) = mesh_.vertices.col(mesh_.faces(k, order_[i]));
+      const double distance = squared_distance(point, corners);
+      if (distance >= least) continue;
+      least = distance;
+      found = order_[i];
+    }
+  }
+  return found;
 }
 
 int FaceTree::crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,

@@ -6,7 +6,8 @@
 #include "hydro/mesh/mesh.h"
 
 /// @file
-/// A bounding-box tree over the faces of a mesh; it finds faces near each other or along a ray.
+/// A bounding-box tree over the faces of a mesh; it finds faces near each other, near a point or
+/// along a ray.
 
 namespace hydro {
 
@@ -26,6 +27,10 @@ class FaceTree {
   /// A mesh of even triangles has about 50 pairs per leaf. In a fan of long slivers all boxes touch
   /// and the number grows with the square of the faces; beyond 1e4 faces only a part is visited.
   int most_pairs() const;
+
+  /// Returns the face nearest to a point, the first of equals in the tree's order; -1 without
+  /// faces.
+  int nearest(const Eigen::Vector3d& point) const;
 
   /// Number of faces that a ray intersects and for which `counts(face)` holds.
   int crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,

@@ -54,4 +54,24 @@ TEST_F(ProgramPictures, WithoutPressuresHaveNoScale) {
   EXPECT_NE(here.read("o/sheet.png"), sheet);
 }
 
+TEST_F(ProgramPictures, HaveTheMaterialsOfAMeshFileWithoutPressuresAlone) {
+  here.write("t.obj",
+             "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\n"
+             "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  here.write("t.yaml",
+             "plimsoll: 1\nduration: 0.1\nstep: 0.1\nbodies:\n"
+             "  - {name: t, mesh: {file: t.obj}, density: 500}\n"
+             "render: {size: [64, 48]}\n");
+  const auto frame_with = [&](const std::string& materials, const std::vector<std::string>& sets) {
+    here.write("t.mtl", materials);
+    run("t.yaml", sets);
+    return frame("0");
+  };
+  const std::string red = "newmtl red\nKd 1 0 0\n", blue = "newmtl red\nKd 0 0 1\n";
+  EXPECT_EQ(frame_with(red, {}), frame_with(blue, {}));
+  const std::string none = "render.pressure=none", color = "bodies[0].color=[1, 0, 0]";
+  EXPECT_NE(frame_with(red, {none}), frame_with(blue, {none}));
+  EXPECT_EQ(frame_with(red, {none}), frame_with(blue, {none, color}));
+}
+
 }  // namespace

@@ -73,7 +73,7 @@ render::Image draw(const KeptPicture& picture) {
   const app::Shot shot = shot_of(picture, scene, built.spec);
   const scene::Render& look = *scene.render;
   render::SceneDescription bare =
-      app::picture_of(scene, built.spec,
+      app::picture_of(scene, built,
                       app::pressure_scale(look, app::expected_pressure(built.spec, look.shows),
                                           app::pressure_range(built.spec, shot, look.shows)));
   bare.camera = app::camera_at(app::cameras_of(look).front(), built, shot);
