@@ -12,6 +12,7 @@
 #include "app/cli/analysis_cli.h"
 #include "app/cli/common_options.h"
 #include "app/cli/completion.h"
+#include "app/cli/run_cli.h"
 #include "app/cli/sweep_cli.h"
 #include "app/commands/check.h"
 #include "app/commands/new_scene.h"
@@ -19,9 +20,7 @@
 #include "app/commands/render_trajectory.h"
 #include "app/commands/schema_command.h"
 #include "app/compare/compare.h"
-#include "app/pictures/video_check.h"
 #include "app/report/report.h"
-#include "app/run/run.h"
 #include "app/scene/diagnostics.h"
 #include "app/view/view.h"
 
@@ -37,15 +36,9 @@ std::vector<scene::Override> parse_overrides(const std::vector<std::string>& arg
   return overrides;
 }
 
-LogFormat parse_format(const std::string& word) {
-  if (word == "csv") return LogFormat::csv;
-  if (word == "hdf5") return LogFormat::hdf5;
-  throw scene::InputError("--format", fmt::format("found {}, expected csv or hdf5", word));
-}
-
 /// Values of the options of all commands.
 struct Arguments {
-  RunOptions run;
+  RunArguments run;
   CompareOptions compare;
   RenderOptions render;
   ViewOptions view;
@@ -60,68 +53,6 @@ struct Arguments {
   bool markdown = false;
   std::string shell;
 };
-
-void add_threads(CLI::App* command, int& threads, const char* more = "") {
-  command
-      ->add_option(
-          "--threads", threads,
-          fmt::format("Number of threads, 1 to 256{}; results do not depend on it [all cores]",
-                      more))
-      ->check(CLI::Range(1, 256).description(""))
-      ->type_name("N");
-}
-
-CLI::Option* add_video(CLI::App* command, VideoOptions& video) {
-  CLI::Option* file =
-      command
-          ->add_option_function<std::string>(
-              "--video",
-              [&video](const std::string& argument) {
-                const VideoOptions given = video_options(argument);
-                video.file = given.file;
-                video.camera = given.camera;
-              },
-              "Also make a video (.mp4, .webm or .gif); several cameras make one each, "
-              "FILE-CAMERA, and CAMERA=FILE makes that of one")
-          ->type_name("FILE");
-  command->add_option("--fps", video.fps, "Pictures per second of the video, 1 to 120 [25]")
-      ->check(CLI::Range(1, 120).description(""))
-      ->type_name("N")
-      ->needs(file);
-  return file;
-}
-
-void add_run(CLI::App& program, Arguments& a) {
-  CLI::App* command = program.add_subcommand("run", "Run a scene: trajectory, pictures, summary");
-  CLI::Option* scene =
-      command->add_option("scene", a.run.scene, "Scene file (YAML)")->type_name("FILE");
-  CLI::Option* out =
-      command->add_option("--out", a.run.out, "Folder for the results [out/<scene>]");
-  out->type_name("DIR");
-  CLI::Option* sets = add_sets(command, a.sets);
-  CLI::Option* any_format = add_any_format(command, a.run.formats);
-  CLI::Option* format = command->add_option_function<std::string>(
-      "--format", [&a](const std::string& word) { a.run.format = parse_format(word); },
-      "Format of the log: csv, or hdf5 for large runs [csv]");
-  format->type_name("FORMAT");
-  command->add_flag_callback(
-      "--no-render", [&a] { a.run.render = false; }, "Draw no pictures");
-  CLI::Option* video = add_video(command, a.run.video);
-  command
-      ->add_option("--checkpoint", a.run.checkpoint,
-                   "Save the run at this interval of wall time, so that --resume can continue it")
-      ->check(CLI::Range(1e-3, 1e6).description(""))
-      ->type_name("SECONDS");
-  CLI::Option* resume = command->add_option(
-      "--resume", a.run.resume, "Instead of a scene: continue the run in DIR from its checkpoint");
-  resume->type_name("DIR");
-  for (CLI::Option* other : {scene, out, sets, any_format, format, video}) resume->excludes(other);
-  command->callback([scene, resume] {
-    if (scene->empty() && resume->empty()) throw CLI::RequiredError("scene");
-  });
-  add_threads(command, a.run.threads, "; with 2 or more an additional one writes files");
-  command->add_flag("--quiet", a.run.quiet, "Print no progress and no report");
-}
 
 void add_others(CLI::App& program, Arguments& a) {
   CLI::App* starter = program.add_subcommand("new", "Write a commented scene to start from");
@@ -214,9 +145,14 @@ void add_compare(CLI::App& program, CompareOptions& o) {
 }
 
 void add_report(CLI::App& program, Arguments& a) {
-  CLI::App* command = program.add_subcommand(
-      "report", "Write a run as one page for a browser, DIR/report.html (plots, 3-D replay)");
-  command->add_option("folder", a.report.folder, "Folder of a run")->type_name("DIR")->required();
+  CLI::App* command =
+      program.add_subcommand("report",
+                             "Write a run as one page for a browser, DIR/report.html (plots, 3-D "
+                             "replay), or lay the plots "
+                             "of several over each other");
+  command->add_option("runs", a.report.runs, "Folders of runs")->type_name("DIR")->required();
+  command->add_option("--out", a.report.out, "The page [DIR/report.html; of several runs.html]")
+      ->type_name("FILE");
   command
       ->add_option("--scene", a.report.scene,
                    "Present place of its scene and meshes [that of the run]")
@@ -268,8 +204,8 @@ void say_unexpected(const CLI::App& program, const CLI::ExtrasError& error) {
 
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
-  a.run.overrides = a.view.overrides = a.render.overrides = overrides;
-  if (program.got_subcommand("run")) return run(a.run);
+  a.run.options.overrides = a.view.overrides = a.render.overrides = overrides;
+  if (program.got_subcommand("run")) return run_scenes(a.run);
   if (program.got_subcommand("view")) return view(a.view);
   if (program.got_subcommand("sweep")) return sweep(a.sweep);
   if (program.got_subcommand("new")) return new_scene(a.scene);
@@ -292,7 +228,7 @@ int command_line(int argc, char** argv) {
   program.set_version_flag("--version", "plimsoll " PLIMSOLL_VERSION);
   program.require_subcommand(1);
   Arguments arguments;
-  add_run(program, arguments);
+  add_run(program, arguments.run, arguments.sets);
   add_others(program, arguments);
   add_view(program, arguments);
   add_compare(program, arguments.compare);

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
 #include <csignal>
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
 
 #ifdef __GLIBC__
@@ -11,10 +6,8 @@
 #endif
 
 #include "app/base/console.h"
-#include "app/base/exit_code.h"
 #include "app/cli/cli.h"
-#include "app/scene/diagnostics.h"
-#include "engine/simulation.h"
+#include "app/cli/guarded.h"
 
 namespace {
 
@@ -28,21 +21,6 @@ void keep_freed_memory() {
 #endif
 }
 
-int run_command(int argc, char** argv) {
-  const int code = app::command_line(argc, argv);
-  app::flush_output();
-  return code;
-}
-
-/// @param command   Of the command line.
-void say_faults(const scene::InputError& error, const std::string& command) {
-  const std::size_t count = error.faults().size();
-  const bool runs = command == "run" || command == "sweep" || command == "view";
-  app::say(error.what());
-  app::say(fmt::format("{} problem{}{}", count, count == 1 ? "" : "s",
-                       runs ? ", nothing was run." : "."));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -50,25 +28,9 @@ int main(int argc, char** argv) {
   app::open_standard_streams();
   // A write beyond the limit of a file's size is then an error like any other.
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return run_command(argc, argv);
-  } catch (const scene::InputError& error) {
-    say_faults(error, argc > 1 ? argv[1] : "");
-    return app::kWrongInput;
-  } catch (const engine::SimulationError& error) {
-    app::say(fmt::format("error: {}", error.what()));
-    return app::kCannotGoOn;
-  } catch (const std::bad_alloc&) {
-    app::say("error: out of memory; use smaller meshes, pictures or logs");
-    return app::kWrongInput;
-  } catch (const std::logic_error& error) {
-    app::say(fmt::format("error: {}", error.what()));
-    app::say(
-        "This is a fault of plimsoll. Please report it with the scene, its meshes and the "
-        "command.");
-    return app::kOwnFault;
-  } catch (const std::exception& error) {
-    app::say(fmt::format("error: {}", error.what()));
-    return app::kWrongInput;
-  }
+  return app::guarded(argc > 1 ? argv[1] : "", [&] {
+    const int code = app::command_line(argc, argv);
+    app::flush_output();
+    return code;
+  });
 }

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 #include "app/base/atomic_file.h"
 #include "app/base/console.h"
@@ -60,27 +61,60 @@ int compare_two(const CompareOptions& options) {
   return comparison.same() ? kDone : kDiffers;
 }
 
-/// Writes the tolerances within which all runs agree with the first.
+/// A run and the one that counts as equal to it.
+struct LearnedPair {
+  fs::path first;
+  fs::path other;
+};
+
+/// Returns what tolerances are learned from: A with each other run, or each run in the folder A
+/// with those of its name in the other folders. @throws InputError if one is missing
+std::vector<LearnedPair> learned_pairs(const CompareOptions& options) {
+  std::vector<fs::path> others = {options.b};
+  others.insert(others.end(), options.more.begin(), options.more.end());
+  const std::vector<std::string> names = runs_below(options.a);
+  std::vector<LearnedPair> pairs;
+  for (const fs::path& other : others) {
+    const std::vector<std::string> found = runs_below(other);
+    if (names.empty() && found.empty()) pairs.push_back({options.a, other});
+    std::vector<std::string> missing;
+    std::ranges::set_symmetric_difference(names, found, std::back_inserter(missing));
+    if (!missing.empty())
+      throw scene::InputError(
+          other,
+          fmt::format(
+              "the run {} is only in {}, so no tolerance can be learned", missing.front(),
+              (std::ranges::binary_search(names, missing.front()) ? options.a : other).string()));
+    for (const std::string& name : names) pairs.push_back({options.a / name, other / name});
+  }
+  return pairs;
+}
+
+/// Writes the tolerances within which all runs agree with the first, or with those of their names
+/// in the first folder.
 int learn(const CompareOptions& options) {
-  std::vector<fs::path> runs = {options.b};
-  runs.insert(runs.end(), options.more.begin(), options.more.end());
-  const ComparedRun first = read_compared(options.a);
   std::vector<Comparison> comparisons;
-  std::string names = options.a.string();
-  for (const fs::path& run : runs) {
-    comparisons.push_back(compare_runs(first, read_compared(run), {}));
-    names += ", " + run.string();
+  std::vector<fs::path> runs;
+  for (const LearnedPair& pair : learned_pairs(options)) {
+    comparisons.push_back(compare_runs(read_compared(pair.first), read_compared(pair.other), {}));
+    runs.push_back(pair.other);
   }
   const Tolerances tolerances = learned_tolerances(comparisons, options.margin, runs);
+  std::string names = options.a.string() + ", " + options.b.string();
+  for (const fs::path& run : options.more) names += ", " + run.string();
   // A line break in a name would end the comment.
   std::ranges::replace_if(
       names, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   write_whole(options.learn,
               fmt::format("# {:g} times the largest differences of {} from the first\n{}",
                           options.margin, names, yaml_of(tolerances)));
+  const std::size_t given = 2 + options.more.size();
+  const bool folders = !runs_below(options.a).empty();
   say(fmt::format("{}: {} from {}", options.learn.string(),
                   counted(tolerances.all.size(), "tolerance", "tolerances"),
-                  counted(runs.size() + 1, "run", "runs")));
+                  folders ? fmt::format("{} of {} each", counted(given, "folder", "folders"),
+                                        counted(runs.size() / (given - 1), "run", "runs"))
+                          : counted(given, "run", "runs")));
   return kDone;
 }
 
@@ -90,8 +124,6 @@ void check_options(const CompareOptions& options, bool folders) {
     throw scene::InputError(options.more.front(),
                             "is a third run; expected two, or --learn FILE to learn from more");
   if (!folders) return;
-  if (!options.learn.empty())
-    throw scene::InputError("--learn", "found folders of runs, expected runs of one scene");
   if (!options.html.empty())
     throw scene::InputError("--html", "found folders of runs, expected two runs for a page");
 }

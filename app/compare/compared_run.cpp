@@ -64,9 +64,8 @@ void add_table(TableRows table, ComparedRun& run) {
 }
 
 void read_tables(const fs::path& trajectory, ComparedRun& run) {
-  const fs::path folder = trajectory.parent_path();
-  if (is_hdf5(trajectory) || fs::exists(folder / kForceLog))
-    if (const auto forces = read_forces(is_hdf5(trajectory) ? trajectory : folder / kForceLog))
+  if (const fs::path file = forces_beside(trajectory); !file.empty())
+    if (const auto forces = read_forces(file))
       add_table(table_of(*forces, layout_of(kForceLog)), run);
   for (const TableLayout& layout : all_table_layouts())
     if (auto table = read_table(trajectory, layout)) add_table(std::move(*table), run);

@@ -1,12 +1,10 @@
 #include "app/compare/comparison_data.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "app/logs/motion_columns.h"
-#include "app/pages/packing.h"
-#include "app/pages/thinning.h"
+#include "app/pages/packed_rows.h"
 
 namespace app {
 namespace {
@@ -15,27 +13,6 @@ using Json = nlohmann::ordered_json;
 using Columns = std::vector<std::vector<double>>;
 
 constexpr std::size_t kLeastComparedRows = 16;  ///< Fewer rows do not show a motion.
-
-/// Returns times and columns, thinned to `most` rows.
-Json packed_rows(const std::vector<double>& times, const Columns& columns, std::size_t most) {
-  if (times.empty()) return nullptr;
-  const Thinning thinning(times.size(), most);
-  Json packed_columns = Json::array();
-  for (const std::vector<double>& column : columns)
-    packed_columns.push_back(packed_column(thinning.values(column)));
-  return {{"rows", times.size()},
-          {"times", packed<double>(thinning.times(times))},
-          {"columns", packed_columns}};
-}
-
-/// Shifts the angles of B by whole turns, so that they start nearest to those of A.
-void start_alike(const Columns& a, Columns& b) {
-  constexpr double kTurn = 360;
-  for (std::size_t k = 3; k < 6; ++k) {
-    const double shift = kTurn * std::round((a[k].front() - b[k].front()) / kTurn);
-    for (double& angle : b[k]) angle += shift;
-  }
-}
 
 Json differences_of(const BodyComparison& body) {
   Json all = Json::array();

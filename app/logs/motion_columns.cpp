@@ -49,4 +49,13 @@ std::vector<std::vector<double>> motion_of(const BodyTrack& track) {
   return columns;
 }
 
+void start_alike(const std::vector<std::vector<double>>& other,
+                 std::vector<std::vector<double>>& motion) {
+  constexpr double kTurn = 360;
+  for (std::size_t k = 3; k < 6; ++k) {
+    const double shift = kTurn * std::round((other[k].front() - motion[k].front()) / kTurn);
+    for (double& angle : motion[k]) angle += shift;
+  }
+}
+
 }  // namespace app

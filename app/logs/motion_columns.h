@@ -17,4 +17,9 @@ const std::vector<std::string>& motion_columns();
 /// jumps at ±180° or where the pitch passes ±90°.
 std::vector<std::vector<double>> motion_of(const BodyTrack& track);
 
+/// Shifts the angles of a motion by whole turns, so that they start nearest to those of another.
+/// @param motion   Columns named by motion_columns(), as those of `other`; neither is empty.
+void start_alike(const std::vector<std::vector<double>>& other,
+                 std::vector<std::vector<double>>& motion);
+
 }  // namespace app

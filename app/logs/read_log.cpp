@@ -41,6 +41,12 @@ Trajectory read_trajectory(const std::filesystem::path& file) {
   return trajectory;
 }
 
+std::filesystem::path forces_beside(const std::filesystem::path& trajectory) {
+  if (is_hdf5(trajectory)) return trajectory;
+  const std::filesystem::path file = trajectory.parent_path() / kForceLog;
+  return std::filesystem::exists(file) ? file : "";
+}
+
 std::optional<ForceLog> read_forces(const std::filesystem::path& file) {
   require_memory(file, is_hdf5(file) ? kOfHdf5 : kOfCsv);
   return is_hdf5(file) ? read_hdf5_forces(file) : read_force_csv(file);

@@ -18,6 +18,10 @@ std::filesystem::path trajectory_of(const std::filesystem::path& given);
 /// Reads a trajectory of at least one row. @throws InputError with the line or row at fault.
 Trajectory read_trajectory(const std::filesystem::path& file);
 
+/// Returns the log that has the forces of a trajectory, of which an HDF5 log may have none; empty
+/// if there is none.
+std::filesystem::path forces_beside(const std::filesystem::path& trajectory);
+
 /// Reads the forces in a log; an HDF5 log may have none.
 /// @throws InputError with the line or row at fault.
 std::optional<ForceLog> read_forces(const std::filesystem::path& file);

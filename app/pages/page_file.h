@@ -11,6 +11,7 @@ namespace app {
 
 inline constexpr const char* kRunPage = "page.html";
 inline constexpr const char* kComparisonPage = "comparison.html";
+inline constexpr const char* kRunsPage = "runs.html";
 
 /// Returns a page without data. @throws InputError if the build has made none.
 std::string empty_page(const std::string& name);

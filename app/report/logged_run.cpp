@@ -52,13 +52,6 @@ void read_scene_of_run(const fs::path& moved_to, scene::MeshFormats formats, Log
   }
 }
 
-/// Returns the force log that belongs to a trajectory; empty if there is none.
-fs::path forces_beside(const fs::path& trajectory) {
-  if (is_hdf5(trajectory)) return trajectory;
-  const fs::path file = trajectory.parent_path() / kForceLog;
-  return fs::exists(file) ? file : "";
-}
-
 /// Checks that forces and trajectory have the same times, and counts the rows that both have.
 void check_forces(const fs::path& file, LoggedRun& run) {
   for (const auto& [name, track] : run.trajectory.tracks) {

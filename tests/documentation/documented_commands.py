@@ -54,9 +54,11 @@ EXAMPLES = {
         "plimsoll run box.yaml --out o/run --set bodies[box].density=700 --threads 1 --format csv"
         " --checkpoint 0.1 --any-format --quiet",
         "plimsoll run box.yaml --out o/video --video o/video.mp4 --fps 10",
-        "plimsoll run box.yaml --out o/dry --no-render"],
+        "plimsoll run box.yaml buoy.yaml --out o/dry --no-render"],
     "plimsoll run --resume DIR": ["plimsoll run --resume runs/c"],
-    "plimsoll report DIR": ["plimsoll report runs/a --scene box.yaml --any-format"],
+    "plimsoll report DIR": [
+        "plimsoll report runs/a --out o/report.html --scene box.yaml --any-format"],
+    "plimsoll report A B": ["plimsoll report runs/a runs/b runs/c --out o/runs.html"],
     "plimsoll render RUN": [
         "plimsoll render runs/a --scene box.yaml --out o/render --video o/render.mp4 --fps 5"
         " --set render.every=0.1 --any-format --quiet"],

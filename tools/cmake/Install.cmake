@@ -7,6 +7,7 @@ install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll
   PATTERN pictures EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/report/page.html
   ${PROJECT_BINARY_DIR}/report/comparison.html
+  ${PROJECT_BINARY_DIR}/report/runs.html
   DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll/report OPTIONAL)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES app/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/app)

@@ -5,7 +5,8 @@ import {join} from "node:path";
 
 const PAGES = [
   {page: "page.html", script: "report.js", packages: ["three", "uplot"]},
-  {page: "comparison.html", script: "comparison.js", packages: ["three", "uplot"]}];
+  {page: "comparison.html", script: "comparison.js", packages: ["three", "uplot"]},
+  {page: "runs.html", script: "runs.js", packages: ["uplot"]}];
 
 const license = (name) => `${name}\n\n${readFileSync(`node_modules/${name}/LICENSE`, "utf8")}`;
 

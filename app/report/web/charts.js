@@ -3,7 +3,7 @@ import {LEAST, largestOf} from "./extent.js";
 import {QUANTITIES} from "./quantities.js";
 import {courseOf, rigOf} from "./rig.js";
 
-const LOADS = [
+export const LOADS = [
   ["weight", "weight", "--c2"], ["buoyancy", "buoyancy", "--c1"],
   ["pressure_drag", "pressure drag", "--c3"], ["viscous_drag", "viscous drag", "--c4"],
   ["lift", "lift", "--c5"], ["wave_inertia", "wave inertia", "--c9"], ["wind", "wind", "--c10"],

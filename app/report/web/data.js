@@ -85,3 +85,21 @@ export const rowAt = (times, t) => {
   }
   return low;
 };
+
+const SAME_TIME = 1e-9;  // of a time, or s below 1 s, as the program takes it
+
+// All times of some logs, ascending.
+export const union = (logs) => {
+  const all = Float64Array.from(logs.flatMap((log) => [...log.times])).sort();
+  return all.filter((t, i) => i === 0 || t - all[i - 1] > SAME_TIME * Math.max(1, t));
+};
+
+// A column at other times: on the line between its rows, null before and after them.
+export const onTimes = (own, values, times) => Array.from(times, (t) => {
+  const near = SAME_TIME * Math.max(1, t);
+  const row = rowAt(own, t + near);
+  if (Math.abs(own[row] - t) <= near) return values[row];
+  if (t < own[0] || row === own.length - 1) return null;
+  const s = (t - own[row]) / (own[row + 1] - own[row]);
+  return (1 - s) * values[row] + s * values[row + 1];
+});

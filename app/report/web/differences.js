@@ -1,10 +1,8 @@
 // The comparison as the program has written it into the page (comparison_data.h), and which plots
 // a body has.
-import {column, doubles, rowAt, unpackReplay} from "./data.js";
+import {column, doubles, onTimes, union, unpackReplay} from "./data.js";
 import {number} from "./format.js";
 import {QUANTITIES} from "./quantities.js";
-
-const SAME_TIME = 1e-9;  // of a time, or s below 1 s, as the program takes it
 
 // How many times its tolerance a difference is; −1 if it is not judged.
 export const severity = ({largest, tolerance, rms, rms_tolerance: rmsTolerance, judged}) => {
@@ -29,22 +27,6 @@ export const readComparison = () => {
   comparison.bodies.sort((p, q) => descending(p.severity, q.severity));
   return comparison;
 };
-
-// All times of some logs, ascending.
-const union = (logs) => {
-  const all = Float64Array.from(logs.flatMap((log) => [...log.times])).sort();
-  return all.filter((t, i) => i === 0 || t - all[i - 1] > SAME_TIME * Math.max(1, t));
-};
-
-// A column at other times: on the line between its rows, null before and after them.
-const onTimes = (own, values, times) => Array.from(times, (t) => {
-  const near = SAME_TIME * Math.max(1, t);
-  const row = rowAt(own, t + near);
-  if (Math.abs(own[row] - t) <= near) return values[row];
-  if (t < own[0] || row === own.length - 1) return null;
-  const s = (t - own[row]) / (own[row + 1] - own[row]);
-  return (1 - s) * values[row] + s * values[row + 1];
-});
 
 const verdictOf = ({verdict, first_beyond: first}) =>
   first === null ? `: ${verdict}` : ` exceeds its tolerance from ${number(first, 6)} s on`;

@@ -160,6 +160,12 @@ std::string after_scene(const std::string& said) {
   return said.substr(end);
 }
 
+std::string trajectory(const std::vector<std::string>& rows) {
+  std::string text = kTrajectoryHeader;
+  for (const std::string& row : rows) text += row + ",0,0,1,0,0,0,0,0,0,0,0,0\n";
+  return text;
+}
+
 std::string falling_box(const std::string& duration, const std::string& more) {
   return "plimsoll: 1\ntitle: Falling box\nduration: " + duration +
          "\nstep: 0.01\nwater: {}\n"

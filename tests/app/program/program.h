@@ -76,6 +76,9 @@ std::vector<std::string> lines_of(const std::string& text);
 /// spaces.
 std::string after_scene(const std::string& said);
 
+/// A trajectory file of `time,body,x` rows of bodies at y = z = 0, upright.
+std::string trajectory(const std::vector<std::string>& rows);
+
 /// A scene of one box, without added mass, that falls into water in steps of 0.01 s, and further
 /// keys of the top level.
 std::string falling_box(const std::string& duration, const std::string& more = "");

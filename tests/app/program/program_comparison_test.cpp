@@ -15,17 +15,11 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using support::Outcome;
 using support::packed_numbers;
+using support::trajectory;
 using support::Workplace;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-/// `time,body,x` rows of bodies at y = z = 0, upright.
-std::string trajectory(const std::vector<std::string>& rows) {
-  std::string text = support::kTrajectoryHeader;
-  for (const std::string& row : rows) text += row + ",0,0,1,0,0,0,0,0,0,0,0,0\n";
-  return text;
-}
 
 class ProgramComparison : public testing::Test {
  protected:
@@ -266,6 +260,20 @@ TEST_F(ProgramRuns, LearnsTolerancesThatTheRunsMeet) {
   EXPECT_EQ(compare("a c --tolerances t.yaml").code, 1);
   EXPECT_EQ(compare("a b c").code, 2);
   EXPECT_EQ(compare("a b --margin 2").code, 2);
+}
+
+TEST_F(ProgramRuns, LearnsTolerancesFromFoldersOfRuns) {
+  for (const auto& [folder, x] : {std::pair("a", "0"), {"b", "0.01"}, {"c", "0.02"}})
+    for (const std::string run : {"/runs/0", "/runs/1"}) write_run(folder + run, x);
+  write_run("b/runs/1", "0.05");
+  const Outcome outcome = compare("a b c --learn t.yaml --margin 2");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "t.yaml: 4 tolerances from 3 folders of 2 runs each\n");
+  EXPECT_THAT(here.read("t.yaml"), HasSubstr("position:\n  peak: 0.1\n"));
+  EXPECT_EQ(compare("a b --tolerances t.yaml").code, 0);
+  write_run("c/runs/2", "0");
+  EXPECT_THAT(compare("a b c --learn t.yaml").err,
+              StartsWith("c: the run runs/2 is only in c, so no tolerance can be learned\n"));
 }
 
 }  // namespace
