@@ -8,12 +8,12 @@
 
 #include "app/base/console.h"
 #include "app/base/exit_code.h"
-#include "app/base/words.h"
 #include "app/cli/analysis_cli.h"
 #include "app/cli/common_options.h"
 #include "app/cli/completion.h"
 #include "app/cli/run_cli.h"
 #include "app/cli/sweep_cli.h"
+#include "app/cli/usage_faults.h"
 #include "app/commands/check.h"
 #include "app/commands/new_scene.h"
 #include "app/commands/probe.h"
@@ -172,36 +172,6 @@ void add_completion(CLI::App& program, Arguments& a) {
       ->required();
 }
 
-/// Lists the commands if the first word is not a command.
-void check_command(const CLI::App& program, int argc, char** argv) {
-  const std::string word = argc > 1 ? argv[1] : "";
-  if (word.starts_with('-')) return;
-  std::string known;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == word) return;
-    known += (known.empty() ? "" : ", ") + command->get_name();
-  }
-  throw CLI::ParseError(fmt::format("{}, expected a command: {}",
-                                    word.empty() ? "found nothing" : "found " + word, known),
-                        CLI::ExitCodes::ExtrasError);
-}
-
-/// Says which argument a command does not have, and which option is nearest to it.
-void say_unexpected(const CLI::App& program, const CLI::ExtrasError& error) {
-  std::vector<std::string> known;
-  std::string command = "plimsoll";
-  for (const CLI::App* used : program.get_subcommands()) {
-    command += " " + used->get_name();
-    for (const CLI::Option* option : used->get_options())
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  }
-  const std::string text = error.what();
-  const std::string found = text.substr(text.find_last_of(' ') + 1);
-  const std::string hint = found.starts_with("-") ? did_you_mean(found, known) : "";
-  say(hint.empty() ? text : fmt::format("{} has no option {}{}", command, found, hint));
-  say(fmt::format("Run {} --help for more information.", command));
-}
-
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
   a.run.options.overrides = a.view.overrides = a.render.overrides = overrides;
@@ -238,7 +208,7 @@ int command_line(int argc, char** argv) {
   add_schema(program, arguments);
   add_completion(program, arguments);
   try {
-    check_command(program, argc, argv);
+    check_command(program, {argv + 1, argv + argc});
     program.parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {
     say_unexpected(program, error);

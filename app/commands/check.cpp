@@ -45,11 +45,11 @@ void describe(const scene::Scene& scene, const assembly::BuiltScene& built) {
     for (const std::string& line : assembly::radiation_lines(built.spec, radiation))
       print(fmt::format("{}: {}\n", scene.file.string(), line));
   for (const std::string& note : built.notes)
-    print(fmt::format("{}: note: {}\n", scene.file.string(), note));
+    print_message(fmt::format("{}: note: {}", scene.file.string(), note));
   for (const std::string& warning : built.warnings)
-    print(fmt::format("{}: warning: {}\n", scene.file.string(), warning));
+    print_message(fmt::format("{}: warning: {}", scene.file.string(), warning));
   if (const std::optional<std::string> warning = piece_warning(built.spec))
-    print(fmt::format("{}: warning: {}\n", scene.file.string(), *warning));
+    print_message(fmt::format("{}: warning: {}", scene.file.string(), *warning));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <iterator>
 
 #include "app/base/atomic_file.h"
@@ -26,9 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if the output is a terminal and NO_COLOR is not set.
-bool in_color() { return ::isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr; }
-
 void print_comparison(const Comparison& comparison, const ComparedFiles& files,
                       const std::optional<Provenance>& provenance, bool json) {
   if (json) {
@@ -38,7 +34,7 @@ void print_comparison(const Comparison& comparison, const ComparedFiles& files,
   }
   print(names_text(files) + (provenance ? text_of(*provenance) : "") + "\n");
   // `print` would show the escapes of colours, too.
-  std::fputs(table_of(comparison, files, in_color()).c_str(), stdout);
+  std::fputs(table_of(comparison, files, in_color(STDOUT_FILENO)).c_str(), stdout);
 }
 
 int compare_two(const CompareOptions& options) {
