@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "app/assembly/mesh_text.h"
-#include "app/assembly/polygon_cut.h"
+#include "hydro/mesh/polygon_cut.h"
 
 namespace assembly {
 
@@ -57,7 +57,7 @@ hydro::TriMesh PolygonMesh::triangles() const {
   for (std::size_t i = 0; i < polygons_.size(); ++i) {
     const std::vector<int> corners = corners_of(i);
     if (corners.size() >= 3)
-      cut_polygon(vertices_, corners, faces);
+      hydro::cut_polygon(vertices_, corners, faces);
     else if (end_of(i) - polygons_[i].first >= 3)
       faces.emplace_back(corners.front(), corners.back(), corners.back());
   }

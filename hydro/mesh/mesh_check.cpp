@@ -70,15 +70,6 @@ void check_edges(const TriMesh& mesh, const std::vector<HalfEdge>& edges, MeshRe
   }
 }
 
-bool is_flat(const TriMesh& mesh, Eigen::Index face) {
-  const Eigen::Vector3d a = mesh.vertices.col(mesh.faces(0, face));
-  const Eigen::Vector3d b = mesh.vertices.col(mesh.faces(1, face));
-  const Eigen::Vector3d c = mesh.vertices.col(mesh.faces(2, face));
-  const double longest =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return !((b - a).cross(c - a).norm() > kFlat * longest);
-}
-
 /// Volume of a closed mesh, summed about the centre of its box, and the round-off of the sum [m^3].
 struct Volume {
   double value = 0;
@@ -126,7 +117,7 @@ void check_solid(const TriMesh& mesh, const std::vector<HalfEdge>& edges, const 
 
 void check_shape(const TriMesh& mesh, const std::vector<HalfEdge>& edges, MeshReport& report) {
   for (Eigen::Index f = 0; f < mesh.face_count(); ++f)
-    if (is_flat(mesh, f)) add(report.degenerate_faces, middle(mesh, f));
+    if (has_no_area(mesh, f)) add(report.degenerate_faces, middle(mesh, f));
   const FaceTree tree(mesh);
   const Overlaps overlaps = find_overlaps(mesh, tree);
   report.self_overlaps = {overlaps.count, overlaps.first};
@@ -154,6 +145,15 @@ void tell(std::vector<std::string>& sentences, const Finding& finding, const cha
 }
 
 }  // namespace
+
+bool has_no_area(const TriMesh& mesh, Eigen::Index face) {
+  const Eigen::Vector3d a = mesh.vertices.col(mesh.faces(0, face));
+  const Eigen::Vector3d b = mesh.vertices.col(mesh.faces(1, face));
+  const Eigen::Vector3d c = mesh.vertices.col(mesh.faces(2, face));
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return !((b - a).cross(c - a).norm() > kFlat * longest);
+}
 
 bool MeshReport::sound() const { return describe(*this).empty(); }
 

@@ -43,6 +43,9 @@ struct MeshReport {
 /// @throws std::invalid_argument if a face names a vertex that does not exist.
 MeshReport check_mesh(const TriMesh& mesh);
 
+/// True if a face is flatter than 1e-12 of its longest edge.
+bool has_no_area(const TriMesh& mesh, Eigen::Index face);
+
 /// Describes each kind of fault in one sentence with count and place; empty for a sound solid.
 std::vector<std::string> describe(const MeshReport& report);
 

@@ -115,25 +115,56 @@ struct Found {
   }
 };
 
+/// Calls `found(leaf, lower face, higher face, common point)` for each pair of faces that overlap
+/// and for which `wanted` holds, on several threads; those of a leaf on one.
+template <class Wanted, class Report>
+void visit_overlaps(const TriMesh& mesh, const FaceTree& tree, Wanted wanted, Report found) {
+  const double margin = kMargin * bounding_box(mesh).diagonal().norm();
+  const std::vector<Triangle> triangles = triangles_of(mesh);
+  parallel_for(static_cast<std::size_t>(tree.leaf_count()), [&](std::size_t index) {
+    tree.visit_pairs(static_cast<int>(index), [&](int f, int g) {
+      const auto faces = std::minmax(f, g);
+      if (!wanted(f, g)) return;
+      const auto p = common_point(triangles[static_cast<std::size_t>(faces.first)],
+                                  triangles[static_cast<std::size_t>(faces.second)], margin);
+      if (p && !same_corners(mesh, f, g)) found(index, faces, *p);
+    });
+  });
+}
+
 }  // namespace
 
 Overlaps find_overlaps(const TriMesh& mesh, const FaceTree& tree) {
-  const double margin = kMargin * bounding_box(mesh).diagonal().norm();
-  const std::vector<Triangle> triangles = triangles_of(mesh);
   std::vector<Found> of_leaf(static_cast<std::size_t>(tree.leaf_count()));
-  parallel_for(static_cast<std::size_t>(tree.leaf_count()), [&](std::size_t index) {
-    const int leaf = static_cast<int>(index);
-    tree.visit_pairs(leaf, [&](int f, int g) {
-      const auto faces = std::minmax(f, g);
-      const auto p = common_point(triangles[static_cast<std::size_t>(faces.first)],
-                                  triangles[static_cast<std::size_t>(faces.second)], margin);
-      if (p && !same_corners(mesh, f, g)) of_leaf[leaf].add(1, faces, *p);
-    });
-  });
+  visit_overlaps(
+      mesh, tree, [](int, int) { return true; },
+      [&](std::size_t leaf, const std::pair<int, int>& faces, const Eigen::Vector3d& p) {
+        of_leaf[leaf].add(1, faces, p);
+      });
   Found all;
   for (const Found& found : of_leaf) all.add(found.count, found.first, found.point);
   if (all.count == 0) return {};
   return {.count = all.count, .first = all.point};
+}
+
+std::vector<std::pair<int, int>> overlapping_parts(const TriMesh& mesh, const FaceTree& tree,
+                                                   const std::vector<int>& part_of_face) {
+  std::vector<std::vector<std::pair<int, int>>> of_leaf(
+      static_cast<std::size_t>(tree.leaf_count()));
+  visit_overlaps(
+      mesh, tree,
+      [&](int f, int g) {
+        return std::min(part_of_face[f], part_of_face[g]) >= 0 &&
+               part_of_face[f] != part_of_face[g];
+      },
+      [&](std::size_t leaf, const std::pair<int, int>& faces, const Eigen::Vector3d&) {
+        of_leaf[leaf].push_back(std::minmax(part_of_face[faces.first], part_of_face[faces.second]));
+      });
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& found : of_leaf) pairs.insert(pairs.end(), found.begin(), found.end());
+  std::ranges::sort(pairs);
+  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace hydro

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "hydro/mesh/face_tree.h"
 #include "hydro/mesh/mesh.h"
 
@@ -21,5 +24,10 @@ struct Overlaps {
 
 /// Finds the overlaps. Vertices must be finite; `tree` must belong to this mesh.
 Overlaps find_overlaps(const TriMesh& mesh, const FaceTree& tree);
+
+/// Returns the pairs of parts that cut through each other, ascending, the lower part first.
+/// @param part_of_face   Part of each face; negative: none.
+std::vector<std::pair<int, int>> overlapping_parts(const TriMesh& mesh, const FaceTree& tree,
+                                                   const std::vector<int>& part_of_face);
 
 }  // namespace hydro

@@ -1,46 +1,15 @@
 #include "hydro/mesh/mesh_parts.h"
 
-#include <numeric>
+#include "hydro/mesh/face_sheets.h"
 
 namespace hydro {
 namespace {
-
-/// Faces joined into sets, each named by its lowest face.
-class FaceSets {
- public:
-  explicit FaceSets(Eigen::Index faces) : parent_(static_cast<std::size_t>(faces)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int of(int face) {
-    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
-    return face;
-  }
-  void join(int f, int g) {
-    f = of(f);
-    g = of(g);
-    parent_[std::max(f, g)] = std::min(f, g);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 struct PartTable {
   std::vector<MeshPart> parts;
   std::vector<int> part_of_face;             ///< −1 for a face that names a vertex twice.
   std::vector<std::vector<int>> some_faces;  ///< First, middle and last face of each part.
 };
-
-std::vector<int> label_faces(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
-  FaceSets sets(mesh.face_count());
-  for (std::size_t i = 0; i < edges.size(); i = edge_end(edges, i))
-    for (std::size_t j = i + 1, end = edge_end(edges, i); j < end; ++j)
-      sets.join(edges[i].face, edges[j].face);
-  std::vector<int> labels;
-  for (int f = 0; f < mesh.face_count(); ++f)
-    labels.push_back(repeats_vertex(mesh, f) ? -1 : sets.of(f));
-  return labels;
-}
 
 /// Six times the volume of the tetrahedron between a face and a point [m^3].
 double spanned(const TriMesh& mesh, int face, const Eigen::Vector3d& p) {
@@ -51,17 +20,14 @@ double spanned(const TriMesh& mesh, int face, const Eigen::Vector3d& p) {
 }
 
 PartTable part_table(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
-  PartTable table{.parts = {}, .part_of_face = label_faces(mesh, edges), .some_faces = {}};
+  PartTable table{.parts = {}, .part_of_face = part_of_faces(mesh, edges), .some_faces = {}};
   std::vector<int> faces_in;
   for (int f = 0; f < mesh.face_count(); ++f) {
-    int& label = table.part_of_face[f];
+    const int label = table.part_of_face[f];
     if (label < 0) continue;
-    if (label == f) {
-      label = static_cast<int>(table.parts.size());
+    if (label == static_cast<int>(table.parts.size())) {
       table.parts.push_back({.first_face = f});
       faces_in.push_back(0);
-    } else {
-      label = table.part_of_face[label];
     }
     ++faces_in[label];
     MeshPart& part = table.parts[label];
@@ -93,6 +59,20 @@ bool starts_inside(const TriMesh& mesh, const FaceTree& tree, const PartTable& t
 }
 
 }  // namespace
+
+std::vector<int> part_of_faces(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
+  FaceSheets sets(mesh.face_count());
+  for (std::size_t i = 0; i < edges.size(); i = edge_end(edges, i))
+    for (std::size_t j = i + 1, end = edge_end(edges, i); j < end; ++j)
+      sets.join(edges[i].face, edges[j].face);
+  std::vector<int> labels;
+  int parts = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const int first = repeats_vertex(mesh, f) ? -1 : sets.of(f);
+    labels.push_back(first < 0 ? -1 : first == f ? parts++ : labels[first]);
+  }
+  return labels;
+}
 
 std::vector<MeshPart> closed_parts(const TriMesh& mesh, const std::vector<HalfEdge>& edges,
                                    const FaceTree& tree) {

@@ -20,6 +20,10 @@ struct MeshPart {
   bool misturned() const { return in_other ? volume > 0 : volume < 0; }
 };
 
+/// Returns the number of the part that each face belongs to, in the order of their lowest faces;
+/// parts need not be closed. −1 for a face that names a vertex twice.
+std::vector<int> part_of_faces(const TriMesh& mesh, const std::vector<HalfEdge>& edges);
+
 /// Returns the parts in the order of their lowest face. The mesh must be closed, consistently
 /// oriented and free of overlaps; `edges` and `tree` must belong to it.
 std::vector<MeshPart> closed_parts(const TriMesh& mesh, const std::vector<HalfEdge>& edges,

@@ -9,6 +9,7 @@
 #include "hydro/mesh/convex_polygon.h"
 #include "hydro/mesh/face_tree.h"
 #include "hydro/mesh/mesh_overlap.h"
+#include "hydro/mesh/side_splitter.h"
 #include "hydro/mesh/weld.h"
 
 namespace hydro {
@@ -122,70 +123,6 @@ class Soup {
   Polygon points_;
 };
 
-/// Splits triangles at vertices that lie on their sides, so that neighbours share whole edges.
-class SideSplitter {
- public:
-  SideSplitter(const TriMesh& mesh, std::vector<int> vertices, double margin)
-      : mesh_(mesh), vertices_(std::move(vertices)), margin_(margin) {
-    std::ranges::sort(vertices_, {}, [&](int v) { return mesh_.vertices(0, v); });
-  }
-
-  TriMesh split() {
-    for (const auto& face : mesh_.faces.colwise()) add({face[0], face[1], face[2]});
-    TriMesh result{mesh_.vertices, Eigen::Matrix3Xi(3, static_cast<Eigen::Index>(faces_.size()))};
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      result.faces.col(static_cast<Eigen::Index>(f)) =
-          Eigen::Vector3i(faces_[f][0], faces_[f][1], faces_[f][2]);
-    return result;
-  }
-
- private:
-  using Face = std::array<int, 3>;
-
-  /// Adds a face, or its parts. Slivers could be split for ever: what is left then does not close.
-  /// Each vertex lies on the sides of two faces at most.
-  void add(const Face& face, int depth = 0) {
-    constexpr int kDeepest = 1000;
-    for (std::size_t i = 0; i < 3 && depth < kDeepest && splits_ < 4 * vertices_.size(); ++i) {
-      const int from = face[i], to = face[(i + 1) % 3], third = face[(i + 2) % 3];
-      const int v = vertex_on(from, to);
-      if (v < 0 || v == third) continue;
-      ++splits_;
-      add({from, v, third}, depth + 1);
-      add({v, to, third}, depth + 1);
-      return;
-    }
-    faces_.push_back(face);
-  }
-
-  /// Returns a vertex between the ends of an edge; −1 if there is none.
-  int vertex_on(int from, int to) const {
-    const Vector3d a = mesh_.vertices.col(from), along = mesh_.vertices.col(to) - a;
-    const double length = along.norm();
-    Eigen::AlignedBox3d box(a);
-    box.extend(Vector3d(mesh_.vertices.col(to)));
-    box.min().array() -= margin_;
-    box.max().array() += margin_;
-    const auto x = [&](int v) { return mesh_.vertices(0, v); };
-    for (auto it = std::ranges::lower_bound(vertices_, box.min().x(), {}, x);
-         it != vertices_.end() && x(*it) <= box.max().x(); ++it) {
-      const int v = *it;
-      const Vector3d p = mesh_.vertices.col(v);
-      if (v == from || v == to || !box.contains(p)) continue;
-      const double at = along.dot(p - a) / length;
-      if (at > margin_ && at < length - margin_ && (p - a - at / length * along).norm() <= margin_)
-        return v;
-    }
-    return -1;
-  }
-
-  const TriMesh& mesh_;
-  std::vector<int> vertices_;  ///< Those that may lie on sides, ascending in x.
-  double margin_;
-  std::vector<Face> faces_;
-  std::size_t splits_ = 0;
-};
-
 std::vector<int> vertices_in(const TriMesh& mesh, const Eigen::AlignedBox3d& box) {
   std::vector<int> found;
   for (int v = 0; v < mesh.vertex_count(); ++v)
@@ -260,6 +197,15 @@ int CommonPart::axis() const {
   return static_cast<int>(least);
 }
 
+bool is_inside(const FaceTree& tree, const Vector3d& p) {
+  const Vector3d directions[] = {
+      {0.5403, 0.2983, 0.7868}, {-0.3817, 0.8642, 0.3271}, {0.2219, -0.7193, -0.6583}};
+  int inside = 0;
+  for (const Vector3d& direction : directions)
+    inside += tree.crossings(p, direction, [](int) { return true; }) % 2;
+  return inside >= 2;
+}
+
 std::optional<CommonPart> common_part(const TriMesh& a, const TriMesh& b) {
   const TriMesh both = side_by_side({a, b});
   const double margin = kTouching * diagonal_of(both);
@@ -326,7 +272,7 @@ TriMesh joined(const std::vector<TriMesh>& parts) {
   touching.min().array() -= 2 * margin;
   touching.max().array() += 2 * margin;
   const TriMesh cut = welded(soup.mesh(), 2 * margin);
-  return welded(SideSplitter(cut, vertices_in(cut, touching), 3 * margin).split(), 0);
+  return welded(split_sides(cut, vertices_in(cut, touching), 3 * margin, 3 * margin), 0);
 }
 
 }  // namespace hydro

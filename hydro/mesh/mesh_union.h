@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "hydro/mesh/face_tree.h"
 #include "hydro/mesh/mesh.h"
 
 /// @file
@@ -23,6 +24,10 @@ struct CommonPart {
   int axis() const;
   double depth() const { return box.sizes()[axis()]; }
 };
+
+/// True if most of three rays from a point leave the closed mesh of the tree through an odd number
+/// of faces. One ray may meet an edge.
+bool is_inside(const FaceTree& tree, const Eigen::Vector3d& p);
 
 /// Finds what two closed meshes, whose normals point outward, have in common; none if they lie
 /// apart, touch, or one lies in a cavity of the other.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "hydro/mesh/edge_table.h"
@@ -113,6 +114,19 @@ TriMesh welded(const TriMesh& mesh, double tolerance) {
   const std::vector<int> stands_for = representatives(mesh.vertices, tolerance);
   TriMesh result = mesh;
   for (int& v : result.faces.reshaped()) v = stands_for[v];
+  return without_loose_vertices(without_collapsed_faces(std::move(result)));
+}
+
+TriMesh welded_among(const TriMesh& mesh, const std::vector<int>& vertices, double tolerance) {
+  if (vertices.empty()) return mesh;
+  const std::vector<int> stands_for =
+      representatives(Eigen::Matrix3Xd(mesh.vertices(Eigen::all, vertices)), tolerance);
+  std::vector<int> merged(static_cast<std::size_t>(mesh.vertex_count()));
+  std::iota(merged.begin(), merged.end(), 0);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    merged[vertices[i]] = vertices[static_cast<std::size_t>(stands_for[i])];
+  TriMesh result = mesh;
+  for (int& v : result.faces.reshaped()) v = merged[v];
   return without_loose_vertices(without_collapsed_faces(std::move(result)));
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "hydro/mesh/mesh.h"
 
 namespace hydro {
@@ -9,5 +11,8 @@ namespace hydro {
 /// that lose a corner and vertices that no face names are dropped; the rest keep their order. The
 /// time is linear. Vertices must be finite.
 TriMesh welded(const TriMesh& mesh, double tolerance);
+
+/// Returns the mesh with the vertices of a list merged as `welded` does, and no others.
+TriMesh welded_among(const TriMesh& mesh, const std::vector<int>& vertices, double tolerance);
 
 }  // namespace hydro

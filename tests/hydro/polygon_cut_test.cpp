@@ -1,4 +1,4 @@
-#include "app/assembly/polygon_cut.h"
+#include "hydro/mesh/polygon_cut.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ Faces cut(const Points& points) {
   std::vector<int> corners(points.size());
   std::iota(corners.begin(), corners.end(), 0);
   Faces faces;
-  assembly::cut_polygon(points, corners, faces);
+  hydro::cut_polygon(points, corners, faces);
   return faces;
 }
 

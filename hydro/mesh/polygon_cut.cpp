@@ -1,8 +1,8 @@
-#include "app/assembly/polygon_cut.h"
+#include "hydro/mesh/polygon_cut.h"
 
 #include <Eigen/Geometry>
 
-namespace assembly {
+namespace hydro {
 namespace {
 
 using Eigen::Vector2d;
@@ -11,11 +11,11 @@ using Eigen::Vector3d;
 /// Sine of an angle below which a corner is straight and a point lies on a line.
 constexpr double kStraight = 1e-10;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross_of(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// True if c lies left of the line from a to b, by more than round-off.
 bool left(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
-  return cross(b - a, c - a) > kStraight * (b - a).norm() * (c - a).norm();
+  return cross_of(b - a, c - a) > kStraight * (b - a).norm() * (c - a).norm();
 }
 
 /// True if c lies right of the line from a to b, by more than round-off.
@@ -137,4 +137,4 @@ void cut_polygon(const std::vector<Vector3d>& vertices, std::span<const int> cor
   }
 }
 
-}  // namespace assembly
+}  // namespace hydro

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace assembly {
+namespace hydro {
 
 /// Cuts a polygon into triangles by cutting off its corners, in the mean plane of the polygon, and
 /// adds them to `faces`. They keep its sense. A concave polygon is cut inside; a corner on a
@@ -17,4 +17,4 @@ namespace assembly {
 void cut_polygon(const std::vector<Eigen::Vector3d>& vertices, std::span<const int> corners,
                  std::vector<Eigen::Vector3i>& faces);
 
-}  // namespace assembly
+}  // namespace hydro
