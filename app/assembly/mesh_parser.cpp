@@ -21,8 +21,10 @@
 
 #include "app/assembly/mesh_file_access.h"
 #include "app/assembly/mesh_text.h"
+#include "app/assembly/msh_reader.h"
 #include "app/assembly/obj_reader.h"
 #include "app/assembly/off_reader.h"
+#include "app/assembly/panel_reader.h"
 #include "app/assembly/ply_reader.h"
 #include "app/assembly/polygon_mesh.h"
 #include "app/assembly/stl_reader.h"
@@ -42,7 +44,8 @@ constexpr int kDeepestNode = 1000;
 
 /// The readers of this program.
 constexpr std::pair<const char*, MeshFile (*)(const fs::path&, std::string_view)> kOwnReaders[] = {
-    {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}, {".off", read_off}};
+    {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply},        {".off", read_off},
+    {".gdf", read_gdf}, {".pnl", read_pnl}, {".dat", read_nemoh_mesh}, {".msh", read_msh}};
 
 std::string lower_extension(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -56,7 +59,8 @@ void require_known_format(const fs::path& file, scene::MeshFormats formats,
   const std::string extension = lower_extension(file);
   if (extension.empty() || !importer.IsExtensionSupported(extension))
     throw scene::InputError(file, fmt::format("no mesh format has the extension '{}'; known are "
-                                              ".obj, .stl, .ply, .off, .gltf, .glb, and with "
+                                              ".obj, .stl, .ply, .off, .gltf, .glb, panels as "
+                                              ".gdf, .pnl, .dat and .msh, and with "
                                               "--any-format .dae, .3ds, .fbx, .3mf and others that "
                                               "assimp reads",
                                               extension));

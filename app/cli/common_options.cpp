@@ -58,7 +58,7 @@ void add_mesh_frame(CLI::App* command, scene::MeshFrame& frame) {
 CLI::Option* add_any_format(CLI::App* command, scene::MeshFormats& formats) {
   return command->add_flag_callback(
       "--any-format", [&formats] { formats = scene::MeshFormats::any; },
-      "Read meshes in any format, beyond .obj, .stl, .ply, .off, .gltf and .glb");
+      "Read meshes in any format, beyond .obj, .stl, .ply, .off, .gltf, .glb and files of panels");
 }
 
 }  // namespace app
