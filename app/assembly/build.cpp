@@ -21,6 +21,7 @@
 #include "app/assembly/build_start.h"
 #include "app/assembly/build_water.h"
 #include "app/assembly/envelope.h"
+#include "app/assembly/mesh_mending.h"
 #include "app/assembly/radiation_database.h"
 #include "app/assembly/sea_warnings.h"
 #include "app/assembly/start_warnings.h"
@@ -48,7 +49,11 @@ engine::Ground build_ground(const scene::Ground& ground, BuildLog& log) {
   }
   if (const auto* file = std::get_if<scene::Mesh>(&ground)) {
     hydro::TriMesh mesh = mesh_from_file(*file, "ground.mesh", log).first;
-    if (make_sound(mesh, Soundness::surface, "ground.mesh", log))
+    if (asks_for_mending(file->mending))
+      log.faults.add(log.scene.places, "ground.mesh",
+                     "is a surface, and no solid is made of it: weld, cap, mirror, unite and "
+                     "thickness are for bodies");
+    if (make_sound(mesh, Soundness::surface, *file, "ground.mesh", log))
       return engine::MeshGround{std::move(mesh)};
   }
   return {};

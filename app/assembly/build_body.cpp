@@ -155,7 +155,8 @@ bool make_solid(const scene::Body& body, const std::string& path, MadeBody& made
   hydro::TriMesh mesh = shape_mesh(body.shape, path, log);
   made.sources = std::exchange(log.sources, {});
   const bool closed = needs_solid(body, made.spec.wet);
-  if (!make_sound(mesh, closed ? Soundness::closed : Soundness::surface, shape_path, log))
+  if (!make_sound(mesh, closed ? Soundness::closed : Soundness::surface, body.shape, shape_path,
+                  log))
     return false;
   const hydro::SolidProperties solid =
       closed ? hydro::solid_properties(mesh) : hydro::SolidProperties{};

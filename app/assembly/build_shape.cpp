@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "app/assembly/height_io.h"
 #include "app/assembly/memory_need.h"
+#include "app/assembly/mesh_mending.h"
 #include "app/base/machine.h"
 #include "hydro/mesh/mesh_union.h"
 #include "hydro/mesh/primitives.h"
@@ -70,7 +74,7 @@ hydro::TriMesh union_mesh(const scene::Shapes& shapes, const std::string& key, B
     const std::string path = fmt::format("{}[{}]", key, i);
     const scene::Shape shape = scene::as_shape(placed.shape);
     hydro::TriMesh mesh = shape_mesh(shape, path, log);
-    if (!make_sound(mesh, Soundness::closed, shape_key_path(shape, path), log)) continue;
+    if (!make_sound(mesh, Soundness::closed, shape, shape_key_path(shape, path), log)) continue;
     parts.push_back(hydro::transformed(std::move(mesh),
                                        Eigen::Translation3d(placed.position) * placed.orientation));
   }
@@ -84,6 +88,20 @@ hydro::TriMesh union_mesh(const scene::Shapes& shapes, const std::string& key, B
                              "draws solids",
                              wrong.front()));
   return {};
+}
+
+/// Mends a mesh as the scene asks; what cannot be done is a fault.
+void mend(const scene::Mesh& file, const std::string& key, hydro::TriMesh& mesh, MeshSource& source,
+          BuildLog& log) {
+  auto known = std::ranges::find(log.mended, file, &decltype(log.mended)::value_type::first);
+  if (known == log.mended.end()) {
+    log.mended.emplace_back(file, hydro::mended(mesh, mend_options(file.mending)));
+    known = std::prev(log.mended.end());
+    for (const std::string& failure : known->second.failures)
+      log.faults.add(log.scene.places, key, failure);
+  }
+  source.mended = mending_record(mesh, known->second);
+  mesh = known->second.mesh;
 }
 
 }  // namespace
@@ -136,6 +154,7 @@ hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path
   if (const auto* file = std::get_if<scene::Mesh>(&shape)) {
     auto [mesh, source] = mesh_from_file(*file, key, log);
     if (mesh.face_count() == 0) return {};
+    if (asks_for_mending(file->mending)) mend(*file, key, mesh, source, log);
     doubt(source.file, key, size_warning(mesh, source, "unit: "), log);
     log.sources.push_back(std::move(source));
     return mesh;
@@ -156,14 +175,17 @@ void doubt(const std::filesystem::path& file, const std::string& key_path, const
     log.warnings.push_back(fmt::format("{}: {}", key_path, text));
 }
 
-bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_path,
-                BuildLog& log) {
+bool make_sound(hydro::TriMesh& mesh, Soundness needed, const scene::Shape& shape,
+                const std::string& key_path, BuildLog& log) {
   if (mesh.face_count() == 0) return false;
   hydro::RepairedMesh repaired = hydro::repaired(std::move(mesh));
   mesh = std::move(repaired.mesh);
   for (const std::string& note : repaired.notes)
     log.notes.push_back(fmt::format("{}: {}", key_path, note));
-  const std::vector<std::string> faults = hydro::describe(relevant(repaired.report, needed));
+  std::vector<std::string> faults = hydro::describe(relevant(repaired.report, needed));
+  const auto* file = std::get_if<scene::Mesh>(&shape);
+  if (file && needed == Soundness::closed && !faults.empty())
+    faults.back() += "; " + remedy_text(mesh, file->file, RemedyWords::keys);
   for (const std::string& fault : faults) log.faults.add(log.scene.places, key_path, fault);
   return faults.empty();
 }

@@ -10,6 +10,7 @@
 #include "app/assembly/mesh_io.h"
 #include "app/scene/diagnostics.h"
 #include "app/scene/scene.h"
+#include "hydro/mesh/mending/mend.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/sea.h"
 
@@ -26,6 +27,8 @@ struct BuildLog {
   std::vector<std::string> warnings = {};
   /// The meshes that were read, by file: several bodies may have the same.
   std::map<std::filesystem::path, MeshFile> read = {};
+  /// The meshes that were mended, by what the scene says of them, with what was done.
+  std::vector<std::pair<scene::Mesh, hydro::MendedMesh>> mended = {};
   /// The mesh files of the present body.
   std::vector<MeshSource> sources = {};
   /// The mesh files of which a warning has told.
@@ -44,7 +47,8 @@ bool has_memory(double triangles, const std::string& key_path, BuildLog& log);
 /// Returns the path of a body's shape: `bodies[1].mesh`.
 std::string shape_key_path(const scene::Shape& shape, const std::string& key_path);
 
-/// Reads a mesh file and brings it into its mesh frame; a fault acts as in `shape_mesh`.
+/// Reads a mesh file and brings it into its mesh frame, not mended; a fault acts as in
+/// `shape_mesh`.
 /// @param key_path   Path of the block with the key `file`.
 /// @return the mesh and its file
 std::pair<hydro::TriMesh, MeshSource> mesh_from_file(const scene::Mesh& mesh,
@@ -61,9 +65,12 @@ enum class Soundness {
   surface  ///< Only finite and not degenerate.
 };
 
-/// Reverses a mesh that is inward as a whole, with a note, and reports all other faults. Returns
-/// true if the mesh is usable.
-bool make_sound(hydro::TriMesh& mesh, Soundness needed, const std::string& key_path, BuildLog& log);
+/// Reverses a mesh that is inward as a whole, with a note, and reports all other faults; to those
+/// of a mesh file it adds the keys that make a solid of it. Returns true if the mesh is usable.
+/// @param shape      The shape that has the mesh.
+/// @param key_path   Its path, as shape_key_path gives it.
+bool make_sound(hydro::TriMesh& mesh, Soundness needed, const scene::Shape& shape,
+                const std::string& key_path, BuildLog& log);
 
 /// Returns a height field of the scene [m above `level`]; after a fault, a flat one of one cell.
 hydro::HeightField height_field(const scene::HeightField& field, const std::string& key_path,

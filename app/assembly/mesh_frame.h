@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/scene/shape.h"
 #include "hydro/mesh/mesh.h"
@@ -53,10 +54,18 @@ AppliedFrame applied_frame(const StatedFrame& stated, const scene::MeshFrame& wa
 /// Turns and scales a mesh as its file has it.
 hydro::TriMesh in_mesh_frame(hydro::TriMesh mesh, const AppliedFrame& frame);
 
+/// What was done to a mesh to make a solid of it.
+struct MendingRecord {
+  std::optional<double> volume_before;  ///< [m^3]; none if the mesh was open.
+  double volume_after = 0;              ///< [m^3]
+  std::vector<std::string> changes;     ///< One sentence each.
+};
+
 /// A mesh file of a body.
 struct MeshSource {
   std::filesystem::path file;
   AppliedFrame frame;
+  std::optional<MendingRecord> mended = {};  ///< None where the scene asks for no mending.
 };
 
 /// Describes a frame in words: `y up in the file, as it says; its unit is mm`.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/assembly/mesh_mending.h"
 #include "app/assembly/mesh_reader_process.h"
 #include "app/base/console.h"
 #include "app/scene/diagnostics.h"
@@ -61,6 +62,8 @@ TriMesh read_solid(const fs::path& file, app::Reporter& reporter, scene::MeshFor
   std::vector<scene::Fault> faults;
   for (const std::string& fault : hydro::describe(repaired.report))
     faults.push_back({{file}, "", fault});
+  if (!faults.empty() && repaired.mesh.face_count() > 0)
+    faults.back().message += "; " + remedy_text(repaired.mesh, file, RemedyWords::options);
   if (!faults.empty()) throw scene::InputError(std::move(faults));
   if (!dropped.empty()) reporter.note(file.string() + ": note: " + dropped);
   for (const std::string& note : repaired.notes) reporter.note(file.string() + ": note: " + note);

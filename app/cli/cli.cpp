@@ -11,6 +11,7 @@
 #include "app/cli/analysis_cli.h"
 #include "app/cli/common_options.h"
 #include "app/cli/completion.h"
+#include "app/cli/mesh_cli.h"
 #include "app/cli/run_cli.h"
 #include "app/cli/sweep_cli.h"
 #include "app/cli/usage_faults.h"
@@ -44,6 +45,7 @@ struct Arguments {
   ViewOptions view;
   ReportOptions report;
   AnalysisArguments analysis;
+  MeshCommand mesh;
   SweepOptions sweep;
   std::vector<std::filesystem::path> scenes;
   bool expand = false;
@@ -185,6 +187,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("report")) return report(a.report);
   if (program.got_subcommand("completion")) return completion(program, a.shell);
+  if (program.got_subcommand("mesh")) return mesh_command(a.mesh);
   if (program.got_subcommand("schema")) return schema(a.markdown);
   if (const auto code = run_analysis(program, a.analysis, overrides)) return *code;
   return render_trajectory(a.render);
@@ -205,6 +208,7 @@ int command_line(int argc, char** argv) {
   add_report(program, arguments);
   add_analyses(program, arguments.analysis, arguments.sets);
   add_sweep(program, arguments.sweep);
+  add_mesh(program, arguments.mesh);
   add_schema(program, arguments);
   add_completion(program, arguments);
   try {

@@ -153,6 +153,24 @@ Cells source_cells(const std::vector<assembly::MeshSource>& sources) {
   return cells;
 }
 
+/// Describes the mesh files that were mended: file, volumes, changes.
+Cells mended_cells(const std::vector<assembly::MeshSource>& sources) {
+  Cells cells;
+  for (const assembly::MeshSource& source : sources) {
+    if (!source.mended) continue;
+    const assembly::MendingRecord& record = *source.mended;
+    std::string changes;
+    for (const std::string& change : record.changes)
+      changes += (changes.empty() ? "" : "; ") + change;
+    cells.insert(cells.end(),
+                 {source.file.filename().string(),
+                  record.volume_before ? number_text(*record.volume_before, 4) : "open",
+                  number_text(record.volume_after, 4),
+                  changes.empty() ? "nothing had to be changed" : changes});
+  }
+  return cells;
+}
+
 }  // namespace
 
 /// Bodies whose descriptions differ only in their positions.
@@ -163,6 +181,7 @@ struct BodyTables::Kind {
   Cells resistance;  ///< Source, range and largest force; empty without a resistance.
   Cells hollows;     ///< Number, volume, rim and water; empty without pockets.
   Cells meshes;      ///< Four cells per mesh file whose coordinates are changed.
+  Cells mended;      ///< Four cells per mesh file that was mended.
   std::vector<std::string> names;
   Spread draught;    ///< Depth of the lowest point below the still water [m].
   Spread freeboard;  ///< Height of the highest point above it [m].
@@ -178,7 +197,7 @@ struct BodyTables::Kind {
 
 BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& built)
     : water_(scene.water.has_value()) {
-  std::map<std::array<Cells, 6>, std::size_t> known;
+  std::map<std::array<Cells, 7>, std::size_t> known;
   const double level = scene.water ? scene.water->level : 0;
   const std::vector<bool> afloat = assembly::starts_afloat(scene, built.spec);
   for (std::size_t i = 0; i < built.spec.bodies.size(); ++i) {
@@ -189,8 +208,9 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
     const Cells resistance = resistance_row(body, built.resistance[i]);
     const Cells hollows = hollow_row(body, level);
     const Cells meshes = source_cells(built.mesh_sources[i]);
+    const Cells mended = mended_cells(built.mesh_sources[i]);
     const auto [place, is_new] = known.emplace(
-        std::array{row, added_mass, radiation, resistance, hollows, meshes}, kinds_.size());
+        std::array{row, added_mass, radiation, resistance, hollows, meshes, mended}, kinds_.size());
     if (is_new)
       kinds_.push_back({.body = row,
                         .added_mass = added_mass,
@@ -198,6 +218,7 @@ BodyTables::BodyTables(const scene::Scene& scene, const assembly::BuiltScene& bu
                         .resistance = resistance,
                         .hollows = hollows,
                         .meshes = meshes,
+                        .mended = mended,
                         .names = {}});
     Kind& kind = kinds_[place->second];
     kind.names.push_back(body.name);
@@ -244,6 +265,8 @@ std::vector<std::string> BodyTables::sizes() const {
   if (kinds_.size() > rows()) lines.push_back(rest());
   const std::vector<std::string> files = mesh_files();
   lines.insert(lines.end(), files.begin(), files.end());
+  const std::vector<std::string> mended = mended_files();
+  lines.insert(lines.end(), mended.begin(), mended.end());
   return lines;
 }
 
@@ -258,6 +281,23 @@ std::vector<std::string> BodyTables::mesh_files() const {
     }
   }
   return table.size() > 1 ? aligned_lines(table) : std::vector<std::string>();
+}
+
+/// Returns the table of the mesh files that were mended, and what was done to each.
+std::vector<std::string> BodyTables::mended_files() const {
+  std::vector<Cells> table = {{"mended meshes", "", "volume m^3 before", "after"}};
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const Cells& cells = kinds_[i].mended;
+    for (auto cell = cells.begin(); cell != cells.end(); cell += 4) {
+      table.push_back({kinds_[i].title(), cell[0], cell[1], cell[2]});
+      changes.push_back(fmt::format("    {}: {}", cell[0], cell[3]));
+    }
+  }
+  if (table.size() == 1) return {};
+  std::vector<std::string> lines = aligned_lines(table);
+  lines.insert(lines.end(), changes.begin(), changes.end());
+  return lines;
 }
 
 /// Returns the table of the kinds that have such a row.

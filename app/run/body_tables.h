@@ -26,6 +26,7 @@ class BodyTables {
  private:
   struct Kind;
   std::vector<std::string> mesh_files() const;
+  std::vector<std::string> mended_files() const;
   std::vector<std::string> lines_of(Cells head, Cells Kind::*row) const;
   std::size_t rows() const;
   std::string rest() const;

@@ -132,8 +132,9 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "a double quote or a control character."},
     {"bodies[].mesh", "A closed triangle mesh from a file. Its normals point out of the solid."},
     {"bodies[].mesh.file",
-     "A mesh file, relative to the scene file: .obj, .stl, .ply, .off, .gltf or .glb, and with the "
-     "option `--any-format` any other that assimp reads."},
+     "A mesh file, relative to the scene file: .obj, .stl, .ply, .off, .gltf or .glb, a file of "
+     "panels .gdf, .dat, .pnl or .msh, and with the option `--any-format` any other that assimp "
+     "reads."},
     {"bodies[].mesh.up",
      "The axis of the file that points up. The mesh is turned so that this is z of its mesh "
      "frame: about x for y, −y and −z, so that x stays, and about y for x and −x. The default is "
@@ -144,6 +145,20 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"bodies[].mesh.scale",
      "Factor by which the coordinates are multiplied besides the unit, about the origin of the "
      "file."},
+    {"bodies[].mesh.weld",
+     "Widest crack between open edges that is closed. This key and the four below make a solid of "
+     "a mesh that is none, as `plimsoll mesh FILE --repair` does (`app/README.md`): with any of "
+     "them faces are turned outward, repeated ones and those without area dropped, and T-junctions "
+     "stitched. The default is then 1e-5 of the diagonal of the mesh's box."},
+    {"bodies[].mesh.cap", "Whether flat open loops are filled."},
+    {"bodies[].mesh.mirror",
+     "Axis normal to the plane through the origin in which a half hull is mirrored: `y` for one "
+     "side of a ship."},
+    {"bodies[].mesh.unite",
+     "Whether closed parts of the file that overlap are united. A part inside another is dropped "
+     "if its faces look out as those of the other do, and remains as a cavity if they look in."},
+    {"bodies[].mesh.thickness",
+     "Thickness of the plates that open parts become. Their faces remain as the outer side."},
     {"bodies[].box", "A box about the origin, of 12·divisions² triangles."},
     {"bodies[].box.size", "Lengths of the edges along x, y, z."},
     {"bodies[].box.divisions", "Number of parts of each edge."},

@@ -49,6 +49,11 @@ void read(MapReader& map, Mesh& mesh) {
   map.optional("up", mesh.up, ChoiceRule<UpAxis>{up_axes()});
   map.optional("unit", mesh.unit, ChoiceRule<double>{length_units()});
   map.optional("scale", mesh.scale, positive());
+  map.optional("weld", mesh.mending.weld, positive("m"));
+  map.optional("cap", mesh.mending.cap, TruthRule{});
+  map.optional("mirror", mesh.mending.mirror, ChoiceRule<int>{mirror_axes()});
+  map.optional("unite", mesh.mending.unite, TruthRule{});
+  map.optional("thickness", mesh.mending.thickness, positive("m"));
 }
 
 void read(MapReader& map, Box& box) {

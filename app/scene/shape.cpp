@@ -13,6 +13,11 @@ const std::vector<std::pair<std::string, UpAxis>>& up_axes() {
   return axes;
 }
 
+const std::vector<std::pair<std::string, int>>& mirror_axes() {
+  static const std::vector<std::pair<std::string, int>> axes = {{"x", 0}, {"y", 1}, {"z", 2}};
+  return axes;
+}
+
 const std::vector<std::pair<std::string, double>>& length_units() {
   static const std::vector<std::pair<std::string, double>> units = {
       {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"in", 0.0254}, {"ft", 0.3048}};

@@ -38,8 +38,22 @@ const std::vector<std::pair<std::string, double>>& length_units();
 std::string name_of(UpAxis up);
 std::string name_of_unit(double unit);
 
+/// How a solid is made of a mesh that is none. Without a value nothing is changed.
+struct Mending {
+  std::optional<double> weld;       ///< Widest crack that is closed [m].
+  bool cap = false;                 ///< Flat open loops are filled.
+  std::optional<int> mirror;        ///< Axis normal to the plane in which the mesh is mirrored.
+  bool unite = false;               ///< Closed parts that overlap are united.
+  std::optional<double> thickness;  ///< Of the plates that open parts become [m].
+  bool operator==(const Mending&) const = default;
+};
+
+/// The words for axes normal to a plane of symmetry.
+const std::vector<std::pair<std::string, int>>& mirror_axes();
+
 struct Mesh : MeshFrame {
   std::filesystem::path file;  ///< Resolved against the scene's folder.
+  Mending mending;
   bool operator==(const Mesh&) const = default;
 };
 struct Box {

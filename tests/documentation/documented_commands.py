@@ -74,6 +74,11 @@ EXAMPLES = {
         "tools/rao box.yaml --periods 2:2:1 --amplitude 0.01 --heading 180 --motions heave"
         " --reference rao.csv --set bodies[box].density=500 --out o/rao",
         "tools/rao box.yaml --periods 2 --slope 0.01 --motions heave --out o/rao_slope"],
+    "plimsoll mesh FILE": [
+        "plimsoll mesh box.obj --up z --unit m --scale 1 --any-format",
+        "plimsoll mesh half.obj --repair --weld 1e-5 --cap --mirror y -o o/whole.obj",
+        "plimsoll mesh crossing.obj --repair --unite -o o/united.stl",
+        "plimsoll mesh half.obj --repair --thickness 0.01 -o o/plates.obj"],
     "plimsoll hydrostatics MESH": [
         "plimsoll hydrostatics scenes/meshes/bucket.obj --mass 12 --density 1025 --com 0,0,0.08"
         " --water 0.002 --heel 0:10:10 --up z --unit m --scale 1 --any-format --json",
@@ -117,6 +122,17 @@ v -0.5 -0.5 0.5\nv 0.5 -0.5 0.5\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5
 f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5
 f 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8
 """
+# The box on one side of y = 0, without its top and open at the plane, and two boxes that overlap.
+HALF_MESH = """\
+v -0.5 0 -0.5\nv 0.5 0 -0.5\nv 0.5 0.5 -0.5\nv -0.5 0.5 -0.5
+v -0.5 0 0.5\nv 0.5 0 0.5\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5
+f 1 4 3 2\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8
+"""
+CROSSING_MESH = BOX_MESH + "".join(
+    "v " + " ".join(str(float(x) + 0.3) for x in line.split()[1:]) + "\n"
+    for line in BOX_MESH.splitlines() if line.startswith("v")) + "".join(
+    "f " + " ".join(str(int(v) + 8) for v in line.split()[1:]) + "\n"
+    for line in BOX_MESH.splitlines() if line.startswith("f"))
 # For the snippets of app/python/README.md: a buoy, and a tug that tows it.
 TUG = """\
 plimsoll: 1
@@ -164,6 +180,7 @@ class Place:
             return next("\n".join(b.lines) for b in blocks_of(text)
                         if b.language == language and any(holding in line for line in b.lines))
         files = {"box.yaml": BOX, "box.obj": BOX_MESH, "tug.yaml": TUG,
+                 "half.obj": HALF_MESH, "crossing.obj": CROSSING_MESH,
                  "buoy.yaml": block("README.md", "yaml", "name: buoy"),
                  "barge.yaml": block("scenes/README.md", "yaml", "A box in a swell"),
                  "tolerances.yaml": block("app/README.md", "", "orientation_deg: {peak"),

@@ -177,8 +177,9 @@ TEST(Assemble, AnOpenMeshInWaterIsRefusedAtItsKeyWithTheEdges) {
   EXPECT_THAT(
       faults_of(wet_scene(data_mesh("open.obj") +
                           ", mass: 1, center_of_mass: [0, 0, 0], inertia: [1, 1, 1, 0, 0, 0]")),
-      ElementsAre("5:21: bodies[0].mesh: 3 edges are open (one face only), "
-                  "the first at (1, 0, 0.5)"));
+      ElementsAre(
+          "5:21: bodies[0].mesh: 3 edges are open (one face only), "
+          "the first at (1, 0, 0.5); with `cap: true` beside `file` it is a solid of 1 m^3"));
 }
 
 TEST(Assemble, AnOpenMeshIsFineWhereNothingAsksForASolid) {
