@@ -200,6 +200,10 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "axes, allowed with `mass` only. The default is that of the mass spread evenly over the "
      "volume. The matrix must be positive definite, and no principal moment may exceed the sum "
      "of the other two."},
+    {"bodies[].gyration",
+     "Gyradii `[kx, ky, kz]` about the body's axes through its centre of mass, in place of "
+     "`inertia`: the moments are mass·k², the products 0. No square may exceed the sum of the "
+     "other two."},
     {"bodies[].position", "Position of the origin of the mesh frame in the world."},
     {"bodies[].orientation",
      "Rotation from body to world, given by exactly one of `euler_deg`, `quaternion` and `axis` "

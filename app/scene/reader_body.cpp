@@ -53,16 +53,36 @@ void read_inertia(MapReader& map, std::optional<Inertia>& inertia) {
   check_inertia(map, *inertia);
 }
 
+/// Reads gyradii k, which make the moments of inertia mass · k².
+void read_gyration(MapReader& map, Body& body) {
+  std::optional<Eigen::Vector3d> gyradii;
+  if (!map.optional("gyration", gyradii, positive("m"))) return;
+  const double scale = gyradii->maxCoeff();
+  const Eigen::Vector3d squares = (*gyradii / scale).array().square();
+  if (2 * squares.maxCoeff() > squares.sum() + kMomentRoundOff)
+    return map.fault(
+        "gyration",
+        fmt::format("found the gyradii {:.6g}, {:.6g} and {:.6g} m, expected the "
+                    "largest squared to be at most the sum of the squares of the others",
+                    gyradii->x(), gyradii->y(), gyradii->z()));
+  if (!body.mass) return;
+  const Eigen::Vector3d moments = *body.mass * gyradii->array().square();
+  body.inertia = Inertia{.xx = moments.x(), .yy = moments.y(), .zz = moments.z()};
+}
+
 void read_mass(MapReader& map, Body& body) {
   map.exactly_one_of({"density", "mass"});
   map.optional("density", body.density, positive("kg/m^3"));
   map.optional("mass", body.mass, positive("kg"));
   map.optional("center_of_mass", body.center_of_mass, number("m"));
   read_inertia(map, body.inertia);
+  read_gyration(map, body);
+  map.at_most_one_of({"inertia", "gyration"});
   map.note_condition("center_of_mass", "", {"mass"}, {});
   map.note_condition("inertia", "", {"mass"}, {});
+  map.note_condition("gyration", "", {"mass"}, {"inertia"});
   if (!map.has("density") || map.has("mass")) return;
-  for (const char* key : {"center_of_mass", "inertia"})
+  for (const char* key : {"center_of_mass", "inertia", "gyration"})
     if (map.has(key))
       map.fault(key, "follows from density and the mesh; it is allowed with mass only");
 }

@@ -132,6 +132,15 @@ TEST(Assemble, InertiaIsTakenAsGiven) {
   EXPECT_EQ(body.inertia_B, expected);
 }
 
+TEST(Assemble, TheGyradiiOfAUniformBoxMakeItsInertia) {
+  // k^2 = (b^2 + c^2)/12; the digits of the text leave 1e-15.
+  const BodySpec body =
+      body_of(wet_scene("box: {size: [2, 3, 4]}, mass: 12000, gyration: [1.4433756729740645, "
+                        "1.2909944487358056, 1.0408329997330663]"));
+  const Matrix3d expected = box_inertia(12000, {2, 3, 4});
+  EXPECT_LT((body.inertia_B - expected).norm(), tolerance(1e-14 * expected.norm()));
+}
+
 /// The corner tetrahedron with edges of 4 m, its centroid at (1, 1, 1).
 std::string tetrahedron_file() {
   const std::string file = testing::TempDir() + "assemble_tetrahedron.obj";

@@ -366,6 +366,13 @@ TEST(SceneKeys, MassAndMotionAreRead) {
   EXPECT_EQ(body.color, Eigen::Vector3d(0.1, 0.2, 0.3));
 }
 
+TEST(SceneKeys, GyradiiAreReadAsMomentsOfInertia) {
+  const scene::Body body =
+      read_scene_text(every_key(), {"bodies[0].inertia=null", "bodies[0].gyration=[1, 2, 2]"})
+          .bodies[0];
+  EXPECT_EQ(body.inertia, (scene::Inertia{.xx = 5, .yy = 20, .zz = 20}));
+}
+
 TEST(SceneKeys, OrientationsAreRead) {
   const scene::Scene scene = read_scene_text(every_key());
   // R = Rz(yaw) Ry(pitch) Rx(roll), written out: x goes to (cos p cos y, cos p sin y, -sin p).
@@ -754,6 +761,7 @@ TEST(SceneKeys, EveryKeyThatIsListedIsReadAndHasAPlace) {
             " highest_frequency_hz: 3, components: 5}}"},
            {"hydro.added_mass=" + zero_matrix(), "bodies[0].hydro.added_mass={model: none}"},
            {"bodies[0].hydro.added_mass={tolerance: 1}"},
+           {"bodies[0].inertia=null", "bodies[0].gyration=[1, 2, 2]"},
            {"hydro.resistance={file: " + support::data_folder().string() + "/shore.obj}",
             "bodies[0].hydro.resistance={wave: michell}"},
            {"bodies[c].start=equilibrium", "bodies[c].heel={roll_deg: 1, pitch_deg: 2}"},

@@ -31,7 +31,7 @@ UNSEEN = [
     r"there is none of this name", r"expected the heights of black", r"not used with a .csv",
     r"the lower height first", r"expected more than min", r"from start \(",
     r"looks (from|straight)", r"found a zero", r"found the principal moments",
-    r"found the eigenvalue", r"expected a\s+symmetric", r"a perpendicular one",
+    r"found the gyradii", r"found the eigenvalue", r"expected a\s+symmetric", r"a perpendicular one",
     r"which is switched off", r"equilibrium needs", r"is only used with viscous_drag",
     r"remove it", r"found \.(inf|nan)", r"too large or too small", r"found 0x", r"found 1/",
     r"in case alone", r"less than the depth", r"waves need gravity",
