@@ -4,91 +4,32 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
+#include "app/assembly/linear_body.h"
 #include "app/base/words.h"
-#include "engine/rig/line_pull.h"
 #include "hydro/airy_waves.h"
 #include "hydro/radiation/froude_krylov.h"
-#include "hydro/statics/hydrostatics.h"
 
 namespace app {
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-using hydro::cross_matrix;
 using hydro::Matrix6d;
 using std::numbers::pi;
-
-/// −∂(F, M)/∂ξ of a hydrostatic body in H.
-Matrix6d restoring(const hydro::TriMesh& mesh_B, const hydro::MeanPose& pose,
-                   const hydro::Sea& sea) {
-  const hydro::TriMesh mesh_H = hydro::transformed(mesh_B, Eigen::Isometry3d(pose.orientation));
-  Matrix6d stiffness = Matrix6d::Zero();
-  stiffness.block<3, 3>(2, 2) =
-      sea.density * sea.gravity *
-      hydro::restoring_stiffness(hydro::hydrostatics(mesh_H, pose.height));
-  return stiffness;
-}
-
-/// The place of a line's end, its body in the mean pose if that is the one of the motions.
-engine::LineEnd end_of(const engine::AttachmentPoint& point, engine::BodyId body,
-                       const hydro::BodyState& mean, const engine::SimulationSpec& spec) {
-  if (point.body == engine::kWorld) return {.place_W = point.at};
-  const hydro::BodyState& state =
-      point.body == body ? mean : spec.bodies[static_cast<std::size_t>(point.body)].initial;
-  return {.place_W = state.position + state.orientation * point.at};
-}
-
-/// Adds a line, whose other end is at rest: with the point r of the body, its force F on it and
-/// J = (1, −[r]×), C = Jᵀ k J less the turn of the force's lever, [F]× [r]×.
-void add_stiffness(const engine::LineSpec& line, engine::BodyId body, const hydro::BodyState& mean,
-                   const engine::SimulationSpec& spec, hydro::LinearBody& linear) {
-  const engine::LineEnd first = end_of(line.first, body, mean, spec),
-                        second = end_of(line.second, body, mean, spec);
-  const engine::LinePull pull =
-      engine::pull_of(line, {.length = line.length}, first, second, nullptr, 0, std::nullopt);
-  const bool is_first = line.first.body == body;
-  const Matrix3d r = cross_matrix((is_first ? first : second).place_W - mean.position);
-  const Matrix3d force = cross_matrix(is_first ? pull.force_W : Vector3d(-pull.force_W));
-  Eigen::Matrix<double, 3, 6> J;
-  J << Matrix3d::Identity(), -r;
-  linear.stiffness += J.transpose() * pull.stiffness * J;
-  linear.stiffness.bottomRightCorner<3, 3>() -= force * r;
-  linear.damping += J.transpose() * pull.damping * J;
-}
-
-void add_lines(const engine::SimulationSpec& spec, engine::BodyId body,
-               const hydro::BodyState& mean, LinearMotions& motions) {
-  for (const engine::LineSpec& line : spec.lines) {
-    const bool first = line.first.body == body, second = line.second.body == body;
-    if (first == second) continue;  // A line within the body does not move it.
-    add_stiffness(line, body, mean, spec, motions.body);
-    if (line.first.body != engine::kWorld && line.second.body != engine::kWorld)
-      motions.left_out.push_back(fmt::format("motion of the other body that {} holds", line.name));
-  }
-  if (spec.moordyn && std::any_of(spec.moordyn->points.begin(), spec.moordyn->points.end(),
-                                  [&](const auto& point) { return point.body == body; }))
-    motions.left_out.emplace_back("lines of MoorDyn");
-}
-
-bool has_joint(const engine::SimulationSpec& spec, engine::BodyId body) {
-  return std::any_of(spec.joints.begin(), spec.joints.end(), [&](const auto& joint) {
-    return joint.first == body || joint.second == body;
-  });
-}
 
 LinearMotions motions_of(const assembly::BuiltScene& built, std::size_t i,
                          assembly::RadiationStore& store, Reporter& reporter) {
   const engine::BodySpec& spec = built.spec.bodies[i];
   const assembly::RadiationChoice& choice = built.radiation[i].choice;
-  const hydro::WaveFrame frame{.R_WH =
-                                   spec.initial.orientation * choice.pose->orientation.conjugate()};
+  assembly::LinearTerms terms =
+      assembly::linear_terms(built.spec, static_cast<engine::BodyId>(i), *choice.pose);
   LinearMotions motions{.name = spec.name,
+                        .body = terms.body,
                         .mesh_B = engine::outside_B(spec),
                         .pose = *choice.pose,
                         .sea = *built.spec.sea,
-                        .heading = frame.heading()};
+                        .heading = terms.heading,
+                        .left_out = std::move(terms.left_out)};
   const hydro::Sea& sea = motions.sea;
   assembly::StoredRadiation stored;
   if (!choice.database)
@@ -106,19 +47,7 @@ LinearMotions motions_of(const assembly::BuiltScene& built, std::size_t i,
   motions.diffraction = std::make_shared<const hydro::DiffractionLoad>(data);
 
   const Matrix6d turn = hydro::turn_of_heading(motions.heading);
-  const Matrix3d R_HB = motions.pose.orientation.toRotationMatrix();
-  Matrix6d inertia = sea.density * data.infinite_added_mass;
-  inertia.topLeftCorner<3, 3>() += spec.mass * Matrix3d::Identity();
-  inertia.bottomRightCorner<3, 3>() += R_HB * spec.inertia_B * R_HB.transpose();
-  motions.body.inertia = turn * inertia * turn.transpose();
-  motions.body.stiffness = turn * restoring(motions.mesh_B, motions.pose, sea) * turn.transpose();
-  motions.body.locked = spec.locked;
-  hydro::BodyState mean = spec.initial;
-  mean.position.z() = sea.level + motions.pose.height;
-  mean.orientation =
-      Eigen::AngleAxisd(motions.heading, Vector3d::UnitZ()) * motions.pose.orientation;
-  add_lines(built.spec, static_cast<engine::BodyId>(i), mean, motions);
-  if (!spec.interior_water.empty()) motions.left_out.emplace_back("the water inside the body");
+  motions.body.inertia += turn * (sea.density * data.infinite_added_mass) * turn.transpose();
   return motions;
 }
 
@@ -126,7 +55,7 @@ LinearMotions motions_of(const assembly::BuiltScene& built, std::size_t i,
 std::string reason_against(const assembly::BuiltScene& built, std::size_t i) {
   const assembly::RadiationChoice& choice = built.radiation[i].choice;
   if (choice.pose)
-    return has_joint(built.spec, static_cast<engine::BodyId>(i))
+    return assembly::has_joint(built.spec, static_cast<engine::BodyId>(i))
                ? "it has a joint, and its motions are those of a body by itself"
                : "";
   return choice.reason.empty() ? "its radiation or added_mass is switched off" : choice.reason;

@@ -10,6 +10,7 @@
 #include "app/assembly/build.h"
 #include "app/assembly/build_radiation.h"
 #include "app/assembly/build_start.h"
+#include "app/assembly/linear_body.h"
 #include "app/assembly/mesh_io.h"
 #include "app/base/atomic_file.h"
 #include "app/base/console.h"
@@ -19,6 +20,7 @@
 #include "app/base/terminal_reporter.h"
 #include "app/commands/radiation_plot.h"
 #include "app/databases/write_database.h"
+#include "app/hydrostatics/natural_periods.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/airy_waves.h"
 #include "hydro/mesh/mass_properties.h"
@@ -39,6 +41,8 @@ struct Afloat {
   hydro::MeanPose pose;
   double density = 1000;  ///< Of the water [kg/m^3].
   hydro::LinearWater water;
+  /// M, stiffness and locks; none for a body with joints, whose motions are not its own.
+  std::optional<assembly::LinearTerms> terms;
   std::shared_ptr<const assembly::RadiationDatabase> database;  ///< That of a scene's body.
 };
 
@@ -49,11 +53,33 @@ struct Solved {
   const hydro::RadiationData& data() const {
     return body.database ? body.database->found.data : stored.solution->data;
   }
+  /// None for a body with joints, and where A(ω) is known at given frequencies alone.
+  std::optional<NaturalPeriods> natural_periods() const {
+    if (!body.terms || !(body.database || stored.memory)) return std::nullopt;
+    NaturalPeriods periods = app::natural_periods(
+        body.terms->body, body.terms->heading, body.density, data().infinite_added_mass,
+        body.database ? hydro::fit_memory(data()) : *stored.memory);
+    periods.left_out = body.terms->left_out;
+    return periods;
+  }
   hydro::Vector6cd excitation(std::size_t frequency, Eigen::Index heading) const {
     return body.density * (data().froude_krylov[frequency].col(heading) +
                            data().diffraction[frequency].col(heading));
   }
 };
+
+/// The terms of a uniform body that floats upright, in H.
+assembly::LinearTerms uniform_terms(const Afloat& body, const hydro::SolidProperties& solid,
+                                    double relative_density) {
+  const double density = relative_density * body.density;
+  const Eigen::Matrix3d R_HB = body.pose.orientation.toRotationMatrix();
+  assembly::LinearTerms terms;
+  terms.body.inertia.topLeftCorner<3, 3>() = density * solid.volume * Eigen::Matrix3d::Identity();
+  terms.body.inertia.bottomRightCorner<3, 3>() = density * R_HB * solid.inertia * R_HB.transpose();
+  terms.body.stiffness =
+      assembly::hydrostatic_stiffness(body.mesh_B, body.pose, {.density = body.density});
+  return terms;
+}
 
 Afloat body_of_mesh(const RadiationCommand& o) {
   if (!o.overrides.empty()) throw scene::InputError("--set", "is for a scene, and this is a mesh");
@@ -78,6 +104,7 @@ Afloat body_of_mesh(const RadiationCommand& o) {
     throw scene::InputError("--depth", fmt::format("found {:g}, expected more than the draught of "
                                                    "{:.4g} m",
                                                    o.depth, draught));
+  body.terms = uniform_terms(body, solid, o.relative_density);
   return body;
 }
 
@@ -96,7 +123,11 @@ std::vector<Afloat> bodies_of_scene(const RadiationCommand& o) {
                       .pose = *choice.pose,
                       .density = sea.density,
                       .water = {.gravity = sea.gravity, .depth = sea.depth},
+                      .terms = {},
                       .database = choice.database});
+    const auto id = static_cast<engine::BodyId>(i);
+    if (!assembly::has_joint(built.spec, id))
+      bodies.back().terms = assembly::linear_terms(built.spec, id, *choice.pose);
   }
   if (!bodies.empty()) return bodies;
   std::string why;
@@ -146,6 +177,8 @@ Json to_json(const Solved& solved) {
                 {"mismatch", solved.stored.solution->mismatch},
                 {"from_store", solved.stored.from_store},
                 {"solve_seconds", solved.stored.seconds}});
+  if (const auto periods = solved.natural_periods())
+    all["natural_periods"] = natural_periods_json(*periods);
   for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
     Json row = {{"omega", data.frequencies[f]},
                 {"added_mass", json_rows(density * data.added_mass[f])},
@@ -169,6 +202,10 @@ std::string csv_of(const Solved& solved) {
                        double value) {
     text += fmt::format("{},{},{},{},{},{}\n", name, omega, what, kMotions[i], other, value);
   };
+  if (const auto periods = solved.natural_periods())
+    for (const NaturalPeriod& mode : periods->modes)
+      text += fmt::format("{},{},natural_period,{},,{}\n", name, 2 * pi / mode.period,
+                          mode.name(" + "), mode.period);
   for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
     const double omega = data.frequencies[f];
     for (int i = 0; i < 6; ++i)
@@ -202,6 +239,37 @@ std::string origin_of(const Solved& solved) {
       solved.stored.from_store ? ", from the store" : "", 100 * solved.stored.solution->mismatch);
 }
 
+/// A table of numbers of the six motions, a row each frequency.
+template <class Number>
+std::string block_of(const std::string& title, const hydro::RadiationData& data,
+                     const Number& number) {
+  std::string text = fmt::format("\n  {}\n{:>9}{:>10}", title, "omega", "length");
+  for (const char* motion : kMotions) text += fmt::format("{:>12}", motion);
+  text += fmt::format("\n{:>9}{:>10}\n", "rad/s", "m");
+  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
+    const double omega = data.frequencies[f];
+    const double k = hydro::wave_number(omega, data.water.depth, data.water.gravity).value();
+    text += fmt::format("{:>9.4g}{:>10.4g}", omega, 2 * pi / k);
+    for (int i = 0; i < 6; ++i) text += fmt::format("{:>12.4g}", number(f, i));
+    text += '\n';
+  }
+  return text;
+}
+
+/// The headings nearest to waves along the body's x axis, and across it.
+std::vector<Eigen::Index> shown_headings(const hydro::RadiationData& data) {
+  std::vector<Eigen::Index> shown;
+  for (const double wanted : {0.0, pi / 2}) {
+    if (data.headings.empty()) break;
+    const auto nearest = std::ranges::min_element(data.headings, {}, [&](double heading) {
+      return std::abs(std::remainder(heading - wanted, 2 * pi));
+    });
+    const Eigen::Index found = nearest - data.headings.begin();
+    if (shown.empty() || shown.front() != found) shown.push_back(found);
+  }
+  return shown;
+}
+
 std::string table_of(const Solved& solved) {
   const hydro::RadiationData& data = solved.data();
   const double density = solved.body.density;
@@ -210,28 +278,20 @@ std::string table_of(const Solved& solved) {
       "  assumed: {}\n",
       solved.body.name, data.volume, data.pose.height, density, origin_of(solved),
       fmt::join(assembly::assumptions(data.water, false), ", "));
-  text += fmt::format("{:>9}{:>10}{:>36}{:>36}{:>36}\n{:>9}{:>10}", "omega", "length",
-                      "added mass [kg, kg m^2]", "damping [kg/s, kg m^2/s]", "|X| along x [N/m, N]",
-                      "rad/s", "m");
-  for (int part = 0; part < 3; ++part)
-    for (const int i : {0, 2, 4}) text += fmt::format("{:>12}", kMotions[i]);
-  text += "\n";
-  for (std::size_t f = 0; f < data.frequencies.size(); ++f) {
-    const double omega = data.frequencies[f];
-    const double k = hydro::wave_number(omega, data.water.depth, data.water.gravity).value();
-    text += fmt::format("{:>9.4g}{:>10.4g}", omega, 2 * pi / k);
-    for (const int i : {0, 2, 4})
-      text += fmt::format("{:>12.4g}", density * data.added_mass[f](i, i));
-    for (const int i : {0, 2, 4}) text += fmt::format("{:>12.4g}", density * data.damping[f](i, i));
-    if (!data.headings.empty())
-      for (const int i : {0, 2, 4})
-        text += fmt::format("{:>12.4g}", std::abs(solved.excitation(f, 0)[i]));
-    text += "\n";
-  }
+  text += block_of("added mass [kg, kg m^2]", data,
+                   [&](std::size_t f, int i) { return density * data.added_mass[f](i, i); });
   text += fmt::format("{:>9}{:>10}", "infinite", "0");
-  for (const int i : {0, 2, 4})
+  for (int i = 0; i < 6; ++i)
     text += fmt::format("{:>12.4g}", density * data.infinite_added_mass(i, i));
-  return text + "\n";
+  text += '\n' + block_of("damping [kg/s, kg m^2/s]", data,
+                          [&](std::size_t f, int i) { return density * data.damping[f](i, i); });
+  for (const Eigen::Index heading : shown_headings(data))
+    text += block_of(
+        fmt::format("|X| of waves that travel toward {:.4g} deg [N/m, N]",
+                    data.headings[static_cast<std::size_t>(heading)] * 180 / pi),
+        data, [&](std::size_t f, int i) { return std::abs(solved.excitation(f, heading)[i]); });
+  const auto periods = solved.natural_periods();
+  return periods ? text + '\n' + natural_periods_text(*periods) : text;
 }
 
 /// Data of a body for the files of other programs.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -182,19 +183,28 @@ FloatingBody body_of_group(const assembly::RigidGroup& group, engine::BodyId lea
 
 std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   check_scene_options(o);
-  const scene::Scene scene = scene::read(o.file, o.overrides, o.formats);
+  const auto read =
+      std::make_shared<const scene::Scene>(scene::read(o.file, o.overrides, o.formats));
+  const scene::Scene& scene = *read;
   scene::Faults faults;
   if (!scene.water) faults.add(scene.places, "water", "missing, and without water nothing floats");
   if (scene.gravity == 0)
     faults.add(scene.places, "gravity", "found 0, and without it nothing floats");
   faults.throw_if_any();
-  const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
-  for (const std::string& note : built.notes)
+  const auto built =
+      std::make_shared<const assembly::BuiltScene>(assembly::build_without_added_mass(scene));
+  for (const std::string& note : built->notes)
     say(fmt::format("{}: note: {}", scene.file.string(), note));
   std::vector<FloatingBody> bodies;
-  for (const assembly::RigidGroup& group : assembly::rigid_groups(built.spec))
-    if (const auto lead = lead_of(group, scene, built.spec))
-      bodies.push_back(body_of_group(group, *lead, scene, built));
+  for (const assembly::RigidGroup& group : assembly::rigid_groups(built->spec)) {
+    const auto lead = lead_of(group, scene, built->spec);
+    if (!lead) continue;
+    bodies.push_back(body_of_group(group, *lead, scene, *built));
+    if (group.bodies.size() == 1)
+      bodies.back().natural_periods = [read, built, lead](const hydro::MeanPose& rest) {
+        return known_natural_periods(*read, *built, *lead, rest);
+      };
+  }
   if (bodies.empty()) throw scene::InputError(scene.file, "has no body with buoyancy");
   return bodies;
 }
@@ -263,6 +273,9 @@ FloatingReport floating_report(const FloatingBody& body, const std::vector<doubl
   report.start = state_of(body, body.start);
   report.rest = state_of(body, rest.orientation);
   report.orientation = hydro::with_heading(rest.orientation, hydro::euler_angles(body.start)[2]);
+  if (body.natural_periods)
+    report.natural_periods = body.natural_periods(
+        {.orientation = hydro::with_heading(rest.orientation, 0), .height = rest.height});
   const FloatingBody& heeled = report.upright;
   report.righting_arms =
       hydro::righting_arms(heeled.mesh_B, heeled.displaced(), heels, heeled.tanks);

@@ -2,10 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/hydrostatics/natural_periods.h"
 #include "app/scene/reader.h"
 #include "hydro/statics/equilibrium.h"
 #include "hydro/statics/intact_stability.h"
@@ -49,6 +51,9 @@ struct FloatingBody {
   double density = 1000;         ///< Density of the water [kg/m^3].
   double gravity = 9.80665;      ///< [m/s^2]
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();  ///< R_WB before settling.
+  /// Its natural periods about a pose of rest; null for a mesh, whose inertia is not known, and for
+  /// bodies that are joined.
+  std::function<NaturalPeriods(const hydro::MeanPose&)> natural_periods;
 
   double water_inside() const;  ///< [m^3]
   /// Displacement of its mass and of the water inside [m^3].
@@ -70,6 +75,7 @@ struct FloatingReport {
   FloatingState start;     ///< State at the given attitude.
   FloatingState rest;      ///< State at the resulting equilibrium.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB at rest, heading kept.
+  std::optional<NaturalPeriods> natural_periods;  ///< None without FloatingBody::natural_periods.
   std::vector<hydro::RightingArm> righting_arms;
   hydro::IntactStability intact;
 

@@ -104,6 +104,8 @@ Json report_json(const FloatingReport& report) {
   }
   json["start"] = state_json(report, report.start, report.body.start);
   json["rest"] = state_json(report, report.rest, report.orientation);
+  if (report.natural_periods)
+    json["natural_periods"] = natural_periods_json(*report.natural_periods);
   json["gz"] = Json::array();
   for (const hydro::RightingArm& arm : report.righting_arms) {
     Json row{{"heel_deg", arm.heel / kDegree},
@@ -144,6 +146,13 @@ void write_curve(const FloatingReport& report, std::string& csv) {
     if (const auto freeboard = hydro::flooding_freeboard(report.intact_body(), arm))
       csv += fmt::format("{}flooding_freeboard,{},{},m\n", head, heel, *freeboard);
   }
+}
+
+void write_natural_periods(const FloatingReport& report, std::string& csv) {
+  if (!report.natural_periods) return;
+  for (const NaturalPeriod& mode : report.natural_periods->modes)
+    csv += fmt::format("{},rest,natural_period_{},,{},s\n", csv_field(report.body.name),
+                       mode.name("_"), mode.period);
 }
 
 void write_criteria(const FloatingReport& report, std::string& csv) {
@@ -215,6 +224,7 @@ void write_table(const FloatingReport& report, std::string& table) {
   write_lines({state_quantities(report.body, report.start, report.body.start),
                state_quantities(report.body, report.rest, report.orientation)},
               table);
+  if (report.natural_periods) table += '\n' + natural_periods_text(*report.natural_periods);
   write_curve_table(report, table);
   write_criteria_table(report, table);
 }
@@ -307,6 +317,7 @@ std::string floating_csv(const std::vector<FloatingReport>& reports) {
     if (!report.not_afloat.empty()) continue;
     write_rows(name, "start", state_quantities(report.body, report.start, report.body.start), csv);
     write_rows(name, "rest", state_quantities(report.body, report.rest, report.orientation), csv);
+    write_natural_periods(report, csv);
     write_curve(report, csv);
     write_criteria(report, csv);
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -113,6 +114,76 @@ TEST(LinearResponse, SolvesTheEquationsOfTheFreeMotionsAlone) {
   for (const int i : {1, 2, 4}) EXPECT_LT(std::abs(left[i]), 1e-9);
   body.locked.fill(true);
   EXPECT_EQ(hydro::linear_response(body, memory, omega, load), Vector6cd(Vector6cd::Zero()));
+}
+
+TEST(NaturalModes, OfTwoCoupledMotionsAreThoseOfTheirQuadraticEquation) {
+  // Sway, without restoring, and roll, coupled by inertia: sway follows freely, so that the roll
+  // has the inertia I − p²/m, and heave is by itself.
+  LinearBody body;
+  body.inertia = Matrix6d::Identity();
+  body.inertia.diagonal() << 5, 4, 3, 7, 6, 9;
+  body.inertia(1, 3) = body.inertia(3, 1) = 2;
+  body.stiffness.diagonal() << 0, 0, 12, 24, -5, 0;
+  const auto modes = hydro::natural_modes(body);
+  ASSERT_EQ(modes.size(), 2);
+  EXPECT_NEAR(modes[0].frequency, 2, 1e-14);
+  EXPECT_NEAR(modes[1].frequency, std::sqrt(24.0 / (7 - 4.0 / 4)), 1e-14);
+  // ½ C q² = 1, and the momentum of sway is zero.
+  EXPECT_NEAR(std::abs(modes[1].shape[3]), std::sqrt(2 / 24.0), 1e-14);
+  EXPECT_NEAR(modes[1].shape[1], -2.0 / 4 * modes[1].shape[3], 1e-14);
+  EXPECT_NEAR(std::abs(modes[0].shape[2]), std::sqrt(2 / 12.0), 1e-14);
+  body.locked = {false, true, false, false, false, false};
+  EXPECT_NEAR(hydro::natural_modes(body)[1].frequency, 2, 1e-14) << "of heave: roll has 24/7";
+  EXPECT_NEAR(hydro::natural_modes(body)[0].frequency, std::sqrt(24.0 / 7), 1e-14);
+}
+
+TEST(NaturalModes, HaveTheAddedMassOfTheirOwnFrequency) {
+  // With the excess a/(1 + ω²) over the inertia m, ω² (m + a/(1 + ω²)) = C is a quadratic equation
+  // for x = ω²: m x² + (m + a − C) x − C = 0.
+  const double m = 2, a = 3, C = 17;
+  LinearBody body{.inertia = m * Matrix6d::Identity()};
+  body.stiffness(2, 2) = C;
+  const auto modes = hydro::natural_modes(
+      body, [&](double omega) { return Matrix6d(a / (1 + omega * omega) * Matrix6d::Identity()); });
+  const double b = m + a - C;
+  ASSERT_EQ(modes.size(), 1);
+  EXPECT_NEAR(modes[0].frequency, std::sqrt((-b + std::sqrt(b * b + 4 * m * C)) / (2 * m)), 1e-13);
+}
+
+TEST(NaturalModes, OfARandomBodySolveTheirEquation) {
+  std::mt19937 random(11);
+  const LinearBody body{.inertia = random_positive(random), .stiffness = random_positive(random)};
+  const Matrix6d more = random_positive(random);
+  const auto excess = [&](double omega) { return Matrix6d(more / (1 + omega)); };
+  const auto modes = hydro::natural_modes(body, excess);
+  ASSERT_EQ(modes.size(), 6);
+  for (const hydro::NaturalMode& mode : modes) {
+    const double square = mode.frequency * mode.frequency;
+    const hydro::Vector6d left =
+        body.stiffness * mode.shape - square * (body.inertia + excess(mode.frequency)) * mode.shape;
+    EXPECT_LT(left.norm(), 1e-10 * (body.stiffness * mode.shape).norm());
+  }
+}
+
+TEST(NaturalModes, OfAHeavingSphereAreWhereItsReactanceVanishes) {
+  const RadiationData data = support::radiating_sphere(1);
+  const hydro::RadiationMemory memory = hydro::fit_memory(data);
+  const auto modes = hydro::natural_modes(sphere_afloat(data), [&](double omega) {
+    return hydro::memory_mass(hydro::response(memory, omega), omega);
+  });
+  ASSERT_EQ(modes.size(), 1);
+  const double omega = modes[0].frequency;
+  const auto f = static_cast<std::size_t>(std::ranges::lower_bound(data.frequencies, omega) -
+                                          data.frequencies.begin());
+  ASSERT_GT(f, 0);
+  ASSERT_LT(f, data.frequencies.size());
+  const double A = std::lerp(
+      data.added_mass[f - 1](2, 2), data.added_mass[f](2, 2),
+      (omega - data.frequencies[f - 1]) / (data.frequencies[f] - data.frequencies[f - 1]));
+  // The fit of the oscillators and the straight line between two points are within 1 % of each
+  // other.
+  EXPECT_NEAR(omega * omega * (data.volume + A) / (hydro::LinearWater().gravity * M_PI), 1, 0.01);
+  EXPECT_NEAR(omega * omega / hydro::LinearWater().gravity, 1.055, 0.01);  // kR
 }
 
 TEST(LinearResponse, TurnsWithItsFrame) {

@@ -51,6 +51,24 @@ TEST(RadiationCommand, TakesTheBodiesOfASceneThatMakeWaves) {
   EXPECT_EQ(buoy["headings"].size(), 36);
 }
 
+TEST(RadiationCommand, ShowsAllSixMotionsAndTheNaturalPeriods) {
+  const std::string file = support::write_scene(kBuoy);
+  const std::string text = radiation_of({file, "--no-store"});
+  EXPECT_THAT(text,
+              HasSubstr("       surge        sway       heave        roll       pitch         "
+                        "yaw\n"));
+  EXPECT_THAT(text, HasSubstr("|X| of waves that travel toward 90 deg"));
+  EXPECT_THAT(text, HasSubstr("natural periods: "));
+  const json buoy = json::parse(radiation_of({file, "--no-store", "--json"}))["bodies"]["buoy"];
+  // A half-submerged sphere heaves where kR = 1.055; the polyhedron is 3 % smaller.
+  for (const json& mode : buoy["natural_periods"]["modes"])
+    if (mode["motion"] == "heave") {
+      EXPECT_NEAR(mode["period"].get<double>(), 2 * M_PI / std::sqrt(9.81 * 1.055), 0.04);
+      return;
+    }
+  ADD_FAILURE() << buoy["natural_periods"];
+}
+
 TEST(RadiationCommand, WritesWhatOtherProgramsRead) {
   const std::string file = support::write_scene(kBuoy);
   const std::filesystem::path stem = std::filesystem::path(testing::TempDir()) / "radiation_buoy";
