@@ -42,10 +42,13 @@ void add_hydrostatics(CLI::App& program, AnalysisArguments& a, std::vector<std::
   command->add_option("file", o.file, "Mesh, or scene (.yaml)")->type_name("FILE")->required();
   command->add_option("--mass", o.mass, "Mass of a mesh [kg]")->type_name("KG");
   command
-      ->add_option(
-          "--draught", o.draught,
-          "Instead of the mass: draught of the upright mesh, from its lowest point or --keel [m]")
-      ->type_name("M");
+      ->add_option("--draught", a.draughts,
+                   "Draught of the upright mesh, from its lowest point or --keel, instead of the "
+                   "mass [m]; a "
+                   "range or a list A,B,… gives the curves of form")
+      ->type_name("M|FIRST:LAST:STEP");
+  command->add_option("--trim", a.trim, "Trim of the curves of form, +x end down [deg] [0]")
+      ->type_name("DEG");
   command
       ->add_option("--keel", o.keel,
                    "Height in the mesh frame from which a draught counts [m] [the lowest point]")
@@ -60,7 +63,9 @@ void add_hydrostatics(CLI::App& program, AnalysisArguments& a, std::vector<std::
       ->add_option("--water", o.water,
                    "Water in the hollows of the upright mesh, shared by their volume [m^3] [none]")
       ->type_name("M3");
-  command->add_option("--heel", a.heels, "Heel angles of the righting arms [deg]")
+  command
+      ->add_option("--heel", a.heels,
+                   "Heel angles of the righting arms, or of cross curves over the draught [deg]")
       ->type_name("FIRST:LAST:STEP")
       ->capture_default_str();
   add_mesh_frame(command, o.frame);
@@ -68,6 +73,8 @@ void add_hydrostatics(CLI::App& program, AnalysisArguments& a, std::vector<std::
   add_any_format(command, o.formats);
   command->add_flag("--json", o.json, "Print JSON");
   command->add_flag("--csv", o.csv, "Print CSV, one number per row");
+  command->add_option("--plot", o.plot, "Draw the righting arms, or the curves of form, as SVG")
+      ->type_name("FILE");
 }
 
 void add_addedmass(CLI::App& program, AnalysisArguments& a, std::vector<std::string>& sets) {
@@ -199,6 +206,15 @@ std::optional<int> run_analysis(const CLI::App& program, AnalysisArguments& a,
   if (!program.got_subcommand("hydrostatics")) return std::nullopt;
   const std::vector<double>& com = a.center_of_mass;
   a.hydrostatics.heels = parse_heels(a.heels);
+  a.hydrostatics.heels_given = program.get_subcommand("hydrostatics")->count("--heel") > 0;
+  if (a.trim) a.hydrostatics.trim = *a.trim * std::numbers::pi / 180;
+  if (!a.draughts.empty()) {
+    const std::vector<double> draughts = parse_series("--draught", a.draughts);
+    if (a.draughts.find_first_of(":,") == std::string::npos)
+      a.hydrostatics.draught = draughts.front();
+    else
+      a.hydrostatics.draughts = draughts;
+  }
   if (com.size() == 3) a.hydrostatics.center_of_mass = Eigen::Vector3d(com[0], com[1], com[2]);
   return hydrostatics(a.hydrostatics);
 }

@@ -22,6 +22,8 @@ struct AnalysisArguments {
   HydrostaticsOptions hydrostatics;
   std::vector<double> center_of_mass;
   std::string heels = "0:60:5";
+  std::string draughts;        ///< One draught, or those of curves of form, of `hydrostatics` [m].
+  std::optional<double> trim;  ///< Trim of the curves of form [deg].
   AddedMassCommand addedmass;
   RadiationCommand radiation;
   RaoCommand rao;

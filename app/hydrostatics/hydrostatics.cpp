@@ -16,7 +16,6 @@
 #include "app/assembly/mesh_io.h"
 #include "app/assembly/rigid_group.h"
 #include "app/base/console.h"
-#include "app/base/exit_code.h"
 #include "app/base/terminal_reporter.h"
 #include "hydro/decompositions.h"
 #include "hydro/interior/closed_mouths.h"
@@ -28,10 +27,6 @@
 
 namespace app {
 namespace {
-
-void refuse_if(bool given, const std::string& option, const std::string& message) {
-  if (given) throw scene::InputError(option, message);
-}
 
 void check_positive(const std::optional<double>& value, const std::string& option,
                     const std::string& unit) {
@@ -58,7 +53,11 @@ double mass_at_draught(const hydro::TriMesh& mesh_B, double keel_B, double draug
 void check_mesh_options(const HydrostaticsOptions& o) {
   refuse_if(!o.overrides.empty(), "--set", "is for a scene, and this is a mesh");
   refuse_if(o.mass && o.draught, "--draught", "given beside --mass, expected only one of them");
-  refuse_if(!o.mass && !o.draught, "--mass", "missing, expected the body's mass, or its --draught");
+  refuse_if(o.mass && !o.draughts.empty(), "--mass",
+            "given beside several draughts, which have a displacement each");
+  refuse_if(o.water && !o.draughts.empty(), "--water", "is for one draught, or a mass");
+  refuse_if(!o.mass && !o.draught && o.draughts.empty(), "--mass",
+            "missing, expected the body's mass, or its --draught");
   check_positive(o.mass, "--mass", "kg");
   check_positive(o.draught, "--draught", "m");
   refuse_if(o.keel && !std::isfinite(*o.keel), "--keel", "expected a finite number");
@@ -127,6 +126,7 @@ FloatingBody body_of_mesh(const HydrostaticsOptions& o) {
   body.mesh_B = hydro::translated(mesh, -body.com_M);
   make_hollow(o.water, body);
   body.keel_M = o.keel;
+  if (!o.draughts.empty()) return body;
   const double keel_B = o.keel ? *o.keel - body.com_M.z() : body.mesh_B.vertices.row(2).minCoeff();
   body.mass = o.mass ? *o.mass : mass_at_draught(body.mesh_B, keel_B, *o.draught, body.density);
   return body;
@@ -216,9 +216,12 @@ FloatingState state_of(const FloatingBody& body, const Eigen::Quaterniond& orien
   return state;
 }
 
-/// Returns the body in axes turned so that its curve starts upright: the axis of its mesh frame
-/// that is nearest to the vertical at the start is vertical, and its x axis points ahead unless it
-/// is that axis.
+}  // namespace
+
+void refuse_if(bool given, const std::string& option, const std::string& message) {
+  if (given) throw scene::InputError(option, message);
+}
+
 FloatingBody in_upright_axes(const FloatingBody& body) {
   const Eigen::RowVector3d up_B = body.start.toRotationMatrix().row(2);
   Eigen::Index axis = 2;
@@ -230,25 +233,13 @@ FloatingBody in_upright_axes(const FloatingBody& body) {
   const Eigen::Isometry3d X(hydro::with_heading(to_vertical * body.start, 0));
   FloatingBody turned = body;
   turned.mesh_B = hydro::transformed(body.mesh_B, X);
+  turned.com_M = X * body.com_M;
   for (hydro::Tank& tank : turned.tanks)
     tank.hull =
         hydro::make_hull(hydro::transformed(tank.hull.mesh_B, X), hydro::Hull::Boundary::open);
   for (Eigen::Vector3d& point : turned.flooding_points_B) point = X * point;
   return turned;
 }
-
-/// Checks that a body floats. @throws InputError with the reason for each body if none does.
-void check_that_one_floats(const std::vector<FloatingReport>& reports,
-                           const std::filesystem::path& file) {
-  std::vector<scene::Fault> faults;
-  for (const FloatingReport& report : reports) {
-    if (report.not_afloat.empty()) return;
-    faults.push_back({{file}, report.body.name, report.not_afloat});
-  }
-  throw scene::InputError(std::move(faults));
-}
-
-}  // namespace
 
 double FloatingBody::water_inside() const {
   double sum = 0;
@@ -282,19 +273,6 @@ FloatingReport floating_report(const FloatingBody& body, const std::vector<doubl
   report.intact = hydro::intact_stability(
       report.intact_body(), report.rest.flotation.effective_metacentric_heights()(0, 0));
   return report;
-}
-
-int hydrostatics(const HydrostaticsOptions& options) {
-  refuse_if(options.json && options.csv, "--csv", "given beside --json, expected only one of them");
-  std::vector<FloatingReport> reports;
-  for (const FloatingBody& body : floating_bodies(options))
-    reports.push_back(floating_report(body, options.heels));
-  check_that_one_floats(reports, options.file);
-  print(options.json  ? floating_json(reports)
-        : options.csv ? floating_csv(reports)
-                      : floating_table(reports));
-  flush_output();
-  return kDone;
 }
 
 }  // namespace app

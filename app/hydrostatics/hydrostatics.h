@@ -21,23 +21,30 @@ namespace app {
 struct HydrostaticsOptions {
   std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, otherwise a mesh.
   /// Exactly one of these two is set for a mesh. The draught holds with the mesh's z axis up.
-  std::optional<double> mass;                     ///< [kg]
-  std::optional<double> draught;                  ///< From `keel` [m].
-  std::optional<double> keel;                     ///< z in the mesh frame [m]; none: lowest point.
-  std::optional<double> density;                  ///< Density of the water [kg/m^3]; none: 1000.
+  std::optional<double> mass;     ///< [kg]
+  std::optional<double> draught;  ///< From `keel` [m].
+  std::vector<double> draughts;   ///< Of the curves of form [m]; they take the place of the rest.
+  std::optional<double> trim;     ///< Of the curves of form, +x end down [rad]; none: upright.
+  std::optional<double> keel;     ///< z in the mesh frame [m]; none: lowest point.
+  std::optional<double> density;  ///< Density of the water [kg/m^3]; none: 1000.
   std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
   std::optional<double> water;                    ///< In the pockets of a mesh [m^3]; none: dry.
   std::vector<scene::Override> overrides;         ///< Overrides of a scene.
   std::vector<double> heels;                      ///< Heels of the curve [rad].
+  bool heels_given = false;  ///< By the user: the curves of form then have cross curves at them.
   scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats of meshes that are read.
   scene::MeshFrame frame;                                   ///< Axes and unit of a mesh.
   bool json = false;
   bool csv = false;
+  std::filesystem::path plot;  ///< Picture .svg of the curves that is written; empty: none.
 };
 
 /// Prints the floating position, stability and curve of righting arms of a mesh or of a scene's
-/// bodies. @return the exit code
+/// bodies, or their curves of form (curves_of_form.h). @return the exit code
 int hydrostatics(const HydrostaticsOptions& options);
+
+/// Refuses an option. @throws InputError if it is given, or its value wrong
+void refuse_if(bool given, const std::string& option, const std::string& message);
 
 /// A body and its water.
 struct FloatingBody {
@@ -87,7 +94,13 @@ struct FloatingReport {
   }
 };
 
-/// Returns the bodies that the options name. @throws InputError
+/// Returns the body in axes turned so that its curves start upright: the axis of its mesh frame
+/// that is nearest to the vertical at the start is vertical, and its x axis points ahead unless it
+/// is that axis.
+FloatingBody in_upright_axes(const FloatingBody& body);
+
+/// Returns the bodies that the options name. One of a mesh has no mass if draughts of curves of
+/// form are given. @throws InputError
 std::vector<FloatingBody> floating_bodies(const HydrostaticsOptions& options);
 
 FloatingReport floating_report(const FloatingBody& body, const std::vector<double>& heels);

@@ -82,11 +82,13 @@ EXAMPLES = {
     "plimsoll hydrostatics MESH": [
         "plimsoll hydrostatics scenes/meshes/bucket.obj --mass 12 --density 1025 --com 0,0,0.08"
         " --water 0.002 --heel 0:10:10 --up z --unit m --scale 1 --any-format --json",
-        "plimsoll hydrostatics box.obj --draught 0.5 --keel -0.5 --csv"],
+        "plimsoll hydrostatics box.obj --draught 0.5 --keel -0.5 --csv --plot o/gz.svg",
+        "plimsoll hydrostatics box.obj --draught 0.2:0.8:0.2 --trim 2 --plot o/form.svg"],
     "plimsoll hydrostatics SCENE": [
         "plimsoll hydrostatics box.yaml --set bodies[box].density=600 --heel 0:10:10 --any-format"
         " --json",
-        "plimsoll hydrostatics box.yaml --csv"],
+        "plimsoll hydrostatics box.yaml --csv --plot o/gz_box.svg",
+        "plimsoll hydrostatics box.yaml --draught 0.2,0.5 --trim 2"],
     "plimsoll addedmass MESH-or-SCENE": [
         "plimsoll addedmass box.obj --density 1025 --tolerance 0.05 --method constant --up z --unit m"
         " --scale 1 --any-format --no-store --json"],
