@@ -164,7 +164,7 @@ void visit(auto& a, SetPointState& s) {
 void visit(auto& a, LineState& l) {
   visit_all(a, l.length, l.broken, l.impulse, l.tension, l.pull);
 }
-void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort); }
+void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort, j.motor); }
 void visit(auto& a, MoorDynState& m) {
   visit_all(a, m.forces, m.before, m.places_before, m.velocities_before, m.system);
 }

@@ -28,11 +28,6 @@ class Numbers {
   std::vector<double> all_;
 };
 
-bool has_coordinate(const engine::JointSpec& joint) {
-  return joint.type == engine::JointSpec::Type::hinge ||
-         joint.type == engine::JointSpec::Type::slider;
-}
-
 void add_line(const engine::LineReading& r, bool rests, Numbers& numbers) {
   numbers.add({r.tension, r.distance, r.length, r.taut ? 1.0 : 0.0, r.broken ? 1.0 : 0.0})
       .add(r.first_W)
@@ -115,6 +110,11 @@ std::vector<std::string> names_of(const Things& things) {
 }
 
 }  // namespace
+
+bool has_coordinate(const engine::JointSpec& joint) {
+  return joint.type == engine::JointSpec::Type::hinge ||
+         joint.type == engine::JointSpec::Type::slider;
+}
 
 std::string log_name(const engine::LineSpec& line) {
   const char* kind = line.kind == engine::LineSpec::Kind::spring ? "springs"

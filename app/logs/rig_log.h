@@ -39,6 +39,9 @@ std::string log_name(const engine::PropellerSpec& propeller);
 /// `rudders[NAME]` in the water, `sails[NAME]` in the air.
 std::string log_name(const engine::FoilSpec& foil);
 
+/// True for a hinge or slider: it has a coordinate.
+bool has_coordinate(const engine::JointSpec& joint);
+
 /// The tables of a simulation.
 class RigLog {
  public:

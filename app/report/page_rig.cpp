@@ -38,6 +38,13 @@ class Columns {
     for (double& value : values) value *= radians ? 180 / std::numbers::pi : 1;
     return add(key, std::move(values));
   }
+  /// The power that what acts along a joint's coordinate absorbs.
+  Columns& add_absorbed_power() {
+    const std::vector<double>&effort = of("effort"), &speed = of("speed");
+    std::vector<double> power;
+    for (std::size_t i = 0; i < effort.size(); ++i) power.push_back(-effort[i] * speed[i] + 0.0);
+    return add("power", std::move(power));
+  }
   Columns& add_force() {
     const std::vector<double>&x = of("fx"), &y = of("fy"), &z = of("fz");
     std::vector<double> sizes;
@@ -140,7 +147,8 @@ void add_joints(const TableRows& table, Entries& entries) {
     if (turns || joint.type == Type::slider)
       columns.add_degrees("coordinate", "coordinate", turns)
           .add_degrees("speed", "speed", turns)
-          .add("effort", "effort");
+          .add("effort", "effort")
+          .add_absorbed_power();
     entries.add("joints",
                 {{"name", joint.name},
                  {"type", kTypes.at(static_cast<std::size_t>(joint.type))},

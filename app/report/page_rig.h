@@ -14,13 +14,14 @@ std::size_t rig_columns(const LoggedRun& run);
 /// keeps. Angles are in degrees; `bodies` are indices of bodies, those of the world are left out.
 ///
 ///     lines       [{name, bodies, broken_at, columns: {tension, distance, length, resting}}]
-///     joints      [{name, type, bodies, columns: {coordinate, speed, effort, force}}]
+///     joints      [{name, type, bodies, columns: {coordinate, speed, effort, power, force}}]
 ///     propellers  [{name, bodies, columns: {setting, angle, thrust, torque, advance, wetted}}]
 ///     foils       [{name, bodies, fluid, columns: {angle, attack, flow, force}}]
 ///     controls    [{name, columns: {value}}]
 ///
-/// `resting` is that of moorings, the coordinate, speed and effort those of hinges and sliders.
-/// `force` is the size of the force. `broken_at` is the first logged time, or null.
+/// `resting` is that of moorings, the coordinate, speed and effort those of hinges and sliders;
+/// their `power` [W] is that which the effort absorbs. `force` is the size of the force.
+/// `broken_at` is the first logged time, or null.
 nlohmann::ordered_json page_rig(const LoggedRun& run, const Thinning& thinning);
 
 }  // namespace app

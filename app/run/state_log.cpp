@@ -36,7 +36,7 @@ void StateLog::keep(const engine::Simulation& simulation, RigTotals& totals) {
   const bool sums_up = RigTotals::sums_up(simulation.spec());
   engine::RigReadings rig;
   if (sums_up || (logs && !rig_.empty())) rig = simulation.rig();
-  if (sums_up) totals.add(simulation.time(), rig);
+  if (sums_up) totals.add(simulation.time(), simulation.spec(), rig);
   if (!logs) return;
   const WallClock clock;
   add(simulation, rig);

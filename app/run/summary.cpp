@@ -248,7 +248,11 @@ Json to_json(const RunSummary& s) {
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}}});
   json["bodies"] = body_summaries(s);
   if (!s.skips.collision) json["overlaps"] = overlaps_summary(spec, s.errors.constraints);
-  if (!spec.joints.empty()) json["joints"] = joints_summary(spec, s.errors.constraints);
+  if (!spec.joints.empty()) {
+    json["joints"] = joints_summary(spec, s.errors.constraints);
+    for (std::size_t i = 0; i < spec.joints.size(); ++i)
+      json["joints"][spec.joints[i].name].update(s.rig.joint(spec, i));
+  }
   if (!spec.lines.empty() || spec.moordyn) json["lines"] = s.rig.lines(spec);
   if (const std::string moorings = model_of_moorings(spec); !moorings.empty())
     json["moorings"] = moorings;

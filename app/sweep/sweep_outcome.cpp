@@ -76,6 +76,16 @@ std::vector<BodyOutcome> read_bodies(const fs::path& trajectory) {
   return bodies;
 }
 
+std::vector<NamedNumber> joints_in(const Json& summary) {
+  std::vector<NamedNumber> numbers;
+  if (!summary.is_object() || !summary.contains("joints")) return numbers;
+  for (const auto& [name, joint] : summary["joints"].items())
+    for (const std::string_view column : kJointColumns)
+      if (const auto found = joint.find(column); found != joint.end())
+        numbers.push_back({fmt::format("joints.{}.{}", name, column), found->get<double>()});
+  return numbers;
+}
+
 /// Returns a text as a cell of a CSV file, on one line.
 std::string cell(std::string text) {
   std::replace_if(
@@ -84,18 +94,22 @@ std::string cell(std::string text) {
 }
 
 std::string header_of(const std::vector<SweepParameter>& parameters,
-                      const std::vector<std::string>& bodies) {
+                      const std::vector<std::string>& bodies,
+                      const std::vector<std::string>& joint_columns) {
   std::string header = "run";
   for (const SweepParameter& parameter : parameters) header += ',' + cell(parameter.key_path);
   header += ",exit_code,simulated_seconds,wall_seconds";
   for (const std::string& body : bodies)
     for (const std::string_view column : kBodyColumns)
       header += ',' + cell(fmt::format("{}.{}", body, column));
-  return header + ",message\n";
+  header += ",message";
+  for (const std::string& column : joint_columns) header += ',' + cell(column);
+  return header + '\n';
 }
 
 std::string row_of(std::size_t index, const SweepPoint& point,
-                   const std::vector<std::string>& bodies, const RunOutcome& outcome) {
+                   const std::vector<std::string>& bodies,
+                   const std::vector<std::string>& joint_columns, const RunOutcome& outcome) {
   std::string row = run_name(index);
   for (const std::string& value : point) row += ',' + cell(value);
   row += fmt::format(",{},{},{:.3f}", outcome.code,
@@ -108,7 +122,12 @@ std::string row_of(std::size_t index, const SweepPoint& point,
     else
       for (const double value : found->values) row += fmt::format(",{}", value);
   }
-  return row + ',' + cell(outcome.message) + '\n';
+  row += ',' + cell(outcome.message);
+  for (const std::string& column : joint_columns) {
+    const auto found = std::ranges::find(outcome.joints, column, &NamedNumber::column);
+    row += found == outcome.joints.end() ? "," : fmt::format(",{}", found->value);
+  }
+  return row + '\n';
 }
 
 }  // namespace
@@ -137,11 +156,13 @@ BodyOutcome body_outcome(const std::string& name, const BodyTrack& track) {
 
 RunOutcome collect_outcome(const fs::path& folder, const fs::path& messages, int code,
                            double wall) {
-  RunOutcome outcome = {.code = code, .simulated = {}, .wall = wall, .message = {}, .bodies = {}};
+  RunOutcome outcome = {
+      .code = code, .simulated = {}, .wall = wall, .message = {}, .bodies = {}, .joints = {}};
   const Json summary = parsed(folder / kSummaryFile);
   outcome.message = message_of(summary, messages, code);
   if (summary.is_object()) outcome.simulated = summary.value("simulated_seconds", 0.0);
   outcome.bodies = read_bodies(folder / kTrajectoryLog);
+  outcome.joints = joints_in(summary);
   return outcome;
 }
 
@@ -150,9 +171,11 @@ void write_outcome(const RunOutcome& outcome, const fs::path& file) {
                {"simulated_seconds", outcome.simulated ? Json(*outcome.simulated) : Json(nullptr)},
                {"wall_seconds", outcome.wall},
                {"message", outcome.message},
-               {"bodies", Json::array()}};
+               {"bodies", Json::array()},
+               {"joints", Json::object()}};
   for (const BodyOutcome& body : outcome.bodies)
     json["bodies"].push_back({{"name", body.name}, {"values", body.values}});
+  for (const NamedNumber& number : outcome.joints) json["joints"][number.column] = number.value;
   write_whole(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
@@ -165,10 +188,13 @@ std::optional<RunOutcome> read_outcome(const fs::path& file) {
                           .simulated = {},
                           .wall = json.at("wall_seconds"),
                           .message = json.at("message"),
-                          .bodies = {}};
+                          .bodies = {},
+                          .joints = {}};
     if (!json.at("simulated_seconds").is_null()) outcome.simulated = json.at("simulated_seconds");
     for (const Json& body : json.at("bodies"))
       outcome.bodies.push_back({body.at("name"), body.at("values")});
+    const Json joints = json.value("joints", Json::object());
+    for (const auto& [column, value] : joints.items()) outcome.joints.push_back({column, value});
     return outcome;
   } catch (const Json::exception&) {
     return std::nullopt;
@@ -178,9 +204,14 @@ std::optional<RunOutcome> read_outcome(const fs::path& file) {
 std::string table_of(const std::vector<SweepParameter>& parameters,
                      const std::vector<SweepPoint>& points, const std::vector<std::string>& bodies,
                      const std::vector<std::optional<RunOutcome>>& outcomes) {
-  std::string table = header_of(parameters, bodies);
+  std::vector<std::string> joint_columns;
+  for (const auto& outcome : outcomes)
+    for (const NamedNumber& number : outcome ? outcome->joints : std::vector<NamedNumber>{})
+      if (std::ranges::find(joint_columns, number.column) == joint_columns.end())
+        joint_columns.push_back(number.column);
+  std::string table = header_of(parameters, bodies, joint_columns);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (outcomes[i]) table += row_of(i, points[i], bodies, *outcomes[i]);
+    if (outcomes[i]) table += row_of(i, points[i], bodies, joint_columns, *outcomes[i]);
   return table;
 }
 

@@ -48,12 +48,24 @@ struct BodyOutcome {
 /// Returns the last and extreme values of a track of at least one row.
 BodyOutcome body_outcome(const std::string& name, const BodyTrack& track);
 
+/// Columns of a hinge or slider, prefixed by `joints.`, its name and a dot, as far as its entry in
+/// summary.json has them (app/run/rig_totals.h).
+inline constexpr std::array<std::string_view, 5> kJointColumns = {
+    "stroke", "power_mean", "power_max", "effort_rms", "effort_max"};
+
+/// A number and its column.
+struct NamedNumber {
+  std::string column;
+  double value = 0;
+};
+
 struct RunOutcome {
-  int code = 0;                     ///< Exit code of `run`, or 128 + the signal that ended it.
-  std::optional<double> simulated;  ///< [s]; none if the run did not begin.
-  double wall = 0;                  ///< Wall time of the whole process [s].
-  std::string message;              ///< Error message, or else the warnings.
-  std::vector<BodyOutcome> bodies;  ///< Outcomes of the trajectory as far as it was written.
+  int code = 0;                          ///< Exit code of `run`, or 128 + the signal that ended it.
+  std::optional<double> simulated;       ///< [s]; none if the run did not begin.
+  double wall = 0;                       ///< Wall time of the whole process [s].
+  std::string message;                   ///< Error message, or else the warnings.
+  std::vector<BodyOutcome> bodies;       ///< Outcomes of the trajectory as far as it was written.
+  std::vector<NamedNumber> joints = {};  ///< Those of kJointColumns.
 };
 
 /// Collects the outcome of a run from its folder.
@@ -68,6 +80,7 @@ void write_outcome(const RunOutcome& outcome, const std::filesystem::path& file)
 std::optional<RunOutcome> read_outcome(const std::filesystem::path& file);
 
 /// Returns the table as CSV with a row for each run that has an outcome, in the order of the runs.
+/// The columns of joints are the last, in the order in which the runs first have them.
 /// @param points   Values of each run. @param bodies   Names, in the order of their columns.
 std::string table_of(const std::vector<SweepParameter>& parameters,
                      const std::vector<SweepPoint>& points, const std::vector<std::string>& bodies,

@@ -34,6 +34,9 @@ struct JointReading {
   Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< The same, about the anchor [N m].
   Eigen::Vector3d place_W = Eigen::Vector3d::Zero();   ///< The anchor, or the second body [m].
   double effort = 0;  ///< Effort of limits, motor, spring, damper and friction along q [N m, N].
+  double damper = 0;  ///< −c q', of the present speed [N m, N].
+  double spring = 0;  ///< −k (q − q₀), of the present coordinate [N m, N].
+  double motor = 0;   ///< Effort of the motor along q, a mean over the last step [N m, N].
 };
 
 /// A propeller at an instant.

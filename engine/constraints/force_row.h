@@ -38,6 +38,7 @@ struct ForceRow {
   bool one_sided = false;  ///< λ >= 0.
   double most = std::numeric_limits<double>::infinity();  ///< Else |λ| is at most this.
   bool of_line = true;    ///< It is that of a line, or of a joint's drive.
+  bool of_motor = false;  ///< It is that of the motor of a drive.
   std::size_t owner = 0;  ///< Index of the line or joint.
   double held = 0;        ///< Tension that (E25) holds the ends of a line sideways for [N].
   double sideways = 0;    ///< (hω)² of that motion per tension, for the lighter end [1/N].

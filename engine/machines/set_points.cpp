@@ -118,6 +118,12 @@ double SetPoints::rate(SetPointId id, double time) const {
   return unit(id) * states_[id].value.slope(part(time)) / h_;
 }
 
+double SetPoints::mean_within(SetPointId id, double most) const {
+  const StepValue& value = states_[id].value;
+  const auto within = [&](double v) { return std::clamp(v * unit(id), -most, most); };
+  return (within(value.start) + 4 * within(value.middle) + within(value.end)) / 6;
+}
+
 std::vector<double> SetPoints::readings() const {
   std::vector<double> values;
   for (const SetPointState& state : states_) values.push_back(state.value.end);

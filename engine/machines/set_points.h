@@ -56,7 +56,9 @@ class SetPoints {
   double rate(SetPointId id, double time) const;
   /// At the end of the last step, or at the start, in SI units.
   double latest(SetPointId id) const { return states_[id].value.end * unit(id); }
-  /// The same in the units of the names.
+  /// Mean over the last step of the values, each kept within ±most, in SI units.
+  double mean_within(SetPointId id, double most) const;
+  /// The latest values in the units of the names.
   std::vector<double> readings() const;
 
   /// @throws std::invalid_argument for an unknown name.

@@ -91,6 +91,11 @@ double drive_load(const JointDrive& drive, const SetPoints& set_points, double t
   return effort;
 }
 
+double motor_load(const JointDrive& drive, const SetPoints& set_points) {
+  if (!drive.motor || drive.motor->mode != Mode::effort) return 0;
+  return set_points.mean_within(drive.motor->set_point, drive.motor->most);
+}
+
 std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_points, double time,
                                  double h, const DriveState& s, bool turns) {
   std::vector<ForceRow> rows;
@@ -108,6 +113,7 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
     rows.push_back(
         row_of(rigid_terms(set_value(*drive.motor, set_points, time), mobility, h), 1, turns));
     rows.back().most = drive.motor->most;
+    rows.back().of_motor = true;
   }
   if (drive.motor && drive.motor->mode == Mode::position) {
     const double w = drive.motor->rate;
@@ -120,6 +126,7 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
                                     h, s.step),
                           1, turns));
     rows.back().most = drive.motor->most;
+    rows.back().of_motor = true;
   }
   if (drive.friction > 0) {
     rows.push_back(row_of(rigid_terms(0, mobility, h), 1, turns));

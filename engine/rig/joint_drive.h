@@ -58,6 +58,9 @@ bool needs_rows(const JointDrive& drive, bool stiff);
 double drive_load(const JointDrive& drive, const SetPoints& set_points, double time, double q,
                   double rate, bool stiff);
 
+/// The mean over the last step of the effort of an effort motor; 0 without one.
+double motor_load(const JointDrive& drive, const SetPoints& set_points);
+
 /// The quantities that the rows of a drive depend on.
 struct DriveState {
   double q = 0, rate = 0;  ///< Halfway through the substep, before the update.

@@ -64,6 +64,7 @@ struct JointState {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< Impulse on the second body, W [N s].
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< The same about the anchor [N m s].
   double effort = 0;                                 ///< Impulse along q [N m s, N s].
+  double motor = 0;                                  ///< That of the motor, if it is a row.
 };
 
 struct RigState {

@@ -336,6 +336,7 @@ void Rig::accept(const Record& record) {
       lines_[row.owner].impulse += row.force;
     else
       joints_[row.owner].effort += row.sign * row.force;
+    if (row.of_motor) joints_[row.owner].motor += row.sign * row.force;
   }
   for (const JointReaction& reaction : record.reactions) {
     JointState& joint = joints_[reaction.joint];

@@ -119,6 +119,9 @@ JointReading Rig::joint_reading(std::size_t index, const std::vector<hydro::Body
   reading.speed = drive.coordinate.rate(bodies);
   reading.effort +=
       drive_load(joint.drive, *set_points_, time, reading.coordinate, reading.speed, drive.stiff);
+  reading.damper = -joint.drive.damping * reading.speed;
+  reading.spring = -joint.drive.stiffness * (reading.coordinate - joint.drive.rest);
+  reading.motor = joints_[index].motor / h + motor_load(joint.drive, *set_points_);
   return reading;
 }
 

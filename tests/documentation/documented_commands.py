@@ -152,6 +152,16 @@ propellers:
 log: {forces: true}
 """
 
+# A float that works against a damper.
+CONVERTER = """\
+plimsoll: 1
+duration: 1
+water: {surface: {spectrum: {type: jonswap, significant_height: 1, peak_period: 6, components: 10}}}
+hydro: {added_mass: none, radiation: none}
+bodies: [{name: float, box: {size: [4, 4, 2]}, density: 500}]
+joints: [{name: pto, type: slider, bodies: [world, float], axis: [0, 0, 1], damping: 1e4}]
+"""
+
 # Of each snippet of Python, by a line of it: what comes before it, and the modules that it needs.
 SIMULATION = 'import plimsoll as pl\nsim = pl.Simulation("tug.yaml")\nsim.step(3)\n'
 BATCH = 'import os, numpy as np, plimsoll as pl\nos.chdir("tow")\n'  # whose buoy.yaml has a screw
@@ -183,6 +193,7 @@ class Place:
                         if b.language == language and any(holding in line for line in b.lines))
         files = {"box.yaml": BOX, "box.obj": BOX_MESH, "tug.yaml": TUG,
                  "half.obj": HALF_MESH, "crossing.obj": CROSSING_MESH,
+                 "wec.yaml": CONVERTER,
                  "buoy.yaml": block("README.md", "yaml", "name: buoy"),
                  "barge.yaml": block("scenes/README.md", "yaml", "A box in a swell"),
                  "tolerances.yaml": block("app/README.md", "", "orientation_deg: {peak"),

@@ -90,6 +90,26 @@ TEST(JointMotor, OfEffortIsATorque) {
   EXPECT_EQ(simulation.counts()[0].constrained, 0);  // a load of the joint's own coordinate
 }
 
+TEST(JointDrive, TellsTheEffortsOfItsParts) {
+  for (const JointMotor::Mode mode : {JointMotor::Mode::effort, JointMotor::Mode::speed}) {
+    SimulationSpec spec = hinged();
+    engine::JointDrive& drive = spec.joints[0].drive;
+    drive.damping = 40;
+    drive.stiffness = 300;
+    drive.rest = 0.1;
+    drive.motor = motor(spec, mode, mode == JointMotor::Mode::effort ? 70 : 2, 50);
+    Simulation simulation(std::move(spec));
+    for (int i = 0; i < 20; ++i) {
+      simulation.step();
+      const auto joint = simulation.rig().joints[0];
+      EXPECT_EQ(joint.damper, -40 * joint.speed);
+      EXPECT_EQ(joint.spring, -300 * (joint.coordinate - 0.1));
+      EXPECT_NEAR(joint.motor, 50, 1e-9) << "the largest effort";
+      EXPECT_NEAR(joint.effort, joint.damper + joint.spring + joint.motor, 1e-9);
+    }
+  }
+}
+
 TEST(JointLimits, StopAFlapThatFalls) {
   SimulationSpec spec = hinged();
   spec.gravity = support::kGravity;

@@ -36,14 +36,16 @@ const lineCharts = (lines) => {
 const jointCharts = (joints) => {
   const hinges = joints.filter(({type}) => type === "hinge");
   const sliders = joints.filter(({type}) => type === "slider");
-  const used = (things) => linesOf(things, "effort").filter((line) => isUsed(line.values));
+  const used = (things, column) => linesOf(things, column).filter((line) => isUsed(line.values));
   return drawn([
     {title: "Angle of hinges", unit: "°", lines: linesOf(hinges, "coordinate")},
     {title: "Rate of hinges", unit: "°/s", lines: linesOf(hinges, "speed")},
-    {title: "Effort along hinges", unit: "N m", prefixed: true, lines: used(hinges)},
+    {title: "Effort along hinges", unit: "N m", prefixed: true, lines: used(hinges, "effort")},
     {title: "Displacement of sliders", unit: "m", lines: linesOf(sliders, "coordinate")},
     {title: "Speed of sliders", unit: "m/s", lines: linesOf(sliders, "speed")},
-    {title: "Effort along sliders", unit: "N", prefixed: true, lines: used(sliders)},
+    {title: "Effort along sliders", unit: "N", prefixed: true, lines: used(sliders, "effort")},
+    {title: "Power absorbed along joints", unit: "W", prefixed: true,
+     lines: used([...hinges, ...sliders], "power")},
     {title: "Size of the force", unit: "N", prefixed: true, fromZero: true, lines: linesOf(joints, "force")}]);
 };
 

@@ -229,8 +229,10 @@ TEST_F(RigLog, TotalsGoOnFromTheirStateAsIfNotInterrupted) {
     readings.lines[0].tension = std::sin(i);
     readings.lines[1].broken = i > 6;
     readings.propellers[0].torque = std::cos(i);
-    whole.add(0.1 * i, readings);
-    (i < 4 ? first : second).add(0.1 * i, readings);
+    readings.joints[0].coordinate = std::sin(i);
+    readings.joints[0].motor = i;
+    whole.add(0.1 * i, spec, readings);
+    (i < 4 ? first : second).add(0.1 * i, spec, readings);
     if (i == 3) second.restore(nlohmann::ordered_json::parse(first.state().dump()));
   }
   EXPECT_EQ(second.state(), whole.state());
@@ -239,10 +241,43 @@ TEST_F(RigLog, TotalsGoOnFromTheirStateAsIfNotInterrupted) {
   EXPECT_EQ(lines["ropes[tow]"]["at"], 0.8);
   EXPECT_TRUE(lines["ropes[tow]"]["broken_at"].is_null());
   EXPECT_EQ(lines["moorings[bow]"]["broken_at"], 0.1 * 7);
+  ASSERT_EQ(whole.joint(spec, 0).size(), 1u) << "a joint without a drive has a stroke alone";
+  EXPECT_NEAR(whole.joint(spec, 0)["stroke"].get<double>(), std::sin(8) - std::sin(5), 1e-13);
+  EXPECT_TRUE(whole.joint(spec, 1).empty()) << "a ball joint has no coordinate";
   double torque = 0;
   for (int i = 0; i < 9; ++i) torque += std::cos(i) / 9;
   EXPECT_NEAR(whole.machines(spec)["propellers[main]"]["power_mean"].get<double>(),
               2 * std::numbers::pi * 3 * torque, 1e-13);
+}
+
+TEST_F(RigLog, TotalsHaveTheWorkOfEachPartOfADrive) {
+  // A hinge that turns on at 2 rad/s, over half a turn, with a damper of 3 N m s, a spring of
+  // 5 N m/rad at rest where it starts, and a motor that drives with 7 N m.
+  spec.joints[0].drive = {.motor = engine::JointMotor{}, .stiffness = 5, .damping = 3};
+  app::RigTotals totals;
+  for (int i = 0; i <= 10; ++i) {
+    const double q = 0.4 * i;
+    readings.joints[0] = {.coordinate = std::remainder(q, 2 * std::numbers::pi),
+                          .speed = 2,
+                          .damper = -6,
+                          .spring = -5 * q,
+                          .motor = 7};
+    totals.add(0.2 * i, spec, readings);
+  }
+  const nlohmann::ordered_json joint = totals.joint(spec, 0);
+  const auto near = [](const nlohmann::ordered_json& part, double mean, double most, double rms,
+                       double effort) {
+    EXPECT_NEAR(part["power_mean"].get<double>(), mean, 1e-12);
+    EXPECT_NEAR(part["power_max"].get<double>(), most, 1e-12);
+    EXPECT_NEAR(part["effort_rms"].get<double>(), rms, 1e-12);
+    EXPECT_NEAR(part["effort_max"].get<double>(), effort, 1e-12);
+  };
+  EXPECT_NEAR(joint["stroke"].get<double>(), 4, 1e-12) << "counted on over half a turn";
+  near(joint["damper"], 12, 12, 6, 6);
+  near(joint["motor"], -14, -14, 7, 7);
+  near(joint["spring"], 5 * 4 * 4 / 2.0 / 2, 5 * 3.8 * 2, std::sqrt(134.0), 20);
+  EXPECT_NEAR(joint["power_mean"].get<double>(), 12 - 14 + 20, 1e-12);
+  EXPECT_NEAR(joint["power_max"].get<double>(), 12 - 14 + 38, 1e-12);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(ReportRig, CountsTheColumnsThatItHas) {
   for (const auto& things : page)
     for (const auto& thing : things) columns += thing["columns"].size();
   EXPECT_EQ(app::rig_columns(run), columns);
-  EXPECT_EQ(columns, 3u + 4u + 4u + 1u);
+  EXPECT_EQ(columns, 3u + 5u + 4u + 1u);
 }
 
 TEST(ReportRig, IsEmptyWithoutTables) {

@@ -222,6 +222,25 @@ TEST(SweepOutcome, TheTableHasARowARunThatIsDone) {
                         ",,,,\"no \"\"size\"\" at all\"\n0002,\"[3, 4]\",0,2,1.000,1,2,3.5,"));
 }
 
+TEST(SweepOutcome, HasTheStrokeAndPowerOfJoints) {
+  const fs::path folder = own_file("");
+  fs::create_directories(folder);
+  std::ofstream(folder / "summary.json")
+      << R"({"ended": "completed", "simulated_seconds": 2, "joints": {"pto":)"
+         R"( {"position_error_max": 9, "stroke": 1.5, "power_mean": 20, "damper":)"
+         R"( {"power_mean": 30}}, "eye": {"position_error_max": 9}}})";
+  const app::RunOutcome outcome = app::collect_outcome(folder, folder / "messages.txt", 0, 1);
+  app::write_outcome(outcome, folder / "outcome.json");
+  const auto read = app::read_outcome(folder / "outcome.json");
+  ASSERT_TRUE(read);
+  const std::vector<SweepParameter> parameters = {parse_sweep_parameter("size=1,2")};
+  const app::RunOutcome failed = {2, {}, 0.25, "no", {}};
+  EXPECT_EQ(app::table_of(parameters, app::grid(parameters), {}, {failed, *read}),
+            "run,size,exit_code,simulated_seconds,wall_seconds,message,joints.pto.stroke,"
+            "joints.pto.power_mean\n0000,1,2,,0.250,no,,\n0001,2,0,2,1.000,,1.5,20\n");
+  fs::remove_all(folder);
+}
+
 /// A sweep of a box beside a body that is varied.
 class Survey : public testing::Test {
  protected:
