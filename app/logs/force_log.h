@@ -15,9 +15,8 @@
 /// start, then `work_brake`. The loads are buoyancy, pressure_drag, viscous_drag, lift,
 /// wave_inertia, added_mass, applied, weight and constraint; the columns of wind and its work come
 /// last, and after them those of diffraction, of radiation, of the water inside, of lines, of
-/// machines, of the resistance along the motion, of the lift of the hull and of simulated water with
-/// theirs.
-/// engine/record/body_forces.h says what each means.
+/// machines, of the resistance along the motion, of the lift of the hull and of simulated water
+/// with theirs. engine/record/body_forces.h says what each means.
 
 namespace app {
 
