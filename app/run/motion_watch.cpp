@@ -52,6 +52,16 @@ bool is_slender(const Eigen::Vector3d& sides) {
   return largest >= hydro::kLeastSlenderness * least;
 }
 
+/// Says what theory does not know of a hull with radiation under way.
+std::string what_is_unknown(bool simulated, bool slender) {
+  if (!simulated)
+    return ", and its waves are known without forward speed: hydro.radiation: none leaves them out";
+  return slender
+             ? ": simulated water has its resistance by waves, but its heave and pitch in waves "
+               "may be wrong by half"
+             : ", and simulated water has the waves of a thin ship for it, which it is not";
+}
+
 Eigen::Vector2d speed_in_water(const hydro::Sea& sea, const hydro::BodyState& state) {
   return (state.linear_velocity - sea.current).head<2>();
 }
@@ -71,14 +81,16 @@ MotionWatch::MotionWatch(const assembly::BuiltScene& built) : built_(built) {
     const bool driven = can_float(body, sea) && is_driven(spec, static_cast<engine::BodyId>(i));
     Speed speed{.length = length,
                 .memory = hydro::time_of_mean_speed(sea, length),
-                .makes_waves = body.radiation && !(body.sources && is_slender(sides)),
+                .makes_waves = body.radiation && !(body.sources && is_slender(sides) &&
+                                                   !hydro::changes_with_time(sea)),
+                .slender = is_slender(sides),
                 .planing = kPlaningFroudeNumber *
                            std::sqrt(sea.gravity * std::cbrt(body.mass / sea.density)),
                 .lacks_resistance = driven && !body.resistance && !body.sources,
                 .may_plane = driven,
                 .mean = speed_in_water(sea, body.initial)};
     // Such a start is told with the scene.
-    if (speed.makes_waves &&
+    if (speed.makes_waves && !body.sources &&
         assembly::froude_number(sea, speed.mean.norm(), length) > assembly::kLargestFroudeNumber)
       speed.makes_waves = false;
     speeds_.push_back(speed);
@@ -117,11 +129,7 @@ void MotionWatch::add_speed_warnings(std::size_t body, double time, const hydro:
   if (speed.makes_waves && froude > assembly::kLargestFroudeNumber) {
     speed.makes_waves = false;
     warnings.push_back(told("Froude number", assembly::kLargestFroudeNumber) +
-                       (built_.spec.bodies[body].sources
-                            ? ", and simulated water has the waves of a thin ship for it, which it "
-                              "is not"
-                            : ", and its waves are known without forward speed: hydro.radiation: "
-                              "none leaves them out"));
+                       what_is_unknown(built_.spec.bodies[body].sources != nullptr, speed.slender));
   }
   if (speed.lacks_resistance && froude > kWaveMakingFroudeNumber && in_surface()) {
     speed.lacks_resistance = false;

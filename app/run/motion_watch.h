@@ -20,7 +20,7 @@ inline constexpr double kPlaningFroudeNumber = 1.2;
 /// - a step that is too long for the waves that bodies meet (wave_warning.h), or a body that has
 ///   turned far from its mean pose (radiation_warning.h), whichever comes first;
 /// - each body with radiation whose forward speed is above assembly::kLargestFroudeNumber, but for
-///   slender hulls in simulated water;
+///   slender hulls in simulated water without other waves;
 /// - each floating hull in the surface without a resistance of its own or simulated water above
 ///   kWaveMakingFroudeNumber that machines, lines, joints or loads drive;
 /// - each of those above kPlaningFroudeNumber, with a resistance or without.
@@ -44,6 +44,7 @@ class MotionWatch {
     double length = 0;                               ///< Largest horizontal extent [m].
     double memory = 0;                               ///< Time of the mean [s].
     bool makes_waves = false;                        ///< Its radiation is watched.
+    bool slender = false;                            ///< Thin-ship theory knows it.
     double planing = 0;                              ///< Speed of kPlaningFroudeNumber [m/s].
     bool lacks_resistance = false;                   ///< Its resistance is watched.
     bool may_plane = false;                          ///< So is planing.

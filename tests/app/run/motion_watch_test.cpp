@@ -81,6 +81,8 @@ TEST(MotionWatch, LeavesTheSpeedOfASlenderHullToSimulatedWater) {
   built.spec.bodies[0].loads = {{.force = {100, 0, 0}}};
   built.spec.bodies[0].sources = std::make_shared<const hydro::HullSources>();
   EXPECT_THAT(warnings_of(built, ahead), IsEmpty());
+  built.spec.sea->surface = hydro::WaveSurface{{hydro::deep_water_wave(0.01, 4, 0, 0, kGravity)}};
+  EXPECT_THAT(warnings_of(built, ahead), ElementsAre(HasSubstr("heave and pitch in waves")));
   built.spec.bodies[0].mesh_B = hydro::make_box({4, 2, 1});
   EXPECT_THAT(warnings_of(built, ahead), ElementsAre(HasSubstr("waves of a thin ship for it")));
 }
