@@ -197,15 +197,6 @@ int CommonPart::axis() const {
   return static_cast<int>(least);
 }
 
-bool is_inside(const FaceTree& tree, const Vector3d& p) {
-  const Vector3d directions[] = {
-      {0.5403, 0.2983, 0.7868}, {-0.3817, 0.8642, 0.3271}, {0.2219, -0.7193, -0.6583}};
-  int inside = 0;
-  for (const Vector3d& direction : directions)
-    inside += tree.crossings(p, direction, [](int) { return true; }) % 2;
-  return inside >= 2;
-}
-
 std::optional<CommonPart> common_part(const TriMesh& a, const TriMesh& b) {
   const TriMesh both = side_by_side({a, b});
   const double margin = kTouching * diagonal_of(both);

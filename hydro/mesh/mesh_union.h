@@ -25,10 +25,6 @@ struct CommonPart {
   double depth() const { return box.sizes()[axis()]; }
 };
 
-/// True if most of three rays from a point leave the closed mesh of the tree through an odd number
-/// of faces. One ray may meet an edge.
-bool is_inside(const FaceTree& tree, const Eigen::Vector3d& p);
-
 /// Finds what two closed meshes, whose normals point outward, have in common; none if they lie
 /// apart, touch, or one lies in a cavity of the other.
 std::optional<CommonPart> common_part(const TriMesh& a, const TriMesh& b);

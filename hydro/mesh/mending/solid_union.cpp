@@ -157,7 +157,7 @@ std::optional<TriMesh> united_pair(const TriMesh& a, const TriMesh& b) {
     const Eigen::Vector3i face = both.faces.col(f);
     if (cut->cuts[f].segments.empty()) {
       const Vector3d middle = both.vertices(Eigen::all, face).rowwise().mean();
-      if (!is_inside(f < first ? tree_b : tree_a, middle)) faces.push_back(face);
+      if (!(f < first ? tree_b : tree_a).contains(middle)) faces.push_back(face);
       continue;
     }
     std::optional<std::vector<Line>> lines = OutsideLines(face, cut->cuts[f]).lines();
@@ -174,7 +174,7 @@ int smallest_around(const std::vector<TriMesh>& solids, const TriMesh& cavity) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const double volume = solid_properties(solids[i]).volume;
-    if (volume >= least || !is_inside(FaceTree(solids[i]), p)) continue;
+    if (volume >= least || !FaceTree(solids[i]).contains(p)) continue;
     least = volume;
     found = static_cast<int>(i);
   }
