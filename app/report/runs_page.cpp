@@ -11,7 +11,7 @@ namespace app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Columns = std::vector<std::vector<double>>;
+using SeriesOfRun = std::vector<std::vector<double>>;
 
 constexpr std::size_t kLeastOverlaidRows = 16;  ///< Fewer rows do not show a motion.
 
@@ -36,7 +36,7 @@ Json loads_of(const PageRun& run, const std::string& body, std::size_t most) {
   if (!run.forces) return nullptr;
   const auto found = run.forces->find(body);
   if (found == run.forces->end()) return nullptr;
-  Columns columns;
+  SeriesOfRun columns;
   for (const std::size_t i : load_columns()) columns.push_back(found->second.columns[i]);
   return packed_rows(found->second.times, columns, most);
 }
@@ -44,14 +44,14 @@ Json loads_of(const PageRun& run, const std::string& body, std::size_t most) {
 /// Returns the motion of a body in each run, with angles that start alike, and its loads.
 Json body_in_runs(const std::vector<PageRun>& runs, const std::string& body, std::size_t most) {
   Json all = Json::array();
-  Columns first;
+  SeriesOfRun first;
   for (const PageRun& run : runs) {
     const auto track = run.trajectory.tracks.find(body);
     if (track == run.trajectory.tracks.end()) {
       all.push_back(nullptr);
       continue;
     }
-    Columns motion = motion_of(track->second);
+    SeriesOfRun motion = motion_of(track->second);
     if (first.empty())
       first = motion;
     else
