@@ -49,7 +49,7 @@ bool is_in_surface(const engine::BodySpec& body, const hydro::BodyState& state, 
 /// Returns true for the sides of a hull that thin-ship theory knows.
 bool is_slender(const Eigen::Vector3d& sides) {
   const auto [least, largest] = std::minmax(sides.x(), sides.y());
-  return largest >= hydro::kLeastSlenderness * least;
+  return largest >= hydro::kLeastThinShip * least;
 }
 
 /// Says what theory does not know of a hull with radiation under way.

@@ -119,7 +119,7 @@ std::vector<std::size_t> parts_of(const WetMesh& wet) {
   std::snprintf(text.data(), text.size(),
                 "a part of it in the water is %.3g m long and %.3g m wide, and thin-ship theory "
                 "asks for a length of %g widths",
-                size.x(), size.y(), kLeastSlenderness);
+                size.x(), size.y(), kLeastThinShip);
   throw std::invalid_argument(text.data());
 }
 
@@ -202,7 +202,7 @@ void ThinShip::measure_parts(const WetMesh& wet, const std::vector<std::size_t>&
   for (std::size_t p = 0; p < boxes.size(); ++p) {
     const Eigen::Vector2d size = boxes[p].sizes();
     const bool counts = volumes[p] > kLeastPart * whole;
-    if (counts && size.x() < kLeastSlenderness * size.y()) refuse_slenderness(size);
+    if (counts && size.x() < kLeastThinShip * size.y()) refuse_slenderness(size);
     parts_.push_back({.length = size.x(),
                       .beam = size.y(),
                       .y = volumes[p] > 0 ? moments[p] / volumes[p] : boxes[p].center().y()});

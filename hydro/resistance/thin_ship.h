@@ -54,7 +54,7 @@ class ThinShip {
 
   /// @param mesh_B   Closed, outward; its origin is the centre of mass. The motion is along the
   ///                 horizontal direction that the wetted sides face the least.
-  /// @throws std::invalid_argument if nothing is wet, or a part is less than kLeastSlenderness
+  /// @throws std::invalid_argument if nothing is wet, or a part is less than kLeastThinShip
   /// times
   ///     as long as wide
   ThinShip(const TriMesh& mesh_B, const MeanPose& pose);
@@ -106,7 +106,7 @@ class ThinShip {
 };
 
 /// Least length over breadth of a part of the hull [-].
-inline constexpr double kLeastSlenderness = 4;
+inline constexpr double kLeastThinShip = 4;
 
 /// A resistance over the speed for water of density 1.
 struct WaveResistance {

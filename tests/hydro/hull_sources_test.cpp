@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hydro/mesh/primitives.h"
+#include "hydro/radiation/diffraction_load.h"
 #include "hydro/radiation/froude_krylov.h"
 #include "hydro/radiation/radiation_solve.h"
 #include "tests/hydro/floating_hull.h"

@@ -97,7 +97,7 @@ double volume_with_lid(const MeshFile& read, bool is_half) {
   return mended.report.volume;
 }
 
-std::string fault_of(Reader reader, const std::string& text) {
+std::string fault_of_panels(Reader reader, const std::string& text) {
   try {
     reader("hull", text);
   } catch (const scene::InputError& error) {
@@ -129,21 +129,23 @@ TEST(PanelReaders, WithoutSymmetryNothingIsRepeated) {
 }
 
 TEST(PanelReaders, FaultsHaveTheirLine) {
-  EXPECT_THAT(fault_of(assembly::read_gdf, gdf("1 9.81\n1 2\n3\n")),
+  EXPECT_THAT(fault_of_panels(assembly::read_gdf, gdf("1 9.81\n1 2\n3\n")),
               HasSubstr("hull:3: ISY is 2, expected 0 or 1"));
-  EXPECT_THAT(fault_of(assembly::read_gdf, gdf("1 9.81\n1 1\n4\n")),
+  EXPECT_THAT(fault_of_panels(assembly::read_gdf, gdf("1 9.81\n1 1\n4\n")),
               HasSubstr("the file is cut short"));
-  EXPECT_THAT(fault_of(assembly::read_gdf, gdf("1 9.81\n1 1\n3 2\n")), HasSubstr("high order"));
-  EXPECT_THAT(fault_of(assembly::read_nemoh_mesh, "3 1\n"), HasSubstr("hull:1: "));
-  EXPECT_THAT(fault_of(assembly::read_nemoh_mesh, "2 0\n1 0 0 0\n3 0 0 0\n"),
+  EXPECT_THAT(fault_of_panels(assembly::read_gdf, gdf("1 9.81\n1 1\n3 2\n")),
+              HasSubstr("high order"));
+  EXPECT_THAT(fault_of_panels(assembly::read_nemoh_mesh, "3 1\n"), HasSubstr("hull:1: "));
+  EXPECT_THAT(fault_of_panels(assembly::read_nemoh_mesh, "2 0\n1 0 0 0\n3 0 0 0\n"),
               HasSubstr("hull:3: found vertex 3, expected 2"));
-  EXPECT_THAT(fault_of(assembly::read_pnl, "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 5 1 2 3\n"),
-              HasSubstr("hull:5: a panel has 5 vertices, expected 3 or 4"));
-  EXPECT_THAT(fault_of(assembly::read_msh, "$MeshFormat\n4.0 0 8\n"),
+  EXPECT_THAT(
+      fault_of_panels(assembly::read_pnl, "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 5 1 2 3\n"),
+      HasSubstr("hull:5: a panel has 5 vertices, expected 3 or 4"));
+  EXPECT_THAT(fault_of_panels(assembly::read_msh, "$MeshFormat\n4.0 0 8\n"),
               HasSubstr("hull:2: the version is '4.0', expected 2.2 or 4.1"));
-  EXPECT_THAT(fault_of(assembly::read_msh, "$MeshFormat\n2.2 1 8\n"), HasSubstr("binary"));
-  EXPECT_THAT(fault_of(assembly::read_msh,
-                       "$MeshFormat\n2.2 0 8\n$Elements\n1\n1 2 0 1 2 3\n$EndElements\n"),
+  EXPECT_THAT(fault_of_panels(assembly::read_msh, "$MeshFormat\n2.2 1 8\n"), HasSubstr("binary"));
+  EXPECT_THAT(fault_of_panels(assembly::read_msh,
+                              "$MeshFormat\n2.2 0 8\n$Elements\n1\n1 2 0 1 2 3\n$EndElements\n"),
               HasSubstr("hull:5: an element names node 1"));
 }
 

@@ -20,11 +20,15 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 constexpr double kRadiansADegree = std::numbers::pi / 180;
-const double kRoundOff = support::tolerance(1e-12);
+const double kCurveRoundOff = support::tolerance(1e-12);
 
-/// A box of 20 × 8 × 4 m whose keel is at z = −1.5 m of its frame and whose middle is at x = 3 m.
+/// A box of 20 × 8 × 4 m whose keel is at z = −1.5 m of its frame and whose middle is at x = 3 m,
+/// in a folder of this test: others run at the same time.
 std::string box_mesh() {
-  const std::string file = testing::TempDir() + "curves_box.obj";
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("curves_" + test);
+  std::filesystem::create_directories(folder);
+  const std::string file = (folder / "curves_box.obj").string();
   std::ofstream mesh(file);
   for (const double z : {-1.5, 2.5})
     for (const auto& [x, y] : {std::pair(-7, -4), {13, -4}, {13, 4}, {-7, 4}})
@@ -34,19 +38,20 @@ std::string box_mesh() {
   return file;
 }
 
-std::string output_of(std::vector<std::string> words) {
+std::string curves_output(std::vector<std::string> words) {
   words.insert(words.begin(), "hydrostatics");
   return support::output_of(std::move(words));
 }
 
 json curves_of(std::vector<std::string> words, const std::string& body = "curves_box") {
   words.push_back("--json");
-  return json::parse(output_of(std::move(words)))["bodies"][body];
+  return json::parse(curves_output(std::move(words)))["bodies"][body];
 }
 
 void expect_numbers(const json& row, const std::vector<std::pair<std::string, double>>& expected) {
   for (const auto& [key, value] : expected)
-    EXPECT_NEAR(row[key].get<double>(), value, kRoundOff * std::max(1.0, std::abs(value))) << key;
+    EXPECT_NEAR(row[key].get<double>(), value, kCurveRoundOff * std::max(1.0, std::abs(value)))
+        << key;
 }
 
 TEST(CurvesOfForm, OfABoxAreItsClosedForms) {
@@ -86,7 +91,7 @@ TEST(CurvesOfForm, AtATrimOfABoxAreThoseOfItsTrapezium) {
   // waterplane is longer by 1/cos θ.
   const double T = 2, slope = std::tan(3 * kRadiansADegree), stretch = std::hypot(1, slope);
   const json curves = curves_of({box_mesh(), "--draught", "2,2.5", "--trim", "3"});
-  EXPECT_NEAR(curves["trim_deg"], 3, kRoundOff);
+  EXPECT_NEAR(curves["trim_deg"], 3, kCurveRoundOff);
   const double V = 160 * T, ahead = 400 * slope / (12 * T);
   expect_numbers(curves["curves_of_form"][0], {{"volume", V},
                                                {"lcb", 3 + ahead},
@@ -103,7 +108,7 @@ TEST(CurvesOfForm, CountFromTheKeelThatIsNamedAndLeaveOutWhatDoesNotCutTheBody) 
   const json curves = curves_of({box_mesh(), "--keel", "-0.5", "--draught", "-2:9:1"});
   ASSERT_EQ(curves["curves_of_form"].size(), 2) << "1 and 2 m: the top is 3 m over that keel";
   expect_numbers(curves["curves_of_form"][0], {{"draught", 1}, {"volume", 320}, {"kb", 0}});
-  EXPECT_THAT(output_of({box_mesh(), "--draught", "5:9:1"}),
+  EXPECT_THAT(curves_output({box_mesh(), "--draught", "5:9:1"}),
               HasSubstr("--draught: no draught at which the waterline cuts a body, expected "
                         "curves_box between 0 and 4 m"));
 }
@@ -124,17 +129,17 @@ TEST(CurvesOfForm, HaveTheCrossCurvesOfTheRightingArms) {
   const double phi = 20 * kRadiansADegree, tangent = std::tan(phi);
   const double bm = 64 / (12 * 2.0);
   EXPECT_NEAR(curves["kn"][2]["kn"], (1 + bm * (1 + tangent * tangent / 2)) * std::sin(phi), 1e-9);
-  EXPECT_NEAR(curves["kn"][0]["kn"], 0, kRoundOff);
-  EXPECT_NEAR(curves["kn"][5]["displacement"], 1000 * 400.0, kRoundOff * 4e5);
+  EXPECT_NEAR(curves["kn"][0]["kn"], 0, kCurveRoundOff);
+  EXPECT_NEAR(curves["kn"][5]["displacement"], 1000 * 400.0, kCurveRoundOff * 4e5);
 }
 
 TEST(CurvesOfForm, HaveTheSameNumbersInAllOutputs) {
   const std::string csv =
-      output_of({box_mesh(), "--draught", "1:2:1", "--heel", "0:10:10", "--csv"});
+      curves_output({box_mesh(), "--draught", "1:2:1", "--heel", "0:10:10", "--csv"});
   EXPECT_THAT(csv, testing::StartsWith("body,draught,quantity,heel_deg,value,unit\n"));
   EXPECT_THAT(csv, HasSubstr("\ncurves_box,2,tpc,,1.6,t/cm\n"));
   EXPECT_THAT(csv, HasSubstr("\ncurves_box,1,kn,0,"));
-  const std::string table = output_of({box_mesh(), "--draught", "1:2:1", "--heel", "0:10:10"});
+  const std::string table = curves_output({box_mesh(), "--draught", "1:2:1", "--heel", "0:10:10"});
   for (const char* text : {"waterplane_area", "t m/cm", "KN 10°", "cp = volume"})
     EXPECT_THAT(table, HasSubstr(text));
 }
@@ -142,7 +147,7 @@ TEST(CurvesOfForm, HaveTheSameNumbersInAllOutputs) {
 std::string drawn(std::vector<std::string> words) {
   const std::filesystem::path file = testing::TempDir() + "curves.svg";
   words.insert(words.end(), {"--plot", file.string()});
-  output_of(std::move(words));
+  curves_output(std::move(words));
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -170,7 +175,7 @@ TEST(CurvesOfForm, RefuseWhatIsWrong) {
       {{box_mesh(), "--draught", "1,2", "--plot", "a.png"}, "--plot: found a.png"},
   };
   for (const auto& [words, fault] : cases)
-    EXPECT_THAT(output_of(words), HasSubstr(fault)) << words.back();
+    EXPECT_THAT(curves_output(words), HasSubstr(fault)) << words.back();
 }
 
 }  // namespace

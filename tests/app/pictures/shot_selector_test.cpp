@@ -181,7 +181,7 @@ TEST(ShotSelector, StoresTheBodiesWaves) {
   const hydro::PeriodicSquare square{.cells = 32, .cell = 0.5};
   hydro::SimulatedWater alone(hydro::Sea(), {{&ball, 1}}, square);
   ShotSelector list(0.5, 2, 3);
-  list.show(hydro::SimulatedWater(hydro::Sea(), {{&ball, 1}}, square));
+  list.show_waves(hydro::SimulatedWater(hydro::Sea(), {{&ball, 1}}, square));
   for (int i = 0; i <= 20; ++i) {
     const double time = 0.1 * i;
     list.add(time, {falling(time)});
