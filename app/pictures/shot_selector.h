@@ -26,7 +26,7 @@ class ShotSelector {
   /// Draws the waves that bodies make and do not feel, from the first state on.
   void show_waves(std::optional<hydro::SimulatedWater> waves) { waves_ = std::move(waves); }
   /// Draws the water that bodies feel, that of the run, which must outlive this.
-  void show_waves(const hydro::SimulatedWater& felt) { felt_ = &felt; }
+  void show_felt_waves(const hydro::SimulatedWater* felt) { felt_ = felt; }
   /// The state of the waves that nobody feels after the last state; empty without them.
   std::string state_of_waves() const { return waves_ ? waves_->state() : ""; }
   void restore_waves(const std::string& state) {

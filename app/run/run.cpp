@@ -65,7 +65,7 @@ class Run {
     summary_.warnings = built.warnings;
     if (wants_pictures()) {
       if (const hydro::SimulatedWater* felt = simulation_.water())
-        shots_.show_waves(*felt);
+        shots_.show_felt_waves(felt);
       else
         shots_.show_waves(bodies_waves(scene, built.spec));
     }

@@ -79,12 +79,10 @@ GridResponse grid_response(const PeriodicSquare& square, const Eigen::Matrix3Xd&
       waves.read_sources(field);
     };
     PeriodicWaves waves = deep;
+    std::optional<PeriodicWaves> over_bottom = shallow;
     FieldBelow short_waves, all_waves;
     read(waves, short_waves);
-    if (bounded) {
-      PeriodicWaves over_bottom = *shallow;
-      read(over_bottom, all_waves);
-    }
+    if (bounded) read(*over_bottom, all_waves);
     for (Index i = 0; i < n; ++i) {
       const Vector3d to = places.col(i);
       const auto at = [&](const FieldBelow& field) {

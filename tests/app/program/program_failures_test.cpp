@@ -203,7 +203,7 @@ TEST_F(ProgramFailures, AKilledRunLeavesTheForcesOfEveryRowButTheLast) {
   here.finish(process);
   const std::vector<std::ptrdiff_t> widths = widths_of(here.read("o/forces.csv"));
   EXPECT_GE(widths.size(), expect_whole_log());  // with the header
-  EXPECT_THAT(widths, testing::Each(127));
+  EXPECT_THAT(widths, testing::Each(134));
 }
 
 TEST_F(ProgramFailures, ASecondRunDoesNotMixItsFilesWithThoseOfTheFirst) {

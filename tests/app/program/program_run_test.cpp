@@ -277,7 +277,7 @@ TEST_F(ProgramRun, WritesTheForcesBesideTheTrajectory) {
   const app::BodyTrack track =
       app::read_trajectory(here / "out/box/trajectory.csv").tracks.at("box");
   EXPECT_EQ(column["time"], track.times);
-  EXPECT_EQ(column.size(), 126u);
+  EXPECT_EQ(column.size(), 133u);
   // It has fallen into the water, and what the weight gave is in the motion and the water.
   EXPECT_EQ(column["buoyancy_fz"].front(), 0);
   EXPECT_GT(column["buoyancy_fz"].back(), 0);

@@ -21,6 +21,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// Angles pass through one multiplication by π/180 and Eigen's half-angle functions: a few ulp.
 const double kRoundOff = support::tolerance(1e-15);
 
+const std::string kMending = "weld: 1e-3, cap: true, mirror: y, unite: true, thickness: 0.02";
+
 /// Every key but those of the other surfaces and grounds, with values that no default has.
 std::string every_key() {
   const std::string folder = support::data_folder().string();
@@ -53,8 +55,8 @@ std::string every_key() {
          "bodies:\n"
          "  - name: a\n"
          "    mesh: {file: " +
-         folder +
-         "/shore.obj, up: -y, unit: ft, scale: 2}\n"
+         folder + "/shore.obj, up: -y, unit: ft, scale: 2, " + kMending +
+         "}\n"
          "    mass: 5\n"
          "    center_of_mass: [1, 2, 3]\n"
          "    inertia: [2, 3, 4, 0.1, 0.2, 0.3]\n"
@@ -321,8 +323,8 @@ TEST(SceneKeys, ShapesAreRead) {
 
 /// A body of every shape, each placed.
 std::string shapes() {
-  const std::string mesh =
-      "mesh: {file: " + support::data_folder().string() + "/shore.obj, up: y, unit: mm, scale: 2}";
+  const std::string mesh = "mesh: {file: " + support::data_folder().string() +
+                           "/shore.obj, up: y, unit: mm, scale: 2, " + kMending + "}";
   std::string list;
   for (const std::string& shape :
        {mesh, std::string("box: {size: [1, 2, 3], divisions: 2}"),
