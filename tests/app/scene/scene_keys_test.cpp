@@ -140,7 +140,7 @@ std::string picture(const std::string& block) {
 
 std::string shore() {
   return "ground={mesh: {file: " + support::data_folder().string() +
-         "/shore.obj, up: y, unit: cm, scale: 3}}";
+         "/shore.obj, up: y, unit: cm, scale: 3, " + kMending + "}}";
 }
 
 std::string zero_matrix() {
