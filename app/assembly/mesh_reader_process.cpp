@@ -39,7 +39,7 @@ void take(app::ByteRecords& records, Eigen::Matrix<T, 3, Eigen::Dynamic>& column
 MeshFile mesh_in(const std::string& bytes) {
   app::ByteRecords records(bytes);
   MeshFile read;
-  if (const char up = records.values<char>().at(0); up != kNotStated)
+  if (const char up = records.bytes().at(0); up != kNotStated)
     read.frame.up = static_cast<scene::UpAxis>(up);
   read.rounding = records.values<Rounding>().at(0);
   if (const double unit = records.values<double>().at(0); unit > 0) read.frame.unit = unit;
