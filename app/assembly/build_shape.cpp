@@ -104,6 +104,16 @@ void mend(const scene::Mesh& file, const std::string& key, hydro::TriMesh& mesh,
   mesh = known->second.mesh;
 }
 
+/// Tells what makes a solid of a mesh; found once for all bodies that have it.
+const std::string& remedy(const scene::Mesh& file, const hydro::TriMesh& mesh, BuildLog& log) {
+  auto known = std::ranges::find(log.remedies, file, &decltype(log.remedies)::value_type::first);
+  if (known == log.remedies.end()) {
+    log.remedies.emplace_back(file, remedy_text(mesh, file.file, RemedyWords::keys));
+    known = std::prev(log.remedies.end());
+  }
+  return known->second;
+}
+
 }  // namespace
 
 bool has_memory(double triangles, const std::string& key_path, BuildLog& log) {
@@ -185,7 +195,7 @@ bool make_sound(hydro::TriMesh& mesh, Soundness needed, const scene::Shape& shap
   std::vector<std::string> faults = hydro::describe(relevant(repaired.report, needed));
   const auto* file = std::get_if<scene::Mesh>(&shape);
   if (file && needed == Soundness::closed && !faults.empty())
-    faults.back() += "; " + remedy_text(mesh, file->file, RemedyWords::keys);
+    faults.back() += "; " + remedy(*file, mesh, log);
   for (const std::string& fault : faults) log.faults.add(log.scene.places, key_path, fault);
   return faults.empty();
 }

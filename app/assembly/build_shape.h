@@ -29,6 +29,8 @@ struct BuildLog {
   std::map<std::filesystem::path, MeshFile> read = {};
   /// The meshes that were mended, by what the scene says of them, with what was done.
   std::vector<std::pair<scene::Mesh, hydro::MendedMesh>> mended = {};
+  /// Texts of what makes a solid of the meshes that are none.
+  std::vector<std::pair<scene::Mesh, std::string>> remedies = {};
   /// The mesh files of the present body.
   std::vector<MeshSource> sources = {};
   /// The mesh files of which a warning has told.

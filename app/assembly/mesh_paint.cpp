@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/assembly/mesh_file_access.h"
+#include "app/assembly/mesh_reader_process.h"
 #include "app/assembly/mesh_text.h"
 #include "app/base/byte_records.h"
 #include "app/scene/diagnostics.h"
@@ -100,8 +101,6 @@ Soup parse_paint(const fs::path& file, bool gltf) {
 }
 
 Soup read_soup(const fs::path& file, bool gltf) {
-  constexpr int kSeconds = 2;
-  constexpr double kBytesPerSecond = 4e6;
   const std::string bytes = scene::read_isolated(
       file, "the reader of colours",
       [&](const app::CallOutput& output) {
@@ -109,7 +108,7 @@ Soup read_soup(const fs::path& file, bool gltf) {
         app::put_record(output, std::span(soup.corners));
         app::put_record(output, std::span(soup.colors));
       },
-      scene::limits_by_size(file, kSeconds, kBytesPerSecond));
+      mesh_limits(file));
   app::ByteRecords records(bytes);
   Soup soup;
   soup.corners = records.values<double>();

@@ -51,12 +51,16 @@ MeshFile mesh_in(const std::string& bytes) {
 }  // namespace
 
 MeshFile read_mesh_file(const fs::path& file, scene::MeshFormats formats) {
-  constexpr int kSeconds = 2;
-  constexpr double kBytesPerSecond = 4e6;
   return mesh_in(scene::read_isolated(
       file, "the reader of " + file.extension().string(),
       [&](const app::CallOutput& output) { write(output, parse_mesh(file, formats)); },
-      scene::limits_by_size(file, kSeconds, kBytesPerSecond)));
+      mesh_limits(file)));
+}
+
+app::CallLimits mesh_limits(const fs::path& file) {
+  constexpr int kSeconds = 2;
+  constexpr double kBytesPerSecond = 4e6;
+  return scene::limits_by_size(file, kSeconds, kBytesPerSecond);
 }
 
 }  // namespace assembly

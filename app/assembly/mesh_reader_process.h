@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/assembly/mesh_parser.h"
+#include "app/base/forked_call.h"
 
 namespace assembly {
 
@@ -14,5 +15,8 @@ namespace assembly {
 /// but no more than the machine has free.
 /// @throws InputError as parse_mesh, and if the file ends the process or exceeds its limits
 MeshFile read_mesh_file(const std::filesystem::path& file, scene::MeshFormats formats);
+
+/// The limits of a process that reads a mesh file.
+app::CallLimits mesh_limits(const std::filesystem::path& file);
 
 }  // namespace assembly

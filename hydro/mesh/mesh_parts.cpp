@@ -45,19 +45,6 @@ PartTable part_table(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
   return table;
 }
 
-/// True if a ray from a face's centroid meets faces of other parts an odd number of times.
-bool starts_inside(const TriMesh& mesh, const FaceTree& tree, const PartTable& table, int face) {
-  // The direction is no axis, diagonal or other likely direction of an edge.
-  const Eigen::Vector3d direction(0.5403023058681398, 0.2983386154170817, 0.7867955282450121);
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const int v : mesh.faces.col(face)) middle += mesh.vertices.col(v) / 3;
-  const int own = table.part_of_face[face];
-  const auto other = [&](int f) {
-    return table.part_of_face[f] >= 0 && table.part_of_face[f] != own;
-  };
-  return tree.crossings(middle, direction, other) % 2 == 1;
-}
-
 }  // namespace
 
 std::vector<int> part_of_faces(const TriMesh& mesh, const std::vector<HalfEdge>& edges) {
@@ -74,18 +61,27 @@ std::vector<int> part_of_faces(const TriMesh& mesh, const std::vector<HalfEdge>&
   return labels;
 }
 
+bool lie_inside(const TriMesh& mesh, const FaceTree& tree, const std::vector<int>& faces,
+                const std::function<bool(int)>& counts) {
+  // The direction is no axis, diagonal or other likely direction of an edge.
+  const Eigen::Vector3d direction(0.5403023058681398, 0.2983386154170817, 0.7867955282450121);
+  int inside = 0;
+  for (const int face : faces) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const int v : mesh.faces.col(face)) middle += mesh.vertices.col(v) / 3;
+    inside += tree.crossings(middle, direction, counts) % 2 == 1 ? 1 : -1;
+  }
+  return inside > 0;
+}
+
 std::vector<MeshPart> closed_parts(const TriMesh& mesh, const std::vector<HalfEdge>& edges,
                                    const FaceTree& tree) {
   PartTable table = part_table(mesh, edges);
   if (table.parts.size() == 1) return table.parts;
-  for (std::size_t i = 0; i < table.parts.size(); ++i) {
-    // The majority of three faces decides, because one of them may lie on the surface of another
-    // part.
-    int inside = 0;
-    for (const int face : table.some_faces[i])
-      inside += starts_inside(mesh, tree, table, face) ? 1 : -1;
-    table.parts[i].in_other = inside > 0;
-  }
+  for (std::size_t i = 0; i < table.parts.size(); ++i)
+    table.parts[i].in_other = lie_inside(mesh, tree, table.some_faces[i], [&](int f) {
+      return table.part_of_face[f] >= 0 && table.part_of_face[f] != static_cast<int>(i);
+    });
   return table.parts;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hydro/mesh/edge_table.h"
@@ -19,6 +20,12 @@ struct MeshPart {
   /// True if the sign of the volume is wrong: it must be negative if in_other, else positive.
   bool misturned() const { return in_other ? volume > 0 : volume < 0; }
 };
+
+/// True if most of some faces, three of a part say, start inside the faces that count: a ray from
+/// their middles meets an odd number of these. One face alone may lie on the surface of another
+/// part.
+bool lie_inside(const TriMesh& mesh, const FaceTree& tree, const std::vector<int>& faces,
+                const std::function<bool(int)>& counts);
 
 /// Returns the number of the part that each face belongs to, in the order of their lowest faces;
 /// parts need not be closed. −1 for a face that names a vertex twice.

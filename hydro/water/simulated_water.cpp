@@ -265,9 +265,9 @@ void SimulatedWater::end(const std::vector<BodyState>& states, const std::vector
   waves_.advance(length / 2);
   now_.undamped += length;
   if (now_.undamped <= 4 * longest_) return;
-  damp(states);
-  if (!nothing_given || waves_.energy() > energy_of_still_water(waves_.square())) return;
-  now_.absorbed += waves_.energy();
+  const double left = damp(states);
+  if (!nothing_given || left > energy_of_still_water(waves_.square())) return;
+  now_.absorbed += left;
   waves_.calm();
   now_.still = true;
 }
@@ -296,8 +296,9 @@ void SimulatedWater::follow(double time, const std::vector<BodyState>& states) {
   now_.time = time;
 }
 
-/// Damps the window's edges and what sloshes inside slow hulls.
-void SimulatedWater::damp(const std::vector<BodyState>& states) {
+/// Damps the window's edges and what sloshes inside slow hulls. @return the energy that is left
+/// over density [m^5/s^2]
+double SimulatedWater::damp(const std::vector<BodyState>& states) {
   const PeriodicSquare& square = waves_.square();
   Eigen::MatrixXf factor =
       window_.damping(1, now_.undamped) * window_.damping(0, now_.undamped).transpose();
@@ -318,8 +319,10 @@ void SimulatedWater::damp(const std::vector<BodyState>& states) {
   }
   now_.absorbed += waves_.energy();
   waves_.damp(factor);
-  now_.absorbed -= waves_.energy();
+  const double left = waves_.energy();
+  now_.absorbed -= left;
   now_.undamped = 0;
+  return left;
 }
 
 std::optional<SurfacePatch> SimulatedWater::patch(double time) const {

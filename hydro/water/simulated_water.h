@@ -109,7 +109,7 @@ class SimulatedWater {
   void add_hull(std::size_t body, const Vector6d& way);
   void add_surface(const WaterBody& body, const BodyState& state);
   void follow_bodies(const std::vector<BodyState>& states);
-  void damp(const std::vector<BodyState>& states);
+  double damp(const std::vector<BodyState>& states);
 
   Sea sea_;
   std::vector<WaterBody> bodies_;

@@ -9,7 +9,6 @@ have every option that it names. A command that is neither run nor named in NOT_
 so is an entry of the tables that no document has.
 """
 
-import argparse
 import re
 import shlex
 import subprocess
@@ -20,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from commands import blocks_of, commands_of, is_synopsis, options_of
-from machine import ROOT, Machine
+from machine import ROOT, Machine, end_with, options_of_test
 
 DOCUMENTS = ("README.md", "app/README.md", "scenes/README.md", "scenes/KEYS.md", "app/python/README.md",
              "tests/README.md")
@@ -334,19 +333,12 @@ def self_test():
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program", nargs="?")
-    parser.add_argument("--module", help="folder of the module plimsoll")
-    parser.add_argument("--pages", help="folder of the pages that npm bundles")
-    parser.add_argument("--self-test", action="store_true")
-    arguments = parser.parse_args()
+    arguments = options_of_test().parse_args()
     if arguments.self_test:
         return self_test()
     with tempfile.TemporaryDirectory() as folder:
         faults = check(Place(Path(folder), arguments))
-    for fault in faults:
-        print(fault)
-    sys.exit(1 if faults else 0)
+    end_with(faults)
 
 
 if __name__ == "__main__":

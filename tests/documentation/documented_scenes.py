@@ -9,7 +9,6 @@ file, and commands and Python are run in their order, whole. A remark `exit code
 is what it ends with. Blocks of C++ are compared with the program that tests/install compiles.
 """
 
-import argparse
 import re
 import shlex
 import sys
@@ -19,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from commands import blocks_of, commands_of
-from machine import ROOT, Machine
+from machine import ROOT, Machine, end_with, options_of_test
 
 GUIDE = "scenes/GUIDE.md"
 DOCUMENTS = ("README.md", "app/README.md", "scenes/README.md", "scenes/KEYS.md")
@@ -189,12 +188,8 @@ def self_test():
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program", nargs="?")
-    parser.add_argument("--module", help="folder of the module plimsoll")
-    parser.add_argument("--pages", help="folder of the pages that npm bundles")
+    parser = options_of_test()
     parser.add_argument("--only", help="works through the tasks alone whose title has this text")
-    parser.add_argument("--self-test", action="store_true")
     arguments = parser.parse_args()
     if arguments.self_test:
         return self_test()
@@ -203,9 +198,7 @@ def main():
         machine = Machine(folder, arguments.program, arguments.module, arguments.pages)
         faults = [] if arguments.only else run_scenes(machine, folder / "scenes", pool)
         faults += work_through_guide(machine, folder, pool, arguments.only)
-    for fault in faults:
-        print(fault)
-    sys.exit(1 if faults else 0)
+    end_with(faults)
 
 
 if __name__ == "__main__":

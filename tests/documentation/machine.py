@@ -1,10 +1,12 @@
 """What this machine has to run what the documents tell a reader to type."""
 
+import argparse
 import importlib.util
 import os
 import shlex
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -52,3 +54,19 @@ class Machine:
         if ended.returncode in codes and "Traceback (most recent" not in ended.stdout:
             return []
         return [f"{shlex.join(words)}: ended with {ended.returncode}\n{ended.stdout[-2000:]}"]
+
+
+def options_of_test():
+    """The options that tests of documents have in common."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", nargs="?")
+    parser.add_argument("--module", help="folder of the module plimsoll")
+    parser.add_argument("--pages", help="folder of the pages that npm bundles")
+    parser.add_argument("--self-test", action="store_true")
+    return parser
+
+
+def end_with(faults):
+    for fault in faults:
+        print(fault)
+    sys.exit(1 if faults else 0)

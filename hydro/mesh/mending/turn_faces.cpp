@@ -78,19 +78,12 @@ std::vector<PartMeasures> measured_parts(const TriMesh& mesh, const std::vector<
   return parts;
 }
 
-/// True if most of three faces of a part start inside an odd number of parts that it does not cut.
+/// True if a part lies in an odd number of closed parts that it does not cut.
 bool is_cavity(const TriMesh& mesh, const FaceTree& tree, const std::vector<int>& part_of_face,
                const std::vector<char>& counted, int part, const std::vector<int>& faces) {
-  const Vector3d direction(0.5403023058681398, 0.2983386154170817, 0.7867955282450121);
-  int inside = 0;
-  for (const std::size_t i : {std::size_t{0}, faces.size() / 2, faces.size() - 1}) {
-    const Vector3d middle = mesh.vertices(Eigen::all, mesh.faces.col(faces[i])).rowwise().mean();
-    const auto counts = [&](int f) {
-      return part_of_face[f] >= 0 && part_of_face[f] != part && counted[part_of_face[f]];
-    };
-    inside += tree.crossings(middle, direction, counts) % 2 == 1 ? 1 : -1;
-  }
-  return inside > 0;
+  return lie_inside(mesh, tree, {faces.front(), faces[faces.size() / 2], faces.back()}, [&](int f) {
+    return part_of_face[f] >= 0 && part_of_face[f] != part && counted[part_of_face[f]];
+  });
 }
 
 }  // namespace
