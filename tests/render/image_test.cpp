@@ -205,7 +205,8 @@ TEST(Overlay, StaysAtTheEdgesOfWideAndSquarePictures) {
       for (int x = 0; x < width; ++x) {
         const bool middle = x > width / 4 && x < 0.85 * width;
         const bool edge = x < 4 || y < 4 || x >= width - 4 || y >= height - 4;
-        if (middle || edge) ASSERT_EQ(image.at(x, y), blank.at(x, y)) << x << ", " << y;
+        if (!middle && !edge) continue;
+        ASSERT_EQ(image.at(x, y), blank.at(x, y)) << x << ", " << y;
       }
   }
 }
