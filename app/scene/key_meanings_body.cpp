@@ -147,9 +147,9 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "file."},
     {"bodies[].mesh.weld",
      "Widest crack between open edges that is closed. This key and the four below make a solid of "
-     "a mesh that is none, as `plimsoll mesh FILE --repair` does (`app/README.md`): with any of "
-     "them faces are turned outward, repeated ones and those without area dropped, and T-junctions "
-     "stitched. The default is then 1e-5 of the diagonal of the mesh's box."},
+     "a mesh that is none, as `plimsoll mesh FILE --repair` does: with any of them faces are "
+     "turned outward, repeated ones and those without area dropped, and T-junctions stitched. The "
+     "default is then 1e-5 of the diagonal of the mesh's box."},
     {"bodies[].mesh.cap", "Whether flat open loops are filled."},
     {"bodies[].mesh.mirror",
      "Axis normal to the plane through the origin in which a half hull is mirrored: `y` for one "

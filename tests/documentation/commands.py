@@ -3,6 +3,12 @@
 import re
 from dataclasses import dataclass
 
+from machine import ROOT
+
+# Documents whose blocks are commands, scenes and snippets to try. scenes/GUIDE.md has tasks.
+SCENE_DOCUMENTS = ("README.md", "scenes/README.md", "scenes/KEYS.md",
+                   *sorted(str(path.relative_to(ROOT)) for path in (ROOT / "app").rglob("README.md")
+                           if "node_modules" not in path.parts))
 # What begins a line that a reader is to type.
 COMMAND = re.compile(r"(?:[A-Z_]+=\S+ )?(?:plimsoll|tools/|build/|cmake|cpack|ctest)\S*(?:\s|$)")
 # A word in capitals, which stands for what the reader puts in its place. It tells a synopsis from a

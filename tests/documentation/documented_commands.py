@@ -18,11 +18,10 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from commands import blocks_of, commands_of, is_synopsis, options_of
+from commands import SCENE_DOCUMENTS, blocks_of, commands_of, is_synopsis, options_of
 from machine import ROOT, Machine, end_with, options_of_test
 
-DOCUMENTS = ("README.md", "app/README.md", "scenes/README.md", "scenes/KEYS.md", "app/python/README.md",
-             "tests/README.md")
+DOCUMENTS = (*SCENE_DOCUMENTS, "tests/README.md")
 
 # What is appended to `plimsoll run` and `sweep`, so that they take no longer than they must.
 SHORT = ["--set", "duration=0.2", "--set", "render.size=[64, 48]"]
@@ -195,7 +194,7 @@ class Place:
                  "wec.yaml": CONVERTER,
                  "buoy.yaml": block("README.md", "yaml", "name: buoy"),
                  "barge.yaml": block("scenes/README.md", "yaml", "A box in a swell"),
-                 "tolerances.yaml": block("app/README.md", "", "orientation_deg: {peak"),
+                 "tolerances.yaml": block("app/compare/README.md", "", "orientation_deg: {peak"),
                  "rao.csv": "period,heave\n1.9,1\n2.1,1\n"}
         files["tow/buoy.yaml"] = TUG
         (self.folder / "tow").mkdir()

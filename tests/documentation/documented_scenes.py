@@ -17,11 +17,10 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from commands import blocks_of, commands_of
+from commands import SCENE_DOCUMENTS, blocks_of, commands_of
 from machine import ROOT, Machine, end_with, options_of_test
 
 GUIDE = "scenes/GUIDE.md"
-DOCUMENTS = ("README.md", "app/README.md", "scenes/README.md", "scenes/KEYS.md")
 LEAST_TASKS = 30
 HEAD = "plimsoll: 1\nduration: 0.1\n"
 # What makes scenes quick that only show how keys are written: without pictures, and without added
@@ -148,7 +147,7 @@ def run_scenes(machine, folder, pool):
     for name in ("meshes", "files"):
         (folder / name).symlink_to(ROOT / "scenes" / name)
     jobs = []
-    for number, (where, text) in enumerate(scenes_of(DOCUMENTS)):
+    for number, (where, text) in enumerate(scenes_of(SCENE_DOCUMENTS)):
         (folder / f"{number}.yaml").write_text(text, encoding="utf-8")
         light = [] if re.search("radiation|added_mass|simulated", text) else LIGHT
         jobs.append((where, ["plimsoll", "run", f"{number}.yaml", *BRIEF, *light]))

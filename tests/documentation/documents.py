@@ -14,7 +14,7 @@ FOLDERS = ("app", "engine", "hydro", "scenes", "shaders", "tests", "tools")
 LONGEST = 300  # Lines. A longer document is two.
 # Documents that may be longer, and why.
 MAY_BE_LONG = {"scenes/KEYS.md": "is a reference, whose tables are generated",
-               "app/README.md": "is the reference of all commands"}
+               "app/COMMANDS.md": "is generated from the program's help"}
 
 
 def documents():

@@ -10,7 +10,8 @@ install(FILES ${PROJECT_BINARY_DIR}/report/page.html
   ${PROJECT_BINARY_DIR}/report/runs.html
   DESTINATION ${CMAKE_INSTALL_DATADIR}/plimsoll/report OPTIONAL)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES app/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/app)
+install(DIRECTORY app DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.md
+  PATTERN web EXCLUDE)
 install(FILES scenes/README.md scenes/GUIDE.md scenes/KEYS.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/scenes)
 
 # What the program prints for editors and shells.
