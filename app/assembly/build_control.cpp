@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/assembly/signals.h"
-#include "app/scene/rig_names.h"
 
 namespace assembly {
 namespace {
@@ -94,10 +93,10 @@ class ControlBuilder {
   /// Sets the measurement and unit of a controller.
   template <class Controller>
   void measure(const std::string& name, Controller& controller) const {
-    const scene::Measurable& found = *scene::find_named(quantities_, name);
-    const QuantityUnit quantity = quantity_of(found);
-    controller.of = {.quantity = quantity.quantity, .index = index_in_spec(log_.scene, found)};
-    controller.unit = quantity.unit;
+    const NamedMeasurement found =
+        measurement_of(log_.scene, *scene::find_named(quantities_, name));
+    controller.of = found.of;
+    controller.unit = found.unit;
   }
 
   engine::Pid built(const scene::PidControl& control) const {
@@ -147,6 +146,12 @@ class ControlBuilder {
 };
 
 }  // namespace
+
+NamedMeasurement measurement_of(const scene::Scene& scene, const scene::Measurable& quantity) {
+  const QuantityUnit found = quantity_of(quantity);
+  return {.of = {.quantity = found.quantity, .index = index_in_spec(scene, quantity)},
+          .unit = found.unit};
+}
 
 void add_controls(engine::SimulationSpec& spec, BuildLog& log) { ControlBuilder(spec, log).all(); }
 

@@ -1,7 +1,9 @@
 #include "app/logs/probes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
+#include <utility>
 
 #include "hydro/airy_waves.h"
 
@@ -51,8 +53,15 @@ Probes::Probes(const std::vector<scene::Probe>& probes, const engine::Simulation
 }
 
 void Probes::before_step(const std::vector<hydro::BodyState>& states) {
-  for (Point& point : points_)
-    if (point.body) point.velocity_before = velocity_at(point.at, states[*point.body]);
+  velocities_before_.assign(points_.size(), Vector3d::Zero());
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (points_[i].body)
+      velocities_before_[i] = velocity_at(points_[i].at, states[*points_[i].body]);
+}
+
+void Probes::set_velocities_before(std::vector<Vector3d> velocities) {
+  assert(velocities.empty() || velocities.size() == points_.size());
+  velocities_before_ = std::move(velocities);
 }
 
 std::vector<ProbeReading> Probes::read(double time, const std::vector<hydro::BodyState>& states,
@@ -61,7 +70,8 @@ std::vector<ProbeReading> Probes::read(double time, const std::vector<hydro::Bod
     return waves ? waves->at(p_W.x(), p_W.y()) : 0;
   };
   std::vector<ProbeReading> readings;
-  for (const Point& point : points_) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Point& point = points_[i];
     if (!point.body) {
       readings.push_back(read_water(point, time, raise_at(point.at)));
       continue;
@@ -69,6 +79,9 @@ std::vector<ProbeReading> Probes::read(double time, const std::vector<hydro::Bod
     const hydro::BodyState& state = states[*point.body];
     const double raise = raise_at(state.position + arm(point.at, state));
     readings.push_back(read_body(point, time, raise, state));
+    if (velocities_before_.empty()) continue;
+    const Vector3d change = velocity_at(point.at, state) - velocities_before_[i];
+    put(change / spec_.step, kAcceleration, readings.back());
   }
   return readings;
 }
@@ -93,13 +106,10 @@ ProbeReading Probes::read_body(const Point& point, double time, double raise,
                                const hydro::BodyState& state) const {
   ProbeReading reading = nothing_read();
   const Vector3d p_W = state.position + arm(point.at, state);
-  const Vector3d velocity = velocity_at(point.at, state);
   if (spec_.sea)
     reading[kElevation] = hydro::surface_elevation(*spec_.sea, p_W.x(), p_W.y(), time) + raise;
   put(p_W, kPosition, reading);
-  put(velocity, kVelocity, reading);
-  if (point.velocity_before)
-    put((velocity - *point.velocity_before) / spec_.step, kAcceleration, reading);
+  put(velocity_at(point.at, state), kVelocity, reading);
   return reading;
 }
 

@@ -45,6 +45,12 @@ class Probes {
   /// Keeps the velocities of the points before a step.
   void before_step(const std::vector<hydro::BodyState>& states);
 
+  /// Velocities of the points of bodies before the last step, in W [m/s], those of gauges zero;
+  /// empty before the first step.
+  const std::vector<Eigen::Vector3d>& velocities_before() const { return velocities_before_; }
+  /// @param velocities   One for each probe, or none.
+  void set_velocities_before(std::vector<Eigen::Vector3d> velocities);
+
   /// Returns the readings in the order of the scene.
   /// @param states   Of the bodies at `time`.
   /// @param waves    Of the bodies in simulated water at `time`; none: still.
@@ -57,8 +63,6 @@ class Probes {
     std::optional<std::size_t> body;
     Eigen::Vector3d at;       ///< In B, or in W [m].
     bool on_surface = false;  ///< The height of the point is that of the surface.
-    std::optional<Eigen::Vector3d> velocity_before =
-        {};  ///< Velocity of the body's point, in W [m/s].
   };
 
   ProbeReading read_water(const Point& point, double time, double raise) const;
@@ -67,6 +71,7 @@ class Probes {
 
   const engine::SimulationSpec& spec_;
   std::vector<Point> points_;
+  std::vector<Eigen::Vector3d> velocities_before_;
 };
 
 }  // namespace app

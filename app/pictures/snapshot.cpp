@@ -57,7 +57,7 @@ Snapshots::~Snapshots() = default;
 Snapshots::Snapshots(Snapshots&&) noexcept = default;
 
 render::Image Snapshots::draw(const engine::Simulation& simulation, const scene::Camera& camera,
-                              const std::array<int, 2>& size) {
+                              const std::array<int, 2>& size, bool overlay) {
   Impl& impl = *impl_;
   const scene::Render& look = *impl.scene.render;
   const Shot shot{.time = simulation.time(),
@@ -75,7 +75,7 @@ render::Image Snapshots::draw(const engine::Simulation& simulation, const scene:
   impl.renderer.look(camera_at(camera, impl.built, shot));
   render::Image image =
       impl.renderer.draw(shot.states, shot.time, shot.interiors, impl.rig.of(shot));
-  if (!look.overlay) return image;
+  if (!overlay) return image;
   render::Annotations notes;
   impl.rig.explain(notes);
   render::add_legend(image, impl.renderer.view(), notes);

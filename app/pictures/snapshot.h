@@ -23,9 +23,11 @@ class Snapshots {
   ~Snapshots();
   Snapshots(Snapshots&&) noexcept;
 
-  /// @param size   [px] @throws render::Error if the device cannot draw this size
+  /// @param size   [px]
+  /// @param overlay   False: without text, scales and legends. @throws render::Error if the device
+  /// cannot draw this size
   render::Image draw(const engine::Simulation& simulation, const scene::Camera& camera,
-                     const std::array<int, 2>& size);
+                     const std::array<int, 2>& size, bool overlay);
 
  private:
   struct Impl;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "app/python/threads.h"
 #include "hydro/parallel.h"
@@ -15,9 +16,9 @@ namespace {
 
 constexpr double kLeftToScene = std::numeric_limits<double>::quiet_NaN();
 
-std::size_t bodies_of_first(const std::vector<engine::SimulationSpec>& specs) {
-  if (specs.empty()) throw std::invalid_argument("a batch needs at least one simulation");
-  return specs.front().bodies.size();
+std::size_t bodies_of_first(const std::vector<BatchMember>& members) {
+  if (members.empty()) throw std::invalid_argument("a batch needs at least one simulation");
+  return members.front().spec.bodies.size();
 }
 
 template <class Named>
@@ -34,22 +35,39 @@ void fill_part(std::vector<double>& array, std::size_t part, std::size_t parts, 
 
 }  // namespace
 
-Batch::Batch(std::vector<engine::SimulationSpec> specs, int threads)
-    : motions_(specs.size(), bodies_of_first(specs)),
-      forces_(3 * specs.size() * specs.front().bodies.size()),
+Batch::Batch(std::vector<BatchMember> members, int threads, std::vector<std::string> observed)
+    : motions_(members.size(), bodies_of_first(members)),
+      simulations_(members.size()),
+      observed_(std::move(observed)),
+      observers_(members.size()),
+      forces_(3 * members.size() * members.front().spec.bodies.size()),
       torques_(forces_.size()),
-      controls_(specs.size() * specs.front().set_points.size(), kLeftToScene),
-      errors_(specs.size()),
+      controls_(members.size() * members.front().spec.set_points.size(), kLeftToScene),
+      observations_(members.size() * observed_.size()),
+      errors_(members.size()),
       threads_(shared_threads(threads)) {
-  for (std::size_t i = 0; i < specs.size(); ++i) {
-    if (i > 0 && (!same_names(specs[i].bodies, spec().bodies) ||
-                  !same_names(specs[i].set_points, spec().set_points)))
-      throw std::invalid_argument(
-          fmt::format("simulation {} has other bodies or set points than simulation 0", i));
-    // Simulations are stepped at once, so each needs but one thread.
-    specs[i].threads = 1;
-    simulations_.emplace_back(std::move(specs[i]), motions_.rows(i));
-  }
+  for (std::size_t i = 0; i < members.size(); ++i) make(i, std::move(members[i]));
+}
+
+void Batch::make(std::size_t simulation, BatchMember member) {
+  if (simulations_.front() && (!same_names(member.spec.bodies, spec().bodies) ||
+                               !same_names(member.spec.set_points, spec().set_points)))
+    throw std::invalid_argument(
+        fmt::format("simulation {} has other bodies or set points than simulation 0", simulation));
+  // Simulations are stepped at once, so each needs but one thread.
+  member.spec.threads = 1;
+  auto made = std::make_unique<HeldSimulation>(std::move(member.spec), motions_.rows(simulation),
+                                               member.sensors);
+  if (!observed_.empty())
+    observers_[simulation] = Observer(Observables(*member.scene, *made), observed_);
+  simulations_[simulation] = std::move(made);
+  observe(simulation);
+}
+
+void Batch::observe(std::size_t simulation) {
+  const std::size_t count = observed_.size();
+  if (count > 0)
+    observers_[simulation].read(*simulations_[simulation], &observations_[simulation * count]);
 }
 
 void Batch::step(long count, const std::vector<std::size_t>& which) {
@@ -73,7 +91,7 @@ void Batch::step(long count, const std::vector<std::size_t>& which) {
 
 void Batch::take_steps(std::size_t simulation, long count) {
   if (!errors_[simulation].empty()) return;
-  HeldSimulation& one = simulations_[simulation];
+  HeldSimulation& one = *simulations_[simulation];
   try {
     hand_over_inputs(simulation);
     for (long n = 0; n < count; ++n) one.step();
@@ -81,10 +99,11 @@ void Batch::take_steps(std::size_t simulation, long count) {
     errors_[simulation] = error.what();
   }
   one.show();
+  observe(simulation);
 }
 
 void Batch::hand_over_inputs(std::size_t simulation) {
-  HeldSimulation& one = simulations_[simulation];
+  HeldSimulation& one = *simulations_[simulation];
   for (std::size_t b = 0; b < bodies(); ++b) {
     const std::size_t row = 3 * (simulation * bodies() + b);
     using Row = Eigen::Map<const Eigen::Vector3d>;
@@ -107,21 +126,41 @@ void Batch::hand_over_inputs(std::size_t simulation) {
 }
 
 void Batch::reset(std::size_t simulation) {
-  simulations_.at(simulation).reset();
+  simulations_.at(simulation)->reset();
+  clear_inputs(simulation);
+  observe(simulation);
+}
+
+void Batch::replace(std::size_t simulation, BatchMember member) {
+  try {
+    make(simulation, std::move(member));
+  } catch (...) {
+    simulations_[simulation]->show();
+    throw;
+  }
+  clear_inputs(simulation);
+}
+
+void Batch::clear_inputs(std::size_t simulation) {
   fill_part(forces_, simulation, size(), 0);
   fill_part(torques_, simulation, size(), 0);
   fill_part(controls_, simulation, size(), kLeftToScene);
   errors_[simulation].clear();
 }
 
+void Batch::set_motion(std::size_t simulation, engine::BodyId body, const hydro::BodyState& state) {
+  simulations_.at(simulation)->set_motion(body, state);
+  observe(simulation);
+}
+
 std::string Batch::save(std::size_t simulation) {
-  HeldSimulation& one = simulations_.at(simulation);
+  HeldSimulation& one = *simulations_.at(simulation);
   hand_over_inputs(simulation);
   return one.save();
 }
 
 void Batch::load(std::size_t simulation, std::string_view bytes) {
-  HeldSimulation& one = simulations_.at(simulation);
+  HeldSimulation& one = *simulations_.at(simulation);
   one.load(bytes);
   errors_[simulation].clear();
   fill_part(forces_, simulation, size(), 0);
@@ -139,6 +178,7 @@ void Batch::load(std::size_t simulation, std::string_view bytes) {
   for (std::size_t p = 0; p < count; ++p)
     controls_[simulation * count + p] =
         one.engine().set_value(static_cast<engine::SetPointId>(p)).value_or(kLeftToScene);
+  observe(simulation);
 }
 
 }  // namespace python

@@ -3,29 +3,43 @@
 #include <tbb/task_arena.h>
 
 #include <cstddef>
-#include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/python/held_simulation.h"
 #include "app/python/motions.h"
+#include "app/python/observer.h"
 
 namespace python {
+
+/// A simulation of a batch, to be made.
+struct BatchMember {
+  const scene::Scene* scene = nullptr;  ///< It is read while the simulation is made.
+  engine::SimulationSpec spec;
+  SensorSpec sensors;
+};
 
 /// Simulations of scenes with the same bodies and set points, stepped together on several threads.
 /// Each goes on exactly as it would alone.
 class Batch {
  public:
-  /// Makes a simulation of each specification; they should share hulls (engine/motion/hulls.h).
+  /// Makes a simulation of each member; they should share hulls (engine/motion/hulls.h).
+  /// @param observed   Names of observables, which are read of each simulation (observer.h).
   /// @throws std::invalid_argument if there is none, or if their bodies or set points have other
   ///     names or numbers than the first's
-  Batch(std::vector<engine::SimulationSpec> specs, int threads);
+  /// @throws UnknownName for an observable that there is not
+  Batch(std::vector<BatchMember> members, int threads, std::vector<std::string> observed = {});
 
   std::size_t size() const { return simulations_.size(); }
   std::size_t bodies() const { return spec().bodies.size(); }
-  const engine::SimulationSpec& spec() const { return simulations_.front().engine().spec(); }
-  HeldSimulation& at(std::size_t simulation) { return simulations_.at(simulation); }
+  const engine::SimulationSpec& spec() const { return simulations_.front()->engine().spec(); }
+  HeldSimulation& at(std::size_t simulation) { return *simulations_.at(simulation); }
   MotionArrays& motions() { return motions_; }
+
+  /// Numbers of the observed names of each simulation, in the units of their names.
+  std::vector<double>& observations() { return observations_; }
+  const std::vector<std::string>& observed() const { return observed_; }
 
   /// Loads that act in every step, three numbers a body of each simulation: forces [N] at the
   /// centres of mass, and torques [N m], in W.
@@ -42,6 +56,11 @@ class Batch {
 
   /// Brings a simulation back to time 0, without loads and set values, even after a failure.
   void reset(std::size_t simulation);
+  /// Puts another simulation in the place of one, at time 0.
+  /// @throws as the constructor, and keeps the one that there is
+  void replace(std::size_t simulation, BatchMember member);
+  /// Puts a body of a simulation in another state of motion.
+  void set_motion(std::size_t simulation, engine::BodyId body, const hydro::BodyState& state);
   /// HeldSimulation::save of a simulation under its present loads and set values.
   std::string save(std::size_t simulation);
   /// Restores a simulation, its loads and set values from what save() gave, for any of them.
@@ -53,12 +72,17 @@ class Batch {
   const std::vector<std::string>& errors() const { return errors_; }
 
  private:
+  void make(std::size_t simulation, BatchMember member);
+  void observe(std::size_t simulation);
+  void clear_inputs(std::size_t simulation);
   void take_steps(std::size_t simulation, long count);
   void hand_over_inputs(std::size_t simulation);
 
   MotionArrays motions_;
-  std::deque<HeldSimulation> simulations_;
-  std::vector<double> forces_, torques_, controls_;
+  std::vector<std::unique_ptr<HeldSimulation>> simulations_;
+  std::vector<std::string> observed_;
+  std::vector<Observer> observers_;  ///< One for each simulation.
+  std::vector<double> forces_, torques_, controls_, observations_;
   std::vector<std::string> errors_;
   tbb::task_arena& threads_;
 };

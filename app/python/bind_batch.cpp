@@ -13,14 +13,19 @@
 namespace python {
 namespace {
 
-/// Returns the specifications of a batch. Without variation they are copies of one.
-/// @param vary   Values of keys, one for each simulation: {'bodies[0].density': array}.
-std::vector<engine::SimulationSpec> specs_of(const py::object& scene, std::size_t count,
-                                             int threads, const py::object& vary) {
-  const std::shared_ptr<SceneSource> base = scene_from(scene, py::none());
+/// A batch's scenes, and the simulations that are to be made of them.
+struct Members {
   std::vector<std::shared_ptr<SceneSource>> scenes;
+  std::vector<BatchMember> members;
+};
+
+/// Returns the members of a batch. Without variation they are copies of one.
+/// @param vary   Values of keys, one for each member: {'bodies[0].density': array}.
+Members members_of(const std::shared_ptr<SceneSource>& base, std::size_t count, int threads,
+                   const py::object& vary) {
+  Members all;
   if (vary.is_none() || py::len(vary) == 0) {
-    scenes.assign(count, base);
+    all.scenes.assign(count, base);
   } else {
     for (const auto& [key, values] : vary.cast<py::dict>())
       if (py::len(values) != count)
@@ -31,24 +36,30 @@ std::vector<engine::SimulationSpec> specs_of(const py::object& scene, std::size_
     for (std::size_t i = 0; i < count; ++i) {
       py::dict own;
       for (const auto& [key, values] : vary.cast<py::dict>()) own[key] = values[py::int_(i)];
-      scenes.push_back(scene_from(py::cast(base), own));
+      all.scenes.push_back(scene_from(py::cast(base), own));
     }
   }
   const Unlocked unlocked;
-  SceneSource::build_together(scenes, threads);
-  std::vector<engine::SimulationSpec> specs;
-  for (const auto& source : scenes) {
-    specs.push_back(source->built(1).spec);
-    specs.back().record_work = false;
+  SceneSource::build_together(all.scenes, threads);
+  for (const auto& source : all.scenes) {
+    const assembly::BuiltScene& built = source->built(1);
+    all.members.push_back({.scene = &source->scene(),
+                           .spec = built.spec,
+                           .sensors = {source->scene().probes, built.centers_of_mass}});
+    all.members.back().spec.record_work = false;
   }
-  return specs;
+  return all;
 }
 
 /// Python's Batch.
 class PyBatch {
  public:
-  PyBatch(const py::object& scene, std::size_t count, int threads, const py::object& vary)
-      : batch_(std::make_shared<Batch>(specs_of(scene, count, threads, vary), threads)) {
+  PyBatch(const py::object& scene, std::size_t count, int threads, const py::object& vary,
+          const std::vector<std::string>& observe)
+      : scene_(scene_from(scene, py::none())),
+        threads_(threads),
+        batch_(std::make_shared<Batch>(members_of(scene_, count, threads, vary).members, threads,
+                                       observe)) {
     // The arrays keep the batch, not this: a cycle would never be freed.
     const py::capsule owner(new std::shared_ptr<Batch>(batch_), [](void* batch) {
       delete static_cast<std::shared_ptr<Batch>*>(batch);
@@ -65,6 +76,8 @@ class PyBatch {
     force = view(batch_->forces().data(), {n, bodies, 3}, owner, true);
     torque = view(batch_->torques().data(), {n, bodies, 3}, owner, true);
     control = view(batch_->controls().data(), {n, points}, owner, true);
+    const auto observed = static_cast<py::ssize_t>(batch_->observed().size());
+    observation = view(batch_->observations().data(), {n, observed}, owner, false);
   }
 
   Batch& batch() { return *batch_; }
@@ -109,21 +122,28 @@ class PyBatch {
     return {indices.begin(), indices.end()};
   }
 
-  void reset(const py::object& which) {
+  void reset(const py::object& which, const py::object& vary) {
     std::vector<std::size_t> some(batch_->size());
     std::iota(some.begin(), some.end(), std::size_t{0});
     if (!which.is_none()) some = chosen(which);
+    if (vary.is_none() || py::len(vary) == 0) {
+      const auto lock = wait();
+      for (const std::size_t i : some) batch_->reset(i);
+      return;
+    }
+    Members made = members_of(scene_, some.size(), threads_, vary);
     const auto lock = wait();
-    for (const std::size_t i : some) batch_->reset(i);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      batch_->replace(some[i], std::move(made.members[i]));
   }
 
   void set_motion(py::ssize_t simulation, const py::object& body, const py::object& place,
                   const py::object& turn, const py::object& speed, const py::object& spin) {
     const engine::BodyId id = body_index(batch_->spec(), body);
-    HeldSimulation& one = batch_->at(index(simulation));
+    const std::size_t i = index(simulation);
     const auto lock = wait();
-    const hydro::BodyState state = moved(one.engine().states()[id], place, turn, speed, spin);
-    one.set_motion(id, state);
+    const hydro::BodyState before = batch_->at(i).engine().states()[id];
+    batch_->set_motion(i, id, moved(before, place, turn, speed, spin));
   }
 
   py::dict errors() const {
@@ -142,11 +162,14 @@ class PyBatch {
     batch_->load(index(simulation), state);
   }
 
-  py::array time, position, orientation, velocity, angular_velocity, force, torque, control;
+  py::array time, position, orientation, velocity, angular_velocity, force, torque, control,
+      observation;
 
  private:
   std::unique_lock<std::mutex> wait() { return locked(busy_); }
 
+  std::shared_ptr<SceneSource> scene_;
+  int threads_;
   std::shared_ptr<Batch> batch_;
   std::mutex busy_;
 };
@@ -169,13 +192,17 @@ void bind_batch(py::module_& module) {
   py::class_<B>(module, "Batch",
                 "n simulations of one scene that are stepped together on several threads. Each "
                 "gives the bits that it would give alone.\n\n"
-                "All arrays are live views. time, position, orientation, velocity and "
-                "angular_velocity are read-only; force, torque and control are written to.")
-      .def(py::init<const py::object&, std::size_t, int, const py::object&>(), py::arg("scene"),
-           py::arg("n"), py::arg("threads") = 0, py::arg("vary") = none,
+                "All arrays are live views. time, position, orientation, velocity, "
+                "angular_velocity and observation are read-only; force, torque and control are "
+                "written to.")
+      .def(py::init<const py::object&, std::size_t, int, const py::object&,
+                    const std::vector<std::string>&>(),
+           py::arg("scene"), py::arg("n"), py::arg("threads") = 0, py::arg("vary") = none,
+           py::arg("observe") = std::vector<std::string>(),
            "scene: a Scene, a path or a dict. threads: 0 for all cores. vary: values of keys, one "
            "for each simulation: {'bodies[buoy].density': numpy.linspace(300, 900, n)}. Bodies of "
-           "one mesh share their hull and its added mass.")
+           "one mesh share their hull and its added mass. observe: names of what observation "
+           "holds, of those that Simulation.observables lists.")
       .def("step", &B::step, py::arg("count") = 1, py::arg("which") = none,
            "Takes steps of all simulations, or of some: an index, a list, or a mask. One that "
            "fails stands still from then on; errors tells why.")
@@ -200,6 +227,12 @@ void bind_batch(py::module_& module) {
       .def_readonly("control", &B::control,
                     "(n, set points): values in the units of their names; NaN, as at first, "
                     "leaves a set point to the scene.")
+      .def_readonly("observation", &B::observation,
+                    "(n, observed names): numbers in the units of their names, as "
+                    "Simulation.observe gives them.")
+      .def_property_readonly(
+          "observed", [](B& b) { return b.batch().observed(); },
+          "Names of the columns of observation.")
       .def(
           "index", [](B& b, const py::object& body) { return body_index(b.batch().spec(), body); },
           py::arg("body"), "Index of a body by its name.")
@@ -210,8 +243,11 @@ void bind_batch(py::module_& module) {
       .def_property_readonly("errors", &B::errors,
                              "Why simulations stand still: {index: text}. A reset or a load ends "
                              "it.")
-      .def("reset", &B::reset, py::arg("which") = none,
-           "Back to time 0, without loads and set values: all, an index, a list, or a mask.")
+      .def("reset", &B::reset, py::arg("which") = none, py::arg("vary") = none,
+           "Back to time 0, without loads and set values: all, an index, a list, or a mask. vary: "
+           "values of keys, one for each of those that are reset, which begin with them in place "
+           "of the scene's: {'water.surface.spectrum.seed': [7, 8]} gives two another sea. They "
+           "hold until the next reset with vary, and bodies and set points keep their names.")
       .def("set_motion", &B::set_motion, py::arg("simulation"), py::arg("body"),
            py::arg("position") = none, py::arg("orientation") = none, py::arg("velocity") = none,
            py::arg("angular_velocity") = none, "As Simulation.set_motion.")

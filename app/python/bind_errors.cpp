@@ -2,6 +2,7 @@
 
 #include "app/base/output_error.h"
 #include "app/python/bindings.h"
+#include "app/python/observer.h"
 #include "app/render/image.h"
 #include "app/scene/diagnostics.h"
 
@@ -42,6 +43,8 @@ void translate(std::exception_ptr pointer) {
     raise_scene_error(error);
   } catch (const engine::SimulationError& error) {
     raise_simulation_error(error);
+  } catch (const UnknownName& error) {
+    PyErr_SetString(PyExc_KeyError, error.what());
   } catch (const py::cast_error& error) {
     // By itself pybind11 makes a RuntimeError of an argument of another type.
     PyErr_SetString(PyExc_TypeError, error.what());

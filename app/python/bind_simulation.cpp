@@ -13,6 +13,8 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/held_simulation.h"
+#include "app/python/observer.h"
+#include "app/python/readings.h"
 #include "app/python/run_folder.h"
 #include "app/render/image.h"
 #include "app/scene/rig_names.h"
@@ -35,7 +37,9 @@ class PySimulation {
   PySimulation(std::shared_ptr<SceneSource> source, int threads, bool forces)
       : source_(std::move(source)),
         motions_(std::make_shared<MotionArrays>(1, source_->scene().bodies.size())),
-        held_(spec_of(*source_, threads, forces), motions_->all()) {
+        held_(spec_of(*source_, threads, forces), motions_->all(),
+              {source_->scene().probes, source_->built(1).centers_of_mass}),
+        observables_(source_->scene(), held_) {
     // The arrays keep the motions, not this: a cycle would never be freed.
     const py::capsule owner(new std::shared_ptr<MotionArrays>(motions_), [](void* motions) {
       delete static_cast<std::shared_ptr<MotionArrays>*>(motions);
@@ -124,31 +128,22 @@ class PySimulation {
       const Unlocked unlocked;
       row = app::force_row(engine().forces()[id]);
     }
-    return wrenches(row);
+    return forces_of(row);
   }
 
   py::dict readings() const {
-    const app::RigLog log(spec(), true);
-    std::vector<std::vector<double>> numbers;
-    {
-      const auto lock = wait();
-      numbers = log.numbers(engine().rig(), engine().states());
-    }
-    py::dict all;
-    const std::vector<app::LogTable> tables = log.tables();
-    for (std::size_t t = 0; t < tables.size(); ++t) {
-      py::dict table;
-      const double* number = numbers[t].data();
-      for (const std::string& name : tables[t].names) {
-        py::dict row;
-        for (const app::TableSeries& series : tables[t].layout.series)
-          for (const std::string& column : series.columns) row[py::str(column)] = *number++;
-        table[py::str(name)] = row;
-      }
-      const std::string& file = tables[t].layout.file;
-      all[py::str(file.substr(0, file.find('.')))] = table;
-    }
-    return all;
+    const auto lock = wait();
+    return readings_of(held_);
+  }
+
+  std::vector<std::string> observables() const { return observables_.names(); }
+
+  py::array observe(const std::vector<std::string>& names) const {
+    const Observer observer(observables_, names);
+    std::vector<double> numbers(observer.size());
+    const auto lock = wait();
+    observer.read(held_, numbers.data());
+    return to_array(numbers);
   }
 
   py::bytes save() const {
@@ -181,7 +176,7 @@ class PySimulation {
     if (const std::unique_ptr<RunFolder> log = std::exchange(log_, nullptr)) log->finish(engine());
   }
 
-  py::array render(const py::object& camera, const py::object& size) {
+  py::array render(const py::object& camera, const py::object& size, bool overlay) {
     const scene::Camera view = camera_from(camera);
     const scene::Render look = source_->scene().render.value_or(scene::Render());
     const auto pixels = size.is_none() ? look.size : size.cast<std::array<int, 2>>();
@@ -192,7 +187,7 @@ class PySimulation {
       const auto lock = wait();
       const Unlocked unlocked;
       if (!snapshots_) snapshots_.emplace(source_->scene(), source_->built(1));
-      image = snapshots_->draw(engine(), view, pixels);
+      image = snapshots_->draw(engine(), view, pixels, overlay && look.overlay);
     }
     return py::array_t<std::uint8_t>({image.height, image.width, 3}, image.rgb.data());
   }
@@ -207,19 +202,6 @@ class PySimulation {
   };
 
   std::unique_lock<std::mutex> wait() const { return locked(busy_); }
-
-  static py::dict wrenches(const std::vector<double>& row) {
-    py::dict forces;
-    const double* number = row.data();
-    for (const app::Hdf5Series& series : app::force_series(1)) {
-      const std::size_t width = app::width_of(series);
-      forces[py::str(series.name)] =
-          width == 1 ? py::object(py::float_(*number))
-                     : py::object(to_array(std::vector<double>(number, number + width)));
-      number += width;
-    }
-    return forces;
-  }
 
   /// Returns the camera of a name or a dict; by default the scene's first.
   scene::Camera camera_from(const py::object& camera) const {
@@ -240,6 +222,7 @@ class PySimulation {
   std::shared_ptr<SceneSource> source_;
   std::shared_ptr<MotionArrays> motions_;
   HeldSimulation held_;
+  Observables observables_;
   std::unique_ptr<RunFolder> log_;
   std::optional<app::Snapshots> snapshots_;
   mutable std::mutex busy_;
@@ -354,7 +337,19 @@ void bind_simulation(py::module_& module) {
            "numbers.")
       .def("readings", &S::readings,
            "Lines, joints, machines and controls in the present state, as in lines.csv and the "
-           "other tables: readings()['lines']['ropes[tow]']['tension'].")
+           "other tables: readings()['lines']['ropes[tow]']['tension']. 'probes' has those of the "
+           "scene's log.probes by name. A point of a body reads as instruments on board do, in "
+           "body axes: velocity vx, vy, vz [m/s], acceleration ax, ay, az [m/s^2], angular "
+           "velocity wx, wy, wz [rad/s], and specific force a - g as specific_x, specific_y, "
+           "specific_z [m/s^2]. An acceleration is the change of velocity in the last step over "
+           "the step, and zero before the first.")
+      .def_property_readonly("observables", &S::observables,
+                             "Names that observe() takes: quantities of bodies as "
+                             "'tug.heading_deg', columns of readings() as 'ropes[tow].tension' "
+                             "and 'probes[imu].specific_z'.")
+      .def("observe", &S::observe, py::arg("names"),
+           "Some observables in the present state, (names,), in the units of their names. Raises "
+           "KeyError for an unknown name.")
       .def("save", &S::save,
            "Everything that changes, as bytes. A simulation of the same scene that loads them goes "
            "on to the same bits.")
@@ -369,11 +364,12 @@ void bind_simulation(py::module_& module) {
            "Ends the log and writes summary.json, so that `plimsoll report` and the others take "
            "the folder. Leaving a `with` block and deleting the simulation do it, too.")
       .def("render", &S::render, py::arg("camera") = none, py::arg("size") = none,
+           py::arg("overlay") = true,
            "Draws the present state, without a display: an array (height, width, 3) of bytes, "
            "red, green, blue.\n\ncamera: the name of one of the scene's, or a dict as in a "
            "scene, {'from': [6, -8, 3], 'to': [0, 0, 0]}; by default the scene's first. size: "
-           "width and height [px]. Automatic scales enclose the states drawn so far. Raises "
-           "RenderError without graphics.")
+           "width and height [px]. overlay: False leaves out text, scales and legends. Automatic "
+           "scales enclose the states drawn so far. Raises RenderError without graphics.")
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__", [](S& s, const py::args&) { s.close_log(); })
       .def("__repr__", &repr);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "app/python/motions.h"
+#include "app/python/sensors.h"
 #include "engine/simulation.h"
 
 namespace python {
@@ -16,14 +18,17 @@ struct HeldLoad {
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< Where the force acts, in B [m].
 };
 
-/// A simulation under loads that its user holds, and whose motion is kept in arrays.
+/// A simulation under loads that its user holds, with sensors, and whose motion is kept in arrays.
 class HeldSimulation {
  public:
   /// @param rows   They must outlive this.
   /// @throws as engine::Simulation does
-  HeldSimulation(engine::SimulationSpec spec, const MotionRows& rows);
+  HeldSimulation(engine::SimulationSpec spec, const MotionRows& rows,
+                 const SensorSpec& sensors = {});
+  HeldSimulation(const HeldSimulation&) = delete;  // The sensors refer to the engine.
 
   const engine::Simulation& engine() const { return engine_; }
+  const std::optional<Sensors>& sensors() const { return sensors_; }  ///< None without probes.
 
   /// Replaces the load on a body. @throws std::invalid_argument unless it is finite.
   void hold(engine::BodyId body, const HeldLoad& load);
@@ -49,6 +54,7 @@ class HeldSimulation {
 
  private:
   engine::Simulation engine_;
+  std::optional<Sensors> sensors_;
   MotionRows rows_;
   std::map<engine::BodyId, HeldLoad> loads_;
 };

@@ -1,4 +1,5 @@
-"""What Python costs: a loop of single steps, and a batch, against the same in C++ (BM_Fleet).
+"""What Python costs: a loop of single steps, and a batch, against the same in C++ (BM_Fleet); and
+how many steps a second a thousand environments take, with observations and without.
 
     tools/python tests/benchmarks/python_bench.py
 
@@ -15,7 +16,22 @@ import plimsoll as pl
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENE = ROOT / "tests/benchmarks/buoy.yaml"
-ROUNDS, STEPS, BUOYS = 7, 2000, 256
+ROUNDS, STEPS, BUOYS, HULLS = 7, 2000, 256, 1000
+
+# A hull of 320 triangles with a screw in a wave, with an instrument on board.
+HULL = {
+    "plimsoll": 1,
+    "duration": 1000,
+    "step": 0.02,
+    "water": {"surface": {"waves": [{"amplitude": 0.1, "period": 3}]}},
+    "hydro": {"radiation": "none"},
+    "bodies": [{"name": "hull", "icosphere": {"radius": 1, "subdivisions": 2}, "density": 500}],
+    "propellers": [{"name": "main", "body": "hull", "at": [-1, 0, -0.5], "diameter": 0.3,
+                    "model": {"wageningen": {"blades": 4, "area_ratio": 0.7, "pitch_ratio": 1}}}],
+    "log": {"probes": [{"name": "imu", "body": "hull", "at": [0, 0, 0.5]}]},
+}
+OBSERVATIONS = ["hull.heading_deg", "hull.speed", "hull.z", "probes[imu].specific_x", "probes[imu].specific_z",
+                "probes[imu].wz"]
 
 
 def seconds(work) -> float:
@@ -38,6 +54,21 @@ def cpp() -> dict:
                            "--benchmark_min_time=0.5"], capture_output=True, text=True, check=True)
     return {row["name"].removesuffix("/real_time"): row["items_per_second"]
             for row in json.loads(done.stdout)["benchmarks"]}
+
+
+def environments() -> None:
+    """Prints the steps a second of a thousand environments, and the time of a reset with another hull."""
+    actions = {"propellers[main].speed_rps": (0.0, 5.0)}
+    kinds = {"6 observations": dict(observations=OBSERVATIONS),
+             "positions alone": dict(observe=lambda batch: batch.position[:, 0])}
+    print(f"\n| {HULLS} environments of a hull of 320 triangles | steps a second |\n| --- | ---: |")
+    for name, how in kinds.items():
+        env = pl.VectorEnv(HULL, n=HULLS, actions=actions, vary={"bodies[hull].density": (450.0, 550.0)}, **how)
+        set_up = seconds(env.reset)
+        taken = env.action_space.sample()
+        rate = max(HULLS / seconds(lambda: env.step(taken)) for _ in range(ROUNDS))
+        print(f"| {name} | {rate:,.0f} |")
+    print(f"\na reset that draws another density: {1e3 * set_up / HULLS:.1f} ms an environment")
 
 
 def main() -> None:
@@ -67,6 +98,7 @@ def main() -> None:
         compared = f"{other:,.0f} | {100 * rate[threads] / other:.0f} %" if other else "– | –"
         print(f"| {threads} thread{'s' * (threads > 1)} | {rate[threads]:,.0f} | {compared} |")
     print(f"\ntwo threads over one: Batch {rate[2] / rate[1]:.2f}")
+    environments()
 
 
 if __name__ == "__main__":

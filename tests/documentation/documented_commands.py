@@ -147,7 +147,7 @@ ropes:
 propellers:
   - {name: main, body: tug, at: [-3, 0, -0.6], axis: [1, 0, 0], diameter: 0.6,
      model: {wageningen: {blades: 4, area_ratio: 0.7, pitch_ratio: 1}}, speed_rps: 2}
-log: {forces: true}
+log: {forces: true, probes: [{name: imu, body: tug, at: [2, 0, 1]}]}
 """
 
 # A float that works against a damper.
@@ -170,6 +170,8 @@ SNIPPETS = {
     "sim = pl.Simulation(scene)": ("", {"plimsoll"}),
     "state = sim.save(); sim.load(state)": (SIMULATION, {"plimsoll"}),
     "batch.reset([3, 7])": (BATCH, {"plimsoll"}),
+    'sim.readings()["probes"]': (SIMULATION, {"plimsoll"}),
+    "env = pl.Env(": ("import plimsoll as pl\n", {"plimsoll"}),
 }
 
 

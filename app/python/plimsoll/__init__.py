@@ -6,8 +6,9 @@
     print(sim.time, sim.position[sim.index("teapot")])
 
 Quantities are in SI units. The world W has z up; a quaternion is w, x, y, z. `Scene.load` reads a
-scene, `Simulation` steps it, `Batch` steps many at once; `loads`, `added_mass`, `radiation` and
-`hydrostatics` compute without one; `read_log` and `read_sweep` read what the program wrote.
+scene, `Simulation` steps it, `Batch` steps many at once, `Env` and `VectorEnv` make environments of
+Gymnasium of them; `loads`, `added_mass`, `radiation` and `hydrostatics` compute without one;
+`read_log` and `read_sweep` read what the program wrote.
 """
 
 from plimsoll._core import (
@@ -26,6 +27,7 @@ from plimsoll._core import (
     loads,
     radiation,
 )
+from plimsoll.gym import Env, VectorEnv
 from plimsoll.logs import BodyLog, Log, read_log
 from plimsoll.sweeps import Sweep, read_sweep
 
@@ -33,6 +35,7 @@ __all__ = [
     "Batch",
     "BodyLog",
     "Control",
+    "Env",
     "Fault",
     "Log",
     "Mesh",
@@ -42,6 +45,7 @@ __all__ = [
     "Simulation",
     "SimulationError",
     "Sweep",
+    "VectorEnv",
     "__version__",
     "added_mass",
     "hydrostatics",

@@ -1,112 +1,194 @@
-"""A batch of simulations as a vector environment of Gymnasium (1.0 or later).
+"""Scenes as environments of Gymnasium (1.0 or later): one, and a batch of them.
 
-Without Gymnasium installed the class works by itself, with the spaces of this file.
+Without Gymnasium installed the classes work by themselves, with spaces of their own.
 """
 
 from __future__ import annotations
 
-import enum
-from dataclasses import dataclass
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
-from plimsoll._core import Batch
+from plimsoll._core import Batch, Scene, Simulation, SimulationError
+from plimsoll._spaces import HAS_GYMNASIUM, AutoresetMode, Box, EnvBase, VectorEnvBase, batched
+
+__all__ = ["HAS_GYMNASIUM", "AutoresetMode", "Box", "Env", "VectorEnv"]
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
-
-try:
-    from gymnasium.spaces import Box
-    from gymnasium.vector import AutoresetMode
-    from gymnasium.vector import VectorEnv as _Base
-    from gymnasium.vector.utils import batch_space as _batched
-
-    HAS_GYMNASIUM = True
-except ImportError:
-    HAS_GYMNASIUM = False
-
-    class AutoresetMode(enum.Enum):  # type: ignore[no-redef]
-        """When an environment whose episode has ended begins the next one."""
-
-        NEXT_STEP = "NextStep"
-        SAME_STEP = "SameStep"
-        DISABLED = "Disabled"
-
-    @dataclass
-    class Box:  # type: ignore[no-redef]
-        """Arrays between two bounds."""
-
-        low: FloatArray
-        high: FloatArray
-        dtype: type = np.float64
-
-        @property
-        def shape(self) -> Tuple[int, ...]:
-            return self.low.shape
-
-        def contains(self, value: FloatArray) -> bool:
-            return value.shape == self.shape and bool(np.all((value >= self.low) & (value <= self.high)))
-
-        def sample(self) -> FloatArray:
-            drawn: FloatArray = np.random.default_rng().uniform(self.low, self.high)
-            return drawn
-
-    class _Base:  # type: ignore[no-redef]
-        pass
-
-    def _batched(space: Box, n: int) -> Box:
-        return Box(np.tile(space.low, (n, 1)), np.tile(space.high, (n, 1)))
+#: Names of set points, or their bounds by name.
+Actions = Union[Sequence[str], Mapping[str, Tuple[float, float]]]
+#: Bounds of keys, or functions that draw their values.
+Vary = Mapping[str, Union[Tuple[float, float], Callable[[np.random.Generator], Any]]]
 
 
-class VectorEnv(_Base):  # type: ignore[misc]
+class Env(EnvBase):  # type: ignore[misc]
+    """An environment: a simulation that actions drive.
+
+    scene               a Scene, a path or a dict
+    actions             set points that an action sets, in the units of their names: names, whose
+                        bounds are low and high, or {name: (lowest, highest)}
+    observations        what a controller sees, of Simulation.observables, in the units of the names
+    reward(sim, action) after the steps of an action; by default 0
+    done(sim)           whether the episode has reached its end; by default never
+    vary                keys of the scene that each episode draws anew: {key: (lowest, highest)}, of
+                        whole numbers a whole number, or {key: function of a numpy.random.Generator}
+    steps               steps of the simulation in a step of the environment
+    duration            time after which an episode is truncated [s]; by default the scene's
+    seed                where the random numbers of `vary` begin, as that of reset()
+    threads             how many compute
+    camera, size        of the pictures with render_mode="rgb_array", as in Simulation.render
+
+    An episode whose simulation fails is terminated; `info["error"]` has the reason.
+    `simulation` is that of the present episode.
+    """
+
+    def __init__(
+        self,
+        scene: Any,
+        actions: Actions,
+        observations: Sequence[str],
+        *,
+        reward: Optional[Callable[[Simulation, FloatArray], float]] = None,
+        done: Optional[Callable[[Simulation], bool]] = None,
+        low: Optional[npt.ArrayLike] = None,
+        high: Optional[npt.ArrayLike] = None,
+        vary: Optional[Vary] = None,
+        steps: int = 1,
+        duration: Optional[float] = None,
+        seed: Optional[int] = None,
+        threads: int = 1,
+        render_mode: Optional[str] = None,
+        camera: Union[None, str, Mapping[str, Any]] = None,
+        size: Optional[Tuple[int, int]] = None,
+    ) -> None:
+        if render_mode not in (None, "rgb_array"):
+            raise ValueError(f"render_mode: found {render_mode!r}, expected None or 'rgb_array'")
+        self._scene = scene if isinstance(scene, Scene) else Scene(scene)
+        self._threads, self._reward, self._done, self._vary = threads, reward, done, dict(vary or {})
+        self._steps, self._camera, self._size = steps, camera, size
+        self._duration = self._scene.duration if duration is None else duration
+        self._actions, self._observations = list(actions), list(observations)
+        self.render_mode = render_mode
+        self.metadata = {
+            "render_modes": ["rgb_array"],
+            "render_fps": 1 / (steps * self._scene.step),
+        }
+        self.simulation = Simulation(self._scene, threads=threads, forces=False)
+        for name in self._actions:
+            self.simulation.control[name]  # An unknown name is a KeyError now.
+        self.action_space = _space_of(actions, low, high)
+        seen = np.full(self._seen().shape, np.inf)
+        self.observation_space = Box(-seen, seen, dtype=np.float64)
+        super().reset(seed=seed)
+
+    def reset(
+        self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
+    ) -> Tuple[FloatArray, Dict[str, Any]]:
+        """Begin a new episode."""
+        super().reset(seed=seed)
+        if self._vary:
+            drawn = Scene(self._scene, set=_drawn(self._vary, self.np_random))
+            self.simulation = Simulation(drawn, threads=self._threads, forces=False)
+        else:
+            self.simulation.reset()
+        return self._seen(), {}
+
+    def step(self, action: FloatArray) -> Tuple[FloatArray, float, bool, bool, Dict[str, Any]]:
+        """Take a step; see Gymnasium."""
+        action = np.atleast_1d(np.asarray(action, dtype=float))
+        for name, value in zip(self._actions, action):
+            self.simulation.control[name] = float(value)
+        info: Dict[str, Any] = {}
+        try:
+            self.simulation.step(self._steps)
+        except SimulationError as error:
+            info["error"] = str(error)
+        reward = 0.0 if self._reward is None else float(self._reward(self.simulation, action))
+        over = "error" in info or (self._done is not None and bool(self._done(self.simulation)))
+        late = self.simulation.time >= self._duration - 1e-9
+        return self._seen(), reward, over, bool(late and not over), info
+
+    def render(self) -> Optional[npt.NDArray[np.uint8]]:
+        """Return a picture without text, (height, width, 3), with render_mode="rgb_array"."""
+        if self.render_mode is None:
+            return None
+        return self.simulation.render(camera=self._camera, size=self._size, overlay=False)
+
+    def close(self) -> None:
+        """Do nothing: the simulation goes when nobody keeps it."""
+
+    def _seen(self) -> FloatArray:
+        return self.simulation.observe(self._observations)
+
+
+class VectorEnv(VectorEnvBase):  # type: ignore[misc]
     """Environments that share a batch: one for each of its n simulations.
 
-    observe(batch)           what a controller sees, (n, observations)
-    reward(batch, actions)   after the steps of an action, (n,)
+    batch                    a Batch, or a scene of which one of n simulations is made
+    observe(batch)           what a controller sees, (n, observations); by default the observations
+    reward(batch, actions)   after the steps of an action, (n,); by default 0
+    actions                  set points that an action sets, as in Env; by default all
+    observations             what a controller sees, as in Env; of a Batch by default what it
+                             observes
     done(batch)              mask of the episodes that have reached their end, (n,); by default none
-    act(batch, actions)      hands the actions over; by default to `batch.control`
+    act(batch, actions)      hands the actions over; by default to the set points
     begin(batch, which, rng) changes the states at which the episodes `which` begin; by default none
+    vary                     keys of the scene that each episode draws anew, as in Env
     low, high                bounds of an action, (actions,)
     steps                    steps of the simulation in a step of the environment
-    duration                 time after which an episode is truncated [s]
+    duration                 time after which an episode is truncated [s]; by default the scene's,
+                             of a Batch never
     autoreset                when the next episode begins: "NextStep", "SameStep", or "Disabled",
                              where reset(options={"reset_mask": mask}) begins it
+    seed                     where the random numbers of `vary` and `begin` begin
+    threads                  how many compute, 0 for all cores; that of a Batch is its own
 
     An episode whose simulation fails is terminated; `info["error"]` has the reason.
     """
 
     def __init__(
         self,
-        batch: Batch,
-        observe: Callable[[Batch], FloatArray],
-        reward: Callable[[Batch, FloatArray], FloatArray],
+        batch: Any,
+        observe: Optional[Callable[[Batch], FloatArray]] = None,
+        reward: Optional[Callable[[Batch, FloatArray], FloatArray]] = None,
         *,
-        low: npt.ArrayLike,
-        high: npt.ArrayLike,
+        n: int = 1,
+        actions: Optional[Actions] = None,
+        observations: Optional[Sequence[str]] = None,
+        low: Optional[npt.ArrayLike] = None,
+        high: Optional[npt.ArrayLike] = None,
         done: Optional[Callable[[Batch], BoolArray]] = None,
         act: Optional[Callable[[Batch, FloatArray], None]] = None,
         begin: Optional[Callable[[Batch, npt.NDArray[np.int64], np.random.Generator], None]] = None,
+        vary: Optional[Vary] = None,
         steps: int = 1,
-        duration: float = np.inf,
+        duration: Optional[float] = None,
         autoreset: str = "NextStep",
+        seed: Optional[int] = None,
+        threads: int = 0,
     ) -> None:
+        limit = np.inf
+        if not isinstance(batch, Batch):
+            scene = batch if isinstance(batch, Scene) else Scene(batch)
+            batch, limit = Batch(scene, n, threads=threads, observe=list(observations or ())), scene.duration
         self.batch = batch
         self.num_envs = len(batch)
         self.metadata: Dict[str, Any] = {"autoreset_mode": AutoresetMode(autoreset)}
         self.render_mode: Optional[str] = None
-        self._observe, self._reward, self._done, self._begin = observe, reward, done, begin
-        self._act = act or _to_controls
-        self._steps, self._duration = steps, duration
+        self._observe = observe or _by_name(batch, observations)
+        self._reward, self._done, self._begin, self._vary = reward, done, begin, dict(vary or {})
+        names = batch.set_points if actions is None else list(actions)
+        self._act = act or _to_controls([batch.set_point(name) for name in names])
+        self._steps, self._duration = steps, limit if duration is None else duration
         self._over = np.zeros(self.num_envs, dtype=bool)
-        self._rng = np.random.default_rng()
-        bounds = np.atleast_1d(np.asarray(low, dtype=float)), np.atleast_1d(np.asarray(high, dtype=float))
-        self.single_action_space = Box(*bounds, dtype=np.float64)
+        self._rng = np.random.default_rng(seed)
+        self.single_action_space = _space_of(names if actions is None else actions, low, high)
         seen = np.full(self._seen().shape[1:], np.inf)
         self.single_observation_space = Box(-seen, seen, dtype=np.float64)
-        self.action_space = _batched(self.single_action_space, self.num_envs)
-        self.observation_space = _batched(self.single_observation_space, self.num_envs)
+        self.action_space = batched(self.single_action_space, self.num_envs)
+        self.observation_space = batched(self.single_observation_space, self.num_envs)
 
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
@@ -135,7 +217,8 @@ class VectorEnv(_Base):  # type: ignore[misc]
         if errors:
             failed[list(errors)] = True
             info["error"] = [errors.get(i, "") for i in range(self.num_envs)]
-        reward = np.where(stepped, self._reward(self.batch, actions), 0.0)
+        earned = np.zeros(self.num_envs) if self._reward is None else self._reward(self.batch, actions)
+        reward = np.where(stepped, earned, 0.0)
         terminated = stepped & (failed if self._done is None else failed | self._done(self.batch))
         truncated = stepped & ~terminated & (self.batch.time >= self._duration - 1e-9)
         self._over = np.where(stepped, terminated | truncated, mode is AutoresetMode.DISABLED)
@@ -153,11 +236,52 @@ class VectorEnv(_Base):  # type: ignore[misc]
         return np.array(self._observe(self.batch), dtype=float).reshape(self.num_envs, -1)
 
     def _restart(self, which: npt.NDArray[np.int64]) -> None:
-        self.batch.reset(which)
+        drawn = [_drawn(self._vary, self._rng) for _ in which]
+        self.batch.reset(which, vary={key: [one[key] for one in drawn] for key in self._vary})
         if self._begin is not None:
             self._begin(self.batch, which, self._rng)
         self._over[which] = False
 
 
-def _to_controls(batch: Batch, actions: FloatArray) -> None:
-    batch.control[:] = actions
+def _space_of(actions: Actions, low: Optional[npt.ArrayLike], high: Optional[npt.ArrayLike]) -> Box:
+    """Return the space of actions, with bounds by name or those of low and high."""
+    if isinstance(actions, Mapping):
+        if low is not None or high is not None:
+            raise ValueError("actions have bounds by name: low and high are for a list of names")
+        bounds = np.array(list(actions.values()), dtype=float).reshape(-1, 2)
+        return Box(bounds[:, 0], bounds[:, 1], dtype=np.float64)
+    if low is None or high is None:
+        raise ValueError("actions need bounds: {name: (lowest, highest)}, or low and high")
+    ends = np.atleast_1d(np.asarray(low, dtype=float)), np.atleast_1d(np.asarray(high, dtype=float))
+    return Box(*ends, dtype=np.float64)
+
+
+def _drawn(vary: Vary, rng: np.random.Generator) -> Dict[str, Any]:
+    """Draw a value of each key."""
+    values: Dict[str, Any] = {}
+    for key, how in vary.items():
+        if callable(how):
+            values[key] = how(rng)
+        elif all(isinstance(end, (int, np.integer)) for end in how):
+            values[key] = int(rng.integers(int(how[0]), int(how[1]), endpoint=True))
+        else:
+            values[key] = float(rng.uniform(*how))
+    return values
+
+
+def _by_name(batch: Batch, observations: Optional[Sequence[str]]) -> Callable[[Batch], FloatArray]:
+    """Return what hands over some of a batch's observations."""
+    if not batch.observed:
+        raise ValueError("there is nothing to observe: give observations, or observe(batch)")
+    unknown = set(observations or ()) - set(batch.observed)
+    if unknown:
+        raise ValueError(f"the batch does not observe {', '.join(sorted(unknown))}: make it with observe=[…]")
+    columns: List[int] = [batch.observed.index(name) for name in observations or batch.observed]
+    return lambda batch: batch.observation[:, columns]
+
+
+def _to_controls(columns: List[int]) -> Callable[[Batch, FloatArray], None]:
+    def act(batch: Batch, actions: FloatArray) -> None:
+        batch.control[:, columns] = actions
+
+    return act

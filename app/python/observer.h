@@ -1,0 +1,78 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/python/held_simulation.h"
+#include "app/scene/scene.h"
+
+namespace python {
+
+/// What can be read of a simulation by name, in the units of the names:
+///
+/// - quantities that controls measure: `tug.heading_deg`, `joints[hinge].angle_deg`,
+///   `ropes[tow].tension` (scene::measurable);
+/// - columns of the tables of lines, joints and machines: `propellers[main].thrust`, and the set
+///   points of controls by their own names (app/logs/rig_log.h);
+/// - readings of probes: `probes[imu].specific_z` (sensors.h).
+///
+/// A number that a line, joint or machine does not have is no observable.
+class Observables {
+ public:
+  Observables(const scene::Scene& scene, const HeldSimulation& simulation);
+
+  std::vector<std::string> names() const;
+
+ private:
+  friend class Observer;
+  struct OfBody {
+    engine::Measurement of;
+    double unit;  ///< SI units per unit of the name.
+  };
+  struct OfTable {
+    std::size_t table, number;
+    double unit;
+  };
+  struct OfProbe {
+    std::size_t probe, column;
+  };
+  struct Observable {
+    std::string name;
+    std::variant<OfBody, OfTable, OfProbe> source;
+  };
+
+  void add_bodies(const scene::Scene& scene);
+  void add_tables(const engine::Simulation& engine);
+  void add_joints(const scene::Scene& scene);
+  void add_probes(const HeldSimulation& simulation);
+  const Observable* find(const std::string& name) const;
+
+  std::vector<Observable> all_;
+};
+
+/// A name that there is not.
+class UnknownName : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads some of the observables of a simulation.
+class Observer {
+ public:
+  Observer() = default;
+  /// @throws UnknownName, which tells the nearest name
+  Observer(const Observables& observables, const std::vector<std::string>& names);
+
+  std::size_t size() const { return sources_.size(); }
+  /// Writes size() numbers. @param simulation   One that has the same observables.
+  void read(const HeldSimulation& simulation, double* numbers) const;
+
+ private:
+  std::vector<std::variant<Observables::OfBody, Observables::OfTable, Observables::OfProbe>>
+      sources_;
+  bool reads_tables_ = false, reads_probes_ = false;
+};
+
+}  // namespace python
