@@ -54,7 +54,7 @@ AppliedFrame applied_frame(const StatedFrame& stated, const scene::MeshFrame& wa
 /// Turns and scales a mesh as its file has it.
 hydro::TriMesh in_mesh_frame(hydro::TriMesh mesh, const AppliedFrame& frame);
 
-/// What was done to a mesh to make a solid of it.
+/// The changes that made a solid of a mesh.
 struct MendingRecord {
   std::optional<double> volume_before;  ///< [m^3]; none if the mesh was open.
   double volume_after = 0;              ///< [m^3]
@@ -80,7 +80,7 @@ std::string size_warning(const hydro::TriMesh& mesh, const MeshSource& source,
 
 /// Warns of a mean density that only a wrong unit explains: far less than that of gas, or more than
 /// four times that of the heaviest metal. @return empty for other densities
-/// @param volume   Of a body whose shape is the mesh of this file [m^3].
+/// @param volume   Volume of a body whose shape is the mesh of this file [m^3].
 std::string density_warning(double mass, double volume, const MeshSource& source);
 
 }  // namespace assembly

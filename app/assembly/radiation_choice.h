@@ -68,7 +68,7 @@ struct RadiationChoice {
 
 /// Returns the choice for each body. A body that cannot have the radiation which its key asks for
 /// is a fault at the key.
-/// @param spec   Of the same scene, with bodies, sea, ground and joints.
+/// @param spec   Specification of the same scene, with bodies, sea, ground and joints.
 std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
                                                const engine::SimulationSpec& spec,
                                                scene::Faults& faults);

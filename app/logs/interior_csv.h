@@ -26,7 +26,7 @@ class InteriorWriter {
   InteriorWriter(std::filesystem::path file, std::vector<std::string> names,
                  const std::optional<FilePosition>& kept = {});
 
-  /// @param interiors   Of each body, in the order of the names. @throws OutputError
+  /// @param interiors   Interior of each body, in the order of the names. @throws OutputError
   void add(double time, const std::vector<engine::InteriorState>& interiors);
 
   /// See RowFile::save; nothing without a file.

@@ -51,7 +51,8 @@ class TableWriter {
               const std::optional<FilePosition>& kept = {});
 
   /// Adds one row per name, with digits that read back to the same numbers.
-  /// @param numbers   Of all names; NaN: there is none. @throws OutputError if the disk is full.
+  /// @param numbers   Numbers of all names; NaN: there is none. @throws OutputError if the disk is
+  ///     full.
   void add(double time, std::span<const double> numbers);
 
   /// See RowFile::save.

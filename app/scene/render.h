@@ -17,7 +17,8 @@ inline constexpr std::size_t kLongestCameraName = 64;
 
 struct Camera {
   std::string name;  ///< Set for each of `cameras`.
-  // At time 0 [m]. What is missing is such that all bodies are seen (app/pictures/cameras.h).
+  // Place of the camera and of its target at time 0 [m]. One that is missing is chosen such that
+  // all bodies are seen (app/pictures/cameras.h).
   std::optional<Eigen::Vector3d> from;
   std::optional<Eigen::Vector3d> to;
   double field_of_view = 0.6108652381980153;  ///< Vertical [rad], 35 degrees.

@@ -44,7 +44,7 @@ struct Mending {
   bool cap = false;                 ///< Flat open loops are filled.
   std::optional<int> mirror;        ///< Axis normal to the plane in which the mesh is mirrored.
   bool unite = false;               ///< Closed parts that overlap are united.
-  std::optional<double> thickness;  ///< Of the plates that open parts become [m].
+  std::optional<double> thickness;  ///< Thickness of the plates that open parts become [m].
   bool operator==(const Mending&) const = default;
 };
 
