@@ -65,7 +65,7 @@ struct LineSpec {
   std::optional<SetPointId> set_rate;
   double shortest = 0;  ///< Least L that a winch hauls in to [m].
 
-  // Of a mooring.
+  // The following are for a mooring.
   double weight = 0;            ///< In water, per length [N/m].
   double friction = 0;          ///< Coefficient of friction on the bottom [-].
   bool on_bottom = true;        ///< The anchor lies on a bottom that carries the line.

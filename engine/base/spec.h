@@ -133,7 +133,8 @@ struct MeshGround {
 };
 using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 
-/// What contacts of one pair of bodies have in place of the values that follow from the bodies'.
+/// Friction and restitution of one pair of bodies, in place of the values that follow from the
+/// bodies' own.
 struct ContactSpec {
   BodyId first = kWorld;  ///< kWorld is the ground.
   BodyId second = kWorld;

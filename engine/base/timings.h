@@ -2,8 +2,8 @@
 
 namespace engine {
 
-/// Wall time spent so far, by stage [s]. Added mass counts as water. What several bodies or islands
-/// take at once is shared among the threads.
+/// Wall time spent so far, by stage [s]. Added mass counts as water. Time that several bodies or
+/// islands take at once is divided by the number of threads that share it.
 struct Timings {
   double collision = 0;
   double hydro = 0;

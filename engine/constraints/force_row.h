@@ -72,7 +72,7 @@ struct SpringWeights {
   double after = 0.25;   ///< a
   double before = 0.25;  ///< b
 };
-/// @param damped    What unresolved() tells for a step.
+/// @param damped    Result of unresolved() for a step.
 /// @param h         Length of the substep of the step [s].
 SpringWeights spring_weights(double damped, double h, double step);
 

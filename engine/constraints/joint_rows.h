@@ -32,7 +32,8 @@ JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
 Vector6d joint_impulse(const JointFrames& joint, const std::vector<ConstraintBlock>& blocks,
                        const std::vector<Eigen::Vector3d>& impulses, std::size_t& next);
 
-/// Adds the blocks of a joint in a state. @param first, second   Of W for kWorld.
+/// Adds the blocks of a joint in a state. @param first, second   States of the joint's bodies; W's
+/// for kWorld.
 void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
                       const hydro::BodyState& second, std::vector<ConstraintBlock>& blocks);
 

@@ -30,7 +30,7 @@ struct Overlap {
   double time = 0;   ///< [s]
 };
 
-/// Adds the overlap of each pair. @param contacts   Those of a pair follow each other.
+/// Adds the overlap of each pair. @param contacts   The contacts of a pair follow each other.
 void add_overlaps(const std::vector<Contact>& contacts, double time,
                   std::vector<Overlap>& overlaps);
 
