@@ -9,11 +9,10 @@
 /// Long-crested waves that have a measured elevation at one point.
 ///
 /// A record of N elevations at the interval Δt is a Fourier series of N/2 waves of the frequencies
-/// ω_j = 2πj/(NΔt), which has its values at all times of the record. Those in a band of frequencies
-/// become waves that travel in one direction: what is below the band is drift of the gauge and long
-/// waves that are bound to groups, what is above it is noise and harmonics that are bound to waves,
-/// and none of these obeys the dispersion relation of free waves. The series repeats after the
-/// record's length.
+/// ω_j = 2πj/(NΔt), which has its values at all times of the record. The waves of a band of
+/// frequencies travel in one direction. Below the band are drift of the gauge and long waves that
+/// are bound to groups, above it noise and harmonics that are bound to waves; none of these obeys
+/// the dispersion relation of free waves. The series repeats after the record's length.
 
 namespace hydro {
 

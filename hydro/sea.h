@@ -138,7 +138,7 @@ bool changes_with_time(const Sea& sea);
 /// Time over which the mean velocity of a body is its speed ahead [s]: two periods of the longest
 /// waves of the sea, or of waves as long as the body, whichever are longer. Waves of less than a
 /// tenth of the highest amplitude do not count.
-/// @param length   Of the body [m], > 0.
+/// @param length   Length of the body [m], > 0.
 double time_of_mean_speed(const Sea& sea, double length);
 
 }  // namespace hydro

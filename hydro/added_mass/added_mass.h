@@ -30,8 +30,8 @@ enum class AddedMassMethod {
 struct AddedMassOptions {
   AddedMassMethod method = AddedMassMethod::galerkin;
   /// Tolerance of the error that finer panels would lessen, relative as in
-  /// AddedMassSolution::error_estimate. What flows around single facets of the mesh have is left to
-  /// the estimate: a round body has none.
+  /// AddedMassSolution::error_estimate. The estimate alone counts the flow around single facets of
+  /// the mesh, which a round body does not have.
   double tolerance = 1e-3;
   /// Faces are split no further than to this many panels; a mesh with more is solved as it is. Time
   /// and memory grow with the square of the panels up to 5,000; a larger mesh gets linear functions
@@ -47,9 +47,8 @@ struct AddedMassSolution {
       Matrix6d::Zero();  ///< A for ρ = 1, about the origin of B, body axes; symmetric.
   /// Largest |A_mn − A_nm| before it was made symmetric, measured as error_estimate.
   double symmetry_error = 0;
-  /// What the error of A is expected to stay below: |x·ΔA·y| over √(x·S·x y·S·y) for any two
-  /// motions x, y, with S = A and a tenth of the displaced fluid's own inertia. Not known (0) for
-  /// the constant method.
+  /// Expected bound of the error of A: |x·ΔA·y| over √(x·S·x y·S·y) for any two motions x, y, with
+  /// S = A and a tenth of the displaced fluid's own inertia. Not known (0) for the constant method.
   double error_estimate = 0;
   /// Per face of the mesh the best linear fit of ψ (least squares): Σ triangle_share over the faces
   /// is `matrix` to within its symmetry error.

@@ -93,7 +93,7 @@ CatenarySolution solve_catenary(const CatenaryLine& line, double x, double z, bo
 /// The resting part of a slack line is drawn straight, though it is longer; so is a slack line
 /// without weight.
 ///
-/// @param solution  That of the same line, x and z.
+/// @param solution  Solution for the same line, x and z.
 /// @param count     >= 2.
 std::vector<Eigen::Vector2d> catenary_shape(const CatenaryLine& line,
                                             const CatenarySolution& solution, double x, double z,

@@ -68,8 +68,9 @@ struct LoadAccuracy {
   bool branches = true;
   /// In waves a branch is taken whole where the error of the force that follows is below this part
   /// of the wholly submerged body's buoyancy, shared out by area [-], and the error of the head
-  /// below ten times this part of the waves' height. With 0 no branch is. What the sum over pieces
-  /// of panels misses of the force is below the same part, kLeastWaveTolerance at least.
+  /// below ten times this part of the waves' height. With 0 no branch is. The sum over pieces of
+  /// panels misses less than the same part of the force, or than kLeastWaveTolerance if that is
+  /// larger.
   double wave_tolerance = 1e-4;
 };
 

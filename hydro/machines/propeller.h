@@ -98,7 +98,8 @@ class PropellerCurves {
   /// @param rps           n [1/s].
   /// @param speed         V of the hull through the water about the screw, along the axis [m/s].
   /// @param density       ρ [kg/m³].
-  /// @param wetted_share  Of the disc, 0 to 1 [-]; thrust and torque are proportional to it.
+  /// @param wetted_share  Share of the disc under water, 0 to 1 [-]; thrust and torque are
+  ///     proportional to it.
   PropellerLoad load(double rps, double speed, double density, double wetted_share) const;
 
   /// C_T* and C_Q* in open water; beta in [-π, π] [rad].

@@ -26,7 +26,7 @@ class FloatingBody final : public AddedMassModel {
 
   /// @param mesh_B        Its origin the centre of mass.
   /// @param diffraction   The load; empty: none.
-  /// @param momentum      Of the waves that exert it; empty: none.
+  /// @param momentum      Momentum of the waves that exert it; empty: none.
   /// @throws std::invalid_argument as fit_memory does.
   FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction = {},
                Diffraction momentum = {});

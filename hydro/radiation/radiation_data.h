@@ -7,8 +7,8 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// What linear theory knows of a floating body: the waves that its motions send out, and the load
-/// of waves that it scatters.
+/// The linear theory of a floating body: the waves that its motions radiate, and the load of waves
+/// that it scatters.
 ///
 /// The body moves little about its mean pose, without forward speed, in water of constant depth,
 /// with no other body near. Its frame H has its origin in the centre of mass, z up, and horizontal

@@ -29,7 +29,7 @@
 /// frequency on the equation without ½ψ is asked for at some points of the waterplane inside the
 /// hull, and all are met in the least squares.
 ///
-/// What the mirror symmetries of a hull in the vertical planes of H forbid is taken out.
+/// Terms that the mirror symmetries of a hull in the vertical planes of H forbid are removed.
 ///
 /// The damping is that of (4), which has no negative eigenvalues; `mismatch` tells how far (2) is
 /// from it.

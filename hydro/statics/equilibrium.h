@@ -55,7 +55,8 @@ struct Flotation {
 };
 
 /// Returns the body at the given orientation and the height where it displaces `volume`.
-/// @param volume   Of the mass of the body and of the water in its tanks.
+/// @param volume   The mass of the body and of the water in its tanks, over the density of water
+///     [m^3].
 Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
                  const std::vector<Tank>& tanks = {});
 

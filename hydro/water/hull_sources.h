@@ -53,7 +53,7 @@ struct HullSources {
   LinearWater water;
   double volume = 0;  ///< Displaced in the mean pose [m^3].
   Eigen::Matrix3Xd places =
-      {};  ///< Of the patches: x, y from H's origin, z from the still surface [m].
+      {};  ///< Places of the patches: x, y from H's origin, z from the still surface [m].
   Eigen::Matrix3Xd fluxes = {};  ///< ∫ n dS [m^2].
   SixColumns motions = {};       ///< ∫ N dS
   SixColumns potentials = {};    ///< ψ
@@ -77,7 +77,7 @@ struct HullSources {
 };
 
 /// @param mesh_B   Closed; its origin is the centre of mass.
-/// @param square   That of the waves; its number of cells does not matter.
+/// @param square   Square of the waves; its number of cells does not matter.
 /// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.
 HullSources make_hull_sources(const TriMesh& mesh_B, const MeanPose& pose,
                               const PeriodicSquare& square, int patches = 250);

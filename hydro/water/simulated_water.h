@@ -96,8 +96,8 @@ class SimulatedWater {
   /// Energy that the damping has taken from the waves since the start, over density [m^5/s^2].
   double absorbed() const { return now_.absorbed; }
 
-  /// What changes, for restore() in another object of the same bodies: a water that goes on from it
-  /// is the same to the last bit.
+  /// The state, for restore() in another object of the same bodies: water that continues from it is
+  /// the same to the last bit.
   std::string state() const;
   /// @throws std::invalid_argument if the state is that of another square.
   void restore(const std::string& state);
@@ -114,9 +114,9 @@ class SimulatedWater {
   Sea sea_;
   std::vector<WaterBody> bodies_;
   PeriodicWaves waves_;
-  FieldBelow field_;  ///< Of the waves halfway through the step.
+  FieldBelow field_;  ///< Field of the waves halfway through the step.
   WaterWindow window_;
-  bool felt_;  ///< By a hull at least.
+  bool felt_;  ///< At least one hull feels the waves.
   double longest_;
   double largest_ = 0;  ///< Largest volume of a source of this step [m^3].
 
@@ -124,7 +124,7 @@ class SimulatedWater {
   struct Clock {
     double time = 0;      ///< Time of the waves [s].
     double undamped = 0;  ///< Time since the edges were damped [s].
-    double length = 0;    ///< Of the step that has begun [s]; 0 between steps.
+    double length = 0;    ///< Length of the step that has begun [s]; 0 between steps.
     bool started = false;
     bool still = true;    ///< Nothing has moved the water so far.
     double absorbed = 0;  ///< Energy that was damped, over density [m^5/s^2].
