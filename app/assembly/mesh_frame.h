@@ -27,10 +27,10 @@ enum class Rounding {
 
 /// A mesh as its file has it: vertices may be repeated, nothing is turned or scaled.
 struct MeshFile {
-  hydro::TriMesh mesh;
-  StatedFrame frame;
-  Rounding rounding = Rounding::of_floats;
-  Eigen::Index dropped = 0;  ///< Faces without area that `read_welded` dropped.
+  hydro::TriMesh mesh;                      ///< In the axes and unit of the file.
+  StatedFrame frame;                        ///< Frame that the file states.
+  Rounding rounding = Rounding::of_floats;  ///< Precision of its coordinates.
+  Eigen::Index dropped = 0;                 ///< Faces without area that `read_welded` dropped.
 };
 
 /// Whose word an axis or a unit is.
@@ -38,11 +38,11 @@ enum class SaidBy { nobody, file, author };
 
 /// The axis and unit that hold for a mesh, with those who said so.
 struct AppliedFrame {
-  scene::UpAxis up = scene::UpAxis::z;
-  double unit = 1;  ///< [m]
-  double scale = 1;
-  SaidBy up_by = SaidBy::nobody;
-  SaidBy unit_by = SaidBy::nobody;
+  scene::UpAxis up = scene::UpAxis::z;  ///< Axis of the file that points up.
+  double unit = 1;                      ///< [m]
+  double scale = 1;                     ///< Factor after the unit [-].
+  SaidBy up_by = SaidBy::nobody;        ///< Origin of the axis.
+  SaidBy unit_by = SaidBy::nobody;      ///< Origin of the unit.
 
   /// True if the coordinates of the file are those of the mesh frame.
   bool changes_nothing() const { return up == scene::UpAxis::z && unit * scale == 1; }
@@ -63,8 +63,8 @@ struct MendingRecord {
 
 /// A mesh file of a body.
 struct MeshSource {
-  std::filesystem::path file;
-  AppliedFrame frame;
+  std::filesystem::path file;                ///< Path of the file.
+  AppliedFrame frame;                        ///< Axes and unit that hold for it.
   std::optional<MendingRecord> mended = {};  ///< None where the scene asks for no mending.
 };
 
