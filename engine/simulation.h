@@ -26,6 +26,7 @@ namespace engine {
 /// The simulation cannot go on: a state or load is not finite, or the mechanics engine refuses it.
 class SimulationError : public std::runtime_error {
  public:
+  /// @param time   Time of the simulation [s].  @param body   Its name; empty: no single one.
   SimulationError(double time, std::string body, const std::string& what);
   double time() const { return time_; }              ///< [s]
   const std::string& body() const { return body_; }  ///< Empty if no single body is to blame.
@@ -57,8 +58,10 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
+  /// The specification.
   const SimulationSpec& spec() const;
   double time() const;  ///< steps()·step [s].
+  /// Steps taken since the start.
   long steps() const;
   const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
   /// The loads on each body in its present state, and the works so far.
@@ -72,7 +75,9 @@ class Simulation {
   RigReadings rig() const;
   /// The simulated water; null without it.
   const hydro::SimulatedWater* water() const;
+  /// Wall times of the steps so far.
   const Timings& timings() const;
+  /// The parts of a step that are never computed.
   Skips skips() const;
   std::vector<Counts> counts() const;  ///< Per body.
   /// The largest overlaps and errors of joints so far.
@@ -89,9 +94,12 @@ class Simulation {
   /// of the scene that drives it no longer does. @throws std::invalid_argument for an unknown name
   /// or a value that is not finite.
   void set(const std::string& set_point, double value);
+  /// The same by index, in the unit of its name. @throws std::invalid_argument for a value that is
+  /// not finite.
   void set(SetPointId set_point, double value);
   /// Gives the set point back to the scene's control, or to its initial value.
   void release(const std::string& set_point);
+  /// The same by index.
   void release(SetPointId set_point);
   /// The value that set() gave; none since it was released.
   std::optional<double> set_value(SetPointId set_point) const;

@@ -12,6 +12,7 @@ namespace engine {
 class SimulationState {
  public:
   struct Data;
+  /// For the engine itself: a program gets states from Simulation::state() and from_bytes().
   explicit SimulationState(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
   /// Steps taken since the start.
@@ -22,6 +23,7 @@ class SimulationState {
   /// @throws std::invalid_argument if the bytes are not those of a state of this version.
   static SimulationState from_bytes(std::string_view bytes);
 
+  /// For the engine itself.
   const Data& data() const { return *data_; }
 
  private:

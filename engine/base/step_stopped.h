@@ -11,6 +11,7 @@ using StopCheck = std::function<bool()>;
 /// A step did not go on because a program asked for that (Simulation::stop_if()).
 class StepStopped : public std::exception {
  public:
+  /// The message.
   const char* what() const noexcept override { return "the step was stopped"; }
 };
 
