@@ -18,6 +18,7 @@ class ConstantAddedMass final : public AddedMassModel {
   /// The load of rigid_wave_load.h.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
+  /// The matrix while the body is wet [kg, kg m, kg m^2].
   const Matrix6d& matrix() const { return matrix_; }
 
  private:

@@ -23,6 +23,7 @@
 
 namespace hydro {
 
+/// The added mass by (1): the model `deep` of a scene.
 class DeepAddedMass final : public AddedMassModel {
  public:
   /// @param mesh_B     Closed; its origin is the centre of mass.

@@ -66,7 +66,7 @@ struct CatenarySolution {
   /// itself its vertical part is given as zero.
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
 
-  Form form = Form::slack;
+  Form form = Form::slack;  ///< Shape of the line.
 
   /// At the fairlead [N].
   double tension() const { return Eigen::Vector2d(horizontal, vertical).norm(); }

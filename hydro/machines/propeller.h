@@ -59,16 +59,17 @@ struct FourQuadrantTable {
   std::vector<double> torque;  ///< C_Q*, with D as its length [-].
 };
 
+/// The curves of a screw: a series, or one of two kinds of tables.
 using PropellerModel = std::variant<WageningenB, OpenWaterTable, FourQuadrantTable>;
 
 /// A screw and how it works behind its hull.
 struct Propeller {
-  PropellerModel model = {};
-  double diameter = 1;   ///< D, > 0 [m].
-  double wake = 0;       ///< Wake fraction w, below 1: V_a = (1 − w) V [-].
+  PropellerModel model = {};  ///< Its curves.
+  double diameter = 1;        ///< D, > 0 [m].
+  double wake = 0;            ///< Wake fraction w, below 1: V_a = (1 − w) V [-].
   double deduction = 0;  ///< Thrust deduction t, below 1: what acts on the body is (1 − t) T [-].
-  double rotative_efficiency =
-      1;                 ///< η_R, > 0: the torque is that in open water over η_R [-] (ITTC).
+  /// η_R, > 0: the torque is that in open water over η_R [-] (ITTC).
+  double rotative_efficiency = 1;
   double reverse = 0.7;  ///< Bollard thrust astern over that ahead, > 0, for models from K_T [-].
 };
 

@@ -55,7 +55,9 @@ class FloatingBody final : public AddedMassModel {
   /// True if each turn of the body moves water.
   bool turns_water() const { return frame_.turns_water(); }
 
+  /// The data, in H for ρ = 1.
   const RadiationData& data() const { return data_; }
+  /// The memory of the waves that the body makes.
   const RadiationMemory& memory() const { return memory_; }
 
  private:

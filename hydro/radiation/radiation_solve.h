@@ -36,15 +36,17 @@
 
 namespace hydro {
 
+/// Options of solve_radiation().
 struct RadiationOptions {
   std::vector<double> frequencies;  ///< Ascending, > 0 [rad/s]; none: `radiation_frequencies`.
   int headings = 0;   ///< Number of headings, evenly spaced; even; 0: `radiation_headings`.
   int patches = 250;  ///< About so many patches.
 };
 
+/// The data of a body, and how good they are.
 struct RadiationSolution {
-  RadiationData data;
-  int unknowns = 0;
+  RadiationData data;  ///< In the frame H, for ρ = 1.
+  int unknowns = 0;    ///< Number of unknowns.
   /// Largest |B_mn| of (2) less (4), over the largest B of its kind; moments have the root of the
   /// wetted area as their lever [-].
   double mismatch = 0;
@@ -72,6 +74,7 @@ int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const Linear
 /// Headings from 0 on [rad], a circle divided evenly.
 std::vector<double> evenly_spaced_headings(int count);
 
+/// Solves for the waves that a body makes and scatters.
 /// @param mesh_B   Closed; its origin is the centre of mass.
 /// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.
 RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,

@@ -40,8 +40,9 @@ class ResistanceCurve {
   double at(double speed) const;     ///< R [N]; the speed is >= 0.
   double slope(double speed) const;  ///< dR/dU [N s/m].
 
-  // The points, with the origin.
+  /// Speeds of the points, with the origin [m/s].
   const std::vector<double>& speeds() const { return speeds_; }
+  /// Forces of the points, with the origin [N].
   const std::vector<double>& forces() const { return forces_; }
 
  private:
@@ -55,7 +56,7 @@ class ResistanceCurve {
 
 /// The resistance of one body.
 struct Resistance {
-  ResistanceCurve curve;
+  ResistanceCurve curve;                                   ///< R over U.
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();          ///< P [m].
   double volume = 0;                                       ///< V_0 [m^3], > 0.
   double suction = 0;                                      ///< k [kg/m]

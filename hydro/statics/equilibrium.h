@@ -66,6 +66,7 @@ enum class Stability {
   neutral,  ///< One is zero within 1e-9 of the body's radius, none is negative.
   unstable
 };
+/// Judges a flotation by its metacentric heights.
 Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
 
 /// Finds a local minimum of the potential energy downhill from `start`, by a trust-region Newton
