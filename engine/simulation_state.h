@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 
+/// @file
+/// The state of a simulation as a value.
+
 namespace engine {
 
 /// Everything that changes in a simulation, at one instant: poses, velocities, added mass,
@@ -20,6 +23,7 @@ class SimulationState {
 
   /// The state as bytes, exact to the last bit, for machines of the same byte order.
   std::string to_bytes() const;
+  /// The state whose bytes to_bytes() gave.
   /// @throws std::invalid_argument if the bytes are not those of a state of this version.
   static SimulationState from_bytes(std::string_view bytes);
 

@@ -40,6 +40,7 @@ struct StoredAddedMass {
 /// The store of added-mass solutions.
 class AddedMassStore {
  public:
+  /// Makes the store of a folder.
   /// @param folder   None: solutions live only as long as this object.
   explicit AddedMassStore(std::optional<std::filesystem::path> folder);
 

@@ -13,6 +13,9 @@
 #include "engine/base/spec.h"
 #include "hydro/measured_elevation.h"
 
+/// @file
+/// A scene ready to be simulated.
+
 namespace hydro {
 class SurfaceAddedMass;
 class ThinShip;

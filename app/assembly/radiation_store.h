@@ -38,6 +38,7 @@ struct StoredRadiation {
 /// The store of solutions of radiation.
 class RadiationStore {
  public:
+  /// Makes the store of a folder.
   /// @param folder   None: solutions live only as long as this object.
   explicit RadiationStore(std::optional<std::filesystem::path> folder);
 

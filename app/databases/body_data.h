@@ -6,6 +6,9 @@
 #include "hydro/mesh/mesh.h"
 #include "hydro/radiation/radiation_data.h"
 
+/// @file
+/// Radiation data of a database, as they fit a body.
+
 namespace databases {
 
 /// The body to which a database is put.

@@ -39,6 +39,7 @@ std::string to_string(const Fault& fault);
 /// Reports every fault of an input; `what()` has one line per fault.
 class InputError : public std::runtime_error {
  public:
+  /// Makes an error of several faults.
   /// @param faults   At least one.
   explicit InputError(std::vector<Fault> faults);
   /// A single fault of a file as a whole.
@@ -63,6 +64,7 @@ class Faults {
   void add(const Places& places, const std::string& key_path, const std::string& message);
   /// True if no fault was added.
   bool empty() const { return faults_.empty(); }
+  /// Throws the faults that were added.
   /// @throws InputError with all faults in the order of the file, those of overrides first. Nothing
   ///     is thrown if there is no fault.
   void throw_if_any() const;

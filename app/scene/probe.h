@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 
+/// @file
+/// Points whose motion or water is logged.
+
 namespace scene {
 
 /// A point whose motion or whose water is logged: an entry of `log.probes`.

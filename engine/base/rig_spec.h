@@ -179,6 +179,7 @@ struct Measurement {
 class Signal {
  public:
   virtual ~Signal() = default;
+  /// The value at a time.
   /// @param time   [s] @return in the unit of the set point's name
   virtual double at(double time) const = 0;
   /// True if the value jumps, so that a step takes the value of its start throughout.

@@ -3,6 +3,9 @@
 #include <exception>
 #include <functional>
 
+/// @file
+/// Steps that a program stops.
+
 namespace engine {
 
 /// True once a step is not to go on. Any thread may ask.
@@ -15,6 +18,7 @@ class StepStopped : public std::exception {
   const char* what() const noexcept override { return "the step was stopped"; }
 };
 
+/// Returns unless a step is not to go on.
 /// @throws StepStopped if a step is not to go on. @param stop   Empty: it always is.
 inline void ask(const StopCheck& stop) {
   if (stop && stop()) throw StepStopped();

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// Wall times of the stages of steps.
+
 namespace engine {
 
 /// Wall time spent so far, by stage [s]. Added mass counts as water. Time that several bodies or

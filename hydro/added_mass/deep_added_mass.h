@@ -26,6 +26,7 @@ namespace hydro {
 /// The added mass by (1): the model `deep` of a scene.
 class DeepAddedMass final : public AddedMassModel {
  public:
+  /// Makes the model of a body.
   /// @param mesh_B     Closed; its origin is the centre of mass.
   /// @param solution   The solution for this mesh, about the same origin.
   /// @param sea        As for WettedAddedMass.

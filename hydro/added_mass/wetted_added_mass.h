@@ -33,6 +33,7 @@ Matrix6d semi_definite_part(const Matrix6d& matrix);
 /// The share of the wetted panels in the added mass of deep water, by (1).
 class WettedAddedMass final : public AddedMassModel {
  public:
+  /// Makes the model of a body.
   /// @param mesh_B     Closed; its origin is the centre of mass.
   /// @param solution   The solution for this mesh, about the same origin.
   /// @param sea        The sea that it will be asked about most. It prepares the waves of that one,

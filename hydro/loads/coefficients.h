@@ -5,6 +5,9 @@
 
 #include "hydro/loads/drag_calibration.h"
 
+/// @file
+/// Coefficients of drag and lift.
+
 namespace hydro {
 
 /// C_p of panels that move into the water (u > 0, the front) and out of it (the back), with the

@@ -47,8 +47,8 @@ struct Foil {
   };
 
   Law law = Law::whicker_fehlner;  ///< Formula or table.
-  double span = 1;                 ///< > 0 [m]
-  double chord = 1;                ///< > 0 [m]
+  double span = 1;                 ///< Along its axis, > 0 [m].
+  double chord = 1;                ///< Along the flow, > 0 [m].
   double aspect_ratio = 0;         ///< Effective Λ; 0: span/chord [-].
   double drag_zero = 0.01;         ///< C_D0, >= 0 [-].
   double stall = 0.44;  ///< Angle of attack at which the flow starts to separate, 0 to 1.3 [rad].
@@ -61,6 +61,7 @@ struct FoilCoefficients {
   double drag = 0;  ///< C_D [-]
 };
 
+/// Checks a foil.
 /// @throws std::invalid_argument  if a field is out of the range that is given above. The functions
 ///                                below take a foil that has passed.
 void check_foil(const Foil& foil);

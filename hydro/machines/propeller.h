@@ -91,6 +91,7 @@ struct QuadrantCoefficients {
 /// The curves of a screw, prepared once.
 class PropellerCurves {
  public:
+  /// Prepares the curves of a screw.
   /// @throws std::invalid_argument  if a parameter is out of the range that is given above.
   explicit PropellerCurves(const Propeller& propeller);
 

@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+/// @file
+/// Triangle meshes.
+
 namespace hydro {
 
 /// A triangle mesh. Faces are counter-clockwise when seen from outside, so that normals point out

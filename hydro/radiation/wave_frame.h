@@ -49,6 +49,7 @@ class WaveFrameRule {
     all          ///< The wetted shape is a part of a sphere.
   };
 
+  /// Finds the rule of a body.
   /// @param vertices_B   The mesh's, from the centre of mass.
   /// @param added_H      A∞, symmetric.
   WaveFrameRule(const MeanPose& pose, const Eigen::Matrix3Xd& vertices_B, const Matrix6d& added_H);

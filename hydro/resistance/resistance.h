@@ -33,6 +33,7 @@ namespace hydro {
 ///       4 (1983) 645-654.
 class ResistanceCurve {
  public:
+  /// Makes a curve through the origin and these points.
   /// @param speeds   [m/s], > 0, ascending; at least one.
   /// @param forces   [N], >= 0; one a speed.
   ResistanceCurve(const std::vector<double>& speeds, const std::vector<double>& forces);

@@ -51,6 +51,7 @@ class FieldBelow {
     Eigen::Vector3cd slope = Eigen::Vector3cd::Zero();  ///< Its gradient [1/m].
   };
 
+  /// The fields at a place.
   /// @param x, y   In cells.  @param z   Above the still surface [m], <= 0.
   Sample at(double x, double y, double z) const;
 
