@@ -22,7 +22,7 @@ namespace app {
 /// pockets has none.
 class InteriorWriter {
  public:
-  /// Removes the file, or keeps what it had at a position (row_file.h). @throws InputError
+  /// Removes the file, or keeps its rows up to a position (row_file.h). @throws InputError
   InteriorWriter(std::filesystem::path file, std::vector<std::string> names,
                  const std::optional<FilePosition>& kept = {});
 

@@ -45,7 +45,7 @@ struct LogTable {
 /// Writes a table as CSV during a run. Rows are in the file when `add` returns.
 class TableWriter {
  public:
-  /// Replaces the file in the folder, or keeps what it had at a position (row_file.h).
+  /// Replaces the file in the folder, or keeps its rows up to a position (row_file.h).
   /// @throws InputError
   TableWriter(const std::filesystem::path& folder, const LogTable& table,
               const std::optional<FilePosition>& kept = {});

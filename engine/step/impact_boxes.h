@@ -10,9 +10,9 @@
 ///
 /// A step's pairs are found once, from boxes about the ways that bodies go without contacts
 /// (swept_box). One that an impact throws back, aside or ahead leaves its box. This matters where
-/// it goes farther in a step than bodies are thick: it would pass through what it was not known to
-/// be near. So the bodies of a near pair that may come together by more than kFarImpact of the
-/// thinner one's thickness in the step get boxes about all places that they can reach,
+/// it goes farther in a step than bodies are thick: it would pass through bodies that it was not
+/// known to be near. So the bodies of a near pair that may come together by more than kFarImpact of
+/// the thinner one's thickness in the step get boxes about all places that they can reach,
 ///
 ///     |v'| <= |v| + 2 m₂ / (m₁ + m₂) |v₁ − v₂|,
 ///

@@ -44,7 +44,7 @@ struct CatenaryLine {
   double friction = 0;   ///< Coefficient of friction C_B of the bottom, >= 0 [-].
 };
 
-/// The tensions of a line and what they change by as the fairlead moves.
+/// The tensions of a line and their change as the fairlead moves.
 struct CatenarySolution {
   /// The properties of the line.
   enum class Form {

@@ -58,7 +58,7 @@ class EdgeDrag {
 
   bool none() const { return edges_.empty(); }
 
-  /// (1) over what is below the surface, in W, its moment about the centre of mass.
+  /// (1) over the part below the surface, in W, with its moment about the centre of mass.
   Wrench load(const BodyState& state, const HullWater& water) const;
   /// The derivative of (1) with respect to (v, ω) in W: symmetric, without positive eigenvalues.
   Matrix6d jacobian(const BodyState& state, const HullWater& water) const;

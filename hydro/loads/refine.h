@@ -178,7 +178,7 @@ class SurfaceSampler {
 
   bool flat() const { return flat_; }
 
-  /// True if what is summed over a panel is summed at points: it bends over some edge.
+  /// True if sums over a panel are taken at points: the surface bends over some edge.
   bool curves(const Panel& panel) const {
     return limits_.curved &&
            (split_between(panel[0], panel[1]) != 0 || split_between(panel[1], panel[2]) != 0 ||

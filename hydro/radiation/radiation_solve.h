@@ -24,7 +24,7 @@
 ///
 /// ψ is linear on each of some 250 patches, and (1) holds on each patch in the mean
 /// (surface_solve.h); 1/r, 1/r', the 2/r' in ∂(k𝒢)/∂z and the image 1/r'' in the bottom are
-/// integrated in closed form, and what is smooth by its values at three nodes a patch. At the
+/// integrated in closed form, and the smooth rest by its values at three nodes a patch. At the
 /// frequencies of sloshing inside the hull (1) has no unique solution. From the lowest such
 /// frequency on the equation without ½ψ is asked for at some points of the waterplane inside the
 /// hull, and all are met in the least squares.

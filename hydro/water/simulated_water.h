@@ -21,13 +21,13 @@
 ///
 /// The surface is that of the given sea and of the waves φ_w of PeriodicWaves, which the sources of
 /// bodies drive. A floating hull has the sources (1) of hull_sources.h, about its mean pose; it
-/// goes over the water in surge, sway and yaw, and scatters the given sea and the waves of all
+/// moves over the water in surge, sway and yaw, and scatters the given sea and the waves of all
 /// bodies. Any other body has sources of the strength
 ///
 ///     σ = (V − u)·n                                                                           (1)
 ///
-/// on what is wet of it, V the velocity of its surface, u that of the given sea at the place. So
-/// the water gets what the body displaces, wherever it goes, and no wave acts on it. The rings of a
+/// on its wet part, V the velocity of its surface, u that of the given sea at the place. So the
+/// water gets what the body displaces, wherever it goes, and no wave acts on it. The rings of a
 /// heaving hemisphere by (1) are 1.06, 1.19, 1.30, 1.40 and 0.94 times the true ones at kR = 0.1,
 /// 0.3, 0.5, 1 and 2; a slender ship's waves are those of thin-ship theory.
 ///
@@ -38,9 +38,9 @@
 ///
 ///     F = f − ρg C ξ                                                                          (2)
 ///
-/// f of hull_passage.h, less half of the answer of what the hull scatters in this step. The
-/// energy ½ρg ξ·Cξ of the spring is what the step's sources leave in the water, so that no body is
-/// too light for it.
+/// f of hull_passage.h, less half of the answer of what the hull scatters in this step. The step's
+/// sources leave the energy ½ρg ξ·Cξ of the spring in the water, so that no body is too light for
+/// it.
 ///
 /// Hulls closer than some of their radii feel each other's sources as well (near_field.h), with the
 /// strengths of the last step, taken on.

@@ -13,7 +13,7 @@
 #include "hydro/loads/kernel/waves-inl.h"
 
 /// @file
-/// The parts of a walk through a tree that do not depend on what it adds up.
+/// The parts of a walk through a tree that do not depend on its sums.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
