@@ -59,13 +59,13 @@ struct Elevation {
 };
 /// How bodies move the water.
 struct SimulatedWater {
-  /// What bodies do to the water.
+  /// Effect of bodies on the water.
   enum class Kind {
     none,     ///< The water is as it is given.
     picture,  ///< Bodies make waves, which are drawn and not felt.
     felt      ///< Bodies make waves and feel those of all bodies.
   };
-  Kind kind = Kind::none;  ///< What bodies do.
+  Kind kind = Kind::none;  ///< Effect of bodies.
   // The grid of water that is felt; what is not given follows from the bodies.
   std::optional<std::array<int, 2>> size;  ///< Cells along x and y: equal powers of two.
   std::optional<double> spacing;           ///< Side of a cell [m], > 0.
