@@ -17,6 +17,9 @@
 #include "engine/record/constraint_errors.h"
 #include "engine/simulation_state.h"
 
+/// @file
+/// The simulation: bodies in the sea, moved step by step.
+
 namespace hydro {
 class SimulatedWater;
 }
@@ -26,6 +29,8 @@ namespace engine {
 /// The simulation cannot go on: a state or load is not finite, or the mechanics engine refuses it.
 class SimulationError : public std::runtime_error {
  public:
+  /// Makes an error at a time.
+  /// @param time   Time of the simulation [s].  @param body   Its name; empty: no single one.
   SimulationError(double time, std::string body, const std::string& what);
   double time() const { return time_; }              ///< [s]
   const std::string& body() const { return body_; }  ///< Empty if no single body is to blame.
@@ -50,6 +55,7 @@ enum class Frame {
 /// Bodies in the sea, moved step by step. Owns the mechanics engine.
 class Simulation {
  public:
+  /// Makes a simulation at time 0.
   /// @throws std::invalid_argument for a step, body or joint that makes no sense (body_check.h),
   ///         SimulationError if the engine refuses the description.
   explicit Simulation(SimulationSpec spec);
@@ -57,10 +63,13 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
+  /// The specification.
   const SimulationSpec& spec() const;
-  double time() const;  ///< steps()·step [s].
+  double time() const;  ///< Time since the start, steps()·step [s].
+  /// Steps taken since the start.
   long steps() const;
-  const std::vector<hydro::BodyState>& states() const;  ///< In the order of the specification.
+  /// Pose and velocity of each body, in the order of the specification.
+  const std::vector<hydro::BodyState>& states() const;
   /// The loads on each body in its present state, and the works so far.
   /// @throws std::logic_error unless the specification asks for a record of work.
   std::vector<BodyForces> forces() const;
@@ -72,9 +81,11 @@ class Simulation {
   RigReadings rig() const;
   /// The simulated water; null without it.
   const hydro::SimulatedWater* water() const;
+  /// Wall times of the steps so far.
   const Timings& timings() const;
+  /// The parts of a step that are never computed.
   Skips skips() const;
-  std::vector<Counts> counts() const;  ///< Per body.
+  std::vector<Counts> counts() const;  ///< Counts of steps and loads, per body.
   /// The largest overlaps and errors of joints so far.
   const ConstraintErrors& constraint_errors() const;
 
@@ -89,9 +100,12 @@ class Simulation {
   /// of the scene that drives it no longer does. @throws std::invalid_argument for an unknown name
   /// or a value that is not finite.
   void set(const std::string& set_point, double value);
+  /// The same by index, in the unit of its name. @throws std::invalid_argument for a value that is
+  /// not finite.
   void set(SetPointId set_point, double value);
   /// Gives the set point back to the scene's control, or to its initial value.
   void release(const std::string& set_point);
+  /// The same by index.
   void release(SetPointId set_point);
   /// The value that set() gave; none since it was released.
   std::optional<double> set_value(SetPointId set_point) const;
@@ -108,17 +122,18 @@ class Simulation {
   /// specification. A run continued from a restored state gives the same bytes as one that was
   /// never interrupted. @throws SimulationError after a step that failed.
   SimulationState state() const;
+  /// Returns to a state that state() gave.
   /// @throws std::invalid_argument if the state is that of other bodies.
   void restore(const SimulationState& state);
-  /// Back to time 0.
+  /// Returns to time 0.
   void reset();
 
   /// From now on steps ask `stop` some times for each body, from any thread, whether to go on; an
   /// empty one lets them. A step that is not to go on throws StepStopped.
   void stop_if(StopCheck stop);
 
-  /// One step. The state before it is kept if it throws; until restore() every later step then
-  /// throws too. @throws SimulationError, StepStopped
+  /// Advances by one step. The state before it is kept if it throws; until restore() every later
+  /// step then throws too. @throws SimulationError, StepStopped
   void step();
 
  private:

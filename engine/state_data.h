@@ -24,7 +24,7 @@ struct SimulationState::Data {
   StepperState stepper;
   RigState rig;
   ConstraintErrors errors;
-  std::string water;  ///< That of the simulated water; empty without it.
+  std::string water;  ///< State of the simulated water; empty without it.
 };
 
 }  // namespace engine

@@ -19,15 +19,17 @@ struct Wind {
   double height = 10;   ///< Height above the water where `velocity` holds [m], > 0.
   double exponent = 0;  ///< [-], 0 … 1.
 
+  /// True if the velocity is the same at all heights.
   bool uniform() const { return exponent == 0 || velocity.isZero(0); }
 
   /// Speed at a height z >= 0 above the water over that at `height` [-].
   double factor(double z) const { return uniform() ? 1 : std::pow(z / height, exponent); }
 };
 
+/// The air above the water.
 struct Air {
   double density = 1.225;  ///< [kg/m^3], > 0; that of the standard atmosphere at sea level.
-  Wind wind;
+  Wind wind;               ///< Motion of the air.
 };
 
 }  // namespace hydro

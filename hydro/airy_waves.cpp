@@ -43,7 +43,7 @@ double near_wave_number(double frequency, double depth, double gravity) {
 }
 
 /// Depth at which the functions of depth are taken, by Wheeler's stretching.
-/// @param elevation   Of the surface that is s above the place [m].
+/// @param elevation   Elevation of the surface that is s above the place [m].
 double stretched(double depth, double elevation, double s) {
   const double below = std::max(s, 0.0);
   if (!(depth < AiryWaves::kDeepest)) return below;
@@ -153,7 +153,7 @@ Eigen::Vector3d AiryWaves::mean_velocity(const Eigen::Vector3d& p_W, double s,
   WaterMotion water{.velocity = current(p_W.z())};
   const double down = stretched(depth_, s + (p_W.z() - level_), s);
   for (const Wave& w : waves_) {
-    double mean = 1;  // Of cos(k·δ) over the box.
+    double mean = 1;  // Mean of cos(k·δ) over the box.
     for (int i = 0; i < 3; ++i) {
       const double turn = w.kx * half_sides(0, i) + w.ky * half_sides(1, i);
       if (turn != 0) mean *= std::sin(turn) / turn;

@@ -91,10 +91,13 @@ class AiryWaves {
   Eigen::Vector3d mean_velocity(const Eigen::Vector3d& p_W, double s,
                                 const Eigen::Matrix3d& half_sides) const;
 
+  /// The waves at this time.
   const std::vector<Wave>& waves() const { return waves_; }
   /// False if all of the water moves with `Sea::current`.
   bool moves() const { return !waves_.empty() || !profile_.empty(); }
+  /// True in water of infinite depth.
   bool deep() const { return !(depth_ < kDeepest); }
+  /// Depth of the still water [m].
   double depth() const { return depth_; }
 
   /// Depth from which on water is taken as infinitely deep [m].

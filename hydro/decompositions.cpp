@@ -12,8 +12,8 @@
 namespace hydro {
 namespace {
 
-/// Each pair of indices once. Those of a round have none in common, so that no rotation waits for
-/// another one.
+/// Each pair of indices once. The pairs of a round have no index in common, so that no rotation
+/// waits for another one.
 constexpr int kRounds[5][3][2] = {{{0, 5}, {1, 4}, {2, 3}},
                                   {{0, 4}, {3, 5}, {1, 2}},
                                   {{0, 3}, {2, 4}, {1, 5}},
@@ -22,7 +22,7 @@ constexpr int kRounds[5][3][2] = {{{0, 5}, {1, 4}, {2, 3}},
 
 /// The rotations of a round.
 struct Rotations {
-  /// Those after which the matrix has zeros between their indices.
+  /// The rotations after which the matrix has zeros between their indices.
   Rotations(const Matrix6d& matrix, const int (&round)[3][2], double negligible) : pairs(round) {
     for (int k = 0; k < 3; ++k) {
       const auto [p, q] = pairs[k];

@@ -9,11 +9,10 @@
 /// Long-crested waves that have a measured elevation at one point.
 ///
 /// A record of N elevations at the interval Δt is a Fourier series of N/2 waves of the frequencies
-/// ω_j = 2πj/(NΔt), which has its values at all times of the record. Those in a band of frequencies
-/// become waves that travel in one direction: what is below the band is drift of the gauge and long
-/// waves that are bound to groups, what is above it is noise and harmonics that are bound to waves,
-/// and none of these obeys the dispersion relation of free waves. The series repeats after the
-/// record's length.
+/// ω_j = 2πj/(NΔt), which has its values at all times of the record. The waves of a band of
+/// frequencies travel in one direction. Below the band are drift of the gauge and long waves that
+/// are bound to groups, above it noise and harmonics that are bound to waves; none of these obeys
+/// the dispersion relation of free waves. The series repeats after the record's length.
 
 namespace hydro {
 
@@ -23,9 +22,11 @@ struct ElevationRecord {
   double interval = 0;             ///< Δt [s], > 0.
   std::vector<double> elevations;  ///< Above the still water [m]; at least kFewestElevations.
 
+  /// Period of the series [s].
   double length() const { return interval * static_cast<double>(elevations.size()); }
 };
 
+/// Least number of elevations of a record.
 constexpr int kFewestElevations = 8;
 
 /// The waves that a record becomes.
@@ -36,8 +37,8 @@ struct ElevationChoice {
   std::optional<double> highest;  ///< End of the band [rad/s]; none: kHighest times the peak's.
   int components = 1024;          ///< Largest number of waves: those of the largest energy.
 
-  static constexpr double kLowest = 0.3;
-  static constexpr double kHighest = 3;
+  static constexpr double kLowest = 0.3;  ///< Lower end of the band over the peak's [-].
+  static constexpr double kHighest = 3;   ///< Upper end of the band over the peak's [-].
 };
 
 /// How well the waves have the elevation of the record. Energies are parts of that of the record
@@ -55,14 +56,14 @@ struct ElevationFit {
   /// Root mean square of the difference between waves and record over that of the record about its
   /// mean, at the times of the record.
   double residual = 0;
-  double jump =
-      0;  ///< From the last elevation to the first, as a part of the largest step, or more.
+  /// From the last elevation to the first, as a part of the largest step, or more.
+  double jump = 0;
 };
 
 /// Waves and their fit.
 struct MeasuredSea {
-  std::vector<WaveComponent> components;
-  ElevationFit fit;
+  std::vector<WaveComponent> components;  ///< The waves.
+  ElevationFit fit;                       ///< Difference between waves and record.
 };
 
 /// Returns waves with the elevation of the record at its times.

@@ -25,8 +25,8 @@ struct FlatSurface {};
 
 /// Bounds that the surface never leaves [m].
 struct SurfaceBounds {
-  double lowest = 0;
-  double highest = 0;
+  double lowest = 0;   ///< Lower bound [m].
+  double highest = 0;  ///< Upper bound [m].
 };
 
 /// A grid of heights above the still water level, bilinear between its points and constant in time.
@@ -41,6 +41,7 @@ struct HeightField {
   SurfaceBounds bounds;  ///< Bounds of the heights.
 };
 
+/// Makes a height field with its bounds. Arguments as its fields.
 /// @throws std::invalid_argument if the grid is empty, a height is not finite or cell is not > 0.
 HeightField make_height_field(Eigen::MatrixXd heights, double cell, const Eigen::Vector2d& origin);
 
@@ -72,9 +73,9 @@ enum class Kinematics {
 /// pressure's gradient gives the acceleration, and the velocity is not its integral by the ratio of
 /// a wave's period to the ramp.
 struct WaveSurface {
-  std::vector<WaveComponent> components;
-  Kinematics kinematics = Kinematics::airy;
-  double ramp = 0;  ///< Time over which the amplitudes grow [s], >= 0.
+  std::vector<WaveComponent> components;     ///< The waves.
+  Kinematics kinematics = Kinematics::airy;  ///< Model of the water below them.
+  double ramp = 0;                           ///< Time over which the amplitudes grow [s], >= 0.
 
   friend bool operator==(const WaveSurface&, const WaveSurface&) = default;
 };
@@ -91,6 +92,7 @@ struct CurrentRow {
   friend bool operator==(const CurrentRow&, const CurrentRow&) = default;
 };
 
+/// The sea: constant over a simulation. The functions below take any time.
 struct Sea {
   double density = 1000;                                   ///< [kg/m^3]
   double gravity = 9.80665;                                ///< [m/s^2]
@@ -104,6 +106,7 @@ struct Sea {
   /// that of the row; it does not follow the waves up and down. The surface is flat or has Airy
   /// waves.
   std::vector<CurrentRow> profile;
+  /// Flat, a grid of heights, or waves.
   std::variant<FlatSurface, HeightField, WaveSurface> surface;
   std::optional<Air> air;  ///< None: nothing acts on what is above the water.
 };
@@ -138,7 +141,7 @@ bool changes_with_time(const Sea& sea);
 /// Time over which the mean velocity of a body is its speed ahead [s]: two periods of the longest
 /// waves of the sea, or of waves as long as the body, whichever are longer. Waves of less than a
 /// tenth of the highest amplitude do not count.
-/// @param length   Of the body [m], > 0.
+/// @param length   Length of the body [m], > 0.
 double time_of_mean_speed(const Sea& sea, double length);
 
 }  // namespace hydro

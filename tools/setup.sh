@@ -25,9 +25,10 @@ test_packages=(
   python3-h5py python3-jsonschema python3-matplotlib python3-pandas python3-pil python3-pytest python3-yaml
   xvfb
 )
-# What only those of tools/test --all need: clang's sanitizers, what makes and measures videos, and a
-# browser to open the page, of which Ubuntu has no package that runs by itself.
-thorough_packages=(clang-14 libclang-rt-14-dev ffmpeg mypy python3-venv)
+# What only those of tools/test --all need: clang's sanitizers, Doxygen for the pages of the API, what
+# makes and measures videos, and a browser to open the page, of which Ubuntu has no package that runs
+# by itself.
+thorough_packages=(clang-14 doxygen libclang-rt-14-dev ffmpeg mypy python3-venv)
 if grep -qs '^ID=debian' /etc/os-release; then thorough_packages+=(chromium); fi
 
 say() { printf '%s\n' "$*" >&2; }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kWithWaves = 0.05;  ///< Of the largest density of the wave: least that is shown.
+constexpr double kWithWaves = 0.05;  ///< Least density shown, over the wave's largest [-].
 constexpr std::size_t kMostRows = 16;
 constexpr double kDegree = std::numbers::pi / 180;
 

@@ -7,10 +7,10 @@
 namespace app {
 namespace {
 
-constexpr double kSmallest = 0.01;  ///< Of the largest swing: a smaller one counts as noise.
-constexpr double kGrowth = 1.02;    ///< By which a swing of a decay may exceed the one before it.
+constexpr double kSmallest = 0.01;  ///< Part of the largest swing below which one is noise [-].
+constexpr double kGrowth = 1.02;    ///< Largest ratio of a swing of a decay to the one before it.
 constexpr double kAlike = 1.5;      ///< Largest ratio of two half periods of a decay.
-constexpr std::size_t kLeastExtremes = 7;  ///< Of three cycles.
+constexpr std::size_t kLeastExtremes = 7;  ///< Extremes of three cycles.
 
 struct Extreme {
   double time = 0;

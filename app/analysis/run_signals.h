@@ -50,7 +50,7 @@ struct Samples {
 };
 
 /// Returns the values of a signal at the mean interval of its rows, interpolated linearly where
-/// these are not even. @param signal   Of at least two rows.
+/// these are not even. @param signal   It has at least two rows.
 Samples even_samples(const Signal& signal);
 
 }  // namespace app

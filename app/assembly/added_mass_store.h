@@ -30,13 +30,17 @@ inline constexpr int kAddedMassVersion = 3;
 /// This version must be raised whenever `hydro::SurfaceAddedMass` gives other numbers.
 inline constexpr int kSurfaceVersion = 3;
 
+/// A solution of added mass and its origin.
 struct StoredAddedMass {
+  /// For ρ = 1, about the origin of the mesh.
   std::shared_ptr<const hydro::AddedMassSolution> solution;
   bool from_store = false;  ///< True if another process solved it.
 };
 
+/// The store of added-mass solutions.
 class AddedMassStore {
  public:
+  /// Makes the store of a folder.
   /// @param folder   None: solutions live only as long as this object.
   explicit AddedMassStore(std::optional<std::filesystem::path> folder);
 
@@ -65,6 +69,7 @@ class AddedMassStore {
   /// Returns the file of a mesh's nodes; empty without a folder.
   std::filesystem::path nodes_file_of(const hydro::TriMesh& mesh_B) const;
 
+  /// The folder; none: solutions live only as long as this object.
   const std::optional<std::filesystem::path>& folder() const { return files_.folder(); }
 
  private:

@@ -5,6 +5,9 @@
 #include "app/base/reporter.h"
 #include "app/scene/scene.h"
 
+/// @file
+/// Makes a simulation of a scene.
+
 namespace assembly {
 
 /// Loads and checks the meshes and height fields that a scene names, computes masses, centres of

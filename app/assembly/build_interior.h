@@ -23,7 +23,7 @@ void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
 /// Warns of bodies whose hollows have a rim under water at the start, through which they fill.
 std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec);
 
-/// Mass of the water in a body at the start [kg]. @param density   Of the water.
+/// Mass of the water in a body at the start [kg]. @param density   Density of the water [kg/m^3].
 double mass_of_water_in(const engine::BodySpec& spec, double density);
 /// The same with the mass of the body.
 double mass_afloat(const engine::BodySpec& spec, double density);

@@ -13,10 +13,10 @@ using Attach =
     std::function<engine::AttachmentPoint(const std::string& body, const Eigen::Vector3d& point)>;
 
 /// Gives the specification the lines of the scene's file of MoorDyn, if it names one. Its bodies
-/// must be there. What MoorDyn warns of becomes a warning.
+/// must be there. A warning of MoorDyn becomes a warning of the build.
 ///
 /// Faults go to the log, at their keys: a build without MoorDyn, a file that MoorDyn cannot read or
-/// that asks for what is not supported, a number of bodies that is not that of its coupled points.
+/// that asks for unsupported features, a number of bodies that is not that of its coupled points.
 void build_moordyn(engine::SimulationSpec& spec, BuildLog& log, const Attach& attach);
 
 }  // namespace assembly

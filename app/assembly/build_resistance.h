@@ -26,7 +26,7 @@ void choose_resistances(const scene::Scene& scene, const std::vector<RadiationCh
 
 /// Gives the bodies with thin ships the resistance of their waves, solved or from the store. Equal
 /// hulls share it.
-/// @param folder   Of the store; none: nothing is kept.
+/// @param folder   Folder of the store; none: nothing is kept.
 void solve_resistances(BuiltScene& built, const std::optional<std::filesystem::path>& folder,
                        app::Reporter& reporter);
 

@@ -42,8 +42,8 @@ struct BuildLog {
 /// @param key_path   Path of the block that holds the shape: `bodies[1]`.
 hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path, BuildLog& log);
 
-/// Adds a warning, or a fault, if a body of so many triangles takes more memory than is free. What
-/// earlier bodies take is no longer free. @return false after a fault
+/// Adds a warning, or a fault, if a body of so many triangles takes more memory than is free.
+/// Memory for earlier bodies no longer counts as free. @return false after a fault
 bool has_memory(double triangles, const std::string& key_path, BuildLog& log);
 
 /// Returns the path of a body's shape: `bodies[1].mesh`.

@@ -13,6 +13,9 @@
 #include "engine/base/spec.h"
 #include "hydro/measured_elevation.h"
 
+/// @file
+/// A scene ready to be simulated.
+
 namespace hydro {
 class SurfaceAddedMass;
 class ThinShip;
@@ -23,7 +26,7 @@ namespace assembly {
 /// A closed mesh with its origin at the centroid of its volume, so that bodies which differ only in
 /// their centre of mass share a solution.
 struct CenteredMesh {
-  hydro::TriMesh mesh_C;
+  hydro::TriMesh mesh_C;                            ///< Closed and outward [m].
   Eigen::Vector3d com_C = Eigen::Vector3d::Zero();  ///< The body's centre of mass [m].
 };
 
@@ -39,7 +42,7 @@ struct AddedMassReport {
 
 /// The waves that a body makes and scatters.
 struct RadiationReport {
-  RadiationChoice choice;
+  RadiationChoice choice;  ///< Whether and how the body makes waves.
   /// None until it is solved, and for a body whose choice has a database.
   std::optional<StoredRadiation> stored;
   std::shared_ptr<const hydro::FloatingBody> model;  ///< None until it is solved.
@@ -48,6 +51,7 @@ struct RadiationReport {
 
 /// The resistance of a hull along its motion.
 struct ResistanceReport {
+  /// Where the force comes from.
   scene::Resistance::Source source = scene::Resistance::Source::none;
   hydro::MeanPose pose;  ///< At rest.
   double volume = 0;     ///< Volume that the body displaces there [m^3].
@@ -69,7 +73,7 @@ struct IrregularSea {
 
 /// A scene ready to be simulated, with its meshes and everything derived from them.
 struct BuiltScene {
-  engine::SimulationSpec spec;
+  engine::SimulationSpec spec;                        ///< Input of engine::Simulation.
   std::vector<Eigen::Vector3d> centers_of_mass;       ///< Per body, in the mesh frame [m].
   std::vector<std::vector<MeshSource>> mesh_sources;  ///< Per body the files of its meshes.
   /// Per body the mesh of its added mass; without vertices if its mesh is no solid.

@@ -20,10 +20,10 @@ struct Bounds {
 };
 
 constexpr Bounds kSizes{5e-3, 500};        // [m]
-constexpr Bounds kMasses{0.01, 20};        // Of the displaced water [-].
+constexpr Bounds kMasses{0.01, 20};        // Over the mass of the displaced water [-].
 constexpr Bounds kSpeeds{.most = 50};      // [m/s]
 constexpr Bounds kSpins{.most = 50};       // [rad/s]
-constexpr Bounds kAddedMass{.most = 100};  // Of the mass [-].
+constexpr Bounds kAddedMass{.most = 100};  // Over the mass of the body [-].
 constexpr Bounds kSteps{1.0 / 1000, 1.0 / 20};
 
 /// Excess over a bound that is taken as round-off, as of a volume or a step of 1/20 s in decimals.

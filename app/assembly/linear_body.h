@@ -19,7 +19,7 @@ struct LinearTerms {
   /// damping, and the locks; in W axes.
   hydro::LinearBody body;
   double heading = 0;                 ///< Heading of H in W [rad].
-  std::vector<std::string> left_out;  ///< What acts on the body and is not in these terms.
+  std::vector<std::string> left_out;  ///< Loads and motions that these terms leave out.
 };
 
 /// @param pose   Mean pose of the body.

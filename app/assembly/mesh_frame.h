@@ -27,10 +27,10 @@ enum class Rounding {
 
 /// A mesh as its file has it: vertices may be repeated, nothing is turned or scaled.
 struct MeshFile {
-  hydro::TriMesh mesh;
-  StatedFrame frame;
-  Rounding rounding = Rounding::of_floats;
-  Eigen::Index dropped = 0;  ///< Faces without area that `read_welded` dropped.
+  hydro::TriMesh mesh;                      ///< In the axes and unit of the file.
+  StatedFrame frame;                        ///< Frame that the file states.
+  Rounding rounding = Rounding::of_floats;  ///< Precision of its coordinates.
+  Eigen::Index dropped = 0;                 ///< Faces without area that `read_welded` dropped.
 };
 
 /// Whose word an axis or a unit is.
@@ -38,11 +38,11 @@ enum class SaidBy { nobody, file, author };
 
 /// The axis and unit that hold for a mesh, with those who said so.
 struct AppliedFrame {
-  scene::UpAxis up = scene::UpAxis::z;
-  double unit = 1;  ///< [m]
-  double scale = 1;
-  SaidBy up_by = SaidBy::nobody;
-  SaidBy unit_by = SaidBy::nobody;
+  scene::UpAxis up = scene::UpAxis::z;  ///< Axis of the file that points up.
+  double unit = 1;                      ///< [m]
+  double scale = 1;                     ///< Factor after the unit [-].
+  SaidBy up_by = SaidBy::nobody;        ///< Origin of the axis.
+  SaidBy unit_by = SaidBy::nobody;      ///< Origin of the unit.
 
   /// True if the coordinates of the file are those of the mesh frame.
   bool changes_nothing() const { return up == scene::UpAxis::z && unit * scale == 1; }
@@ -54,7 +54,7 @@ AppliedFrame applied_frame(const StatedFrame& stated, const scene::MeshFrame& wa
 /// Turns and scales a mesh as its file has it.
 hydro::TriMesh in_mesh_frame(hydro::TriMesh mesh, const AppliedFrame& frame);
 
-/// What was done to a mesh to make a solid of it.
+/// The changes that made a solid of a mesh.
 struct MendingRecord {
   std::optional<double> volume_before;  ///< [m^3]; none if the mesh was open.
   double volume_after = 0;              ///< [m^3]
@@ -63,8 +63,8 @@ struct MendingRecord {
 
 /// A mesh file of a body.
 struct MeshSource {
-  std::filesystem::path file;
-  AppliedFrame frame;
+  std::filesystem::path file;                ///< Path of the file.
+  AppliedFrame frame;                        ///< Axes and unit that hold for it.
   std::optional<MendingRecord> mended = {};  ///< None where the scene asks for no mending.
 };
 
@@ -80,7 +80,7 @@ std::string size_warning(const hydro::TriMesh& mesh, const MeshSource& source,
 
 /// Warns of a mean density that only a wrong unit explains: far less than that of gas, or more than
 /// four times that of the heaviest metal. @return empty for other densities
-/// @param volume   Of a body whose shape is the mesh of this file [m^3].
+/// @param volume   Volume of a body whose shape is the mesh of this file [m^3].
 std::string density_warning(double mass, double volume, const MeshSource& source);
 
 }  // namespace assembly

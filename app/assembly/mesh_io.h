@@ -8,6 +8,9 @@
 #include "app/scene/shape.h"
 #include "hydro/mesh/mesh.h"
 
+/// @file
+/// Reads mesh files.
+
 namespace assembly {
 
 /// Reads the triangles of a mesh file, in a process of its own (mesh_reader_process.h). All parts

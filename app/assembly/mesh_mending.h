@@ -16,7 +16,7 @@ bool asks_for_mending(const scene::Mending& mending);
 
 hydro::MendOptions mend_options(const scene::Mending& mending);
 
-/// Returns what a mesh was before it was mended, and what it is after.
+/// Describes a mesh before and after it was mended.
 MendingRecord mending_record(const hydro::TriMesh& before, const hydro::MendedMesh& after);
 
 /// Who reads of a remedy: the author of a scene, who has keys, or one who calls a command.

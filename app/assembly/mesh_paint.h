@@ -11,7 +11,7 @@ namespace assembly {
 /// The colours of a mesh file. Its triangles are those of the file, neither welded nor repaired.
 struct MeshPaint {
   hydro::TriMesh mesh;      ///< In the axes and unit of the file.
-  Eigen::Matrix3Xf colors;  ///< Of each triangle as displayed, RGB 0 … 1; negative: it has none.
+  Eigen::Matrix3Xf colors;  ///< Displayed colour of each triangle, RGB 0 … 1; negative: none.
 };
 
 /// Reads the colours of an OBJ file with its materials (MTL), of glTF and of PLY by assimp, in a

@@ -245,8 +245,8 @@ StatedFrame stated_frame(const fs::path& file, const aiScene& scene) {
 /// what the reader of its format has done to them.
 Eigen::Affine3d root_to_file(const fs::path& file, const aiNode& root, const StatedFrame& frame) {
   const std::string extension = lower_extension(file);
-  // The root of an FBX file has no transformation of its own. That of its reader scales and turns,
-  // or not, depending on the version of assimp, and may be singular.
+  // The root of an FBX file has no transformation of its own. The transformation that its reader
+  // gives it scales and turns, or not, depending on the version of assimp, and may be singular.
   if (extension == ".fbx") return Eigen::Affine3d::Identity();
   const Eigen::Affine3d X = transformation(root.mTransformation);
   // The Collada reader converts to metres.

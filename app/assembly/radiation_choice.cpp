@@ -17,15 +17,16 @@
 namespace assembly {
 namespace {
 
-constexpr double kLargestTilt = 45 * M_PI / 180;  ///< Of a start from the rest [rad].
+constexpr double kLargestTilt = 45 * M_PI / 180;  ///< Largest turn of a start from rest [rad].
 
 /// Distance to the surface, over the draught, at which a body still touches it [-].
 constexpr double kTouching = 0.02;
 
-// Of the start of a hull that is held from its rest. An angle of 15° in a scene is within, also at
-// a hinge that lies a little beside the hull's middle.
+// Largest turn and change of displaced volume between the start and the rest of a hull that is
+// held. An angle of 15° in a scene is within the limit, also at a hinge that lies a little beside
+// the hull's middle.
 constexpr double kHeldTilt = 16 * M_PI / 180;  ///< [rad]
-constexpr double kHeldVolume = 0.25;           ///< Of the displaced volume [-].
+constexpr double kHeldVolume = 0.25;           ///< Over the displaced volume at rest [-].
 
 // Waves of half the body's length, and the added mass, feel a bottom that is nearer than these.
 constexpr double kDraughtsToGround = 4;

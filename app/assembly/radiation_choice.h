@@ -27,8 +27,7 @@
 /// - it starts at most 45° from its attitude at rest, and no higher or faster than from where it
 ///   would just touch the water with its keel or deck: it is not dropped or thrown;
 /// - it starts within 15° of the rest, displacing there a quarter more or less at most, if
-/// something
-///   else than the water holds it: joints, lines, locks or constant loads;
+///   something else than the water holds it: joints, lines, locks or constant loads;
 /// - ground is at or below `water.depth`, or deeper than four of its draughts and half its length.
 
 namespace assembly {
@@ -41,10 +40,10 @@ double froude_number(const hydro::Sea& sea, double speed, double length);
 
 /// A database of `hydro.radiation.file` for one body.
 struct RadiationDatabase {
-  std::filesystem::path file;
-  std::string format;
-  std::string body;  ///< Name or number in the file.
-  databases::BodyData found;
+  std::filesystem::path file;  ///< Path of the file.
+  std::string format;          ///< Name of its format.
+  std::string body;            ///< Name or number in the file.
+  databases::BodyData found;   ///< Its data, in the frame of the body.
 };
 
 /// Whether a body makes waves.
@@ -52,8 +51,8 @@ struct RadiationChoice {
   std::optional<hydro::MeanPose> pose;  ///< The mean pose; none: the body makes no waves.
   /// The surface of the hull that the body leads, in its frame; null: its own alone.
   std::shared_ptr<const hydro::TriMesh> joined_B;
-  std::optional<engine::BodyId>
-      lead;              ///< The body that carries the waves of the hull in its place.
+  /// The body that carries the waves of the hull in its place.
+  std::optional<engine::BodyId> lead;
   bool written = false;  ///< The scene has the key for the body.
   std::string reason;    ///< Why it makes none; empty if this key or `added_mass` says so.
   /// The reason lies in how the scene starts, so that its author may expect waves.
@@ -62,13 +61,13 @@ struct RadiationChoice {
   std::string held;        ///< Holder besides the water in the mean pose; empty: none.
   double draught = 0;      ///< In the mean pose [m].
   double length = 0;       ///< Largest horizontal extent in the mean pose [m].
-  std::shared_ptr<const RadiationDatabase>
-      database;  ///< Database of its file (radiation_database.h).
+  /// Database of its file (radiation_database.h).
+  std::shared_ptr<const RadiationDatabase> database;
 };
 
 /// Returns the choice for each body. A body that cannot have the radiation which its key asks for
 /// is a fault at the key.
-/// @param spec   Of the same scene, with bodies, sea, ground and joints.
+/// @param spec   Specification of the same scene, with bodies, sea, ground and joints.
 std::vector<RadiationChoice> radiation_choices(const scene::Scene& scene,
                                                const engine::SimulationSpec& spec,
                                                scene::Faults& faults);

@@ -12,7 +12,7 @@ namespace assembly {
 
 /// Reads the databases of the chosen bodies into their choices. Bodies with equal keys, meshes and
 /// mean poses share one. A file that is refused is a fault at its key.
-/// @param spec   Of the same scene, with bodies and sea.
+/// @param spec   Specification of the same scene, with bodies and sea.
 void read_databases(const scene::Scene& scene, const engine::SimulationSpec& spec,
                     std::vector<RadiationChoice>& choices, scene::Faults& faults);
 

@@ -20,22 +20,25 @@ inline constexpr int kRadiationVersion = 5;
 
 /// Everything on which a solution depends.
 struct RadiationProblem {
-  const hydro::TriMesh& mesh_B;  ///< Its origin is the centre of mass.
-  hydro::MeanPose pose;
-  hydro::LinearWater water;
-  hydro::RadiationOptions options = {};
+  const hydro::TriMesh& mesh_B;          ///< Its origin is the centre of mass.
+  hydro::MeanPose pose;                  ///< Mean pose.
+  hydro::LinearWater water;              ///< Depth and gravity.
+  hydro::RadiationOptions options = {};  ///< Options of the solution.
 };
 
+/// A solution of radiation and its origin.
 struct StoredRadiation {
-  std::shared_ptr<const hydro::RadiationSolution> solution;
+  std::shared_ptr<const hydro::RadiationSolution> solution;  ///< For ρ = 1, in the frame H.
   /// Fitted to the solution; none where the problem gives its frequencies.
   std::shared_ptr<const hydro::RadiationMemory> memory;
   double seconds = 0;       ///< Wall time of the solve [s].
   bool from_store = false;  ///< True if another process solved it.
 };
 
+/// The store of solutions of radiation.
 class RadiationStore {
  public:
+  /// Makes the store of a folder.
   /// @param folder   None: solutions live only as long as this object.
   explicit RadiationStore(std::optional<std::filesystem::path> folder);
 

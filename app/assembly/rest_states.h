@@ -6,7 +6,7 @@
 #include "engine/base/spec.h"
 
 /// @file
-/// Where bodies that something holds come to rest in still water.
+/// The states of rest in still water of bodies that something holds.
 ///
 /// Joints with their springs and stops, lines, locks and constant loads hold a body in an attitude
 /// that it would not have alone: a flap on a hinge stands, a moored float lies deeper. The pose of

@@ -43,8 +43,8 @@ struct FloatingGroup {
   std::vector<Eigen::Isometry3d> X_GB;  ///< In the order of the group's bodies.
 };
 
-/// Joins the bodies of a group in their poses at the start. That of a single body has its numbers
-/// to the last bit.
+/// Joins the bodies of a group in their poses at the start. A group of one body has the numbers of
+/// that body to the last bit.
 /// @param lead   Body of the group whose axes G has.
 FloatingGroup floating_group(const engine::SimulationSpec& spec, const RigidGroup& group,
                              engine::BodyId lead);

@@ -127,7 +127,7 @@ class SeaWarnings {
       check_depth(*k, sea.significant_height / 2, period_key, height_key, 2);
   }
 
-  /// @param factor   Of the value of `height_key` over the amplitude.
+  /// @param factor   Value of `height_key` over the amplitude [-].
   void check_depth(double k, double amplitude, const std::string& length_key,
                    const std::string& height_key, double factor) {
     if (k * sea_.depth < kLeastKh)

@@ -17,7 +17,7 @@ bool breaks(const hydro::Sea& sea);
 /// and a height field that is too steep for water.
 /// Each is one line, which begins with the key to change and names the value and the bound. Meshes
 /// need no warning: faces that waves bend over are split.
-/// @param built   Of the same scene, with its sea and ground.
+/// @param built   The same scene as built, with its sea and ground.
 std::vector<std::string> sea_warnings(const scene::Scene& scene, const BuiltScene& built);
 
 }  // namespace assembly

@@ -55,7 +55,7 @@ bool is_there(const std::filesystem::path& file);
 
 /// Returns the solution that `find` finds, or else that of `solve`. If several processes need it at
 /// once, one solves and the others wait.
-/// @param file   That of the solution; empty without a folder.
+/// @param file   File of the solution; empty without a folder.
 /// @param what   The solution in messages: `added mass of hull`.
 /// @param find   Returns an optional solution.
 template <class Find, class Solve>

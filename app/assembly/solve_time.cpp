@@ -7,11 +7,11 @@ namespace assembly {
 namespace {
 
 // Processor times of icospheres on one of two cores at 2.5 GHz.
-constexpr double kTriangleSeconds = 1.3e-3;  ///< A triangle of so many [s].
+constexpr double kTriangleSeconds = 1.3e-3;  ///< Time per triangle of kCountedTriangles [s].
 constexpr double kCountedTriangles = 2e4;
 constexpr double kStoredPanels = 5000;    ///< Up to so many panels all interactions are stored.
 constexpr double kStoredGrowth = 1.43;    ///< Exponent of the number of panels there.
-constexpr double kRadiationSeconds = 12;  ///< Of sixteen frequencies [s].
+constexpr double kRadiationSeconds = 12;  ///< Time for sixteen frequencies [s].
 
 }  // namespace
 

@@ -25,7 +25,7 @@ struct MemoryVerdict {
   std::string text;    ///< `needs about 38 GiB of memory, this machine has 24 GiB free`
 };
 
-/// Judges a need; none if it is not more than what is free.
+/// Judges a need; none if it is not more than the free amount.
 /// @param available   [bytes]; none: not known.
 std::optional<MemoryVerdict> judged_need(double bytes, const std::optional<double>& available);
 

@@ -2,6 +2,9 @@
 
 #include <string>
 
+/// @file
+/// Receives the progress of long computations.
+
 namespace app {
 
 /// Receives the progress of a long computation. Each function does nothing unless it is overridden,

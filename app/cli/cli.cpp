@@ -51,7 +51,7 @@ struct Arguments {
   bool expand = false;
   std::filesystem::path scene;
   std::vector<std::string> sets;
-  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Of `check` and `probe`.
+  scene::MeshFormats formats = scene::MeshFormats::common;  ///< Formats for `check` and `probe`.
   bool markdown = false;
   std::string shell;
 };

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Runs a command and tells of what it throws on standard error.
+/// Runs a command and prints the errors that it throws on standard error.
 /// @param name   Name of the command.
 /// @return its exit code, or that of the exception
 int guarded(const std::string& name, const std::function<int()>& command);

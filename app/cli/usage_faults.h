@@ -9,12 +9,12 @@ class ExtrasError;
 }  // namespace CLI
 
 /// @file
-/// What the program says of a command line that it does not understand.
+/// Messages about a command line that the program does not understand.
 
 namespace app {
 
 /// Checks that a command stands first, or an option of the program itself.
-/// @param words   Of the command line, without the program's name.
+/// @param words   Words of the command line, without the program's name.
 /// @throws CLI::ParseError that lists the commands, and names the nearest one or the place of an
 ///     option before the command
 void check_command(const CLI::App& program, const std::vector<std::string>& words);

@@ -25,7 +25,7 @@ struct MeasuredMotions {
 /// Runs the scene in one regular wave that grows from rest, for 30 of its periods, of which the
 /// last ten are fitted, each motion by its mean, drift and two harmonics.
 /// @param slope    Amplitude times wave number [-].
-/// @param bodies   Of the same scene: the result is in their order.
+/// @param bodies   Bodies of the same scene: the result is in their order.
 std::vector<MeasuredMotions> measured_motions(const scene::Scene& scene, const RegularWave& wave,
                                               double slope,
                                               const std::vector<LinearMotions>& bodies,

@@ -39,11 +39,11 @@ struct Afloat {
   std::string name;
   hydro::TriMesh mesh_B;
   hydro::MeanPose pose;
-  double density = 1000;  ///< Of the water [kg/m^3].
+  double density = 1000;  ///< Density of the water [kg/m^3].
   hydro::LinearWater water;
   /// M, stiffness and locks; none for a body with joints, whose motions are not its own.
   std::optional<assembly::LinearTerms> terms;
-  std::shared_ptr<const assembly::RadiationDatabase> database;  ///< That of a scene's body.
+  std::shared_ptr<const assembly::RadiationDatabase> database;  ///< Null: it is solved.
 };
 
 struct Solved {

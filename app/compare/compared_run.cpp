@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the forces as a table. @param layout   That of compared_tables().
+/// Returns the forces as a table. @param layout   Layout of the forces in compared_tables().
 TableRows table_of(const ForceLog& forces, const TableLayout& layout) {
   TableRows table{.layout = layout, .names = {}, .tracks = {}};
   for (const auto& [name, track] : forces) {

@@ -57,7 +57,7 @@ std::string table_of(const Comparison& comparison, const ComparedFiles& files, b
 /// Returns `{"a": …, "b": …, "same": …, "judged": […], "not_judged": […], "differs": …, "bodies":
 /// {NAME: {"same": …, QUANTITY: {"largest": …, …}}}, "tables": {TABLE: {"same": …, "names": {NAME:
 /// {…}}}}}`.
-/// @param provenance   Of two run folders.
+/// @param provenance   Provenance of two run folders; none: not known.
 nlohmann::ordered_json json_of(const Comparison& comparison, const ComparedFiles& files,
                                const std::optional<Provenance>& provenance);
 

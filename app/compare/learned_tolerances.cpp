@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr double kOwnBelow = 0.1;  ///< Of all names' tolerance: a name below it has its own.
+constexpr double kOwnBelow = 0.1;  ///< Peak over all names' below which a name has its own [-].
 
 /// Rounds up to two digits.
 double rounded_up(double number) {

@@ -7,8 +7,8 @@
 #include "app/databases/heading_grid.h"
 
 /// @file
-/// Checks of a database, each of which refuses what contradicts itself and notes what is slightly
-/// wrong. @throws InputError each
+/// Checks of a database, each of which refuses contradictions and notes what is slightly wrong.
+/// @throws InputError each
 
 namespace databases {
 

@@ -32,7 +32,7 @@ constexpr double kSameCenter = 0.01;
 struct Move {
   Vector3d center;           ///< The centre of mass in the file's frame [m].
   Matrix6d by_center, to_H;  ///< Velocities: about the reference point, by those about it; axes.
-  double heading = 0;        ///< Of the file's x axis in H [rad].
+  double heading = 0;        ///< Heading of the file's x axis in H [rad].
   hydro::LinearWater water;
 
   Matrix6d matrix(const Matrix6d& about_reference) const {

@@ -7,8 +7,8 @@ namespace databases {
 
 /// Brings a database to the body's frame H and its centre of mass, its loads to evenly spaced
 /// headings, and checks it (physics of hydro/radiation/README.md):
-/// - A, B and A∞ must be symmetric, and B and A∞ have no negative eigenvalues. What is left of
-///   either is taken out.
+/// - A, B and A∞ must be symmetric, and B and A∞ have no negative eigenvalues. A small asymmetry or
+///   negative eigenvalue is removed.
 /// - Loads of waves over the circle must radiate the damping (Haskind), and the slowest must push
 ///   the body as the water accelerates, which finds a wrong time convention.
 /// - Volume and waterplane must be those of the mesh.

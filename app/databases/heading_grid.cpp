@@ -68,7 +68,7 @@ double wrapped(double heading) {
 /// A heading of the given ones, or the image of one.
 struct Source {
   double heading = 0;  ///< In [0, 2π).
-  Index column = 0;    ///< Of the given loads.
+  Index column = 0;    ///< Column of the given loads.
   Vector6d signs = Vector6d::Ones();
 };
 

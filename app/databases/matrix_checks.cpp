@@ -57,7 +57,7 @@ Finding asymmetry(const Kind& kind, std::size_t f, double largest, double lever)
   return found;
 }
 
-/// @param matrix   Of the kind, made symmetric.
+/// Least eigenvalue of a matrix of the kind, made symmetric, over `largest`; 0 if none is negative.
 Finding least_eigenvalue(const Kind& kind, std::size_t f, double largest, double lever) {
   if (!(largest > 0)) return {};
   const Matrix6d matrix = 0.5 * (*kind.matrices[f] + kind.matrices[f]->transpose());

@@ -34,7 +34,7 @@ struct Zone {
 
 struct TecFile {
   std::filesystem::path path;
-  std::string frequency;  ///< Of the first column: `w (rad/s)`.
+  std::string frequency;  ///< Name of the first column: `w (rad/s)`.
   std::vector<Zone> zones;
 };
 

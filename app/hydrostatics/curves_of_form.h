@@ -31,7 +31,7 @@ struct CurvesOfForm {
   double trim = 0;             ///< [rad], +x end down positive.
   double density = 1000;       ///< Density of the water [kg/m^3].
   double least = 0, most = 0;  ///< Draughts between which the waterline cuts the upright body [m].
-  std::vector<FormRow> rows;   ///< Of the draughts between these, ascending.
+  std::vector<FormRow> rows;   ///< Rows of the draughts between these, ascending.
   std::vector<CrossCurve> cross_curves;  ///< One a row, if heels are given.
 };
 

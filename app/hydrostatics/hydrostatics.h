@@ -22,10 +22,10 @@ struct HydrostaticsOptions {
   std::filesystem::path file;  ///< A scene if its extension is .yaml or .yml, otherwise a mesh.
   /// Exactly one of these two is set for a mesh. The draught holds with the mesh's z axis up.
   std::optional<double> mass;     ///< [kg]
-  std::optional<double> draught;  ///< From `keel` [m].
-  std::vector<double> draughts;   ///< Of the curves of form [m]; they take the place of the rest.
-  std::optional<double> trim;     ///< Of the curves of form, +x end down [rad]; none: upright.
-  std::optional<double> keel;     ///< z in the mesh frame [m]; none: lowest point.
+  std::optional<double> draught;  ///< Draught from `keel` [m].
+  std::vector<double> draughts;   ///< Draughts of the curves of form [m]; empty: no such curves.
+  std::optional<double> trim;     ///< Trim of the curves of form, +x end down [rad]; none: 0.
+  std::optional<double> keel;     ///< Its z in the mesh frame [m]; none: lowest point.
   std::optional<double> density;  ///< Density of the water [kg/m^3]; none: 1000.
   std::optional<Eigen::Vector3d> center_of_mass;  ///< In the mesh frame [m]; none: the centroid.
   std::optional<double> water;                    ///< In the pockets of a mesh [m^3]; none: dry.

@@ -30,7 +30,7 @@ struct NaturalPeriod {
 struct NaturalPeriods {
   std::vector<NaturalPeriod> modes;   ///< By descending period.
   std::string added_mass;             ///< The added mass that they have, in words.
-  std::vector<std::string> left_out;  ///< What acts on the body and is not in them.
+  std::vector<std::string> left_out;  ///< Loads and motions that they leave out.
   std::string missing;                ///< Reason why they are not known; else empty.
 };
 

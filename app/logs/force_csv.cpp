@@ -41,7 +41,7 @@ void ForceWriter::add(double time, const std::vector<engine::BodyForces>& forces
 
 ForceLog read_force_csv(const std::filesystem::path& file) {
   ForceLog log;
-  std::vector<double> numbers(force_columns().size());  // Those that the log lacks stay 0.
+  std::vector<double> numbers(force_columns().size());  // Columns that the log lacks stay 0.
   const std::string header = header_of(file);
   const auto given = static_cast<std::size_t>(std::ranges::count(header, ',')) - 1;
   read_rows(file, header, "a log of forces", [&](std::string_view text, int line) {

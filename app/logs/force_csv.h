@@ -19,7 +19,7 @@ std::string force_header();
 /// Writes forces during a run. Rows are in the file when `add` returns.
 class ForceWriter {
  public:
-  /// Replaces the file, or keeps what it had at a position (row_file.h). @throws InputError
+  /// Replaces the file, or keeps its rows up to a position (row_file.h). @throws InputError
   ForceWriter(const std::filesystem::path& file, std::vector<std::string> names,
               const std::optional<FilePosition>& kept = {});
 

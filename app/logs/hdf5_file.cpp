@@ -123,8 +123,8 @@ struct Hdf5Writer::File {
     std::vector<std::size_t> shape;  ///< Shape of a row.
     std::size_t numbers = 1;         ///< Numbers of a row.
     hsize_t rows = 0;                ///< Rows that have been appended or kept.
-    hsize_t in_file = 0;             ///< No fewer than those.
-    RunningHash hash;                ///< Of those rows.
+    hsize_t in_file = 0;             ///< Rows in the file: `rows` or more.
+    RunningHash hash;                ///< Hash of the first `rows` rows.
 
     /// Selects a part of the rows in the file.
     Handle part(hsize_t from, hsize_t count) const {
@@ -220,8 +220,8 @@ Hdf5Writer::Hdf5Writer(const fs::path& file, Mode mode) : file_(std::make_unique
   prepare_library();
   const Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
-  // A chunk that grows moves. What it leaves is what the structure on the disk refers to until the
-  // next flush, so that nothing may be written there.
+  // A chunk that grows moves. The structure on the disk refers to its old place until the next
+  // flush, so nothing may be written there.
   H5Pset_file_space_strategy(properties, H5F_FSPACE_STRATEGY_AGGR, false, 1);
   file_->path = file;
   if (mode == Mode::replace) {

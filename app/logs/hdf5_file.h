@@ -33,7 +33,7 @@ using Hdf5Attributes = std::vector<std::pair<std::string, std::string>>;
 
 /// A file that is written during a run: first its structure, then rows. `flush` saves all earlier
 /// rows: whenever the program is killed, the file holds at least those of the last `flush` that has
-/// ended. Of a machine without power the file may be damaged.
+/// ended. A failure of power may damage the file.
 ///
 /// All functions but the constructor throw OutputError if the file cannot be written, and `flush`
 /// if it has been removed or replaced. The file then keeps the state of the last `flush`.
@@ -60,9 +60,9 @@ class Hdf5Writer {
   std::size_t add_series(const Hdf5Series& series, const std::array<std::size_t, 2>& chunk);
 
   /// Finds a series of a file that is extended. The rows that are appended follow its first `rows`
-  /// rows; they replace others that come after these, which remain until then. (To drop rows writes
-  /// over what the structure on the disk refers to, until the next flush.)
-  /// @param hash   What `hash_of` gave for these rows.
+  /// rows; they replace others that come after these, which remain until then. (Dropping rows would
+  /// write over data that the structure on the disk refers to until the next flush.)
+  /// @param hash   Result of `hash_of` for these rows.
   /// @return the series' number. @throws InputError if it is missing or shorter, or has other
   /// numbers
   std::size_t find_series(const Hdf5Series& series, std::size_t rows, std::uint64_t hash);

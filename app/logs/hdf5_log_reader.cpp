@@ -22,7 +22,7 @@ constexpr std::string_view kMagic = "\x89HDF\r\n\x1a\n";
 /// An open log with its times and bodies, and its series, which have a row per time.
 struct OpenLog {
   /// @param all    The series that will be asked for.
-  /// @param names  Of a dataset of names; none if it is empty.
+  /// @param names  Name of a dataset of names; empty: none is read.
   OpenLog(const std::filesystem::path& path, const std::vector<Hdf5Series>& all,
           const std::string& names = "")
       : file(path), reader(path, datasets(all, names)), times(reader.numbers("time", {})) {

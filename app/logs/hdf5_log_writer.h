@@ -19,8 +19,8 @@ namespace app {
 /// writes the rest. A killed program loses the rows of the last second.
 class Hdf5Log : public Log {
  public:
-  /// Replaces the file, or keeps its rows up to a position. Those after them, which a killed run
-  /// has logged, remain until they are written again with the same numbers.
+  /// Replaces the file, or keeps its rows up to a position. Later rows, which a killed run has
+  /// logged, remain until they are written again with the same numbers.
   /// @throws InputError if the file cannot be written or holds other rows, or the program has no
   ///     HDF5
   Hdf5Log(const LogSubject& subject, const std::filesystem::path& file,

@@ -22,11 +22,11 @@ namespace app {
 /// pockets has none.
 class InteriorWriter {
  public:
-  /// Removes the file, or keeps what it had at a position (row_file.h). @throws InputError
+  /// Removes the file, or keeps its rows up to a position (row_file.h). @throws InputError
   InteriorWriter(std::filesystem::path file, std::vector<std::string> names,
                  const std::optional<FilePosition>& kept = {});
 
-  /// @param interiors   Of each body, in the order of the names. @throws OutputError
+  /// @param interiors   Interior of each body, in the order of the names. @throws OutputError
   void add(double time, const std::vector<engine::InteriorState>& interiors);
 
   /// See RowFile::save; nothing without a file.

@@ -86,7 +86,7 @@ std::vector<ProbeReading> Probes::read(double time, const std::vector<hydro::Bod
   return readings;
 }
 
-/// @param raise   Of the surface by the waves of bodies [m].
+/// @param raise   Rise of the surface by the waves of bodies [m].
 ProbeReading Probes::read_water(const Point& point, double time, double raise) const {
   const hydro::Sea& sea = *spec_.sea;
   ProbeReading reading = nothing_read();

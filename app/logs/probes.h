@@ -37,8 +37,8 @@ using ProbeReading = std::array<double, 10>;
 /// The probes of a run.
 class Probes {
  public:
-  /// @param spec   Of the scene of the probes; it must outlive this.
-  /// @param centers_of_mass   Of the bodies, in the frames of their meshes [m].
+  /// @param spec   Specification of the scene of the probes; it must outlive this.
+  /// @param centers_of_mass   Centres of mass of the bodies, in the frames of their meshes [m].
   Probes(const std::vector<scene::Probe>& probes, const engine::SimulationSpec& spec,
          const std::vector<Eigen::Vector3d>& centers_of_mass);
 
@@ -52,8 +52,8 @@ class Probes {
   void set_velocities_before(std::vector<Eigen::Vector3d> velocities);
 
   /// Returns the readings in the order of the scene.
-  /// @param states   Of the bodies at `time`.
-  /// @param waves    Of the bodies in simulated water at `time`; none: still.
+  /// @param states   States of the bodies at `time`.
+  /// @param waves    Waves of the bodies in simulated water at `time`; none: still.
   std::vector<ProbeReading> read(double time, const std::vector<hydro::BodyState>& states,
                                  const std::optional<hydro::SurfacePatch>& waves = {}) const;
 

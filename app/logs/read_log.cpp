@@ -13,8 +13,8 @@
 namespace app {
 namespace {
 
-/// Refuses a log that is too large for the memory. What is read of a CSV takes 1.05 bytes per byte
-/// of the file; what is in HDF5 is compressed and passes through another process.
+/// Refuses a log that is too large for the memory. The rows of a CSV take 1.05 bytes per byte of
+/// the file; those of HDF5 are compressed and pass through another process.
 void require_memory(const std::filesystem::path& file, double bytes_per_byte) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);

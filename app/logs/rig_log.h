@@ -55,7 +55,7 @@ class RigLog {
   std::vector<LogTable> tables() const;
 
   /// The numbers of those tables at a time.
-  /// @param states   Of the bodies at the time of the readings.
+  /// @param states   States of the bodies at the time of the readings.
   std::vector<std::vector<double>> numbers(const engine::RigReadings& readings,
                                            const std::vector<hydro::BodyState>& states) const;
 

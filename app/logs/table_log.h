@@ -45,13 +45,14 @@ struct LogTable {
 /// Writes a table as CSV during a run. Rows are in the file when `add` returns.
 class TableWriter {
  public:
-  /// Replaces the file in the folder, or keeps what it had at a position (row_file.h).
+  /// Replaces the file in the folder, or keeps its rows up to a position (row_file.h).
   /// @throws InputError
   TableWriter(const std::filesystem::path& folder, const LogTable& table,
               const std::optional<FilePosition>& kept = {});
 
   /// Adds one row per name, with digits that read back to the same numbers.
-  /// @param numbers   Of all names; NaN: there is none. @throws OutputError if the disk is full.
+  /// @param numbers   Numbers of all names; NaN: there is none. @throws OutputError if the disk is
+  ///     full.
   void add(double time, std::span<const double> numbers);
 
   /// See RowFile::save.

@@ -15,7 +15,7 @@ namespace app {
 /// Writes a trajectory during a run. Rows are in the file when `add` returns.
 class TrajectoryWriter {
  public:
-  /// Replaces the file, or keeps what it had at a position (row_file.h). @throws InputError
+  /// Replaces the file, or keeps its rows up to a position (row_file.h). @throws InputError
   TrajectoryWriter(const std::filesystem::path& file, std::vector<std::string> names,
                    const std::optional<FilePosition>& kept = {});
 

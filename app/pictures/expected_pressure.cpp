@@ -13,8 +13,8 @@ namespace {
 
 /// Effect of waves at the surface.
 struct WaveSize {
-  double height = 0;  ///< Above the level [m].
-  double speed = 0;   ///< Of the water [m/s].
+  double height = 0;  ///< Height above the level [m].
+  double speed = 0;   ///< Speed of the water [m/s].
 };
 
 WaveSize wave_size(const hydro::Sea& sea) {

@@ -10,7 +10,8 @@
 
 namespace app {
 
-/// Lines and machines over the time of a logged run. What was not logged is as at rest.
+/// Lines and machines over the time of a logged run. Quantities that were not logged have their
+/// values at rest.
 class RigHistory {
  public:
   /// Reads the logs of lines and machines of a run.

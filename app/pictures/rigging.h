@@ -14,8 +14,8 @@
 /// Lines, joints, anchors and machines in the pictures of a scene.
 ///
 /// The colour of a line is its tension, from grey without tension over green and yellow to red at
-/// the largest tension of the sequence. A spring that pushes is blue. Of a broken line short dark
-/// ends hang from the bodies.
+/// the largest tension of the sequence. A spring that pushes is blue. A broken line is drawn as
+/// short dark ends that hang from the bodies.
 
 namespace app {
 

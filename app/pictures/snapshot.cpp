@@ -46,7 +46,7 @@ struct Snapshots::Impl {
   const assembly::BuiltScene& built;
   const engine::SimulationSpec& spec;
   const PressureRange expected;
-  PressureRange range;  ///< Of the pictures so far.
+  PressureRange range;  ///< Range of the pictures so far.
   render::Renderer renderer;
   RigPictures rig;
 };

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// Reads the argument of `--video`: FILE, or CAMERA=FILE for the video of one camera. What stands
+/// Reads the argument of `--video`: FILE, or CAMERA=FILE for the video of one camera. The text
 /// before the first = is a camera's name if it can be one.
 VideoOptions video_options(const std::string& argument);
 

@@ -50,7 +50,7 @@ class Batch {
   std::vector<double>& controls() { return controls_; }
 
   /// Takes `count` steps of every simulation that has not failed.
-  /// @param which   Those that are stepped; empty: all.
+  /// @param which   Simulations that are stepped; empty: all.
   /// @throws std::invalid_argument, before any is taken, for a load or set value that is infinite
   void step(long count, const std::vector<std::size_t>& which = {});
 

@@ -84,7 +84,8 @@ void bind_errors(py::module_& module) {
           "column", [](const scene::Fault& fault) { return fault.place.column; },
           "Counted from 1; 0 if there is none.")
       .def_readonly("path", &scene::Fault::key_path, "Path of the key: `bodies[1].mass`.")
-      .def_readonly("text", &scene::Fault::message, "What was found and what was expected.")
+      .def_readonly("text", &scene::Fault::message,
+                    "Text that says what was found and what was expected.")
       .def(py::pickle(&saved_fault, &restored_fault))
       .def("__str__", [](const scene::Fault& fault) { return scene::to_string(fault); })
       .def("__repr__",

@@ -144,7 +144,7 @@ void bind_scene(py::module_& module) {
           "The scene as it was written, without `set`.")
       .def_property_readonly(
           "duration", [](const SceneSource& s) { return s.scene().duration; },
-          "What a run of the scene simulates [s].")
+          "Time that a run of the scene simulates [s].")
       .def_property_readonly(
           "step", [](const SceneSource& s) { return s.scene().step; }, "Length of a step [s].")
       .def_property_readonly(

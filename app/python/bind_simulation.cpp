@@ -252,11 +252,12 @@ void bind_control(py::module_& module) {
   const auto names = [](const Control& control) {
     return py::list(py::cast(scene::names_of(control.simulation.spec().set_points)));
   };
-  py::class_<Control>(module, "Control",
-                      "The set points of a simulation by name, in the units of their names: "
-                      "control['propellers[main].speed_rps'] = 2.5, or control['main'] where the "
-                      "propeller has a single one. What is set replaces the scene's control until "
-                      "it is deleted.")
+  py::class_<Control>(
+      module, "Control",
+      "The set points of a simulation by name, in the units of their names: "
+      "control['propellers[main].speed_rps'] = 2.5, or control['main'] where the "
+      "propeller has a single one. A value that is set replaces the scene's control "
+      "until it is deleted.")
       .def("__getitem__",
            [](const Control& c, const std::string& n) { return c.simulation.control(n); })
       .def("__setitem__",
@@ -326,13 +327,13 @@ void bind_simulation(py::module_& module) {
       .def("set_motion", &S::set_motion, py::arg("body"), py::arg("position") = none,
            py::arg("orientation") = none, py::arg("velocity") = none,
            py::arg("angular_velocity") = none,
-           "Puts a body in another state of motion, as far as its locks allow. What is not given "
-           "stays.")
+           "Puts a body in another state of motion, as far as its locks allow. Arguments that "
+           "are not given leave their quantities unchanged.")
       .def_property_readonly(
           "control", [](S& s) { return Control{s}; }, py::keep_alive<0, 1>(),
           "The set points by name (Control).")
       .def("forces", &S::forces, py::arg("body"),
-           "What acts on a body in its present state, as in forces.csv: each load as (6,), force "
+           "The loads on a body in its present state, as in forces.csv: each load as (6,), force "
            "[N] and moment [N m] about the centre of mass, in W; areas, energies and works as "
            "numbers.")
       .def("readings", &S::readings,

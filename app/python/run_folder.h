@@ -15,7 +15,7 @@ namespace python {
 /// The folder to which a simulation that somebody steps is logged, as `plimsoll run` logs its own.
 class RunFolder {
  public:
-  /// Opens the log. What is given must outlive this. @throws scene::InputError
+  /// Opens the log. The arguments must outlive this. @throws scene::InputError
   RunFolder(const scene::Scene& scene, const assembly::BuiltScene& built,
             const std::vector<scene::Override>& overrides, app::LogFormat format,
             const std::filesystem::path& path, int threads);

@@ -6,7 +6,7 @@
 /// Work without Python's lock (the GIL), also in threads that Python's end overtakes. Python before
 /// 3.14 ends a daemon thread that takes the GIL after that by an exception through C++, which
 /// aborts the process. Such a thread waits here for the process to end instead, and Python's end
-/// waits for work that is going on: a step, or what is solved for a scene.
+/// waits for work in progress: a step, or a solution for a scene.
 
 namespace python {
 

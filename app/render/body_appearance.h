@@ -13,7 +13,7 @@ namespace render {
 /// colour of the nearest triangle of the surface.
 struct Paint {
   hydro::TriMesh surface_B;
-  Eigen::Matrix3Xf colors;  ///< Of each triangle, RGB 0 … 1; negative: it has none.
+  Eigen::Matrix3Xf colors;  ///< Colour of each triangle, RGB 0 … 1; negative: none.
 };
 
 /// Look of a body, constant over a sequence.

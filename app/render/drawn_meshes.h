@@ -32,7 +32,7 @@ DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double lo
                     bool wireframe);
 
 /// Gives the vertices of a body the water about them.
-/// @param waves      Of the sea at this time.
+/// @param waves      Waves of the sea at this time.
 /// @param interior   The water in the body's pockets.
 void wet(DrawnBody& body, const hydro::BodyState& state, const hydro::Sea& sea,
          const hydro::AiryWaves& waves, double time, const std::optional<InteriorLook>& interior);

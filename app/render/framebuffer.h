@@ -24,7 +24,7 @@ class Framebuffer {
   void copy_depth() const;
   GLuint depth_copy() const { return depth_copy_; }
 
-  /// Makes the depth again what it was when it was copied.
+  /// Restores the depth that was copied.
   void restore_depth() const;
 
   /// Returns the finished picture with its samples averaged.

@@ -8,7 +8,7 @@ namespace render {
 /// A shaded mesh whose triangles have a colour each.
 struct PaintedSkin {
   ShadedMesh skin;
-  Eigen::Matrix3Xf colors;  ///< Of each vertex, RGB 0 … 1; alike in the corners of a triangle.
+  Eigen::Matrix3Xf colors;  ///< Colour of each vertex, RGB 0 … 1; equal at a triangle's corners.
 };
 
 /// Gives each triangle the colour that the paint has nearest to its middle. A vertex between

@@ -33,12 +33,12 @@ class PlanView {
   PlanView(const PlanView&) = delete;
   PlanView& operator=(const PlanView&) = delete;
 
-  /// Empties the texture and makes it what is drawn on, by shadows first.
+  /// Empties the texture and draws shadows into it from now on.
   void begin_shadows() const;
   /// Draws the shadows of bodies on the texture, with the uniforms of shaders/body.vert. Its view
   /// must be set.
   const GlProgram& shadows() const { return shadows_; }
-  /// Lets what is drawn next be foam.
+  /// Draws foam from now on.
   void begin_foam() const;
   /// Draws the foam about a body, with its place and attributes as of shaders/body.vert, and
   /// `u_churn`. Its view must be set.

@@ -78,7 +78,7 @@ struct Renderer::Impl {
   PlanPart plan_part_;
   GLuint scale_texture_;
   std::vector<DrawnBody> bodies_;
-  std::vector<std::optional<InteriorLook>> interiors_;  ///< Of this picture; none without pockets.
+  std::vector<std::optional<InteriorLook>> interiors_;  ///< Per body; none without pockets.
   double bodies_edge_ = 0;                              ///< Longest edge of the bodies' meshes [m].
   GlRigging rigging_{gl_};
   std::vector<GlMesh> grounds_;

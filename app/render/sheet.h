@@ -13,9 +13,9 @@ namespace render {
 /// Collects a sequence of pictures in one figure. Pictures stand side by side, lettered (a), (b),
 /// …, with their times; the shared scales of pressures and tensions stand below.
 ///
-/// It keeps small copies of at most 24 pictures. When more are added, every second one is dropped
-/// and from then on only every second, fourth, … is taken, so that the pictures stay evenly spaced,
-/// the first stays the first and memory stays bounded.
+/// It keeps small copies of at most kMostFrames pictures. When more are added, every second one is
+/// dropped and from then on only every second, fourth, … is taken, so that the pictures stay evenly
+/// spaced, the first stays the first and memory stays bounded.
 class ContactSheet {
  public:
   static constexpr int kMostFrames = 24;

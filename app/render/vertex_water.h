@@ -16,7 +16,7 @@ struct VertexWater {
 
 /// Above the surface the flow is that of the surface, so that both are linear over a triangle which
 /// crosses it.
-/// @param waves   Of the sea at this time.
+/// @param waves   Waves of the sea at this time.
 VertexWater vertex_water(const hydro::Sea& sea, const hydro::AiryWaves& waves,
                          const Eigen::Matrix3Xd& points_W, double time);
 

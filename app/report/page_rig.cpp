@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 /// The columns of one thing in its table.
 class Columns {
  public:
-  /// @param thinning   Of the rows; null: columns are counted only.
+  /// @param thinning   Thinning of the rows; null: columns are counted only.
   Columns(const TableRows& table, const std::string& name, const Thinning* thinning)
       : table_(table), track_(table.tracks.at(name)), thinning_(thinning) {}
 

@@ -15,7 +15,7 @@
 
 namespace app {
 
-/// What the page shows of a run.
+/// The logs of a run that the page shows.
 struct PageRun {
   std::string name;  ///< As the user gave it.
   Trajectory trajectory;

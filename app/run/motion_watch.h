@@ -31,7 +31,7 @@ class MotionWatch {
   /// @param built   It must outlive this.
   explicit MotionWatch(const assembly::BuiltScene& built);
 
-  /// Returns what is new in the states after a step.
+  /// Returns the warnings that the states after a step give for the first time.
   std::vector<std::string> after_step(double time, const std::vector<hydro::BodyState>& states);
 
   /// Everything that changes, for a checkpoint. Numbers are read back to the same.

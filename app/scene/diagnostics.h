@@ -13,9 +13,9 @@ namespace scene {
 
 /// A place in a file, counted from 1.
 struct Place {
-  std::filesystem::path file;
-  int line = 0;
-  int column = 0;
+  std::filesystem::path file;  ///< Empty: not known.
+  int line = 0;                ///< From 1; 0: not known.
+  int column = 0;              ///< From 1; 0: not known.
 };
 
 /// The place of the value of each key, by key path (`bodies[1].mesh.file`). The empty path stands
@@ -27,7 +27,7 @@ inline const char* const kOverridePlace = "--set";
 
 /// A single fault of an input.
 struct Fault {
-  Place place;
+  Place place;           ///< Where the value is.
   std::string key_path;  ///< `bodies[1].mass`; empty for a fault of the whole file.
   std::string message;   ///< The value that was found and what was expected.
 };
@@ -39,9 +39,12 @@ std::string to_string(const Fault& fault);
 /// Reports every fault of an input; `what()` has one line per fault.
 class InputError : public std::runtime_error {
  public:
+  /// Makes an error of several faults.
+  /// @param faults   At least one.
   explicit InputError(std::vector<Fault> faults);
   /// A single fault of a file as a whole.
   InputError(const std::filesystem::path& file, const std::string& message);
+  /// All faults, in the order in which they are reported.
   const std::vector<Fault>& faults() const { return faults_; }
 
  private:
@@ -55,10 +58,13 @@ Place place_of(const Places& places, std::string key_path);
 /// Collects faults in order to throw them together.
 class Faults {
  public:
+  /// Adds a fault that has its place.
   void add(Fault fault) { faults_.push_back(std::move(fault)); }
   /// Adds a fault of one key, at the place that place_of() gives.
   void add(const Places& places, const std::string& key_path, const std::string& message);
+  /// True if no fault was added.
   bool empty() const { return faults_.empty(); }
+  /// Throws the faults that were added.
   /// @throws InputError with all faults in the order of the file, those of overrides first. Nothing
   ///     is thrown if there is no fault.
   void throw_if_any() const;

@@ -91,7 +91,7 @@ class Inclusion {
  public:
   explicit Inclusion(const fs::path& scene) : scene_(scene) {}
 
-  /// @param folder   That of the file of the tree, relative to that of the scene.
+  /// @param folder   Folder of the tree's file, relative to the folder of the scene.
   void resolve(YamlNode& root, const fs::path& folder, std::vector<fs::path> chain) {
     const auto entry = std::ranges::find(root.entries, kInclude, &YamlEntry::key);
     if (entry == root.entries.end()) return;

@@ -26,8 +26,8 @@ void put(const app::CallOutput& output, const std::string& bytes) {
 
 /// End of the text of a fault.
 struct FaultEnd {
-  std::uint32_t length = 0;           ///< Of the text [bytes].
-  std::int32_t line = 0, column = 0;  ///< Of the fault's place.
+  std::uint32_t length = 0;           ///< Length of the text [bytes].
+  std::int32_t line = 0, column = 0;  ///< Place of the fault.
 };
 
 /// Writes a fault: its text, its end, and the mark.

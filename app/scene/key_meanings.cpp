@@ -66,7 +66,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"propellers", "Propellers and thrusters. They need `water`."},
     {"rudders", "Rudders, fins and keels: foils in the water. They need `water`."},
     {"sails", "Sails: foils in the wind. They need `air`."},
-    {"controls", "What drives set points in the course of time."},
+    {"controls", "Controls, which drive set points in the course of time."},
     {"log", "Options of the log."},
     {"render",
      "Options of the pictures. Without this block none is drawn, and no graphics library is "
@@ -261,13 +261,13 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"render.sheet.columns",
      "Number of pictures in a row. By default the figure is about 1.5 times as wide as high."},
     {"render.show",
-     "What is drawn in addition to the bodies. `forces` are arrows of weight, buoyancy, drag and "
+     "Things that are drawn besides the bodies. `forces` are arrows of weight, buoyancy, drag and "
      "lift with one scale for the whole sequence; `centres` are the centres of mass G and "
      "buoyancy B; `waterline` is a bold line; `wireframe` shows the edges of the meshes; `joints` "
      "are pins of hinges, balls, and bars along which sliders move; `trail` is the path so far of "
      "the centre of mass of the body that the camera follows, or of every body that can move."},
     {"render.overlay",
-     "What stands over the pictures: the time, the spacing of the grid, the scales, the legend and "
+     "Overlay of the pictures: the time, the spacing of the grid, the scales, the legend and "
      "letters. Without it they have none of these; what stands below the pictures on the sheet "
      "stays."},
     {"render.grid", "Lines for scale on water and ground."},

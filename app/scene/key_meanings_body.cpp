@@ -261,12 +261,12 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "box, `sphere` for a sphere or icosphere, and `mesh` otherwise. A body with `none` passes "
      "through everything."},
     {"bodies[].friction",
-     "Coulomb's coefficient of friction of the surface. That of a pair is the geometric mean of "
+     "Coulomb's coefficient of friction of the surface. A pair of bodies has the geometric mean of "
      "both, unless `contacts` gives it."},
     {"bodies[].restitution",
      "Coefficient of restitution of the surface: bodies that meet faster than 0.1 m/s part with "
-     "this share of that speed. That of a pair is the larger of both, unless `contacts` gives "
-     "it."},
+     "this share of that speed. A pair of bodies has the larger of both, unless `contacts` "
+     "gives it."},
     {"bodies[].lock", "Degrees of freedom that are locked at their initial values, in world axes."},
     {"bodies[].color", "Red, green and blue of the dry surface."},
 });

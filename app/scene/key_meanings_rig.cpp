@@ -64,7 +64,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "body moves along `axis` relative to the first, or to the world."},
     {"joints[].motor",
      "Motor of a hinge or slider, driven by exactly one of `speed`, `angle_deg` or `position`, and "
-     "`torque` or `force`. That key is the first value of the set point `joints[NAME].motor.KEY`."},
+     "`torque` or `force`. Its value is the first one of the set point `joints[NAME].motor.KEY`."},
     {"joints[].motor.speed", "Speed that the motor keeps, [rad/s] of a hinge, [m/s] of a slider."},
     {"joints[].motor.angle_deg", "Angle of a hinge that the motor moves to and holds."},
     {"joints[].motor.position", "Position of a slider that the motor moves to and holds."},
@@ -110,7 +110,7 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "Length without tension. The default is the distance of the ends at time 0. The set point"
      " `ropes[NAME].length` changes it. A control drives either this or the rate of the winch."},
     {"ropes[].stiffness",
-     "Tension per stretch. Of a rope of the stiffness EA it is EA over its length."},
+     "Tension per stretch: EA over the length for a rope of the stiffness EA."},
     {"ropes[].damping", "Tension per speed of stretching. A rope never pushes."},
     {"ropes[].breaks_at",
      "Tension at which it breaks for good. Without this key it does not break."},

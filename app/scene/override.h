@@ -4,6 +4,9 @@
 
 #include "app/scene/diagnostics.h"
 
+/// @file
+/// Values that are given beside a scene's file.
+
 namespace scene {
 
 /// A value that replaces or adds one key of a scene: `--set bodies[0].density=700`.

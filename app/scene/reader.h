@@ -7,6 +7,9 @@
 #include "app/scene/override.h"
 #include "app/scene/scene.h"
 
+/// @file
+/// Reads scenes.
+
 namespace scene {
 
 /// True if the extension of a file is .yaml or .yml.

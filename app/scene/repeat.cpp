@@ -127,8 +127,8 @@ class Expansion {
         entry.value.text += fmt::format("_{}", copy.number);
   }
 
-  /// Adds the shift to the position of a body. What is no position is left as it is, as its reader
-  /// refuses it.
+  /// Adds the shift to the position of a body. A value that is no position stays as it is: its
+  /// reader refuses it.
   static void shift(YamlNode& body, const Copy& copy) {
     if (copy.shift.isZero(0)) return;
     auto entry = std::ranges::find(body.entries, "position", &YamlEntry::key);
@@ -147,7 +147,7 @@ class Expansion {
 
   Reading& reading_;
   std::size_t values_ = 0;
-  std::size_t text_ = 0;  ///< Of the values [bytes].
+  std::size_t text_ = 0;  ///< Length of their text [bytes].
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace scene {
 
 /// A spring or rope between two points.
 struct Tether {
-  std::string name;
+  std::string name;                   ///< Unique among its kind.
   std::array<std::string, 2> bodies;  ///< Names; `world` stands for the world.
   /// In the mesh frame of each body, in W for the world [m].
   std::array<Eigen::Vector3d, 2> points = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
@@ -41,8 +41,8 @@ struct Rope : Tether {
 
 /// A catenary from a body to an anchor.
 struct Mooring {
-  std::string name;
-  std::string body;
+  std::string name;                                    ///< Unique among the moorings.
+  std::string body;                                    ///< Name of the body.
   Eigen::Vector3d fairlead = Eigen::Vector3d::Zero();  ///< In the mesh frame [m].
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();    ///< In W [m].
   double length = 0;                                   ///< Unstretched [m].
@@ -57,82 +57,86 @@ struct Mooring {
 
 /// Mooring lines that MoorDyn computes.
 struct MoorDyn {
-  std::filesystem::path file;
+  std::filesystem::path file;       ///< Input file of MoorDyn.
   std::vector<std::string> bodies;  ///< Body of each coupled point, or one for all.
 };
 
 /// Motor of a hinge or slider.
 struct JointMotor {
+  /// The quantity that the motor keeps to a set value.
   enum class Mode { speed, position, effort };
-  Mode mode = Mode::speed;
-  double value = 0;  ///< [rad/s, m/s], [rad, m] or [N m, N], by mode.
+  Mode mode = Mode::speed;  ///< Quantity that it keeps.
+  double value = 0;         ///< [rad/s, m/s], [rad, m] or [N m, N], by mode.
   double most = std::numeric_limits<double>::infinity();  ///< Largest effort [N m, N].
   double rate = 5;  ///< For `position`: an error decays in the time 1/rate [1/s].
 };
 
 /// Loads and stops along the coordinate of a hinge [rad] or slider [m], which is 0 at the start.
 struct JointDrive {
-  std::optional<std::array<double, 2>> limits;
-  std::optional<JointMotor> motor;
-  double stiffness = 0;  ///< [N m/rad, N/m]
-  double rest = 0;
-  double damping = 0;   ///< [N m s/rad, N s/m]
-  double friction = 0;  ///< [N m, N]
+  std::optional<std::array<double, 2>> limits;  ///< Least and largest coordinate.
+  std::optional<JointMotor> motor;              ///< None: there is no motor.
+  double stiffness = 0;                         ///< [N m/rad, N/m]
+  double rest = 0;                              ///< Coordinate at which the spring is at rest.
+  double damping = 0;                           ///< [N m s/rad, N s/m]
+  double friction = 0;                          ///< [N m, N]
 };
 
 /// A propeller or thruster.
 struct Propeller {
-  std::string name;
-  std::string body;
+  std::string name;                                  ///< Unique among the propellers.
+  std::string body;                                  ///< Name of the body.
   Eigen::Vector3d at = Eigen::Vector3d::Zero();      ///< In the mesh frame [m].
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();   ///< Unit, in the mesh frame.
   Eigen::Vector3d pivot = Eigen::Vector3d::UnitZ();  ///< Unit, in the mesh frame.
-  hydro::Propeller screw;
-  double inertia = 0;  ///< [kg m^2]
-  bool right_handed = true;
-  double speed = 0;    ///< [1/s]
-  double azimuth = 0;  ///< [rad]
+  hydro::Propeller screw;                            ///< The screw and its curves.
+  double inertia = 0;                                ///< [kg m^2]
+  bool right_handed = true;  ///< It turns clockwise, seen from behind, ahead.
+  double speed = 0;          ///< [1/s]
+  double azimuth = 0;        ///< [rad]
 };
 
 /// A rudder or sail.
 struct Foil {
-  std::string name;
-  std::string body;
+  std::string name;                                       ///< Unique among the foils of its kind.
+  std::string body;                                       ///< Name of the body.
   Eigen::Vector3d at = Eigen::Vector3d::Zero();           ///< In the mesh frame [m].
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();        ///< Along the span; unit.
   Eigen::Vector3d chord_axis = Eigen::Vector3d::UnitX();  ///< Unit, normal to `axis`.
-  hydro::Foil foil;
-  double angle = 0;  ///< [rad]
+  hydro::Foil foil;                                       ///< Its shape and coefficients.
+  double angle = 0;                                       ///< [rad]
 };
 
+/// A rudder, fin or keel: a foil in the water.
 struct Rudder : Foil {
   std::optional<std::string> behind;  ///< Name of the propeller in whose race it is.
 };
 
+/// A foil in the wind.
 struct Sail : Foil {};
 
+/// The value between the rows of a table: on a line, or that of the row before.
 enum class Interpolation { linear, step };
 
 /// A column of a table over time.
 struct CommandFile {
-  std::filesystem::path file;
-  std::string column;  ///< Empty: the first beside the time.
-  Interpolation interpolation = Interpolation::linear;
+  std::filesystem::path file;  ///< The table, resolved against the scene's folder.
+  std::string column;          ///< Empty: the first beside the time.
+  Interpolation interpolation = Interpolation::linear;  ///< Value between the rows.
 };
 
 /// A controller. All its numbers are in the units of the names.
 struct PidControl {
-  std::string of;      ///< `tug.heading_deg`
-  std::string target;  ///< A formula in the time.
-  double kp = 0, ki = 0, kd = 0;
-  std::optional<std::array<double, 2>> limits;
+  std::string of;                               ///< `tug.heading_deg`
+  std::string target;                           ///< A formula in the time.
+  double kp = 0, ki = 0, kd = 0;                ///< Gains of the error, its integral and its rate.
+  std::optional<std::array<double, 2>> limits;  ///< Least and largest output; none: no limits.
 };
 
 /// A switch with hysteresis, in the units of the names.
 struct RelayControl {
-  std::string of;
-  double low = 0, high = 0;
-  std::array<double, 2> values = {};
+  std::string of;                     ///< Quantity that is measured.
+  double low = 0, high = 0;           ///< Thresholds of the quantity.
+  std::array<double, 2> values = {};  ///< Output before and after it has switched.
 };
 
 /// Source of a set point over time.

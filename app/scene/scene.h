@@ -23,15 +23,19 @@
 
 namespace scene {
 
+/// Ground that is a horizontal plane.
 struct PlaneGround {
-  double z = 0;
+  double z = 0;  ///< [m]
 };
+/// The ground: none, a plane, heights on a grid, or a mesh.
 using Ground = std::variant<std::monostate, PlaneGround, HeightField, Mesh>;
 
+/// A joint between two bodies, or a body and the world: an entry of `joints`.
 struct Joint {
+  /// The motions that the joint leaves free.
   enum class Type { ball, hinge, slider, fixed, universal };
-  std::string name;  ///< Unique; `joint<index>` unless given.
-  Type type = Type::ball;
+  std::string name;                       ///< Unique; `joint<index>` unless given.
+  Type type = Type::ball;                 ///< Kind of the joint.
   std::array<std::string, 2> bodies;      ///< Names; `world` stands for the world.
   std::optional<Eigen::Vector3d> anchor;  ///< In W at time 0; ball, hinge, universal have one.
   std::optional<Eigen::Vector3d> axis;    ///< Unit, in W; hinge, slider and universal have one.
@@ -43,42 +47,45 @@ struct Joint {
 struct Contact {
   std::array<std::string, 2> bodies;  ///< Names; `world` stands for the ground.
   std::optional<double> friction;     ///< Coulomb's µ [-].
-  std::optional<double> restitution;
+  std::optional<double> restitution;  ///< Coefficient of restitution [-].
 };
 
+/// The time integration: the block `integrator`.
 struct Integrator {
+  /// The method, as engine::Integrator::Method.
   enum class Method { split, ode };
-  Method method = Method::split;
+  Method method = Method::split;    ///< Method of the integration.
   std::optional<double> tolerance;  ///< [1/s]; none: fixed steps.
 };
 
+/// A scene as its file describes it. A key that the file lacks has its default value.
 struct Scene {
-  std::filesystem::path file;
-  std::string title;
-  double duration = 0;  ///< [s]; 0: the initial state only.
-  double step = 1.0 / 60;
-  double gravity = 9.80665;
-  Integrator integrator;
-  std::optional<Water> water;
-  std::optional<hydro::Air> air;
-  Ground ground;
-  double ground_friction = 0.5;  ///< Coulomb's µ [-].
-  double ground_restitution = 0;
-  std::vector<Body> bodies;
-  std::vector<Joint> joints;
-  std::vector<Contact> contacts;
-  std::vector<Spring> springs;
-  std::vector<Rope> ropes;
-  std::vector<Mooring> moorings;
-  std::optional<MoorDyn> moordyn;  ///< In place of them.
-  std::vector<Propeller> propellers;
-  std::vector<Rudder> rudders;
-  std::vector<Sail> sails;
-  std::vector<Control> controls;
-  std::optional<double> log_every;  ///< [s]; none: every step.
-  bool log_forces = false;
-  std::vector<Probe> probes;
-  std::optional<Render> render;
+  std::filesystem::path file;         ///< The scene's file.
+  std::string title;                  ///< Title of logs and pictures.
+  double duration = 0;                ///< [s]; 0: the initial state only.
+  double step = 1.0 / 60;             ///< Time step [s], > 0.
+  double gravity = 9.80665;           ///< Along −z [m/s^2].
+  Integrator integrator;              ///< The time integration.
+  std::optional<Water> water;         ///< None: a dry scene.
+  std::optional<hydro::Air> air;      ///< None: nothing acts above the water.
+  Ground ground;                      ///< Sea floor or shore.
+  double ground_friction = 0.5;       ///< Coulomb's µ [-].
+  double ground_restitution = 0;      ///< Coefficient of restitution [-].
+  std::vector<Body> bodies;           ///< In the order of the file.
+  std::vector<Joint> joints;          ///< In the order of the file.
+  std::vector<Contact> contacts;      ///< Values of single pairs.
+  std::vector<Spring> springs;        ///< In the order of the file.
+  std::vector<Rope> ropes;            ///< Ropes and winches.
+  std::vector<Mooring> moorings;      ///< Catenaries.
+  std::optional<MoorDyn> moordyn;     ///< In place of `moorings`.
+  std::vector<Propeller> propellers;  ///< Propellers and thrusters.
+  std::vector<Rudder> rudders;        ///< Foils in the water.
+  std::vector<Sail> sails;            ///< Foils in the wind.
+  std::vector<Control> controls;      ///< Sources of set points.
+  std::optional<double> log_every;    ///< Interval [s]; none: every step.
+  bool log_forces = false;            ///< True: forces and works are logged.
+  std::vector<Probe> probes;          ///< Points that are logged.
+  std::optional<Render> render;       ///< None: no pictures.
 
   /// The formats of its meshes that are read. No key sets this: whoever reads the scene does.
   MeshFormats mesh_formats = MeshFormats::common;

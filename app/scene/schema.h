@@ -2,6 +2,9 @@
 
 #include <string>
 
+/// @file
+/// The format of scenes for editors and for its reference.
+
 namespace scene {
 
 /// Returns the scene format as a JSON Schema (draft 7, which editors support): keys with their

@@ -223,7 +223,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::map<YAML::anchor_t, YamlNode> anchors_;
   Mark last_quoted_;
   std::size_t nodes_ = 0;
-  std::size_t repeated_text_ = 0;  ///< Of aliases [bytes].
+  std::size_t repeated_text_ = 0;  ///< Length of the text that aliases repeat [bytes].
   int documents_ = 0;
 };
 

@@ -65,7 +65,7 @@ struct RunOutcome {
   double wall = 0;                       ///< Wall time of the whole process [s].
   std::string message;                   ///< Error message, or else the warnings.
   std::vector<BodyOutcome> bodies;       ///< Outcomes of the trajectory as far as it was written.
-  std::vector<NamedNumber> joints = {};  ///< Those of kJointColumns.
+  std::vector<NamedNumber> joints = {};  ///< Numbers of kJointColumns.
 };
 
 /// Collects the outcome of a run from its folder.

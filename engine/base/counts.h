@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// Counts of steps and loads.
+
 namespace engine {
 
 /// Counts of a body's steps and load evaluations so far.

@@ -17,7 +17,7 @@ struct LineReading {
   double distance = 0;  ///< Distance of its ends [m].
   double length = 0;    ///< Unstretched [m].
   bool taut = false;    ///< It pulls or pushes.
-  bool broken = false;
+  bool broken = false;  ///< It broke at an earlier time and pulls no more.
   Eigen::Vector3d first_W = Eigen::Vector3d::Zero();   ///< Place of its first end [m].
   Eigen::Vector3d second_W = Eigen::Vector3d::Zero();  ///< Place of its second end [m].
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the first body [N].
@@ -60,12 +60,12 @@ struct FoilReading {
 
 /// All of a simulation, in the order of the specification.
 struct RigReadings {
-  std::vector<LineReading> lines;
-  std::vector<LineReading> moordyn;  ///< The lines that MoorDyn computes.
-  std::vector<JointReading> joints;
-  std::vector<PropellerReading> propellers;
-  std::vector<FoilReading> foils;
-  std::vector<double> set_points;  ///< In the units of their names.
+  std::vector<LineReading> lines;            ///< Springs, ropes and moorings.
+  std::vector<LineReading> moordyn;          ///< The lines that MoorDyn computes.
+  std::vector<JointReading> joints;          ///< All joints.
+  std::vector<PropellerReading> propellers;  ///< All propellers.
+  std::vector<FoilReading> foils;            ///< All foils.
+  std::vector<double> set_points;            ///< In the units of their names.
 };
 
 }  // namespace engine

@@ -33,7 +33,8 @@ inline Matrix6d rotate_tensor(const Eigen::Matrix3d& R_AB, const Matrix6d& matri
   return result;
 }
 
-/// What assertions ask of an orientation. True for one that is not finite: that is told elsewhere.
+/// True for a unit quaternion, as assertions ask, and for one that is not finite, which other
+/// checks report.
 inline bool is_unit(const Eigen::Quaterniond& q) { return !(std::abs(q.squaredNorm() - 1) > 1e-6); }
 
 /// Norm of a velocity or acceleration whose angular part is multiplied by the radius [m].

@@ -32,6 +32,7 @@ enum class CollisionShape {
 
 /// Degrees of freedom of a body in world axes: x, y, z, roll, pitch, yaw.
 using DofMask = std::array<bool, 6>;
+/// All degrees of freedom.
 inline constexpr DofMask kAllDofs = {true, true, true, true, true, true};
 
 /// sin(2π·frequency·t + phase)
@@ -74,14 +75,14 @@ enum class Interior {
 
 /// A rigid body. B has its origin in the centre of mass and the axes of the mesh file.
 struct BodySpec {
-  std::string name;
+  std::string name;       ///< Unique among the bodies.
   hydro::TriMesh mesh_B;  ///< Its surface for water and contacts.
   /// The hull that the water sees, shared by simulations of one body (hulls.h); null: the
   /// simulation makes its own.
   std::shared_ptr<const hydro::Hull> hull;
   double mass = 0;                                          ///< [kg], > 0.
   Eigen::Matrix3d inertia_B = Eigen::Matrix3d::Identity();  ///< About the centre of mass [kg m^2].
-  hydro::BodyState initial;
+  hydro::BodyState initial;                                 ///< Pose and velocity at time 0.
   hydro::Coefficients coefficients;  ///< `hydro::for_mesh` completes them from the mesh.
   hydro::LoadAccuracy summation;     ///< Accuracy of the sums of its loads.
   std::shared_ptr<const hydro::AddedMassModel> added_mass;  ///< Null: the body has none.
@@ -93,17 +94,17 @@ struct BodySpec {
   std::shared_ptr<const hydro::HullSources> sources;
   /// Along its motion, beside the drag of its panels; null: none.
   std::shared_ptr<const hydro::Resistance> resistance;
-  bool wet = true;  ///< False: the water has no effect on it.
-  Interior interior = Interior::wet;
-  std::vector<Opening> openings;
-  std::vector<WaterAtStart> interior_water;
+  bool wet = true;                           ///< False: the water has no effect on it.
+  Interior interior = Interior::wet;         ///< Water in its pockets.
+  std::vector<Opening> openings;             ///< Holes in its walls.
+  std::vector<WaterAtStart> interior_water;  ///< Water in its pockets at time 0.
   /// The mesh with the pockets of the start closed by lids; none without pockets.
   std::optional<hydro::TriMesh> closed_mesh_B;
-  CollisionShape collision = CollisionShape::mesh;
+  CollisionShape collision = CollisionShape::mesh;  ///< Shape in contacts.
   double friction = kFriction;  ///< Coulomb's µ of its surface [-], >= 0 (contact_surfaces.h).
   double restitution = 0;       ///< Coefficient of restitution of its surface [-], 0 … 1.
   DofMask locked = {};          ///< They keep their initial value; all six make the body immovable.
-  std::vector<AppliedLoad> loads;
+  std::vector<AppliedLoad> loads;  ///< Loads besides those of water, air and gravity.
 };
 
 /// The surface of a body as the sea outside sees it at the start.
@@ -111,12 +112,15 @@ inline const hydro::TriMesh& outside_B(const BodySpec& body) {
   return body.closed_mesh_B && body.interior != Interior::wet ? *body.closed_mesh_B : body.mesh_B;
 }
 
+/// A joint between two bodies, or a body and the world. The poses at time 0 fulfil it.
 struct JointSpec {
+  /// Motions that are free: ball, all turns; hinge, a turn about the axis; slider, a motion along
+  /// it; fixed, none; universal, turns about both axes.
   enum class Type { ball, hinge, slider, fixed, universal };
-  std::string name;
-  Type type = Type::ball;
-  BodyId first = kWorld;
-  BodyId second = kWorld;
+  std::string name;                                    ///< Unique among the joints.
+  Type type = Type::ball;                              ///< Kind of the joint.
+  BodyId first = kWorld;                               ///< A body, or kWorld.
+  BodyId second = kWorld;                              ///< A body, or kWorld.
   Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();  ///< At time 0 [m]; unused by slider, fixed.
   /// Unit, at time 0; hinge, slider, universal.
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();
@@ -128,26 +132,30 @@ struct JointSpec {
 struct PlaneGround {
   double z = 0;  ///< [m]
 };
+/// A ground of triangles.
 struct MeshGround {
-  hydro::TriMesh mesh_W;
+  hydro::TriMesh mesh_W;  ///< Its faces look up.
 };
+/// The ground; `monostate`: there is none.
 using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 
-/// What contacts of one pair of bodies have in place of the values that follow from the bodies'.
+/// Friction and restitution of one pair of bodies, in place of the values that follow from the
+/// bodies' own.
 struct ContactSpec {
-  BodyId first = kWorld;  ///< kWorld is the ground.
-  BodyId second = kWorld;
+  BodyId first = kWorld;              ///< kWorld is the ground.
+  BodyId second = kWorld;             ///< The other body.
   std::optional<double> friction;     ///< Coulomb's µ [-], >= 0.
   std::optional<double> restitution;  ///< [-], 0 … 1.
 };
 
 /// The time integration.
 struct Integrator {
+  /// The scheme of a step.
   enum class Method {
     split,  ///< Inertia, loads and constraints in turn, with added mass; second order.
     ode     ///< ODE's own step without added mass, of first order, for comparison.
   };
-  Method method = Method::split;
+  Method method = Method::split;  ///< Scheme of a step.
   /// Largest error of a free body's pose in a second, over its radius and in rad; substeps are
   /// shortened for it. 0: error is not controlled.
   double tolerance = 0;
@@ -155,30 +163,31 @@ struct Integrator {
 
 /// The grid of simulated water.
 struct WaterGrid {
-  hydro::PeriodicSquare square;
-  double edge = 0;  ///< Width of its damped edge [m]; 0: a fifth of its side.
+  hydro::PeriodicSquare square;  ///< Cells, depth and gravity of the grid.
+  double edge = 0;               ///< Width of its damped edge [m]; 0: a fifth of its side.
 };
 
+/// Everything that a Simulation is made from.
 struct SimulationSpec {
-  Integrator integrator;
-  double step = 1.0 / 60;          ///< [s], > 0.
-  double gravity = 9.80665;        ///< Along −z [m/s^2].
-  std::optional<hydro::Sea> sea;   ///< None: a dry scene.
-  std::optional<WaterGrid> water;  ///< None: bodies do not feel each other's waves.
-  Ground ground;
+  Integrator integrator;               ///< The time integration.
+  double step = 1.0 / 60;              ///< [s], > 0.
+  double gravity = 9.80665;            ///< Along −z [m/s^2].
+  std::optional<hydro::Sea> sea;       ///< None: a dry scene.
+  std::optional<WaterGrid> water;      ///< None: bodies do not feel each other's waves.
+  Ground ground;                       ///< Sea floor or shore.
   double ground_friction = kFriction;  ///< Coulomb's µ of the ground [-], >= 0.
   double ground_restitution = 0;       ///< Coefficient of restitution of the ground [-], 0 … 1.
-  std::vector<BodySpec> bodies;
-  std::vector<JointSpec> joints;
+  std::vector<BodySpec> bodies;        ///< A BodyId is an index in these.
+  std::vector<JointSpec> joints;       ///< Joints between bodies.
   std::vector<LineSpec> lines;         ///< Springs, then ropes, then moorings.
   std::optional<MoorDynSpec> moordyn;  ///< Lines beside those.
-  std::vector<PropellerSpec> propellers;
-  std::vector<FoilSpec> foils;
-  std::vector<SetPointSpec> set_points;
-  std::vector<ControlSpec> controls;  ///< Each set point is in at most one.
-  std::vector<ContactSpec> contacts;  ///< Each pair at most once.
-  int threads = 1;                    ///< At most this many; results do not depend on it.
-  bool record_work = false;           ///< Keep impulses and works, for Simulation::forces.
+  std::vector<PropellerSpec> propellers;  ///< Propellers and thrusters.
+  std::vector<FoilSpec> foils;            ///< Rudders, fins, keels and sails.
+  std::vector<SetPointSpec> set_points;   ///< A SetPointId is an index in these.
+  std::vector<ControlSpec> controls;      ///< Each set point is in at most one.
+  std::vector<ContactSpec> contacts;      ///< Each pair at most once.
+  int threads = 1;                        ///< At most this many; results do not depend on it.
+  bool record_work = false;               ///< Keep impulses and works, for Simulation::forces.
 };
 
 }  // namespace engine

@@ -160,10 +160,10 @@ class Iteration {
   Iterate& it_;
   double size_;
   bool jointed_;
-  bool few_;  ///< Of blocks, for Newton steps.
+  bool few_;  ///< The blocks are few enough for Newton steps.
   bool takes_newton_steps_;
   double solved_;
-  double missed_ = 0;  ///< What the last sweep changed.
+  double missed_ = 0;  ///< Change by the last sweep.
   int sweeps_ = 0;
 };
 

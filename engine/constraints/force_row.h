@@ -11,9 +11,9 @@
 /// spring or rope, or of the drive of a joint.
 ///
 /// A spring k with a damper c acts on the distance s, whose rate is J u, with the force
-/// λ = k (e + h (a d⁺ − b d⁻)) + c ((1 − w) d⁻ + w d⁺). Here e is what is missing to the rest
-/// halfway through a substep of length h, d = r − J u its rate before and after the update, and r
-/// the rate at which the rest itself moves. In the form of the solver,
+/// λ = k (e + h (a d⁺ − b d⁻)) + c ((1 − w) d⁻ + w d⁺). Here e is the distance to the rest halfway
+/// through a substep of length h, d = r − J u its rate before and after the update, and r the rate
+/// at which the rest itself moves. In the form of the solver,
 ///
 ///     J u⁺ + λ/g = r + (k e + (c (1 − w) − h k b) (r − J u⁻)) / g,    g = h k a + c w,      (E22)
 ///
@@ -72,7 +72,7 @@ struct SpringWeights {
   double after = 0.25;   ///< a
   double before = 0.25;  ///< b
 };
-/// @param damped    What unresolved() tells for a step.
+/// @param damped    Result of unresolved() for a step.
 /// @param h         Length of the substep of the step [s].
 SpringWeights spring_weights(double damped, double h, double step);
 

@@ -14,7 +14,7 @@ using Type = JointSpec::Type;
 /// Rows of the separation of two points, or of a turn, along some directions.
 struct Rows {
   std::vector<Vector3d> directions;
-  Vector3d apart;  ///< What is to be taken back, of the first body from the second.
+  Vector3d apart;  ///< Separation or turn of the first body from the second, to be closed.
 };
 
 void add_separation(const JointFrames& joint, const Rows& rows, const Vector3d& first_arm,

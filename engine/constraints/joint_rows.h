@@ -27,12 +27,13 @@ struct JointGap {
 JointGap gap_of(const JointFrames& joint, const hydro::BodyState& first,
                 const hydro::BodyState& second);
 
-/// The impulse on the joint's second body, by blocks from `next` on, which it leads past them:
-/// moment about the centre of mass of `seen_by()`, in W.
+/// The impulse on the joint's second body, with its moment about the centre of mass of `seen_by()`,
+/// in W. The joint's blocks begin at `next`, which becomes the index after them.
 Vector6d joint_impulse(const JointFrames& joint, const std::vector<ConstraintBlock>& blocks,
                        const std::vector<Eigen::Vector3d>& impulses, std::size_t& next);
 
-/// Adds the blocks of a joint in a state. @param first, second   Of W for kWorld.
+/// Adds the blocks of a joint in a state. @param first, second   States of the joint's bodies; W's
+/// for kWorld.
 void add_joint_blocks(const JointFrames& joint, const hydro::BodyState& first,
                       const hydro::BodyState& second, std::vector<ConstraintBlock>& blocks);
 

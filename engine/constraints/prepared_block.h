@@ -17,7 +17,7 @@ class PreparedBlock {
   using Columns = Eigen::Matrix<double, 6, 3>;
 
   /// @param block    It must outlive this.
-  /// @param bodies   Of the island, ascending.
+  /// @param bodies   Bodies of the island, ascending.
   PreparedBlock(const ConstraintBlock& block, const std::vector<ConstrainedBody>& bodies);
 
   Kind kind() const { return block_->kind; }
@@ -41,12 +41,12 @@ class PreparedBlock {
                          const std::vector<Vector6d>& velocities) const;
 
   /// The impulse with which the first row would hold without a bound, those of all others held.
-  /// @param now      Its impulse that is now.
+  /// @param now      Its present impulse.
   /// @param missed   J u + D p − c.
   double wanted(double now, double missed) const { return now - missed / response_(0, 0); }
 
   /// The impulses with which (E8) holds for this block, those of all others held.
-  /// @param impulses, velocities   That are now.
+  /// @param impulses, velocities   The present ones.
   Eigen::Vector3d solved(const Eigen::Vector3d& impulses,
                          const std::vector<Vector6d>& velocities) const;
 

@@ -44,7 +44,7 @@ bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, doub
   const double exchanged =
       h * (std::abs(product(answer.reactions, before)) + product(answer.reactions, answer.changes));
   const double gain = work(answer, before, h) - answer.row_work;
-  // What is not solved may be beyond all numbers.
+  // The gain of an answer that is not solved may be infinite or NaN.
   return !std::isfinite(gain) || gain > most + kImpactGain * exchanged;
 }
 

@@ -8,7 +8,7 @@
 /// @file
 /// Friction and restitution of each pair of bodies that touch.
 ///
-/// A surface has a coefficient of friction and one of restitution. Those of a pair are
+/// A surface has a coefficient of friction µ and one of restitution e. A pair has
 ///
 ///     µ = √(µ₁ µ₂),    e = max(e₁, e₂),                                                  (E31)
 ///

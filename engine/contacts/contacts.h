@@ -23,9 +23,9 @@
 /// not hop. Here g is the acceleration by weight and full buoyancy, less than gravity where a body
 /// moves much water.
 ///
-/// Many points of a face share what they carry in many ways, so the row of the normal of one
-/// that does not bounce has a compliance of kContactCompliance of its response to its own impulse,
-/// by which a body under a thousand times its weight sinks half a millimetre deeper in steps of
+/// Many points of a face can share their load in many ways, so the row of the normal of one that
+/// does not bounce has a compliance of kContactCompliance of its response to its own impulse, by
+/// which a body under a thousand times its weight sinks half a millimetre deeper in steps of
 /// 1/60 s.
 ///
 /// Friction is Coulomb's with the µ of the pair (contact_surfaces.h), exactly in its cone. All rows

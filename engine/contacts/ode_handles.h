@@ -30,8 +30,8 @@ class OdeFault : public std::runtime_error {
 /// Makes ODE ready for use by the calling thread; cheap if it is ready already.
 ///
 /// The library is opened once per process and closed at its end. Its errors and assertions, which
-/// by default end the process, throw OdeFault out of the call that met them. That call is left half
-/// done: its world can only be destroyed, and the library is never closed.
+/// by default end the process, throw OdeFault out of the call that met them. The interrupted call
+/// leaves a world that can only be destroyed, and the library is never closed.
 void open_ode();
 
 /// Takes the last warning of ODE on this thread; empty if there was none since the last call. ODE

@@ -69,7 +69,7 @@ void World::add_joint(const JointSpec& spec) {
   if (!handle_of(spec.first) && !handle_of(spec.second)) return;
   joints_.push_back(pair);
   create_joint(world_.get(), spec, handle_of(spec.first), handle_of(spec.second));
-  // What cannot move is a part of the world.
+  // A body that cannot move is a part of the world.
   const auto movable = [this](BodyId id) { return handle_of(id) ? id : kWorld; };
   const auto start = [this](BodyId id) {
     return id == kWorld ? hydro::BodyState{} : bodies_[id].initial;

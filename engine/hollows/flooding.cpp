@@ -18,13 +18,13 @@ using hydro::kSea;
 constexpr double kPoint[] = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr double kWeight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-/// What runs between two spaces.
+/// The water that runs between two spaces.
 struct Stream {
   double rate = 0;           ///< Into the first one [m^3/s].
   double sea_level = 0;      ///< Mean over its length, if the second one is the sea.
-  double lowest = HUGE_VAL;  ///< Of its sill or opening.
+  double lowest = HUGE_VAL;  ///< Lowest point of its sill or opening.
   bool submerged = true;     ///< All of the sill is below the second one's level.
-  double length = 0;         ///< Of the sill under water [m].
+  double length = 0;         ///< Length of the sill under water [m].
 };
 
 /// Lets water run between the pockets of one body at one pose. Heights are above the centre of
@@ -208,7 +208,7 @@ bool Flooding::is_joined(int pocket, const Stream& stream) const {
 void Flooding::set_volume(int pocket, double volume) {
   PocketContent& content = held_.pockets[pocket];
   const double before = content.volume;
-  // What runs out ever slower ends at nothing, and what is less than the round-off of a body's
+  // A volume that runs out ever slower ends at nothing, and one below the round-off of a body's
   // volumes has no surface that could be found.
   const double size = std::max(division_.pockets[pocket].capacity, std::pow(body_.radius, 3));
   if (volume <= kLastWater * size) volume = 0;
@@ -263,7 +263,7 @@ void Flooding::part() {
   std::vector<std::vector<int>> parted(n);
   for (int i = 0; i < n; ++i)
     if (0 <= group[i] && group[i] < n) parted[group[i]].push_back(i);
-  // Those that part at once are no longer sea for one another.
+  // Pockets that part at once are no longer sea for one another.
   for (const std::vector<int>& pockets : parted)
     for (const int i : pockets) held_.pockets[i].flooded = false;
   for (const std::vector<int>& pockets : parted) {

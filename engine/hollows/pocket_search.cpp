@@ -40,7 +40,7 @@ std::vector<double> spill_heights(const hydro::TriMesh& mesh_B, const hydro::Poc
 }
 
 bool same_height(double a, double b, double error) {
-  return a == b || std::abs(a - b) <= error;  // Those of voids are infinite.
+  return a == b || std::abs(a - b) <= error;  // The heights of voids are infinite.
 }
 
 /// True if the pockets at hand are those that a search finds in an attitude.

@@ -109,7 +109,7 @@ std::vector<Body> make_bodies(const SimulationSpec& spec) {
                        !body.spec->coefficients.pressure_drag.none() &&
                        spec.integrator.method == Integrator::Method::split;
     if (sheds) body.hull_lift = hulls.lift_of(*body.spec);
-    // What is held leaves nothing of its motion to be judged by.
+    // The wake of a body that is held cannot be judged by its motion.
     const hydro::PressureDrag& drag = body.spec->coefficients.pressure_drag;
     const bool steady = drag.none() || drag.blunt == 0 || body.held() ||
                         spec.integrator.method != Integrator::Method::split;

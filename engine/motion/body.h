@@ -134,7 +134,7 @@ Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldW
                     double time);
 
 /// A after a turn of the body, in its new axes: the same unless the water outside takes no part.
-/// @param turn   Of the body, in its axes: from the old orientation to the new one.
+/// @param turn   Turn of the body in its axes, from the old orientation to the new one.
 Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const HeldWater* held,
                     const Eigen::Quaterniond& turn);
 

@@ -17,6 +17,7 @@
 
 namespace engine {
 
+/// The pull of (E17) on a body.
 struct Pull {
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< The point p, in B [m].
   Eigen::Vector3d to_W = Eigen::Vector3d::Zero();  ///< Its place [m].

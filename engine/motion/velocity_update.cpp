@@ -14,7 +14,7 @@ namespace {
 
 using hydro::Pieces;
 
-/// What the parts of one update share.
+/// Inputs that the parts of one update share.
 struct UpdateContext {
   MovingBody& moving;
   const MidpointState& midpoint;
@@ -204,7 +204,7 @@ struct Solution {
 /// (E6) by Newton's method from rest: an explicit change can be off by orders of magnitude.
 /// The Jacobian is that of the drag, as lift takes no energy and is weak as a rule.
 /// @param with_lift   If false, lift is left out.
-/// @param pieces      Those of the Jacobian.
+/// @param pieces      Pieces over which the Jacobian is summed.
 Solution implicit_change(const UpdateContext& s, bool with_lift, Pieces pieces) {
   Vector6d change = Vector6d::Zero(), nearest = change;
   const double floor = kNewtonRoundOff * kNewtonRoundOff * s.square(s.u);

@@ -88,7 +88,7 @@ struct EffectiveLoad {
 };
 
 /// (E5) or, where the loads are stiff, (E6) linearised about u + θ·expected.
-/// @param pieces   Those of the Jacobian.
+/// @param pieces   Pieces over which the Jacobian is summed.
 EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
                              const Vector6d& expected, double time, double h, hydro::Pieces pieces);
 

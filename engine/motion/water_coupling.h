@@ -15,7 +15,7 @@
 
 namespace engine {
 
-/// What each body moves the water with.
+/// The surface or hull of each body that moves the water.
 std::vector<hydro::WaterBody> bodies_in_water(const SimulationSpec& spec);
 
 class WaterCoupling {

@@ -68,12 +68,12 @@ struct WaveMemory {
   Eigen::VectorXd p;  ///< [√J]
 };
 
-/// What simulated water has told at the start of its step, and the way since, in H and for water of
-/// density 1 times the root of the density.
+/// The load and momentum of simulated water at the start of its step, and the way since, in H and
+/// for water of density 1 times the root of the density.
 struct WaterMemory {
   Vector6d way = Vector6d::Zero();       ///< ξ
   Vector6d load = Vector6d::Zero();      ///< f
-  Vector6d momentum = Vector6d::Zero();  ///< That which (E19a) takes.
+  Vector6d momentum = Vector6d::Zero();  ///< Momentum in (E19a).
 };
 
 /// The terms that depend on the body and h alone.

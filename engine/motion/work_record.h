@@ -17,25 +17,25 @@ struct MovingBody;
 
 /// Work done on a body since the start [J].
 struct Works {
-  double buoyancy = 0;
-  double pressure_drag = 0;
-  double viscous_drag = 0;
-  double lift = 0;
-  double wave_inertia = 0;
-  double diffraction = 0;
-  double radiation = 0;  ///< By the memory of the waves that the body has made.
-  double water = 0;      ///< By simulated water, in place of diffraction and radiation.
-  double wind = 0;
-  double interior = 0;  ///< By the water in its pockets.
-  double lines = 0;     ///< By springs, ropes, moorings and drives of joints.
-  double machines = 0;  ///< By propellers and foils.
-  double hull_lift = 0;
-  double added_mass = 0;
-  double applied = 0;     ///< By the forces of the scene and of the program.
-  double weight = 0;      ///< Work of the body's own weight.
-  double constraint = 0;  ///< By contacts, joints and locks.
-  double brake = 0;       ///< By the energy limiter.
-  double resistance = 0;
+  double buoyancy = 0;       ///< By the pressure of the water, as hydro::Loads::buoyancy.
+  double pressure_drag = 0;  ///< By pressure drag.
+  double viscous_drag = 0;   ///< By friction.
+  double lift = 0;           ///< By the lift of panels.
+  double wave_inertia = 0;   ///< By the acceleration of waves.
+  double diffraction = 0;    ///< By the waves that the body scatters.
+  double radiation = 0;      ///< By the memory of the waves that the body has made.
+  double water = 0;          ///< By simulated water, in place of diffraction and radiation.
+  double wind = 0;           ///< By the air.
+  double interior = 0;       ///< By the water in its pockets.
+  double lines = 0;          ///< By springs, ropes, moorings and drives of joints.
+  double machines = 0;       ///< By propellers and foils.
+  double hull_lift = 0;      ///< By the lift of the hull.
+  double added_mass = 0;     ///< By the inertia of the water.
+  double applied = 0;        ///< By the forces of the scene and of the program.
+  double weight = 0;         ///< Work of the body's own weight.
+  double constraint = 0;     ///< By contacts, joints and locks.
+  double brake = 0;          ///< By the energy limiter.
+  double resistance = 0;     ///< By the resistance along the motion.
 
   /// Each of them once.
   std::array<double, 19> all() const {
@@ -44,11 +44,13 @@ struct Works {
             lines,       machines,      hull_lift,    resistance, added_mass,
             applied,     weight,        constraint,   brake};
   }
+  /// The sum of all works [J].
   double sum() const;
   /// Part of the works, summed up in size, that the energy limiter has done [-].
   double clamped_share() const;
 };
 
+/// The works and the impulses of the present step.
 struct WorkRecord {
   Works works;                                     ///< The work of the added mass lacks −ΔE_A.
   double added_energy_at_start = 0;                ///< E_A [J]
@@ -56,6 +58,7 @@ struct WorkRecord {
   Vector6d constraint_impulse = Vector6d::Zero();  ///< In this step, in W [N s, N m s].
   Vector6d row_impulse = Vector6d::Zero();  ///< Impulse of rows in this step, in W [N s, N m s].
 
+  /// Sets the impulses of the step to zero.
   void start_step() { added_impulse = constraint_impulse = row_impulse = Vector6d::Zero(); }
 };
 

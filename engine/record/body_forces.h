@@ -27,9 +27,9 @@ struct MovingBody;
 
 /// The loads on a body at an instant: moments about the centre of mass, in W.
 struct BodyForces {
-  hydro::Loads water;
-  hydro::Wrench applied;
-  hydro::Wrench weight;
+  hydro::Loads water;       ///< Loads of water and air by kind.
+  hydro::Wrench applied;    ///< Loads of the scene and of the program.
+  hydro::Wrench weight;     ///< Load of gravity.
   hydro::Wrench radiation;  ///< Load of the waves that the body has made.
   /// Load of simulated water, in place of `radiation` and `water.diffraction`.
   hydro::Wrench simulated_water;
@@ -37,16 +37,17 @@ struct BodyForces {
   /// finds is the mean over the last step.
   hydro::Wrench lines;
   hydro::Wrench machines;  ///< Load of propellers and foils.
-  // These two are means over the last step, zero before the first one, since impacts change the
-  // velocity at once; the limiter's impulse is in neither. The constraint of a body that is held
-  // balances the other forces.
+  /// Load of the inertia of the water. This and `constraint` are means over the last step, zero
+  /// before the first one, since impacts change the velocity at once. The limiter's impulse is in
+  /// neither.
   hydro::Wrench added_mass;
-  hydro::Wrench constraint;  ///< Contacts, joints and locks together.
+  /// Load of contacts, joints and locks together; on a body that is held it balances the others.
+  hydro::Wrench constraint;
 
   double kinetic_energy = 0;        ///< K [J]
   double added_kinetic_energy = 0;  ///< E_A [J]
   double potential_energy = 0;      ///< P [J]; the level is 0 without water.
-  Works works;
+  Works works;                      ///< Works since the start.
 };
 
 /// The forces on a body that has a record. @param step   Length of the last step [s].

@@ -11,12 +11,12 @@ namespace engine {
 class TimeBook {
  public:
   /// Books a step.
-  /// @param threads     That the simulation may use.
+  /// @param threads     Number that the simulation may use.
   /// @param wall        Wall time of the step [s].
   /// @param collision   The part of it that finds contacts [s].
   void add(const std::vector<MovingBody>& bodies, int threads, double wall, double collision);
 
-  /// To which the time of simulated water is added [s].
+  /// Time of simulated water [s], for the caller to add to.
   double& water() { return timings_.water; }
 
   const Timings& timings() const { return timings_; }

@@ -17,7 +17,7 @@
 /// A stop holds q' where it must not go on, and takes what q is beyond it back in the next substep.
 /// A motor of mode `speed` holds q' at its set point; one of mode `position` is a spring and damper
 /// k = ω² m, c = 2 ω m with ω its rate and m the mass or moment of inertia that it moves, so it
-/// comes to its set point without overshoot; friction holds q' at 0. The forces of these are found
+/// reaches its set point without overshoot; friction holds q' at 0. The forces of these are found
 /// with those of the joints (force_row.h), and none exceeds its largest value.
 
 namespace engine {

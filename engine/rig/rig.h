@@ -64,7 +64,7 @@ struct JointState {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< Impulse on the second body, W [N s].
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< The same about the anchor [N m s].
   double effort = 0;                                 ///< Impulse along q [N m s, N s].
-  double motor = 0;                                  ///< That of the motor, if it is a row.
+  double motor = 0;                                  ///< Impulse of the motor, if it is a row.
 };
 
 struct RigState {
@@ -83,7 +83,7 @@ class Rig {
 
   bool empty() const;
 
-  // What the stepping must know beforehand.
+  // Properties that stepping needs in advance.
 
   /// Pairs of movable bodies that lines connect, and of a body and what cannot move that a row
   /// connects. Ascending.

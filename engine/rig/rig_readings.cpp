@@ -24,7 +24,7 @@ LinePull Rig::pull_now(std::size_t index, const std::vector<hydro::BodyState>& s
                  end_now(line.second, states), sea_, time, lines_[index].pull);
 }
 
-/// Of a row the mean over the last step, as the state at one time does not tell it.
+/// The tension of a row is its mean over the last step: the state at one time does not tell it.
 double Rig::tension_now(std::size_t index, const LinePull& pull, double h) const {
   if (lines_[index].broken) return 0;
   return is_row_[index] ? lines_[index].impulse / h : pull.tension;

@@ -15,7 +15,7 @@
 namespace engine {
 namespace {
 
-/// What (E7) needs of one body, in W.
+/// The terms of (E7) for one body, in W.
 struct Pushed {
   Matrix6d S = Matrix6d::Identity();  ///< Effective inertia.
   Matrix6d mobility;                  ///< Its inverse in the velocities that locks leave.
@@ -57,13 +57,13 @@ double motion_energy(const Problem& problem) {
   return sum / 2;
 }
 
-/// What an island is under, beside its lines and drives.
+/// The constraints of an island, beside its lines and drives.
 struct Constraints {
   const std::vector<JointFrames>& joints;
   const std::vector<Contact>& contacts;
 };
 
-/// Index of a body in the island; none of what does not move.
+/// Index of a body in the island; none for one that does not move.
 std::optional<std::size_t> place_in(const Island& island, BodyId id) {
   const auto found = std::ranges::lower_bound(island.bodies, id, {}, &SubstepBody::id);
   if (found == island.bodies.end() || (*found)->id != id) return std::nullopt;
@@ -241,7 +241,7 @@ Answer solve(const Problem& problem) {
       less_restitution(problem, joints, solve(problem, {joints, problem.island.contacts}));
   if (answer.solved) return answer;
   const std::vector<Vector6d> before = velocities_before(problem);
-  // What lasts for a contact's time or longer has the whole of it; many short substeps share it.
+  // A substep as long as kShortestContact may gain the whole amount; shorter ones share it.
   const double part = problem.h / std::max(problem.h, kShortestContact);
   const double most = part * (kUnsolvedWork * motion_energy(problem) + overlap_energy(problem));
   if (!gains(answer, before, problem.h, most)) return answer;

@@ -11,8 +11,8 @@
 ///     S Δu = h (F + R),                                                                    (E7)
 ///
 /// where u⁺ = u + Δu and R = Jᵀp/h, and the reactions of locks, obey the rows of all constraints
-/// (E8). Locks are no rows: they leave S⁻¹ the velocities that they allow. Those of joints turn the
-/// velocity at the joint round,
+/// (E8). Locks are no rows: they leave S⁻¹ the velocities that they allow. The rows of joints
+/// reverse the velocity at the joint,
 ///
 ///     J u⁺ = −J u⁻,                                                                       (E7a)
 ///

@@ -40,7 +40,7 @@ class EnergyLimiter {
   const std::vector<BodyId>& group() const { return group_; }
 
   /// Judges a substep of length h [s] whose ends are found.
-  /// @param members   Those of the group, in its order.
+  /// @param members   Members of the group, in its order.
   /// @param halves    The substep is half of one that had too much energy: it is judged in any
   /// case.
   /// @return true if the group has so much energy that the substep is to be halved.

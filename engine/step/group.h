@@ -21,7 +21,7 @@ struct Group {
 /// The groups that pairs connect. A body of no pair is in none.
 /// @param movable       Ascending.
 /// @param connections   Pairs of these bodies, or of one of them with what cannot move.
-/// @param joints, near  Of these bodies, of which each group gets its own. Those between two groups
+/// @param joints, near  Pairs of these bodies. Each group gets its own; pairs between two groups
 ///                      are left out.
 std::vector<Group> make_groups(const std::vector<MovingBody>& bodies,
                                const std::vector<BodyId>& movable,

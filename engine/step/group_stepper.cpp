@@ -28,7 +28,7 @@ World::Placed placed(const SubstepBody& b) {
                           -b.body().environment.gravity * Eigen::Vector3d::UnitZ())}};
 }
 
-constexpr std::size_t kLoneBodies = 16;  // Of a part.
+constexpr std::size_t kLoneBodies = 16;  // Bodies per part.
 const std::vector<EnergyLimiter*> kNoLimiters;
 
 /// True if the motion has no history yet and is about to get one.

@@ -42,8 +42,8 @@ struct LoneBody {
 
 class GroupStepper {
  public:
-  /// @param group      What it refers to must outlive the stepper.
-  /// @param limiters   Of the bodies of the group, each once.
+  /// @param group      The bodies that it names must outlive the stepper.
+  /// @param limiters   Limiters of the bodies of the group, each once.
   /// @param own        Per body of the simulation: its limiter if it is alone.
   /// @param step       The scene's step [s].
   GroupStepper(const StepContext& context, Group group, std::vector<EnergyLimiter*> limiters,

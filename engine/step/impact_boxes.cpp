@@ -49,7 +49,7 @@ double speed_after(const StepContext& context, std::size_t one, std::size_t othe
   return own + 2 * other_mass / (mass + other_mass) * closing;
 }
 
-/// The bounds after the impacts of all fast pairs. Those that there are already stay.
+/// The bounds after the impacts of all fast pairs. The bounds before stay where there are any.
 ThrownSpeeds after_impacts(const StepContext& context, double step, const ThrownSpeeds& before,
                            const std::vector<BoxPair>& pairs) {
   ThrownSpeeds after(before.size());

@@ -94,7 +94,7 @@ std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching)
   const int most = kMostPassings * static_cast<int>(group_->bodies.size());
   bool passes = passings_ < most && add_passings(h, ways, found);
   if (found.empty()) return std::nullopt;
-  // What the contacts halfway through a substep show may be missed by those of a shorter one.
+  // A shorter substep may miss an impact that the contacts halfway through a longer one show.
   double start = earliest(found);
   while (passings_ < most && add_passings(start, ways, found)) {
     start = earliest(found);

@@ -76,14 +76,14 @@ class Linkage {
     return found == links_.end() || found->id != id ? nullptr : &*found;
   }
 
-  /// Of all links, in their order.
+  /// States of all links, in their order.
   std::vector<hydro::BodyState> states() const {
     std::vector<hydro::BodyState> states;
     for (const Link& link : links_) states.push_back(link.motion->state);
     return states;
   }
 
-  /// That of a link, or of what does not move.
+  /// State of a link, or of a body that does not move.
   hydro::BodyState state(BodyId id, const std::vector<hydro::BodyState>& states) const {
     const Link* link = find(id);
     return link ? states[static_cast<std::size_t>(link - links_.data())] : hydro::BodyState{};

@@ -20,8 +20,8 @@
 /// not touch; elsewhere the interval is halved, the earlier half first, down to a motion of
 /// kPassingLook reach. At its end the bodies are collided, and where they close, the time of first
 /// contact follows by bisection to a motion of kPassingError reach. Where they still close half a
-/// reach after the end, the contacts of the next substep stop them. Those that close halfway are no
-/// exception: what they meet in the second half depends on that contact. A way past everything
+/// reach after the end, the contacts of the next substep stop them. Bodies that close halfway are
+/// no exception: what they meet in the second half depends on that contact. A way past everything
 /// costs one such box, one through a wall about 40. Beyond that one, all searches of a step have
 /// kMostPassingLooks boxes and collisions per body.
 ///

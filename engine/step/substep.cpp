@@ -21,7 +21,7 @@ Vector6d change_by_history(const Motion& halfway, double h) {
                     halfway.accelerations.expected(h / 2));
 }
 
-/// What a substep takes as constant: the water about a body, its wake halfway, and its rotors.
+/// Sets what a substep takes as constant: the water about a body, its wake halfway, and its rotors.
 void hold_surroundings(const SubstepBody& b, double time, double h, Motion& motion) {
   {
     std::optional<Stopwatch> stopwatch;

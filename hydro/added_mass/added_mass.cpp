@@ -32,15 +32,15 @@ constexpr std::size_t kMostStored = 5000;
 /// Everything found on one set of panels.
 struct Stage {
   Surface surface;
-  std::vector<int> parent;  ///< Of each panel, the face it is a part of.
+  std::vector<int> parent;  ///< Face of which each panel is a part.
   bem::Solution solution;
   Matrix6d matrix;  ///< Not made symmetric.
   Matrix6d scale;
-  double error = 0;  ///< That finer panels would lessen.
+  double error = 0;  ///< Error that finer panels would lessen.
 };
 
-/// What errors are measured by: the added mass and a tenth of the displaced fluid's own inertia
-/// about the origin. Turned or moved, it transforms as the added mass does.
+/// Scale of errors: the added mass and a tenth of the displaced fluid's own inertia about the
+/// origin. It transforms as the added mass does.
 Matrix6d scale_of(const Matrix6d& matrix, const SolidProperties& solid) {
   const Eigen::Matrix3d cross = cross_matrix(solid.centroid);
   Matrix6d inertia;

@@ -27,11 +27,12 @@ enum class AddedMassMethod {
   constant   ///< Constant on each face, collocation at centroids: the plain method, for comparison.
 };
 
+/// Options of solve_added_mass().
 struct AddedMassOptions {
-  AddedMassMethod method = AddedMassMethod::galerkin;
+  AddedMassMethod method = AddedMassMethod::galerkin;  ///< Functions and panels of the solution.
   /// Tolerance of the error that finer panels would lessen, relative as in
-  /// AddedMassSolution::error_estimate. What flows around single facets of the mesh have is left to
-  /// the estimate: a round body has none.
+  /// AddedMassSolution::error_estimate. The estimate alone counts the flow around single facets of
+  /// the mesh, which a round body does not have.
   double tolerance = 1e-3;
   /// Faces are split no further than to this many panels; a mesh with more is solved as it is. Time
   /// and memory grow with the square of the panels up to 5,000; a larger mesh gets linear functions
@@ -42,24 +43,26 @@ struct AddedMassOptions {
 /// ψ of the six motions on a triangle, linear: a row a motion, a column a corner.
 using CornerPotentials = Eigen::Matrix<double, 6, 3>;
 
+/// The added mass of a body in unbounded fluid.
 struct AddedMassSolution {
-  Matrix6d matrix =
-      Matrix6d::Zero();  ///< A for ρ = 1, about the origin of B, body axes; symmetric.
+  /// A for ρ = 1, about the origin of B, body axes; symmetric.
+  Matrix6d matrix = Matrix6d::Zero();
   /// Largest |A_mn − A_nm| before it was made symmetric, measured as error_estimate.
   double symmetry_error = 0;
-  /// What the error of A is expected to stay below: |x·ΔA·y| over √(x·S·x y·S·y) for any two
-  /// motions x, y, with S = A and a tenth of the displaced fluid's own inertia. Not known (0) for
-  /// the constant method.
+  /// Expected bound of the error of A: |x·ΔA·y| over √(x·S·x y·S·y) for any two motions x, y, with
+  /// S = A and a tenth of the displaced fluid's own inertia. Not known (0) for the constant method.
   double error_estimate = 0;
   /// Per face of the mesh the best linear fit of ψ (least squares): Σ triangle_share over the faces
   /// is `matrix` to within its symmetry error.
   std::vector<CornerPotentials> potentials;
-  int panels = 0;  ///< Triangles on which it was solved.
-  int unknowns = 0;
-  double seconds = 0;
-  double bytes = 0;  ///< Size of the largest arrays held at a time.
+  int panels = 0;      ///< Triangles on which it was solved.
+  int unknowns = 0;    ///< Number of unknowns of the solution.
+  double seconds = 0;  ///< Wall time [s].
+  double bytes = 0;    ///< Size of the largest arrays held at a time.
 };
 
+/// Solves for the added mass of a body, far from any surface.
+/// @param mesh_B   Closed and outward; moments are about its origin.
 /// @throws std::invalid_argument if the mesh is not closed, or encloses nothing.
 AddedMassSolution solve_added_mass(const TriMesh& mesh_B, const AddedMassOptions& options = {});
 

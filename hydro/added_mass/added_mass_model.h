@@ -3,6 +3,9 @@
 #include "hydro/sea.h"
 #include "hydro/spatial.h"
 
+/// @file
+/// The interface of the models of added mass.
+
 namespace hydro {
 
 /// The added mass of a body as it lies in the water. A model is constant but for results that it

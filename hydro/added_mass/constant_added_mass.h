@@ -4,11 +4,15 @@
 #include "hydro/added_mass/rigid_wave_load.h"
 #include "hydro/loads/loads.h"
 
+/// @file
+/// An added mass that the user gives.
+
 namespace hydro {
 
 /// A given matrix while any of the body is wet, and zero while it is dry.
 class ConstantAddedMass final : public AddedMassModel {
  public:
+  /// Makes the model of a body.
   /// @param mesh_B    Its origin the centre of mass.
   /// @param matrix    About the centre of mass, body axes [kg, kg m, kg m^2]; its symmetric part
   ///                  without negative eigenvalues is taken. The sea's density does not matter.
@@ -18,6 +22,7 @@ class ConstantAddedMass final : public AddedMassModel {
   /// The load of rigid_wave_load.h.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
+  /// The matrix while the body is wet [kg, kg m, kg m^2].
   const Matrix6d& matrix() const { return matrix_; }
 
  private:

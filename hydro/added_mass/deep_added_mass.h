@@ -7,10 +7,10 @@
 /// The added mass of a body by the potentials of deep water, near a surface that gives way.
 ///
 /// The share of the wetted panels A_w (wetted_added_mass.h) is right for a body that is under water
-/// and for one that is half under and symmetric. Of one that begins to enter it is far too large:
-/// its wetted tip moves as much water as it does under a whole body. There the added mass along the
-/// vertical ẑ is a of water_entry.h, that of a plate of the waterplane that has risen. So the share
-/// is taken in proportion,
+/// and for one that is half under and symmetric. It is far too large for a body that begins to
+/// enter: the wetted tip of such a body moves as much water as it does under a whole body. There
+/// the added mass along the vertical ẑ is a of water_entry.h, that of a plate of the waterplane
+/// that has risen. So the share is taken in proportion,
 ///
 ///     A = f A_w,        f = b + (1 − b) min(1, a / ẑ·A_w ẑ),        b = 1 − (1 − 2v)²,      (1)
 ///
@@ -23,8 +23,10 @@
 
 namespace hydro {
 
+/// The added mass by (1): the model `deep` of a scene.
 class DeepAddedMass final : public AddedMassModel {
  public:
+  /// Makes the model of a body.
   /// @param mesh_B     Closed; its origin is the centre of mass.
   /// @param solution   The solution for this mesh, about the same origin.
   /// @param sea        As for WettedAddedMass.
@@ -41,7 +43,7 @@ class DeepAddedMass final : public AddedMassModel {
  private:
   /// f of (1).
   /// @param share_B   A_w for ρ = 1.
-  /// @param known     What flat water cuts off; null: it is sought.
+  /// @param known     The part that flat water cuts off; null: it is computed.
   double factor(const Matrix6d& share_B, const SurfaceCut* known, const BodyState& state,
                 const Sea& sea, double time) const;
   /// The plane through the water around the body.

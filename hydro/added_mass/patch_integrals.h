@@ -28,7 +28,7 @@ struct Seen {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();  ///< ∫ f_k n/r dS, one column per function k.
 };
 
-/// Adds the integrals over a patch times a factor. @param m   Of the patch.
+/// Adds the integrals over a patch times a factor. @param m   Moments of the patch.
 void add_seen(const Patch& patch, const PatchMoments& m, const Eigen::Vector3d& x, double factor,
               Seen& seen);
 

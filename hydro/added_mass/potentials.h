@@ -30,7 +30,7 @@ struct Potentials {
 };
 
 /// Lays out potentials for a hull's panels.
-/// @param corners   Of each face of the mesh.
+/// @param corners   Corner potentials of each face of the mesh.
 Potentials make_potentials(const TriMesh& mesh_B, const Panels& panels, const Tree& tree,
                            const std::vector<CornerPotentials>& corners);
 

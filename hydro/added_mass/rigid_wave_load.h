@@ -13,10 +13,10 @@
 ///
 ///     a = argmin ∫_{S_w} (J·a − u̇·n)² dS,        J = (n, r × n),                              (1)
 ///
-/// and the load is A a: exact in uniform flow. Of a spar in short waves it knows that heave is felt
-/// by the bottom and surge by the sides. Motions along the surface, as the turning of a sphere,
-/// move no water; of them a has nothing. Both integrals of its normal equations, ∫ J Jᵀ dS and ∫ J
-/// u̇·n dS, are those of wetted_added_mass.h for the potentials ψ = J.
+/// and the load is A a: exact in uniform flow. For a spar in short waves it takes heave from the
+/// bottom and surge from the sides. Motions along the surface, as the turning of a sphere, move no
+/// water, and a has no part of them. Both integrals of its normal equations, ∫ J Jᵀ dS and ∫ J u̇·n
+/// dS, are those of wetted_added_mass.h for the potentials ψ = J.
 
 namespace hydro {
 

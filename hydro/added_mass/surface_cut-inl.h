@@ -10,14 +10,14 @@
 #include "hydro/loads/kernel/pieces-inl.h"
 
 /// @file
-/// What a plane of water cuts off faces, pieces of faces, and branches of a hull: integrals of the
-/// fields ẑ, d ẑ and d²/2 ẑ, d the depth, and the edges at d = 0.
+/// The parts of faces, pieces of faces, and branches of a hull that a plane of water cuts off:
+/// integrals of the fields ẑ, d ẑ and d²/2 ẑ, d the depth, and the edges at d = 0.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
 /// Adds triangles that are wet all over.
-/// @param row      That of kCutArea.
+/// @param row      Row of kCutArea.
 /// @param shadow   Their areas times −n·ẑ.
 template <int kCount>
 HWY_INLINE void add_shadow(LaneSums<kCount>& sums, int row, V shadow, const Values& depth) {

@@ -17,7 +17,7 @@ namespace hydro::kernel::HWY_NAMESPACE {
 
 /// The sums over the leaves, and the faces at the waterline that wait until there are enough.
 struct CutWalk {
-  // Of an aggregate GCC 12 sets all of the queue to zero first.
+  // A constructor: GCC 12 would set all of the queue of an aggregate to zero first.
   CutWalk(const Panels& of, const LoadInputs& with, LaneSums<kCutSums>& to, double within)
       : panels(of), in(with), sums(to), axes(with.up), level(within) {}
 
@@ -105,9 +105,8 @@ HorizontalAxes::HorizontalAxes(const double (&up)[3]) {
 SurfaceCut cut_of(const std::array<double, kCutSums>& sums) {
   // Beyond this r a body is more pointed than a needle, or not wet but for roundings.
   constexpr double kMostPointed = 0.95;
-  // Of S²/P, above what one ellipse has, 0.85: with 1 in place of it the added mass of a teapot
-  // that sinks on its side falls by 0.6 % in all as spout and handle touch down, with this by 0.05
-  // %.
+  // Largest plate over S²/P; one ellipse has 0.85. With 1 the added mass of a teapot that sinks on
+  // its side falls by 0.6 % in all as spout and handle touch down, with this value by 0.05 %.
   constexpr double kMostApart = 1.25;
   const double area = sums[kCutArea], volume = sums[kCutVolume], perimeter = sums[kCutPerimeter];
   SurfaceCut cut{.volume = volume, .area = area, .perimeter = perimeter};

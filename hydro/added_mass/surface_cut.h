@@ -33,8 +33,8 @@ double level_within(const Tree& tree);
 /// A cut by the sums of its rows, with (4) to (6) of water_entry.h.
 SurfaceCut cut_of(const std::array<double, kCutSums>& sums);
 
-/// What a plane of water cuts off a hull, by the walk through the tree and in the vector lanes that
-/// the loads have.
+/// The part of a hull that a plane of water cuts off, by the walk through the tree and in the
+/// vector lanes of the loads.
 SurfaceCut surface_cut(const Panels& panels, const Tree& tree, const WaterPlane& plane);
 
 }  // namespace hydro::kernel

@@ -63,8 +63,8 @@ struct SurfaceCut {
   double perimeter = 0;     ///< P, with the outlines of holes [m].
   double round = 0;         ///< e: 0 long, 1 round [-].
   double half_breadth = 0;  ///< c [m]
-  /// What a flat plate of the waterplane's shape has for ρ = 1 in motion across it, on one side, in
-  /// proportion [m^3]: S²/P, or (4).
+  /// Measure of the added mass on one side of a flat plate of the waterplane's shape in motion
+  /// along its normal, for ρ = 1 [m^3]: S²/P, or (4).
   double plate = 0;
 };
 

@@ -81,7 +81,7 @@ struct WettedAddedMass::Immersion {
 
   bool dry = true;
   kernel::LoadInputs in;
-  std::optional<kernel::FeltSea> felt;  ///< Of a sea that is not prepared.
+  std::optional<kernel::FeltSea> felt;  ///< For a sea that is not prepared.
   std::optional<kernel::WaterSurface> surface;
 };
 

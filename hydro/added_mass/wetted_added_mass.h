@@ -30,8 +30,10 @@ namespace hydro {
 /// The symmetric part of a matrix with its negative eigenvalues set to zero (to round-off).
 Matrix6d semi_definite_part(const Matrix6d& matrix);
 
+/// The share of the wetted panels in the added mass of deep water, by (1).
 class WettedAddedMass final : public AddedMassModel {
  public:
+  /// Makes the model of a body.
   /// @param mesh_B     Closed; its origin is the centre of mass.
   /// @param solution   The solution for this mesh, about the same origin.
   /// @param sea        The sea that it will be asked about most. It prepares the waves of that one,
@@ -53,15 +55,18 @@ class WettedAddedMass final : public AddedMassModel {
 
   /// The load of (2), in W, and the matrix of (1) for ρ = 1 that it belongs to.
   struct WaveLoad {
-    Matrix6d matrix = Matrix6d::Zero();
-    Wrench load;
+    Matrix6d matrix = Matrix6d::Zero();  ///< (1) for ρ = 1.
+    Wrench load;                         ///< (2) in W.
   };
+  /// The load of (2) and its matrix, from one walk over the panels.
   WaveLoad load_of_waves(const BodyState& state, const Sea& sea, double time) const;
 
   /// A of the wholly submerged body for ρ = 1.
   const Matrix6d& whole() const { return whole_; }
 
+  /// The panels as the kernel reads them.
   const kernel::Panels& panels() const { return panels_; }
+  /// The panels by place.
   const kernel::Tree& tree() const { return tree_; }
 
  private:

@@ -25,7 +25,7 @@ struct ShareWalk {
   const LoadInputs& in;
   ShareSums& sums;
   HorizontalAxes axes;
-  double level;                ///< That of add_outline.
+  double level;                ///< Level of add_outline.
   TriangleQueue bending;       ///< The surface may bend over them by more than the tolerance.
   TriangleQueue cut_by_water;  ///< May be wet in part.
   LocalSea sea;                ///< For one place at a time.

@@ -138,7 +138,8 @@ bool Lid::cut(std::vector<Eigen::Vector3i>& faces) {
   return true;
 }
 
-/// Adds the lid of a loop to the faces. What cannot be cut off goes around a new vertex.
+/// Adds the lid of a loop to the faces. Corners that cannot be cut off become a fan around a new
+/// vertex.
 void add_lid(const Loop& loop, TriMesh& mesh, std::vector<Eigen::Vector3i>& faces) {
   if (loop.size() < 3) return;
   const Edges taken = edges_of(faces);

@@ -95,8 +95,8 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
   if (!(volume > 0)) return {.level = span.lowest};
   const double ceiling = 2 * span.highest - span.lowest;
   double low = span.lowest, low_volume = 0, high = HUGE_VAL, area = guess.area;
-  // Towards the tip of a corner secants creep, and below the pocket there is none. Of one that has
-  // been turned over the volume falls again, past the level up to which it holds water.
+  // Towards the tip of a corner secants creep, and below the pocket there is none. In a pocket that
+  // has been turned over the volume falls again above the level up to which it holds water.
   bool creeps = false, falls = false;
   WaterInside at = water_up_to(pocket, R_WB, std::clamp(guess.level, low, span.highest));
   for (int i = 0; i < kMostTrials && std::abs(at.volume - volume) > kVolumeError * volume; ++i) {
@@ -121,7 +121,7 @@ WaterInside water_of(const Hull& pocket, const Eigen::Matrix3d& R_WB, double vol
     creeps = std::abs(there.volume - volume) > std::abs(at.volume - volume) / 2;
     at = there;
   }
-  // What a pocket cannot hold runs out and presses on nothing.
+  // Water that a pocket cannot hold runs out and presses on nothing.
   const bool missed = std::abs(at.volume - volume) > kLargestVolumeError * volume;
   if (at.level >= ceiling || (missed && falls)) return {.level = span.lowest};
   if (missed) at.push = {};

@@ -17,7 +17,7 @@ namespace hydro {
 /// A body divided into its outside and its pockets. It is constant.
 struct Interior {
   Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  ///< The vertical for which it was found.
-  Pockets division;
+  Pockets division;                                 ///< Faces of each pocket, and the sills.
   Hull outside;               ///< The faces that the sea wets, open at the sills.
   std::vector<Hull> pockets;  ///< The faces of each pocket, open at its sills.
 };

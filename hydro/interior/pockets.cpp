@@ -77,7 +77,7 @@ class Sets {
 /// A part of the surface below the height that the sweep has reached.
 struct Part {
   Cubic below;
-  std::vector<int> basins;  ///< Those that may be pockets; empty if it has met the outside.
+  std::vector<int> basins;  ///< Basins that may be pockets; empty if it has met the outside.
 };
 
 /// A candidate for a pocket: what runs down to one local minimum.
@@ -114,8 +114,8 @@ class Sweep {
   const TriMesh& mesh_;
   Eigen::VectorXd x_;                  ///< Heights of the vertices.
   Eigen::VectorXd area_;               ///< Signed sections of the faces.
-  double range_ = 0;                   ///< Of the heights.
-  double least_volume_ = 0;            ///< Of a pocket.
+  double range_ = 0;                   ///< Range of the heights.
+  double least_volume_ = 0;            ///< Least volume of a pocket.
   std::vector<int> order_, place_;     ///< Vertices by height, and the inverse.
   std::vector<int> first_, faces_at_;  ///< Faces at each vertex.
   std::vector<int> below_;             ///< Corners of each face that have been visited.

@@ -40,11 +40,12 @@ struct Pocket {
 
 /// An edge between two pockets, or a pocket and the sea, over which water passes.
 struct SillEdge {
-  int pocket = 0;
+  int pocket = 0;        ///< Index of a pocket.
   int other = kSea;      ///< Greater than `pocket`, or kSea.
   int from = 0, to = 0;  ///< Vertices of the mesh.
 };
 
+/// All pockets of a mesh in one attitude.
 struct Pockets {
   std::vector<Pocket> pockets;      ///< Ascending by their lowest vertex.
   std::vector<SillEdge> sills;      ///< By (pocket, other).

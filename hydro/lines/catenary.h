@@ -44,7 +44,7 @@ struct CatenaryLine {
   double friction = 0;   ///< Coefficient of friction C_B of the bottom, >= 0 [-].
 };
 
-/// The tensions of a line and what they change by as the fairlead moves.
+/// The tensions of a line and their change as the fairlead moves.
 struct CatenarySolution {
   /// The properties of the line.
   enum class Form {
@@ -66,7 +66,7 @@ struct CatenarySolution {
   /// itself its vertical part is given as zero.
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
 
-  Form form = Form::slack;
+  Form form = Form::slack;  ///< Shape of the line.
 
   /// At the fairlead [N].
   double tension() const { return Eigen::Vector2d(horizontal, vertical).norm(); }
@@ -93,7 +93,7 @@ CatenarySolution solve_catenary(const CatenaryLine& line, double x, double z, bo
 /// The resting part of a slack line is drawn straight, though it is longer; so is a slack line
 /// without weight.
 ///
-/// @param solution  That of the same line, x and z.
+/// @param solution  Solution for the same line, x and z.
 /// @param count     >= 2.
 std::vector<Eigen::Vector2d> catenary_shape(const CatenaryLine& line,
                                             const CatenarySolution& solution, double x, double z,

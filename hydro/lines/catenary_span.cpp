@@ -32,7 +32,7 @@ HangingPart hanging_part(double h, double low, double part) {
   out.sine = low * high > 0 ? h / product * h * part * (low + high) / (high * a + low * t)
                             : (high * a - low * t) / product;
   const double r = part / sum;
-  // Of the part's four integrals nothing is left in double precision if it is short.
+  // In a short part the four integrals cancel to nothing in double precision.
   out.gram = r < 1e-4 ? h / product * h / product * std::pow(part, 4) / (3 * sum * sum)
                       : std::max(0.0, (out.ell - out.sine) * out.sine - out.cosine * out.cosine);
   return out;

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 /// @file
-/// What a line spans under given tensions, by (1) and (2) of catenary.h, and how that changes with
-/// them.
+/// The span of a line under given tensions, by (1) and (2) of catenary.h, and its derivatives by
+/// the tensions.
 ///
 /// Lengths are in units of L and forces in units of wL: (1) and (2) then know the compliance e =
 /// wL/EA and the friction C_B alone, and the tensions h and v. Nothing cancels for light and taut
@@ -16,7 +16,7 @@ namespace hydro {
 struct ScaledLine {
   double e = 0;         ///< wL/EA
   double friction = 0;  ///< C_B
-  bool bottom = false;  ///< What is below the anchor rests on a flat bottom.
+  bool bottom = false;  ///< The part below the anchor rests on a flat bottom.
 };
 
 /// Integrals over a part that hangs, of the length `part`, from v_a to v = v_a + part:

@@ -17,9 +17,9 @@ constexpr double kFlat = 0.95;
 
 /// Sums over the faces that look along an axis, and over those that look against it.
 struct Ends {
-  Eigen::Array2d projected = Eigen::Array2d::Zero();  ///< Area.
-  Eigen::Array2d weighted = Eigen::Array2d::Zero();   ///< By cos².
-  Eigen::Array2d flat = Eigen::Array2d::Zero();       ///< Of flat faces.
+  Eigen::Array2d projected = Eigen::Array2d::Zero();  ///< Projected area.
+  Eigen::Array2d weighted = Eigen::Array2d::Zero();   ///< The same, weighted by cos².
+  Eigen::Array2d flat = Eigen::Array2d::Zero();       ///< Projected area of flat faces.
 
   /// @param along   The face's area vector along the axis. @param area   Its length.
   void add(double along, double area) {

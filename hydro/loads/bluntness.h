@@ -8,8 +8,8 @@
 /// How blunt a mesh is along its axes, and the pressure drag that slender bodies are spared.
 ///
 /// A slender body pushes the water aside and lets it close again behind, which keeps most of the
-/// pressure in front from being drag. Panels do not know of each other; what they lack is one
-/// number for each axis e_i of the mesh, an eigenvector of ∫ n nᵀ dS: its bluntness
+/// pressure in front from being drag. Panels do not know of each other; they lack one number for
+/// each axis e_i of the mesh, an eigenvector of ∫ n nᵀ dS: its bluntness
 ///
 ///     w_i = ∫ |n·e_i|³ dS / ∫ |n·e_i| dS,                                                     (1)
 ///

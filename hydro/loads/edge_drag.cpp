@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 struct Fold {
   Vector3d from, to;
   int first = 0, second = 0;  ///< Faces.
-  double turn = 0;            ///< Of the surface [rad]; negative in a hollow.
+  double turn = 0;            ///< Turn of the surface [rad]; negative in a hollow.
 };
 
 /// The edges at which two faces meet.

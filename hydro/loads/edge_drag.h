@@ -32,9 +32,9 @@
 ///
 /// c follows from measured rolling: with the exact A the formula of Ikeda and others [I93] for
 /// barges with sharp bilges has c from 0.70 to 0.80 at breadths of 2 to 12 draughts. An edge that
-/// turns the surface by less than 90° sheds less, and by less than 60° nothing. Those that turn by
-/// more are taken as of 90°: of a plate Graham has P as KC^(−⅓), which a thin box meets at a
-/// Keulegan–Carpenter number of 2.4.
+/// turns the surface by less than 90° sheds less, and by less than 60° nothing. An edge that turns
+/// it by more counts as one of 90°: for a plate Graham has P as KC^(−⅓), which a thin box meets at
+/// a Keulegan–Carpenter number of 2.4.
 ///
 /// [G80] Graham. The forces on sharp-edged cylinders in oscillatory flow at low Keulegan–Carpenter
 ///       numbers. J. Fluid Mech. 97 (1980) 331-346.
@@ -58,7 +58,7 @@ class EdgeDrag {
 
   bool none() const { return edges_.empty(); }
 
-  /// (1) over what is below the surface, in W, its moment about the centre of mass.
+  /// (1) over the part below the surface, in W, with its moment about the centre of mass.
   Wrench load(const BodyState& state, const HullWater& water) const;
   /// The derivative of (1) with respect to (v, ω) in W: symmetric, without positive eigenvalues.
   Matrix6d jacobian(const BodyState& state, const HullWater& water) const;

@@ -24,7 +24,7 @@ inline constexpr double kPartOfWaves = 5e-3;
 
 /// The root mean square over the hull of the error of the head that leaves the force within the
 /// tolerance, and within kPartOfWaves of the waves' part of it [m].
-/// @param deviation   Of the surface [m].
+/// @param deviation   Standard deviation of the surface [m].
 double allowed_head_error(const HeadError& error, double deviation);
 
 /// Factor of the error of the head of a wave: over a body that is long against the wave it cancels

@@ -117,8 +117,8 @@ double shape_factor(double thickness, double fullness) {
   return std::max(0.7, 1 + rectangle * (g > 0 ? std::min(1.0, g) : g / 3));
 }
 
-/// What of the surface a piece feels, from 0 in the deep to 1 at the surface, and on an axis that
-/// is upright to 0.
+/// Effect of the surface on a piece, from 0 in the deep to 1 at the surface; on an axis that is
+/// upright it is 0.
 double nearness(const Piece& piece, double across) {
   const double height = piece.bottom - piece.top;
   return height > 0 ? across * std::max(0.0, 1 - piece.top / height) : 0;

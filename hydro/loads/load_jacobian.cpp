@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 /// bodies in contact in short waves take twice the time.
 constexpr double kCoarsePiece = 1.0 / 16;
 
-/// What the Jacobian may miss of the head of waves over coarse pieces, as a part of the buoyancy.
+/// Error that the Jacobian may have in the head of waves over coarse pieces, as a part of the
+/// buoyancy [-].
 constexpr double kCoarseError = 1e-2;
 
 /// Input of the sum over the panels.
@@ -28,8 +29,8 @@ struct Motion {
   Eigen::Matrix3d shape;  ///< K of bluntness.h, in W.
   double scale = 1;       ///< Scale of the pressure drag, from its calibration.
   const Air* air = nullptr;
-  Twist twist_in_air;    ///< Of the hull in W.
-  double air_scale = 0;  ///< Of the drag of the air, with its density over that of the water.
+  Twist twist_in_air;    ///< Motion of the hull in W.
+  double air_scale = 0;  ///< Scale of the drag of the air, with its density over the water's.
 };
 
 /// The water about a hull: over each vertex the elevation of its surface [m], and in the middle of

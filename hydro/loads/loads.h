@@ -26,8 +26,8 @@ struct Hull {
   TriMesh mesh_B;         ///< Outward; its origin is the centre of mass.
   double radius = 0;      ///< Largest distance of a vertex from the centre of mass [m].
   kernel::Panels panels;  ///< The mesh as the kernel reads it.
-  kernel::Tree tree;
-  Boundary boundary = Boundary::closed;
+  kernel::Tree tree;      ///< The panels by place, for the kernel.
+  Boundary boundary = Boundary::closed;  ///< Closed unless it is a part.
 };
 
 /// Builds a hull from a mesh in B.
@@ -36,20 +36,22 @@ Hull make_hull(TriMesh mesh_B, Hull::Boundary boundary = Hull::Boundary::closed)
 /// The loads of the water, and of the air above it, by kind, in W. Moments are about the centre of
 /// mass.
 struct Loads {
-  Wrench buoyancy;
-  Wrench pressure_drag;
-  Wrench viscous_drag;
-  Wrench lift;
-  Wrench wave_inertia;  ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
-  Wrench diffraction;   ///< FloatingBody::wave_load; `compute_loads` leaves it at 0.
-  Wrench hull_lift;     ///< HullLift::load; `compute_loads` leaves it at 0.
-  Wrench wind;          ///< Load of the air on the dry part (wind.h).
-  Wrench interior;      ///< Load of water in pockets (interior.h); `compute_loads` leaves it at 0.
-  Wrench resistance;    ///< Along the motion (resistance.h); `compute_loads` leaves it at 0.
+  Wrench buoyancy;       ///< Load of the pressure of the undisturbed water.
+  Wrench pressure_drag;  ///< Load of the flow along the normals of panels.
+  Wrench viscous_drag;   ///< Load of friction along panels.
+  Wrench lift;           ///< Load of the lift of panels.
+  Wrench wave_inertia;   ///< AddedMassModel::wave_load; `compute_loads` leaves it at 0.
+  Wrench diffraction;    ///< FloatingBody::wave_load; `compute_loads` leaves it at 0.
+  Wrench hull_lift;      ///< HullLift::load; `compute_loads` leaves it at 0.
+  Wrench wind;           ///< Load of the air on the dry part (wind.h).
+  Wrench interior;       ///< Load of water in pockets (interior.h); `compute_loads` leaves it at 0.
+  Wrench resistance;     ///< Along the motion (resistance.h); `compute_loads` leaves it at 0.
   double wetted_area = 0;       ///< [m^2]
   double displaced_volume = 0;  ///< Volume of the body below the surface [m^3].
 
+  /// Adds all loads, areas and volumes.
   Loads& operator+=(const Loads& other);
+  /// The sum of all loads.
   Wrench total() const {
     return buoyancy + pressure_drag + viscous_drag + lift + wave_inertia + diffraction + hull_lift +
            wind + interior + resistance;
@@ -68,8 +70,9 @@ struct LoadAccuracy {
   bool branches = true;
   /// In waves a branch is taken whole where the error of the force that follows is below this part
   /// of the wholly submerged body's buoyancy, shared out by area [-], and the error of the head
-  /// below ten times this part of the waves' height. With 0 no branch is. What the sum over pieces
-  /// of panels misses of the force is below the same part, kLeastWaveTolerance at least.
+  /// below ten times this part of the waves' height. With 0 no branch is. The sum over pieces of
+  /// panels misses less than the same part of the force, or than kLeastWaveTolerance if that is
+  /// larger.
   double wave_tolerance = 1e-4;
 };
 

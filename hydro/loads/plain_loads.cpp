@@ -29,10 +29,10 @@ struct PlainInputs {
   AiryWaves waves;
   Eigen::Vector3d p_WB;       ///< The centre of mass [m].
   Eigen::Matrix3Xd r;         ///< 3×V [m].
-  Eigen::VectorXd elevation;  ///< Of the surface over each vertex, above the level [m].
+  Eigen::VectorXd elevation;  ///< Elevation of the surface over each vertex, above the level [m].
   Twist motion;               ///< Relative to the current.
   Eigen::Matrix3d shape;      ///< K of bluntness.h, in W.
-  double level;               ///< Of the still water above the centre of mass [m].
+  double level;               ///< Level of the still water above the centre of mass [m].
   bool moving;                ///< Relative to the water.
 
   bool airy() const { return waves.moves(); }

@@ -11,7 +11,7 @@ namespace hydro {
 /// surface bends over it, cut at the waterline and at v·n = 0, and summed by the functions of
 /// `panel_loads.h` and `viscous_drag.h`, or at six points. Some twenty times slower than the
 /// kernel.
-/// @param how   No branches are taken whole; the tolerance holds for what is split.
+/// @param how   No branches are taken whole; the tolerance holds for panels that are split.
 Loads plain_loads(const Hull& hull, const BodyState& state, const Sea& sea, double time,
                   const Coefficients& coefficients, const LoadAccuracy& how = {});
 

@@ -12,7 +12,7 @@ namespace {
 /// A height at which a current bends.
 struct Bend {
   double height;  ///< [m]
-  double change;  ///< Of the velocity's slope [1/s].
+  double change;  ///< Change of the velocity's slope [1/s].
 };
 
 /// Bends below this part of the largest slope are round-off.
@@ -32,7 +32,7 @@ constexpr double kCutOverHead = 6;
 double wave_number_squared(const WaveComponent& w) { return w.kx * w.kx + w.ky * w.ky; }
 
 /// Adds the second differences of waves to the limits.
-/// @param dives   Those of the head are asked for, too.
+/// @param dives   The limits of the head are asked for, too.
 /// @return the standard deviation of the surface [m]
 double add_waves(const WaveSurface& waves, bool dives, BendLimits& limits) {
   std::array<double, 5>& quartic = limits.quartic;
@@ -71,8 +71,8 @@ void set_decay(const WaveSurface& waves, double near, BendLimits& limits) {
   limits.near_rate = there > 0 ? std::log(here / there) / near : 2 * limits.least_number;
 }
 
-/// Sets the limits of pieces that are summed at points; with `dives`, those for the head. What they
-/// miss is half of what is allowed, as their errors add up over pieces that are longer than the
+/// Sets the limits of pieces that are summed at points; with `dives`, those for the head. The error
+/// of a piece is half of the allowed one, as errors add up over pieces that are longer than the
 /// shortest waves.
 void set_sum_limits(const WaveSurface& waves, const HeadError& error, double deviation, bool dives,
                     BendLimits& limits) {

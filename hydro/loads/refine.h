@@ -42,8 +42,8 @@
 /// The loads may miss a part of the buoyancy and a part of the waves' own load
 /// (felt_waves.h).
 ///
-/// Drag takes the velocity of the current as linear, too. That of a table is not at its rows, so an
-/// edge that crosses such a height is split there.
+/// Drag takes the velocity of the current as linear, too. The velocity of a table bends at its
+/// rows, so an edge that crosses the height of one is split there.
 
 namespace hydro {
 
@@ -121,7 +121,7 @@ std::vector<double> bends_of_current(const Sea& sea, double height, double reach
 void set_cuts(const Sea& sea, double height, double smallest, BendLimits& limits);
 
 /// Where an edge from one height to another is split at one of the heights, as a part of its length
-/// from the first; 0 if it crosses none. Of several it is the one nearest to the middle.
+/// from the first; 0 if it crosses none. If it crosses several, the split is nearest to the middle.
 double part_at_cut(const BendLimits& limits, double from, double to);
 
 /// The water surface as seen from a body: elevations over points relative to its centre of mass.
@@ -178,7 +178,7 @@ class SurfaceSampler {
 
   bool flat() const { return flat_; }
 
-  /// True if what is summed over a panel is summed at points: it bends over some edge.
+  /// True if sums over a panel are taken at points: the surface bends over some edge.
   bool curves(const Panel& panel) const {
     return limits_.curved &&
            (split_between(panel[0], panel[1]) != 0 || split_between(panel[1], panel[2]) != 0 ||
@@ -205,7 +205,7 @@ class SurfaceSampler {
 
 /// True if the loads of a sea miss more than they may where faces have kMostPiecesOfAFace pieces:
 /// over an edge at kSmallestPanel, whatever its direction over the plan.
-/// @param radius   Of the body [m].
+/// @param radius   Radius of the body [m].
 bool needs_more_pieces(const Sea& sea, double radius, const HeadError& error);
 
 /// Largest departure of the surface from linear along a panel's edge, over the surface's standard
@@ -273,8 +273,8 @@ void for_each_linear_piece(const Panel& panel, const Eigen::Vector3d& elevation,
 
 /// Splits a panel that is summed at points, and visits the pieces that may be wet.
 ///
-/// @param level       Of the still water, over which elevations are, above the origin of the panel
-///                    [m].
+/// @param level       Level of the still water above the origin of the panel [m]. Elevations are
+///                    above this level.
 /// @param wet         The panel is wet all over.
 /// @param visit       visit(piece, elevation) is called for each piece.
 /// @param visit_dry   The same for pieces that are dry.

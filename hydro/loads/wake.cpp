@@ -8,7 +8,7 @@
 namespace hydro {
 namespace {
 
-/// What roundings leave of f = 1 in steady motion. Larger: a wake is whole too soon.
+/// Round-off of f = 1 in steady motion. Larger: a wake is whole too soon.
 constexpr double kWholeWake = 1e-12;
 
 /// |u| of (1).

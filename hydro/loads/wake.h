@@ -9,8 +9,8 @@
 /// The coefficients of pressure drag are those of steady motion, with a wake behind the body. A
 /// body that starts, or that moves to and fro by less than its own size, has left no such wake yet:
 /// water flows about its round parts without separating, and its edges shed a vortex in every
-/// stroke (edge_drag.h). What tells the two is how far the body has lately gone through the water,
-/// forgotten as it goes on,
+/// stroke (edge_drag.h). The two differ in how far the body has lately gone through the water, a
+/// distance that is forgotten as it goes on,
 ///
 ///     d' = u − (|u|/ℓ) d,          |u|² = u·Q u = (1/S) ∫ |v + ω × r|² dS                      (1)
 ///

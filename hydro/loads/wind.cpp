@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What a table of the elevation may miss over what the waterline's chords may [-]: as little as
+/// Error of a table of the elevation over that of the waterline's chords, at most [-]: as small as
 /// the water's loads allow for the head. Drag feels the elevation in first order.
 constexpr double kTableOverChord = 1.0 / 12;
 

@@ -34,6 +34,7 @@ namespace hydro {
 
 /// A foil of rectangular plan.
 struct Foil {
+  /// Source of lift slope and coefficients: a formula, or the table.
   enum class Law { soding, fujii, whicker_fehlner, table };
 
   /// Coefficients over the angle of attack, linear between the rows. A table that starts at 0 is
@@ -45,21 +46,22 @@ struct Foil {
     std::vector<double> drag = {};   ///< C_D, >= 0 [-]
   };
 
-  Law law = Law::whicker_fehlner;
-  double span = 1;          ///< > 0 [m]
-  double chord = 1;         ///< > 0 [m]
-  double aspect_ratio = 0;  ///< Effective Λ; 0: span/chord [-].
-  double drag_zero = 0.01;  ///< C_D0, >= 0 [-].
+  Law law = Law::whicker_fehlner;  ///< Formula or table.
+  double span = 1;                 ///< Along its axis, > 0 [m].
+  double chord = 1;                ///< Along the flow, > 0 [m].
+  double aspect_ratio = 0;         ///< Effective Λ; 0: span/chord [-].
+  double drag_zero = 0.01;         ///< C_D0, >= 0 [-].
   double stall = 0.44;  ///< Angle of attack at which the flow starts to separate, 0 to 1.3 [rad].
   Table table;          ///< Used by Law::table alone.
 };
 
 /// Lift and drag over ½ρ U² times span times chord [-].
 struct FoilCoefficients {
-  double lift = 0;
-  double drag = 0;
+  double lift = 0;  ///< C_L [-]
+  double drag = 0;  ///< C_D [-]
 };
 
+/// Checks a foil.
 /// @throws std::invalid_argument  if a field is out of the range that is given above. The functions
 ///                                below take a foil that has passed.
 void check_foil(const Foil& foil);

@@ -16,7 +16,7 @@ constexpr double kBladeSpeed = 0.7 * M_PI;
 /// C* over K at β = 0.
 constexpr double kToStar = 8 / (0.49 * M_PI * M_PI * M_PI);
 
-/// Of the torque's arm: 0.7 of the radius, over D.
+/// Arm of the torque, 0.7 of the radius, over D [-].
 constexpr double kTorqueArm = 0.35;
 
 /// Normal force coefficient of a plate across the flow.

@@ -59,16 +59,17 @@ struct FourQuadrantTable {
   std::vector<double> torque;  ///< C_Q*, with D as its length [-].
 };
 
+/// The curves of a screw: a series, or one of two kinds of tables.
 using PropellerModel = std::variant<WageningenB, OpenWaterTable, FourQuadrantTable>;
 
 /// A screw and how it works behind its hull.
 struct Propeller {
-  PropellerModel model = {};
-  double diameter = 1;   ///< D, > 0 [m].
-  double wake = 0;       ///< Wake fraction w, below 1: V_a = (1 − w) V [-].
+  PropellerModel model = {};  ///< Its curves.
+  double diameter = 1;        ///< D, > 0 [m].
+  double wake = 0;            ///< Wake fraction w, below 1: V_a = (1 − w) V [-].
   double deduction = 0;  ///< Thrust deduction t, below 1: what acts on the body is (1 − t) T [-].
-  double rotative_efficiency =
-      1;                 ///< η_R, > 0: the torque is that in open water over η_R [-] (ITTC).
+  /// η_R, > 0: the torque is that in open water over η_R [-] (ITTC).
+  double rotative_efficiency = 1;
   double reverse = 0.7;  ///< Bollard thrust astern over that ahead, > 0, for models from K_T [-].
 };
 
@@ -90,6 +91,7 @@ struct QuadrantCoefficients {
 /// The curves of a screw, prepared once.
 class PropellerCurves {
  public:
+  /// Prepares the curves of a screw.
   /// @throws std::invalid_argument  if a parameter is out of the range that is given above.
   explicit PropellerCurves(const Propeller& propeller);
 
@@ -98,7 +100,8 @@ class PropellerCurves {
   /// @param rps           n [1/s].
   /// @param speed         V of the hull through the water about the screw, along the axis [m/s].
   /// @param density       ρ [kg/m³].
-  /// @param wetted_share  Of the disc, 0 to 1 [-]; thrust and torque are proportional to it.
+  /// @param wetted_share  Share of the disc under water, 0 to 1 [-]; thrust and torque are
+  ///     proportional to it.
   PropellerLoad load(double rps, double speed, double density, double wetted_share) const;
 
   /// C_T* and C_Q* in open water; beta in [-π, π] [rad].

@@ -36,6 +36,7 @@ struct OpenWaterCubics {
   std::array<double, 4> torque = {};  ///< Coefficients of K_Q.
 };
 
+/// The polynomials of a screw.
 /// @throws std::invalid_argument  if the screw is outside the series.
 OpenWaterCubics open_water_cubics(const WageningenB& screw);
 

@@ -16,13 +16,13 @@ using Polygon = std::vector<Eigen::Vector3d>;
 
 /// Returns the signed distances of points from the line through a side of a convex polygon,
 /// positive on its inner side; those within the margin are 0.
-/// @param normal   About which the polygon is counter-clockwise.
+/// @param normal   Axis about which the polygon is counter-clockwise.
 std::vector<double> from_side(const Polygon& points, const Polygon& polygon, std::size_t side,
                               const Eigen::Vector3d& normal, double margin);
 
 /// Returns the part of a convex polygon on one side of a line.
-/// @param distances   Of its corners from the line, with a sign.
-/// @param sign        Of the distances that are kept.
+/// @param distances   Signed distances of its corners from the line.
+/// @param sign        Sign of the distances that are kept.
 Polygon kept_part(const Polygon& polygon, const std::vector<double>& distances, int sign);
 
 double area_of(const Polygon& polygon);

@@ -2,6 +2,9 @@
 
 #include "hydro/mesh/mesh.h"
 
+/// @file
+/// Volume, centroid and inertia of the solid in a mesh.
+
 namespace hydro {
 
 /// Integrals over the solid that a closed mesh bounds, for density 1.

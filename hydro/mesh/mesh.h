@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+/// @file
+/// Triangle meshes.
+
 namespace hydro {
 
 /// A triangle mesh. Faces are counter-clockwise when seen from outside, so that normals point out
@@ -11,7 +14,9 @@ struct TriMesh {
   Eigen::Matrix3Xd vertices;  ///< 3×V [m].
   Eigen::Matrix3Xi faces;     ///< 3×F, columns of `vertices`.
 
+  /// Number of vertices.
   Eigen::Index vertex_count() const { return vertices.cols(); }
+  /// Number of faces.
   Eigen::Index face_count() const { return faces.cols(); }
 };
 

@@ -18,8 +18,9 @@ namespace hydro {
 
 /// The faults of a mesh, with the place of the first of each kind. A sound solid has zero counts.
 struct MeshReport {
+  /// Faults of one kind.
   struct Finding {
-    Eigen::Index count = 0;
+    Eigen::Index count = 0;                           ///< Number of faults.
     Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< Point of the first fault, mesh frame [m].
   };
   Finding not_finite;         ///< Vertices with an infinite or undefined coordinate.
@@ -34,6 +35,7 @@ struct MeshReport {
   bool empty = false;         ///< True for a closed mesh that encloses no volume.
   double volume = 0;          ///< Signed by the orientation [m^3]; 0 unless closed and finite.
 
+  /// True if two faces meet at each edge.
   bool closed() const { return open_edges.count == 0 && crowded_edges.count == 0; }
   bool sound() const;  ///< True if no fault was found.
 };
@@ -52,10 +54,11 @@ std::vector<std::string> describe(const MeshReport& report);
 /// A mesh after the only unambiguous repair: a mesh whose normals all point inward is turned
 /// outward.
 struct RepairedMesh {
-  TriMesh mesh;
+  TriMesh mesh;                    ///< The mesh after the repair.
   MeshReport report;               ///< Report on the repaired mesh.
   std::vector<std::string> notes;  ///< Changes made, one sentence each.
 };
+/// Repairs a mesh if it is inward as a whole, and returns others as they are.
 RepairedMesh repaired(TriMesh mesh);
 
 }  // namespace hydro

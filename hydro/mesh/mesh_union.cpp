@@ -133,8 +133,8 @@ std::vector<int> vertices_in(const TriMesh& mesh, const Eigen::AlignedBox3d& box
 /// The surface of a part in a plane, if it is convex.
 struct PlaneOfPart {
   int part;
-  Vector3d normal;  ///< That of the faces which touch it.
-  double height;    ///< Of the plane along the normal [m].
+  Vector3d normal;  ///< Normal of the faces that touch the surface.
+  double height;    ///< Height of the plane along the normal [m].
   Polygon hull;     ///< Counter-clockwise about the normal; empty if the surface is not convex.
 };
 using Planes = std::vector<PlaneOfPart>;

@@ -11,7 +11,7 @@
 ///
 /// Surfaces touch where they lie within 1e-6 of the size of both meshes together, the margin of
 /// mesh_overlap.h. Where two faces of different meshes touch with opposite normals there is no
-/// surface of the union: the common area is cut out of both, and what is left is joined along its
+/// surface of the union: the common area is cut out of both, and the rest is joined along its
 /// outline. Meshes that touch in points or along edges only remain separate parts.
 
 namespace hydro {

@@ -111,7 +111,7 @@ class BorderTracer {
   const TriMesh& mesh_;
   std::vector<OpenEdge> edges_;  ///< Ascending in their starts.
   std::vector<char> used_;
-  std::vector<int> place_;  ///< That of each vertex on the way; −1 if it is not on it.
+  std::vector<int> place_;  ///< Place of each vertex on the way; −1 if it is not on it.
   OpenBorder border_;
 };
 

@@ -23,9 +23,9 @@ struct OpenLoop {
   int face = 0;  ///< A face with an edge on the loop.
   LoopShape shape = LoopShape::flat;
   double length = 0;                                 ///< [m]
-  double area = 0;                                   ///< That of its projection on its plane [m^2].
+  double area = 0;                                   ///< Area of its projection on its plane [m^2].
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< Mean of its vertices [m].
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< About which it is counter-clockwise.
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Axis about which it is counter-clockwise.
   double off_plane = 0;  ///< Largest distance of a vertex from the plane through the middle [m].
   double extent = 0;     ///< Longest side of the box around it [m].
 };

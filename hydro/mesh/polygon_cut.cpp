@@ -86,7 +86,7 @@ class Ring {
   std::vector<int> before_, after_;
   std::vector<Ear> ears_;
   std::vector<char> inward_;
-  std::vector<int> listed_;  ///< Those that point inward, and some that no longer do.
+  std::vector<int> listed_;  ///< Corners that point inward, and some that no longer do.
 };
 
 /// Returns the corners in the mean plane of the polygon, in which they go around counter-clockwise.

@@ -71,7 +71,7 @@ class SideSplitter {
   }
 
   const TriMesh& mesh_;
-  std::vector<int> vertices_;  ///< Those that may lie on sides, ascending in x.
+  std::vector<int> vertices_;  ///< Vertices that may lie on sides, ascending in x.
   double margin_, from_ends_;
   std::vector<Face> faces_;
   std::size_t splits_ = 0;

@@ -3,6 +3,9 @@
 #include "hydro/mesh/mesh.h"
 #include "hydro/sea.h"
 
+/// @file
+/// The ground of a height field as a mesh.
+
 namespace hydro {
 
 /// Returns the ground described by a height field, as an open surface of upward-facing triangles in

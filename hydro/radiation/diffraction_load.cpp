@@ -134,11 +134,11 @@ HeadingTable heading_table(const Loads6cd& series, double heading, double k) {
 
 /// The coefficients of one sea, in a list.
 struct DiffractionLoad::Waves {
-  std::vector<Eigen::Vector2d> wave_vectors;  ///< Of all components [rad/m].
+  std::vector<Eigen::Vector2d> wave_vectors;  ///< Wave vectors of all components [rad/m].
   std::vector<double> frequencies;            ///< σ of all components; 0 without a wave [rad/s].
   double depth, gravity;
   std::vector<HeadingTable> tables;  ///< X_D of the components; without columns where it is zero.
-  Eigen::Index columns = 1;          ///< Of the largest table.
+  Eigen::Index columns = 1;          ///< Columns of the largest table.
   std::unique_ptr<const Waves> next;
 
   bool are_of(const Sea& sea, const std::vector<WaveComponent>& components) const {

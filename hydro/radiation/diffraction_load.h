@@ -56,8 +56,8 @@ class DiffractionLoad {
 
   /// The load (2) on a body about its centre of mass, W axes [N, N m]; zero where the sea has no
   /// Airy waves.
-  /// @param position   That of the centre of mass.
-  /// @param motion     With which H moves, as a body about that centre.
+  /// @param position   Position of the centre of mass in W [m].
+  /// @param motion     Velocity of H, as of a body about that centre.
   Wrench at(const Eigen::Vector3d& position, const Twist& motion, const WaveFrame& frame,
             const Sea& sea, double time) const;
   /// The momentum (1), with its moment about the centre of mass, W axes [N s, N m s].

@@ -39,18 +39,18 @@ struct Integrands {
     const double image = std::isinf(K) ? -1 : (mu + K) / (mu - K);
     return ratio(mu, E) * (std::exp(-mu * (2 * h + v)) + image * E * std::exp(-mu * (2 * h - v)));
   }
-  /// Of both at μ = k.
+  /// Residue of both at μ = k.
   double residue(double v) const {
     const double E = std::exp(-2 * k * h), difference = (k + K) * E;  // k − K
     return difference * (std::exp(-k * v) + std::exp(k * v)) / (1 - E + 2 * h * difference);
   }
-  /// Of (3) at μ = K.
+  /// Residue of (3) at μ = K.
   double deep_residue(double v) const { return -2 * K * std::exp(-K * (2 * h - v)); }
 };
 
 struct WaveNumberRule {
   std::vector<double> at, weight;
-  double pole_end = 0;  ///< Up to which the poles are taken out.
+  double pole_end = 0;  ///< Wave number up to which the poles are taken out.
 };
 
 /// @param longest   Length of the intervals.

@@ -7,6 +7,9 @@
 #include "hydro/radiation/radiation_memory.h"
 #include "hydro/radiation/wave_frame.h"
 
+/// @file
+/// A floating body as linear theory sees it.
+
 namespace hydro {
 
 /// A floating body as linear theory sees it: the added mass A∞ of its mean pose, the memory of the
@@ -24,12 +27,14 @@ class FloatingBody final : public AddedMassModel {
   using Diffraction =
       std::function<Wrench(const BodyState&, const WaveFrame&, const Sea&, double time)>;
 
+  /// Makes a body from its data, and fits a memory to them.
   /// @param mesh_B        Its origin the centre of mass.
   /// @param diffraction   The load; empty: none.
-  /// @param momentum      Of the waves that exert it; empty: none.
+  /// @param momentum      Momentum of the waves that exert it; empty: none.
   /// @throws std::invalid_argument as fit_memory does.
   FloatingBody(TriMesh mesh_B, RadiationData data, Diffraction diffraction = {},
                Diffraction momentum = {});
+  /// Makes a body with a given memory.
   /// @param memory   Fitted to the data before.
   FloatingBody(TriMesh mesh_B, RadiationData data, RadiationMemory memory, Diffraction diffraction,
                Diffraction momentum);
@@ -55,7 +60,9 @@ class FloatingBody final : public AddedMassModel {
   /// True if each turn of the body moves water.
   bool turns_water() const { return frame_.turns_water(); }
 
+  /// The data, in H for ρ = 1.
   const RadiationData& data() const { return data_; }
+  /// The memory of the waves that the body makes.
   const RadiationMemory& memory() const { return memory_; }
 
  private:

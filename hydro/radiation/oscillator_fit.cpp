@@ -38,7 +38,7 @@ constexpr double kFirstPeak = 0.05;     ///< Peak of each oscillator at the star
 constexpr double kConverged = 1e-6;
 constexpr double kLeastPeak = 1e-3;  ///< Peak below which an oscillator is left out [-].
 
-/// What is fitted: H over `scale` along rows and columns.
+/// The samples to fit: H over `scale` along rows and columns.
 struct Samples {
   VectorXd scale;  ///< The root of the largest |H_ii|.
   std::vector<double> frequencies;

@@ -7,8 +7,8 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// What linear theory knows of a floating body: the waves that its motions send out, and the load
-/// of waves that it scatters.
+/// The linear theory of a floating body: the waves that its motions radiate, and the load of waves
+/// that it scatters.
 ///
 /// The body moves little about its mean pose, without forward speed, in water of constant depth,
 /// with no other body near. Its frame H has its origin in the centre of mass, z up, and horizontal
@@ -30,6 +30,7 @@
 
 namespace hydro {
 
+/// Six complex amplitudes.
 using Vector6cd = Eigen::Matrix<std::complex<double>, 6, 1>;
 /// A load of waves at one frequency, a column for each heading.
 using Loads6cd = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
@@ -39,6 +40,7 @@ struct MeanPose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_HB, without heading.
   double height = 0;  ///< Height of the centre of mass above the still water level [m].
 
+  /// Equal in every number.
   bool operator==(const MeanPose& other) const {
     return orientation.coeffs() == other.orientation.coeffs() && height == other.height;
   }
@@ -52,9 +54,10 @@ struct LinearWater {
   bool operator==(const LinearWater&) const = default;
 };
 
+/// Radiation, diffraction and Froude–Krylov loads of a body.
 struct RadiationData {
-  MeanPose pose;
-  LinearWater water;
+  MeanPose pose;                     ///< Mean pose.
+  LinearWater water;                 ///< Depth and gravity.
   double volume = 0;                 ///< Displaced in the mean pose [m^3]; 0 where it is not known.
   std::vector<double> frequencies;   ///< ω, ascending, > 0 [rad/s].
   std::vector<Matrix6d> added_mass;  ///< A(ω) for ρ = 1, symmetric; one a frequency.

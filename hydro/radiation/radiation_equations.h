@@ -46,7 +46,7 @@ struct RadiationEquations {
 /// Whether waves form on the surface.
 enum class SurfaceWaves { yes, no };
 
-/// @param mesh_H   Closed.  @param plane   Of the water's surface, with up = z.
+/// @param mesh_H   Closed.  @param plane   Plane of the water's surface, with up = z.
 /// @param waves    no: the limit of high frequency, with zero potential on the surface.
 /// @return no patches for a dry body
 RadiationEquations make_radiation_equations(const TriMesh& mesh_H, const WaterPlane& plane,

@@ -13,7 +13,7 @@ namespace {
 // smooth body of revolution about its axis are those of its facets.
 constexpr double kNoWaves = 1e-5;
 // Motions act on each other where their coupling is above this part of the geometric mean of their
-// own loads [-]. What is left out is as small as the error of a solution on patches.
+// own loads [-]. Couplings below it are as small as the error of a solution on patches.
 constexpr double kCoupled = 1e-2;
 
 void check_radiation(const RadiationData& data) {

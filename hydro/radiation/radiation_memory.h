@@ -27,6 +27,7 @@
 
 namespace hydro {
 
+/// A complex matrix over six components.
 using Matrix6cd = Eigen::Matrix<std::complex<double>, 6, 6>;
 
 /// The oscillators (2), in the data's frame H and for water of density 1: B is to be multiplied by
@@ -36,11 +37,13 @@ struct RadiationMemory {
   Eigen::VectorXd damping;                        ///< The diagonal of D, > 0 [1/s].
   Eigen::Matrix<double, Eigen::Dynamic, 6> port;  ///< B, a row for each oscillator.
 
-  // Ĥ − H at the data's frequencies, over the root of the largest |H_ii| times the largest |H_jj|
-  // [-]; zero where a motion makes no waves.
+  /// Root mean square of Ĥ − H at the data's frequencies, over the root of the largest |H_ii| times
+  /// the largest |H_jj| [-]; zero where a motion makes no waves.
   Matrix6d rms_error = Matrix6d::Zero();
+  /// The largest |Ĥ − H|, likewise.
   Matrix6d largest_error = Matrix6d::Zero();
 
+  /// Number of oscillators.
   Eigen::Index size() const { return frequencies.size(); }
 };
 

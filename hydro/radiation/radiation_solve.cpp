@@ -35,7 +35,7 @@ constexpr int kLeastHeadings = 36;
 /// Distance within which vertices are mirror images, over the mesh's size [-].
 constexpr double kSymmetric = 1e-6;
 
-/// What a point of the surface adds to (3).
+/// A point of the surface, for its term in (3).
 struct SurfacePoint {
   Vector3d at;
   Vector3d flux;  ///< n dS
@@ -108,7 +108,8 @@ Vector6d mirror_signs(int axis) {
   return signs;
 }
 
-/// Takes from the data what a mirror symmetry of the hull forbids: its patches do not have it.
+/// Removes from the data the terms that a mirror symmetry of the hull forbids: its patches do not
+/// have the symmetry.
 void make_symmetric(int axis, RadiationData& data) {
   const Vector6d signs = mirror_signs(axis);
   const Matrix6d allowed = ((signs * signs.transpose()).array() + 1) / 2;

@@ -24,27 +24,29 @@
 ///
 /// ψ is linear on each of some 250 patches, and (1) holds on each patch in the mean
 /// (surface_solve.h); 1/r, 1/r', the 2/r' in ∂(k𝒢)/∂z and the image 1/r'' in the bottom are
-/// integrated in closed form, and what is smooth by its values at three nodes a patch. At the
+/// integrated in closed form, and the smooth rest by its values at three nodes a patch. At the
 /// frequencies of sloshing inside the hull (1) has no unique solution. From the lowest such
 /// frequency on the equation without ½ψ is asked for at some points of the waterplane inside the
 /// hull, and all are met in the least squares.
 ///
-/// What the mirror symmetries of a hull in the vertical planes of H forbid is taken out.
+/// Terms that the mirror symmetries of a hull in the vertical planes of H forbid are removed.
 ///
 /// The damping is that of (4), which has no negative eigenvalues; `mismatch` tells how far (2) is
 /// from it.
 
 namespace hydro {
 
+/// Options of solve_radiation().
 struct RadiationOptions {
   std::vector<double> frequencies;  ///< Ascending, > 0 [rad/s]; none: `radiation_frequencies`.
   int headings = 0;   ///< Number of headings, evenly spaced; even; 0: `radiation_headings`.
   int patches = 250;  ///< About so many patches.
 };
 
+/// The data of a body, and how good they are.
 struct RadiationSolution {
-  RadiationData data;
-  int unknowns = 0;
+  RadiationData data;  ///< In the frame H, for ρ = 1.
+  int unknowns = 0;    ///< Number of unknowns.
   /// Largest |B_mn| of (2) less (4), over the largest B of its kind; moments have the root of the
   /// wetted area as their lever [-].
   double mismatch = 0;
@@ -72,6 +74,7 @@ int radiation_headings(const TriMesh& mesh_B, const MeanPose& pose, const Linear
 /// Headings from 0 on [rad], a circle divided evenly.
 std::vector<double> evenly_spaced_headings(int count);
 
+/// Solves for the waves that a body makes and scatters.
 /// @param mesh_B   Closed; its origin is the centre of mass.
 /// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.
 RadiationSolution solve_radiation(const TriMesh& mesh_B, const MeanPose& pose,

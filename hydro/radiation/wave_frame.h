@@ -24,8 +24,8 @@ namespace hydro {
 
 /// The pose of H.
 struct WaveFrame {
-  Eigen::Quaterniond R_WH = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< From the centre of mass, in W [m].
+  Eigen::Quaterniond R_WH = Eigen::Quaterniond::Identity();  ///< Rotation from H to W.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();          ///< From the centre of mass, in W [m].
 
   /// The velocity in H, about its origin, of a body's velocity in W, about its centre of mass.
   Vector6d velocity_in(const Vector6d& u_W) const;
@@ -49,14 +49,17 @@ class WaveFrameRule {
     all          ///< The wetted shape is a part of a sphere.
   };
 
+  /// Finds the rule of a body.
   /// @param vertices_B   The mesh's, from the centre of mass.
   /// @param added_H      A∞, symmetric.
   WaveFrameRule(const MeanPose& pose, const Eigen::Matrix3Xd& vertices_B, const Matrix6d& added_H);
 
+  /// The turns of this body that H does not take part in.
   Slides slides() const { return slides_; }
   /// True if each turn of the body moves water: it is no solid of revolution about a horizontal
   /// axis or the vertical one.
   bool turns_water() const { return turns_water_; }
+  /// The frame of a body with this orientation.
   WaveFrame at(const Eigen::Quaterniond& R_WB) const;
 
  private:

@@ -33,6 +33,7 @@ namespace hydro {
 ///       4 (1983) 645-654.
 class ResistanceCurve {
  public:
+  /// Makes a curve through the origin and these points.
   /// @param speeds   [m/s], > 0, ascending; at least one.
   /// @param forces   [N], >= 0; one a speed.
   ResistanceCurve(const std::vector<double>& speeds, const std::vector<double>& forces);
@@ -40,8 +41,9 @@ class ResistanceCurve {
   double at(double speed) const;     ///< R [N]; the speed is >= 0.
   double slope(double speed) const;  ///< dR/dU [N s/m].
 
-  // The points, with the origin.
+  /// Speeds of the points, with the origin [m/s].
   const std::vector<double>& speeds() const { return speeds_; }
+  /// Forces of the points, with the origin [N].
   const std::vector<double>& forces() const { return forces_; }
 
  private:
@@ -55,7 +57,7 @@ class ResistanceCurve {
 
 /// The resistance of one body.
 struct Resistance {
-  ResistanceCurve curve;
+  ResistanceCurve curve;                                   ///< R over U.
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();          ///< P [m].
   double volume = 0;                                       ///< V_0 [m^3], > 0.
   double suction = 0;                                      ///< k [kg/m]

@@ -35,7 +35,7 @@ namespace {
 using Complex = std::complex<double>;
 using WetMesh = ThinShip::WetMesh;
 
-// Of the table.
+// Froude numbers of the table.
 constexpr double kLeastFroude = 0.1, kLargestFroude = 1;
 constexpr double kLargestFroudeStep = 0.02;
 constexpr double kLowFroude = 0.2;  ///< Below it the table is half as fine.
@@ -47,13 +47,13 @@ constexpr double kSame = 1e-9;  ///< Distance of corners that are one, over the 
 /// Step of 1/Fn², which grows by 2π from a hump to the next.
 constexpr double kHumpStep = 0.5;
 
-// Of the integral over the waves' directions.
+// Limits of the integral over the waves' directions.
 constexpr double kPhasePerPiece = 8;      ///< [rad]
-constexpr double kLargestPiece = 0.3;     ///< Of u [-].
+constexpr double kLargestPiece = 0.3;     ///< Longest piece, in u [-].
 constexpr double kLeastPiece = 1e-5;      ///< Part of the sum below which pieces are left out [-].
 constexpr double kLargestLambda = 60;     ///< [-]
 constexpr double kDeepest = 36;           ///< Exponent below which a wave is not felt [-].
-constexpr double kSmallDifference = 0.5;  ///< Of exponents, up to which exp is a short series.
+constexpr double kSmallDifference = 0.5;  ///< Difference of exponents with a short series.
 
 /// Cuts the mesh at z = 0. Faces that share a cut edge share its point.
 WetMesh wet_part(const Eigen::Matrix3Xd& vertices, const TriMesh& mesh) {

@@ -25,9 +25,9 @@
 /// twice the triangle's area times the second divided difference of exp. The integral (3) is taken
 /// over u, λ = cosh u, in pieces of equal change of the phase.
 ///
-/// The theory keeps of the flow what is of first order in the breadth: no lift of a hull that
-/// drifts, no viscosity, whose wake weakens the stern's waves. So its humps and hollows below a
-/// Froude number of 0.3 are stronger than those of a real hull.
+/// The theory keeps the terms of the flow that are of first order in the breadth: no lift of a hull
+/// that drifts, no viscosity, whose wake weakens the stern's waves. So its humps and hollows below
+/// a Froude number of 0.3 are stronger than those of a real hull.
 ///
 /// Its sources and their mirror images above the still water, of the strength U n_x dS, make the
 /// flow of low speed, whose pressure draws the hull down. With r and r' from a source to a face,
@@ -45,7 +45,7 @@ class ThinShip {
  public:
   struct WetMesh;
 
-  /// A part of the hull: what is connected below the water.
+  /// A part of the hull that is connected below the water.
   struct Part {
     double length = 0;  ///< Length of the wetted surface along the motion [m].
     double beam = 0;    ///< The same across [m].

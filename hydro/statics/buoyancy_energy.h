@@ -14,11 +14,11 @@ namespace hydro {
 /// energy.
 double buoyancy_energy(const Hull& hull, const BodyState& state, const Sea& sea);
 
-/// What the splitting of panels leaves unknown in changes of U, per volume of the hull [J/m^3]:
-/// ρ g kSagTolerance times the deviation of a height field, and 0 under a flat surface.
+/// Error of changes of U by the splitting of panels, per volume of the hull [J/m^3]: ρ g
+/// kSagTolerance times the deviation of a height field, and 0 under a flat surface.
 double energy_error_per_volume(const Sea& sea);
 
-/// ∫ d²/2 n_z dS over the faces of a hull below a level, with their depths d under it [m^4]. Of a
+/// ∫ d²/2 n_z dS over the faces of a hull below a level, with their depths d under it [m^4]. For a
 /// pocket (hydro/interior) it is ∫ d dV over the water up to that level.
 /// @param R_WB    Orientation of the hull.
 /// @param level   Height above the centre of mass [m].

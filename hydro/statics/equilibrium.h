@@ -55,7 +55,8 @@ struct Flotation {
 };
 
 /// Returns the body at the given orientation and the height where it displaces `volume`.
-/// @param volume   Of the mass of the body and of the water in its tanks.
+/// @param volume   The mass of the body and of the water in its tanks, over the density of water
+///     [m^3].
 Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
                  const std::vector<Tank>& tanks = {});
 
@@ -65,6 +66,7 @@ enum class Stability {
   neutral,  ///< One is zero within 1e-9 of the body's radius, none is negative.
   unstable
 };
+/// Judges a flotation by its metacentric heights.
 Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
 
 /// Finds a local minimum of the potential energy downhill from `start`, by a trust-region Newton

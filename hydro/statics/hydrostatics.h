@@ -33,6 +33,7 @@
 
 namespace hydro {
 
+/// The section of a body in the surface of the water.
 struct Waterplane {
   double area = 0;                                     ///< [m^2]
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  ///< Centre of flotation, in G [m].
@@ -40,15 +41,18 @@ struct Waterplane {
   Eigen::Matrix2d second_moment = Eigen::Matrix2d::Zero();
 };
 
+/// The geometry of the wet part of a body.
 struct Hydrostatics {
   double volume = 0;  ///< Displaced volume [m^3].
-  Eigen::Vector3d centre_of_buoyancy =
-      Eigen::Vector3d::Zero();  ///< In G [m]; zero if nothing is wet.
-  double wetted_surface = 0;    ///< [m^2]
-  Waterplane waterplane;
+  /// In G [m]; zero if nothing is wet.
+  Eigen::Vector3d centre_of_buoyancy = Eigen::Vector3d::Zero();
+  double wetted_surface = 0;  ///< [m^2]
+  Waterplane waterplane;      ///< Section in the surface.
 };
 
+/// Evaluates the wet part of a body in still water.
 /// @param mesh_G   Closed and outward.
+/// @param height   Height of the centre of mass above the water [m].
 Hydrostatics hydrostatics(const TriMesh& mesh_G, double height);
 
 /// The displaced volume under a surface that need not be level.

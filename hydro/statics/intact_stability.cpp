@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kLast = 60;             ///< End of the curve [deg].
-constexpr double kAngleError = 1e-6;  ///< Of the angle of downflooding [rad].
+constexpr double kAngleError = 1e-6;  ///< Error of the angle of downflooding [rad].
 
 Eigen::Quaterniond orientation_of(const RightingArm& arm) {
   return Eigen::AngleAxisd(arm.trim, Eigen::Vector3d::UnitY()) *

@@ -53,17 +53,17 @@ struct WavesOnHull {
   Vector6d momentum = Vector6d::Zero();  ///< −∫ (φ_w N + ψ ∂φ_w/∂n) dS halfway.
 };
 
-/// What of a hull changes from step to step.
+/// The quantities of a hull that change from step to step.
 class HullPassage {
  public:
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< Of H's origin halfway [cells].
-  double heading = 0;                               ///< Of H's x axis halfway [rad].
-  double presence = 0;                              ///< Root of the hull's.
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< Place of H's origin halfway [cells].
+  double heading = 0;                               ///< Heading of H's x axis halfway [rad].
+  double presence = 0;                              ///< Root of the hull's presence [-].
   double under_way = 0;                             ///< Part of the course that counts [-].
   Vector6d course = Vector6d::Zero();               ///< U in H [m/s, rad/s].
-  Eigen::VectorXd flow;           ///< That the sources have to meet in this step [m^3/s].
+  Eigen::VectorXd flow;           ///< Flow that the sources must meet in this step [m^3/s].
   Eigen::VectorXd steady;         ///< Mean of the flow [m^3/s].
-  Eigen::VectorXd rates, before;  ///< Of the sources in the last two steps [m^3/s].
+  Eigen::VectorXd rates, before;  ///< Rates of the sources in the last two steps [m^3/s].
 
   HullPassage() = default;
   /// @param mean_time   Time over which the course is the mean of the motion [s].

@@ -52,8 +52,8 @@ struct HullSources {
   MeanPose pose;
   LinearWater water;
   double volume = 0;  ///< Displaced in the mean pose [m^3].
-  Eigen::Matrix3Xd places =
-      {};  ///< Of the patches: x, y from H's origin, z from the still surface [m].
+  /// Places of the patches: x, y from H's origin, z from the still surface [m].
+  Eigen::Matrix3Xd places = {};
   Eigen::Matrix3Xd fluxes = {};  ///< ∫ n dS [m^2].
   SixColumns motions = {};       ///< ∫ N dS
   SixColumns potentials = {};    ///< ψ
@@ -63,8 +63,8 @@ struct HullSources {
   Matrix6d thin_spring = {};     ///< The same of the sources (6) [m^2].
   SixRows reply = {};            ///< The same, g left out, by the flow through the patches [1/m].
   double waterplane = 0;         ///< Area of the waterplane [m^2].
-  Eigen::Matrix2Xd inside =
-      {};  ///< Points of the waterplane a cell from its edge, from H's origin.
+  /// Points of the waterplane a cell from its edge, from H's origin.
+  Eigen::Matrix2Xd inside = {};
 
   /// True unless the hull lies wholly below the surface.
   bool pierces_surface() const { return waterplane > 1e-6 * length() * length(); }
@@ -77,7 +77,7 @@ struct HullSources {
 };
 
 /// @param mesh_B   Closed; its origin is the centre of mass.
-/// @param square   That of the waves; its number of cells does not matter.
+/// @param square   Square of the waves; its number of cells does not matter.
 /// @throws std::invalid_argument if the body is dry in the pose or reaches the bottom.
 HullSources make_hull_sources(const TriMesh& mesh_B, const MeanPose& pose,
                               const PeriodicSquare& square, int patches = 250);

@@ -15,9 +15,9 @@ using Eigen::Vector3d;
 
 /// The sea about a body, linear in place.
 struct LocalSea {
-  double elevation;  ///< Of the surface above W's origin, at the body's centre [m].
+  double elevation;  ///< Height of the surface in W, at the body's centre [m].
   Vector2d slope;
-  Vector3d velocity;      ///< Of the water at the body's centre [m/s].
+  Vector3d velocity;      ///< Velocity of the water at the body's centre [m/s].
   Eigen::Matrix3d shear;  ///< Its change along x, y and z, in columns [1/s].
 };
 

@@ -7,7 +7,7 @@
 #include "hydro/spatial.h"
 
 /// @file
-/// What the wet surface of a body that moves displaces of a given sea.
+/// The water of a given sea that the wet surface of a moving body displaces.
 
 namespace hydro {
 

@@ -12,7 +12,7 @@ namespace hydro {
 struct NearSources {
   Eigen::Matrix3Xd places;  ///< [m]
   Eigen::VectorXd rates;    ///< [m^3/s]
-  Eigen::VectorXd changes;  ///< Of the rates [m^3/s^2].
+  Eigen::VectorXd changes;  ///< Rates of change of the rates [m^3/s^2].
 };
 
 struct NearFlow {

@@ -248,7 +248,8 @@ void PeriodicWaves::find_raise_and_potential(MatrixXcf& transform) const {
     }
 }
 
-/// Takes (V·∇)φ/g from the elevation. Of d = η̂ + iψ̂ at k and the conjugate e at −k, ψ̂ = (d − e)/2i.
+/// Subtracts (V·∇)φ/g from the elevation. With d = η̂ + iψ̂ at k and the conjugate e at −k, ψ̂ = (d
+/// − e)/2i.
 void PeriodicWaves::take_advance(const Eigen::Vector2d& velocity, MatrixXcf& transform) const {
   const Index n = square_.cells;
   const Eigen::Vector2d by_g = 2 * M_PI / square_.side() / square_.gravity * velocity;

@@ -45,11 +45,13 @@ class PeriodicWaves;
 /// continue below it as (2): f̂ C(k, z). It is read at places below the surface.
 class FieldBelow {
  public:
+  /// The fields at a place.
   struct Sample {
     std::complex<double> value = 0;                     ///< f + ig
     Eigen::Vector3cd slope = Eigen::Vector3cd::Zero();  ///< Its gradient [1/m].
   };
 
+  /// The fields at a place.
   /// @param x, y   In cells.  @param z   Above the still surface [m], <= 0.
   Sample at(double x, double y, double z) const;
 
@@ -70,14 +72,17 @@ struct PeriodicSquare {
   double gravity = 9.80665;  ///< [m/s^2]
   double depth = std::numeric_limits<double>::infinity();  ///< Depth of the still water [m].
 
+  /// Length of a side [m].
   double side() const { return cells * cell; }
 };
 
 /// The waves. Places are in cells from the square's corner and of any size: the square repeats.
 class PeriodicWaves {
  public:
+  /// Flat and still water.
   explicit PeriodicWaves(const PeriodicSquare& square);
 
+  /// The square.
   const PeriodicSquare& square() const { return square_; }
 
   /// Lets the waves go on for a time [s].
@@ -111,6 +116,7 @@ class PeriodicWaves {
 
   /// ζ̂ by wave numbers along y and x, which is all that changes between two steps.
   const Eigen::MatrixXcd& state() const { return zeta_; }
+  /// Goes back to a state() of waves on an equal square.
   void restore(Eigen::MatrixXcd state) { zeta_ = std::move(state); }
 
  private:

@@ -120,8 +120,8 @@ void SimulatedWater::find_passage(const WaterBody& body, const BodyState& start,
   passage.set_course(*body.hull);
 }
 
-/// The sources of hulls near by, halfway through the step, in the square's axes. Of hulls that
-/// touch or overlap there are none: these are no flow, and the strengths of the step before would
+/// The sources of hulls near by, halfway through the step, in the square's axes. Hulls that touch
+/// or overlap have none: there is no flow between them, and the strengths of the step before would
 /// not converge.
 std::vector<NearSources> SimulatedWater::neighbours_of(std::size_t hull) const {
   const double cell = waves_.square().cell;
@@ -177,7 +177,7 @@ FlowAtHull SimulatedWater::flow_at(std::size_t body) const {
         now_.still ? FieldBelow::Sample() : field_.at(at.x(), at.y(), place.z());
     NearFlow near;
     for (const NearSources& neighbour : neighbours) near += near_flow(neighbour, place);
-    // Of the neighbours −1/g ∂φ/∂t, which loads a hull as η does.
+    // The neighbours' −1/g ∂φ/∂t loads a hull as η does.
     flow.raise[i] = waves.value.real() - near.change / g;
     flow.slope.col(i) = in_H(waves.slope.real() - near.acceleration / g);
     flow.potential[i] = waves.value.imag();

@@ -21,13 +21,13 @@
 ///
 /// The surface is that of the given sea and of the waves φ_w of PeriodicWaves, which the sources of
 /// bodies drive. A floating hull has the sources (1) of hull_sources.h, about its mean pose; it
-/// goes over the water in surge, sway and yaw, and scatters the given sea and the waves of all
+/// moves over the water in surge, sway and yaw, and scatters the given sea and the waves of all
 /// bodies. Any other body has sources of the strength
 ///
 ///     σ = (V − u)·n                                                                           (1)
 ///
-/// on what is wet of it, V the velocity of its surface, u that of the given sea at the place. So
-/// the water gets what the body displaces, wherever it goes, and no wave acts on it. The rings of a
+/// on its wet part, V the velocity of its surface, u that of the given sea at the place. So the
+/// water gets what the body displaces, wherever it goes, and no wave acts on it. The rings of a
 /// heaving hemisphere by (1) are 1.06, 1.19, 1.30, 1.40 and 0.94 times the true ones at kR = 0.1,
 /// 0.3, 0.5, 1 and 2; a slender ship's waves are those of thin-ship theory.
 ///
@@ -38,9 +38,9 @@
 ///
 ///     F = f − ρg C ξ                                                                          (2)
 ///
-/// f of hull_passage.h, less half of the answer of what the hull scatters in this step. The
-/// energy ½ρg ξ·Cξ of the spring is what the step's sources leave in the water, so that no body is
-/// too light for it.
+/// f of hull_passage.h, less half of the answer of what the hull scatters in this step. The step's
+/// sources leave the energy ½ρg ξ·Cξ of the spring in the water, so that no body is too light for
+/// it.
 ///
 /// Hulls closer than some of their radii feel each other's sources as well (near_field.h), with the
 /// strengths of the last step, taken on.
@@ -96,8 +96,8 @@ class SimulatedWater {
   /// Energy that the damping has taken from the waves since the start, over density [m^5/s^2].
   double absorbed() const { return now_.absorbed; }
 
-  /// What changes, for restore() in another object of the same bodies: a water that goes on from it
-  /// is the same to the last bit.
+  /// The state, for restore() in another object of the same bodies: water that continues from it is
+  /// the same to the last bit.
   std::string state() const;
   /// @throws std::invalid_argument if the state is that of another square.
   void restore(const std::string& state);
@@ -114,9 +114,9 @@ class SimulatedWater {
   Sea sea_;
   std::vector<WaterBody> bodies_;
   PeriodicWaves waves_;
-  FieldBelow field_;  ///< Of the waves halfway through the step.
+  FieldBelow field_;  ///< Field of the waves halfway through the step.
   WaterWindow window_;
-  bool felt_;  ///< By a hull at least.
+  bool felt_;  ///< At least one hull feels the waves.
   double longest_;
   double largest_ = 0;  ///< Largest volume of a source of this step [m^3].
 
@@ -124,7 +124,7 @@ class SimulatedWater {
   struct Clock {
     double time = 0;      ///< Time of the waves [s].
     double undamped = 0;  ///< Time since the edges were damped [s].
-    double length = 0;    ///< Of the step that has begun [s]; 0 between steps.
+    double length = 0;    ///< Length of the step that has begun [s]; 0 between steps.
     bool started = false;
     bool still = true;    ///< Nothing has moved the water so far.
     double absorbed = 0;  ///< Energy that was damped, over density [m^5/s^2].

@@ -111,3 +111,15 @@ run(${CMAKE_COMMAND} --build ${WORK}/crate)
 run(${WORK}/crate/crate ${SOURCE}/tests/install/crate/crate.yaml)
 expect("the example" "${output}"
   "draught 0\\.(149|150|151) m, by Archimedes 0\\.150 m; drifted by [0-9.]*[1-9]")
+
+# The examples of the libraries' pages, each with its library alone.
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/libraries -B ${WORK}/libraries
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${WORK}/moved)
+run(${CMAKE_COMMAND} --build ${WORK}/libraries)
+run(${WORK}/libraries/hydro)
+expect("the example of hydro" "${output}"
+  "4\\.000 m\\^3 displaced: 39226\\.6 N of buoyancy, 526\\.3 N of drag")
+run(${WORK}/libraries/engine)
+expect("the example of engine" "${output}" "draught 0\\.1[45][0-9] m")
+run(${WORK}/libraries/scene ${SOURCE}/tests/install/crate/crate.yaml)
+expect("the example of scene" "${output}" "crate starts at z = 2 m")

@@ -73,7 +73,8 @@ void MoorDynCoupling::add_update(double time, double h, SubstepBody& body) const
   const hydro::BodyState& state = body.halfway.state;
   const BodySpec& spec = simulation_->bodies[static_cast<std::size_t>(body.id)];
   if (immovable(spec.locked)) return;
-  // What each point moves by along its line, and its share of h² K + 2 h C over the mass.
+  // Each point of the body with its Jacobian along its line, and the sum of their h² K + 2 h C over
+  // the mass.
   std::vector<std::pair<std::size_t, Vector6d>> held;
   double stiffness = 0;
   for (std::size_t i = 0; i < forces_.size(); ++i) {

@@ -60,7 +60,7 @@ fs::path log_of(const fs::path& copy) { return fs::path(copy).replace_extension(
 
 Messages messages_in(std::istream& log, const fs::path& copy, const fs::path& file) {
   Messages messages;
-  std::string* last = nullptr;  // What MoorDyn says over several lines begins with the first.
+  std::string* last = nullptr;  // The message that further lines continue.
   for (std::string line; std::getline(log, line);) {
     const bool error = line.starts_with("ERR ");
     if (error || line.starts_with("WRN ")) {

@@ -11,7 +11,7 @@
 
 namespace engine {
 
-/// A folder for temporary files that is removed with what is in it.
+/// A folder for temporary files that is removed with its content.
 class TemporaryFolder {
  public:
   /// @throws MoorDynFault if it cannot be made

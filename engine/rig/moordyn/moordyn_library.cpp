@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 namespace fs = std::filesystem;
 
-// What MoorDyn's functions say of a point and of its lines.
+// MoorDyn's codes of a coupled point and of a line's end B.
 constexpr int kCoupledPoint = -1;
 constexpr int kEndB = 1;
 
@@ -98,7 +98,7 @@ struct MoorDynSystem::Library {
   void create(const std::string& text);
   void find_points();
   void find_lines();
-  /// What is new in MoorDyn's log.
+  /// The messages in MoorDyn's log since the last call.
   Messages news();
   [[noreturn]] void refuse(const std::string& what);
   void move(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to, double time,
@@ -107,7 +107,7 @@ struct MoorDynSystem::Library {
 
   fs::path file;
   MoorDynSurroundings surroundings;
-  Vector3d origin = Vector3d::Zero();  ///< Of MoorDyn's frame, in W [m].
+  Vector3d origin = Vector3d::Zero();  ///< Origin of MoorDyn's frame, in W [m].
   TemporaryFolder folder;
   fs::path copy;
   std::ifstream log;

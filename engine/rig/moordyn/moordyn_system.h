@@ -50,7 +50,7 @@ struct EndHold {
   double damping = 0;    ///< Sum of 2 √(EA m'), m' the mass per length, water included [kg/s].
 };
 
-/// A system of MoorDyn. Of its file count all but a few options: gravity is that of the
+/// A system of MoorDyn. All options of its file count but a few: gravity is that of the
 /// surroundings, density and a finite depth are those of their sea, and MoorDyn writes no files.
 /// With `1 WaveKin` the lines feel the waves and the current of the sea; otherwise what the file
 /// says. Files that it names lie beside it.
@@ -59,7 +59,7 @@ struct EndHold {
 class MoorDynSystem {
  public:
   /// Reads a file, so that its points and lines are known.
-  /// @param text   What the file holds.
+  /// @param text   Content of the file.
   /// @throws MoorDynFault
   MoorDynSystem(const std::filesystem::path& file, const std::string& text,
                 const MoorDynSurroundings& surroundings);

@@ -26,7 +26,8 @@ HWY_INLINE void by_strips(Index rows, Function f) {
     for (Index c = 0; c < kColumns; c += kAtOnce) f(first, std::min(first + kStrip, rows), c);
 }
 
-/// What some columns of a strip are multiplied with and added to.
+/// Adds to `sums` the products of some columns of a strip with x, and to y the columns times
+/// `factors`.
 template <bool kDots, bool kAdds>
 HWY_INLINE void take(const EightColumns& columns, Index first, Index end, Index c, const Row* x,
                      Row* y, const Row* factors, Row* sums) {

@@ -15,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
-/// What is asked of the water: its elevation alone, or its head and velocity or acceleration.
+/// Quantities of the water that are asked for: its elevation alone, or its head and velocity or
+/// acceleration.
 enum class Ask { elevation, velocity, acceleration };
 
 /// The water at a place.

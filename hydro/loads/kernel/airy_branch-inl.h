@@ -41,7 +41,7 @@ struct StretchBounds {
 };
 
 inline StretchBounds stretch_bounds(const WaveField& w) {
-  const double e = w.bends[0], curvature = w.bends[1], third = w.bends[2];  // Of ξ.
+  const double e = w.bends[0], curvature = w.bends[1], third = w.bends[2];  // Bounds of ξ.
   if (w.deep) return {1 + e, curvature / 2, third / 6};
   const double h = w.water_depth, part = std::min(w.height / h, 0.9), m = 1 / (1 - part);
   const double by_rise = m * m * (1 + part);

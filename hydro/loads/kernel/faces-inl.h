@@ -22,7 +22,8 @@ namespace hydro::kernel::HWY_NAMESPACE {
 
 /// The state of a walk: its sums, and the pieces that wait until they fill a vector.
 struct LoadWalk {
-  // Of an aggregate GCC 12 sets all of it to zero first, which takes longer than many a walk.
+  // A constructor: GCC 12 would set all of an aggregate to zero first, which takes longer than many
+  // a walk.
   LoadWalk(const Panels& of, const LoadInputs& with, Sums& to)
       : panels(of), in(with), sums(to), sea(with) {}
 

@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
 
 /// Sets the rows of the depth to the waves' Taylor series about the middle of a branch, up to
-/// second order, if what is left out is small enough. That is |k·d|³/6 of an amplitude at most, and
-/// on the mean over a plane patch not more than a quarter of what it is at its ends.
+/// second order, if what is left out is small enough. The error is at most |k·d|³/6 of an
+/// amplitude, and its mean over a plane patch at most a quarter of its value at the ends.
 inline bool set_local_waves(const Node& node, const LoadInputs& in, double (&depth)[kNormal]) {
   const WaveField& waves = in.surface->waves;
   const double* c = node.centre;

@@ -7,8 +7,8 @@
 #include "hydro/mesh/mesh.h"
 
 /// @file
-/// The faces of a hull as the kernel reads them. A leaf has 32 neighbouring faces; numbers of one
-/// kind lie side by side.
+/// The faces of a hull as the kernel reads them. A leaf has kLeafFaces neighbouring faces; numbers
+/// of one kind lie side by side.
 ///
 /// A face is kept as its centroid c, its unit normal n, a unit vector e_1 in its plane and, with
 /// e_2 = n × e_1, the plane coordinates (x, y) of its vertices r_i = c + x_i e_1 + y_i e_2. Axes

@@ -135,8 +135,8 @@ HWY_INLINE WetParts wet_parts(const Triangle& t, const Values& depth, M counts) 
           hn::AndNot(corner, crosses)};
 }
 
-/// Works on pieces while there are enough to fill the lanes, or on all of them. What `add_some`
-/// puts back among them is worked on too.
+/// Works on pieces while there are enough to fill the lanes, or on all of them. Pieces that
+/// `add_some` puts back among them are worked on, too.
 template <class Work, class Add>
 HWY_INLINE void drain(Work& work, TriangleQueue& pieces, bool to_the_last, Add add_some) {
   const int lanes = static_cast<int>(hn::Lanes(D()));

@@ -96,7 +96,7 @@ struct DepthRange {
   double top, bottom;
 };
 
-/// @param reach   Of the branch from its middle over the plan [m].
+/// @param reach   Reach of the branch from its middle over the plan [m].
 inline DepthRange depth_of_water(const Node& node, const LoadInputs& in, double reach) {
   const WaterSurface& surface = *in.surface;
   const WaveField& waves = surface.waves;
@@ -120,7 +120,7 @@ inline bool plan_table(const Node& node, const LoadInputs& in, SeaTable& table) 
   const WaterSurface& surface = *in.surface;
   const TableLimits& limits = surface.table;
   if (!limits.pays) return false;
-  const double least = 1e-9 * (node.half[0] + node.half[1] + node.half[2]);  // Of a flat box.
+  const double least = 1e-9 * (node.half[0] + node.half[1] + node.half[2]);  // For a flat box.
   const auto set = [&](int side, double low, double high) {
     const double half = std::max(0.5 * (high - low), least);
     table.middle[side] = 0.5 * (low + high);

@@ -206,7 +206,7 @@ HWY_INLINE void sum_rows(int count, int length, const Rows<kCount>& to, Add add)
   }
 }
 
-/// Sets rows to Σ_k of[k][j]·from[k]. Those of `from` are `stride` apart.
+/// Sets rows to Σ_k of[k][j]·from[k]. The rows of `from` are `stride` apart.
 template <int kCount>
 HWY_INLINE void add_rows(const Restriction& factor, int j, int count,
                          const std::array<const double*, kCount>& from, int stride, int length,

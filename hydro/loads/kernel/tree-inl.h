@@ -133,7 +133,7 @@ inline Range normal_speed_range(const Node& node, const double (&linear)[3], con
 
 /// True if all faces of a branch move into the water, or all out of it, as pressure drag sees them;
 /// then `drag` is ½ρC_p with the sign of the motion.
-/// @param error   What the motion relative to the water may miss [m/s].
+/// @param error   Error that the motion relative to the water may have [m/s].
 HWY_INLINE bool of_one_sign(const Node& node, const LoadInputs& in, double error, double& drag) {
   drag = 0;
   if (!in.moving || (in.drag_front == 0 && in.drag_back == 0)) return true;

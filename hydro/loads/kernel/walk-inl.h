@@ -13,7 +13,7 @@
 #include "hydro/loads/kernel/waves-inl.h"
 
 /// @file
-/// The parts of a walk through a tree that do not depend on what it adds up.
+/// The parts of a walk through a tree that do not depend on its sums.
 
 HWY_BEFORE_NAMESPACE();
 namespace hydro::kernel::HWY_NAMESPACE {
@@ -35,8 +35,8 @@ HWY_INLINE Wetness wetness(const Node& node, const LoadInputs& in, const LocalSe
   return depth.low >= 0 ? Wetness::wet : Wetness::mixed;
 }
 
-/// The branches of a walk that have a table of the sea, and their leaves. What waits of the faces
-/// before is worked on before a table changes.
+/// The branches of a walk that have a table of the sea, and their leaves. Faces that wait are
+/// worked on before a table changes.
 class TableWalk {
  public:
   /// Sets the table of a branch that is not in one, and that of a leaf.

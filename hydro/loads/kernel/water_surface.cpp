@@ -54,7 +54,7 @@ constexpr double kReachOverRadius = 2;
 /// Sets the limits of tables, by (1) of sea_table-inl.h, up to the number of nodes that does for
 /// all branches of a hull.
 /// @param error     With its weights of short waves.
-/// @param allowed   What tables may miss of the head [m].
+/// @param allowed   Error of the head that tables may have [m].
 /// @param reach     A bound of half the length of a branch's box [m].
 void set_table_limits(const WaveSurface& surface, const HeadError& error, double allowed,
                       double reach, TableLimits& table) {

@@ -92,7 +92,7 @@ class FeltSea {
   /// @param sea        It must outlive this, and not change.
   /// @param smallest   As for SurfaceSampler.
   /// @param error      As for SurfaceSampler. With it, waves that are too weak are left out.
-  /// @param uses       What surfaces of this sea are asked for.
+  /// @param uses       Uses of the surfaces of this sea.
   FeltSea(const Sea& sea, double smallest, double longest_edge,
           const std::optional<HeadError>& error, std::initializer_list<SplitFor> uses);
   FeltSea(const FeltSea&) = delete;
@@ -116,7 +116,7 @@ class FeltSea {
   double smallest_;
   SurfaceBounds bounds_, felt_bounds_;
   WaveField waves_;
-  std::optional<Splits> for_surface_, for_head_;  ///< Those that are asked for.
+  std::optional<Splits> for_surface_, for_head_;  ///< Splits of the uses.
 };
 
 /// The surface around a body. It refers to the sea and to itself, so it is neither copied nor

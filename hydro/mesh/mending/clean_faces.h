@@ -11,9 +11,9 @@ namespace hydro {
 /// line, that in the middle then lies on the side of a neighbour (see stitched).
 TriMesh without_flat_faces(const TriMesh& mesh);
 
-/// The mesh without repeated faces. Of faces with the same vertices the first remains. Two that
-/// look in opposite directions and part a solid in two, as where two boxes share a face, both go:
-/// those whose sheet is bounded by edges with two other faces.
+/// The mesh without repeated faces. The first of several faces with the same vertices remains. Two
+/// faces that look in opposite directions and divide a solid, as where two boxes share a face, are
+/// both removed: faces whose sheet is bounded by edges with two other faces.
 TriMesh without_duplicate_faces(const TriMesh& mesh);
 
 /// The mesh without walls inside it: sheets of faces that end at edges with two other faces at

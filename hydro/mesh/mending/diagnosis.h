@@ -26,7 +26,7 @@ struct DiagnosedPart {
 /// Two closed parts that overlap.
 struct DiagnosedOverlap {
   int first = 0, second = 0;     ///< Parts.
-  std::optional<double> volume;  ///< That they share [m^3]; none if it cannot be found.
+  std::optional<double> volume;  ///< Volume that they share [m^3]; none if it cannot be found.
 };
 
 struct MeshDiagnosis {

@@ -27,7 +27,7 @@ struct FaceCut {
 
 /// Two meshes, one behind the other, with all points of the cut.
 struct CutFaces {
-  std::vector<Eigen::Vector3d> vertices;  ///< Those of the first, of the second, and of the cut.
+  std::vector<Eigen::Vector3d> vertices;  ///< Vertices of the first, of the second, of the cut.
   std::vector<FaceCut> cuts;              ///< Per face of both.
 };
 

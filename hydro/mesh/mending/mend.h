@@ -12,13 +12,13 @@
 
 namespace hydro {
 
-/// What is done to a mesh besides what always is.
+/// Steps of mending that are not always taken.
 struct MendOptions {
   std::optional<double> weld;       ///< Widest crack that is closed [m]; default_weld() if none.
   bool cap = false;                 ///< Fill flat open loops (cap.h).
   std::optional<int> mirror;        ///< Axis normal to the plane of symmetry (mirror.h).
   bool unite = false;               ///< Unite closed parts that overlap (solid_union.h).
-  std::optional<double> thickness;  ///< Of the plates that open parts become (thicken.h) [m].
+  std::optional<double> thickness;  ///< Thickness of plates that open parts become (thicken.h) [m].
   bool operator==(const MendOptions&) const = default;
 };
 
@@ -30,8 +30,8 @@ double default_weld(const TriMesh& mesh);
 struct MendedMesh {
   TriMesh mesh;
   MeshReport report;                  ///< On the mended mesh; it may still have faults.
-  std::vector<std::string> changes;   ///< What was done, one sentence each.
-  std::vector<std::string> failures;  ///< What was asked for and could not be done.
+  std::vector<std::string> changes;   ///< The changes, one sentence each.
+  std::vector<std::string> failures;  ///< Steps that were asked for and impossible, likewise.
 };
 
 /// Mends a mesh in this order: vertices of open edges that lie within the crack are welded, faces

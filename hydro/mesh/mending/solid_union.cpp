@@ -95,7 +95,7 @@ class OutsideLines {
 
   Eigen::Vector3i face_;
   const FaceCut& cut_;
-  std::map<int, int> before_;  ///< Of each point of the cut the one before it.
+  std::map<int, int> before_;  ///< The point before each point of the cut.
   std::vector<const EdgePoint*> at_edge_;
   std::map<int, std::size_t> index_of_;
   bool whole_ = true;
@@ -110,8 +110,8 @@ double area_about(const std::vector<Vector3d>& vertices, const Line& line, const
   return sum.dot(normal) / 2;
 }
 
-/// Cuts the part of a face inside lines into triangles. Those that run clockwise are holes; where
-/// the largest is one and none crosses the edges, the rest of the face is around it.
+/// Cuts the part of a face inside lines into triangles. Lines that run clockwise are holes; where
+/// the largest is a hole and none crosses the edges, the rest of the face is around it.
 void add_outside(const std::vector<Vector3d>& vertices, const Eigen::Vector3i& face,
                  std::vector<Line> lines, bool edges_cut, std::vector<Eigen::Vector3i>& faces) {
   const auto at = [&](int i) { return vertices[static_cast<std::size_t>(face[i])]; };

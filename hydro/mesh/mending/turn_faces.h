@@ -12,7 +12,7 @@ namespace hydro {
 /// strip, keeps an edge on which two faces disagree.
 TriMesh turned_consistently(TriMesh mesh);
 
-/// What a closed part inside another one is.
+/// Meaning of a closed part inside another one.
 enum class Nested {
   cavity,   ///< A hollow of the other.
   as_drawn  ///< A hollow only if its faces look the other way than those of the largest part.

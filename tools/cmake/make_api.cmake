@@ -1,0 +1,20 @@
+# cmake -DPAGES=FOLDER -P make_api.cmake: makes the pages of the libraries' API by Doxygen. A member
+# without a comment, or a comment that is wrong, is a fault.
+cmake_policy(VERSION 3.25)
+cmake_path(SET source NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
+include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/closed_headers.cmake)
+closed_headers(${source} headers ${public_headers})
+find_program(DOXYGEN doxygen REQUIRED)
+file(STRINGS ${source}/CMakeLists.txt project REGEX "^project\\(plimsoll VERSION ")
+string(REGEX REPLACE ".* VERSION ([0-9.]+).*" "\\1" version "${project}")
+list(JOIN headers " " headers)
+set(ENV{PLIMSOLL_HEADERS} "${headers}")
+set(ENV{PLIMSOLL_VERSION} ${version})
+set(ENV{PLIMSOLL_PAGES} ${PAGES})
+file(MAKE_DIRECTORY ${PAGES})
+execute_process(COMMAND ${DOXYGEN} tools/reference/Doxyfile WORKING_DIRECTORY ${source}
+  RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "the pages in ${PAGES} have the faults above")
+endif()
