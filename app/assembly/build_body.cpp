@@ -163,8 +163,8 @@ bool make_solid(const scene::Body& body, const std::string& path, MadeBody& made
   const MassProperties p = mass_properties(body, solid);
   if (!mass_is_usable(p, path, log)) return false;
   if (closed && std::holds_alternative<scene::Mesh>(body.shape))
-    doubt(made.sources.front().file, shape_path,
-          density_warning(p.mass, solid.volume, made.sources.front()), log);
+    warn(made.sources.front().file, shape_path,
+         density_warning(p.mass, solid.volume, made.sources.front()), log);
   made.com_M = p.center_of_mass;
   if (closed) made.solid = {hydro::translated(mesh, -solid.centroid), made.com_M - solid.centroid};
   made.spec.mesh_B = hydro::translated(std::move(mesh), -made.com_M);

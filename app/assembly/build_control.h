@@ -6,7 +6,7 @@
 
 namespace assembly {
 
-/// What a measurable quantity of a scene is in its specification.
+/// A measurable quantity of a scene as its specification has it.
 struct NamedMeasurement {
   engine::Measurement of;
   double unit = 1;  ///< SI units per unit of the name.

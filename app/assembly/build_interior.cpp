@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/interior.h"
+#include "hydro/interior/lids.h"
 #include "hydro/interior/places.h"
 
 namespace assembly {
@@ -82,7 +82,7 @@ void build_interior(const scene::Body& body, engine::BodySpec& spec) {
   spec.interior = model_of(body.interior);
   if (spec.interior == engine::Interior::wet) return;
   const hydro::Pockets found = hydro::find_pockets(spec.mesh_B, orientation_of(spec).row(2));
-  if (!found.pockets.empty()) spec.closed_mesh_B = hydro::with_closed_mouths(spec.mesh_B, found);
+  if (!found.pockets.empty()) spec.closed_mesh_B = hydro::with_lids(spec.mesh_B, found);
 }
 
 void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,

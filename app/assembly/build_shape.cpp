@@ -165,7 +165,7 @@ hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path
     auto [mesh, source] = mesh_from_file(*file, key, log);
     if (mesh.face_count() == 0) return {};
     if (asks_for_mending(file->mending)) mend(*file, key, mesh, source, log);
-    doubt(source.file, key, size_warning(mesh, source, "unit: "), log);
+    warn(source.file, key, size_warning(mesh, source, "unit: "), log);
     log.sources.push_back(std::move(source));
     return mesh;
   }
@@ -179,9 +179,9 @@ hydro::TriMesh shape_mesh(const scene::Shape& shape, const std::string& key_path
   }
 }
 
-void doubt(const std::filesystem::path& file, const std::string& key_path, const std::string& text,
-           BuildLog& log) {
-  if (!text.empty() && log.doubted.insert(file).second)
+void warn(const std::filesystem::path& file, const std::string& key_path, const std::string& text,
+          BuildLog& log) {
+  if (!text.empty() && log.warned_files.insert(file).second)
     log.warnings.push_back(fmt::format("{}: {}", key_path, text));
 }
 

@@ -34,7 +34,7 @@ struct BuildLog {
   /// The mesh files of the present body.
   std::vector<MeshSource> sources = {};
   /// The mesh files of which a warning has told.
-  std::set<std::filesystem::path> doubted = {};
+  std::set<std::filesystem::path> warned_files = {};
 };
 
 /// Returns the mesh of a shape in the mesh frame [m], not yet checked. After a fault, which goes to
@@ -58,8 +58,8 @@ std::pair<hydro::TriMesh, MeshSource> mesh_from_file(const scene::Mesh& mesh,
 
 /// Adds a warning that `text` tells of the meshes of this file, unless there is one already or the
 /// text is empty.
-void doubt(const std::filesystem::path& file, const std::string& key_path, const std::string& text,
-           BuildLog& log);
+void warn(const std::filesystem::path& file, const std::string& key_path, const std::string& text,
+          BuildLog& log);
 
 /// Requirements on a mesh.
 enum class Soundness {

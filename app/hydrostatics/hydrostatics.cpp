@@ -18,8 +18,8 @@
 #include "app/base/console.h"
 #include "app/base/terminal_reporter.h"
 #include "hydro/decompositions.h"
-#include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/interior.h"
+#include "hydro/interior/lids.h"
 #include "hydro/interior/places.h"
 #include "hydro/loads/loads.h"
 #include "hydro/mesh/mass_properties.h"
@@ -94,7 +94,7 @@ void make_hollow(const std::optional<double>& water, FloatingBody& body) {
   for (std::size_t i = 0; water && i < interior->pockets.size(); ++i)
     body.tanks.push_back({.hull = interior->pockets[i],
                           .volume = *water * interior->division.pockets[i].capacity / capacity});
-  body.mesh_B = hydro::with_closed_mouths(body.mesh_B, interior->division);
+  body.mesh_B = hydro::with_lids(body.mesh_B, interior->division);
 }
 
 /// True if an opening leads into the sea.

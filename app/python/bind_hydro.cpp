@@ -16,7 +16,7 @@
 #include "app/python/threads.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/added_mass/added_mass.h"
-#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/lids.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/mesh_check.h"
 #include "hydro/mesh/primitives.h"

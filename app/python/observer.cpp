@@ -83,7 +83,7 @@ Observer::Observer(const Observables& observables, const std::vector<std::string
     const auto* const found = observables.find(name);
     if (found == nullptr)
       throw UnknownName("there is nothing to observe of the name '" + name + "'" +
-                              app::did_you_mean(name, observables.names()));
+                        app::did_you_mean(name, observables.names()));
     sources_.push_back(found->source);
     reads_tables_ |= std::holds_alternative<Observables::OfTable>(found->source);
     reads_probes_ |= std::holds_alternative<Observables::OfProbe>(found->source);

@@ -10,7 +10,7 @@
 
 namespace python {
 
-/// What can be read of a simulation by name, in the units of the names:
+/// The numbers that can be read of a simulation by name, in the units of the names:
 ///
 /// - quantities that controls measure: `tug.heading_deg`, `joints[hinge].angle_deg`,
 ///   `ropes[tow].tension` (scene::measurable);

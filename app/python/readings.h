@@ -7,7 +7,7 @@
 #include "app/python/held_simulation.h"
 
 /// @file
-/// What is read of a simulation at a time, as dicts of Python.
+/// The readings of a simulation at a time as dicts of Python.
 
 namespace python {
 

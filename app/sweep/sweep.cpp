@@ -34,7 +34,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// Time between checks of the interrupt and the clock.
-constexpr milliseconds kGlance(50);
+constexpr milliseconds kPollInterval(50);
 /// Shortest time between two writings of the table.
 constexpr milliseconds kTableInterval(1000);
 /// Ratio of the rest to the time of writing the table or polling the folders of other ranks. Both
@@ -47,7 +47,7 @@ bool ended_by_itself(const RunOutcome& outcome) {
 }
 
 /// A run in progress.
-struct Going {
+struct RunningJob {
   std::size_t run;
   RunSlot folder;
   Clock::time_point start;
@@ -90,7 +90,7 @@ class Sweep {
     while (!waiting_.empty() || !going_.empty()) {
       if (guard_.interrupted()) stop();
       while (!waiting_.empty() && going_.size() < jobs_) start_next();
-      if (const auto ended = children_.wait(kGlance)) finish(*ended);
+      if (const auto ended = children_.wait(kPollInterval)) finish(*ended);
       if (Clock::now() >= table_due_) write_table();
       if (progress_.due()) show_progress();
     }
@@ -107,7 +107,7 @@ class Sweep {
       const Clock::duration rest = kRestsPerLook * (Clock::now() - start);
       missing = missing_runs();
       if (progress_.due()) progress_.show(fmt::format("{} runs of other ranks to go", missing));
-      if (missing > 0) std::this_thread::sleep_for(std::max<Clock::duration>(kGlance, rest));
+      if (missing > 0) std::this_thread::sleep_for(std::max<Clock::duration>(kPollInterval, rest));
     }
     write_table();
     progress_.clear();
@@ -153,13 +153,13 @@ class Sweep {
     for (const scene::Override& override : plan_.overrides_of(run))
       words.insert(words.end(), {"--set", override.key_path + '=' + override.value});
     const pid_t process = children_.start(words, run_folder.messages());
-    going_.emplace(process, Going{run, std::move(run_folder), Clock::now()});
+    going_.emplace(process, RunningJob{run, std::move(run_folder), Clock::now()});
   }
 
   void finish(const EndedProcess& ended) {
     const auto found = going_.find(ended.process);
     if (found == going_.end()) return;  // a child of the process that exec'ed this program
-    const Going& going = found->second;
+    const RunningJob& going = found->second;
     // An interrupted run has no outcome, so that it is repeated next time.
     const bool by_signal = ended.code > EndedProcess::kSignalBase && guard_.interrupted();
     if (ended.code == kInterrupted || by_signal) {
@@ -199,7 +199,7 @@ class Sweep {
   std::optional<std::vector<std::string>> bodies_;
   std::vector<std::optional<RunOutcome>> outcomes_;  ///< Outcomes per run of the sweep.
   std::deque<std::size_t> waiting_;
-  std::map<pid_t, Going> going_;
+  std::map<pid_t, RunningJob> going_;
   std::size_t done_before_ = 0;
   std::size_t to_do_ = 0;
   std::size_t done_ = 0;

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "engine/motion/body.h"
-#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/lids.h"
 #include "hydro/interior/places.h"
 #include "hydro/statics/buoyancy_energy.h"
 
@@ -58,7 +58,7 @@ void fill(const Body& body, const Eigen::Matrix3d& R_WB, HeldWater& held) {
 
 bool has_all_pockets(const Body& body, const HeldWater& held) {
   return held.interior &&
-         hydro::is_convex(hydro::with_closed_mouths(body.spec->mesh_B, held.interior->division));
+         hydro::is_convex(hydro::with_lids(body.spec->mesh_B, held.interior->division));
 }
 
 void find_sides(const Body& body, HeldWater& held) {

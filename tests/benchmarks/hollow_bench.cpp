@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/simulation.h"
-#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/lids.h"
 #include "hydro/mesh/mass_properties.h"
 #include "tests/benchmarks/benches.h"
 #include "tests/support/hollows.h"
@@ -77,7 +77,7 @@ void step(benchmark::State& state, const hydro::TriMesh& mesh, bool in_wave) {
 void register_hollow() {
   const hydro::TriMesh open = open_hull(0.0165);
   const hydro::TriMesh lidded =
-      hydro::with_closed_mouths(open, hydro::find_pockets(open, Eigen::Vector3d::UnitZ()));
+      hydro::with_lids(open, hydro::find_pockets(open, Eigen::Vector3d::UnitZ()));
   for (const bool in_wave : {false, true})
     for (const auto& [kind, mesh] : {std::pair("Hollow", open), std::pair("Lidded", lidded)}) {
       const std::string name =

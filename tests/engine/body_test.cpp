@@ -82,7 +82,7 @@ TEST(Body, ResistsContactsWithItsLargestInertia) {
   EXPECT_NEAR(engine::contact_fall(body, heavy), 1500.0 / 3500, 1e-12);
 }
 
-TEST(Body, ToldApartAreAddedMassesByWhatTheyDoToTheEnergy) {
+TEST(Body, AddedMassesAreToldApartByTheirEffectOnTheEnergy) {
   const SimulationSpec spec = box_with_added_mass(100 * Matrix6d::Identity());
   const Body body = engine::make_bodies(spec)[0];
   const Matrix6d start = 100 * Matrix6d::Identity();

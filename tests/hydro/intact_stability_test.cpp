@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "hydro/interior/closed_mouths.h"
 #include "hydro/interior/interior.h"
+#include "hydro/interior/lids.h"
 #include "hydro/mesh/primitives.h"
 #include "tests/support/hollows.h"
 
@@ -21,7 +21,7 @@ struct HollowBox {
   explicit HollowBox(double kg)
       : mesh_B(hydro::translated(support::open_box(), {0, 0, -kg})),
         interior(hydro::make_interior(mesh_B, Eigen::Vector3d::UnitZ())),
-        outside_B(hydro::with_closed_mouths(mesh_B, interior->division)) {}
+        outside_B(hydro::with_lids(mesh_B, interior->division)) {}
 
   std::vector<Tank> with_water(double volume) const {
     return {{.hull = interior->pockets[0], .volume = volume}};

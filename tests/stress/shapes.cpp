@@ -13,7 +13,7 @@
 #include "app/assembly/mesh_io.h"
 #include "hydro/added_mass/constant_added_mass.h"
 #include "hydro/added_mass/deep_added_mass.h"
-#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/lids.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
 #include "hydro/radiation/diffraction_load.h"
@@ -81,7 +81,7 @@ hydro::TriMesh unit_mesh(const std::string& name) {
 
 /// Returns the mesh with the mouths of its pockets closed, as it is upright.
 hydro::TriMesh outside(const hydro::TriMesh& mesh) {
-  return hydro::with_closed_mouths(mesh, hydro::find_pockets(mesh, Eigen::Vector3d::UnitZ()));
+  return hydro::with_lids(mesh, hydro::find_pockets(mesh, Eigen::Vector3d::UnitZ()));
 }
 
 /// Returns the solution for a mesh `size` times as large: φ scales with size, and with its square

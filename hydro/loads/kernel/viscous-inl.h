@@ -8,8 +8,8 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
+#include "hydro/loads/kernel/friction_line_series-inl.h"
 #include "hydro/loads/kernel/lanes-inl.h"
-#include "hydro/loads/kernel/line_about_pole-inl.h"
 #include "hydro/loads/kernel/plain_viscous.h"
 
 /// @file
@@ -21,7 +21,7 @@
 ///   - by seven points on each quarter below 2 kSmooth, if C_v is the ITTC line;
 ///   - cut at the one kink of C_v that lies on it, and then by seven points, below kStraight;
 ///   - by the closed form of `rotary_drag.h` where C_v is linear in the speed all over it;
-///   - by sums over its edges of means of the ITTC line (`line_about_pole-inl.h`);
+///   - by sums over its edges of means of the ITTC line (`friction_line_series-inl.h`);
 ///   - by `viscous_drag_load` otherwise: a few triangles of the thesis's law, with a kink.
 /// The errors are those told there, below 1e-6 of a panel's largest load.
 

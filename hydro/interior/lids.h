@@ -12,6 +12,6 @@ namespace hydro {
 /// best corner; the rest, if none can be cut off, about a vertex in its middle. The result is
 /// closed and outward; vertices that no face names are left out.
 /// @param division   find_pockets() of the mesh.
-TriMesh with_closed_mouths(const TriMesh& mesh, const Pockets& division);
+TriMesh with_lids(const TriMesh& mesh, const Pockets& division);
 
 }  // namespace hydro

@@ -1,4 +1,4 @@
-#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/lids.h"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +15,14 @@ namespace {
 
 using hydro::find_pockets;
 using hydro::TriMesh;
-using hydro::with_closed_mouths;
+using hydro::with_lids;
 
 const Eigen::Vector3d kUpright = Eigen::Vector3d::UnitZ();
 
 double volume(const TriMesh& mesh) { return hydro::solid_properties(mesh).volume; }
 
 TriMesh closed(const TriMesh& mesh, const Eigen::Vector3d& up = kUpright) {
-  return with_closed_mouths(mesh, find_pockets(mesh, up));
+  return with_lids(mesh, find_pockets(mesh, up));
 }
 
 TEST(ClosedMouths, TheOutsideOfABoxIsABox) {

@@ -1,4 +1,4 @@
-#include "hydro/interior/closed_mouths.h"
+#include "hydro/interior/lids.h"
 
 #include <algorithm>
 #include <array>
@@ -179,7 +179,7 @@ TriMesh without_unused(const TriMesh& mesh, const std::vector<Eigen::Vector3i>& 
 
 }  // namespace
 
-TriMesh with_closed_mouths(const TriMesh& mesh, const Pockets& division) {
+TriMesh with_lids(const TriMesh& mesh, const Pockets& division) {
   if (division.pockets.empty()) return mesh;
   TriMesh whole = mesh;
   std::vector<Eigen::Vector3i> faces;
