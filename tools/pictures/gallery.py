@@ -14,8 +14,13 @@ from pathlib import Path
 
 kRoot = Path(__file__).resolve().parents[2]
 kScenes = kRoot / "scenes"
-kHead = "teapot_drop"  # Whose sheet heads the README.
-kHeadWidth = 1344  # [px]
+# The picture that heads the README: a scene, how it is drawn, and the number of its frame.
+kShowcase = "wake_of_a_tug"
+kShowcaseLook = ("render.size=[1280, 480]", "render.overlay=false", "render.grid=false", "render.every=40",
+                 "render.camera={from: [-30, -19, 9], to: [-3, 2, 0.5], fov_deg: 36, follow: tug}")
+kShowcaseFrame = 1
+kSheet = "teapot_drop"  # Scene whose sheet the README shows.
+kSheetWidth = 1344  # [px]
 # Whose pictures the README shows beside its list, and the font of their names.
 kSix = ("launch_in_chop", "moored_buoy", "tug_and_barge", "open_boat", "two_hundred_crates", "motorised_gate")
 kFont = "DejaVuSans.ttf"
@@ -93,7 +98,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--set", action="append", default=[], metavar="KEY.PATH=VALUE",
                         help="for every scene, such as render.pressure.colors=viridis")
     parser.add_argument("--readme", action="store_true",
-                        help=f"renew the pictures of the README: the sheet of {kHead}, and six scenes")
+                        help=f"renew the pictures of the README: {kShowcase}, the sheet of {kSheet}, and six scenes")
     return parser.parse_args()
 
 
@@ -124,12 +129,23 @@ def figure(result: Result) -> str:
                           title=html.escape(result.title), told=told)
 
 
+def showcase(program: Path, out: Path, to: Path) -> None:
+    """Draws the run of the showcase in its own look."""
+    from PIL import Image
+    folder = out / "showcase"
+    changes = [word for change in kShowcaseLook for word in ("--set", change)]
+    subprocess.run([str(program), "render", str(out / kShowcase), "--out", str(folder), "--quiet", *changes],
+                   check=True)
+    with Image.open(folder / "frames" / f"frame_{kShowcaseFrame:04}.png") as image:
+        image.convert("RGB").save(to, optimize=True)
+
+
 def publish(sheet: Path, to: Path) -> None:
     """As wide as the README shows it."""
     from PIL import Image
     with Image.open(sheet) as image:
-        height = round(image.height * kHeadWidth / image.width)
-        small = image.convert("RGB").resize((kHeadWidth, height), Image.Resampling.LANCZOS)
+        height = round(image.height * kSheetWidth / image.width)
+        small = image.convert("RGB").resize((kSheetWidth, height), Image.Resampling.LANCZOS)
     small.save(to, optimize=True)
 
 
@@ -177,7 +193,8 @@ def main() -> int:
         sheet(drawn, out / "sheet.png")
         print(out / "sheet.png")
     if arguments.readme:
-        publish(out / kHead / "sheet.png", kScenes / "pictures" / f"{kHead}.png")
+        showcase(program, out, kScenes / "pictures" / f"{kShowcase}.png")
+        publish(out / kSheet / "sheet.png", kScenes / "pictures" / f"{kSheet}.png")
         by_name = {result.name: result for result in drawn}
         sheet([by_name[name] for name in kSix], kScenes / "pictures" / "six_scenes.png")
     return 0 if len(drawn) == len(results) else 1
