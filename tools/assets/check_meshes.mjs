@@ -1,5 +1,5 @@
 // Prints what each mesh of scenes/meshes is like, and ends with status 1 when one is not a sound
-// solid.
+// solid. It leaves out the open meshes of make_harbour.mjs unless they are named.
 //
 // Usage: node check_meshes.mjs [FILE.obj...]
 import fs from 'node:fs';
@@ -11,6 +11,9 @@ import {read_obj} from './mesh_file.mjs';
 import {add, angles, area_vector, dot, norm, scale} from './vectors.mjs';
 
 const folder = fileURLToPath(new URL('../../scenes/meshes/', import.meta.url));
+
+// A half hull, parts that a scene unites, and a ground.
+const kOpen = ['landing_craft_half.obj', 'quay_steps.obj', 'truck.obj'];
 
 // Ratio of |sum of area vectors| to area: round-off of a few ten thousand terms stays below this.
 const kClosure = 1e-13;
@@ -122,6 +125,7 @@ function check(file) {
 
 const asked = process.argv.slice(2);
 const all = () =>
-    fs.readdirSync(folder).filter((f) => f.endsWith('.obj')).sort().map((f) => folder + f);
+    fs.readdirSync(folder).filter((f) => f.endsWith('.obj') && !kOpen.includes(f)).sort()
+        .map((f) => folder + f);
 const sound = (asked.length > 0 ? asked : all()).map(check);
 process.exitCode = sound.every(Boolean) ? 0 : 1;

@@ -16,11 +16,16 @@ using support::kScenes;
 
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
+// Notes on meshes doubt them. Others tell which waves, added mass and damping a file has given.
+bool doubts_mesh(const std::string& note) {
+  return note.starts_with("bodies[") || note.starts_with("ground.");
+}
+
 TEST_P(ShippedScene, IsRight) {
   const scene::Scene scene = scene::read(kScenes / GetParam());
   EXPECT_FALSE(scene.title.empty());
   const assembly::BuiltScene built = assembly::build_without_added_mass(scene);
-  EXPECT_THAT(built.notes, testing::IsEmpty());
+  EXPECT_THAT(built.notes, testing::Each(testing::Not(testing::Truly(doubts_mesh))));
 }
 
 double kinetic_energy(const engine::SimulationSpec& spec,
