@@ -22,7 +22,7 @@ kShowcaseFrame = 1
 kSheet = "teapot_drop"  # Scene whose sheet the README shows.
 kSheetWidth = 1344  # [px]
 # Whose pictures the README shows beside its list, and the font of their names.
-kSix = ("launch_in_chop", "moored_buoy", "tug_and_barge", "open_boat", "two_hundred_crates", "motorised_gate")
+kSix = ("buoys_in_a_wake", "sailing_catamaran", "landing_craft", "moored_buoy", "open_boat", "two_hundred_crates")
 kFont = "DejaVuSans.ttf"
 kColumns = 3
 kCell = 400  # Width of a picture on the sheet [px].
