@@ -22,7 +22,7 @@ FLOORS = {
         ("assembly",),
         ("analysis", "pages", "pictures"),
         ("hydrostatics", "report", "run", "view"),
-        ("commands", "compare", "sweep"),
+        ("commands", "compare", "export", "sweep"),
         ("cli", "python"),
     ),
     "engine": (

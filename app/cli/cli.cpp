@@ -21,6 +21,7 @@
 #include "app/commands/render_trajectory.h"
 #include "app/commands/schema_command.h"
 #include "app/compare/compare.h"
+#include "app/export/export.h"
 #include "app/report/report.h"
 #include "app/scene/diagnostics.h"
 #include "app/view/view.h"
@@ -42,6 +43,7 @@ struct Arguments {
   RunArguments run;
   CompareOptions compare;
   RenderOptions render;
+  ExportOptions exported;
   ViewOptions view;
   ReportOptions report;
   AnalysisArguments analysis;
@@ -88,6 +90,26 @@ void add_others(CLI::App& program, Arguments& a) {
   add_sets(render, a.sets);
   add_any_format(render, a.render.formats);
   render->add_flag("--quiet", a.render.quiet, "Print no progress and no report");
+}
+
+void add_export(CLI::App& program, ExportOptions& o, std::vector<std::string>& sets) {
+  CLI::App* command = program.add_subcommand(
+      "export", "Write a run as an animated scene (glTF) for Blender, three.js and others");
+  command->add_option("run", o.run, kTrajectory)->type_name("RUN")->required();
+  command->add_option("out", o.out, "File to write, .glb")->type_name("FILE")->required();
+  command->add_option("--fps", o.fps, "Poses per second, 1 to 120 [25]")
+      ->check(CLI::Range(1, 120).description(""))
+      ->type_name("N");
+  command
+      ->add_option("--water", o.animation.water_cells,
+                   "Cells of the water's surface along a side, 0 for no water [64]")
+      ->check(CLI::Range(0, 512).description(""))
+      ->type_name("CELLS");
+  command->add_option("--scene", o.scene, "Scene of the trajectory [that of its run]")
+      ->type_name("SCENE");
+  add_sets(command, sets);
+  add_any_format(command, o.formats);
+  command->add_flag("--quiet", o.quiet, "Print no report");
 }
 
 void add_view(CLI::App& program, Arguments& a) {
@@ -177,6 +199,7 @@ void add_completion(CLI::App& program, Arguments& a) {
 int dispatch(const CLI::App& program, Arguments& a) {
   const std::vector<scene::Override> overrides = parse_overrides(a.sets);
   a.run.options.overrides = a.view.overrides = a.render.overrides = overrides;
+  a.exported.overrides = overrides;
   if (program.got_subcommand("run")) return run_scenes(a.run);
   if (program.got_subcommand("view")) return view(a.view);
   if (program.got_subcommand("sweep")) return sweep(a.sweep);
@@ -186,6 +209,7 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("probe")) return probe(a.scene, overrides, a.formats);
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("report")) return report(a.report);
+  if (program.got_subcommand("export")) return export_run(a.exported);
   if (program.got_subcommand("completion")) return completion(program, a.shell);
   if (program.got_subcommand("mesh")) return mesh_command(a.mesh);
   if (program.got_subcommand("schema")) return schema(a.markdown);
@@ -203,6 +227,7 @@ int command_line(int argc, char** argv) {
   Arguments arguments;
   add_run(program, arguments.run, arguments.sets);
   add_others(program, arguments);
+  add_export(program, arguments.exported, arguments.sets);
   add_view(program, arguments);
   add_compare(program, arguments.compare);
   add_report(program, arguments);
