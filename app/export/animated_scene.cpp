@@ -118,7 +118,7 @@ class SceneWriter {
     return glb_.append("materials", std::move(material));
   }
   std::size_t material(const Vector3d& color) {
-    return material({color.x(), color.y(), color.z(), 1});
+    return material(std::array{color.x(), color.y(), color.z(), 1.0});
   }
 
   /// Adds a mesh with smooth normals, and with colours of its vertices if there are any.

@@ -60,6 +60,9 @@ EXAMPLES = {
     "plimsoll render RUN": [
         "plimsoll render runs/a --scene box.yaml --out o/render --video o/render.mp4 --fps 5"
         " --set render.every=0.1 --any-format --quiet"],
+    "plimsoll export RUN": [
+        "plimsoll export runs/a o/box.glb --fps 10 --water 8 --scene box.yaml"
+        " --set render.size=[32,24] --any-format --quiet"],
     "plimsoll compare A B [--tol": [
         "plimsoll compare runs/a runs/b --tol position=1 --json --junit o/junit.xml"
         " --html o/comparison.html",
