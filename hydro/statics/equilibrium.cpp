@@ -7,6 +7,7 @@
 
 #include "hydro/decompositions.h"
 #include "hydro/interior/interior.h"
+#include "hydro/statics/immersed_mesh.h"
 #include "hydro/statics/trust_region.h"
 
 namespace hydro {
@@ -58,18 +59,28 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Ve
   return (Eigen::AngleAxisd(angle, axis) * orientation).normalized();
 }
 
+Flotation afloat(const ImmersedMesh& mesh, double volume, const Eigen::Quaterniond& orientation,
+                 const std::vector<Tank>& tanks) {
+  const Eigen::Matrix3d R_WB = orientation.toRotationMatrix();
+  Flotation flotation{.orientation = orientation, .height = mesh.floating_height(R_WB, volume)};
+  flotation.draught = -flotation.height - mesh.lowest(R_WB);
+  flotation.hydrostatics = mesh.at(R_WB, flotation.height);
+  for (const Tank& tank : tanks) flotation.tanks.push_back(tank_statics(tank, orientation));
+  return flotation;
+}
+
 /// One body's search for an attitude of least energy.
 class Descent {
  public:
   Descent(const TriMesh& mesh_B, double volume, const std::vector<Tank>& tanks, Freedom freedom)
-      : mesh_B_(mesh_B),
+      : mesh_(mesh_B),
         volume_(volume),
         tanks_(tanks),
         freedom_(freedom),
         size_(mesh_B.vertices.colwise().norm().maxCoeff()) {}
 
   Flotation from(const Eigen::Quaterniond& start) const {
-    Flotation found = search(afloat(mesh_B_, volume_, start, tanks_));
+    Flotation found = search(afloat(mesh_, volume_, start, tanks_));
     for (int i = 1; i < kMostSearches; ++i) {
       const std::optional<Flotation> lower = lower_nearby(found);
       if (!lower) break;
@@ -98,7 +109,7 @@ class Descent {
     for (int i = 0; i < kMostSteps && reach > 1e-16 && !settled(model); ++i) {
       const Eigen::Vector2d step =
           trust_region_step(model.gradient, model.hessian, reach, kEnergyNoise * size_);
-      const Flotation there = afloat(mesh_B_, volume_, turned(here.orientation, step), tanks_);
+      const Flotation there = afloat(mesh_, volume_, turned(here.orientation, step), tanks_);
       const Model model_there = model_of(there, freedom_);
       const double quality = merit(model, model_there, step);
       if (quality < 0.25) reach = 0.25 * std::min(reach, step.norm());
@@ -120,7 +131,7 @@ class Descent {
                                                             std::sin(k * std::numbers::pi / 4));
       const Eigen::Vector2d allowed =
           freedom_ == Freedom::all ? turn : Eigen::Vector2d(0, turn.y());
-      const Flotation there = afloat(mesh_B_, volume_, turned(found.orientation, allowed), tanks_);
+      const Flotation there = afloat(mesh_, volume_, turned(found.orientation, allowed), tanks_);
       const double energy = model_of(there, freedom_).energy;
       if (energy >= least) continue;
       least = energy;
@@ -129,7 +140,7 @@ class Descent {
     return lowest;
   }
 
-  const TriMesh& mesh_B_;
+  ImmersedMesh mesh_;
   double volume_;
   const std::vector<Tank>& tanks_;
   Freedom freedom_;
@@ -159,12 +170,7 @@ Eigen::Vector2d Flotation::gradient() const {
 
 Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
                  const std::vector<Tank>& tanks) {
-  const TriMesh mesh_G{orientation.toRotationMatrix() * mesh_B.vertices, mesh_B.faces};
-  Flotation flotation{.orientation = orientation, .height = floating_height(mesh_G, volume)};
-  flotation.draught = -flotation.height - mesh_G.vertices.row(2).minCoeff();
-  flotation.hydrostatics = hydrostatics(mesh_G, flotation.height);
-  for (const Tank& tank : tanks) flotation.tanks.push_back(tank_statics(tank, orientation));
-  return flotation;
+  return afloat(ImmersedMesh(mesh_B), volume, orientation, tanks);
 }
 
 Stability stability(const TriMesh& mesh_B, const Flotation& flotation) {

@@ -10,7 +10,7 @@
 /// @file
 /// The attitude at which a body floats at rest, and its righting arms at other attitudes.
 ///
-/// At a given attitude the body is at its floating height (`floating_height`). The potential energy
+/// At a given attitude the body is at its floating height (immersed_mesh.h). The potential energy
 /// of body and water, over the weight, is then the height of the centre of mass G above the centre
 /// of buoyancy B, a function of the attitude alone. For rotations θ about the horizontal W axes,
 /// with B expressed in G and the metacentric heights M of hydrostatics.h (heave eliminated),

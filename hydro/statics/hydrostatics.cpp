@@ -2,34 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "hydro/loads/clip.h"
-#include "hydro/mesh/mass_properties.h"
+#include "hydro/statics/wet_sums.h"
 
 namespace hydro {
 namespace {
 
-/// An edge of the waterline; seen from above, the waterplane is on its left.
-struct WaterlineEdge {
-  Eigen::Vector2d from, to;
-};
-
-/// Sums over the wet triangles.
-struct WetSums {
-  double volume = 0;
-  Eigen::Vector2d horizontal = Eigen::Vector2d::Zero();  ///< ∫ (x, y) dV
-  double depth = 0;                                      ///< ∫ d dV
-  double surface = 0;
-  std::vector<WaterlineEdge> waterline;
-};
-
-/// Adds the terms of (1) to (3) and the triangle's edges at the surface.
-void add_wet_triangle(const PanelPart& wet, WetSums& sums) {
-  const Panel& r = wet.panel;
-  const Eigen::Vector3d& d = wet.value;
+/// Adds a triangle without a dry part.
+void add_wet_triangle(const Panel& r, const Eigen::Vector3d& d, WetSums& sums) {
   const Eigen::Vector3d a = area_vector(r);
   sums.volume -= a.z() * d.sum() / 3;
   Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
@@ -47,11 +29,9 @@ void add_wet_triangle(const PanelPart& wet, WetSums& sums) {
 /// @param depths   Depths of the vertices [m].
 WetSums sum_wet_triangles(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths) {
   WetSums sums;
-  for (const auto& face : mesh_G.faces.colwise()) {
-    const Panel panel = {mesh_G.vertices.col(face[0]), mesh_G.vertices.col(face[1]),
-                         mesh_G.vertices.col(face[2])};
-    const Eigen::Vector3d depth(depths[face[0]], depths[face[1]], depths[face[2]]);
-    for (const PanelPart& wet : positive_part(panel, depth)) add_wet_triangle(wet, sums);
+  for (Eigen::Index f = 0; f < mesh_G.face_count(); ++f) {
+    const auto face = mesh_G.faces.col(f);
+    add_panel(panel_of(mesh_G, f), {depths[face[0]], depths[face[1]], depths[face[2]]}, sums);
   }
   return sums;
 }
@@ -84,9 +64,14 @@ Waterplane waterplane_within(const std::vector<WaterlineEdge>& waterline) {
 
 }  // namespace
 
-Hydrostatics hydrostatics(const TriMesh& mesh_G, double height) {
-  const WetSums sums =
-      sum_wet_triangles(mesh_G, -(mesh_G.vertices.row(2).array() + height).matrix());
+void add_panel(const Panel& panel_G, const Eigen::Vector3d& depth, WetSums& sums) {
+  if (!(depth.maxCoeff() > 0)) return;
+  if (depth.minCoeff() >= 0) return add_wet_triangle(panel_G, depth, sums);
+  for (const PanelPart& wet : positive_part(panel_G, depth))
+    add_wet_triangle(wet.panel, wet.value, sums);
+}
+
+Hydrostatics hydrostatics_of(const WetSums& sums, double height) {
   Hydrostatics h{.volume = sums.volume,
                  .wetted_surface = sums.surface,
                  .waterplane = waterplane_within(sums.waterline)};
@@ -94,6 +79,11 @@ Hydrostatics hydrostatics(const TriMesh& mesh_G, double height) {
   h.centre_of_buoyancy.head<2>() = sums.horizontal / sums.volume;
   h.centre_of_buoyancy.z() = -height - sums.depth / sums.volume;
   return h;
+}
+
+Hydrostatics hydrostatics(const TriMesh& mesh_G, double height) {
+  return hydrostatics_of(
+      sum_wet_triangles(mesh_G, -(mesh_G.vertices.row(2).array() + height).matrix()), height);
 }
 
 WetVolume wet_volume(const TriMesh& mesh_G, const Eigen::RowVectorXd& depths) {
@@ -118,29 +108,6 @@ Eigen::Matrix2d metacentric_heights(const Hydrostatics& h) {
   turned << i(1, 1), -i(0, 1),  //
       -i(0, 1), i(0, 0);
   return turned / h.volume + h.centre_of_buoyancy.z() * Eigen::Matrix2d::Identity();
-}
-
-double floating_height(const TriMesh& mesh_G, double volume) {
-  const double whole = solid_properties(mesh_G).volume;
-  if (!(volume > 0 && volume < whole))
-    throw std::invalid_argument("found a displacement of " + std::to_string(volume) +
-                                " m^3, expected more than 0 and less than the body's volume, " +
-                                std::to_string(whole) + " m^3");
-  double wet =
-      -mesh_G.vertices.row(2).maxCoeff();  // heights at which the body is all wet and all dry
-  double dry = -mesh_G.vertices.row(2).minCoeff();
-  double height = wet + (dry - wet) * (1 - volume / whole);
-  for (int i = 0; i < 200; ++i) {
-    const Hydrostatics h = hydrostatics(mesh_G, height);
-    const double excess = h.volume - volume;
-    if (std::abs(excess) <= 1e-15 * volume) break;
-    (excess > 0 ? wet : dry) = height;
-    double next = height + excess / h.waterplane.area;
-    if (!(next > wet && next < dry)) next = (wet + dry) / 2;  // also for an area of 0
-    if (next == height || next == wet || next == dry) break;  // neighbouring numbers
-    height = next;
-  }
-  return height;
 }
 
 }  // namespace hydro

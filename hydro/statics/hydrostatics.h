@@ -85,14 +85,4 @@ Eigen::Matrix3d restoring_stiffness(const Hydrostatics& h);
 /// their coupling, z_B + (1/V) ∫ (r − c)(r − c)ᵀ dA in the axes of roll and pitch.
 Eigen::Matrix2d metacentric_heights(const Hydrostatics& h);
 
-/// Height of the centre of mass at which the body displaces `volume` in its present orientation
-/// [m].
-///
-/// Displacement falls with height at the rate of the waterplane area (dV/dh = −area), so the height
-/// is unique; where an interval of heights is possible (a gap between parts one above the other),
-/// one of them is returned. The search is Newton's method within a shrinking bracket, to round-off:
-/// 2e-15 of the volume.
-/// @throws std::invalid_argument unless volume is positive and less than the whole body's.
-double floating_height(const TriMesh& mesh_G, double volume);
-
 }  // namespace hydro

@@ -184,44 +184,4 @@ TEST(Hydrostatics, MetacentricHeightsAreTheStiffnessWithHeaveEliminated) {
   EXPECT_LT((schur / h.volume - hydro::metacentric_heights(h)).norm(), kRoundOff);
 }
 
-TEST(FloatingHeight, DisplacesWhatIsAskedOverTwelveDecades) {
-  support::Random random(65);
-  const TriMesh mesh = support::random_star(random);
-  const double whole = hydro::solid_properties(mesh).volume;
-  for (const double part : {1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.999, 1 - 1e-9}) {
-    const double height = hydro::floating_height(mesh, part * whole);
-    const double lowest = mesh.vertices.row(2).minCoeff();
-    // A height has 1e-16 of the body's size, which a thin tip feels as much more of its volume.
-    const double felt = 3e-16 / (std::abs(lowest + height) * part) * (part < 0.1 ? 3 * part : 1);
-    EXPECT_NEAR(hydro::hydrostatics(mesh, height).volume / (part * whole), 1,
-                support::tolerance(std::max(felt, 1e-14)));
-  }
-}
-
-TEST(FloatingHeight, IsFoundWhereTheWaterplaneJumps) {
-  // A plate on a thin column on a plate: the waterplane jumps by a factor of 10,000 twice.
-  const TriMesh plate = hydro::make_box({1, 1, 0.1});
-  const TriMesh stack = support::united(
-      support::united(hydro::translated(plate, {0, 0, -0.55}), hydro::make_box({0.01, 0.01, 1})),
-      hydro::translated(plate, {0, 0, 0.55}));
-  for (const double volume : {0.05, 0.1, 0.1 + 1e-12, 0.10005, 0.1001, 0.1001 + 1e-12, 0.15}) {
-    const double height = hydro::floating_height(stack, volume);
-    // The area of 1 m^2 times the last digit of the height.
-    EXPECT_NEAR(hydro::hydrostatics(stack, height).volume, volume, support::tolerance(3e-16));
-  }
-}
-
-TEST(FloatingHeight, LiesInAGapBetweenPartsThatDisplaceExactlyTheirShare) {
-  const TriMesh box = hydro::make_box({1, 1, 1});
-  const TriMesh parts = support::united(hydro::translated(box, {0, 0, 2}), box);
-  const double height = hydro::floating_height(parts, 1);
-  EXPECT_NEAR(hydro::hydrostatics(parts, height).volume, 1, kRoundOff);
-}
-
-TEST(FloatingHeight, IsRefusedToWhatSinksOrWeighsNothing) {
-  const TriMesh box = hydro::make_box({1, 1, 1});
-  for (const double volume : {-1.0, 0.0, 1.0, 2.0, std::nan("")})
-    EXPECT_THROW(hydro::floating_height(box, volume), std::invalid_argument) << volume;
-}
-
 }  // namespace
