@@ -129,17 +129,17 @@ TEST_F(Export, WaterHasTheElevationOfTheSea) {
 
 TEST_F(Export, BodiesOfOneShapeAndColorShareAMesh) {
   make();
-  const nlohmann::json json = document();
-  EXPECT_EQ(json["asset"]["version"], "2.0");
+  const nlohmann::json file_json = document();
+  EXPECT_EQ(file_json["asset"]["version"], "2.0");
   std::map<std::string, int> mesh_of;
-  for (const nlohmann::json& node : json["nodes"])
+  for (const nlohmann::json& node : file_json["nodes"])
     if (node.contains("mesh")) mesh_of[node["name"]] = node["mesh"];
   EXPECT_NE(mesh_of.at("red"), mesh_of.at("blue"));  // Another colour.
-  const auto& red = json["meshes"][mesh_of.at("red")]["primitives"][0];
+  const auto& red = file_json["meshes"][mesh_of.at("red")]["primitives"][0];
   const auto color =
-      json["materials"][red["material"].get<int>()]["pbrMetallicRoughness"]["baseColorFactor"];
+      file_json["materials"][red["material"].get<int>()]["pbrMetallicRoughness"]["baseColorFactor"];
   EXPECT_EQ(color, (nlohmann::json{1.0, 0.0, 0.0, 1.0}));
-  EXPECT_EQ(json["cameras"].size(), 1U);
+  EXPECT_EQ(file_json["cameras"].size(), 1U);
   EXPECT_THAT(said, HasSubstr("out.glb: "));
 }
 

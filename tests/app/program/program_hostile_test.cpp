@@ -105,14 +105,14 @@ TEST_F(ProgramHostile, EscapesOfSceneFileNameAndLogReachNoTerminal) {
   EXPECT_THAT(fault.err, HasSubstr("\\x1b[1m.yaml:3:1: \\x1b]0;owned\\x07\\x1b[31mred: unknown"));
   const std::string mesh = work.write("\x1b[31m\xc2\x9b.obj", kTetrahedronObj);
   const Outcome table = work.run({"hydrostatics", mesh, "--mass", "10"});
-  const Outcome json = work.run({"hydrostatics", mesh, "--mass", "10", "--json"});
+  const Outcome printed = work.run({"hydrostatics", mesh, "--mass", "10", "--json"});
   EXPECT_THAT(table.out, HasSubstr("\\x1b[31m\\u009b"));
-  EXPECT_THAT(json.out, HasSubstr("\\u001b[31m\\u009b"));
+  EXPECT_THAT(printed.out, HasSubstr("\\u001b[31m\\u009b"));
   const std::string row = "0,\x1b[31mred,0,0,0,1,0,0,0,0,0,0,0,0,0\n";
   work.write("a.csv", support::kTrajectoryHeader + row);
   const Outcome compared = work.run({"compare", "a.csv", "a.csv"});
   EXPECT_THAT(compared.out, HasSubstr("\\x1b[31mred"));
-  for (const Outcome& outcome : {fault, table, json, compared})
+  for (const Outcome& outcome : {fault, table, printed, compared})
     EXPECT_THAT(outcome.out + outcome.err,
                 Not(testing::AnyOf(HasSubstr("\x1b"), HasSubstr("\a"), HasSubstr("\x9b"))));
 }
