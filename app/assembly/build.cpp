@@ -187,7 +187,8 @@ BuiltScene put_together(const scene::Scene& scene) {
   for (std::string& warning : radiation_warnings(spec, radiation))
     built.warnings.push_back(std::move(warning));
   for (std::string& warning : interior_warnings(spec)) built.warnings.push_back(std::move(warning));
-  for (std::string& warning : rig_warnings(spec)) built.warnings.push_back(std::move(warning));
+  for (std::string& warning : rig_warnings(scene, spec))
+    built.warnings.push_back(std::move(warning));
   for (std::string& note : database_notes(spec, radiation)) built.notes.push_back(std::move(note));
   for (RadiationChoice& choice : radiation)
     built.radiation.push_back({.choice = std::move(choice)});

@@ -297,12 +297,18 @@ engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {
 
 void build_rig(BuiltScene& built, BuildLog& log) { RigBuilder(built, log).all(); }
 
-std::vector<std::string> rig_warnings(const engine::SimulationSpec& spec) {
+std::vector<std::string> rig_warnings(const scene::Scene& scene,
+                                      const engine::SimulationSpec& spec) {
+  const auto settled = [&](const engine::AttachmentPoint& end) {
+    return end.body != engine::kWorld &&
+           scene.bodies[static_cast<std::size_t>(end.body)].start == scene::Start::equilibrium;
+  };
   std::vector<std::string> warnings;
   std::map<engine::LineSpec::Kind, std::size_t> counts;
   for (const engine::LineSpec& line : spec.lines) {
     const std::size_t i = counts[line.kind]++;
     if (line.kind == engine::LineSpec::Kind::spring) continue;
+    if (settled(line.first) || settled(line.second)) continue;
     const char* list = line.kind == engine::LineSpec::Kind::rope ? "ropes" : "moorings";
     warn_of_span(spec, line, fmt::format("{}[{}]", list, i), warnings);
   }

@@ -29,7 +29,9 @@ double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSp
 
 /// Returns what the author of a scene should look at: ropes and moorings that are shorter than
 /// their span at the start, and propellers that reach out of the water. Each is one line, which
-/// begins with the key.
-std::vector<std::string> rig_warnings(const engine::SimulationSpec& spec);
+/// begins with the key. A line of a body that starts in equilibrium has the tension that holds it
+/// there.
+std::vector<std::string> rig_warnings(const scene::Scene& scene,
+                                      const engine::SimulationSpec& spec);
 
 }  // namespace assembly

@@ -704,4 +704,23 @@ TEST(Equilibrium, OfABodyThatNothingNearHoldsIsAFault) {
               ElementsAre(HasSubstr("held by a constant load, does not come to rest within ten")));
 }
 
+TEST(RigWarnings, ATautLineIsToldUnlessItsBodyRestsOnIt) {
+  const auto warnings = [](const std::string& start) {
+    return assembly::build_without_added_mass(
+               support::read_scene_text(
+                   "plimsoll: 1\nduration: 1\nwater: {depth: 60}\nbodies:\n"
+                   "  - {name: spar, cylinder: {radius: 4, height: 24}, mass: 690000, "
+                   "center_of_mass: [0, 0, -8], position: [0, 0, -6], start: " +
+                   start +
+                   "}\nmoorings:\n  - {name: tendon, body: spar, fairlead: [0, 0, -12], anchor: "
+                   "[0, 0, -60], length: 41.95, weight: 300, stiffness: 6e8, bottom: false}\n"))
+        .warnings;
+  };
+  EXPECT_THAT(warnings("given"),
+              testing::Contains(testing::HasSubstr(
+                  "moorings[0].length: 41.95 m is less than the distance of 42")));
+  EXPECT_THAT(warnings("equilibrium"),
+              testing::Not(testing::Contains(testing::HasSubstr("length"))));
+}
+
 }  // namespace
