@@ -257,8 +257,7 @@ inline HWY_NOINLINE PoleMoments edge_moments(const V2& s0, const V2& s1, V a, V 
       hn::MulAdd(a5, rho3, b6 * (rho4_to(t1) - rho4_to(t0)))};
 }
 
-/// Friction by its integrals over the edges, seen from the pole. @param moments_of   Gives the
-/// moments of an edge.
+/// Friction by integrals over the edges, seen from the pole; `moments_of` gives those of an edge.
 template <class MomentsOf>
 HWY_INLINE Friction about_pole(const Sliding& s, M which, const MomentsOf& moments_of) {
   const V omega = hn::IfThenElse(which, s.flow.spin, all(1)), spin = hn::Abs(omega);
